@@ -1,0 +1,18 @@
+# What every target of the project has in common: warnings are errors, no fast-math (it voids NaN guards), sanitizers by preset.
+function(boxprobe_target_settings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
+  if(BOXPROBE_SANITIZE_ADDRESS)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+  if(BOXPROBE_SANITIZE_THREAD)
+    target_compile_options(${target} PRIVATE -fsanitize=thread)
+    target_link_options(${target} PUBLIC -fsanitize=thread)
+  endif()
+endfunction()
+
+function(boxprobe_library name)
+  add_library(${name} STATIC ${ARGN})
+  boxprobe_target_settings(${name})
+endfunction()

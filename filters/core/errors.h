@@ -1,0 +1,30 @@
+// The one exception family of the program. Thrown by anything that reads, writes or validates; caught once, in main,
+// which prints what() as a single line. Functions of mathematics never throw.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace boxprobe {
+
+/// Base: `what()` is one line that names the file, the place in it and what to do.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+  virtual int exitStatus() const { return 1; }
+};
+
+/// The work itself failed (disk full, shader refused by the driver). Exit status 1.
+class WorkError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Bad usage or bad input. Exit status 2.
+class InputError : public Error {
+ public:
+  using Error::Error;
+  int exitStatus() const override { return 2; }
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,167 @@
+// A scene as plain values: what a *.boxprobe.json file holds, after defaults. Read by every layer above; knows neither
+// VTK nor Qt nor files. Frames: everything is world space, right-handed, +Y up; lengths are scene units (metres for
+// glTF), angles degrees, colours linear.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace boxprobe {
+
+/// A model file and where it stands. The transform (scale, then rotation X then Y then Z, then translation) stays in
+/// double so that a scene far from the origin keeps its precision.
+struct ModelFile {
+  std::string file;  ///< absolute, or relative to the working directory once loaded
+  glm::dvec3 translation{0.0};
+  glm::dvec3 rotationDegrees{0.0};
+  double scale = 1.0;
+  bool operator==(const ModelFile&) const;
+};
+
+/// Radiance the same in every direction.
+struct SkyColor {
+  glm::vec3 color{0.0f};
+  bool operator==(const SkyColor&) const;
+};
+/// Radiance by elevation: horizon to top above, horizon to ground below, linear in the direction's y.
+struct SkyGradient {
+  glm::vec3 top{0.30f, 0.45f, 0.70f};
+  glm::vec3 horizon{0.75f, 0.82f, 0.90f};
+  glm::vec3 ground{0.18f, 0.17f, 0.16f};
+  bool operator==(const SkyGradient&) const;
+};
+/// Latitude-longitude image (EXR or HDR), linear radiance.
+struct SkyImage {
+  std::string file;
+  bool operator==(const SkyImage&) const;
+};
+using Sky = std::variant<SkyGradient, SkyColor, SkyImage>;
+
+struct Camera {
+  std::string name = "main";
+  glm::dvec3 position{0.0, 1.6, 5.0};
+  glm::dvec3 target{0.0, 1.0, 0.0};
+  glm::dvec3 up{0.0, 1.0, 0.0};
+  double verticalFovDegrees = 45.0;
+  bool operator==(const Camera&) const;
+};
+
+enum class LightType { Directional, Point };
+struct Light {
+  LightType type = LightType::Directional;
+  glm::dvec3 direction{0.0, -1.0, 0.0};  ///< directional: the way the light travels; need not be unit length
+  glm::dvec3 position{0.0};              ///< point
+  glm::vec3 color{1.0f};
+  float intensity = 1.0f;  ///< directional: irradiance at normal incidence; point: radiant intensity, falls with 1/d²
+  bool operator==(const Light&) const;
+};
+
+/// Overrides of a glTF material by its name; what is left out keeps the model's value.
+struct MaterialOverride {
+  std::optional<glm::vec3> baseColor;
+  std::optional<float> metallic, roughness;
+  std::optional<glm::vec3> emissive;
+  std::optional<float> normalScale, coat, ior, transmission;
+  bool operator==(const MaterialOverride&) const;
+};
+
+enum class ProbeMode { Off, Simple, Blend, BlendAndSky };  ///< of an object: which probes it uses
+enum class WeightMode { Pixel, Object };
+
+/// Overrides of a glTF node by its name.
+struct ObjectOverride {
+  bool visible = true;
+  bool seenByProbes = true;
+  bool dynamic = false;
+  ProbeMode probeMode = ProbeMode::BlendAndSky;
+  WeightMode weights = WeightMode::Pixel;
+  bool operator==(const ObjectOverride&) const;
+};
+
+/// Axis-aligned in the probe's own frame: `min` and `max` are offsets in world units along the box's axes as if it were
+/// not rotated; a rotation turns the box about its centre.
+struct Box {
+  glm::dvec3 min{-1.0};
+  glm::dvec3 max{1.0};
+  glm::dvec3 center() const { return 0.5 * (min + max); }
+  glm::dvec3 size() const { return max - min; }
+  bool operator==(const Box&) const;
+};
+
+/// Distance inside each face over which a probe's weight rises from 0 to 1.
+struct BlendDistance {
+  glm::dvec3 min{1.0};
+  glm::dvec3 max{1.0};
+  bool operator==(const BlendDistance&) const;
+};
+
+enum class ProbeUpdate { Baked, Realtime, Custom };
+enum class FilterKind { Ggx, Gaussian };
+/// What a probe holds where it saw nothing.
+struct ClearToSky {
+  bool operator==(const ClearToSky&) const { return true; }
+};
+struct ClearToNone {
+  bool operator==(const ClearToNone&) const { return true; }
+};
+using Clear = std::variant<ClearToSky, ClearToNone, glm::vec3>;
+using ParameterValue = std::variant<double, bool, std::string>;
+
+struct Probe {
+  std::string name = "probe";
+  glm::dvec3 origin{0.0};  ///< capture origin
+  Box box;                 ///< projection (proxy) box
+  glm::dvec3 rotationDegrees{0.0};
+  std::optional<Box> influence;  ///< left out: the projection box
+  double nearDistance = 0.01;
+  double farDistance = 1000.0;
+  Clear clear = ClearToSky{};
+  BlendDistance blendDistance;
+  double importance = 1.0;
+  double intensity = 1.0;
+  bool projection = true;  ///< false: looked up with the bare reflection vector, as `infinite`
+  std::string technique = "box";
+  std::map<std::string, ParameterValue> parameters;
+  int faceSize = 256;  ///< texels, a power of two from 16 to 2048
+  int bounces = 1;     ///< 1 to 5
+  ProbeUpdate mode = ProbeUpdate::Baked;
+  std::string image;  ///< custom mode
+  FilterKind filter = FilterKind::Ggx;
+  int samplesPerPixel = 4;  ///< 1, 4 or 16
+  std::vector<std::string> hides;
+
+  const Box& influenceBox() const { return influence ? *influence : box; }
+  bool operator==(const Probe&) const;
+};
+
+struct Scene {
+  std::vector<ModelFile> models;
+  Sky sky;
+  std::vector<Camera> cameras;  ///< in file order, names unique
+  std::vector<Light> lights;
+  std::map<std::string, MaterialOverride> materials;
+  std::map<std::string, ObjectOverride> objects;
+  std::vector<Probe> probes;  ///< names unique
+  double exposure = 1.0;      ///< display = (exposure * linear)^(1/2.2)
+
+  bool operator==(const Scene&) const;
+};
+
+/// Index of the probe of that name, or nothing.
+std::optional<std::size_t> findProbe(const Scene& scene, const std::string& name);
+
+/// `stem`, or `stem 2`, `stem 3`, ... : the first that no probe has.
+std::string unusedProbeName(const Scene& scene, const std::string& stem);
+
+/// What the scene asks for that this version accepts but does not do yet, one sentence each; for `info` and warnings.
+std::vector<std::string> featuresNotUsed(const Scene& scene);
+
+/// Throws InputError whose text starts with the key path ("probes.room.box: ...") at the first value out of its range:
+/// non-finite numbers, box with min > max, duplicate or empty names, unknown technique, sizes and counts out of range.
+void validate(const Scene& scene);
+
+}  // namespace boxprobe
