@@ -1,0 +1,17 @@
+// Whole or not at all: every file the program writes goes through here.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace boxprobe {
+
+/// Calls `write` with the name of a temporary file in the folder of `path`, then flushes that file to disk and renames
+/// it to `path`. If `write` throws or the flush or rename fails the temporary file is removed and `path` is untouched;
+/// failures of the file system are WorkError naming `path` and the system's reason.
+void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write);
+
+/// The common case: text.
+void writeTextAtomically(const std::string& path, const std::string& text);
+
+}  // namespace boxprobe

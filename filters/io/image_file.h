@@ -1,0 +1,22 @@
+// Pictures in and out: PNG for display colours, OpenEXR for linear ones, Radiance HDR in. Every output is written to a
+// temporary file beside its target and renamed.
+#pragma once
+
+#include <string>
+
+#include "filters/core/model.h"
+
+namespace boxprobe {
+
+void savePng(const std::string& path, const ImageRgba8& image);
+
+/// Float RGBA, ZIP compressed, scan lines.
+void saveExr(const std::string& path, const ImageRgbaF& image);
+
+/// By extension: .exr or .hdr. Non-finite texels are set to 0 and counted in `*notFinite` when given. Throws InputError.
+ImageRgbaF loadHdrImage(const std::string& path, std::size_t* notFinite = nullptr);
+
+/// 8-bit PNG or JPEG.
+ImageRgba8 loadImage8(const std::string& path);
+
+}  // namespace boxprobe

@@ -1,0 +1,78 @@
+// The one translation unit that compiles the shader files as C++. GLSL's built-ins are GLM's; PROBE_MAP and fetchProbe are
+// what each host supplies (a sampler and textureLod on the GPU, a CubeSampler here).
+#include "filters/math/shared_math.h"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "filters/math/technique_table.h"
+
+#define PROBE_MAP ProbeMap
+
+namespace boxprobe::shading {
+
+using glm::abs;
+using glm::clamp;
+using glm::cos;
+using glm::dot;
+using glm::exp2;
+using glm::length;
+using glm::log2;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::sin;
+using glm::sqrt;
+
+static vec4 fetchProbe(ProbeMap map, vec3 direction, float level) { return map->fetch(direction, level); }
+
+// A projection need not use the normal, nor the box: parameters of one signature for all rows.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#include "shaders/shared/cube.glsl"
+#include "shaders/shared/ggx.glsl"
+#include "shaders/shared/roughness.glsl"
+#include "shaders/shared/sky.glsl"
+#include "shaders/shared/slab.glsl"
+#include "shaders/shared/weights.glsl"
+// After slab.glsl, which they use.
+#include "shaders/technique/projection_box.glsl"
+#include "shaders/technique/projection_infinite.glsl"
+#include "shaders/technique/projection_normal.glsl"
+#include "shaders/technique/projection_sphere.glsl"
+#include "shaders/technique/evaluation_none.glsl"
+#pragma GCC diagnostic pop
+
+ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection) {
+  return projectionRows()[static_cast<std::size_t>(probe.projection)].project(probe, position, normal, reflection);
+}
+
+}  // namespace boxprobe::shading
+
+namespace boxprobe {
+
+const std::vector<ProjectionRow>& projectionRows() {
+  static const std::vector<ProjectionRow> rows = {
+      {"normal", "Normal (painted on)", "Looked up with the surface normal: the picture sticks to the object.",
+       "technique/projection_normal.glsl", "projectNormal", shading::projectNormal},
+      {"infinite", "Infinite (no correction)", "Looked up with the bare reflection vector: right only for far surroundings.",
+       "technique/projection_infinite.glsl", "projectInfinite", shading::projectInfinite},
+      {"sphere", "Sphere proxy", "The ray is intersected with the sphere around the box: straight walls bend.",
+       "technique/projection_sphere.glsl", "projectSphere", shading::projectSphere},
+      {"box", "Box projection", "The ray is intersected with the probe's box: exact where the room is the box.",
+       "technique/projection_box.glsl", "projectBox", shading::projectBox},
+  };
+  return rows;
+}
+
+const std::vector<EvaluationRow>& evaluationRows() {
+  static const std::vector<EvaluationRow> rows = {
+      {"none", "No contact hardening", "One fetch at the surface's own roughness, whatever the distance.",
+       "technique/evaluation_none.glsl", "evaluateNone", shading::evaluateNone},
+  };
+  return rows;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,43 @@
+// shaders/shared and shaders/technique, compiled as C++ through GLM: one source for the picture and for its explanation.
+// Included by every layer; knows nothing above it. The definitions are in shared_math.cpp, the only translation unit that
+// includes the shader files; the structs come from shaders/shared/types.glsl itself.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace boxprobe::shading {
+
+/// A prefiltered cubemap as the mathematics sees it: what `fetchProbe` is on this side.
+class CubeSampler {
+ public:
+  virtual ~CubeSampler() = default;
+  /// Trilinear, seamless across faces. `direction` need not be unit; `level` is clamped to the chain.
+  virtual glm::vec4 fetch(const glm::vec3& direction, float level) const = 0;
+};
+using ProbeMap = const CubeSampler*;
+
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+#include "shaders/shared/types.glsl"
+
+float slabFactor(float position, float direction, float boxMin, float boxMax);
+vec3 slabFactors(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax);
+float roughnessForLevel(float level, float maxLevel);
+float levelForRoughness(float roughness, float maxLevel);
+float faceWeight(float distanceInside, float blend);
+float influenceWeight(vec3 position, vec3 influenceMin, vec3 influenceMax, vec3 blendMin, vec3 blendMax);
+float groupScale(float weightSum);
+float remainingAfter(float remaining, float weightSum);
+vec3 cubeDirection(int face, float s, float t);
+vec3 ggxHalfVector(vec2 u, float alpha);
+float ggxDistribution(vec3 h, float alpha);
+float ggxMasking(float c, float alpha);
+vec3 skyGradient(vec3 direction, vec3 top, vec3 horizon, vec3 ground);
+
+/// Dispatches on probe.projection through the technique table.
+ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection);
+
+}  // namespace boxprobe::shading

@@ -1,0 +1,61 @@
+// Technique ids: parsing and printing. The rows themselves stand in shared_math.cpp, beside the functions they name.
+#include "filters/math/technique_table.h"
+
+namespace boxprobe {
+
+namespace {
+
+template <typename Rows>
+std::optional<int> rowOf(const Rows& rows, std::string_view id) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].id == id) return static_cast<int>(i);
+  }
+  return std::nullopt;
+}
+
+constexpr std::string_view kDefaultProjection = "box";
+constexpr std::string_view kDefaultEvaluation = "none";
+
+}  // namespace
+
+std::optional<Technique> parseTechnique(std::string_view id) {
+  std::string_view projection = id;
+  std::string_view evaluation = kDefaultEvaluation;
+  if (const auto plus = id.find('+'); plus != std::string_view::npos) {
+    projection = id.substr(0, plus);
+    evaluation = id.substr(plus + 1);
+  } else if (rowOf(evaluationRows(), id)) {
+    projection = kDefaultProjection;
+    evaluation = id;
+  }
+  const auto p = rowOf(projectionRows(), projection);
+  const auto e = rowOf(evaluationRows(), evaluation);
+  if (!p || !e) return std::nullopt;
+  return Technique{*p, *e};
+}
+
+std::string techniqueId(const Technique& technique) {
+  return std::string(projectionRows()[static_cast<std::size_t>(technique.projection)].id) + "+" +
+         std::string(evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id);
+}
+
+std::string shortTechniqueId(const Technique& technique) {
+  const std::string_view p = projectionRows()[static_cast<std::size_t>(technique.projection)].id;
+  const std::string_view e = evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id;
+  if (e == kDefaultEvaluation) return std::string(p);
+  if (p == kDefaultProjection) return std::string(e);
+  return techniqueId(technique);
+}
+
+std::string techniqueIdList() {
+  std::string list;
+  const auto add = [&list](std::string_view id) {
+    if (!list.empty()) list += ", ";
+    list += id;
+  };
+  for (const auto& row : projectionRows()) add(row.id);
+  for (const auto& row : evaluationRows()) add(row.id);
+  return list;
+}
+
+}  // namespace boxprobe

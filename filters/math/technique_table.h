@@ -1,0 +1,52 @@
+// The techniques as data: one row and one shader file each. Combo box, command line, file validation, tests and
+// benchmark iterate these rows; nothing else in the program knows a technique by name.
+// A technique is PROJECTION+EVALUATION: where the reflected ray hits, and how the lobe around it is looked up.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "filters/math/shared_math.h"
+
+namespace boxprobe {
+
+struct ProjectionRow {
+  std::string_view id;
+  std::string_view label;       ///< for a combo box
+  std::string_view help;        ///< one line
+  std::string_view shaderFile;  ///< in shaders/, defines `function`
+  std::string_view function;    ///< GLSL: ProbeHit function(ProbeShape, vec3 positionProbe, vec3 normal, vec3 reflection)
+  shading::ProbeHit (*project)(shading::ProbeShape, glm::vec3, glm::vec3, glm::vec3);  ///< the same, as C++
+};
+
+struct EvaluationRow {
+  std::string_view id;
+  std::string_view label;
+  std::string_view help;
+  std::string_view shaderFile;
+  std::string_view function;  ///< GLSL: vec4 function(PROBE_MAP, ProbeShape, ShadingPoint)
+  glm::vec4 (*evaluate)(shading::ProbeMap, shading::ProbeShape, shading::ShadingPoint);
+};
+
+const std::vector<ProjectionRow>& projectionRows();
+const std::vector<EvaluationRow>& evaluationRows();
+
+/// Indices into the two tables.
+struct Technique {
+  int projection = 0;
+  int evaluation = 0;
+  bool operator==(const Technique& o) const { return projection == o.projection && evaluation == o.evaluation; }
+};
+
+/// `PROJECTION`, `EVALUATION` or `PROJECTION+EVALUATION`; a projection alone means `+none`, an evaluation alone `box+`.
+std::optional<Technique> parseTechnique(std::string_view id);
+/// The full id, `box+none`.
+std::string techniqueId(const Technique& technique);
+/// The shortest id that parses back: `box` for `box+none`.
+std::string shortTechniqueId(const Technique& technique);
+/// Every id a file may hold, comma separated, for error messages.
+std::string techniqueIdList();
+
+}  // namespace boxprobe

@@ -1,0 +1,90 @@
+// A scene drawn by VTK with box-projected reflections: owns the VTK actors, the probes' textures and the capture work, in
+// any vtkOpenGLRenderWindow (the Qt window's, or an off-screen one). Called by app/cli and app/gui; knows neither.
+//
+// How it is driven:
+//   sync(scene, changes)   after every document change; cheap: notes what is stale, updates uniforms and actors
+//   workPending() / step() outside of a render, with the window's context current: one unit of capture or filtering
+//                          (a face, a level), so that a window stays responsive
+//   Render()               the window's own; draws with whatever the probes hold by then
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "filters/core/counters.h"
+#include "filters/core/document.h"
+#include "filters/core/model.h"
+#include "filters/core/scene.h"
+
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+
+namespace boxprobe {
+
+/// CPU seconds of this process, all threads, by kind of work.
+struct Times {
+  double captureCpuSeconds = 0.0;
+  double prefilterCpuSeconds = 0.0;
+};
+
+class SceneRenderer {
+ public:
+  /// Adds its renderer to `window` (layer 0). The window must outlive this object's GL resources; see releaseGraphics.
+  explicit SceneRenderer(vtkOpenGLRenderWindow* window);
+  ~SceneRenderer();
+  SceneRenderer(const SceneRenderer&) = delete;
+  SceneRenderer& operator=(const SceneRenderer&) = delete;
+
+  /// The geometry; `models` in the order of scene.models. Replaces all actors.
+  void setModels(std::vector<std::shared_ptr<const Model>> models);
+
+  /// Brings actors, lights, uniforms and the list of stale captures up to `scene`. No GL call.
+  void sync(const Scene& scene, const Changes& changes);
+
+  /// While an origin is dragged: faces are captured step by step at the newest origin and shown when complete; the final
+  /// capture is made once the drag has ended (`interactive` false).
+  void setInteractive(bool interactive);
+
+  bool workPending() const;
+  /// One unit of work; the GL context must be current (call window->MakeCurrent() first). Returns workPending().
+  bool step();
+  /// 0..1 of the work known now, for a progress bar; 1 when none is pending.
+  double workProgress() const;
+  /// step() until done; `progress(fraction)` may return false to stop early. Returns false if stopped.
+  bool finishWork(const std::function<bool(double)>& progress = {});
+
+  /// false: no reflections from probes or sky at all, every object draws with VTK's plain program.
+  void setProbesEnabled(bool enabled);
+
+  /// Places the active camera; clipping range follows the scene's bounds at each render.
+  void applyCamera(const Camera& camera);
+  Camera currentCamera() const;  ///< as it stands now, after interaction
+
+  vtkRenderer* renderer() const;
+  /// Bounds of all visible objects: min, max. A unit box when there is none.
+  Box bounds() const;
+
+  /// Renders one frame with VTK's own path into the window's frame buffer and reads it back: display colours.
+  ImageRgba8 renderDisplay();
+  /// One frame in linear scene units (exposure not applied), RGBA float, alpha = coverage; `samplesPerPixel` 1, 4 or 16.
+  ImageRgbaF renderLinear(int width, int height, int samplesPerPixel);
+
+  const Counters& counters() const;
+  const Times& times() const;
+  std::size_t probeMemoryBytes() const;
+
+  /// Empty while all is well; else one line: a shader anchor that did not match, a framebuffer that is not complete.
+  /// Renders go on without reflections then; a program reports it and fails.
+  std::string error() const;
+
+  void releaseGraphics();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace boxprobe

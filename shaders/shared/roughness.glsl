@@ -1,0 +1,16 @@
+// Which prefiltered level a roughness is looked up in, and which roughness a level was baked for: inverse of each other.
+//
+// A texel of level l is 2^l times as wide as one of level 0. The mapping makes the lobe grow with it: alpha =
+// roughness² rises as (2^l - 1), from 0 at level 0 (the capture itself) to 1 at the last level, so that every level
+// resolves its lobe equally well.
+
+float roughnessForLevel(float level, float maxLevel)
+{
+  return maxLevel > 0.0f ? sqrt((exp2(clamp(level, 0.0f, maxLevel)) - 1.0f) / (exp2(maxLevel) - 1.0f)) : 0.0f;
+}
+
+float levelForRoughness(float roughness, float maxLevel)
+{
+  float p = clamp(roughness, 0.0f, 1.0f);
+  return min(log2(1.0f + p * p * (exp2(maxLevel) - 1.0f)), maxLevel);
+}

@@ -1,0 +1,29 @@
+// The values that the projection mathematics passes around. GLSL that is also C++ (through GLM); see filters/math.
+//
+// Frames. "Probe frame": axes of the probe's box, origin at its capture origin C, scene units. Working relative to C keeps
+// full precision far from the world's origin: the subtraction P - C is done once, first.
+
+struct ProbeShape
+{
+  vec3 boxMin;      // projection box, probe frame; the capture origin may lie outside it
+  vec3 boxMax;
+  float maxLevel;   // last level of the prefiltered chain, the one baked for roughness 1
+  int projection;   // row of the projection table
+};
+
+struct ProbeHit
+{
+  vec3 direction;   // what the cubemap is looked up with, probe frame, not normalised
+  float distance;   // from P along R, scene units if R has unit length; a huge value if there is no proxy to hit
+  int face;         // 0..5: -x +x -y +y -z +z of the box; -1 if the proxy is no box
+  vec3 slabFactors; // box only: distance along R to the exit plane of each axis; `distance` is the smallest
+};
+
+struct ShadingPoint
+{
+  vec3 position;    // P, probe frame
+  vec3 normal;      // N, unit
+  vec3 view;        // V, unit, towards the eye
+  vec3 reflection;  // R = reflect(-V, N), unit
+  float roughness;  // perceptual
+};
