@@ -1,0 +1,28 @@
+// See display_check.h. The only file that includes Xlib: its macros (None, Bool, Status) must not reach others.
+#include "app/cli/display_check.h"
+
+#include <X11/Xlib.h>
+
+#include <cstdlib>
+
+#include "filters/core/errors.h"
+
+namespace boxprobe {
+
+void requireDisplay(const std::string& command) {
+  const std::string advice =
+      ": run `xvfb-run -a " + command + " ...`, which draws without a screen, or start it from a desktop";
+  const char* name = std::getenv("DISPLAY");
+  if (name == nullptr || *name == '\0') throw InputError("no display (DISPLAY is not set)" + advice);
+  Display* display = XOpenDisplay(nullptr);
+  if (display == nullptr)
+    throw InputError("no display (the X server '" + std::string(name) + "' cannot be reached)" + advice);
+  int opcode = 0;
+  int event = 0;
+  int error = 0;
+  const bool glx = XQueryExtension(display, "GLX", &opcode, &event, &error) != 0;
+  XCloseDisplay(display);
+  if (!glx) throw InputError("no OpenGL on display '" + std::string(name) + "' (it has no GLX)" + advice);
+}
+
+}  // namespace boxprobe

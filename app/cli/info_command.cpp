@@ -1,0 +1,50 @@
+// See info_command.h.
+#include "app/cli/info_command.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/load_scene.h"
+#include "app/cli/output_check.h"
+#include "app/cli/report_text.h"
+#include "app/cli/scene_report.h"
+#include "app/cli/stats_json.h"
+#include "filters/io/atomic_file.h"
+
+namespace boxprobe {
+
+namespace {
+
+struct InfoOptions {
+  std::string scenePath;
+  std::vector<std::string> assignments;
+  ReportOptions report;
+};
+
+void runInfo(const InfoOptions& options) {
+  if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
+  const nlohmann::ordered_json report = sceneReport(loaded);
+  std::fputs(options.report.json ? (report.dump(2) + "\n").c_str() : sceneReportText(report).c_str(), stdout);
+  // Nothing is drawn or captured here, and the counters say so.
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
+}
+
+}  // namespace
+
+Subcommand addInfoCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("info", "Say what is in a scene, and what would be skipped");
+  const auto options = std::make_shared<InfoOptions>();
+  command->add_option("SCENE", options->scenePath, "Scene file (.boxprobe.json) or bare model (.glb, .gltf)")
+      ->required();
+  command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
+      ->type_name("FIELD=VALUE")
+      ->allow_extra_args(false);
+  addReportOptions(*command, options->report, "Print the same as JSON");
+  command->footer("Example:\n  boxprobe info data/scenes/building.boxprobe.json");
+  return {command, [options] { runInfo(*options); }};
+}
+
+}  // namespace boxprobe

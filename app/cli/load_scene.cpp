@@ -1,0 +1,124 @@
+// See load_scene.h.
+#include "app/cli/load_scene.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "app/cli/fit_scene.h"
+#include "filters/core/errors.h"
+#include "filters/io/model_file.h"
+#include "filters/io/scene_file.h"
+
+namespace boxprobe {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool endsWith(std::string text, const std::string& end) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void applyAssignments(Scene& scene, const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) setSceneField(scene, assignment);
+  if (assignments.empty()) return;
+  try {
+    validate(scene);  // after the last one: two assignments may be valid only together
+  } catch (const InputError& error) {
+    throw InputError("--set: " + std::string(error.what()));
+  }
+}
+
+LoadedScene loadBareModel(const std::string& path) {
+  LoadedScene loaded;
+  loaded.scene = sceneForModel(path);
+  loaded.models = loadModels(loaded.scene);
+  const Box bounds = modelBounds(*loaded.models.front());
+  loaded.scene.probes = {fittedProbe(bounds)};
+  loaded.scene.cameras = {fittedCamera(bounds)};
+  return loaded;
+}
+
+std::string listed(const std::set<std::string>& names) {
+  constexpr std::size_t most = 12;
+  std::string list;
+  std::size_t count = 0;
+  for (const std::string& name : names) {
+    if (count++ == most) return list + ", ...";
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list.empty() ? "none" : list;
+}
+
+void warnIfUnknown(std::vector<std::string>& warnings, const std::string& key, const std::string& kind,
+                   const std::string& name, const std::set<std::string>& known) {
+  if (known.count(name) != 0) return;
+  warnings.push_back(key + ": the models have no " + kind + " named '" + name +
+                     "', so this does nothing (they have: " + listed(known) + ")");
+}
+
+}  // namespace
+
+bool isModelPath(const std::string& path) {
+  return endsWith(path, ".glb") || endsWith(path, ".gltf");
+}
+
+std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene) {
+  std::map<std::string, std::shared_ptr<const Model>> byFile;
+  std::vector<std::shared_ptr<const Model>> models;
+  for (const ModelFile& model : scene.models) {
+    std::shared_ptr<const Model>& loaded = byFile[model.file];
+    if (!loaded) loaded = std::make_shared<const Model>(loadModelFile(model.file));
+    models.push_back(loaded);
+  }
+  return models;
+}
+
+std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models) {
+  std::vector<std::string> warnings;
+  std::set<std::string> materials;
+  std::set<std::string> nodes;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    for (const std::string& warning : models[i]->warnings) warnings.push_back(scene.models[i].file + ": " + warning);
+    for (const Material& material : models[i]->materials) materials.insert(material.name);
+    for (const Instance& instance : models[i]->instances) nodes.insert(instance.node);
+  }
+  for (const std::string& feature : featuresNotUsed(scene)) warnings.push_back(feature);
+  for (const auto& [name, material] : scene.materials) {
+    warnIfUnknown(warnings, "materials." + name, "material", name, materials);
+  }
+  for (const auto& [name, object] : scene.objects) warnIfUnknown(warnings, "objects." + name, "object", name, nodes);
+  for (const Probe& probe : scene.probes) {
+    for (const std::string& name : probe.hides) {
+      warnIfUnknown(warnings, "probes." + probe.name + ".hides", "object", name, nodes);
+    }
+  }
+  return warnings;
+}
+
+LoadedScene loadScene(const std::string& path, const std::vector<std::string>& assignments) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw InputError(path + ": no such file");
+  if (fs::is_directory(path, ignored)) throw InputError(path + ": this is a folder; name a scene or model file in it");
+  LoadedScene loaded;
+  if (isModelPath(path)) {
+    loaded = loadBareModel(path);
+    applyAssignments(loaded.scene, assignments);
+  } else if (endsWith(path, ".json")) {
+    loaded.scene = loadSceneFile(path);
+    loaded.path = path;
+    applyAssignments(loaded.scene, assignments);
+    loaded.models = loadModels(loaded.scene);
+  } else {
+    throw InputError(path + ": neither a scene (.boxprobe.json) nor a model (.glb, .gltf)");
+  }
+  loaded.warnings = sceneWarnings(loaded.scene, loaded.models);
+  return loaded;
+}
+
+}  // namespace boxprobe

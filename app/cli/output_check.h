@@ -1,0 +1,17 @@
+// Refuses an output that could not be written before the work is done, not after.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace boxprobe {
+
+/// Throws InputError naming `option` (as on the command line) and `path` unless a file can be created there: the folder
+/// exists and takes a new file, and `path` is no folder.
+void requireWritable(const std::string& option, const std::string& path);
+
+/// The extension of `path` in lower case; throws InputError naming the ones there are if it is none of `extensions`.
+std::string requireExtension(const std::string& option, const std::string& path,
+                             const std::vector<std::string>& extensions);
+
+}  // namespace boxprobe

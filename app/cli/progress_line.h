@@ -1,0 +1,24 @@
+// A single line on stderr that says how far long work is; nothing where stderr is not a terminal.
+#pragma once
+
+#include <string>
+
+namespace boxprobe {
+
+class ProgressLine {
+ public:
+  /// `enabled` false (--quiet) or stderr not a terminal: draws nothing.
+  ProgressLine(std::string label, bool enabled);
+  ~ProgressLine();  ///< wipes the line, so that what is printed next starts on a clean one
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(double fraction);  ///< 0..1; redrawn only when the percentage shown changes
+
+ private:
+  std::string label_;
+  bool enabled_;
+  int shownPercent_ = -1;
+};
+
+}  // namespace boxprobe

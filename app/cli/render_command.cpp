@@ -1,0 +1,137 @@
+// See render_command.h.
+#include "app/cli/render_command.h"
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/display_check.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/load_scene.h"
+#include "app/cli/messages.h"
+#include "app/cli/offscreen_window.h"
+#include "app/cli/output_check.h"
+#include "app/cli/process_usage.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/render_options.h"
+#include "app/cli/stats_json.h"
+#include "app/cli/vtk_messages.h"
+#include "filters/core/errors.h"
+#include "filters/io/atomic_file.h"
+#include "filters/io/image_file.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// A picture without its reflections, or with a mesh missing, must not pass for the real one.
+void requireHealthy(const SceneRenderer& renderer) {
+  if (!renderer.error().empty()) throw WorkError(renderer.error());
+  if (!firstVtkError().empty()) throw WorkError(firstVtkError());
+}
+
+void captureProbes(SceneRenderer& renderer, const InterruptGuard& interrupt, bool quiet) {
+  ProgressLine line("capturing probes", !quiet);
+  renderer.finishWork([&](double fraction) {
+    line.show(fraction);
+    return !interrupt.interrupted();
+  });
+}
+
+/// Draws and writes the picture: nothing is written if the drawing failed or was interrupted.
+void writePicture(SceneRenderer& renderer, const RenderOptions& options, bool linear, const InterruptGuard& interrupt) {
+  if (linear) {
+    const FrameSize size = parseFrameSize(options.size);
+    const ImageRgbaF image = renderer.renderLinear(size.width, size.height, options.samples);
+    requireHealthy(renderer);
+    interrupt.check();
+    saveExr(options.outputPath, image);
+  } else {
+    const ImageRgba8 image = renderer.renderDisplay();
+    requireHealthy(renderer);
+    interrupt.check();
+    savePng(options.outputPath, image);
+  }
+}
+
+/// CPU seconds of one frame of the kind that was asked for, the picture itself not written.
+double timedFrame(SceneRenderer& renderer, vtkOpenGLRenderWindow* window, const RenderOptions& options, bool linear) {
+  const double start = processCpuSeconds();
+  if (linear) {
+    const FrameSize size = parseFrameSize(options.size);
+    renderer.renderLinear(size.width, size.height, options.samples);
+  } else {
+    window->Render();
+    window->WaitForCompletion();  // software OpenGL works on in its threads after the call has returned
+  }
+  return processCpuSeconds() - start;
+}
+
+void runRender(const RenderOptions& options) {
+  const bool linear = requireExtension("-o", options.outputPath, {".png", ".exr"}) == ".exr";
+  const FrameSize size = parseFrameSize(options.size);
+  requireWritable("-o", options.outputPath);
+  if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+
+  const InterruptGuard interrupt;
+  LoadedScene loaded = loadScene(options.scenePath, options.assignments);
+  chooseTechnique(loaded.scene, options.technique);
+  const Camera camera = chooseCamera(loaded.scene, options.camera);
+  if (!options.report.quiet) printWarnings(loaded.warnings);
+  interrupt.check();
+
+  requireDisplay("boxprobe render");
+  installVtkMessages(options.report.quiet, false);
+  const vtkSmartPointer<vtkOpenGLRenderWindow> window = makeOffscreenWindow(size.width, size.height, options.samples);
+  if (!linear && !options.report.quiet && options.samples > 1 && window->GetMultiSamples() < options.samples) {
+    printWarnings({"--samples " + std::to_string(options.samples) + ": this OpenGL offers " +
+                   std::to_string(window->GetMultiSamples()) + " samples a pixel, the picture is drawn with those"});
+  }
+  SceneRenderer renderer(window);
+  renderer.setProbesEnabled(options.probes == "on");
+  renderer.setModels(loaded.models);
+  renderer.sync(loaded.scene, Changes::all());
+  renderer.applyCamera(camera);
+  captureProbes(renderer, interrupt, options.report.quiet);
+  requireHealthy(renderer);
+  interrupt.check();
+
+  const double beforeFrame = processCpuSeconds();
+  writePicture(renderer, options, linear, interrupt);
+  const double firstFrame = processCpuSeconds();
+
+  // Without --frames the one frame there is is timed, the compilation of its programs included.
+  std::vector<double> frames;
+  for (int i = 0; i < options.frames; ++i) {
+    interrupt.check();
+    frames.push_back(timedFrame(renderer, window, options, linear));
+  }
+  if (frames.empty()) frames.push_back(firstFrame - beforeFrame);
+  requireHealthy(renderer);
+
+  RunStats stats = collectStats(renderer, window);
+  stats.startToFirstFrameCpuSeconds = firstFrame;
+  stats.frameCpuSeconds = frames;
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
+  if (options.report.json) {
+    std::fputs(statsJson(stats).c_str(), stdout);
+  } else if (!options.report.quiet) {
+    std::printf("%s: %d x %d, camera %s, %llu faces captured, %.1f s of CPU time\n", options.outputPath.c_str(),
+                size.width, size.height, camera.name.c_str(),
+                static_cast<unsigned long long>(stats.counters.facesCaptured), firstFrame);
+  }
+  renderer.releaseGraphics();
+}
+
+}  // namespace
+
+Subcommand addRenderCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("render", "Draw a scene into a picture file, without a window");
+  const auto options = std::make_shared<RenderOptions>();
+  addRenderOptions(*command, *options);
+  return {command, [options] { runRender(*options); }};
+}
+
+}  // namespace boxprobe

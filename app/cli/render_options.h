@@ -1,0 +1,43 @@
+// The command line of `render` as values, checked as far as that goes without reading a file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/subcommand.h"
+#include "filters/core/scene.h"
+
+namespace boxprobe {
+
+struct FrameSize {
+  int width = 1280;
+  int height = 720;
+};
+
+struct RenderOptions {
+  std::string scenePath;
+  std::string outputPath;
+  std::string size = "1280x720";
+  std::string camera;     ///< empty: "main", else the first
+  std::string technique;  ///< empty: as in the scene
+  int samples = 4;
+  std::string probes = "on";
+  int frames = 0;
+  std::vector<std::string> assignments;
+  ReportOptions report;
+};
+
+/// Adds the options of `render` to `command`, with their help.
+void addRenderOptions(CLI::App& command, RenderOptions& options);
+
+/// "1280x720": two whole numbers from 1 to 16384. Throws InputError.
+FrameSize parseFrameSize(const std::string& text);
+
+/// The camera of that name; without a name "main", else the first, else the default camera. Throws InputError listing
+/// the names there are.
+Camera chooseCamera(const Scene& scene, const std::string& name);
+
+/// Gives every probe this technique; an empty id leaves them alone. Throws InputError listing the ids there are.
+void chooseTechnique(Scene& scene, const std::string& id);
+
+}  // namespace boxprobe

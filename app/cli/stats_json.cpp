@@ -1,0 +1,60 @@
+// See stats_json.h.
+#include "app/cli/stats_json.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/process_usage.h"
+
+namespace boxprobe {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+Json orNull(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+}  // namespace
+
+RunStats collectStats(const SceneRenderer& renderer, vtkOpenGLRenderWindow* window) {
+  RunStats stats;
+  stats.counters = renderer.counters();
+  stats.times = renderer.times();
+  stats.probeBytes = renderer.probeMemoryBytes();
+  stats.glRenderer = window->GetState()->GetRenderer();
+  stats.glVersion = window->GetState()->GetVersion();
+  return stats;
+}
+
+std::string statsJson(const RunStats& stats) {
+  const Counters& c = stats.counters;
+  const std::vector<double>& frames = stats.frameCpuSeconds;
+  Json json;
+  json["counters"] = {{"facesCaptured", c.facesCaptured},         {"levelsFiltered", c.levelsFiltered},
+                      {"programsCompiled", c.programsCompiled},   {"renders", c.renders},
+                      {"drawsByProbeCount", c.drawsByProbeCount}, {"texelsClamped", c.texelsClamped},
+                      {"texelsNotFinite", c.texelsNotFinite},     {"uniformUpdates", c.uniformUpdates}};
+  Json& times = json["times"];
+  times["startToFirstFrameCpuSeconds"] = orNull(stats.startToFirstFrameCpuSeconds);
+  times["captureCpuSeconds"] = stats.times.captureCpuSeconds;
+  times["prefilterCpuSeconds"] = stats.times.prefilterCpuSeconds;
+  times["frameCpuSecondsMedian"] = frames.empty() ? Json(nullptr) : Json(median(frames));
+  times["frameCpuSecondsMin"] = frames.empty() ? Json(nullptr) : Json(*std::min_element(frames.begin(), frames.end()));
+  times["frames"] = frames.size();
+  json["memoryBytes"] = {{"probes", stats.probeBytes}, {"peakResident", peakResidentBytes()}};
+  json["gl"] = {{"renderer", stats.glRenderer}, {"version", stats.glVersion}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace boxprobe

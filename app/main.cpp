@@ -1,0 +1,77 @@
+// The program: reads the command line, runs a sub-command or opens the window, and turns every failure into one line on
+// stderr and an exit status (1 the work failed, 2 bad usage or bad input). Knows no more of either.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/cli/display_check.h"
+#include "app/cli/info_command.h"
+#include "app/cli/messages.h"
+#include "app/cli/output_check.h"
+#include "app/cli/render_command.h"
+#include "app/gui/window_app.h"
+#include "filters/core/errors.h"
+
+namespace {
+
+using namespace boxprobe;
+
+int run(int& argc, char** argv) {
+  CLI::App program("Places reflection probes, shows what box projection does to them, and draws the result.",
+                   "boxprobe");
+  program.set_version_flag("--version", "boxprobe " BOXPROBE_VERSION);
+  std::string scenePath;
+  WindowOptions window;
+  program.add_option("SCENE", scenePath,
+                     "Scene file (.boxprobe.json) or bare model (.glb, .gltf) to open in the window");
+  program
+      .add_option("--stats", window.statsPath,
+                  "When the window closes, write counters and times of what ran to this file")
+      ->type_name("FILE.json");
+  program.footer(
+      "Examples:\n"
+      "  boxprobe data/scenes/building.boxprobe.json\n"
+      "  boxprobe render data/scenes/building.boxprobe.json -o building.png\n"
+      "Each sub-command explains itself: boxprobe render --help");
+  program.require_subcommand(0, 1);
+  const std::vector<Subcommand> subcommands = {addRenderCommand(program), addInfoCommand(program)};
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+    std::string command = "boxprobe";
+    for (const Subcommand& subcommand : subcommands) {
+      if (subcommand.arguments->parsed()) command += " " + subcommand.arguments->get_name();
+    }
+    throw InputError(std::string(error.what()) + "; see " + command + " --help");
+  }
+  for (const Subcommand& subcommand : subcommands) {
+    if (!subcommand.arguments->parsed()) continue;
+    if (!scenePath.empty()) throw InputError(scenePath + ": not expected before a sub-command; see boxprobe --help");
+    if (!window.statsPath.empty()) throw InputError("--stats belongs after the sub-command; see boxprobe --help");
+    subcommand.run();
+    return 0;
+  }
+  if (!window.statsPath.empty()) requireWritable("--stats", window.statsPath);
+  requireDisplay("boxprobe");
+  return runWindow(argc, argv, scenePath, window);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const boxprobe::Error& error) {
+    printError(error.what());
+    return error.exitStatus();
+  } catch (const std::bad_alloc&) {
+    printError("out of memory");
+  } catch (const std::exception& error) {
+    printError(error.what());
+  }
+  return 1;
+}
