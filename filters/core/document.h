@@ -44,15 +44,18 @@ class Document {
 
   Document();
 
-  const Scene& scene() const;              ///< as shown now, an unfinished preview included
+  const Scene& scene() const;  ///< as shown now, an unfinished preview included; valid until the next change
   std::optional<std::size_t> selectedProbe() const;  ///< always a valid index into scene().probes, or nothing
   void selectProbe(std::optional<std::size_t> index);
 
-  /// Replaces everything (a file was opened); the undo stack starts anew and the document counts as saved.
+  /// Replaces everything (a file was opened); the undo stack starts anew and the document counts as saved. Throws
+  /// InputError, and leaves everything as it was, if the scene is not valid.
   void open(Scene scene, std::string path);
 
   /// Shows the scene as it would be: `edit` is applied to the last committed scene, so that previews do not pile up.
-  void preview(const Edit& edit);
+  /// Where the result is not valid (a half-typed value) what is shown stays, and false is returned: never throws for
+  /// it.
+  bool preview(const Edit& edit);
   /// Applies `edit` to the last committed scene and records one undo step, unless nothing changed. Ends a preview.
   /// Throws InputError, and leaves the last committed scene shown, if the result is not valid.
   void commit(const std::string& label, const Edit& edit);
@@ -72,21 +75,30 @@ class Document {
   bool modified() const;            ///< differs from what was last opened or saved
   void markSaved(std::string path);
 
-  /// Observers are called in the order added, after the state is consistent. Returns an id for removeObserver.
+  /// Observers are called in the order added, after the state is consistent; they may edit, add and remove. If one
+  /// throws the others are called all the same, then the first exception goes on to the caller. Returns an id for
+  /// removeObserver.
   std::size_t addObserver(Observer observer);
   void removeObserver(std::size_t id);
 
  private:
-  struct Step;
-  void notify(const Changes& changes);
-  void show(std::shared_ptr<const Scene> scene, Changes changes);
+  using Snapshot = std::shared_ptr<const Scene>;
+  struct Step {
+    std::string label;
+    Snapshot before, after;
+  };
 
-  std::shared_ptr<const Scene> committed_;
-  std::shared_ptr<const Scene> shown_;
-  std::shared_ptr<const Scene> saved_;
-  std::vector<Step> steps_;     ///< undo stack; steps_[position_ - 1] is what undo takes back
+  void record(const std::string& label, Snapshot scene);
+  void move(Snapshot committed, Snapshot shown, std::size_t position, Changes changes);
+  void notify(const Changes& changes);
+
+  Snapshot committed_;       ///< what the undo stack stands at
+  Snapshot shown_;           ///< committed_, or a preview of what may come next
+  Snapshot saved_;           ///< as last opened or saved
+  std::vector<Step> steps_;  ///< undo stack; steps_[position_ - 1] is what undo takes back
   std::size_t position_ = 0;
-  std::optional<std::string> selectedName_;
+  std::optional<std::string>
+      selectedName_;  ///< kept while its probe is gone, so that undo of a delete selects it again
   std::string path_;
   std::vector<std::pair<std::size_t, Observer>> observers_;
   std::size_t nextObserver_ = 1;

@@ -42,7 +42,7 @@ struct Material {
   std::string name;
   glm::vec4 baseColor{1.0f};
   float metallic = 1.0f;
-  float roughness = 1.0f;  ///< perceptual
+  float roughness = 1.0f;    ///< perceptual
   glm::vec3 emissive{0.0f};  ///< factor times KHR_materials_emissive_strength: may exceed 1
   float normalScale = 1.0f;
   float occlusionStrength = 1.0f;
@@ -59,8 +59,8 @@ struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;
-  std::vector<glm::vec4> tangents;  ///< w = handedness, glTF convention
-  std::vector<glm::vec2> uv;        ///< v = 0 at the top of the picture, as in glTF
+  std::vector<glm::vec4> tangents;     ///< w = handedness, glTF convention
+  std::vector<glm::vec2> uv;           ///< v = 0 at the top of the picture, as in glTF
   std::vector<std::uint32_t> indices;  ///< three a triangle
   int material = -1;                   ///< index into Model::materials, -1: the default material
 };

@@ -3,6 +3,7 @@
 // glTF), angles degrees, colours linear.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
@@ -11,6 +12,8 @@
 #include <vector>
 
 namespace boxprobe {
+
+struct Model;
 
 /// A model file and where it stands. The transform (scale, then rotation X then Y then Z, then translation) stays in
 /// double so that a scene far from the origin keeps its precision.
@@ -111,6 +114,21 @@ struct ClearToNone {
 using Clear = std::variant<ClearToSky, ClearToNone, glm::vec3>;
 using ParameterValue = std::variant<double, bool, std::string>;
 
+/// Edges of the projection box rounded by a radius in scene units: `radius`, plus `fromRoughness` times the roughness.
+struct Bevel {
+  double radius = 0.0;
+  double fromRoughness = 0.0;
+  bool operator==(const Bevel&) const;
+};
+
+/// Darkening by hit distance d: mix(1, saturate(multiplier * d^power), strength).
+struct BoxOcclusion {
+  double multiplier = 1.0;
+  double power = 1.0;
+  double strength = 1.0;
+  bool operator==(const BoxOcclusion&) const;
+};
+
 struct Probe {
   std::string name = "probe";
   glm::dvec3 origin{0.0};  ///< capture origin
@@ -131,8 +149,10 @@ struct Probe {
   ProbeUpdate mode = ProbeUpdate::Baked;
   std::string image;  ///< custom mode
   FilterKind filter = FilterKind::Ggx;
-  int samplesPerPixel = 4;  ///< 1, 4 or 16
-  std::vector<std::string> hides;
+  int samplesPerPixel = 4;         ///< 1, 4 or 16
+  std::vector<std::string> hides;  ///< node names left out of this probe's capture
+  std::optional<Bevel> bevel;
+  std::optional<BoxOcclusion> occlusion;
 
   const Box& influenceBox() const { return influence ? *influence : box; }
   bool operator==(const Probe&) const;
@@ -157,11 +177,16 @@ std::optional<std::size_t> findProbe(const Scene& scene, const std::string& name
 /// `stem`, or `stem 2`, `stem 3`, ... : the first that no probe has.
 std::string unusedProbeName(const Scene& scene, const std::string& stem);
 
-/// What the scene asks for that this version accepts but does not do yet, one sentence each; for `info` and warnings.
+/// What the scene asks for that this version accepts but does not do yet, and what it asks for in vain (a flat box, an
+/// image that nothing uses): one sentence each, the key path first; for `info` and warnings.
 std::vector<std::string> featuresNotUsed(const Scene& scene);
 
-/// Throws InputError whose text starts with the key path ("probes.room.box: ...") at the first value out of its range:
-/// non-finite numbers, box with min > max, duplicate or empty names, unknown technique, sizes and counts out of range.
+/// Overrides and `hides` entries that name no material or node of the models: one sentence each, with the nearest name.
+std::vector<std::string> unmatchedOverrides(const Scene& scene, const std::vector<const Model*>& models);
+
+/// Throws InputError (a FieldError) whose text starts with the key path ("probes.room.box: ...") at the first value out
+/// of its range: non-finite numbers, box with min > max, duplicate or empty names, unknown technique, sizes and counts
+/// out of range.
 void validate(const Scene& scene);
 
 }  // namespace boxprobe

@@ -1,0 +1,16 @@
+// What can be said of a model from its arrays alone.
+#include "filters/core/model.h"
+
+namespace boxprobe {
+
+std::size_t Model::triangleCount() const {
+  std::size_t count = 0;
+  for (const Instance& instance : instances) {
+    if (instance.mesh >= 0 && static_cast<std::size_t>(instance.mesh) < meshes.size()) {
+      count += meshes[static_cast<std::size_t>(instance.mesh)].indices.size() / 3;
+    }
+  }
+  return count;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,18 @@
+// Numbers as the shortest text that reads back equal, whatever the locale. Called by messages (core) and by the writer
+// of scene files (io).
+#pragma once
+
+#include <charconv>
+#include <string>
+
+namespace boxprobe {
+
+/// Shortest decimal text of a float or double that parses back to the same value: 0.1f is "0.1".
+template <typename Number>
+std::string numberText(Number value) {
+  char buffer[64];  // longest shortest-form double is 24 characters
+  const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value);
+  return std::string(buffer, result.ptr);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,93 @@
+// What a scene asks for that will not be seen in the picture: features this version accepts without acting on them, and
+// names that the models do not have. Called by `info`, by rendering (as warnings) and by the window.
+#include <algorithm>
+#include <glm/vector_relational.hpp>
+
+#include "filters/core/field_error.h"
+#include "filters/core/model.h"
+#include "filters/core/nearest_name.h"
+#include "filters/core/scene.h"
+
+namespace boxprobe {
+
+namespace {
+
+using Remarks = std::vector<std::string>;
+
+void remark(Remarks& remarks, const KeyPath& path, const std::string& sentence) {
+  remarks.push_back(keyPathText(path) + ": " + sentence);
+}
+
+bool flat(const Box& box) {
+  return glm::any(glm::equal(box.min, box.max));
+}
+
+void probeRemarks(Remarks& remarks, const Probe& probe) {
+  const auto say = [&](const char* key, const std::string& sentence) {
+    remark(remarks, {"probes", probe.name, key}, sentence);
+  };
+  if (flat(probe.box)) say("box", "is flat: no ray hits it inside, so the probe is not projected there.");
+  if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe shows nowhere.");
+  if (probe.mode == ProbeUpdate::Realtime) say("mode", "realtime is not supported yet; the probe is baked.");
+  if (probe.mode == ProbeUpdate::Custom) say("mode", "custom is not supported yet; the probe is baked.");
+  if (probe.mode != ProbeUpdate::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
+  if (probe.filter == FilterKind::Gaussian) say("filter", "gaussian is not supported yet; ggx is used.");
+  if (!probe.parameters.empty()) say("parameters", "are not used by this version's techniques.");
+  if (probe.bevel) say("bevel", "is not supported yet; the box keeps its sharp edges.");
+  if (probe.occlusion) say("occlusion", "is not supported yet; nothing is darkened.");
+}
+
+}  // namespace
+
+std::vector<std::string> featuresNotUsed(const Scene& scene) {
+  Remarks remarks;
+  for (const auto& [name, material] : scene.materials) {
+    if (material.transmission.value_or(0.0f) > 0.0f) {
+      remark(remarks, {"materials", name, "transmission"}, "is not supported yet; the material stays opaque.");
+    }
+  }
+  for (const auto& [name, object] : scene.objects) {
+    if (object.dynamic) {
+      remark(remarks, {"objects", name, "dynamic"}, "is not supported yet; the object is captured as any other.");
+    }
+    if (object.probeMode != ProbeMode::BlendAndSky) {
+      remark(remarks, {"objects", name, "probeMode"}, "only blend+sky is supported yet; it is used.");
+    }
+    if (object.weights != WeightMode::Pixel) {
+      remark(remarks, {"objects", name, "weights"}, "only pixel is supported yet; it is used.");
+    }
+  }
+  for (const Probe& probe : scene.probes) probeRemarks(remarks, probe);
+  return remarks;
+}
+
+std::vector<std::string> unmatchedOverrides(const Scene& scene, const std::vector<const Model*>& models) {
+  std::vector<std::string> materials, nodes;
+  for (const Model* model : models) {
+    for (const Material& material : model->materials) materials.push_back(material.name);
+    for (const Instance& instance : model->instances) nodes.push_back(instance.node);
+  }
+  for (auto* names : {&materials, &nodes}) {
+    std::sort(names->begin(), names->end());
+    names->erase(std::unique(names->begin(), names->end()), names->end());
+  }
+  Remarks remarks;
+  const auto check = [&remarks](const KeyPath& path, const std::string& name, const std::vector<std::string>& known,
+                                const std::string& kind) {
+    if (std::binary_search(known.begin(), known.end(), name)) return;
+    const std::string guess = didYouMean(name, known);
+    remark(remarks, path,
+           "no " + kind + " of the models is called \"" + name + "\"" +
+               (guess.empty() ? "; they are " + nameList(known) + "." : guess));
+  };
+  for (const auto& [name, material] : scene.materials) check({"materials", name}, name, materials, "material");
+  for (const auto& [name, object] : scene.objects) check({"objects", name}, name, nodes, "node");
+  for (const Probe& probe : scene.probes) {
+    for (std::size_t i = 0; i < probe.hides.size(); ++i) {
+      check({"probes", probe.name, "hides", "[" + std::to_string(i) + "]"}, probe.hides[i], nodes, "node");
+    }
+  }
+  return remarks;
+}
+
+}  // namespace boxprobe
