@@ -23,6 +23,7 @@ std::string shortened(const char* text) {
 class vtkSingleLineOutputWindow : public vtkOutputWindow {
  public:
   static vtkSingleLineOutputWindow* New();
+
   void DisplayErrorText(const char* text) override {
     const std::string line = "VTK: " + shortened(text);
     if (this->FirstError.empty()) this->FirstError = line;

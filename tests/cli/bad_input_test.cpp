@@ -1,0 +1,226 @@
+// Every bad input ends with exit status 2 and exactly one line that names the file and the place; no output is left.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.h"
+
+namespace boxprobe::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+class BadInput : public ::testing::Test {
+ protected:
+  /// Exit 2, one line, all of `mentioned` in it, and nothing in the folder that was not there before.
+  void expectRefused(const std::vector<std::string>& arguments, const std::vector<std::string>& mentioned,
+                     DisplayKind display = DisplayKind::Unset) {
+    const std::vector<std::string> before = folder.names();
+    const Outcome outcome = runProgram(arguments, display);
+    EXPECT_EQ(outcome.exitStatus, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+    EXPECT_THAT(outcome.err, StartsWith("boxprobe: "));
+    for (const std::string& text : mentioned) EXPECT_THAT(outcome.err, HasSubstr(text));
+    EXPECT_EQ(folder.names(), before);
+  }
+
+  /// Without a display: input is looked at before the window system, so that its mistakes are named even there.
+  void expectSceneRefused(const std::string& text, std::vector<std::string> mentioned) {
+    folder.write("model.gltf", triangleGltf());
+    const std::string path = folder.write("scene.boxprobe.json", text);
+    mentioned.push_back("scene.boxprobe.json");
+    expectRefused({"render", path, "-o", folder.path("out.png")}, mentioned);
+    expectRefused({"info", path}, mentioned);
+  }
+
+  /// A good scene; the arguments of the command line are what is wrong.
+  void expectArgumentsRefused(std::vector<std::string> arguments, const std::vector<std::string>& mentioned) {
+    folder.write("model.gltf", triangleGltf());
+    const std::string path = folder.write("good.boxprobe.json", scene(R"("exposure": 1)"));
+    arguments.insert(arguments.begin(), {"render", path});
+    expectRefused(arguments, mentioned);
+  }
+
+  static std::string scene(const std::string& members) {
+    return "{\"format\": \"boxprobe-scene\", \"version\": 1, \"model\": \"model.gltf\",\n" + members + "}\n";
+  }
+  static std::string probe(const std::string& members) {
+    return scene("\"probes\": [{\"name\": \"room\", \"origin\": [0, 0, 0],\n" + members + "}]");
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(BadInput, MissingScene) {
+  expectRefused({"render", folder.path("none.boxprobe.json"), "-o", folder.path("out.png")}, {"none.boxprobe.json"});
+  expectRefused({"info", folder.path("none.boxprobe.json")}, {"none.boxprobe.json"});
+}
+
+TEST_F(BadInput, SceneIsAFolder) {
+  expectRefused({"info", folder.path("")}, {"folder"});
+}
+
+TEST_F(BadInput, SceneOfAnUnknownKind) {
+  expectRefused({"info", folder.write("notes.txt", "hello")}, {"notes.txt", ".glb"});
+}
+
+TEST_F(BadInput, EmptyScene) {
+  expectSceneRefused("", {});
+}
+TEST_F(BadInput, BinaryScene) {
+  expectSceneRefused(std::string("\x00\xff\xfe{\x80", 5), {});
+}
+TEST_F(BadInput, MalformedJsonNamesTheLine) {
+  expectSceneRefused("{\n  \"format\": \"boxprobe-scene\",\n  \"version\" 1\n}", {"3"});
+}
+TEST_F(BadInput, UnknownKey) {
+  expectSceneRefused(probe("\"boxx\": 1"), {"probes", "boxx"});
+}
+TEST_F(BadInput, UnknownKeyAtTheTop) {
+  expectSceneRefused(scene("\"modells\": 1"), {"modells"});
+}
+TEST_F(BadInput, WrongType) {
+  expectSceneRefused(probe("\"faceSize\": \"large\""), {"room", "faceSize"});
+}
+TEST_F(BadInput, WrongVectorLength) {
+  expectSceneRefused(probe("\"rotationDegrees\": [1, 2]"), {"room", "rotationDegrees"});
+}
+TEST_F(BadInput, NaNLiteral) {
+  expectSceneRefused(scene("\"exposure\": NaN"), {"2"});
+}
+TEST_F(BadInput, NumberBeyondDouble) {
+  expectSceneRefused(scene("\"exposure\": 1e999"), {});
+}
+TEST_F(BadInput, BoxMinAboveMax) {
+  expectSceneRefused(probe(R"("box": {"min": [1, -1, -1], "max": [-1, 1, 1]})"), {"room", "box"});
+}
+TEST_F(BadInput, UnknownTechnique) {
+  expectSceneRefused(probe("\"technique\": \"cone\""), {"room", "cone", "infinite"});
+}
+TEST_F(BadInput, TwoProbesOfOneName) {
+  expectSceneRefused(scene(R"("probes": [{"name": "a"}, {"name": "a"}])"), {"probes", "a"});
+}
+TEST_F(BadInput, WrongFormat) {
+  expectSceneRefused(R"({"format": "other", "version": 1})", {"format"});
+}
+TEST_F(BadInput, FutureVersion) {
+  expectSceneRefused(R"({"format": "boxprobe-scene", "version": 99})", {"version"});
+}
+
+TEST_F(BadInput, MissingModel) {
+  const std::string path =
+      folder.write("lost.boxprobe.json", R"({"format": "boxprobe-scene", "version": 1, "model": "lost.glb"})");
+  expectRefused({"info", path}, {"lost.glb"});
+}
+
+TEST_F(BadInput, MissingSkyImage) {
+  folder.write("model.gltf", triangleGltf());
+  const std::string path = folder.write("sky.boxprobe.json", scene(R"("sky": {"image": "lost.exr"})"));
+  expectRefused({"info", path}, {"lost.exr"});
+  expectRefused({"render", path, "-o", folder.path("out.png")}, {"lost.exr"}, DisplayKind::Inherited);
+}
+
+TEST_F(BadInput, MissingTexture) {
+  const std::string path = folder.write("textured.gltf", triangleGltf("lost.png"));
+  expectRefused({"info", path}, {"textured.gltf", "lost.png"});
+  expectRefused({"render", path, "-o", folder.path("out.png")}, {"textured.gltf", "lost.png"});
+}
+
+TEST_F(BadInput, TextureOutsideTheModelsFolder) {
+  const std::string path = folder.write("escaping.gltf", triangleGltf("../../../../etc/hostname"));
+  expectRefused({"info", path}, {"escaping.gltf"});
+}
+
+TEST_F(BadInput, UnreadableModel) {
+  expectRefused({"info", folder.write("noise.glb", std::string(64, 'x'))}, {"noise.glb"});
+  expectRefused({"info", folder.write("half.gltf", triangleGltf().substr(0, 200))}, {"half.gltf"});
+  expectRefused({"info", folder.write("empty.glb", "")}, {"empty.glb"});
+}
+
+TEST_F(BadInput, UnknownTechniqueOnTheCommandLine) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--technique", "cone"},
+                         {"--technique", "cone", "infinite", "sphere"});
+}
+
+TEST_F(BadInput, UnknownCameraListsThoseThereAre) {
+  folder.write("model.gltf", triangleGltf());
+  const std::string path = folder.write("cameras.boxprobe.json", scene(R"("cameras": {"left": {}, "right": {}})"));
+  expectRefused({"render", path, "-o", folder.path("out.png"), "--camera", "up"}, {"--camera", "up", "left", "right"});
+}
+
+TEST_F(BadInput, Size) {
+  for (const std::string size :
+       {"0x720", "1280", "1280x", "1280x720x2", "-1x720", "20000x720", "1280x720.5", "axb", ""}) {
+    SCOPED_TRACE(size);
+    expectArgumentsRefused({"-o", folder.path("out.png"), "--size=" + size}, {"--size"});
+  }
+}
+
+TEST_F(BadInput, Samples) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--samples", "3"}, {"--samples"});
+}
+TEST_F(BadInput, Frames) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--frames", "-1"}, {"--frames"});
+}
+TEST_F(BadInput, Probes) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--probes", "maybe"}, {"--probes"});
+}
+TEST_F(BadInput, UnknownFlag) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--fast"}, {"--fast"});
+}
+TEST_F(BadInput, NoOutput) {
+  expectArgumentsRefused({}, {"--output"});
+}
+TEST_F(BadInput, OutputExtension) {
+  expectArgumentsRefused({"-o", folder.path("out.jpg")}, {"out.jpg", ".png", ".exr"});
+}
+TEST_F(BadInput, OutputFolderMissing) {
+  expectArgumentsRefused({"-o", folder.path("no/out.png")}, {"/no", "out.png"});
+}
+TEST_F(BadInput, OutputFolderIsAFile) {
+  expectArgumentsRefused({"-o", folder.path("good.boxprobe.json/out.png")}, {"good.boxprobe.json"});
+}
+TEST_F(BadInput, OutputNotWritable) {
+  expectArgumentsRefused({"-o", "/proc/out.png"}, {"/proc"});
+}
+TEST_F(BadInput, StatsFolderMissing) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--stats", folder.path("no/stats.json")}, {"--stats", "/no"});
+}
+
+TEST_F(BadInput, SetOfAFieldThatDoesNotExist) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--set", "probes.attic.faceSize=64"}, {"attic"});
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--set", "exposition=2"}, {"exposition"});
+}
+TEST_F(BadInput, SetWithoutAValue) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--set", "exposure"}, {"exposure"});
+}
+TEST_F(BadInput, SetToTheWrongType) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--set", "exposure=NaN"}, {"exposure"});
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--set", "exposure=[1]"}, {"exposure"});
+}
+TEST_F(BadInput, SetOutOfRange) {
+  expectArgumentsRefused({"-o", folder.path("out.png"), "--set", "exposure=-1"}, {"--set", "exposure"});
+}
+
+TEST_F(BadInput, NoDisplay) {
+  folder.write("model.gltf", triangleGltf());
+  const std::string path = folder.write("good.boxprobe.json", scene(R"("exposure": 1)"));
+  const std::vector<std::string> render = {"render", path, "-o", folder.path("out.png")};
+  expectRefused(render, {"no display", "DISPLAY", "xvfb-run"}, DisplayKind::Unset);
+  expectRefused(render, {"no display", ":9876", "xvfb-run"}, DisplayKind::Unreachable);
+  expectRefused({path}, {"no display", "DISPLAY"}, DisplayKind::Unset);
+  expectRefused({path}, {"no display", ":9876"}, DisplayKind::Unreachable);
+}
+
+TEST_F(BadInput, FlagOfTheProgram) {
+  expectRefused({"--frobnicate"}, {"--frobnicate", "--help"});
+}
+
+TEST_F(BadInput, FileNameWithALineBreakStaysOneLine) {
+  expectRefused({"info", folder.path("two\nlines.glb")}, {"lines.glb"});
+}
+
+}  // namespace
+}  // namespace boxprobe::test

@@ -1,0 +1,48 @@
+// --help of the program and of every sub-command names its options and gives an example that works.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/program.h"
+
+namespace boxprobe::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+
+Outcome help(const std::vector<std::string>& arguments) {
+  const Outcome outcome = runProgram(arguments, DisplayKind::Unset);
+  EXPECT_EQ(outcome.exitStatus, 0);
+  EXPECT_EQ(outcome.err, "");
+  return outcome;
+}
+
+TEST(Help, ProgramNamesItsSubcommands) {
+  const Outcome outcome = help({"--help"});
+  for (const char* text :
+       {"render", "info", "SCENE", "--version", "Example", "boxprobe data/scenes/building.boxprobe.json"}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+}
+
+TEST(Help, RenderNamesItsOptions) {
+  const Outcome outcome = help({"render", "--help"});
+  for (const char* text : {"--output", "--size", "--camera", "--technique", "--samples", "--probes", "--frames",
+                           "--set", "--stats", "--json", "--quiet", "Example", "boxprobe render "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+}
+
+TEST(Help, InfoNamesItsOptions) {
+  const Outcome outcome = help({"info", "--help"});
+  for (const char* text : {"SCENE", "--set", "--stats", "--json", "--quiet", "Example", "boxprobe info "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+}
+
+TEST(Help, Version) {
+  EXPECT_THAT(help({"--version"}).out, MatchesRegex("boxprobe [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+}  // namespace
+}  // namespace boxprobe::test

@@ -1,0 +1,81 @@
+// `boxprobe info` tells what the files hold. Runs without a display throughout.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace boxprobe::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+json infoJson(const std::vector<std::string>& arguments) {
+  std::vector<std::string> all = {"info", "--json"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const Outcome outcome = runProgram(all, DisplayKind::Unset);
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  return json::parse(outcome.out);
+}
+
+TEST(Info, BareModelGetsAProbeAndACameraFittedToIt) {
+  const TemporaryFolder folder;
+  const json report = infoJson({folder.write("model.gltf", triangleGltf())});
+  ASSERT_EQ(report["models"].size(), 1u);
+  EXPECT_EQ(report["models"][0]["meshes"], 1);
+  EXPECT_EQ(report["models"][0]["triangles"], 1);
+  EXPECT_EQ(report["models"][0]["materials"], json({"paint"}));
+  ASSERT_EQ(report["probes"].size(), 1u);
+  EXPECT_EQ(report["probes"][0]["origin"], json({0.5, 0.5, 0.0}));  // bounds: (0, 0, 0) to (1, 1, 0)
+  EXPECT_LT(report["probes"][0]["box"]["min"][2], 0.0);             // a volume, though the triangle is flat
+  EXPECT_GT(report["probes"][0]["box"]["max"][2], 0.0);
+  ASSERT_EQ(report["cameras"].size(), 1u);
+  EXPECT_EQ(report["cameras"][0]["target"], json({0.5, 0.5, 0.0}));
+  EXPECT_GT(report["cameras"][0]["position"][2], 0.7);  // outside the bounds
+}
+
+TEST(Info, ListsOverridesAndWhatTheyMiss) {
+  const TemporaryFolder folder;
+  folder.write("model.gltf", triangleGltf());
+  const std::string path = folder.write("scene.boxprobe.json", R"({"format": "boxprobe-scene", "version": 1,
+      "model": "model.gltf", "sky": {"color": [1, 2, 3]},
+      "lights": [{"type": "point", "position": [0, 2, 0], "intensity": 5}],
+      "objects": {"triangle": {"seenByProbes": false}, "ghost": {"visible": false}},
+      "materials": {"gold": {"roughness": 0.5}},
+      "probes": [{"name": "room", "hides": ["phantom"], "faceSize": 64}]})");
+  const json report = infoJson({path});
+  ASSERT_EQ(report["objects"].size(), 1u);
+  EXPECT_EQ(report["objects"][0]["name"], "triangle");
+  EXPECT_EQ(report["objects"][0]["seenByProbes"], false);
+  EXPECT_EQ(report["sky"], json({{"kind", "color"}, {"color", {1, 2, 3}}}));
+  EXPECT_EQ(report["lights"][0]["intensity"], 5);
+  std::string warnings = report["warnings"].dump();
+  for (const char* name : {"objects.ghost", "materials.gold", "phantom"}) EXPECT_THAT(warnings, HasSubstr(name));
+
+  const Outcome text = runProgram({"info", path}, DisplayKind::Unset);
+  EXPECT_EQ(text.exitStatus, 0);
+  for (const char* part : {"triangle, not seen by probes", "room", "objects.ghost", "point"}) {
+    EXPECT_THAT(text.out, HasSubstr(part));
+  }
+}
+
+TEST(Info, SetIsAppliedFirst) {
+  const json report = infoJson({demoScene("room"), "--set", "exposure=2", "--set", "sky.color=[4,5,6]"});
+  EXPECT_EQ(report["sky"], json({{"kind", "color"}, {"color", {4, 5, 6}}}));
+}
+
+TEST(Info, DemoScenesHaveNothingToSkip) {
+  for (const char* name : {"building", "room"}) {
+    SCOPED_TRACE(name);
+    const json report = infoJson({demoScene(name)});
+    EXPECT_GT(report["models"][0]["triangles"], 10);
+    EXPECT_GE(report["probes"].size(), 1u);
+    EXPECT_GE(report["cameras"].size(), 1u);
+    EXPECT_EQ(report["warnings"], json::array());
+  }
+}
+
+}  // namespace
+}  // namespace boxprobe::test

@@ -1,0 +1,216 @@
+// `boxprobe render` draws what the scene and its arguments say. Needs a display (CTest starts a virtual one).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "filters/io/image_file.h"
+#include "tests/cli/program.h"
+
+namespace boxprobe::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class Render : public ::testing::Test {
+ protected:
+  /// Renders data/scenes/SCENE at 160 x 90 into the folder; returns the path of the picture.
+  std::string render(const std::string& scene, const std::string& output, const std::vector<std::string>& more = {}) {
+    const std::string path = folder.path(output);
+    std::vector<std::string> arguments = {"render", demoScene(scene), "-o", path, "--size", "160x90"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    outcome = runProgram(arguments);
+    EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return path;
+  }
+
+  json renderStats(const std::string& scene, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"--stats", folder.path("stats.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    render(scene, "stats.png", arguments);
+    return json::parse(readFile(folder.path("stats.json")));
+  }
+
+  static std::string firstProbe(const std::string& scene) {
+    const Outcome info = runProgram({"info", "--json", demoScene(scene)}, DisplayKind::Unset);
+    return json::parse(info.out)["probes"][0]["name"].get<std::string>();
+  }
+
+  TemporaryFolder folder;
+  Outcome outcome;
+};
+
+std::size_t differentPixels(const ImageRgba8& a, const ImageRgba8& b) {
+  EXPECT_EQ(a.pixels.size(), b.pixels.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); i += 4)
+    count += !std::equal(&a.pixels[i], &a.pixels[i] + 4, &b.pixels[i]);
+  return count;
+}
+
+TEST_F(Render, PngHasTheSizeAskedForAndAPictureInIt) {
+  for (const char* scene : {"building", "room"}) {
+    SCOPED_TRACE(scene);
+    const ImageRgba8 image = loadImage8(render(scene, "out.png"));
+    EXPECT_EQ(image.width, 160);
+    EXPECT_EQ(image.height, 90);
+    std::set<std::vector<std::uint8_t>> colours;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) colours.emplace(&image.pixels[i], &image.pixels[i] + 3);
+    EXPECT_GT(colours.size(), 100u);
+  }
+}
+
+TEST_F(Render, LeavesTheOutputAlone) {
+  render("room", "out.png");
+  EXPECT_THAT(folder.names(), ElementsAre("out.png"));
+}
+
+TEST_F(Render, SameInputSameBytes) {
+  const std::string first = readFile(render("building", "first.png"));
+  EXPECT_GT(first.size(), 1000u);
+  EXPECT_EQ(first, readFile(render("building", "second.png")));
+  EXPECT_EQ(readFile(render("room", "first.exr")), readFile(render("room", "second.exr")));
+}
+
+TEST_F(Render, ExrIsTheLinearSideOfThePng) {
+  // One sample a pixel: averaging happens before the display curve in one and after it in the other.
+  const ImageRgbaF linear = loadHdrImage(render("room", "out.exr", {"--samples", "1"}));
+  const ImageRgba8 display = loadImage8(render("room", "out.png", {"--samples", "1"}));
+  ASSERT_EQ(linear.width, 160);
+  ASSERT_EQ(linear.height, 90);
+  std::size_t compared = 0;
+  std::size_t agreeing = 0;
+  float brightest = 0.0f;
+  for (std::size_t i = 0; i < linear.pixels.size(); ++i) {
+    if (i % 4 == 3) continue;
+    brightest = std::max(brightest, linear.pixels[i]);
+    const double expected = 255.0 * std::pow(std::clamp(linear.pixels[i], 0.0f, 1.0f), 1.0 / 2.2);
+    ++compared;
+    if (std::abs(expected - display.pixels[i]) <= 1.5) ++agreeing;
+  }
+  EXPECT_GT(brightest, 1.0f) << "the lamp's radiance is not clipped";
+  EXPECT_GT(agreeing, compared * 99 / 100) << agreeing << " of " << compared;
+}
+
+TEST_F(Render, SetChangesThePicture) {
+  const ImageRgba8 mirror = loadImage8(render("room", "mirror.png", {"--set", "materials.floor.roughness=0"}));
+  const ImageRgba8 rough = loadImage8(render("room", "rough.png", {"--set", "materials.floor.roughness=0.6"}));
+  EXPECT_GT(differentPixels(mirror, rough), 500u);
+}
+
+TEST_F(Render, SetOfAVector) {
+  const std::string probe = firstProbe("room");
+  const ImageRgba8 before = loadImage8(render("room", "before.png", {"--set", "materials.floor.roughness=0"}));
+  const ImageRgba8 after = loadImage8(render(
+      "room", "after.png", {"--set", "materials.floor.roughness=0", "--set", "probes." + probe + ".box.max=[9,9,9]"}));
+  EXPECT_GT(differentPixels(before, after), 500u);
+}
+
+TEST_F(Render, TechniqueChangesThePicture) {
+  const std::vector<std::string> floor = {"--set", "materials.floor.roughness=0", "--technique"};
+  const auto with = [&](const std::string& id) {
+    std::vector<std::string> arguments = floor;
+    arguments.push_back(id);
+    return loadImage8(render("room", "technique.png", arguments));
+  };
+  const ImageRgba8 box = with("box");
+  EXPECT_GT(differentPixels(box, with("infinite")), 500u);
+  EXPECT_GT(differentPixels(box, with("sphere")), 500u);
+  EXPECT_GT(differentPixels(box, with("normal")), 500u);
+  EXPECT_EQ(differentPixels(box, with("box+none")), 0u);
+}
+
+TEST_F(Render, StatsHaveTheDocumentedFields) {
+  const json stats = renderStats("room", {"--frames", "3"});
+  const json& counters = stats["counters"];
+  EXPECT_EQ(counters["facesCaptured"], 6);
+  EXPECT_GE(counters["levelsFiltered"], 1);
+  EXPECT_GE(counters["programsCompiled"], 1);
+  EXPECT_GE(counters["renders"], 4);
+  EXPECT_GT(counters["drawsByProbeCount"][1], 0);
+  const json& times = stats["times"];
+  EXPECT_GT(times["captureCpuSeconds"], 0.0);
+  EXPECT_GT(times["prefilterCpuSeconds"], 0.0);
+  EXPECT_GT(times["startToFirstFrameCpuSeconds"],
+            times["captureCpuSeconds"].get<double>() + times["prefilterCpuSeconds"].get<double>());
+  EXPECT_EQ(times["frames"], 3);
+  EXPECT_GT(times["frameCpuSecondsMin"], 0.0);
+  EXPECT_GE(times["frameCpuSecondsMedian"], times["frameCpuSecondsMin"]);
+  EXPECT_GT(stats["memoryBytes"]["probes"], 6 * 256 * 256 * 8);
+  EXPECT_GT(stats["memoryBytes"]["peakResident"], stats["memoryBytes"]["probes"]);
+  EXPECT_NE(stats["gl"]["renderer"], "");
+  EXPECT_NE(stats["gl"]["version"], "");
+}
+
+TEST_F(Render, EachBounceCapturesSixFaces) {
+  const json stats = renderStats("room", {"--set", "probes." + firstProbe("room") + ".bounces=3"});
+  EXPECT_EQ(stats["counters"]["facesCaptured"], 18);
+}
+
+TEST_F(Render, ProbesOffCapturesNothing) {
+  const json stats = renderStats("room", {"--probes", "off"});
+  EXPECT_EQ(stats["counters"]["facesCaptured"], 0);
+  EXPECT_EQ(stats["counters"]["levelsFiltered"], 0);
+  const ImageRgba8 off = loadImage8(folder.path("stats.png"));
+  EXPECT_GT(differentPixels(off, loadImage8(render("room", "on.png"))), 500u);
+}
+
+TEST_F(Render, InfoForetellsTheMemoryOfTheProbes) {
+  const json stats = renderStats("room");
+  const json info = json::parse(runProgram({"info", "--json", demoScene("room")}, DisplayKind::Unset).out);
+  double foretold = 0.0;
+  for (const json& probe : info["probes"]) foretold += probe["textureBytes"].get<double>();
+  EXPECT_NEAR(stats["memoryBytes"]["probes"].get<double>() / foretold, 1.0, 0.05);
+}
+
+TEST_F(Render, JsonPrintsTheStats) {
+  render("room", "out.png", {"--json"});
+  const json stats = json::parse(outcome.out);
+  EXPECT_EQ(stats["counters"]["facesCaptured"], 6);
+}
+
+TEST_F(Render, QuietPrintsNothing) {
+  const std::string path = render("room", "out.png", {"--quiet", "--set", "materials.nothing.roughness=0.5"});
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_GT(readFile(path).size(), 1000u);
+}
+
+TEST_F(Render, WarnsOnceOfAnOverrideThatNamesNothing) {
+  outcome = runProgram({"render", demoScene("room"), "-o", folder.path("out.png"), "--size", "32x32", "--set",
+                        "materials.nothing.roughness=0.5"});
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  ASSERT_EQ(outcome.errLines().size(), 1u) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("boxprobe: warning: materials.nothing"));
+}
+
+TEST_F(Render, BareModel) {
+  const std::string model = folder.write("model.gltf", triangleGltf());
+  outcome = runProgram({"render", model, "-o", folder.path("out.png"), "--size", "64x48"});
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  const ImageRgba8 image = loadImage8(folder.path("out.png"));
+  const std::size_t centre = 4 * (24 * 64 + 32);
+  EXPECT_FALSE(std::equal(&image.pixels[0], &image.pixels[3], &image.pixels[centre]))
+      << "the triangle stands before the sky";
+}
+
+TEST_F(Render, SceneWithoutProbesShowsTheSky) {
+  folder.write("model.gltf", triangleGltf());
+  const std::string scene = folder.write("sky.boxprobe.json", R"({"format": "boxprobe-scene", "version": 1,
+      "model": "model.gltf", "sky": {"color": [0.25, 0.5, 0.75]},
+      "cameras": {"away": {"position": [0, 0, 5], "target": [0, 0, 9]}}})");
+  outcome = runProgram({"render", scene, "-o", folder.path("out.exr"), "--size", "8x8"});
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  const ImageRgbaF image = loadHdrImage(folder.path("out.exr"));
+  EXPECT_NEAR(image.pixels[0], 0.25, 2e-3);
+  EXPECT_NEAR(image.pixels[1], 0.50, 2e-3);
+  EXPECT_NEAR(image.pixels[2], 0.75, 2e-3);
+}
+
+}  // namespace
+}  // namespace boxprobe::test
