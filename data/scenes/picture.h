@@ -1,0 +1,42 @@
+// Pictures painted by formula: a pattern gives the linear colour at a point, `paint` filters it down to texels and
+// encodes them as sRGB. Called by the scenes and the GLB writer; knows nothing of geometry.
+#pragma once
+
+#include <functional>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "filters/core/model.h"
+
+namespace boxprobe::scenes {
+
+/// Linear colour at (u, v) in [0, 1]², u from the left, v from the top.
+using Pattern = std::function<glm::dvec3(double u, double v)>;
+
+/// Each texel is the mean of 4 x 4 samples of the pattern.
+std::shared_ptr<const ImageRgba8> paint(const std::string& name, int width, int height, const Pattern& pattern);
+
+/// RGB when every texel is opaque, else RGBA.
+std::string pngBytes(const ImageRgba8& image);
+
+/// Radiance HDR; `rgb` is linear, rows from the top.
+std::string hdrBytes(int width, int height, const std::vector<float>& rgb);
+
+/// 0 below `edge`, 1 above, rising smoothly over `width`: edges that sampling can follow.
+double softStep(double edge, double width, double x);
+
+/// 1 within `halfWidth` of the nearest multiple of `period`, soft over `width`.
+double softLines(double x, double period, double halfWidth, double width);
+
+/// Uniform in [0, 1), a fixed function of three integers.
+double hash(int x, int y, int seed);
+
+/// Smooth noise in [0, 1] with one value each unit, repeating every `periodX` and `periodY` units.
+double noise(double x, double y, int periodX, int periodY, int seed);
+
+glm::dvec3 blend(glm::dvec3 from, glm::dvec3 to, double amount);
+
+}  // namespace boxprobe::scenes

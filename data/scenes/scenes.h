@@ -1,0 +1,23 @@
+// The scenes that come with the program, as models. Called by generate_scenes and its test; knows no file format.
+// All lengths metres, +Y up. Compass names: north = -Z, east = +X, south = +Z, west = -X.
+#pragma once
+
+#include <string>
+
+#include "filters/core/model.h"
+
+namespace boxprobe::scenes {
+
+/// An open pavilion around an inner space of 9 x 5 x 9 m, with a mirror for a floor and nine mirror spheres.
+Model building();
+
+/// A closed 8 x 3 x 6 m room whose walls lie exactly in the planes of its box: box projection is exact in it.
+Model room();
+
+/// A closed 4 x 4 x 4 m room, one colour a wall, that shows a swapped, mirrored or turned cube-map face at a glance.
+Model sixFaces();
+
+/// The sky of `building` as a Radiance HDR file, latitude-longitude, for programs that want an image.
+std::string skyHdr();
+
+}  // namespace boxprobe::scenes
