@@ -1,0 +1,27 @@
+// Two costs measured in turn and compared: the statistics of the benchmarks. Knows nothing of what is measured.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace boxprobe::bench {
+
+struct Samples {
+  std::vector<double> a, b;  ///< seconds; a[i] and b[i] were measured one after the other
+};
+
+/// `pairs` times one of each, each first in turn, so that a drift of the machine touches both alike.
+Samples interleave(int pairs, const std::function<double()>& a, const std::function<double()>& b);
+
+double median(std::vector<double> values);
+
+struct Ratio {
+  double value = 0.0;  ///< median of a over median of b
+  double low = 0.0;    ///< 95 % bootstrap interval, pairs drawn with replacement
+  double high = 0.0;
+};
+
+Ratio ratioOfMedians(const Samples& samples, int resamples = 10000, std::uint32_t seed = 1);
+
+}  // namespace boxprobe::bench

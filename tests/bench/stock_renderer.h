@@ -1,0 +1,17 @@
+// The yardstick: the same geometry, materials, lights and camera drawn by VTK's own mapper and image-based lighting.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include "filters/core/scene.h"
+
+class vtkOpenGLRenderer;
+class vtkRenderer;
+
+namespace boxprobe::bench {
+
+/// A copy of `ours` for the same window: its actors' geometry and properties under stock mappers, its lights and its
+/// camera, a 256² cube map of `sky` as environment and drawn as background.
+vtkSmartPointer<vtkOpenGLRenderer> makeStockRenderer(vtkRenderer* ours, const SkyGradient& sky);
+
+}  // namespace boxprobe::bench
