@@ -12,7 +12,6 @@
 #include "app/cli/messages.h"
 #include "app/cli/offscreen_window.h"
 #include "app/cli/output_check.h"
-#include "app/cli/process_usage.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
 #include "app/cli/stats_json.h"
@@ -20,6 +19,7 @@
 #include "filters/core/errors.h"
 #include "filters/io/atomic_file.h"
 #include "filters/io/image_file.h"
+#include "filters/vtk/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {

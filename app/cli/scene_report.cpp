@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "filters/io/image_file.h"
+#include "filters/vtk/prefilter.h"
 
 namespace boxprobe {
 
@@ -43,11 +44,12 @@ Json modelReport(const ModelFile& file, const Model& model) {
           {"materials", names}, {"textures", images.size()},     {"textureBytes", bytes}};
 }
 
-/// What one probe holds on the graphics side: captured radiance and its prefiltered chain (both RGBA16F with all
-/// levels) and the distance to what was seen (R32F).
+/// What one probe holds on the graphics side once captured: the prefiltered chain (RGBA16F) and distances (R32F).
 std::size_t probeTextureBytes(int faceSize) {
-  const std::size_t texels = 6 * static_cast<std::size_t>(faceSize) * static_cast<std::size_t>(faceSize);
-  return 2 * (8 * texels + 8 * texels / 3) + 4 * texels;
+  const auto texels = [](int size) { return 6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size); };
+  std::size_t bytes = 4 * texels(faceSize);
+  for (int level = 0; level < prefilterLevels(faceSize); ++level) bytes += 8 * texels(faceSize >> level);
+  return bytes;
 }
 
 std::string_view probeModeId(ProbeMode mode) {

@@ -1,13 +1,12 @@
 // See stats_json.h.
 #include "app/cli/stats_json.h"
 
+#include <sys/resource.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-
-#include "app/cli/process_usage.h"
 
 namespace boxprobe {
 
@@ -19,6 +18,13 @@ double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+/// Largest resident set of this process so far.
+std::uint64_t peakResidentBytes() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);                             // cannot fail with these arguments
+  return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;  // Linux counts KiB
 }
 
 Json orNull(const std::optional<double>& value) {

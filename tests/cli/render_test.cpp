@@ -166,7 +166,9 @@ TEST_F(Render, InfoForetellsTheMemoryOfTheProbes) {
   const json info = json::parse(runProgram({"info", "--json", demoScene("room")}, DisplayKind::Unset).out);
   double foretold = 0.0;
   for (const json& probe : info["probes"]) foretold += probe["textureBytes"].get<double>();
-  EXPECT_NEAR(stats["memoryBytes"]["probes"].get<double>() / foretold, 1.0, 0.05);
+  const double skyBytes = stats["memoryBytes"]["probes"].get<double>() - foretold;
+  EXPECT_GE(skyBytes, 0.0);
+  EXPECT_LT(skyBytes, 300e3) << "the sky's own map, 64 texels a face, is all that comes on top";
 }
 
 TEST_F(Render, JsonPrintsTheStats) {
