@@ -26,7 +26,7 @@ using glm::mix;
 using glm::sin;
 using glm::sqrt;
 
-static vec4 fetchProbe(ProbeMap map, vec3 direction, float level) { return map->fetch(direction, level); }
+static vec4 fetchProbe(ProbeMap map, const ProbeShape&, vec3 direction, float level) { return map->fetch(direction, level); }
 
 // A projection need not use the normal, nor the box: parameters of one signature for all rows.
 #pragma GCC diagnostic push
@@ -34,6 +34,7 @@ static vec4 fetchProbe(ProbeMap map, vec3 direction, float level) { return map->
 #include "shaders/shared/cube.glsl"
 #include "shaders/shared/ggx.glsl"
 #include "shaders/shared/roughness.glsl"
+#include "shaders/shared/sh.glsl"
 #include "shaders/shared/sky.glsl"
 #include "shaders/shared/slab.glsl"
 #include "shaders/shared/weights.glsl"

@@ -9,6 +9,7 @@ struct ProbeShape
   vec3 boxMax;
   float maxLevel;   // last level of the prefiltered chain, the one baked for roughness 1
   int projection;   // row of the projection table
+  int slot;         // which of a draw's probes this is: what the host needs to fetch from it
 };
 
 struct ProbeHit

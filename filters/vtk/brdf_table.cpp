@@ -1,0 +1,43 @@
+#include "filters/vtk/brdf_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "filters/math/shared_math.h"
+
+namespace boxprobe {
+
+glm::vec2 integrateBrdf(float cosine, float roughness, int samples) {
+  const float alpha = roughness * roughness;
+  const float k = 0.5f * alpha;
+  const auto masking = [k](float c) { return c / (c * (1.0f - k) + k); };
+  const glm::vec3 view(std::sqrt(std::max(1.0f - cosine * cosine, 0.0f)), 0.0f, cosine);
+  glm::vec2 sum(0.0f);
+  for (int i = 0; i < samples; ++i) {
+    // Golden-ratio lattice: even in both dimensions for any count.
+    const float u = static_cast<float>(std::fmod((i + 0.5) * 0.6180339887498949, 1.0));
+    const glm::vec3 half = shading::ggxHalfVector(glm::vec2(u, (i + 0.5f) / samples), alpha);
+    const float viewHalf = glm::dot(view, half);
+    const glm::vec3 light = 2.0f * viewHalf * half - view;
+    if (light.z <= 0.0f || viewHalf <= 0.0f) continue;
+    const float visible = masking(cosine) * masking(light.z) * viewHalf / (half.z * cosine);
+    const float fresnel = std::pow(1.0f - std::min(viewHalf, 1.0f), 5.0f);
+    sum += glm::vec2((1.0f - fresnel) * visible, fresnel * visible);
+  }
+  return sum / static_cast<float>(samples);
+}
+
+BrdfTable makeBrdfTable(int columns, int rows, int samples) {
+  BrdfTable table{columns, rows, {}};
+  table.texels.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      table.texels.push_back(integrateBrdf((static_cast<float>(column) + 0.5f) / static_cast<float>(columns),
+                                           (static_cast<float>(row) + 0.5f) / static_cast<float>(rows), samples));
+    }
+  }
+  return table;
+}
+
+}  // namespace boxprobe

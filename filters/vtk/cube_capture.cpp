@@ -1,0 +1,213 @@
+#include "filters/vtk/cube_capture.h"
+
+#include <vtkCamera.h>
+#include <vtkCullerCollection.h>
+#include <vtkFrameBufferObjectBase.h>
+#include <vtkLight.h>
+#include <vtkLightsPass.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpaquePass.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderPass.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkRenderState.h>
+#include <vtkRenderer.h>
+#include <vtkSequencePass.h>
+#include <vtkShaderProgram.h>
+#include <vtkTranslucentPass.h>
+
+#include "filters/math/shared_math.h"
+
+namespace boxprobe {
+
+namespace {
+
+// Draws a renderer into a framebuffer of ours instead of the window's. A render pass, so that VTK itself activates the
+// textures of the actors it draws.
+class vtkTargetPass : public vtkRenderPass {
+ public:
+  static vtkTargetPass* New() { VTK_STANDARD_NEW_BODY(vtkTargetPass); }
+  vtkTypeMacro(vtkTargetPass, vtkRenderPass)
+
+  const FloatTarget* Target = nullptr;
+
+  void Render(const vtkRenderState* s) override {
+    vtkRenderer* renderer = s->GetRenderer();
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    vtkOpenGLState* state = window->GetState();
+    const PassState saved(window);
+    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target->framebuffer());
+    state->vtkglViewport(0, 0, this->Target->width(), this->Target->height());
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglEnable(GL_BLEND);
+    renderer->Clear();
+    this->Content->Render(s);
+  }
+
+ protected:
+  vtkTargetPass() {
+    vtkNew<vtkRenderPassCollection> passes;
+    vtkNew<vtkLightsPass> lights;
+    vtkNew<vtkOpaquePass> opaque;
+    vtkNew<vtkTranslucentPass> translucent;
+    passes->AddItem(lights);
+    passes->AddItem(opaque);
+    passes->AddItem(translucent);
+    this->Content->SetPasses(passes);
+  }
+
+ private:
+  vtkNew<vtkSequencePass> Content;
+};
+
+// The camera of each face, so that the picture lands in the face as OpenGL orients it (shaders/shared/cube.glsl): forward is
+// the face's axis, up the direction in which t grows.
+glm::dvec3 faceForward(int face) { return glm::dvec3(shading::cubeDirection(face, 0.0f, 0.0f)); }
+glm::dvec3 faceUp(int face) {
+  return glm::dvec3(shading::cubeDirection(face, 0.0f, 1.0f) - shading::cubeDirection(face, 0.0f, 0.0f));
+}
+
+}  // namespace
+
+CubeCapture::CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state)
+    : window_(window),
+      state_(std::move(state)),
+      renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      faceCamera_(vtkSmartPointer<vtkCamera>::New()),
+      resolve_({"shared/cube.glsl", "gpu/resolve_capture.glsl"}, &state_->counters) {
+  // Cullers judge by the window's shape, not the face's.
+  renderer_->GetCullers()->RemoveAllItems();
+  renderer_->AutomaticLightCreationOff();
+  renderer_->SetLightFollowCamera(false);
+  renderer_->SetBackgroundAlpha(0.0);
+  vtkNew<vtkTargetPass> pass;
+  renderer_->SetPass(pass);
+  faceCamera_->SetViewAngle(90.0);
+  faceCamera_->UseExplicitAspectRatioOn();
+  faceCamera_->SetExplicitAspectRatio(1.0);
+}
+
+CubeCapture::~CubeCapture() = default;
+
+void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
+                             const std::vector<vtkLight*>& lights, const glm::vec3& clearColor) {
+  target_.allocate(width, height);
+  vtkTargetPass::SafeDownCast(renderer_->GetPass())->Target = &target_;
+  renderer_->SetRenderWindow(window_);
+  renderer_->SetBackground(clearColor.x, clearColor.y, clearColor.z);
+  renderer_->SetActiveCamera(camera);
+  renderer_->RemoveAllViewProps();
+  for (vtkProp* prop : props) renderer_->AddViewProp(prop);
+  renderer_->RemoveAllLights();
+  for (vtkLight* light : lights) renderer_->AddLight(light);
+  // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload, whoever made that.
+  camera->Modified();
+
+  const float exposure = state_->exposure;
+  const bool countDraws = state_->countDraws;
+  state_->exposure = 0.0f;
+  state_->countDraws = false;
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  renderer_->Render();
+  state_->exposure = exposure;
+  state_->countDraws = countDraws;
+}
+
+void CubeCapture::captureFace(const CaptureSettings& settings, int face, const std::vector<vtkProp*>& props,
+                              const std::vector<vtkLight*>& lights, const CubeTexture& radiance,
+                              const CubeTexture* distance) {
+  const glm::dvec3 focal = settings.originWorld + faceForward(face);
+  const glm::dvec3 up = faceUp(face);
+  faceCamera_->SetPosition(settings.originWorld.x, settings.originWorld.y, settings.originWorld.z);
+  faceCamera_->SetFocalPoint(focal.x, focal.y, focal.z);
+  faceCamera_->SetViewUp(up.x, up.y, up.z);
+  faceCamera_->SetClippingRange(settings.nearDistance, settings.farDistance);
+  const int size = radiance.faceSize() * settings.samplesPerTexelSide;
+  const auto* color = std::get_if<glm::vec3>(&settings.clear);
+  renderInto(faceCamera_, size, size, props, lights, color != nullptr ? *color : glm::vec3(0.0f));
+
+  const PassState saved(window_);
+  faces_.bind(window_, radiance, face, 0, distance);
+  const BoundTexture colorTexture(window_, GL_TEXTURE_2D, target_.color());
+  const BoundTexture depthTexture(window_, GL_TEXTURE_2D, target_.depth());
+  const auto draw = [&](int count) {
+    resolve_.draw(window_, [&](vtkShaderProgram* program) {
+      program->SetUniformi("bpColor", colorTexture.unit());
+      program->SetUniformi("bpDepth", depthTexture.unit());
+      program->SetUniformi("bpScale", settings.samplesPerTexelSide);
+      program->SetUniformi("bpFace", face);
+      program->SetUniformf("bpFaceSize", static_cast<float>(radiance.faceSize()));
+      program->SetUniformf("bpNear", static_cast<float>(settings.nearDistance));
+      program->SetUniformf("bpFar", static_cast<float>(settings.farDistance));
+      program->SetUniformi("bpCount", count);
+    });
+  };
+  draw(0);
+
+  // Count with an occlusion query: no texel has to be read back.
+  const auto count = [&](int kind) {
+    if (query_ == 0) glGenQueries(1, &query_);
+    window_->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glBeginQuery(GL_SAMPLES_PASSED, query_);
+    draw(kind);
+    glEndQuery(GL_SAMPLES_PASSED);
+    window_->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    GLuint texels = 0;
+    glGetQueryObjectuiv(query_, GL_QUERY_RESULT, &texels);
+    return texels;
+  };
+  if (const GLuint bad = count(1); bad > 0) {
+    const GLuint notFinite = count(2);
+    state_->counters.texelsNotFinite += notFinite;
+    state_->counters.texelsClamped += bad - notFinite;
+  }
+  ++state_->counters.facesCaptured;
+}
+
+ImageRgbaF CubeCapture::renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide,
+                                    const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights) {
+  vtkNew<vtkCamera> shaped;
+  shaped->DeepCopy(camera);
+  shaped->UseExplicitAspectRatioOn();
+  shaped->SetExplicitAspectRatio(static_cast<double>(width) / height);
+  const int w = width * samplesPerSide, h = height * samplesPerSide;
+  renderInto(shaped, w, h, props, lights, glm::vec3(0.0f));
+
+  std::vector<float> samples(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4);
+  {
+    const PassState saved(window_);
+    window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, w, h, GL_RGBA, GL_FLOAT, samples.data());
+  }
+  ImageRgbaF image{width, height, std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4)};
+  const double share = 1.0 / (samplesPerSide * samplesPerSide);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      double sum[4] = {};
+      for (int j = 0; j < samplesPerSide; ++j) {
+        for (int i = 0; i < samplesPerSide; ++i) {
+          const std::size_t row = static_cast<std::size_t>((height - 1 - y) * samplesPerSide + j);
+          const float* s = &samples[(row * static_cast<std::size_t>(w) + static_cast<std::size_t>(x * samplesPerSide + i)) * 4];
+          for (int c = 0; c < 4; ++c) sum[c] += s[c];
+        }
+      }
+      float* pixel = &image.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 4];
+      for (int c = 0; c < 4; ++c) pixel[c] = static_cast<float>(sum[c] * share);
+    }
+  }
+  return image;
+}
+
+void CubeCapture::release() {
+  target_.release();
+  faces_.release();
+  resolve_.release();
+  if (query_ != 0) glDeleteQueries(1, &query_);
+  query_ = 0;
+  renderer_->RemoveAllViewProps();
+  renderer_->SetRenderWindow(nullptr);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,63 @@
+// Photographs a scene from one point: a face at a time into RGBA float at several samples a texel, resolved to half-float
+// radiance with coverage in alpha and to distance. Called by the bake queue outside of any render of the window.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "filters/core/model.h"
+#include "filters/core/scene.h"
+#include "filters/vtk/draw_state.h"
+#include "filters/vtk/full_screen_pass.h"
+
+class vtkCamera;
+class vtkLight;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+
+namespace boxprobe {
+
+/// What one face is rendered with.
+struct CaptureSettings {
+  glm::dvec3 originWorld{0.0};
+  double nearDistance = 0.01;
+  double farDistance = 1000.0;
+  int samplesPerTexelSide = 2;
+  Clear clear = ClearToSky{};
+};
+
+class CubeCapture {
+ public:
+  CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state);
+  ~CubeCapture();
+
+  /// Renders `props`, lit by `lights`, into level 0 of one face of `radiance` and of `distance` (either allocated at the same
+  /// face size). Counts texels above half-float range and texels that were not finite.
+  void captureFace(const CaptureSettings& settings, int face, const std::vector<vtkProp*>& props,
+                   const std::vector<vtkLight*>& lights, const CubeTexture& radiance, const CubeTexture* distance);
+
+  /// A whole frame in linear units through any camera: RGBA, `samplesPerSide`² samples a pixel, rows from the top.
+  ImageRgbaF renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide, const std::vector<vtkProp*>& props,
+                         const std::vector<vtkLight*>& lights);
+
+  void release();
+
+ private:
+  void renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
+                  const std::vector<vtkLight*>& lights, const glm::vec3& clearColor);
+
+  vtkOpenGLRenderWindow* window_;
+  std::shared_ptr<DrawState> state_;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkCamera> faceCamera_;
+  FloatTarget target_;
+  CubeFramebuffer faces_;
+  FullScreenPass resolve_;
+  GLuint query_ = 0;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,30 @@
+#include "filters/vtk/draw_state.h"
+
+#include <algorithm>
+
+namespace boxprobe {
+
+bool ProbeBinding::rotated() const {
+  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.rotated; });
+}
+
+std::vector<int> ProbeBinding::groups() const {
+  std::vector<int> result;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const bool same = i > 0 && probes[i]->geometry.importance == probes[i - 1]->geometry.importance;
+    result.push_back(i == 0 ? 0 : result.back() + (same ? 0 : 1));
+  }
+  return result;
+}
+
+std::string ProbeBinding::variantKey() const {
+  std::string key(1, static_cast<char>('0' + static_cast<int>(lighting)));
+  if (rotated()) key += 'r';
+  const std::vector<int> group = groups();
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    key += " " + std::to_string(group[i]) + ":" + techniqueId(probes[i]->geometry.technique);
+  }
+  return key;
+}
+
+}  // namespace boxprobe

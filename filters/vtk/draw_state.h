@@ -1,0 +1,66 @@
+// What a draw needs to know of the probes: shared by the scene renderer (which fills it) and the mappers (which read it when
+// they draw). Plain data.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "filters/core/counters.h"
+#include "filters/vtk/gl_objects.h"
+#include "filters/vtk/probe_geometry.h"
+#include "filters/vtk/spherical_harmonics.h"
+
+namespace boxprobe {
+
+/// A capture, prefiltered: what lookups read.
+struct ProbeMaps {
+  CubeTexture radiance;  ///< RGBA16F, prefiltered chain; level 0 is the capture itself; alpha = coverage
+  CubeTexture distance;  ///< R32F: from the capture origin to what was seen, scene units; 0 where nothing was
+  ShCoefficients irradiance{};
+  glm::dvec3 capturedAt{0.0};
+  float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
+  std::size_t bytes() const { return radiance.bytes() + distance.bytes(); }
+};
+
+/// A probe as draws see it. `maps` is null until the first capture is complete; it then gives nothing.
+struct DrawnProbe {
+  ProbeGeometry geometry;
+  std::shared_ptr<const ProbeMaps> maps;
+};
+
+enum class Lighting {
+  Plain,   ///< VTK's own: no probe, no sky
+  Unlit,   ///< KHR_materials_unlit: emission only
+  Probes,  ///< probes, and the sky for what they leave
+};
+
+/// Which probes one actor uses: what its program is compiled for.
+struct ProbeBinding {
+  Lighting lighting = Lighting::Plain;
+  std::vector<std::shared_ptr<const DrawnProbe>> probes;  ///< most important first, at most kMaxProbesPerDraw
+  static constexpr std::size_t kMaxProbesPerDraw = 4;
+
+  /// Equal keys share a program: techniques, importance groups, rotation.
+  std::string variantKey() const;
+  bool rotated() const;
+  /// Group of equal importance of each probe, from 0.
+  std::vector<int> groups() const;
+};
+
+/// One for all mappers of a scene renderer.
+struct DrawState {
+  float exposure = 1.0f;           ///< 0: linear output
+  bool environmentDark = false;    ///< first bounce of a capture: probes and sky give nothing
+  std::shared_ptr<const ProbeMaps> sky;
+  GLuint brdfTable = 0;
+  GLuint blackCube = 0;            ///< stands in for maps not captured yet
+  Counters counters;
+  bool countDraws = true;          ///< of the frame on the screen, not of captures
+  std::set<const void*> programs;  ///< seen so far, to count compilations
+  std::string error;               ///< first failure since the last frame began
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,112 @@
+// OpenGL objects the capture and the prefilter need, as values with an owner: cube maps with mip levels, float targets.
+// Every function needs the window's context current. Knows nothing of scenes or probes.
+#pragma once
+
+#include <vtk_glew.h>
+
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+
+namespace boxprobe {
+
+/// A cube map in RGBA16F (colour) or R32F (distance) with its own mip levels.
+class CubeTexture {
+ public:
+  CubeTexture() = default;
+  ~CubeTexture() { release(); }
+  CubeTexture(const CubeTexture&) = delete;
+  CubeTexture& operator=(const CubeTexture&) = delete;
+
+  /// Levels 0..levels-1, of `faceSize >> level` texels. Texels are undefined until written.
+  void allocate(int faceSize, int levels, GLenum internalFormat);
+  void release();
+
+  bool allocated() const { return handle_ != 0; }
+  GLuint handle() const { return handle_; }
+  int faceSize() const { return faceSize_; }
+  int levels() const { return levels_; }
+  std::size_t bytes() const;
+
+  /// Texels of one face and level as RGBA float, rows along t.
+  std::vector<float> readFace(int face, int level) const;
+  void writeFace(int face, int level, const std::vector<float>& rgba);
+
+ private:
+  GLuint handle_ = 0;
+  GLenum internalFormat_ = 0;
+  int faceSize_ = 0;
+  int levels_ = 0;
+};
+
+/// RGBA32F colour and 32-bit float depth to render a frame into.
+class FloatTarget {
+ public:
+  FloatTarget() = default;
+  ~FloatTarget() { release(); }
+  FloatTarget(const FloatTarget&) = delete;
+  FloatTarget& operator=(const FloatTarget&) = delete;
+
+  /// Keeps what it has when the size is unchanged. Throws WorkError if the driver refuses it.
+  void allocate(int width, int height);
+  void release();
+  GLuint framebuffer() const { return framebuffer_; }
+  GLuint color() const { return color_; }
+  GLuint depth() const { return depth_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
+  int width_ = 0, height_ = 0;
+};
+
+/// A framebuffer that faces and levels of cube maps are attached to in turn.
+class CubeFramebuffer {
+ public:
+  CubeFramebuffer() = default;
+  ~CubeFramebuffer() { release(); }
+  CubeFramebuffer(const CubeFramebuffer&) = delete;
+  CubeFramebuffer& operator=(const CubeFramebuffer&) = delete;
+
+  /// Binds it with `color` (and `second` as attachment 1 if given) and sets the viewport to the level's size.
+  void bind(vtkOpenGLRenderWindow* window, const CubeTexture& color, int face, int level, const CubeTexture* second = nullptr);
+  /// Binds it for drawing only, with what is attached: the other side of a blit.
+  void bindDraw(vtkOpenGLRenderWindow* window);
+  void release();
+
+ private:
+  GLuint framebuffer_ = 0;
+};
+
+/// What a full-screen pass changes, put back when it goes out of scope: framebuffer bindings, viewport, depth test, blending,
+/// scissor. Also switches seamless cube filtering on, which VTK does only while its own image-based lighting is on.
+class PassState {
+ public:
+  explicit PassState(vtkOpenGLRenderWindow* window);
+  ~PassState();
+  PassState(const PassState&) = delete;
+  PassState& operator=(const PassState&) = delete;
+
+ private:
+  struct Saved;
+  vtkOpenGLRenderWindow* window_;
+  Saved* saved_;
+};
+
+/// A texture bound to a unit of VTK's own unit manager for the life of this object.
+class BoundTexture {
+ public:
+  BoundTexture(vtkOpenGLRenderWindow* window, GLenum target, GLuint handle);
+  ~BoundTexture();
+  BoundTexture(const BoundTexture&) = delete;
+  BoundTexture& operator=(const BoundTexture&) = delete;
+  int unit() const { return unit_; }
+
+ private:
+  vtkOpenGLRenderWindow* window_;
+  GLenum target_;
+  int unit_;
+};
+
+}  // namespace boxprobe

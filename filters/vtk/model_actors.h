@@ -1,0 +1,43 @@
+// A model's instances as VTK actors: geometry, physically based properties, textures. Called by the scene renderer when the
+// models change; material and object overrides are applied again, without rebuilding geometry, when they change.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "filters/core/model.h"
+#include "filters/core/scene.h"
+#include "filters/vtk/vtkProbePolyDataMapper.h"
+
+namespace boxprobe {
+
+/// One drawn object.
+struct DrawnObject {
+  std::string node;
+  std::string materialName;
+  Material material;  ///< as the model has it, before overrides
+  bool unlit = false;
+  bool mirroredTransform = false;  ///< negative determinant: front faces are wound the other way
+  glm::dmat4 worldFromModel{1.0};
+  vtkSmartPointer<vtkActor> actor;
+  vtkSmartPointer<vtkProbePolyDataMapper> mapper;
+  ObjectOverride settings;
+};
+
+/// Scale, then rotation, then translation of a scene's model entry.
+glm::dmat4 placementMatrix(const ModelFile& file);
+
+/// Objects of one model. Texture objects and vertex data are shared between its instances.
+std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placement, const std::shared_ptr<DrawState>& state);
+
+/// Material and object overrides of `scene` on an object.
+void applyOverrides(DrawnObject& object, const Scene& scene);
+
+/// World bounds of an object in double.
+Box worldBounds(const DrawnObject& object);
+
+}  // namespace boxprobe

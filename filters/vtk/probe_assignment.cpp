@@ -1,0 +1,35 @@
+#include "filters/vtk/probe_assignment.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace boxprobe {
+
+std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, const Scene& scene,
+                                                 const std::vector<std::shared_ptr<DrawnProbe>>& drawn,
+                                                 bool probesEnabled) {
+  auto binding = std::make_shared<ProbeBinding>();
+  if (object.unlit) {
+    binding->lighting = Lighting::Unlit;
+    return binding;
+  }
+  if (!probesEnabled) return binding;
+  binding->lighting = Lighting::Probes;
+
+  const Box bounds = worldBounds(object);
+  std::vector<std::size_t> order(scene.probes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  order.erase(std::remove_if(order.begin(), order.end(),
+                             [&](std::size_t i) { return !influenceMeets(scene.probes[i], bounds); }),
+              order.end());
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const Probe& p = scene.probes[a];
+    const Probe& q = scene.probes[b];
+    return p.importance != q.importance ? p.importance > q.importance : p.name < q.name;
+  });
+  if (order.size() > ProbeBinding::kMaxProbesPerDraw) order.resize(ProbeBinding::kMaxProbesPerDraw);
+  for (const std::size_t i : order) binding->probes.push_back(drawn[i]);
+  return binding;
+}
+
+}  // namespace boxprobe

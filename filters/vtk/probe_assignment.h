@@ -1,0 +1,18 @@
+// Which probes an object uses. CPU only, no GL.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "filters/core/scene.h"
+#include "filters/vtk/draw_state.h"
+#include "filters/vtk/model_actors.h"
+
+namespace boxprobe {
+
+/// The binding of one object: the probes whose influence box meets its bounds, most important first (equal importance by
+/// name, never by the order in the file), at most ProbeBinding::kMaxProbesPerDraw. `drawn[i]` belongs to scene.probes[i].
+std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, const Scene& scene,
+                                                 const std::vector<std::shared_ptr<DrawnProbe>>& drawn, bool probesEnabled);
+
+}  // namespace boxprobe

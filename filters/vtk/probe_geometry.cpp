@@ -1,0 +1,53 @@
+#include "filters/vtk/probe_geometry.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace boxprobe {
+
+glm::dmat3 rotationMatrix(const glm::dvec3& rotationDegrees) {
+  const glm::dvec3 a = rotationDegrees * (3.14159265358979323846 / 180.0);
+  const glm::dmat3 x(1, 0, 0, 0, std::cos(a.x), std::sin(a.x), 0, -std::sin(a.x), std::cos(a.x));
+  const glm::dmat3 y(std::cos(a.y), 0, -std::sin(a.y), 0, 1, 0, std::sin(a.y), 0, std::cos(a.y));
+  const glm::dmat3 z(std::cos(a.z), std::sin(a.z), 0, -std::sin(a.z), std::cos(a.z), 0, 0, 0, 1);
+  return z * y * x;
+}
+
+ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
+  ProbeGeometry g;
+  g.originWorld = capturedAt;
+  g.rotated = probe.rotationDegrees != glm::dvec3(0.0);
+  g.worldFromProbe = g.rotated ? rotationMatrix(probe.rotationDegrees) : glm::dmat3(1.0);
+  // The box turns about its centre, so the origin in the box's own, unturned coordinates is
+  // centre + R^T (C - centre); subtracting it makes everything relative to C before anything is rounded to float.
+  const glm::dvec3 center = probe.box.center();
+  const glm::dvec3 origin = g.rotated ? center + glm::transpose(g.worldFromProbe) * (capturedAt - center) : capturedAt;
+  const Box& influence = probe.influenceBox();
+  g.boxMin = glm::vec3(probe.box.min - origin);
+  g.boxMax = glm::vec3(probe.box.max - origin);
+  g.influenceMin = glm::vec3(influence.min - origin);
+  g.influenceMax = glm::vec3(influence.max - origin);
+  g.blendMin = glm::vec3(probe.blendDistance.min);
+  g.blendMax = glm::vec3(probe.blendDistance.max);
+  g.intensity = static_cast<float>(probe.intensity);
+  g.importance = probe.importance;
+  g.technique = parseTechnique(probe.technique).value_or(Technique{});
+  // "Projection off" is the bare reflection vector, whatever the technique's projection.
+  if (!probe.projection) g.technique.projection = parseTechnique("infinite")->projection;
+  return g;
+}
+
+bool influenceMeets(const Probe& probe, const Box& boundsWorld) {
+  const Box& influence = probe.influenceBox();
+  const glm::dvec3 center = probe.box.center();
+  const glm::dmat3 r = rotationMatrix(probe.rotationDegrees);
+  // The axis-aligned bounds of the turned box.
+  const glm::dvec3 middle = center + r * (influence.center() - center);
+  const glm::dvec3 half = 0.5 * influence.size();
+  const glm::dvec3 extent = glm::abs(r[0]) * half.x + glm::abs(r[1]) * half.y + glm::abs(r[2]) * half.z;
+  return glm::all(glm::lessThanEqual(middle - extent, boundsWorld.max)) &&
+         glm::all(glm::greaterThanEqual(middle + extent, boundsWorld.min));
+}
+
+}  // namespace boxprobe

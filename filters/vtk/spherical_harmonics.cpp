@@ -1,0 +1,55 @@
+#include "filters/vtk/spherical_harmonics.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "filters/math/shared_math.h"
+
+namespace boxprobe {
+
+namespace {
+
+std::array<double, 9> basis(const glm::dvec3& n) {
+  return {0.282094791773878,
+          0.488602511902920 * n.y,
+          0.488602511902920 * n.z,
+          0.488602511902920 * n.x,
+          1.092548430592079 * n.x * n.y,
+          1.092548430592079 * n.y * n.z,
+          0.315391565252520 * (3.0 * n.z * n.z - 1.0),
+          1.092548430592079 * n.x * n.z,
+          0.546274215296040 * (n.x * n.x - n.y * n.y)};
+}
+
+// Clamped cosine over pi, by band.
+constexpr double kCosine[9] = {1.0, 2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25, 0.25, 0.25, 0.25, 0.25};
+
+// Integral over the rectangle from the face's centre to (s, t) of the solid angle of the cube's face.
+double cornerArea(double s, double t) { return std::atan2(s * t, std::sqrt(s * s + t * t + 1.0)); }
+
+}  // namespace
+
+ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& faces, int faceSize) {
+  std::array<glm::dvec3, 9> sum{};
+  const double step = 2.0 / faceSize;
+  for (int face = 0; face < 6; ++face) {
+    for (int row = 0; row < faceSize; ++row) {
+      for (int column = 0; column < faceSize; ++column) {
+        const double s0 = -1.0 + column * step, t0 = -1.0 + row * step;
+        const double s1 = s0 + step, t1 = t0 + step;
+        const double solidAngle = cornerArea(s1, t1) - cornerArea(s0, t1) - cornerArea(s1, t0) + cornerArea(s0, t0);
+        const glm::dvec3 direction = glm::normalize(glm::dvec3(shading::cubeDirection(
+            face, static_cast<float>(s0 + 0.5 * step), static_cast<float>(t0 + 0.5 * step))));
+        const float* texel = &faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(row * faceSize + column) * 4];
+        const glm::dvec3 radiance(texel[0], texel[1], texel[2]);
+        const auto y = basis(direction);
+        for (std::size_t i = 0; i < 9; ++i) sum[i] += radiance * (y[i] * solidAngle);
+      }
+    }
+  }
+  ShCoefficients result;
+  for (std::size_t i = 0; i < 9; ++i) result[i] = glm::vec3(sum[i] * kCosine[i]);
+  return result;
+}
+
+}  // namespace boxprobe

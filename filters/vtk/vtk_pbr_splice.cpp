@@ -1,0 +1,174 @@
+// Tried on VTK 9.1.0 (Debian 12). The anchors are single statements that vtkOpenGLPolyDataMapper::ReplaceShaderLight writes;
+// for another version, run tests/image/splice_test and correct the table below.
+#include "filters/vtk/vtk_pbr_splice.h"
+
+#include <vtkVersion.h>
+
+#include <vector>
+
+#include "filters/math/shader_source.h"
+#include "filters/vtk/full_screen_pass.h"
+
+namespace boxprobe {
+
+namespace {
+
+// In every physically based fragment shader of VTK, and in no other.
+constexpr const char* kPbrMark = "vec3 specularBrdf = F0 * brdf.r + F90 * brdf.g;";
+constexpr const char* kCoatMark = "#define CLEAR_COAT";
+
+struct Anchor {
+  const char* what;
+  std::vector<const char*> texts;  // what VTK may have written: without and with its own image-based lighting
+  const char* replacement;
+  bool coatOnly;
+};
+
+// Declarations go where the mapper's own texture declarations have been expanded, before its texture coordinates.
+constexpr const char* kDeclarations = "void main()\n{";
+
+const std::vector<Anchor>& viewAndOutputAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"view vector", {"vec3 V = normalize(-vertexVC.xyz);"}, "vec3 V = bpViewVector(vertexVC.xyz);", false},
+  };
+  return anchors;
+}
+
+const std::vector<Anchor>& lightingAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"diffuse irradiance",
+       {"vec3 irradiance = vec3(0.0);", "vec3 irradiance = texture(irradianceTex, envMatrix*N).rgb;",
+        "vec3 irradiance = vec3(ComputeSH(rotN, shRed), ComputeSH(rotN, shGreen), ComputeSH(rotN, shBlue));"},
+       "BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness);\n  vec3 irradiance = bpLight.irradiance;", false},
+      {"specular reflection",
+       {"vec3 prefilteredSpecularColor = vec3(0.0);",
+        "vec3 prefilteredSpecularColor = textureLod(prefilterTex, worldReflect, roughness * prefilterMaxLevel).rgb;"},
+       "vec3 prefilteredSpecularColor = bpLight.specular;", false},
+      {"split-sum table",
+       {"vec2 brdf = vec2(0.0, 0.0);", "vec2 brdf = texture(brdfTex, vec2(NdV, roughness)).rg;"},
+       "vec2 brdf = texture(bpBrdf, vec2(NdV, roughness)).rg;", false},
+      {"clear-coat reflection",
+       {"vec3 prefilteredSpecularCoatColor = vec3(0.0);",
+        "vec3 prefilteredSpecularCoatColor = textureLod(prefilterTex, coatWorldReflect, coatRoughness * "
+        "prefilterMaxLevel).rgb;"},
+       "vec3 prefilteredSpecularCoatColor = bpGatherLight(vertexVC.xyz, coatN, V, coatRoughness).specular;", true},
+      {"clear-coat split-sum table",
+       {"vec2 coatBrdf = vec2(0.0);", "vec2 coatBrdf = texture(brdfTex, vec2(coatNdV, coatRoughness)).rg;"},
+       "vec2 coatBrdf = texture(bpBrdf, vec2(coatNdV, coatRoughness)).rg;", true},
+  };
+  return anchors;
+}
+
+bool replaceOnce(std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) return false;
+  text.replace(at, from.size(), to);
+  return true;
+}
+
+void replaceAll(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+std::string missing(const std::string& what, const std::string& anchor) {
+  return std::string("VTK ") + vtkVersion::GetVTKVersion() + " writes a shader without the anchor for the " + what + ": \"" +
+         anchor + "\"; Boxprobe is known to work with VTK 9.1.0";
+}
+
+std::string applyAnchors(std::string& text, const std::vector<Anchor>& anchors, bool coat) {
+  for (const Anchor& anchor : anchors) {
+    if (anchor.coatOnly && !coat) continue;
+    bool found = false;
+    for (const char* candidate : anchor.texts) found = found || replaceOnce(text, candidate, anchor.replacement);
+    if (!found) return missing(anchor.what, anchor.texts.front());
+  }
+  return {};
+}
+
+std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
+  const std::vector<int> groups = binding.groups();
+  std::string text;
+  for (std::size_t slot = 0; slot < binding.probes.size(); ++slot) {
+    const Technique& technique = binding.probes[slot]->geometry.technique;
+    std::string piece(pattern);
+    replaceAll(piece, "@SLOT@", std::to_string(slot));
+    replaceAll(piece, "@GROUP@", std::to_string(groups[slot]));
+    replaceAll(piece, "@PROJECTION@", std::to_string(technique.projection));
+    replaceAll(piece, "@EVALUATE@",
+               std::string(evaluationRows()[static_cast<std::size_t>(technique.evaluation)].function));
+    text += piece;
+  }
+  return text;
+}
+
+// The files and the dispatch that this draw's techniques need, and no other.
+std::string techniqueSources(const ProbeBinding& binding) {
+  std::vector<std::string> projectionFiles, evaluationFiles;
+  const auto addOnce = [](std::vector<std::string>& files, std::string_view file) {
+    for (const std::string& present : files) {
+      if (present == file) return false;
+    }
+    files.emplace_back(file);
+    return true;
+  };
+  std::string dispatch;
+  for (const auto& probe : binding.probes) {
+    const Technique& t = probe->geometry.technique;
+    const ProjectionRow& projection = projectionRows()[static_cast<std::size_t>(t.projection)];
+    const EvaluationRow& evaluation = evaluationRows()[static_cast<std::size_t>(t.evaluation)];
+    if (addOnce(projectionFiles, projection.shaderFile)) {
+      dispatch += "  if (probe.projection == " + std::to_string(t.projection) + ") { return " +
+                  std::string(projection.function) + "(probe, position, normal, reflection); }\n";
+    }
+    addOnce(evaluationFiles, evaluation.shaderFile);
+  }
+  if (binding.probes.empty()) return {};
+  const auto& first = projectionRows()[static_cast<std::size_t>(binding.probes.front()->geometry.technique.projection)];
+  return joinShaderSources(projectionFiles) +
+         "ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)\n{\n" + dispatch +
+         "  return " + std::string(first.function) + "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n" +
+         joinShaderSources({"gpu/fetch_probe.glsl"}) + joinShaderSources(evaluationFiles);
+}
+
+std::string probeDeclarations(const ProbeBinding& binding) {
+  const std::vector<int> groups = binding.groups();
+  std::string lighting(shaderSource("gpu/probe_lighting.glsl"));
+  replaceOnce(lighting, "//BP::Slots", techniqueSources(binding) + perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
+  replaceOnce(lighting, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
+  replaceOnce(lighting, "//BP::Shares", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
+  return "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
+         std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n#define BP_ROTATED " +
+         (binding.rotated() ? "1\n" : "0\n") +
+         joinShaderSources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", "shared/weights.glsl",
+                            "shared/sh.glsl"}) +
+         lighting;
+}
+
+}  // namespace
+
+std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding) {
+  if (fragmentSource.find(kPbrMark) == std::string::npos) return {};
+  const bool coat = fragmentSource.find(kCoatMark) != std::string::npos;
+  const bool probes = binding.lighting == Lighting::Probes;
+  const bool unlit = binding.lighting == Lighting::Unlit;
+
+  std::string text = fragmentSource;
+  std::string declarations = probes ? probeDeclarations(binding) : "uniform float bpParallel;\nuniform float bpExposure;\n";
+  declarations += shaderSource("gpu/output.glsl");
+  if (!replaceOnce(text, kDeclarations, declarations + "\n" + kDeclarations)) return missing("declarations", "void main()");
+
+  std::string failure = applyAnchors(text, viewAndOutputAnchors(), coat);
+  if (failure.empty() && probes) failure = applyAnchors(text, lightingAnchors(), coat);
+  if (!failure.empty()) return failure;
+
+  constexpr const char* kOutput = "color = pow(color, vec3(1.0/2.2));";
+  if (!replaceOnce(text, kOutput, unlit ? "color = bpOutput(emissiveColor);" : "color = bpOutput(color);")) {
+    return missing("output", kOutput);
+  }
+  fragmentSource = std::move(text);
+  return {};
+}
+
+}  // namespace boxprobe

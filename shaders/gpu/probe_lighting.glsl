@@ -1,0 +1,75 @@
+// What the probes and the sky add to a pixel of VTK's PBR shader. Spliced in by filters/vtk/vtk_pbr_splice.cpp, which defines
+//   BP_SLOTS     probes this draw may use (0 to 4), most important first
+//   BP_GROUPS    runs of equal importance among them
+//   BP_ROTATED   1 if any of their boxes is rotated
+// and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
+// Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
+
+uniform mat3 bpViewToWorld;
+uniform float bpParallel;       // 1 under parallel projection
+uniform float bpExposure;       // 0: linear output; else display colours at this exposure
+uniform sampler2D bpBrdf;       // split-sum table: N.V across, roughness up
+uniform samplerCube bpSkyMap;   // prefiltered sky
+uniform float bpSkyMaxLevel;
+uniform float bpSkyIntensity;   // 0: the sky gives nothing
+uniform vec3 bpSkySh[9];
+
+#if BP_SLOTS > 0
+uniform vec3 bpOrigin[BP_SLOTS];        // capture origin minus camera position, world axes
+uniform vec3 bpBoxMin[BP_SLOTS];        // projection box, probe frame
+uniform vec3 bpBoxMax[BP_SLOTS];
+uniform vec3 bpInfluenceMin[BP_SLOTS];  // influence box, probe frame
+uniform vec3 bpInfluenceMax[BP_SLOTS];
+uniform vec3 bpBlendMin[BP_SLOTS];
+uniform vec3 bpBlendMax[BP_SLOTS];
+uniform float bpIntensity[BP_SLOTS];
+uniform float bpMaxLevel[BP_SLOTS];
+uniform vec3 bpSh[9 * BP_SLOTS];
+#if BP_ROTATED
+uniform mat3 bpWorldFromProbe[BP_SLOTS];
+#endif
+#endif
+
+struct BpLight
+{
+  vec3 specular;
+  vec3 irradiance;
+};
+
+//BP::Slots
+
+BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness)
+{
+  vec3 position = bpViewToWorld * positionView;
+  vec3 normal = bpViewToWorld * normalView;
+  vec3 view = bpViewToWorld * viewView;
+  vec3 reflection = reflect(-view, normal);
+
+  BpLight light;
+  light.specular = vec3(0.0f);
+  light.irradiance = vec3(0.0f);
+  float remaining = 1.0f;
+
+#if BP_SLOTS > 0
+  float weight[BP_SLOTS];
+  float groupSum[BP_GROUPS];
+  float groupShare[BP_GROUPS];
+  for (int g = 0; g < BP_GROUPS; ++g) { groupSum[g] = 0.0f; }
+//BP::Weights
+  for (int g = 0; g < BP_GROUPS; ++g)
+  {
+    groupShare[g] = remaining * groupScale(groupSum[g]);
+    remaining = remainingAfter(remaining, groupSum[g]);
+  }
+//BP::Shares
+#endif
+
+  float sky = remaining * bpSkyIntensity;
+  if (sky > 1.0e-5f)
+  {
+    light.specular += sky * textureLod(bpSkyMap, reflection, levelForRoughness(roughness, bpSkyMaxLevel)).rgb;
+    light.irradiance += sky * shIrradiance(normal, bpSkySh[0], bpSkySh[1], bpSkySh[2], bpSkySh[3], bpSkySh[4],
+                                           bpSkySh[5], bpSkySh[6], bpSkySh[7], bpSkySh[8]);
+  }
+  return light;
+}

@@ -1,0 +1,133 @@
+// The same GLSL on the GPU and as C++: 131,072 random inputs for each projection of the table and each shared function.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "filters/math/shader_source.h"
+#include "filters/math/shared_math.h"
+#include "filters/math/technique_table.h"
+#include "tests/support/gpu_window.h"
+
+namespace {
+
+using namespace boxprobe;
+using glm::vec3;
+using glm::vec4;
+
+constexpr std::size_t kCount = 131072;
+
+struct Inputs {
+  std::vector<vec4> position, normal, reflection, boxMin, boxMax;
+};
+
+Inputs randomRays() {
+  std::mt19937 random(20);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  std::normal_distribution<float> gauss;
+  const auto direction = [&] { return glm::normalize(vec3(gauss(random), gauss(random), gauss(random))); };
+  Inputs in;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const vec3 low(-10.0f * unit(random), -10.0f * unit(random), -10.0f * unit(random));
+    const vec3 high(0.1f + 10.0f * unit(random), 0.1f + 10.0f * unit(random), 0.1f + 10.0f * unit(random));
+    vec3 p = low + (high - low) * vec3(unit(random), unit(random), unit(random));
+    if (i % 16 == 0) p.y = low.y;                              // on a face
+    if (i % 17 == 0) p += 0.5f * (high - low) * direction();   // perhaps outside
+    vec3 r = direction();
+    if (i % 13 == 0) r = glm::normalize(vec3(0.0f, r.y, r.z));  // parallel to a pair of faces
+    in.position.emplace_back(p, 0.0f);
+    in.normal.emplace_back(direction(), 0.0f);
+    in.reflection.emplace_back(r, 0.0f);
+    in.boxMin.emplace_back(low, 0.0f);
+    in.boxMax.emplace_back(high, 0.0f);
+  }
+  return in;
+}
+
+std::string sources(std::initializer_list<std::string_view> files) {
+  std::string text;
+  for (const auto file : files) text += std::string(shaderSource(file)) + "\n";
+  return text;
+}
+
+TEST(Parity, EveryProjectionGivesTheSameHit) {
+  const auto window = test::makeWindow();
+  const Inputs in = randomRays();
+  for (const ProjectionRow& row : projectionRows()) {
+    const auto gpu = test::evaluateOnGpu(
+        window, sources({"shared/types.glsl", "shared/slab.glsl", row.shaderFile}),
+        "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.projection = 0; "
+        "probe.slot = 0;\n  ProbeHit hit = " +
+            std::string(row.function) +
+            "(probe, in0.xyz, in1.xyz, in2.xyz);\n  out0 = vec4(hit.direction, hit.distance);\n  out1 = "
+            "vec4(hit.slabFactors, float(hit.face));\n",
+        {in.position, in.normal, in.reflection, in.boxMin, in.boxMax}, 2);
+    std::size_t identical = 0, differentFace = 0;
+    float worst = 0.0f;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      shading::ProbeShape probe{};
+      probe.boxMin = in.boxMin[i];
+      probe.boxMax = in.boxMax[i];
+      probe.maxLevel = 6.0f;
+      const shading::ProbeHit hit = row.project(probe, in.position[i], in.normal[i], in.reflection[i]);
+      const vec4 g = gpu[0][i];
+      const vec3 size = probe.boxMax - probe.boxMin;
+      const float scale = std::max({size.x, size.y, size.z});
+      ASSERT_TRUE(std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z) && std::isfinite(g.w)) << row.id << i;
+      worst = std::max(worst, glm::length(vec3(g) - hit.direction) / scale);
+      identical += g.w == hit.distance && vec3(g) == hit.direction;
+      differentFace += static_cast<int>(gpu[1][i].w) != hit.face;
+    }
+    RecordProperty(std::string(row.id) + "Identical", static_cast<int>(identical));
+    std::printf("  %-8s identical %zu of %zu, worst difference %.2g box sizes, other face %zu\n",
+                std::string(row.id).c_str(), identical, kCount, static_cast<double>(worst), differentFace);
+    EXPECT_LE(worst, 4e-7f) << row.id;
+    EXPECT_LE(differentFace, kCount / 10000) << row.id << ": only rays through an edge may disagree";
+  }
+}
+
+TEST(Parity, LevelsWeightsAndLobes) {
+  const auto window = test::makeWindow();
+  std::mt19937 random(21);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  std::vector<vec4> a, b;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    a.emplace_back(unit(random), unit(random), unit(random), 1.0f + std::floor(8.0f * unit(random)));
+    b.emplace_back(2.0f * unit(random) - 1.0f, 2.0f * unit(random) - 1.0f, 2.0f * unit(random) - 1.0f, unit(random));
+  }
+  const auto gpu = test::evaluateOnGpu(
+      window, sources({"shared/roughness.glsl", "shared/weights.glsl", "shared/ggx.glsl", "shared/sky.glsl", "shared/cube.glsl"}),
+      "  out0 = vec4(levelForRoughness(in0.x, in0.w), roughnessForLevel(in0.y * in0.w, in0.w),"
+      " influenceWeight(in1.xyz, vec3(-0.7), vec3(0.8), in0.xyz, vec3(0.0)), ggxMasking(in0.z, in0.x));\n"
+      "  out1 = vec4(ggxHalfVector(in0.xy, in0.z), ggxDistribution(normalize(in1.xyz), in0.x + 0.01));\n"
+      "  out2 = vec4(skyGradient(in1.xyz, vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)), 0.0);\n"
+      "  out3 = vec4(cubeDirection(int(in0.w) - 1, in1.x, in1.y), 0.0);\n",
+      {a, b}, 4);
+  double worst[8] = {};
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const auto note = [&](int what, float x, float y) {
+      worst[what] = std::max(worst[what], std::abs(static_cast<double>(x) - y) / std::max(1.0, std::abs(static_cast<double>(y))));
+    };
+    note(0, gpu[0][i].x, shading::levelForRoughness(a[i].x, a[i].w));
+    note(1, gpu[0][i].y, shading::roughnessForLevel(a[i].y * a[i].w, a[i].w));
+    note(2, gpu[0][i].z, shading::influenceWeight(vec3(b[i]), vec3(-0.7f), vec3(0.8f), vec3(a[i]), vec3(0.0f)));
+    note(3, gpu[0][i].w, shading::ggxMasking(a[i].z, a[i].x));
+    const vec3 half = shading::ggxHalfVector(glm::vec2(a[i].x, a[i].y), a[i].z);
+    note(4, glm::length(vec3(gpu[1][i]) - half), 0.0f);
+    note(5, gpu[1][i].w, shading::ggxDistribution(glm::normalize(vec3(b[i])), a[i].x + 0.01f));
+    const vec3 sky = shading::skyGradient(vec3(b[i]), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1));
+    note(6, glm::length(vec3(gpu[2][i]) - sky), 0.0f);
+    const vec3 cube = shading::cubeDirection(static_cast<int>(a[i].w) - 1, b[i].x, b[i].y);
+    note(7, glm::length(vec3(gpu[3][i]) - cube), 0.0f);
+  }
+  const char* names[8] = {"level", "roughness", "influence weight", "masking", "half vector", "distribution", "sky", "cube direction"};
+  // Transcendental functions are only a few digits exact on a GPU; arithmetic is exact to rounding.
+  const double bounds[8] = {2e-5, 2e-5, 2e-6, 2e-6, 5e-5, 2e-5, 2e-6, 0.0};
+  for (int i = 0; i < 8; ++i) {
+    std::printf("  %-17s worst difference %.2g\n", names[i], worst[i]);
+    EXPECT_LE(worst[i], bounds[i]) << names[i];
+  }
+}
+
+}  // namespace
