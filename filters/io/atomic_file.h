@@ -11,7 +11,7 @@ namespace boxprobe {
 /// failures of the file system are WorkError naming `path` and the system's reason.
 void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 
-/// The common case: text.
+/// The common case: bytes that are in memory, text or not.
 void writeTextAtomically(const std::string& path, const std::string& text);
 
 }  // namespace boxprobe

@@ -13,7 +13,8 @@ void savePng(const std::string& path, const ImageRgba8& image);
 /// Float RGBA, ZIP compressed, scan lines.
 void saveExr(const std::string& path, const ImageRgbaF& image);
 
-/// By extension: .exr or .hdr. Non-finite texels are set to 0 and counted in `*notFinite` when given. Throws InputError.
+/// By extension: .exr or .hdr. Non-finite texels are set to 0 and counted in `*notFinite` when given. Throws
+/// InputError.
 ImageRgbaF loadHdrImage(const std::string& path, std::size_t* notFinite = nullptr);
 
 /// 8-bit PNG or JPEG.

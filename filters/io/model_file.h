@@ -1,5 +1,5 @@
-// Reads model files into plain arrays. glTF and GLB go through tinygltf (whole core format, extensions as JSON), so that
-// the same arrays feed VTK and the ray tracer.
+// Reads model files into plain arrays. glTF and GLB go through tinygltf (whole core format, extensions as JSON), so
+// that the same arrays feed VTK and the ray tracer.
 #pragma once
 
 #include <string>

@@ -17,7 +17,8 @@ Scene parseScene(const std::string& text, const std::string& name, const std::st
 /// A scene for a bare model file: default sky, one camera and one probe fitted to the model's bounds by the caller.
 Scene sceneForModel(const std::string& modelPath);
 
-/// JSON text; paths are written relative to `folder`. What equals its default is left out. parseScene reads it back equal.
+/// JSON text; paths are written relative to `folder`. What equals its default is left out. parseScene reads it back
+/// equal.
 std::string sceneText(const Scene& scene, const std::string& folder);
 
 /// Written to a temporary file beside `path`, flushed to disk and renamed: the old or the new file is there, whole.

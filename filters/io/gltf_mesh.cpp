@@ -1,0 +1,167 @@
+// Meshes of a glTF file: one Mesh for each primitive of triangles, whatever its mode and its number formats.
+#include <glm/geometric.hpp>
+
+#include "filters/io/gltf_parts.h"
+
+namespace boxprobe {
+
+namespace {
+
+template <typename Vector>
+std::vector<Vector> asVectors(const std::vector<float>& values) {
+  constexpr int kLength = Vector::length();
+  std::vector<Vector> vectors(values.size() / kLength);
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    for (int c = 0; c < kLength; ++c) vectors[i][c] = values[i * kLength + static_cast<std::size_t>(c)];
+  }
+  return vectors;
+}
+
+/// An attribute if the primitive has it; refused if it has not one entry a position.
+template <typename Vector>
+std::vector<Vector> readAttribute(const GltfFile& file, const tinygltf::Primitive& primitive, const std::string& name,
+                                  std::size_t positions, const std::string& place) {
+  const auto found = primitive.attributes.find(name);
+  if (found == primitive.attributes.end()) return {};
+  const std::string where = place + ": " + name;
+  auto vectors = asVectors<Vector>(readFloats(file, found->second, Vector::length(), where));
+  if (vectors.size() != positions) {
+    file.fail(where,
+              "has " + std::to_string(vectors.size()) + " entries for " + std::to_string(positions) + " positions");
+  }
+  return vectors;
+}
+
+/// glTF 2.0, section 3.7.2.1: vertex order of the three modes, all with the first triangle's winding.
+std::vector<std::uint32_t> triangleList(const std::vector<std::uint32_t>& order, int mode) {
+  if (mode == TINYGLTF_MODE_TRIANGLES)
+    return {order.begin(), order.end() - static_cast<std::ptrdiff_t>(order.size() % 3)};
+  std::vector<std::uint32_t> list;
+  for (std::size_t i = 0; i + 2 < order.size(); ++i) {
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+      const std::size_t odd = i % 2;
+      list.insert(list.end(), {order[i], order[i + 1 + odd], order[i + 2 - odd]});
+    } else {
+      list.insert(list.end(), {order[i + 1], order[i + 2], order[0]});
+    }
+  }
+  return list;
+}
+
+/// Without normals each triangle is flat (glTF 2.0, section 3.7.2.1), so its corners cannot be shared. Tangents belong
+/// to the normals that are not there and go.
+void makeFlat(Mesh& mesh) {
+  Mesh flat;
+  flat.name = mesh.name;
+  flat.material = mesh.material;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const glm::dvec3 a = mesh.positions[mesh.indices[i]];
+    const glm::dvec3 b = mesh.positions[mesh.indices[i + 1]];
+    const glm::dvec3 c = mesh.positions[mesh.indices[i + 2]];
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double length = glm::length(normal);
+    // A triangle without area is never seen; its normal has only to be a unit vector.
+    const glm::vec3 unit = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f, 1.0f, 0.0f);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t source = mesh.indices[i + corner];
+      flat.positions.push_back(mesh.positions[source]);
+      flat.normals.push_back(unit);
+      if (!mesh.uv.empty()) flat.uv.push_back(mesh.uv[source]);
+      flat.indices.push_back(static_cast<std::uint32_t>(i + corner));
+    }
+  }
+  mesh = std::move(flat);
+}
+
+/// Quantized normals are not quite unit, and a zero one would end as NaN in every shader.
+void makeUnit(GltfFile& file, std::vector<glm::vec3>& normals) {
+  for (glm::vec3& normal : normals) {
+    const double length = glm::length(glm::dvec3(normal));
+    if (length > 0.0) {
+      normal = glm::vec3(glm::dvec3(normal) / length);
+    } else {
+      file.warn("has normals of length 0, which were set to +Y");
+      normal = glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+  }
+}
+
+void warnOfTheRest(GltfFile& file, const tinygltf::Primitive& primitive) {
+  if (!primitive.targets.empty()) file.warn("has morph targets, which are not supported; the base shape is used");
+  for (const auto& attribute : primitive.attributes) {
+    if (attribute.first.rfind("COLOR_", 0) == 0) file.warn("has vertex colors, which are not supported and left out");
+  }
+}
+
+Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mode, const std::string& place) {
+  Mesh mesh;
+  const auto position = primitive.attributes.find("POSITION");
+  if (position == primitive.attributes.end()) file.fail(place, "has no POSITION attribute; export it again");
+  mesh.positions = asVectors<glm::vec3>(readFloats(file, position->second, 3, place + ": POSITION"));
+  const std::size_t count = mesh.positions.size();
+  if (count > 0xffffffffu) file.fail(place, "has more than 2^32 positions; split it");
+  mesh.normals = readAttribute<glm::vec3>(file, primitive, "NORMAL", count, place);
+  mesh.tangents = readAttribute<glm::vec4>(file, primitive, "TANGENT", count, place);
+  mesh.uv = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_0", count, place);
+
+  std::vector<std::uint32_t> order;
+  if (primitive.indices >= 0) {
+    order = readIndices(file, primitive.indices, place + ": indices");
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (order[i] >= count) {
+        file.fail(place + ": indices", "index " + std::to_string(i) + " is " + std::to_string(order[i]) +
+                                           ", but there are " + std::to_string(count) +
+                                           " positions; the file is damaged");
+      }
+    }
+  } else {
+    order.resize(count);
+    for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(i);
+  }
+  if (mode == TINYGLTF_MODE_TRIANGLES && order.size() % 3 != 0) {
+    file.warn("has triangle lists whose length is no multiple of 3; the incomplete triangle is left out");
+  }
+  mesh.indices = triangleList(order, mode);
+
+  if (primitive.material >= 0 && static_cast<std::size_t>(primitive.material) >= file.gltf.materials.size()) {
+    file.fail(place, "material " + std::to_string(primitive.material) + " does not exist; the file has " +
+                         std::to_string(file.gltf.materials.size()));
+  }
+  mesh.material = primitive.material < 0 ? -1 : primitive.material;
+  if (mesh.normals.empty()) {
+    makeFlat(mesh);
+  } else {
+    makeUnit(file, mesh.normals);
+  }
+  warnOfTheRest(file, primitive);
+  return mesh;
+}
+
+}  // namespace
+
+GltfMeshes readMeshes(GltfFile& file) {
+  GltfMeshes result;
+  for (std::size_t m = 0; m < file.gltf.meshes.size(); ++m) {
+    const tinygltf::Mesh& source = file.gltf.meshes[m];
+    const std::string name = source.name.empty() ? "mesh" + std::to_string(m) : source.name;
+    std::vector<int> members;
+    for (std::size_t p = 0; p < source.primitives.size(); ++p) {
+      const tinygltf::Primitive& primitive = source.primitives[p];
+      const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+      if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+        file.warn("has points or lines, which are not supported and left out");
+        continue;
+      }
+      const std::string place = "mesh " + std::to_string(m) + " \"" + name + "\": primitive " + std::to_string(p);
+      Mesh mesh = readPrimitive(file, primitive, mode, place);
+      mesh.name = name;
+      if (mesh.indices.empty()) continue;
+      members.push_back(static_cast<int>(result.meshes.size()));
+      result.meshes.push_back(std::move(mesh));
+    }
+    result.primitives.push_back(std::move(members));
+  }
+  return result;
+}
+
+}  // namespace boxprobe
