@@ -1,0 +1,175 @@
+// The scenes that come with the program: what the other tests and the README say about them, read from the files.
+#include "data/scenes/scenes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "data/scenes/glb_writer.h"
+#include "filters/core/model.h"
+#include "filters/core/scene.h"
+#include "filters/io/image_file.h"
+#include "filters/io/model_file.h"
+#include "filters/io/scene_file.h"
+#include "filters/math/shared_math.h"
+#include "tests/unit/scene_triangles.h"
+
+namespace boxprobe {
+namespace {
+
+const std::string kFolder = scenesFolder();
+
+std::string fileBytes(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class CheckedInScene : public testing::TestWithParam<const char*> {
+ protected:
+  Scene scene = loadSceneFile(kFolder + GetParam() + ".boxprobe.json");
+  Model model = loadModelFile(kFolder + GetParam() + ".glb");
+};
+
+TEST_P(CheckedInScene, FrontFacesLieWhereTheNormalsPoint) {
+  for (const Triangle& t : triangles(model)) {
+    ASSERT_GT(glm::length(t.areaVector()), 1e-9) << t.node << ": a triangle without area";
+    for (const glm::dvec3& normal : t.normals)
+      ASSERT_GT(glm::dot(glm::normalize(t.areaVector()), normal), 0.3) << t.node << ": winding against normal";
+  }
+}
+
+TEST_P(CheckedInScene, EveryOverrideNamesSomethingInTheModel) {
+  EXPECT_THAT(unmatchedOverrides(scene, {&model}), testing::IsEmpty());
+  EXPECT_THAT(featuresNotUsed(scene), testing::IsEmpty());
+  EXPECT_THAT(model.warnings, testing::IsEmpty());
+}
+
+TEST_P(CheckedInScene, MirrorBallsAreSmoothWhiteMetalThatProbesDoNotSee) {
+  int balls = 0;
+  for (const Instance& instance : model.instances) {
+    if (!startsWith(instance.node, "sphere") && instance.node != "ball") continue;
+    ++balls;
+    EXPECT_FALSE(scene.objects.at(instance.node).seenByProbes) << instance.node;
+    const Mesh& mesh = model.meshes.at(static_cast<std::size_t>(instance.mesh));
+    const Material& material = model.materials.at(static_cast<std::size_t>(mesh.material));
+    EXPECT_EQ(material.metallic, 1.0f);
+    EXPECT_EQ(material.roughness, 0.0f);
+    EXPECT_EQ(material.baseColor, glm::vec4(1.0f));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+      ASSERT_NEAR(glm::dot(glm::normalize(mesh.positions[i]), mesh.normals[i]), 1.0f, 1e-5f);
+  }
+  EXPECT_EQ(balls, std::string(GetParam()) == "building" ? 9 : std::string(GetParam()) == "room" ? 3 : 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CheckedInScene, testing::Values("building", "room", "six-faces"),
+                         [](const auto& scene) { return std::string(scene.param).substr(0, 3); });
+
+TEST(SceneGenerator, WritesTheCheckedInFiles) {
+  const std::map<std::string, std::string> made = {{"building.glb", scenes::glbBytes(scenes::building())},
+                                                   {"room.glb", scenes::glbBytes(scenes::room())},
+                                                   {"six-faces.glb", scenes::glbBytes(scenes::sixFaces())},
+                                                   {"sky.hdr", scenes::skyHdr()}};
+  for (const auto& [name, bytes] : made) {
+    const std::string stored = fileBytes(kFolder + name);
+    const auto differ = std::mismatch(bytes.begin(), bytes.end(), stored.begin(), stored.end());
+    EXPECT_TRUE(bytes == stored) << name << ": " << bytes.size() << " bytes made, " << stored.size()
+                                 << " checked in, first difference at " << differ.first - bytes.begin()
+                                 << "; run generate_scenes data/scenes if the change is meant";
+  }
+}
+
+TEST(SceneGenerator, SkyPictureIsTheSkyOfTheBuilding) {
+  const Scene scene = loadSceneFile(kFolder + "building.boxprobe.json");
+  const auto& sky = std::get<SkyGradient>(scene.sky);
+  const ImageRgbaF picture = loadHdrImage(kFolder + "sky.hdr");
+  ASSERT_EQ(picture.width, 2 * picture.height);
+  for (int row = 0; row < picture.height; ++row) {
+    const double elevation = M_PI * (0.5 - (row + 0.5) / picture.height);
+    const glm::vec3 direction(0.0f, std::sin(elevation), std::cos(elevation));
+    const glm::vec3 expected = shading::skyGradient(direction, sky.top, sky.horizon, sky.ground);
+    for (int channel = 0; channel < 3; ++channel)  // RGBE keeps 8 bits below the brightest channel
+      EXPECT_NEAR(picture.pixels[static_cast<std::size_t>(row * picture.width * 4 + channel)], expected[channel],
+                  1.0 / 128.0);
+  }
+}
+
+TEST(Building, ProbeBoxIsTheInnerSpaceWithAHairOfRoom) {
+  const Scene scene = loadSceneFile(kFolder + "building.boxprobe.json");
+  ASSERT_EQ(scene.probes.size(), 1u);
+  const Probe& probe = scene.probes.front();
+  EXPECT_EQ(probe.name, "room");
+  EXPECT_EQ(probe.box.min, glm::dvec3(-4.505, -0.005, -4.505));
+  EXPECT_EQ(probe.box.max, glm::dvec3(4.505, 5.005, 4.505));
+  EXPECT_EQ(probe.bounces, 2);
+}
+
+TEST(Building, OnlySpheresStandInTheInnerSpaceAndWallsLieInItsPlanes) {
+  const Model model = loadModelFile(kFolder + "building.glb");
+  const glm::dvec3 low(-4.5, 0.0, -4.5), high(4.5, 5.0, 4.5);
+  std::map<std::string, std::array<bool, 6>> touches;  // -x +x -y +y -z +z
+  for (const Triangle& t : triangles(model)) {
+    if (startsWith(t.node, "sphere")) continue;
+    glm::dvec3 least = t.corners[0], most = t.corners[0];
+    for (const glm::dvec3& corner : t.corners) least = glm::min(least, corner), most = glm::max(most, corner);
+    bool apart = false;  // some plane of the inner space has the whole triangle behind it
+    for (int axis = 0; axis < 3; ++axis) {
+      apart = apart || most[axis] <= low[axis] || least[axis] >= high[axis];
+      if (most[axis] == low[axis]) touches[t.node][static_cast<std::size_t>(2 * axis)] = true;
+      if (least[axis] == high[axis]) touches[t.node][static_cast<std::size_t>(2 * axis + 1)] = true;
+    }
+    ASSERT_TRUE(apart) << t.node << " reaches into the inner space";
+  }
+  for (const char* node : {"pillars", "plinths and copings", "screens", "parapets", "beams"})
+    for (std::size_t plane : {0u, 1u, 4u, 5u}) EXPECT_TRUE(touches[node][plane]) << node << ", plane " << plane;
+  EXPECT_TRUE(touches["rafters"][3]);
+  EXPECT_TRUE(touches["mirror"][2]);
+}
+
+TEST(Building, MirrorCoversTheWholeFloorAndTheProbeSeesIt) {
+  const Scene scene = loadSceneFile(kFolder + "building.boxprobe.json");
+  const Model model = loadModelFile(kFolder + "building.glb");
+  double area = 0.0;
+  for (const Triangle& t : triangles(model)) {
+    if (t.node != "mirror") continue;
+    area += glm::length(t.areaVector());
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(t.normals[static_cast<std::size_t>(k)], glm::dvec3(0, 1, 0));
+    EXPECT_EQ(t.material, "mirror");
+    EXPECT_EQ(t.surface->roughness, 0.0f);
+    EXPECT_EQ(t.surface->metallic, 1.0f);
+  }
+  EXPECT_DOUBLE_EQ(area, 81.0);
+  const auto entry = scene.objects.find("mirror");
+  EXPECT_TRUE(entry == scene.objects.end() || entry->second.seenByProbes);
+}
+
+TEST(Building, EightSpheresNearTheEdgesAndOneNearTheMiddle) {
+  const Model model = loadModelFile(kFolder + "building.glb");
+  int nearEdge = 0, nearMiddle = 0;
+  for (const Instance& instance : model.instances) {
+    if (!startsWith(instance.node, "sphere")) continue;
+    const glm::dvec3 center(instance.worldFromModel[3]);
+    const double fromMiddle = std::max(std::abs(center.x), std::abs(center.z));
+    EXPECT_LE(fromMiddle + 0.5, 4.5) << instance.node;
+    nearEdge += fromMiddle > 3.0;
+    nearMiddle += fromMiddle < 1.0;
+  }
+  EXPECT_EQ(nearEdge, 8);
+  EXPECT_EQ(nearMiddle, 1);
+}
+
+TEST(Building, LightsAreAllDirectional) {  // the renderer takes directional lights for positional ones beside those
+  for (const Light& light : loadSceneFile(kFolder + "building.boxprobe.json").lights)
+    EXPECT_EQ(light.type, LightType::Directional);
+}
+
+}  // namespace
+}  // namespace boxprobe
