@@ -1,0 +1,248 @@
+// Undo, redo, previews, selection and observers of the Document.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "filters/core/document.h"
+#include "tests/unit/error_text.h"
+
+namespace boxprobe {
+namespace {
+
+Scene twoProbes() {
+  Scene scene;
+  scene.probes.resize(2);
+  scene.probes[0].name = "room";
+  scene.probes[1].name = "hall";
+  return scene;
+}
+
+class DocumentTest : public ::testing::Test {
+ protected:
+  DocumentTest() {
+    document.open(twoProbes(), "two.boxprobe.json");
+    document.addObserver([this](const Changes& changes) {
+      last = changes;
+      ++notified;
+    });
+  }
+  static Document::Edit moveFace(double x) {
+    return [x](Scene& scene) { scene.probes[0].box.max.x = x; };
+  }
+  double face() const { return document.scene().probes[0].box.max.x; }
+
+  Document document;
+  Changes last;
+  int notified = 0;
+};
+
+TEST_F(DocumentTest, CommitIsOneStepThatUndoTakesBackAndRedoBrings) {
+  document.commit("Move face", moveFace(5));
+  EXPECT_EQ(face(), 5);
+  EXPECT_TRUE(last.probeShape);
+  EXPECT_FALSE(last.probeCapture);
+  EXPECT_TRUE(last.file);  // it has become modified
+  EXPECT_EQ(document.undoLabel(), "Move face");
+  EXPECT_FALSE(document.canRedo());
+  document.undo();
+  EXPECT_EQ(face(), 1);
+  EXPECT_FALSE(document.canUndo());
+  EXPECT_EQ(document.undoLabel(), "");
+  EXPECT_EQ(document.redoLabel(), "Move face");
+  document.redo();
+  EXPECT_EQ(face(), 5);
+}
+
+TEST_F(DocumentTest, UndoAndRedoAtTheEndsDoNothing) {
+  document.undo();
+  document.redo();
+  EXPECT_EQ(face(), 1);
+  EXPECT_EQ(notified, 0);
+}
+
+TEST_F(DocumentTest, CommittingAfterUndoDropsWhatCouldBeRedone) {
+  document.commit("first", moveFace(2));
+  document.commit("second", moveFace(3));
+  document.undo();
+  document.commit("third", moveFace(4));
+  EXPECT_FALSE(document.canRedo());
+  document.undo();
+  EXPECT_EQ(face(), 2);
+  document.undo();
+  EXPECT_EQ(face(), 1);
+}
+
+TEST_F(DocumentTest, ADragOfManyPreviewsIsOneStep) {
+  for (int i = 2; i <= 50; ++i) EXPECT_TRUE(document.preview(moveFace(i)));
+  EXPECT_TRUE(document.previewing());
+  EXPECT_EQ(face(), 50);
+  EXPECT_FALSE(document.canUndo());
+  EXPECT_FALSE(document.modified());
+  document.commitPreview("Drag face");
+  EXPECT_FALSE(document.previewing());
+  EXPECT_EQ(document.undoLabel(), "Drag face");
+  document.undo();
+  EXPECT_EQ(face(), 1);
+  EXPECT_FALSE(document.canUndo());
+}
+
+TEST_F(DocumentTest, PreviewsDoNotPileUp) {
+  const Document::Edit grow = [](Scene& scene) { scene.probes[0].box.max.x += 1; };
+  document.preview(grow);
+  document.preview(grow);
+  EXPECT_EQ(face(), 2);
+}
+
+TEST_F(DocumentTest, CancelShowsTheCommittedSceneAgain) {
+  document.preview(moveFace(9));
+  notified = 0;
+  document.cancel();
+  EXPECT_EQ(face(), 1);
+  EXPECT_EQ(notified, 1);
+  EXPECT_TRUE(last.probeShape);
+  EXPECT_FALSE(document.canUndo());
+  document.commitPreview("nothing to commit");
+  EXPECT_FALSE(document.canUndo());
+}
+
+TEST_F(DocumentTest, UndoDuringAPreviewEndsIt) {
+  document.commit("first", moveFace(2));
+  document.preview(moveFace(9));
+  document.undo();
+  EXPECT_EQ(face(), 1);
+  EXPECT_FALSE(document.previewing());
+  EXPECT_EQ(document.redoLabel(), "first");
+}
+
+TEST_F(DocumentTest, AnInvalidCommitThrowsAndShowsTheCommittedScene) {
+  document.preview(moveFace(9));
+  const std::string text = errorText([&] { document.commit("bad", moveFace(-9)); });
+  EXPECT_EQ(text, "probes.room.box: min.x -1 is greater than max.x -9; swap them");
+  EXPECT_EQ(face(), 1);
+  EXPECT_FALSE(document.previewing());
+  EXPECT_FALSE(document.canUndo());
+}
+
+TEST_F(DocumentTest, AnInvalidPreviewKeepsWhatIsShown) {
+  EXPECT_TRUE(document.preview(moveFace(9)));
+  EXPECT_FALSE(document.preview(moveFace(-9)));
+  EXPECT_EQ(face(), 9);
+  document.commitPreview("Drag");
+  EXPECT_EQ(face(), 9);
+}
+
+TEST_F(DocumentTest, AnEditThatThrowsLeavesEverythingAsItWas) {
+  const Document::Edit broken = [](Scene& scene) {
+    scene.probes.clear();
+    throw std::runtime_error("broken");
+  };
+  EXPECT_THROW(document.commit("broken", broken), std::runtime_error);
+  EXPECT_THROW(document.preview(broken), std::runtime_error);
+  EXPECT_EQ(document.scene(), twoProbes());
+  EXPECT_FALSE(document.canUndo());
+}
+
+TEST_F(DocumentTest, CommittingNoChangeIsNoStep) {
+  document.commit("nothing", [](Scene&) {});
+  EXPECT_FALSE(document.canUndo());
+  EXPECT_EQ(notified, 0);
+  document.preview(moveFace(9));
+  document.preview(moveFace(1));  // dragged back to where it was
+  document.commitPreview("Drag");
+  EXPECT_FALSE(document.canUndo());
+  EXPECT_FALSE(document.previewing());
+}
+
+TEST_F(DocumentTest, ModifiedFollowsTheSavedSceneThroughUndo) {
+  EXPECT_FALSE(document.modified());
+  document.commit("first", moveFace(2));
+  EXPECT_TRUE(document.modified());
+  document.markSaved("other.boxprobe.json");
+  EXPECT_TRUE(last.file);
+  EXPECT_EQ(document.path(), "other.boxprobe.json");
+  EXPECT_FALSE(document.modified());
+  document.undo();
+  EXPECT_TRUE(document.modified());
+  document.redo();
+  EXPECT_FALSE(document.modified());
+  EXPECT_TRUE(last.file);
+}
+
+TEST_F(DocumentTest, OpeningStartsAnew) {
+  document.commit("first", moveFace(2));
+  document.selectProbe(1);
+  document.open(Scene(), "empty.boxprobe.json");
+  EXPECT_FALSE(document.canUndo());
+  EXPECT_FALSE(document.modified());
+  EXPECT_FALSE(document.selectedProbe());
+  EXPECT_TRUE(last.probeList && last.file && last.models);
+  Scene invalid = twoProbes();
+  invalid.probes[1].name = "room";
+  EXPECT_THROW(document.open(invalid, "bad.json"), InputError);
+  EXPECT_EQ(document.path(), "empty.boxprobe.json");
+}
+
+TEST_F(DocumentTest, SelectionFollowsTheProbeNotTheRow) {
+  document.selectProbe(1);
+  EXPECT_TRUE(last.selection);
+  EXPECT_EQ(document.selectedProbe(), std::optional<std::size_t>(1));
+  document.commit("Swap", [](Scene& scene) { std::swap(scene.probes[0], scene.probes[1]); });
+  EXPECT_EQ(document.selectedProbe(), std::optional<std::size_t>(0));
+  EXPECT_TRUE(last.selection);
+  document.commit("Rename", [](Scene& scene) { scene.probes[0].name = "attic"; });
+  EXPECT_EQ(document.selectedProbe(), std::optional<std::size_t>(0));
+  document.undo();
+  EXPECT_EQ(document.scene().probes[0].name, "hall");
+  EXPECT_EQ(document.selectedProbe(), std::optional<std::size_t>(0));
+}
+
+TEST_F(DocumentTest, SelectionIsGoneWithItsProbeAndBackWithIt) {
+  document.selectProbe(1);
+  document.commit("Delete", [](Scene& scene) { scene.probes.pop_back(); });
+  EXPECT_FALSE(document.selectedProbe());
+  EXPECT_TRUE(last.selection);
+  document.undo();
+  EXPECT_EQ(document.selectedProbe(), std::optional<std::size_t>(1));
+  document.selectProbe(7);  // beyond the list: nothing
+  EXPECT_FALSE(document.selectedProbe());
+}
+
+TEST_F(DocumentTest, ObserversAreCalledInOrderAndCanLeave) {
+  std::string calls;
+  std::size_t second = 0;
+  document.addObserver([&](const Changes&) {
+    calls += 'a';
+    document.removeObserver(second);
+  });
+  second = document.addObserver([&](const Changes&) { calls += 'b'; });
+  document.addObserver([&](const Changes&) { calls += 'c'; });
+  document.commit("first", moveFace(2));
+  EXPECT_EQ(calls, "ac");
+}
+
+TEST_F(DocumentTest, AThrowingObserverNeitherCorruptsNorSilencesTheOthers) {
+  document.addObserver([](const Changes&) { throw std::runtime_error("observer"); });
+  int after = 0;
+  document.addObserver([&](const Changes&) { ++after; });
+  EXPECT_THROW(document.commit("first", moveFace(2)), std::runtime_error);
+  EXPECT_EQ(after, 1);
+  EXPECT_EQ(face(), 2);
+  EXPECT_EQ(document.undoLabel(), "first");
+  EXPECT_THROW(document.undo(), std::runtime_error);
+  EXPECT_EQ(face(), 1);
+  EXPECT_TRUE(document.canRedo());
+}
+
+TEST_F(DocumentTest, AnObserverMayEdit) {
+  document.addObserver([&](const Changes& changes) {
+    if (changes.probeShape && face() > 3) document.commit("clamp", moveFace(3));
+  });
+  document.commit("first", moveFace(5));
+  EXPECT_EQ(face(), 3);
+  EXPECT_EQ(document.undoLabel(), "clamp");
+  document.undo();  // back to 5, which the observer does not leave standing
+  EXPECT_EQ(face(), 3);
+}
+
+}  // namespace
+}  // namespace boxprobe
