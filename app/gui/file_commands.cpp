@@ -1,0 +1,143 @@
+// See file_commands.h.
+#include "app/gui/file_commands.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QUrl>
+#include <exception>
+#include <utility>
+
+#include "app/gui/editor.h"
+#include "filters/core/errors.h"
+#include "filters/io/image_file.h"
+#include "filters/io/scene_file.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr const char* kSceneSuffix = ".boxprobe.json";
+
+bool canOpen(const QString& path) {
+  return path.endsWith(".json", Qt::CaseInsensitive) || isModelPath(path.toStdString());
+}
+
+/// A sky that cannot be read must be found out while the open scene can still stay.
+void requireSky(const Scene& scene) {
+  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) loadHdrImage(image->file);
+}
+
+}  // namespace
+
+FileCommands::FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window)
+    : QObject(window), document_(document), editor_(editor), hooks_(std::move(hooks)), window_(window) {}
+
+QString FileCommands::displayName() const {
+  if (!document_.path().empty()) return QFileInfo(QString::fromStdString(document_.path())).fileName();
+  const auto& models = document_.scene().models;
+  if (models.empty()) return tr("no scene");
+  return tr("%1 (not saved)").arg(QFileInfo(QString::fromStdString(models.front().file)).fileName());
+}
+
+QString FileCommands::folder() const {
+  if (!document_.path().empty()) return QFileInfo(QString::fromStdString(document_.path())).absolutePath();
+  const auto& models = document_.scene().models;
+  return models.empty() ? QString() : QFileInfo(QString::fromStdString(models.front().file)).absolutePath();
+}
+
+void FileCommands::showError(const QString& title, const QString& line) {
+  QMessageBox::warning(window_, title, line);
+}
+
+bool FileCommands::confirmLeaving() {
+  editor_.finish();
+  if (!document_.modified()) return true;
+  const auto answer =
+      QMessageBox::question(window_, tr("Unsaved changes"), tr("Save the changes to %1?").arg(displayName()),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) return save();
+  return answer == QMessageBox::Discard;
+}
+
+void FileCommands::open() {
+  const QString path =
+      QFileDialog::getOpenFileName(window_, tr("Open"), folder(),
+                                   tr("Scenes and models (*.boxprobe.json *.json *.glb *.gltf);;Scenes "
+                                      "(*.boxprobe.json *.json);;Models (*.glb *.gltf)"));
+  if (!path.isEmpty()) openPath(path);
+}
+
+bool FileCommands::openPath(const QString& path) {
+  if (!confirmLeaving()) return false;
+  try {
+    LoadedScene loaded = loadScene(path.toStdString());
+    requireSky(loaded.scene);
+    const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
+    const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
+    hooks_.show(std::move(loaded));
+    emit message(warning.isEmpty() ? tr("Opened %1").arg(path)
+                 : more == 0       ? warning
+                                   : tr("%1 (and %2 more; see `boxprobe info`)").arg(warning).arg(more));
+    return true;
+  } catch (const std::exception& error) {
+    showError(tr("Cannot open"), QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+bool FileCommands::save() {
+  return document_.path().empty() ? saveAs() : saveTo(QString::fromStdString(document_.path()));
+}
+
+bool FileCommands::saveAs() {
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save as"), folder(), tr("Scenes (*%1)").arg(kSceneSuffix));
+  if (path.isEmpty()) return false;
+  if (!path.endsWith(".json", Qt::CaseInsensitive)) {
+    path += kSceneSuffix;
+    // The dialog asked about the name as typed, not about this one.
+    if (QFileInfo::exists(path) &&
+        QMessageBox::question(window_, tr("Save as"), tr("%1 is there already. Replace it?").arg(path)) !=
+            QMessageBox::Yes) {
+      return false;
+    }
+  }
+  return saveTo(path);
+}
+
+bool FileCommands::saveTo(const QString& path) {
+  editor_.finish();
+  try {
+    saveSceneFile(document_.scene(), path.toStdString());
+    document_.markSaved(path.toStdString());
+    emit message(tr("Saved %1").arg(path));
+    return true;
+  } catch (const std::exception& error) {
+    showError(tr("Cannot save"), QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+void FileCommands::exportImage() {
+  QString path = QFileDialog::getSaveFileName(window_, tr("Export image"), folder(),
+                                              tr("Display colours (*.png);;Linear light (*.exr)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".png";
+  try {
+    hooks_.exportTo(path.toStdString());
+    emit message(tr("Wrote %1").arg(path));
+  } catch (const std::exception& error) {
+    showError(tr("Cannot export"), QString::fromUtf8(error.what()));
+  }
+}
+
+QString FileCommands::droppedFile(const QMimeData* data) {
+  if (!data->hasUrls()) return {};
+  for (const QUrl& url : data->urls()) {
+    if (url.isLocalFile() && canOpen(url.toLocalFile())) return url.toLocalFile();
+  }
+  return {};
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,277 @@
+// See main_window.h.
+#include "app/gui/main_window.h"
+
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QStatusBar>
+#include <QVBoxLayout>
+#include <exception>
+#include <utility>
+
+#include "app/cli/fit_scene.h"
+#include "app/gui/about_dialog.h"
+#include "app/gui/file_commands.h"
+#include "app/gui/material_panel.h"
+#include "app/gui/menu_bar.h"
+#include "app/gui/picture_panel.h"
+#include "app/gui/probe_list.h"
+#include "app/gui/probe_overlay.h"
+#include "app/gui/probe_panel.h"
+#include "app/gui/probe_widget.h"
+#include "app/gui/render_scheduler.h"
+#include "app/gui/status_line.h"
+#include "app/gui/viewport.h"
+#include "filters/io/image_file.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kPanelWidth = 380;
+
+}  // namespace
+
+MainWindow::MainWindow()
+    : editor_(std::make_unique<Editor>(document_)),
+      viewport_(new Viewport(this)),
+      renderer_(std::make_unique<SceneRenderer>(viewport_->window3d())),
+      overlay_(std::make_unique<ProbeOverlay>(viewport_->window3d(), renderer_->renderer())),
+      probeWidget_(new ProbeWidget(
+          *editor_, *overlay_, [this] { return viewport_->view(); }, this)),
+      scheduler_(new RenderScheduler(
+          {[this] { return viewport_->readyToDraw(); }, [this] { guarded([this] { drawPicture(); }); },
+           [this] { return renderer_->workPending(); },
+           [this] {
+             guarded([this] {
+               viewport_->window3d()->MakeCurrent();
+               renderer_->step();
+             });
+           },
+           [this] { return renderer_->workProgress(); }},
+          this)),
+      files_(new FileCommands(document_, *editor_,
+                              {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
+                               [this](const std::string& path) { exportPicture(path); }},
+                              this)),
+      menu_(new MenuBar(this)),
+      status_(new StatusLine(statusBar())) {
+  viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); });
+  viewport_->setProbeWidget(probeWidget_);
+  setCentralWidget(viewport_);
+  setAcceptDrops(true);
+  resize(1440, 900);
+  buildPanels();
+  connectViews();
+  connectMenu();
+  connectWork();
+  documentChanged(Changes::all());
+}
+
+MainWindow::~MainWindow() {
+  // The overlay and the scene hold GL objects of the viewport's context: they go first, while it is there.
+  viewport_->window3d()->MakeCurrent();
+  renderer_->releaseGraphics();
+  overlay_.reset();
+  renderer_.reset();
+  delete viewport_;
+}
+
+void MainWindow::buildPanels() {
+  probeList_ = new ProbeList(*editor_, {[this] {
+                                          const double* target =
+                                              renderer_->renderer()->GetActiveCamera()->GetFocalPoint();
+                                          return glm::dvec3(target[0], target[1], target[2]);
+                                        },
+                                        [this] { return renderer_->bounds(); }});
+  probePanel_ = new ProbePanel(*editor_);
+  materialPanel_ = new MaterialPanel(*editor_);
+  picturePanel_ = new PicturePanel(*editor_);
+
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(6);
+  for (QWidget* panel : {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(probePanel_),
+                         static_cast<QWidget*>(materialPanel_), static_cast<QWidget*>(picturePanel_)}) {
+    layout->addWidget(panel);
+  }
+  layout->addStretch(1);
+
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(kPanelWidth);
+
+  auto* dock = new QDockWidget(tr("Probes"), this);
+  dock->setObjectName("probes");
+  dock->setWidget(scroll);
+  dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+  addDockWidget(Qt::RightDockWidgetArea, dock);
+  resizeDocks({dock}, {kPanelWidth}, Qt::Horizontal);
+  menu_->addDockToggle(dock->toggleViewAction());
+}
+
+void MainWindow::connectViews() {
+  document_.addObserver([this](const Changes& changes) { documentChanged(changes); });
+  connect(editor_.get(), &Editor::failed, status_, &StatusLine::showError);
+  connect(editor_.get(), &Editor::settled, this, [this] {
+    renderer_->setInteractive(document_.previewing());
+    menu_->update(document_);
+    updateTitle();
+    scheduler_->requestRender();
+  });
+  connect(files_, &FileCommands::message, status_, &StatusLine::showMessage);
+  connect(probeWidget_, &ProbeWidget::hint, status_, &StatusLine::showMessage);
+  connect(probeWidget_, &ProbeWidget::pictureChanged, scheduler_, &RenderScheduler::requestRender);
+  connect(viewport_, &Viewport::cameraMoved, scheduler_, &RenderScheduler::requestRender);
+  connect(viewport_, &Viewport::becameReady, scheduler_, &RenderScheduler::requestRender);
+}
+
+void MainWindow::connectMenu() {
+  connect(menu_, &MenuBar::openRequested, files_, &FileCommands::open);
+  connect(menu_, &MenuBar::saveRequested, files_, &FileCommands::save);
+  connect(menu_, &MenuBar::saveAsRequested, files_, &FileCommands::saveAs);
+  connect(menu_, &MenuBar::exportRequested, files_, &FileCommands::exportImage);
+  connect(menu_, &MenuBar::quitRequested, this, &QWidget::close);
+  connect(menu_, &MenuBar::undoRequested, this, [this] { editor_->undo(); });
+  connect(menu_, &MenuBar::redoRequested, this, [this] { editor_->redo(); });
+  connect(menu_, &MenuBar::addRequested, probeList_, &ProbeList::addProbe);
+  connect(menu_, &MenuBar::duplicateRequested, probeList_, &ProbeList::duplicateProbe);
+  connect(menu_, &MenuBar::deleteRequested, probeList_, &ProbeList::deleteProbe);
+  connect(menu_, &MenuBar::escapePressed, this,
+          [this] { probeWidget_->dragging() ? probeWidget_->cancel() : scheduler_->stopWork(); });
+  connect(menu_, &MenuBar::cameraChosen, this, &MainWindow::applyCamera);
+  connect(menu_, &MenuBar::resetViewRequested, this, &MainWindow::resetView);
+  connect(menu_, &MenuBar::boxesShown, probeWidget_, &ProbeWidget::setVisible);
+  connect(menu_, &MenuBar::reflectionsShown, this, [this](bool shown) {
+    renderer_->setProbesEnabled(shown);
+    scheduler_->requestRender();
+  });
+  connect(menu_, &MenuBar::aboutRequested, this, [this] { showAbout(this); });
+}
+
+void MainWindow::connectWork() {
+  connect(scheduler_, &RenderScheduler::workProgressed, status_, &StatusLine::showProgress);
+  connect(scheduler_, &RenderScheduler::workEnded, this, [this] {
+    status_->hideProgress(scheduler_->workStopped());
+    if (firstPictureDone_ || renderer_->workPending()) return;
+    firstPictureDone_ = true;
+    emit firstPictureComplete();
+  });
+  connect(scheduler_, &RenderScheduler::rendered, this, [this] {
+    status_->showCounters(renderer_->counters());
+    if (renderer_->error() == shownError_) return;
+    shownError_ = renderer_->error();
+    if (!shownError_.empty()) status_->showError(QString::fromStdString(shownError_));
+  });
+  connect(status_, &StatusLine::stopRequested, scheduler_, &RenderScheduler::stopWork);
+  connect(status_, &StatusLine::resumeRequested, scheduler_, &RenderScheduler::resumeWork);
+}
+
+void MainWindow::documentChanged(const Changes& changes) {
+  // While something is dragged the renderer puts off what only the final value needs: programs, further bounces.
+  if (document_.previewing()) renderer_->setInteractive(true);
+  Changes forPicture = changes;
+  forPicture.file = changes.models;  // saving, or the first edit after it, changes nothing in the picture
+  renderer_->sync(document_.scene(), forPicture);
+  if (!document_.previewing()) renderer_->setInteractive(false);
+  probeWidget_->update();
+  probeList_->update();
+  probePanel_->update();
+  materialPanel_->update();
+  picturePanel_->update();
+  menu_->update(document_);
+  updateTitle();
+  const bool empty = document_.scene().models.empty();
+  viewport_->showInvitation(empty ? tr("Drop a scene or a model here, or open one with Ctrl+O") : QString());
+  scheduler_->sceneChanged();
+}
+
+void MainWindow::updateTitle() {
+  setWindowTitle(files_->displayName() + "[*] - Boxprobe");
+  setWindowModified(document_.modified());
+}
+
+void MainWindow::showScene(LoadedScene loaded) {
+  probeWidget_->cancel();
+  renderer_->setModels(loaded.models);
+  materialPanel_->setModels(loaded.models);
+  document_.open(std::move(loaded.scene), loaded.path);
+  if (!document_.scene().probes.empty()) document_.selectProbe(0);
+  resetView();
+}
+
+void MainWindow::resetView() {
+  if (document_.scene().cameras.empty()) {
+    renderer_->applyCamera(fittedCamera(renderer_->bounds()));
+  } else {
+    renderer_->applyCamera(document_.scene().cameras.front());
+  }
+  scheduler_->requestRender();
+}
+
+void MainWindow::applyCamera(int index) {
+  const auto& cameras = document_.scene().cameras;
+  if (static_cast<std::size_t>(index) >= cameras.size()) return;
+  renderer_->applyCamera(cameras[static_cast<std::size_t>(index)]);
+  scheduler_->requestRender();
+}
+
+template <typename Work>
+void MainWindow::guarded(const Work& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    scheduler_->stopWork();  // it would fail again at every turn
+    status_->showError(QString::fromUtf8(error.what()));
+  }
+}
+
+void MainWindow::drawPicture() {
+  overlay_->follow(viewport_->view());
+  viewport_->window3d()->Render();
+}
+
+void MainWindow::exportPicture(const std::string& path) {
+  viewport_->window3d()->MakeCurrent();
+  const bool linear = QString::fromStdString(path).endsWith(".exr", Qt::CaseInsensitive);
+  constexpr int kExportSamples = 4;
+  if (linear) {
+    const int* size = viewport_->window3d()->GetSize();
+    saveExr(path, renderer_->renderLinear(size[0], size[1], kExportSamples));
+  } else {
+    overlay_->setSuspended(true);
+    const ImageRgba8 image = renderer_->renderDisplay();
+    overlay_->setSuspended(false);
+    savePng(path, image);
+  }
+  scheduler_->requestRender();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->confirmLeaving()) return event->ignore();
+  emit closing();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!FileCommands::droppedFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = FileCommands::droppedFile(event->mimeData());
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  files_->openPath(path);
+}
+
+}  // namespace boxprobe

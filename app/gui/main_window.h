@@ -1,0 +1,90 @@
+// Puts the window together: constructs the document's views and connects them. Decides nothing else. Called by
+// runWindow and by tests.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "app/cli/load_scene.h"
+#include "app/gui/editor.h"
+#include "filters/core/document.h"
+
+class vtkGenericOpenGLRenderWindow;
+
+namespace boxprobe {
+
+class FileCommands;
+class MaterialPanel;
+class MenuBar;
+class PicturePanel;
+class ProbeList;
+class ProbeOverlay;
+class ProbePanel;
+class ProbeWidget;
+class RenderScheduler;
+class SceneRenderer;
+class StatusLine;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow();
+  ~MainWindow() override;
+
+  /// Shows a scene that was read, from its first camera.
+  void showScene(LoadedScene loaded);
+
+  Document& document() { return document_; }
+  Editor& editor() { return *editor_; }
+  Viewport& viewport() { return *viewport_; }
+  ProbeWidget& probeWidget() { return *probeWidget_; }
+  RenderScheduler& scheduler() { return *scheduler_; }
+  FileCommands& files() { return *files_; }
+  const SceneRenderer& renderer() const { return *renderer_; }
+
+ signals:
+  /// Before anything is torn down; `renderer` and its GL context still live.
+  void closing();
+  /// The first picture with all captures done is on the screen.
+  void firstPictureComplete();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void buildPanels();
+  void connectViews();
+  void connectMenu();
+  void connectWork();
+  void documentChanged(const Changes& changes);
+  void resetView();
+  void applyCamera(int index);
+  template <typename Work>
+  void guarded(const Work& work);
+  void drawPicture();
+  void exportPicture(const std::string& path);
+  void updateTitle();
+
+  Document document_;
+  std::unique_ptr<Editor> editor_;
+  Viewport* viewport_;
+  std::unique_ptr<SceneRenderer> renderer_;
+  std::unique_ptr<ProbeOverlay> overlay_;
+  ProbeWidget* probeWidget_;
+  RenderScheduler* scheduler_;
+  FileCommands* files_;
+  MenuBar* menu_;
+  StatusLine* status_;
+  ProbeList* probeList_ = nullptr;
+  ProbePanel* probePanel_ = nullptr;
+  MaterialPanel* materialPanel_ = nullptr;
+  PicturePanel* picturePanel_ = nullptr;
+  bool firstPictureDone_ = false;
+  std::string shownError_;
+};
+
+}  // namespace boxprobe

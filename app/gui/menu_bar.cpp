@@ -1,0 +1,90 @@
+// See menu_bar.h.
+#include "app/gui/menu_bar.h"
+
+#include <QAction>
+#include <QKeySequence>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+
+#include "filters/core/document.h"
+
+namespace boxprobe {
+
+MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
+  QMenu* file = window->menuBar()->addMenu(tr("&File"));
+  add(file, tr("&Open..."), QKeySequence::Open, &MenuBar::openRequested);
+  add(file, tr("&Save"), QKeySequence::Save, &MenuBar::saveRequested);
+  add(file, tr("Save &as..."), QKeySequence("Ctrl+Shift+S"), &MenuBar::saveAsRequested);
+  file->addSeparator();
+  export_ = add(file, tr("&Export image..."), QKeySequence("Ctrl+E"), &MenuBar::exportRequested);
+  file->addSeparator();
+  add(file, tr("&Quit"), QKeySequence("Ctrl+Q"), &MenuBar::quitRequested);
+
+  QMenu* edit = window->menuBar()->addMenu(tr("&Edit"));
+  undo_ = add(edit, tr("&Undo"), QKeySequence("Ctrl+Z"), &MenuBar::undoRequested);
+  redo_ = add(edit, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), &MenuBar::redoRequested);
+  edit->addSeparator();
+  add(edit, tr("&Add probe"), QKeySequence("Ctrl+Shift+A"), &MenuBar::addRequested);
+  duplicate_ = add(edit, tr("&Duplicate probe"), QKeySequence("Ctrl+D"), &MenuBar::duplicateRequested);
+  delete_ = add(edit, tr("De&lete probe"), QKeySequence::Delete, &MenuBar::deleteRequested);
+  edit->addSeparator();
+  add(edit, tr("Cancel drag, stop capturing"), QKeySequence("Esc"), &MenuBar::escapePressed);
+
+  view_ = window->menuBar()->addMenu(tr("&View"));
+  cameras_ = view_->addMenu(tr("&Camera"));
+  add(view_, tr("&Reset view"), QKeySequence("Home"), &MenuBar::resetViewRequested);
+  view_->addSeparator();
+  addToggle(view_, tr("Probe &boxes and handles"), QKeySequence("Ctrl+B"), &MenuBar::boxesShown);
+  addToggle(view_, tr("Re&flections from probes"), QKeySequence("Ctrl+R"), &MenuBar::reflectionsShown);
+
+  QMenu* help = window->menuBar()->addMenu(tr("&Help"));
+  add(help, tr("&Mouse and keys, about"), QKeySequence("F1"), &MenuBar::aboutRequested);
+}
+
+QAction* MenuBar::add(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)()) {
+  QAction* action = menu->addAction(text);
+  action->setShortcut(keys);
+  connect(action, &QAction::triggered, this, signal);
+  return action;
+}
+
+QAction* MenuBar::addToggle(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)(bool)) {
+  QAction* action = menu->addAction(text);
+  action->setShortcut(keys);
+  action->setCheckable(true);
+  action->setChecked(true);
+  connect(action, &QAction::toggled, this, signal);
+  return action;
+}
+
+void MenuBar::addDockToggle(QAction* action) {
+  view_->addAction(action);
+}
+
+void MenuBar::update(const Document& document) {
+  const auto withLabel = [](const QString& verb, const std::string& label) {
+    return label.empty() ? verb : verb + ": " + QString::fromStdString(label).replace('&', "&&");
+  };
+  undo_->setEnabled(document.canUndo());
+  undo_->setText(withLabel(tr("&Undo"), document.canUndo() ? document.undoLabel() : ""));
+  redo_->setEnabled(document.canRedo());
+  redo_->setText(withLabel(tr("&Redo"), document.canRedo() ? document.redoLabel() : ""));
+  duplicate_->setEnabled(document.selectedProbe().has_value());
+  delete_->setEnabled(document.selectedProbe().has_value());
+
+  std::vector<std::string> names;
+  for (const Camera& camera : document.scene().cameras) names.push_back(camera.name);
+  if (names == cameraNames_) return;
+  cameraNames_ = names;
+  cameras_->clear();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const int index = static_cast<int>(i);
+    QAction* action = cameras_->addAction(QString::fromStdString(names[i]).replace('&', "&&"));
+    if (index < 9) action->setShortcut(QKeySequence(QString("Ctrl+%1").arg(index + 1)));
+    connect(action, &QAction::triggered, this, [this, index] { emit cameraChosen(index); });
+  }
+  cameras_->setEnabled(!names.empty());
+}
+
+}  // namespace boxprobe

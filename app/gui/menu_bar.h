@@ -1,0 +1,56 @@
+// The menus: what can be done, under which name and key. Emits what was chosen; does nothing itself. Called by the main
+// window.
+#pragma once
+
+#include <QObject>
+#include <string>
+#include <vector>
+
+class QAction;
+class QMainWindow;
+class QMenu;
+
+namespace boxprobe {
+
+class Document;
+
+class MenuBar : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit MenuBar(QMainWindow* window);
+
+  /// The document changed: labels of undo and redo, what can be chosen, the scene's cameras.
+  void update(const Document& document);
+  void addDockToggle(QAction* action);
+
+ signals:
+  void openRequested();
+  void saveRequested();
+  void saveAsRequested();
+  void exportRequested();
+  void quitRequested();
+  void undoRequested();
+  void redoRequested();
+  void addRequested();
+  void duplicateRequested();
+  void deleteRequested();
+  void escapePressed();
+  void cameraChosen(int index);
+  void resetViewRequested();
+  void boxesShown(bool shown);
+  void reflectionsShown(bool shown);
+  void aboutRequested();
+
+ private:
+  QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)());
+  QAction* addToggle(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)(bool));
+
+  QMainWindow* window_;
+  QMenu* view_;
+  QMenu* cameras_;
+  std::vector<std::string> cameraNames_;
+  QAction *undo_, *redo_, *duplicate_, *delete_, *export_;
+};
+
+}  // namespace boxprobe

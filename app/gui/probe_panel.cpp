@@ -1,0 +1,232 @@
+// See probe_panel.h.
+#include "app/gui/probe_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/gui/blend_row.h"
+#include "app/gui/panel_layout.h"
+#include "app/gui/probe_frame.h"
+#include "app/gui/quiet_combo.h"
+#include "app/gui/technique_combo.h"
+#include "app/gui/vector_row.h"
+
+namespace boxprobe {
+
+namespace {
+
+const ValueField::Format kMetres{-1e7, 1e7, 0.1, 3, " m"};
+const ValueField::Format kDegrees{-360.0, 360.0, 5.0, 1, "°"};
+const ValueField::Format kFactor{0.0, 1000.0, 0.05, 2, ""};
+const ValueField::Format kLevel{0.0, 1000.0, 1.0, 2, ""};
+
+QString boxSizeText(const Box& box) {
+  const glm::dvec3 s = box.size();
+  return QString("%1 × %2 × %3 m").arg(s.x, 0, 'f', 3).arg(s.y, 0, 'f', 3).arg(s.z, 0, 'f', 3);
+}
+
+/// The box with one number replaced, the two sides kept apart.
+Box withSide(Box box, bool maximum, int axis, double value) {
+  if (maximum) {
+    box.max[axis] = std::max(value, box.min[axis]);
+  } else {
+    box.min[axis] = std::min(value, box.max[axis]);
+  }
+  return box;
+}
+
+void addNumbers(QComboBox* combo, std::initializer_list<int> numbers, const QString& pattern) {
+  for (const int number : numbers) combo->addItem(pattern.arg(number), number);
+}
+
+void showNumber(QComboBox* combo, int number, const QString& pattern) {
+  const QSignalBlocker quiet(combo);
+  if (combo->findData(number) < 0) combo->addItem(pattern.arg(number), number);
+  combo->setCurrentIndex(combo->findData(number));
+}
+
+}  // namespace
+
+ProbePanel::ProbePanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  buildPlace();
+  buildInfluence();
+  buildLook();
+  buildCapture();
+  update();
+}
+
+QString ProbePanel::label(const QString& what) const {
+  const Probe* probe = editor_.probe();
+  return probe ? tr("Set %1 of %2").arg(what, QString::fromStdString(probe->name)) : QString();
+}
+
+void ProbePanel::connectVector(VectorRow* row, const QString& what, const VectorEdit& edit) {
+  const auto labelFor = [this, what](int axis) { return label(what + " " + QString("XYZ"[axis])); };
+  connect(row, &VectorRow::previewed, this, [this, labelFor, edit](int axis, double value) {
+    editor_.previewProbe(labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
+  });
+  connect(row, &VectorRow::committed, this, [this, labelFor, edit](int axis, double value) {
+    editor_.commitProbe(labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
+  });
+}
+
+ValueField* ProbePanel::addNumber(QFormLayout* form, const QString& name, const ValueField::Format& format,
+                                  const QString& toolTip, const NumberEdit& edit) {
+  auto* field = new ValueField(format, this);
+  addRow(form, name, field, toolTip);
+  const QString what = name.toLower();
+  connect(field, &ValueField::previewed, this, [this, what, edit](double value) {
+    editor_.previewProbe(label(what), [=](Probe& probe) { edit(probe, value); });
+  });
+  connect(field, &ValueField::committed, this, [this, what, edit](double value) {
+    editor_.commitProbe(label(what), [=](Probe& probe) { edit(probe, value); });
+  });
+  return field;
+}
+
+void ProbePanel::buildPlace() {
+  QFormLayout* form = addSection(this, tr("Probe"));
+  origin_ = new VectorRow(kMetres, tr("capture origin in the world, metres: where the cubemap is taken from"), this);
+  boxMin_ = new VectorRow(kMetres, tr("least corner of the projection box, metres"), this);
+  boxMax_ = new VectorRow(kMetres, tr("greatest corner of the projection box, metres"), this);
+  rotation_ = new VectorRow(kDegrees, tr("turns the box about its centre, in degrees, X first, then Y, then Z"), this);
+  size_ = new QLabel(this);
+  addRow(form, tr("Origin"), origin_, tr("Where the cubemap is captured (the diamond in the picture)"));
+  addRow(form, tr("Box min"), boxMin_, tr("The box reflections are projected onto: put its faces on the walls"));
+  addRow(form, tr("Box max"), boxMax_, tr("The box reflections are projected onto: put its faces on the walls"));
+  addRow(form, tr("Size"), size_, tr("Extent of the box along its own axes"));
+  addRow(form, tr("Rotation"), rotation_, tr("Turns the box about its centre"));
+
+  connectVector(origin_, tr("origin"), [](Probe& probe, int axis, double value) { probe.origin[axis] = value; });
+  connectVector(rotation_, tr("rotation"),
+                [](Probe& probe, int axis, double value) { probe.rotationDegrees[axis] = value; });
+  connectVector(boxMin_, tr("box min"),
+                [](Probe& probe, int axis, double value) { setBox(probe, withSide(probe.box, false, axis, value)); });
+  connectVector(boxMax_, tr("box max"),
+                [](Probe& probe, int axis, double value) { setBox(probe, withSide(probe.box, true, axis, value)); });
+}
+
+void ProbePanel::buildInfluence() {
+  QFormLayout* form = addSection(this, tr("Influence"));
+  blend_ = new BlendRow(this);
+  addRow(form, tr("Blend distance"), blend_);
+  connect(blend_, &BlendRow::previewed, this, [this](const BlendDistance& blend) {
+    editor_.previewProbe(label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
+  });
+  connect(blend_, &BlendRow::committed, this, [this](const BlendDistance& blend) {
+    editor_.commitProbe(label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
+  });
+  importance_ =
+      addNumber(form, tr("Importance"), kLevel, tr("Where probes overlap, the higher importance takes its share first"),
+                [](Probe& probe, double value) { probe.importance = value; });
+
+  ownInfluence_ = new QCheckBox(tr("Influence box of its own"), this);
+  ownInfluence_->setToolTip(tr("Off: the probe reaches as far as its projection box"));
+  form->addRow(ownInfluence_);
+  influenceFields_ = new QWidget(this);
+  auto* fields = new QFormLayout(influenceFields_);
+  fields->setContentsMargins(0, 0, 0, 0);
+  influenceMin_ = new VectorRow(kMetres, tr("least corner of the influence box, metres"), influenceFields_);
+  influenceMax_ = new VectorRow(kMetres, tr("greatest corner of the influence box, metres"), influenceFields_);
+  fields->addRow(tr("Min"), influenceMin_);
+  fields->addRow(tr("Max"), influenceMax_);
+  form->addRow(influenceFields_);
+  connect(ownInfluence_, &QCheckBox::clicked, this, [this](bool own) {
+    editor_.commitProbe(label(tr("influence box")),
+                        [own](Probe& probe) { probe.influence = own ? std::optional<Box>(probe.box) : std::nullopt; });
+  });
+  const auto side = [](bool maximum) {
+    return [maximum](Probe& probe, int axis, double value) {
+      if (probe.influence) probe.influence = withSide(*probe.influence, maximum, axis, value);
+    };
+  };
+  connectVector(influenceMin_, tr("influence min"), side(false));
+  connectVector(influenceMax_, tr("influence max"), side(true));
+}
+
+void ProbePanel::buildLook() {
+  QFormLayout* form = addSection(this, tr("Reflection"));
+  technique_ = new TechniqueCombo(this);
+  techniqueHelp_ = helpLabel(this);
+  addRow(form, tr("Technique"), technique_);
+  form->addRow(techniqueHelp_);
+  projection_ = new QCheckBox(tr("Project onto the box"), this);
+  projection_->setToolTip(
+      tr("Off: the cubemap is looked up with the bare reflection vector, as if infinitely far away"));
+  form->addRow(projection_);
+  intensity_ = addNumber(form, tr("Intensity"), kFactor, tr("Factor on the probe's light, 1 as captured"),
+                         [](Probe& probe, double value) { probe.intensity = value; });
+  connect(technique_, &TechniqueCombo::chosen, this, [this](const std::string& id) {
+    editor_.commitProbe(label(tr("technique")), [id](Probe& probe) { probe.technique = id; });
+  });
+  connect(projection_, &QCheckBox::clicked, this, [this](bool on) {
+    editor_.commitProbe(label(tr("projection")), [on](Probe& probe) { probe.projection = on; });
+  });
+}
+
+void ProbePanel::buildCapture() {
+  QFormLayout* form = addSection(this, tr("Capture"));
+  faceSize_ = new QuietCombo(this);
+  bounces_ = new QuietCombo(this);
+  addNumbers(faceSize_, {16, 32, 64, 128, 256, 512, 1024, 2048}, tr("%1 × %1 texels"));
+  addNumbers(bounces_, {1, 2, 3, 4, 5}, "%1");
+  addRow(form, tr("Face size"), faceSize_,
+         tr("Texels along an edge of each cubemap face: sharper mirrors, more memory"));
+  addRow(form, tr("Bounces"), bounces_,
+         tr("How often the probe is captured in turn: with 1, mirrors are black in their own probe"));
+  connect(faceSize_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    const int size = faceSize_->currentData().toInt();
+    editor_.commitProbe(label(tr("face size")), [size](Probe& probe) { probe.faceSize = size; });
+  });
+  connect(bounces_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    const int count = bounces_->currentData().toInt();
+    editor_.commitProbe(label(tr("bounces")), [count](Probe& probe) { probe.bounces = count; });
+  });
+}
+
+void ProbePanel::updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    min->field(axis)->setBounds(kMetres.minimum, box.max[axis] - kMinimumThickness);
+    max->field(axis)->setBounds(box.min[axis] + kMinimumThickness, kMetres.maximum);
+  }
+}
+
+void ProbePanel::update() {
+  const Probe* probe = editor_.probe();
+  setEnabled(probe != nullptr);
+  if (!probe) return;
+  origin_->show(probe->origin);
+  // Bounds narrow only after the new values are in, which the old bounds must not cut off.
+  for (VectorRow* row : {boxMin_, boxMax_, influenceMin_, influenceMax_}) {
+    for (int axis = 0; axis < 3; ++axis) row->field(axis)->setBounds(kMetres.minimum, kMetres.maximum);
+  }
+  boxMin_->show(probe->box.min);
+  boxMax_->show(probe->box.max);
+  updateBoxBounds(boxMin_, boxMax_, probe->box);
+  size_->setText(boxSizeText(probe->box));
+  rotation_->show(probe->rotationDegrees);
+
+  blend_->show(probe->blendDistance);
+  importance_->show(probe->importance);
+  ownInfluence_->setChecked(probe->influence.has_value());
+  influenceFields_->setVisible(probe->influence.has_value());
+  influenceMin_->show(probe->influenceBox().min);
+  influenceMax_->show(probe->influenceBox().max);
+  updateBoxBounds(influenceMin_, influenceMax_, probe->influenceBox());
+
+  technique_->show(probe->technique);
+  techniqueHelp_->setText(technique_->help());
+  projection_->setChecked(probe->projection);
+  intensity_->show(probe->intensity);
+  showNumber(faceSize_, probe->faceSize, tr("%1 × %1 texels"));
+  showNumber(bounces_, probe->bounces, "%1");
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,61 @@
+// The selected probe in numbers: shows the document's values and turns entries into edits through the editor. Called by
+// the main window; knows neither the picture nor the list of probes.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "app/gui/editor.h"
+#include "app/gui/value_field.h"
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+
+namespace boxprobe {
+
+class BlendRow;
+class TechniqueCombo;
+class VectorRow;
+
+class ProbePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ProbePanel(Editor& editor, QWidget* parent = nullptr);
+
+  /// The document changed.
+  void update();
+
+ private:
+  using VectorEdit = std::function<void(Probe&, int axis, double value)>;
+  using NumberEdit = std::function<void(Probe&, double value)>;
+
+  void buildPlace();
+  void buildInfluence();
+  void buildLook();
+  void buildCapture();
+  void connectVector(VectorRow* row, const QString& what, const VectorEdit& edit);
+  ValueField* addNumber(QFormLayout* form, const QString& label, const ValueField::Format& format,
+                        const QString& toolTip, const NumberEdit& edit);
+  void updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box);
+  QString label(const QString& what) const;
+
+  Editor& editor_;
+  VectorRow *origin_ = nullptr, *boxMin_ = nullptr, *boxMax_ = nullptr, *rotation_ = nullptr;
+  QLabel* size_ = nullptr;
+  QCheckBox* ownInfluence_ = nullptr;
+  QWidget* influenceFields_ = nullptr;
+  VectorRow *influenceMin_ = nullptr, *influenceMax_ = nullptr;
+  BlendRow* blend_ = nullptr;
+  ValueField *importance_ = nullptr, *intensity_ = nullptr;
+  TechniqueCombo* technique_ = nullptr;
+  QLabel* techniqueHelp_ = nullptr;
+  QCheckBox* projection_ = nullptr;
+  QComboBox* faceSize_ = nullptr;
+  QComboBox* bounces_ = nullptr;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,71 @@
+// See render_scheduler.h.
+#include "app/gui/render_scheduler.h"
+
+#include <utility>
+
+namespace boxprobe {
+
+namespace {
+
+/// While work goes on, pictures of its progress are this far apart: a picture costs as much as several units of work.
+constexpr qint64 kProgressPictureMilliseconds = 60;
+
+}  // namespace
+
+RenderScheduler::RenderScheduler(Hooks hooks, QObject* parent) : QObject(parent), hooks_(std::move(hooks)) {
+  timer_.setSingleShot(true);
+  timer_.setInterval(0);
+  connect(&timer_, &QTimer::timeout, this, &RenderScheduler::turn);
+  sinceRender_.start();
+}
+
+void RenderScheduler::requestRender() {
+  renderRequested_ = true;
+  wake();
+}
+
+void RenderScheduler::sceneChanged() {
+  stopped_ = false;
+  requestRender();
+}
+
+void RenderScheduler::stopWork() {
+  if (!working_) return;
+  stopped_ = true;
+  wake();
+}
+
+void RenderScheduler::resumeWork() {
+  stopped_ = false;
+  wake();
+}
+
+void RenderScheduler::wake() {
+  if (!timer_.isActive()) timer_.start();
+}
+
+void RenderScheduler::turn() {
+  if (!hooks_.ready()) return;
+  ++turns_;
+
+  if (!stopped_ && hooks_.workPending()) {
+    working_ = true;
+    hooks_.step();
+    emit workProgressed(hooks_.progress());
+  }
+  const bool more = !stopped_ && hooks_.workPending();
+  const bool ended = working_ && !more;
+  if (ended) working_ = false;
+
+  if (renderRequested_ || ended || (more && sinceRender_.elapsed() > kProgressPictureMilliseconds)) {
+    renderRequested_ = false;
+    hooks_.render();
+    ++renders_;
+    sinceRender_.restart();
+    emit rendered();
+  }
+  if (ended) emit workEnded();
+  if (more) wake();
+}
+
+}  // namespace boxprobe

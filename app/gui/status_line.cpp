@@ -1,0 +1,80 @@
+// See status_line.h.
+#include "app/gui/status_line.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QToolButton>
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kMessageMilliseconds = 8000;
+
+}  // namespace
+
+StatusLine::StatusLine(QStatusBar* bar)
+    : QObject(bar),
+      bar_(bar),
+      counters_(new QLabel(bar)),
+      progress_(new QProgressBar(bar)),
+      stop_(new QToolButton(bar)),
+      resume_(new QToolButton(bar)) {
+  progress_->setRange(0, 100);
+  progress_->setFixedWidth(140);
+  progress_->setFormat(tr("Capturing %p %"));
+  stop_->setText(tr("Stop"));
+  stop_->setToolTip(tr("Leaves the rest of the capture until the scene changes again (Esc)"));
+  resume_->setText(tr("Go on capturing"));
+  counters_->setToolTip(
+      tr("What ran since the start: cubemap faces captured, prefiltered levels, shader programs compiled, pictures "
+         "drawn; and of the "
+         "last picture, how many draws used no probe, one, two or more."));
+  bar_->addPermanentWidget(progress_);
+  bar_->addPermanentWidget(stop_);
+  bar_->addPermanentWidget(resume_);
+  bar_->addPermanentWidget(counters_);
+  connect(stop_, &QToolButton::clicked, this, &StatusLine::stopRequested);
+  connect(resume_, &QToolButton::clicked, this, &StatusLine::resumeRequested);
+  hideProgress(false);
+  showCounters({});
+}
+
+void StatusLine::showCounters(const Counters& c) {
+  std::uint64_t more = 0;
+  for (std::size_t i = 2; i < c.drawsByProbeCount.size(); ++i) more += c.drawsByProbeCount[i];
+  counters_->setText(tr("faces %1   levels %2   programs %3   renders %4   draws with 0/1/2+ probes: %5/%6/%7")
+                         .arg(c.facesCaptured)
+                         .arg(c.levelsFiltered)
+                         .arg(c.programsCompiled)
+                         .arg(c.renders)
+                         .arg(c.drawsByProbeCount[0])
+                         .arg(c.drawsByProbeCount[1])
+                         .arg(more));
+}
+
+void StatusLine::showProgress(double fraction) {
+  progress_->setValue(static_cast<int>(100.0 * fraction));
+  progress_->show();
+  stop_->show();
+  resume_->hide();
+}
+
+void StatusLine::hideProgress(bool stopped) {
+  progress_->hide();
+  stop_->hide();
+  resume_->setVisible(stopped);
+}
+
+void StatusLine::showMessage(const QString& text) {
+  bar_->setStyleSheet({});
+  bar_->showMessage(text);
+}
+
+void StatusLine::showError(const QString& text) {
+  bar_->setStyleSheet("QStatusBar { color: #ff8f80; font-weight: bold; }");
+  bar_->showMessage(text, kMessageMilliseconds);
+}
+
+}  // namespace boxprobe

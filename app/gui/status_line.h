@@ -1,0 +1,40 @@
+// The line under the picture: messages, what ran (counters) and the progress of capture with a button to stop it.
+// Called by the main window.
+#pragma once
+
+#include <QObject>
+
+#include "filters/core/counters.h"
+
+class QLabel;
+class QProgressBar;
+class QStatusBar;
+class QToolButton;
+
+namespace boxprobe {
+
+class StatusLine : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StatusLine(QStatusBar* bar);
+
+  void showCounters(const Counters& counters);
+  void showProgress(double fraction);
+  void hideProgress(bool stopped);
+  void showMessage(const QString& text);
+  void showError(const QString& text);
+
+ signals:
+  void stopRequested();
+  void resumeRequested();
+
+ private:
+  QStatusBar* bar_;
+  QLabel* counters_;
+  QProgressBar* progress_;
+  QToolButton* stop_;
+  QToolButton* resume_;
+};
+
+}  // namespace boxprobe

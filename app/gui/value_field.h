@@ -1,0 +1,53 @@
+// A number with its unit that edits as one step: what is typed is committed with Enter or when the field is left; while
+// an arrow is held or the wheel turned the value is previewed and committed once at the end. Called by the panels,
+// which connect the two signals to the editor; knows no document.
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <QTimer>
+
+namespace boxprobe {
+
+class ValueField : public QDoubleSpinBox {
+  Q_OBJECT
+
+ public:
+  struct Format {
+    double minimum = -1e7;
+    double maximum = 1e7;
+    double step = 0.1;
+    int decimals = 3;
+    QString suffix;
+  };
+
+  explicit ValueField(const Format& format, QWidget* parent = nullptr);
+
+  /// Shows a value of the document; no signal. Text being typed stays.
+  void show(double value);
+  /// Narrows what can be entered; the value shown always stays within.
+  void setBounds(double minimum, double maximum);
+  /// For scrubbing from outside: previews `value`, brought into range.
+  void scrubTo(double value);
+  void endScrub();
+
+ signals:
+  void previewed(double value);
+  void committed(double value);
+
+ protected:
+  void stepBy(int steps) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  void changed(double value);
+  void commitPreview();
+
+  QTimer restTimer_;
+  bool stepping_ = false;
+  bool previewing_ = false;
+};
+
+}  // namespace boxprobe

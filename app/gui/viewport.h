@@ -1,0 +1,67 @@
+// The picture in the window: a GL widget that hands the mouse to the probes' handles first and to the camera after.
+// Called by the main window, which renders into its vtkGenericOpenGLRenderWindow; knows no document.
+#pragma once
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkNew.h>
+
+#include <functional>
+
+#include "app/gui/camera_controller.h"
+#include "app/gui/handle_picking.h"
+
+class QLabel;
+class vtkCamera;
+class vtkGenericOpenGLRenderWindow;
+
+namespace boxprobe {
+
+class ProbeWidget;
+
+class Viewport : public QVTKOpenGLNativeWidget {
+  Q_OBJECT
+
+ public:
+  explicit Viewport(QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  vtkGenericOpenGLRenderWindow* window3d() const;
+  void setCamera(std::function<vtkCamera*()> camera);
+  void setProbeWidget(ProbeWidget* widget);
+  /// The view as it is now, in logical pixels.
+  ViewProjection view() const;
+  /// A GL context exists and the widget is on a screen.
+  bool readyToDraw() const;
+  /// Numbers beside the pointer; an empty text hides them.
+  void showReadout(const QString& text, const QPointF& atPixel);
+  /// A line in the middle while there is nothing to see; an empty text hides it.
+  void showInvitation(const QString& text);
+
+ signals:
+  void cameraMoved();
+  void becameReady();
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void placeInvitation();
+
+  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  CameraController cameraController_;
+  std::function<vtkCamera*()> camera_;
+  ProbeWidget* probeWidget_ = nullptr;
+  QLabel* readout_;
+  QLabel* invitation_;
+};
+
+}  // namespace boxprobe

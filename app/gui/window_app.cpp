@@ -1,0 +1,72 @@
+// See window_app.h.
+#include "app/gui/window_app.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include <QApplication>
+#include <exception>
+#include <optional>
+
+#include "app/cli/load_scene.h"
+#include "app/cli/messages.h"
+#include "app/cli/stats_json.h"
+#include "app/cli/vtk_messages.h"
+#include "app/gui/main_window.h"
+#include "app/gui/viewport.h"
+#include "app/gui/window_style.h"
+#include "filters/core/errors.h"
+#include "filters/io/atomic_file.h"
+#include "filters/vtk/cpu_time.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// Exceptions must not pass through Qt's event loop: what slips out of a handler is a message, and the window goes on.
+class Application : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    try {
+      return QApplication::notify(receiver, event);
+    } catch (const std::exception& error) {
+      printError(error.what());
+      return false;
+    }
+  }
+};
+
+}  // namespace
+
+int runWindow(int& argc, char** argv, const std::string& scenePath, const WindowOptions& options) {
+  LoadedScene loaded;
+  if (!scenePath.empty()) loaded = loadScene(scenePath);  // first: bad input is told without a window flashing up
+  printWarnings(loaded.warnings);
+
+  installVtkMessages(false, true);
+  setSurfaceFormat();
+  QCoreApplication::setApplicationName("Boxprobe");
+  Application application(argc, argv);
+  applyWindowStyle(application);
+
+  MainWindow window;
+  RunStats stats;
+  std::optional<double> startToFirstFrame;
+  std::string pictureError;
+  QObject::connect(&window, &MainWindow::firstPictureComplete, [&] { startToFirstFrame = processCpuSeconds(); });
+  QObject::connect(&window, &MainWindow::closing, [&] {
+    window.viewport().window3d()->MakeCurrent();
+    stats = collectStats(window.renderer(), window.viewport().window3d());
+    pictureError = window.renderer().error();
+  });
+  if (!scenePath.empty()) window.showScene(std::move(loaded));
+  window.show();
+  QApplication::exec();
+
+  stats.startToFirstFrameCpuSeconds = startToFirstFrame;
+  if (!options.statsPath.empty()) writeTextAtomically(options.statsPath, statsJson(stats));
+  if (!pictureError.empty()) throw WorkError(pictureError);
+  return 0;
+}
+
+}  // namespace boxprobe

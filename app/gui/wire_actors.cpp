@@ -1,0 +1,147 @@
+// See wire_actors.h.
+#include "app/gui/wire_actors.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <QColor>
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "app/gui/axis_colors.h"
+#include "app/gui/probe_frame.h"
+#include "filters/vtk/probe_geometry.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr double kHaloPixels = 2.0;      ///< added to a line's width
+constexpr double kDashesPerEdge = 24.0;  ///< of the longest edge
+constexpr double kDashShare = 0.55;      ///< of a dash and its gap
+
+vtkSmartPointer<vtkActor> lineActor(vtkRenderer* renderer, vtkPolyData* lines, const QColor& color, double width,
+                                    double opacity) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->PickableOff();
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(color.redF(), color.greenF(), color.blueF());
+  property->SetLineWidth(static_cast<float>(width));
+  property->SetOpacity(opacity);
+  property->LightingOff();
+  renderer->AddActor(actor);
+  return actor;
+}
+
+void addEdges(std::vector<glm::dvec3>& segments, const Probe& probe, const Box& box, bool dashed) {
+  const auto corners = boxCornersWorld(box, rotationMatrix(probe.rotationDegrees), probe.box.center());
+  const glm::dvec3 size = box.size();
+  const double period = std::max({size.x, size.y, size.z, 1e-6}) / kDashesPerEdge;
+  for (const auto& edge : boxEdges()) {
+    const glm::dvec3 from = corners[static_cast<std::size_t>(edge[0])];
+    const glm::dvec3 to = corners[static_cast<std::size_t>(edge[1])];
+    const double length = glm::length(to - from);
+    if (!dashed) {
+      segments.push_back(from);
+      segments.push_back(to);
+      continue;
+    }
+    if (length <= 0.0) continue;
+    const glm::dvec3 direction = (to - from) / length;
+    for (double start = 0.0; start < length; start += period) {
+      segments.push_back(from + direction * start);
+      segments.push_back(from + direction * std::min(start + period * kDashShare, length));
+    }
+  }
+}
+
+}  // namespace
+
+HaloLines::HaloLines(vtkRenderer* renderer, const QColor& color, double widthPixels, double opacity)
+    : lines_(vtkSmartPointer<vtkPolyData>::New()) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  lines_->SetPoints(points);
+  halo_ = lineActor(renderer, lines_, haloColor(), widthPixels + kHaloPixels, 0.7 * opacity);
+  core_ = lineActor(renderer, lines_, color, widthPixels, opacity);
+  setVisible(true);
+}
+
+void HaloLines::setSegments(const std::vector<glm::dvec3>& endpointPairsWorld) {
+  empty_ = endpointPairsWorld.empty();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  if (!empty_) anchorWorld_ = endpointPairsWorld.front();
+  for (std::size_t i = 0; i + 1 < endpointPairsWorld.size(); i += 2) {
+    vtkIdType ends[2];
+    for (std::size_t end = 0; end < 2; ++end) {
+      const glm::dvec3 p = endpointPairsWorld[i + end] - anchorWorld_;
+      ends[end] = points->InsertNextPoint(p.x, p.y, p.z);
+    }
+    cells->InsertNextCell(2, ends);
+  }
+  lines_->SetPoints(points);
+  lines_->SetLines(cells);
+  lines_->Modified();
+}
+
+void HaloLines::setVisible(bool visible) {
+  for (vtkActor* actor : {halo_.Get(), core_.Get()}) actor->SetVisibility(visible && !empty_ ? 1 : 0);
+}
+
+void HaloLines::pullTowards(const glm::dvec3& eyeWorld, double factor) {
+  // p -> eye + factor (anchor + p - eye)
+  const glm::dvec3 shift = eyeWorld + factor * (anchorWorld_ - eyeWorld);
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int axis = 0; axis < 3; ++axis) {
+    matrix->SetElement(axis, axis, factor);
+    matrix->SetElement(axis, 3, shift[axis]);
+  }
+  halo_->SetUserMatrix(matrix);
+  core_->SetUserMatrix(matrix);
+}
+
+WireActors::WireActors(vtkRenderer* renderer, double opacity)
+    : idle_(renderer, idleColor(), 1.0, 0.5 * opacity),
+      influence_(renderer, influenceColor(), 1.5, opacity),
+      blend_(renderer, blendColor(), 1.5, opacity),
+      box_(renderer, boxColor(), 2.5, opacity) {}
+
+void WireActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected) {
+  std::vector<glm::dvec3> idle, influence, blend, box;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const Probe& probe = probes[i];
+    if (selected != i) {
+      addEdges(idle, probe, probe.box, false);
+      continue;
+    }
+    addEdges(box, probe, probe.box, false);
+    if (probe.influence && !(*probe.influence == probe.box)) addEdges(influence, probe, *probe.influence, false);
+    const BlendDistance none{glm::dvec3(0.0), glm::dvec3(0.0)};
+    if (!(probe.blendDistance == none)) addEdges(blend, probe, fullWeightBox(probe), true);
+  }
+  idle_.setSegments(idle);
+  influence_.setSegments(influence);
+  blend_.setSegments(blend);
+  box_.setSegments(box);
+}
+
+void WireActors::setVisible(bool visible) {
+  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_}) lines->setVisible(visible);
+}
+
+void WireActors::pullTowards(const glm::dvec3& eyeWorld, double factor) {
+  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_}) lines->pullTowards(eyeWorld, factor);
+}
+
+}  // namespace boxprobe
