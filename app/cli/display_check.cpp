@@ -20,9 +20,12 @@ void requireDisplay(const std::string& command) {
   int opcode = 0;
   int event = 0;
   int error = 0;
-  const bool glx = XQueryExtension(display, "GLX", &opcode, &event, &error) != 0;
-  XCloseDisplay(display);
-  if (!glx) throw InputError("no OpenGL on display '" + std::string(name) + "' (it has no GLX)" + advice);
+  if (XQueryExtension(display, "GLX", &opcode, &event, &error) == 0) {
+    XCloseDisplay(display);
+    throw InputError("no OpenGL on display '" + std::string(name) + "' (it has no GLX)" + advice);
+  }
+  // Left open to the end of the process: an X server starts anew when its last client leaves (xvfb-run's does), and
+  // turns away whoever connects in that moment, which would be VTK.
 }
 
 }  // namespace boxprobe

@@ -13,23 +13,21 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("-o,--output", options.outputPath, "Picture: .png (display colours) or .exr (linear, float RGBA)")
       ->type_name("FILE")
       ->required();
-  command.add_option("--size", options.size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
+  command.add_option("--size", options.size, "Width and height in pixels (default 1280x720)")->type_name("WxH");
   command.add_option("--camera", options.camera, "Camera of the scene (default: main, else the first)")
       ->type_name("NAME");
   command
       .add_option("--technique", options.technique,
                   "Technique of every probe (default: as in the scene): " + techniqueIdList())
       ->type_name("ID");
-  command.add_option("--samples", options.samples, "Samples a pixel: 1, 4 or 16")
-      ->check(CLI::IsMember({1, 4, 16}))
-      ->type_name("N")
-      ->capture_default_str();
+  command.add_option("--samples", options.samples, "Samples a pixel: 1, 4 or 16 (default 4)")
+      ->check(CLI::IsMember({1, 4, 16}).description(""))
+      ->type_name("N");
   command.add_option("--probes", options.probes, "off: no reflections of probes or sky, VTK's plain program")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->type_name("on|off")
-      ->capture_default_str();
+      ->check(CLI::IsMember({"on", "off"}).description(""))
+      ->type_name("on|off");
   command.add_option("--frames", options.frames, "Then draw N more frames and report their CPU time in --stats")
-      ->check(CLI::Range(0, 100000))
+      ->check(CLI::Range(0, 100000).description(""))
       ->type_name("N");
   command.add_option("--set", options.assignments, "Change a field of the scene: probes.NAME.FIELD=VALUE (repeatable)")
       ->type_name("FIELD=VALUE")
