@@ -1,17 +1,13 @@
 #include "data/scenes/picture.h"
 
+#include <stb/stb_image_write.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "filters/core/errors.h"
-
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
 
 namespace boxprobe::scenes {
 namespace {
@@ -62,10 +58,12 @@ std::string pngBytes(const ImageRgba8& image) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     if (!opaque || i % 4 != 3) packed.push_back(image.pixels[i]);
   std::string bytes;
-  stbi_write_png_compression_level = 64;  // length of the search for repeats: a tenth smaller than by default
-  if (!stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, components, packed.data(),
-                              image.width * components))
-    throw WorkError("picture " + image.name + ": could not be written as PNG");
+  // How far to search for repeats. A tenth smaller than by default; set back, since the library's users share it.
+  const int usual = std::exchange(stbi_write_png_compression_level, 64);
+  const int written = stbi_write_png_to_func(appendBytes, &bytes, image.width, image.height, components, packed.data(),
+                                             image.width * components);
+  stbi_write_png_compression_level = usual;
+  if (written == 0) throw WorkError("picture " + image.name + ": could not be written as PNG");
   return bytes;
 }
 

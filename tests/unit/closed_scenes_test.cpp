@@ -159,10 +159,12 @@ TEST(SixFaces, EachWallShowsItsCubeMapFace) {
     ASSERT_TRUE(hit) << "face " << face << ": the ray hits nothing";
     ASSERT_TRUE(hit->material->unlit);
     const ImageRgba8& image = *hit->material->baseColorTexture.image;
-    const int x = static_cast<int>(hit->uv.x * image.width), y = static_cast<int>(hit->uv.y * image.height);
-    for (int channel = 0; channel < 3; ++channel) {
-      const double byte = image.pixels.at(static_cast<std::size_t>((y * image.width + x) * 4 + channel));
-      EXPECT_NEAR(std::pow((byte / 255.0 + 0.055) / 1.055, 2.4), expected[channel], 0.01)
+    const auto column = static_cast<std::size_t>(hit->uv.x * image.width);
+    const auto row = static_cast<std::size_t>(hit->uv.y * image.height);
+    const std::size_t texel = 4 * (row * static_cast<std::size_t>(image.width) + column);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const double byte = image.pixels.at(texel + channel);
+      EXPECT_NEAR(std::pow((byte / 255.0 + 0.055) / 1.055, 2.4), expected[static_cast<int>(channel)], 0.01)
           << "face " << face << " at s " << s << ", t " << t << ", channel " << channel;
     }
   };

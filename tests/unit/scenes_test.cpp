@@ -12,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "data/scenes/glb_writer.h"
@@ -70,6 +71,35 @@ TEST_P(CheckedInScene, MirrorBallsAreSmoothWhiteMetalThatProbesDoNotSee) {
   EXPECT_EQ(balls, std::string(GetParam()) == "building" ? 9 : std::string(GetParam()) == "room" ? 3 : 1);
 }
 
+/// Whether two triangles of one plane overlap by more than a line: no edge of either has the other on its far side.
+bool overlapInPlane(const Triangle& a, const Triangle& b, const glm::dvec3& normal) {
+  for (const auto& [first, second] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 corner = first->corners[k];
+      const glm::dvec3 inwards = glm::normalize(glm::cross(normal, first->corners[(k + 1) % 3] - corner));
+      if (std::all_of(second->corners.begin(), second->corners.end(),
+                      [&](const glm::dvec3& c) { return glm::dot(c - corner, inwards) < 1e-5; }))
+        return false;
+    }
+  }
+  return true;
+}
+
+TEST_P(CheckedInScene, NoTwoFacesFlickerInOnePlane) {
+  const std::vector<Triangle> all = triangles(model);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const glm::dvec3 normal = glm::normalize(all[i].areaVector());
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      const glm::dvec3 offset = all[j].corners[0] - all[i].corners[0];
+      if (std::abs(glm::dot(offset, normal)) > 1e-5 || glm::dot(glm::normalize(all[j].areaVector()), normal) < 0.999999)
+        continue;
+      ASSERT_FALSE(overlapInPlane(all[i], all[j], normal))
+          << all[i].node << " and " << all[j].node << " near (" << all[j].middle().x << ", " << all[j].middle().y
+          << ", " << all[j].middle().z << ")";
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, CheckedInScene, testing::Values("building", "room", "six-faces"),
                          [](const auto& scene) { return std::string(scene.param).substr(0, 3); });
 
@@ -121,10 +151,11 @@ TEST(Building, OnlySpheresStandInTheInnerSpaceAndWallsLieInItsPlanes) {
     glm::dvec3 least = t.corners[0], most = t.corners[0];
     for (const glm::dvec3& corner : t.corners) least = glm::min(least, corner), most = glm::max(most, corner);
     bool apart = false;  // some plane of the inner space has the whole triangle behind it
-    for (int axis = 0; axis < 3; ++axis) {
+    std::size_t plane = 0;
+    for (int axis = 0; axis < 3; ++axis, plane += 2) {
       apart = apart || most[axis] <= low[axis] || least[axis] >= high[axis];
-      if (most[axis] == low[axis]) touches[t.node][static_cast<std::size_t>(2 * axis)] = true;
-      if (least[axis] == high[axis]) touches[t.node][static_cast<std::size_t>(2 * axis + 1)] = true;
+      if (most[axis] == low[axis]) touches[t.node][plane] = true;
+      if (least[axis] == high[axis]) touches[t.node][plane + 1] = true;
     }
     ASSERT_TRUE(apart) << t.node << " reaches into the inner space";
   }
