@@ -187,20 +187,16 @@ void write(std::string& out, const Json& value, std::size_t indent, std::size_t 
     return;
   }
   const bool object = value.is_object();
-  // One line if it fits and is no more than a list of plain values or of short lists of them: [1, 2], {"min": [..],
-  // ..}.
-  const auto depth = [](const Json& v) {
-    std::size_t deepest = 0;
-    for (const Json& child : v) deepest = std::max<std::size_t>(deepest, child.is_structured() ? 1 : 0);
-    for (const Json& child : v) {
-      if (!child.is_structured()) continue;
-      for (const Json& grandchild : child) deepest = std::max<std::size_t>(deepest, grandchild.is_structured() ? 2 : 1);
-    }
-    return deepest;
-  };
+  // One line if it fits and is no more than plain values, or a few short lists: [1, 2], {"min": [..], "max": [..]}.
+  bool simple = true;
+  for (const Json& child : value) {
+    if (!child.is_structured()) continue;
+    simple = simple && child.is_array() && value.size() <= 3;
+    for (const Json& grandchild : child) simple = simple && !grandchild.is_structured();
+  }
   // Separators gain a space each when spread out, which `flat` lacks.
   const std::size_t spaced = flat.size() + 2 * value.size() + 8;
-  const bool oneLine = indent > 0 && used + spaced <= kLineWidth && depth(value) <= (value.size() <= 3 ? 1u : 0u);
+  const bool oneLine = indent > 0 && used + spaced <= kLineWidth && simple;
   const std::string pad(oneLine ? 0 : indent + 2, ' ');
   out += object ? '{' : '[';
   bool first = true;

@@ -69,6 +69,8 @@ Json& descend(Json& value, const std::string& key, KeyPath& path) {
     }
     return value[index];
   }
+  if (value.is_null() && bracketed)
+    return value;  // an element of what is not there: the parser says what belongs there
   path.push_back(key);
   if (bracketed || !(value.is_object() || value.is_null())) {
     throw FieldError(path, value.is_array() ? "is not an element; use an index such as [0]"
