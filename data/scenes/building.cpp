@@ -66,7 +66,7 @@ UvRectangle alongBeam(unsigned, glm::dvec2 size) {
   return {0.0, 0.0, size.x / 2.0, size.y / 1.0};
 }
 
-constexpr float kGlow = 0.22f;  // about a fifth of full daylight
+constexpr float kGlow = 0.12f;  // about an eighth of full daylight
 
 /// A picture that repeats.
 Material tiled(const char* name, const Picture& picture, float glow) {
@@ -218,13 +218,13 @@ Model building() {
   scene.add("beams", std::move(beams), woodMaterial);
   scene.add("rafters", std::move(rafters), woodMaterial);
   scene.add("slab", std::move(slab), stoneMaterial);
-  scene.add("ground", std::move(ground), scene.material(tiled("lawn", lawnPicture(), 0.3f)));
-  scene.add("near hills", hills(52.0, 4.6, 1.0), scene.material(unlit("near hills", glm::vec3(0.16f, 0.25f, 0.24f))));
+  scene.add("ground", std::move(ground), scene.material(tiled("lawn", lawnPicture(), 0.2f)));
+  scene.add("near hills", hills(52.0, 4.6, 1.0), scene.material(unlit("near hills", glm::vec3(0.10f, 0.19f, 0.17f))));
   scene.add("far hills", hills(kHorizon - 0.5, 9.5, 4.2),
-            scene.material(unlit("far hills", glm::vec3(0.30f, 0.40f, 0.47f))));
+            scene.material(unlit("far hills", glm::vec3(0.22f, 0.33f, 0.42f))));
 
   const int tree =
-      scene.mesh(cypress(), "cypress", scene.material(lit("cypress", glm::vec3(0.035f, 0.085f, 0.035f), 0.3f)));
+      scene.mesh(cypress(), "cypress", scene.material(lit("cypress", glm::vec3(0.03f, 0.075f, 0.03f), 0.2f)));
   struct Tree {
     double x, z, height;
   };

@@ -15,7 +15,7 @@ const glm::dvec3 kCream(0.86, 0.82, 0.72);
 
 // Terracotta, ochre, blue, green: far enough apart to be told by hue in a dim reflection.
 const std::array<glm::dvec3, kSides> kSideColors = {
-    {{0.62, 0.17, 0.09}, {0.80, 0.50, 0.08}, {0.06, 0.20, 0.52}, {0.10, 0.36, 0.18}}};
+    {{0.56, 0.11, 0.05}, {0.78, 0.42, 0.04}, {0.03, 0.13, 0.45}, {0.05, 0.28, 0.13}}};
 
 /// Splits a picture of `count` equal strips: which strip `x` lies in, and where in it.
 struct Strip {
@@ -76,7 +76,7 @@ Picture screenPicture() {
     const glm::dvec3 tint = kSideColors[side];
     const int column = static_cast<int>(std::floor(across / 0.375 + 0.5)), row = static_cast<int>(height / 0.35);
     const double shade = 0.9 + 0.2 * hash(column, row, 10 + side);
-    glm::dvec3 color = blend(tint, kCream, 0.12) * shade;
+    glm::dvec3 color = blend(tint, kCream, 0.03) * shade;
     color = blend(color, kCream, inside(signDistance(side, across, height - 2.55), 0.02));
     color = blend(color, 0.55 * tint, inside(std::abs(height - 1.2) - 0.05, 0.02));
     color = blend(color, 0.55 * tint, inside(std::abs(height - 3.75) - 0.05, 0.02));
@@ -132,7 +132,7 @@ Picture lawnPicture() {
     const double a = softLines(4.0 * u - 0.5, 2.0, 0.5, 0.12), b = softLines(4.0 * v - 0.5, 2.0, 0.5, 0.12);
     const double band = a + b - 2.0 * a * b;
     const double patch = noise(8.0 * u, 8.0 * v, 8, 8, 50), tuft = noise(40.0 * u, 40.0 * v, 40, 40, 51);
-    const glm::dvec3 dark(0.085, 0.15, 0.045), light(0.16, 0.235, 0.07);
+    const glm::dvec3 dark(0.06, 0.115, 0.03), light(0.12, 0.19, 0.05);
     return blend(dark, light, 0.15 + 0.35 * band + 0.3 * patch + 0.2 * tuft);
   });
 }

@@ -111,7 +111,7 @@ Model room() {
   scene.add("lamp", std::move(lampPanel), scene.material(lamp("lamp", glm::vec3(kLampRadiance))));
 
   const int ball = scene.mesh(sphere(0.45, 64), "sphere", scene.material(perfectMirror("sphere")));
-  scene.place("sphere 1", ball, {-2.2, 0.45, 0.9});
+  scene.place("sphere 1", ball, {-1.4, 0.45, -1.5});
   scene.place("sphere 2", ball, {1.6, 1.3, -1.0});
   scene.place("sphere 3", ball, {2.6, 0.45, 1.4});
   return std::move(scene).finish();

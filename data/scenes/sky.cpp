@@ -10,7 +10,7 @@ namespace boxprobe::scenes {
 
 std::string skyHdr() {
   constexpr int kWidth = 256, kHeight = 128;
-  const glm::dvec3 top(0.17, 0.30, 0.55), horizon(0.72, 0.78, 0.84), ground(0.16, 0.18, 0.14);
+  const glm::dvec3 top(0.08, 0.19, 0.46), horizon(0.66, 0.76, 0.88), ground(0.10, 0.12, 0.08);
   std::vector<float> rgb;
   for (int row = 0; row < kHeight; ++row) {
     const double y = std::cos(3.141592653589793 * (row + 0.5) / kHeight);
