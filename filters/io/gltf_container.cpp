@@ -137,7 +137,11 @@ GltfFile openGltf(const std::string& path) {
   constexpr std::uintmax_t kLargestFile = 0xfffffff0u;  // tinygltf counts bytes in 32 bits
   const std::string bytes = readWholeFile(path, kLargestFile);
   const bool binary = bytes.compare(0, 4, "glTF") == 0;
-  checkJsonSyntax(binary ? jsonChunk(bytes, path) : bytes, path);
+  if (binary) {
+    checkJsonSyntax(jsonChunk(bytes, path), path + ": JSON chunk");
+  } else {
+    checkJsonSyntax(bytes, path);
+  }
 
   GltfFile file;
   file.path = path;

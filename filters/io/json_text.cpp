@@ -46,6 +46,8 @@ std::string reasonOnly(const std::string& what) {
 
 /// Takes the place of the library's handler to learn where an error is: exceptions for numbers out of range carry none.
 struct SyntaxCheck : nlohmann::json_sax<Json> {
+  explicit SyntaxCheck(const std::string& checked) : text(checked) {}
+  const std::string& text;
   std::size_t errorOffset = 0;
   std::string reason;
 
@@ -61,8 +63,12 @@ struct SyntaxCheck : nlohmann::json_sax<Json> {
   bool end_object() override { return close(); }
   bool start_array(std::size_t) override { return open(); }
   bool end_array() override { return close(); }
-  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
-    errorOffset = position > 0 ? position - 1 : 0;
+  /// `position` is behind the last character read; the place to show is where the token starts.
+  bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
+    const std::size_t length = std::max<std::size_t>(token.size(), 1);
+    const bool atToken =
+        position >= length && position <= text.size() && text.compare(position - length, length, token) == 0;
+    errorOffset = atToken ? position - length : position > 0 ? position - 1 : 0;
     reason = reasonOnly(error.what());
     return false;
   }
@@ -224,7 +230,7 @@ std::string JsonText::placeText(const Json::json_pointer& pointer) const {
 }
 
 void checkJsonSyntax(const std::string& text, const std::string& name) {
-  SyntaxCheck check;
+  SyntaxCheck check(text);
   if (Json::sax_parse(text, &check)) return;
   const std::string place = check.errorOffset > 0 ? at(name, placeOf(text, check.errorOffset)) : name + ": ";
   throw InputError(place + "not valid JSON: " + check.reason);

@@ -1,0 +1,241 @@
+// Broken glTF files: each must be refused in one line that names file and place, never read out of bounds.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <random>
+
+#include "filters/io/model_file.h"
+#include "tests/unit/error_text.h"
+#include "tests/unit/io_glb_builder.h"
+#include "tests/unit/temporary_folder.h"
+
+namespace boxprobe {
+namespace {
+
+using Json = nlohmann::json;
+
+class ModelDamage : public TemporaryFolder {
+ protected:
+  /// The message, without the file it must start with, for a sound file of an indexed triangle after `damage`.
+  std::string problem(const std::function<void(GlbBuilder&)>& damage) const {
+    GlbBuilder glb;
+    const int indices = glb.accessor(glb.view(std::vector<std::uint16_t>{0, 1, 2, 0}), GlbBuilder::UShort, "SCALAR", 3);
+    glb.triangle({{"indices", indices}});  // accessor 0: indices, view 0; accessor 1: positions, view 1; node 0
+    damage(glb);
+    return fileProblem(glb.glb());
+  }
+  std::string fileProblem(const std::string& bytes) const {
+    const std::string path = write("m.glb", bytes);
+    const std::string text = errorText([&] { loadModelFile(path); });
+    EXPECT_EQ(text.rfind(path + ":", 0), 0u) << text;
+    return text.substr(std::min(text.size(), path.size() + 2));
+  }
+};
+
+TEST_F(ModelDamage, TheUndamagedFileLoads) {
+  GlbBuilder glb;
+  glb.triangle();
+  EXPECT_EQ(loadModelFile(write("m.glb", glb.glb())).triangleCount(), 1u);
+}
+
+TEST_F(ModelDamage, AccessorsThatLeaveTheirViewsAreRefused) {
+  EXPECT_EQ(
+      problem([](GlbBuilder& g) { g.json["accessors"][1]["count"] = 4; }),
+      "mesh 0 \"mesh0\": primitive 0: POSITION: accessor 1: 4 elements from byte 0 do not fit into bufferView 1 of 36 "
+      "bytes; the file is damaged");
+  const std::vector<std::function<void(GlbBuilder&)>> cases = {
+      [](GlbBuilder& g) { g.json["accessors"][1]["count"] = 4294967295u; },
+      [](GlbBuilder& g) { g.json["accessors"][1]["count"] = 18446744073709551615u; },
+      [](GlbBuilder& g) { g.json["accessors"][1]["count"] = 1537228672809129302u; },  // times 12 overflows to little
+      [](GlbBuilder& g) { g.json["accessors"][1]["byteOffset"] = 4; },
+      [](GlbBuilder& g) { g.json["accessors"][1]["byteOffset"] = 18446744073709551612u; },
+      [](GlbBuilder& g) { g.json["accessors"][1]["bufferView"] = 7; },
+      [](GlbBuilder& g) { g.json["accessors"][1]["componentType"] = 5124; },
+      [](GlbBuilder& g) { g.json["accessors"][1]["componentType"] = 5130; },
+      [](GlbBuilder& g) { g.json["accessors"][1]["type"] = "VEC2"; },
+      [](GlbBuilder& g) { g.json["accessors"][1]["type"] = "MAT4"; },
+      [](GlbBuilder& g) { g.json["accessors"][0]["type"] = "VEC3"; },
+      [](GlbBuilder& g) { g.json["accessors"][0]["componentType"] = 5126; },
+      [](GlbBuilder& g) { g.json["accessors"][0]["bufferView"] = 9; },
+      [](GlbBuilder& g) { g.json["bufferViews"][1]["byteOffset"] = 400; },
+      [](GlbBuilder& g) { g.json["bufferViews"][1]["byteOffset"] = 18446744073709551612u; },
+      [](GlbBuilder& g) { g.json["bufferViews"][1]["byteLength"] = 18446744073709551615u; },
+      [](GlbBuilder& g) { g.json["bufferViews"][1]["buffer"] = 3; },
+      [](GlbBuilder& g) { g.json["bufferViews"][1]["buffer"] = -1; },
+      [](GlbBuilder& g) { g.json["bufferViews"][1]["byteStride"] = 4; },
+      [](GlbBuilder& g) { g.json["bufferViews"][1]["byteStride"] = 3; },
+      [](GlbBuilder& g) { g.json["accessors"][1].erase("bufferView"), g.json["accessors"][1]["count"] = 1u << 30; },
+  };
+  for (std::size_t i = 0; i < cases.size(); ++i) EXPECT_NE(problem(cases[i]), "") << "case " << i;
+}
+
+TEST_F(ModelDamage, SparsePartsAreCheckedAlike) {
+  const auto sparse = [](const Json& change) {
+    return [change](GlbBuilder& g) {
+      const int indices = g.view(std::vector<std::uint16_t>{1, 9});
+      const int values = g.view(std::vector<float>{5, 0, 0, 0, 7, 0});
+      Json part = {{"count", 1},
+                   {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                   {"values", {{"bufferView", values}}}};
+      part.merge_patch(change);
+      g.json["accessors"][1]["sparse"] = part;
+    };
+  };
+  EXPECT_EQ(problem(sparse({{"count", 2}})),
+            "mesh 0 \"mesh0\": primitive 0: POSITION: accessor 1: sparse index 9 is beyond its 3 elements");
+  for (const Json& change : std::vector<Json>{{{"count", 3}},
+                                              {{"count", 4}},
+                                              {{"count", -1}},
+                                              {{"indices", {{"componentType", 5126}}}},
+                                              {{"indices", {{"bufferView", 99}}}},
+                                              {{"indices", {{"byteOffset", -2}}}},
+                                              {{"indices", {{"byteOffset", 3}}}},
+                                              {{"values", {{"bufferView", -7}}}},
+                                              {{"values", {{"byteOffset", 100}}}}}) {
+    EXPECT_NE(problem(sparse(change)), "") << change;
+  }
+}
+
+TEST_F(ModelDamage, IndicesBeyondThePositionsAreRefused) {
+  EXPECT_EQ(problem([](GlbBuilder& g) { g.buffer[2] = 7; }),
+            "mesh 0 \"mesh0\": primitive 0: indices: index 1 is 7, but there are 3 positions; the file is damaged");
+  EXPECT_NE(problem([](GlbBuilder& g) { g.buffer[0] = g.buffer[1] = '\xff'; }), "");
+}
+
+TEST_F(ModelDamage, NumbersThatAreNotFiniteAreRefused) {
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    EXPECT_EQ(problem([bad](GlbBuilder& g) { std::memcpy(g.buffer.data() + 8 + 16, &bad, 4); }),
+              "mesh 0 \"mesh0\": primitive 0: POSITION: accessor 1: element 1 is not finite; repair the model");
+  }
+}
+
+TEST_F(ModelDamage, ReferencesToNothingAreRefused) {
+  EXPECT_EQ(problem([](GlbBuilder& g) { g.json["nodes"][0]["mesh"] = 4; }),
+            "node 0 \"tri\": mesh 4 does not exist; the file has 1");
+  EXPECT_EQ(problem([](GlbBuilder& g) { g.json["nodes"][0]["children"] = {8}; }),
+            "node 0 \"tri\": node 8 does not exist; the file has 1");
+  EXPECT_EQ(problem([](GlbBuilder& g) { g.json["scene"] = 5; }), "scene: scene 5 does not exist; the file has 1");
+  EXPECT_EQ(problem([](GlbBuilder& g) { g.json["meshes"][0]["primitives"][0]["material"] = 2; }),
+            "mesh 0 \"mesh0\": primitive 0: material 2 does not exist; the file has 0");
+  EXPECT_EQ(problem([](GlbBuilder& g) { g.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = 44; }),
+            "mesh 0 \"mesh0\": primitive 0: NORMAL: accessor 44 does not exist; the file has 2");
+  EXPECT_EQ(problem([](GlbBuilder& g) {
+              g.json["meshes"][0]["primitives"][0]["attributes"].erase("POSITION"),
+                  g.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = 1;
+            }),
+            "mesh 0 \"mesh0\": primitive 0: has no POSITION attribute; export it again");
+  const std::vector<Json> textures = {{{"materials", Json::array({{{"emissiveTexture", {{"index", 3}}}}})}},
+                                      {{"materials", Json::array({{{"emissiveTexture", {{"index", 0}}}}})},
+                                       {"textures", Json::array({{{"source", 3}}})}},
+                                      {{"materials", Json::array({{{"emissiveTexture", {{"index", 0}}}}})},
+                                       {"textures", Json::array({{{"sampler", 3}}})}},
+                                      {{"materials", Json::array({{{"emissiveTexture", {{"index", 0}}}}})},
+                                       {"textures", Json::array({{{"source", 0}}})},
+                                       {"images", Json::array({{{"bufferView", 8}, {"mimeType", "image/png"}}})}}};
+  for (const Json& change : textures) {
+    EXPECT_NE(problem([&](GlbBuilder& g) { g.json.merge_patch(change); }), "") << change;
+  }
+}
+
+TEST_F(ModelDamage, AttributesOfAnotherLengthAreRefused) {
+  EXPECT_EQ(problem([](GlbBuilder& g) {
+              const int two = g.floats("VEC3", 3, {0, 0, 1, 0, 0, 1});
+              g.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = two;
+            }),
+            "mesh 0 \"mesh0\": primitive 0: NORMAL: has 2 entries for 3 positions");
+}
+
+TEST_F(ModelDamage, NodesInCirclesOrWithTwoParentsAreRefused) {
+  const std::string self = problem([](GlbBuilder& g) { g.json["nodes"][0]["children"] = {0}; });
+  EXPECT_EQ(self, "node 0 \"tri\": stands in the tree twice, or is its own ancestor; repair the model");
+  EXPECT_NE(problem([](GlbBuilder& g) {
+              g.json["nodes"] = Json::array({{{"children", {1}}}, {{"children", {2}}}, {{"children", {1}}}});
+            }),
+            "");
+  EXPECT_NE(problem([](GlbBuilder& g) {
+              g.json["nodes"] = Json::array({{{"children", {1, 2}}}, {{"children", {2}}}, {{"name", "shared"}}});
+            }),
+            "");
+}
+
+TEST_F(ModelDamage, TransformsAreChecked) {
+  EXPECT_EQ(problem([](GlbBuilder& g) {
+              g.json["nodes"][0]["rotation"] = {0, 0, 0, 0};
+            }),
+            "node 0 \"tri\": rotation is a quaternion of length 0; repair the model");
+  EXPECT_EQ(problem([](GlbBuilder& g) {
+              g.json["nodes"][0]["translation"] = {0, 0};
+            }),
+            "node 0 \"tri\": translation must have 3 numbers");
+  EXPECT_NE(problem([](GlbBuilder& g) { g.json["nodes"][0]["matrix"] = {1, 0, 0}; }), "");
+}
+
+TEST_F(ModelDamage, RequiredExtensionsMustBeKnown) {
+  EXPECT_EQ(problem([](GlbBuilder& g) { g.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }),
+            "extensionsRequired: needs KHR_draco_mesh_compression, which is not supported; export without it");
+  EXPECT_EQ(problem([](GlbBuilder& g) { g.json["asset"]["version"] = "1.0"; }),
+            "asset: is glTF version \"1.0\"; export it as glTF 2.0");
+}
+
+TEST_F(ModelDamage, ContainersThatAreCutOffOrOtherwiseWrong) {
+  GlbBuilder glb;
+  glb.triangle();
+  const std::string whole = glb.glb();
+  for (std::size_t length = 0; length < whole.size(); length += 3) EXPECT_NE(fileProblem(whole.substr(0, length)), "");
+  std::string version = whole;
+  version[4] = 1;
+  EXPECT_EQ(fileProblem(version), "is GLB version 1, not 2; export it again");
+  std::string chunk = whole;
+  chunk[12] = chunk[13] = chunk[14] = '\x7f';
+  EXPECT_NE(fileProblem(chunk).find("runs past the end; export it again"), std::string::npos);
+  EXPECT_NE(fileProblem("this is text"), "");
+  EXPECT_NE(fileProblem("{}"), "");
+  EXPECT_NE(fileProblem("[1, 2]"), "");
+  EXPECT_NE(fileProblem("{\"asset\": {\"version\": \"2.0\"}, \"extras\": " + std::string(100000, '[')), "");
+  EXPECT_NE(fileProblem("{\"asset\": {\"version\": \"2.0\"}, \"extras\": " + std::string(100000, '[') +
+                        std::string(100000, ']') + "}"),
+            "");
+}
+
+TEST_F(ModelDamage, SyntaxErrorsOfTextFilesHaveTheirPlace) {
+  const std::string path = write("m.gltf", "{\n \"asset\": {\"version\" \"2.0\"}\n}");
+  const std::string text = errorText([&] { loadModelFile(path); });
+  EXPECT_EQ(text.rfind(path + ":2:22: not valid JSON: ", 0), 0u) << text;
+}
+
+TEST_F(ModelDamage, FilesThatAreMissingOrOfAnotherKindAreNamed) {
+  EXPECT_EQ(errorText([&] { loadModelFile(file("gone.glb")); }), file("gone.glb") + ": does not exist; check the path");
+  EXPECT_EQ(errorText([&] { loadModelFile(file("a.obj")); }),
+            file("a.obj") + ": .obj files are not supported; export the model as glTF (.glb or .gltf)");
+  GlbBuilder glb;
+  glb.triangle();
+  const std::string path = write("m.gltf", glb.gltf("gone.bin"));
+  EXPECT_EQ(errorText([&] { loadModelFile(path); }),
+            path + ": " + file("gone.bin") + ": does not exist; check the path");
+}
+
+/// Any single changed byte gives a model or one of this program's errors, nothing else (run under AddressSanitizer,
+/// this is where a bounds check that is missing shows).
+TEST_F(ModelDamage, RandomBytesNeverDoWorse) {
+  GlbBuilder glb;
+  const int indices = glb.accessor(glb.view(std::vector<std::uint8_t>{0, 1, 2}), GlbBuilder::UByte, "SCALAR", 3);
+  glb.triangle({{"indices", indices}});
+  const std::string whole = glb.glb();
+  std::mt19937 random(3);
+  int refused = 0;
+  for (int round = 0; round < 1500; ++round) {
+    std::string bytes = whole;
+    for (int change = 0; change < 1 + round % 3; ++change) bytes[random() % bytes.size()] = static_cast<char>(random());
+    write("m.glb", bytes);
+    try {
+      loadModelFile(file("m.glb"));
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 500);
+}
+
+}  // namespace
+}  // namespace boxprobe

@@ -1,0 +1,166 @@
+// Materials, textures and images out of glTF files.
+#include <gtest/gtest.h>
+
+#include "filters/io/image_file.h"
+#include "filters/io/model_file.h"
+#include "tests/unit/error_text.h"
+#include "tests/unit/io_glb_builder.h"
+#include "tests/unit/temporary_folder.h"
+
+namespace boxprobe {
+namespace {
+
+using Json = nlohmann::json;
+
+class ModelMaterial : public TemporaryFolder {
+ protected:
+  ModelMaterial() { glb.triangle({{"material", 0}}); }
+  Model load() const {
+    write("m.glb", glb.glb());
+    return loadModelFile(file("m.glb"));
+  }
+  Material material(const Json& json) {
+    glb.json["materials"] = Json::array({json});
+    return load().materials.at(0);
+  }
+  /// PNG bytes of a 2 x 1 picture: red, then green at half opacity.
+  std::string picture() const {
+    ImageRgba8 image;
+    image.width = 2;
+    image.height = 1;
+    image.pixels = {255, 0, 0, 255, 0, 255, 0, 128};
+    savePng(file("made.png"), image);
+    return read("made.png");
+  }
+  GlbBuilder glb;
+};
+
+TEST_F(ModelMaterial, DefaultsAreTheStandards) {
+  const Material m = material({{"name", "plain"}});
+  EXPECT_EQ(m.name, "plain");
+  EXPECT_EQ(m.baseColor, glm::vec4(1.0f));
+  EXPECT_EQ(m.metallic, 1.0f);
+  EXPECT_EQ(m.roughness, 1.0f);
+  EXPECT_EQ(m.emissive, glm::vec3(0.0f));
+  EXPECT_EQ(m.ior, 1.5f);
+  EXPECT_FALSE(m.unlit || m.doubleSided);
+  EXPECT_FALSE(m.baseColorTexture.image);
+  EXPECT_EQ(material(Json::object()).name, "material0");
+}
+
+TEST_F(ModelMaterial, FactorsAndExtensions) {
+  const Material m =
+      material({{"name", "all"},
+                {"doubleSided", true},
+                {"emissiveFactor", {1, 0.5, 0.25}},
+                {"pbrMetallicRoughness",
+                 {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}}, {"metallicFactor", 0.5}, {"roughnessFactor", 0.25}}},
+                {"extensions",
+                 {{"KHR_materials_unlit", Json::object()},
+                  {"KHR_materials_emissive_strength", {{"emissiveStrength", 40}}},
+                  {"KHR_materials_ior", {{"ior", 1.33}}},
+                  {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.125}}}}}});
+  EXPECT_EQ(m.baseColor, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
+  EXPECT_EQ(m.metallic, 0.5f);
+  EXPECT_EQ(m.roughness, 0.25f);
+  EXPECT_EQ(m.emissive, glm::vec3(40.0f, 20.0f, 10.0f));
+  EXPECT_EQ(m.ior, 1.33f);
+  EXPECT_EQ(m.coat, 0.75f);
+  EXPECT_EQ(m.coatRoughness, 0.125f);
+  EXPECT_TRUE(m.unlit && m.doubleSided);
+}
+
+TEST_F(ModelMaterial, TexturesOfEverySlotFromTheBufferAndShared) {
+  const std::string png = picture();
+  const int view = glb.view(std::vector<char>(png.begin(), png.end()));
+  glb.json["images"] = Json::array({{{"bufferView", view}, {"mimeType", "image/png"}, {"name", "checks"}}});
+  glb.json["samplers"] = Json::array({{{"wrapS", 33071}, {"wrapT", 33648}}});
+  glb.json["textures"] = Json::array({{{"source", 0}, {"sampler", 0}}, {{"source", 0}}});
+  const Material m = material(
+      {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicRoughnessTexture", {{"index", 1}}}}},
+       {"normalTexture", {{"index", 1}, {"scale", 0.5}}},
+       {"occlusionTexture", {{"index", 1}, {"strength", 0.25}}},
+       {"emissiveTexture", {{"index", 1}}}});
+  ASSERT_TRUE(m.baseColorTexture.image);
+  EXPECT_EQ(m.baseColorTexture.image->width, 2);
+  EXPECT_EQ(m.baseColorTexture.image->pixels, (std::vector<std::uint8_t>{255, 0, 0, 255, 0, 255, 0, 128}));
+  EXPECT_EQ(m.baseColorTexture.image->name, "checks");
+  EXPECT_EQ(m.baseColorTexture.wrapS, Wrap::ClampToEdge);
+  EXPECT_EQ(m.baseColorTexture.wrapT, Wrap::MirroredRepeat);
+  EXPECT_EQ(m.normalTexture.wrapS, Wrap::Repeat);
+  EXPECT_EQ(m.normalScale, 0.5f);
+  EXPECT_EQ(m.occlusionStrength, 0.25f);
+  for (const TextureUse* use :
+       {&m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture}) {
+    EXPECT_EQ(use->image, m.baseColorTexture.image);  // decoded once
+  }
+}
+
+TEST_F(ModelMaterial, AnEmissiveTextureNeedsNoBaseColorTexture) {
+  picture();
+  glb.json["images"] = Json::array({{{"uri", "made.png"}}});
+  glb.json["textures"] = Json::array({{{"source", 0}}});
+  const Material m = material({{"emissiveFactor", {1, 1, 1}}, {"emissiveTexture", {{"index", 0}}}});
+  ASSERT_TRUE(m.emissiveTexture.image);
+  EXPECT_EQ(m.emissiveTexture.image->pixels[0], 255);
+  EXPECT_FALSE(m.baseColorTexture.image);
+}
+
+TEST_F(ModelMaterial, ImagesThatCannotBeReadAreNamed) {
+  glb.json["textures"] = Json::array({{{"source", 0}}});
+  glb.json["materials"] = Json::array({{{"emissiveTexture", {{"index", 0}}}}});
+  glb.json["images"] = Json::array({{{"uri", "gone.png"}}});
+  EXPECT_EQ(errorText([&] { load(); }), file("m.glb") + ": " + file("gone.png") + ": does not exist; check the path");
+
+  write("text.png", "not a picture");
+  glb.json["images"] = Json::array({{{"uri", "text.png"}}});
+  EXPECT_EQ(errorText([&] { load(); }),
+            file("m.glb") + ": image 0 (text.png): is not a PNG or JPEG picture; save it as one of these");
+
+  const int view = glb.view(std::vector<char>{'x'});
+  glb.json["bufferViews"][view]["byteLength"] = 1000000;
+  glb.json["images"] = Json::array({{{"bufferView", view}, {"mimeType", "image/png"}}});
+  EXPECT_NE(errorText([&] { load(); }).find("runs past the end of buffer 0"), std::string::npos);
+}
+
+TEST_F(ModelMaterial, FilesOutsideTheModelsFolderAreNotRead) {
+  const std::string png = picture();
+  write("secret.png", png);
+  write("inside/m.glb", "");
+  glb.json["textures"] = Json::array({{{"source", 0}}});
+  glb.json["materials"] = Json::array({{{"emissiveTexture", {{"index", 0}}}}});
+  const auto loadWith = [&](const std::string& uri) {
+    glb.json["images"] = Json::array({{{"uri", uri}}});
+    write("inside/m.glb", glb.glb());
+    return errorText([&] { loadModelFile(file("inside/m.glb")); });
+  };
+  EXPECT_NE(loadWith("../secret.png").find("lies outside the model's folder; put it inside"), std::string::npos);
+  EXPECT_NE(loadWith("%2e%2e/secret.png").find("lies outside the model's folder"), std::string::npos);
+  EXPECT_NE(loadWith(file("secret.png")), "");
+  std::filesystem::create_symlink(file("secret.png"), folder_ / "inside" / "link.png");
+  EXPECT_NE(loadWith("link.png").find("lies outside the model's folder"), std::string::npos);
+}
+
+TEST_F(ModelMaterial, WhatIsNotSupportedIsNamedOnce) {
+  picture();
+  glb.json["images"] = Json::array({{{"uri", "made.png"}}});
+  glb.json["textures"] = Json::array({{{"source", 0}}, {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}});
+  const Json m = {{"alphaMode", "BLEND"},
+                  {"emissiveTexture", {{"index", 0}, {"texCoord", 1}}},
+                  {"normalTexture", {{"index", 1}}},
+                  {"extensions", {{"KHR_materials_clearcoat", {{"clearcoatTexture", {{"index", 0}}}}}}}};
+  glb.json["materials"] = Json::array({m, m});
+  const Model model = load();
+  std::string all;
+  for (const std::string& warning : model.warnings) all += warning + "\n";
+  EXPECT_EQ(model.warnings.size(), 4u) << all;
+  for (const char* word :
+       {"alphaMode BLEND", "second set of texture coordinates", "without a PNG or JPEG", "clear-coat textures"}) {
+    EXPECT_NE(all.find(word), std::string::npos) << word << " in " << all;
+  }
+  EXPECT_TRUE(model.materials[0].emissiveTexture.image);
+  EXPECT_FALSE(model.materials[0].normalTexture.image);
+}
+
+}  // namespace
+}  // namespace boxprobe
