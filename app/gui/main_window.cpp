@@ -34,7 +34,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kPanelWidth = 380;
+constexpr int kPanelWidth = 420;
 
 }  // namespace
 

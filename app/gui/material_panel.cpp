@@ -43,6 +43,8 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
   row->addWidget(slider_, 1);
   row->addWidget(field_);
   const QString tip = tr("Perceptual roughness as in glTF: 0 is a mirror, 1 is matt");
+  materials_->setObjectName("material");
+  slider_->setObjectName("roughness");
   slider_->setRange(0, kSliderSteps);
   slider_->setToolTip(tip);
   slider_->setFocusPolicy(Qt::StrongFocus);

@@ -9,24 +9,17 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "app/gui/probe_frame.h"
+#include "app/cli/fit_scene.h"
 
 namespace boxprobe {
 
 namespace {
 
-/// The new probe's box stands this far behind the walls it is fitted to, as the shipped scenes do: lines do not
-/// flicker.
-constexpr double kMargin = 0.005;
-
 Probe newProbe(const Scene& scene, const Box& bounds, const glm::dvec3& targetWorld) {
-  Probe probe;
+  Probe probe = fittedProbe(bounds);
   probe.name = unusedProbeName(scene, "probe");
-  const glm::dvec3 half = glm::max(0.5 * bounds.size() + kMargin, glm::dvec3(0.5 * kMinimumThickness));
-  probe.box = {bounds.center() - half, bounds.center() + half};
   // Looking past the scene must not put the origin outside of what it captures.
   probe.origin = glm::clamp(targetWorld, bounds.min + 0.05 * bounds.size(), bounds.max - 0.05 * bounds.size());
-  probe.blendDistance.min = probe.blendDistance.max = glm::min(glm::dvec3(1.0), 0.25 * probe.box.size());
   return probe;
 }
 
@@ -63,6 +56,7 @@ ProbeList::ProbeList(Editor& editor, Hooks hooks, QWidget* parent)
 
 QToolButton* ProbeList::addButton(const QString& text, const QString& toolTip, void (ProbeList::*action)()) {
   auto* button = new QToolButton(this);
+  button->setObjectName(text);
   button->setText(text);
   button->setToolTip(toolTip);
   connect(button, &QToolButton::clicked, this, action);

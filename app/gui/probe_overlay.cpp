@@ -10,9 +10,6 @@ namespace boxprobe {
 
 namespace {
 
-/// Of a hidden line.
-constexpr double kHiddenOpacity = 0.38;
-
 /// Lines are drawn this much nearer to the viewer than they are. A probe's box lies on the walls or a little behind
 /// them and would else flicker or vanish where it matters most; 3 % of the distance passes over such gaps and still
 /// leaves a pillar in front of a line in front.
@@ -34,8 +31,8 @@ ProbeOverlay::ProbeOverlay(vtkRenderWindow* window, vtkRenderer* sceneRenderer)
       scene_(sceneRenderer),
       solidLayer_(addLayer(window, 1)),
       onTopLayer_(addLayer(window, 2)),
-      solid_(solidLayer_, 1.0),
-      faint_(onTopLayer_, kHiddenOpacity),
+      solid_(solidLayer_, false),
+      faint_(onTopLayer_, true),
       handles_(onTopLayer_) {
   solidLayer_->PreserveDepthBufferOn();
 }

@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/blend_row.h"
 #include "app/gui/panel_layout.h"
@@ -59,6 +60,13 @@ ProbePanel::ProbePanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
   buildInfluence();
   buildLook();
   buildCapture();
+  // What a field is called from outside: by style sheets and tests.
+  const std::pair<QWidget*, const char*> names[] = {
+      {origin_, "origin"},         {boxMin_, "boxMin"},         {boxMax_, "boxMax"},       {rotation_, "rotation"},
+      {blend_, "blendDistance"},   {importance_, "importance"}, {intensity_, "intensity"}, {technique_, "technique"},
+      {techniqueHelp_, "help"},    {projection_, "projection"}, {faceSize_, "faceSize"},   {bounces_, "bounces"},
+      {ownInfluence_, "influence"}};
+  for (const auto& [widget, name] : names) widget->setObjectName(name);
   update();
 }
 

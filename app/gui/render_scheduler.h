@@ -36,6 +36,8 @@ class RenderScheduler : public QObject {
   /// The window became able to draw.
   void wake();
 
+  /// Nothing requested and nothing left to do, or nothing that would be done unasked.
+  bool idle() const { return !timer_.isActive() && !renderRequested_; }
   std::uint64_t renders() const { return renders_; }
   std::uint64_t turns() const { return turns_; }
 

@@ -16,7 +16,7 @@ VectorRow::VectorRow(const ValueField::Format& format, const QString& toolTip, Q
     const QString name = QString("XYZ"[axis]);
     auto* field = new ValueField(format, this);
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);  // three in a row: the room is for digits
-    field->setMinimumWidth(66);
+    field->setMinimumWidth(80);
     field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     field->setToolTip(name + ": " + toolTip);
     auto* label = new ScrubLabel(name, field, this);

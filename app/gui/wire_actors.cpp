@@ -11,7 +11,6 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include <QColor>
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -23,7 +22,10 @@ namespace boxprobe {
 
 namespace {
 
+constexpr double kHiddenOpacity = 0.4;  ///< of lines the scene hides
+constexpr double kHaloOpacity = 0.7;
 constexpr double kHaloPixels = 2.0;      ///< added to a line's width
+constexpr double kHaloBehind = 1.004;    ///< times as far away as the line, so that the line wins where both are
 constexpr double kDashesPerEdge = 24.0;  ///< of the longest edge
 constexpr double kDashShare = 0.55;      ///< of a dash and its gap
 
@@ -67,13 +69,11 @@ void addEdges(std::vector<glm::dvec3>& segments, const Probe& probe, const Box& 
 
 }  // namespace
 
-HaloLines::HaloLines(vtkRenderer* renderer, const QColor& color, double widthPixels, double opacity)
-    : lines_(vtkSmartPointer<vtkPolyData>::New()) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToFloat();
-  lines_->SetPoints(points);
-  halo_ = lineActor(renderer, lines_, haloColor(), widthPixels + kHaloPixels, 0.7 * opacity);
-  core_ = lineActor(renderer, lines_, color, widthPixels, opacity);
+HaloLines::HaloLines(vtkRenderer* renderer, const LineLook& look) : lines_(vtkSmartPointer<vtkPolyData>::New()) {
+  if (look.halo) {
+    halo_ = lineActor(renderer, lines_, haloColor(), look.widthPixels + kHaloPixels, kHaloOpacity * look.opacity);
+  }
+  core_ = lineActor(renderer, lines_, look.color, look.widthPixels, look.opacity);
   setVisible(true);
 }
 
@@ -93,29 +93,41 @@ void HaloLines::setSegments(const std::vector<glm::dvec3>& endpointPairsWorld) {
   lines_->SetPoints(points);
   lines_->SetLines(cells);
   lines_->Modified();
+  placeActors();
 }
 
 void HaloLines::setVisible(bool visible) {
-  for (vtkActor* actor : {halo_.Get(), core_.Get()}) actor->SetVisibility(visible && !empty_ ? 1 : 0);
+  for (vtkActor* actor : {halo_.Get(), core_.Get()}) {
+    if (actor) actor->SetVisibility(visible && !empty_ ? 1 : 0);
+  }
 }
 
 void HaloLines::pullTowards(const glm::dvec3& eyeWorld, double factor) {
-  // p -> eye + factor (anchor + p - eye)
-  const glm::dvec3 shift = eyeWorld + factor * (anchorWorld_ - eyeWorld);
-  vtkNew<vtkMatrix4x4> matrix;
-  for (int axis = 0; axis < 3; ++axis) {
-    matrix->SetElement(axis, axis, factor);
-    matrix->SetElement(axis, 3, shift[axis]);
-  }
-  halo_->SetUserMatrix(matrix);
-  core_->SetUserMatrix(matrix);
+  eyeWorld_ = eyeWorld;
+  pull_ = factor;
+  placeActors();
 }
 
-WireActors::WireActors(vtkRenderer* renderer, double opacity)
-    : idle_(renderer, idleColor(), 1.0, 0.5 * opacity),
-      influence_(renderer, influenceColor(), 1.5, opacity),
-      blend_(renderer, blendColor(), 1.5, opacity),
-      box_(renderer, boxColor(), 2.5, opacity) {}
+void HaloLines::placeActors() {
+  const auto place = [this](vtkActor* actor, double factor) {
+    // p -> eye + factor (anchor + p - eye)
+    const glm::dvec3 shift = eyeWorld_ + factor * (anchorWorld_ - eyeWorld_);
+    vtkNew<vtkMatrix4x4> matrix;
+    for (int axis = 0; axis < 3; ++axis) {
+      matrix->SetElement(axis, axis, factor);
+      matrix->SetElement(axis, 3, shift[axis]);
+    }
+    actor->SetUserMatrix(matrix);
+  };
+  place(core_, pull_);
+  if (halo_) place(halo_, pull_ * kHaloBehind);
+}
+
+WireActors::WireActors(vtkRenderer* renderer, bool faint)
+    : idle_(renderer, {idleColor(), 1.0, faint ? 0.25 : 0.6, !faint}),
+      influence_(renderer, {influenceColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
+      blend_(renderer, {blendColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
+      box_(renderer, {boxColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}) {}
 
 void WireActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected) {
   std::vector<glm::dvec3> idle, influence, blend, box;

@@ -4,13 +4,13 @@
 
 #include <vtkSmartPointer.h>
 
+#include <QColor>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
 #include "filters/core/scene.h"
 
-class QColor;
 class vtkActor;
 class vtkCamera;
 class vtkPolyData;
@@ -18,26 +18,37 @@ class vtkRenderer;
 
 namespace boxprobe {
 
-/// A set of world-space segments drawn as a coloured line on a wider dark one, to be read before light and dark.
+struct LineLook {
+  QColor color;
+  double widthPixels = 1.0;
+  double opacity = 1.0;
+  bool halo = true;  ///< a wider dark line behind it, so that it is read before light and dark
+};
+
+/// A set of world-space segments.
 class HaloLines {
  public:
-  HaloLines(vtkRenderer* renderer, const QColor& color, double widthPixels, double opacity);
+  HaloLines(vtkRenderer* renderer, const LineLook& look);
   void setSegments(const std::vector<glm::dvec3>& endpointPairsWorld);
   void setVisible(bool visible);
   /// Draws everything `factor` times as far from `eyeWorld`: the same on the screen, but nearer in depth.
   void pullTowards(const glm::dvec3& eyeWorld, double factor);
 
  private:
+  void placeActors();
+
   vtkSmartPointer<vtkPolyData> lines_;
-  vtkSmartPointer<vtkActor> halo_, core_;
+  vtkSmartPointer<vtkActor> core_, halo_;  ///< halo_ may be null
   glm::dvec3 anchorWorld_{0.0};  ///< the points are relative to it, so that float keeps their precision far from 0
+  glm::dvec3 eyeWorld_{0.0};
+  double pull_ = 1.0;
   bool empty_ = true;
 };
 
 class WireActors {
  public:
-  /// `opacity` of everything drawn; less than 1 where another layer already draws what is not hidden.
-  WireActors(vtkRenderer* renderer, double opacity);
+  /// `faint`: the lines where the scene hides them; another layer draws what it does not hide.
+  WireActors(vtkRenderer* renderer, bool faint);
 
   void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected);
   void setVisible(bool visible);

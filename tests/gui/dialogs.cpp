@@ -1,0 +1,55 @@
+// See dialogs.h.
+#include "tests/gui/dialogs.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QTest>
+#include <QTimer>
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kPollMilliseconds = 20;
+constexpr int kPolls = 250;
+
+/// Calls `answer` with the modal dialog once there is one of that kind.
+template <typename Dialog, typename Answer>
+void whenShown(const Answer& answer) {
+  auto* timer = new QTimer(qApp);
+  timer->setInterval(kPollMilliseconds);
+  QObject::connect(timer, &QTimer::timeout, [timer, answer, left = kPolls]() mutable {
+    auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+    if (!dialog && --left > 0) return;
+    timer->stop();
+    timer->deleteLater();
+    if (dialog) answer(dialog);
+  });
+  timer->start();
+}
+
+}  // namespace
+
+std::shared_ptr<SeenDialog> answerMessageBox(QMessageBox::StandardButton button) {
+  auto seen = std::make_shared<SeenDialog>();
+  whenShown<QMessageBox>([seen, button](QMessageBox* box) {
+    seen->text = box->text();
+    QTest::mouseClick(box->button(button), Qt::LeftButton);
+  });
+  return seen;
+}
+
+std::shared_ptr<SeenDialog> answerFileDialog(const QString& path) {
+  auto seen = std::make_shared<SeenDialog>();
+  whenShown<QFileDialog>([seen, path](QFileDialog* dialog) {
+    seen->text = dialog->windowTitle();
+    auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
+    name->setText(path);
+    QTest::keyClick(name, Qt::Key_Return);
+  });
+  return seen;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,22 @@
+// Answers the modal dialogs a command opens, as a user would: the answer waits in the event loop for the dialog to
+// appear.
+#pragma once
+
+#include <QMessageBox>
+#include <QString>
+#include <memory>
+
+namespace boxprobe {
+
+/// What was seen; `text` stays empty if no dialog came.
+struct SeenDialog {
+  QString text;
+};
+
+/// For the next message box: presses `button`.
+std::shared_ptr<SeenDialog> answerMessageBox(QMessageBox::StandardButton button);
+
+/// For the next file dialog: types `path` and accepts.
+std::shared_ptr<SeenDialog> answerFileDialog(const QString& path);
+
+}  // namespace boxprobe

@@ -1,0 +1,111 @@
+// Dragging the capture origin: where it goes, what is captured while and after, how undo brings it back.
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "app/gui/probe_widget.h"
+#include "app/gui/render_scheduler.h"
+#include "app/gui/viewport.h"
+#include "filters/vtk/scene_renderer.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+class DragOriginTest : public WindowTest {
+ protected:
+  LoadedScene scene() const override { return smallBuilding({"probes.room.bounces=2"}); }
+  static constexpr std::uint64_t kFacesOfOneCapture = 6 * 2;
+};
+
+TEST_F(DragOriginTest, CapturesOnTheWayAndOnceMoreWhenItRests) {
+  const glm::dvec3 before = probe().origin;
+  const std::uint64_t facesBefore = counters().facesCaptured;
+  const QPointF from = originPixel();
+  const QPointF to = from + QPointF(60, -40);
+  press(from);
+  for (int i = 1; i <= 30; ++i) move(from + (to - from) * i / 30);
+  waitUntilIdle();  // held still: the capture at the newest origin completes
+  EXPECT_TRUE(document().previewing());
+  EXPECT_GE(counters().facesCaptured, facesBefore + 6) << "nothing was captured while the origin was dragged";
+
+  const std::uint64_t facesHeld = counters().facesCaptured;
+  release(to);
+  waitUntilIdle();
+  EXPECT_EQ(counters().facesCaptured - facesHeld, kFacesOfOneCapture);
+  QTest::qWait(100);
+  EXPECT_EQ(counters().facesCaptured - facesHeld, kFacesOfOneCapture) << "captured again without a reason";
+  EXPECT_FALSE(document().previewing());
+
+  EXPECT_EQ(document().undoLabel(), "Move origin of room");
+  EXPECT_FALSE(probe().origin == before);
+  document().undo();
+  EXPECT_TRUE(probe().origin == before);
+  EXPECT_FALSE(document().canUndo());
+}
+
+TEST_F(DragOriginTest, MovesParallelToTheScreen) {
+  const glm::dvec3 before = probe().origin;
+  const QPointF to = originPixel() + QPointF(80, 50);
+  drag(originPixel(), to);
+  const glm::dvec3 forward = window_->viewport().view().axes().forward;
+  EXPECT_NEAR(glm::dot(probe().origin - before, forward), 0.0, 1e-9);
+  EXPECT_LT(std::hypot(originPixel().x() - to.x(), originPixel().y() - to.y()), 0.5);
+}
+
+TEST_F(DragOriginTest, ShiftMovesUpAndDownOnly) {
+  const glm::dvec3 before = probe().origin;
+  drag(originPixel(), originPixel() + QPointF(30, -60), Qt::ShiftModifier);
+  EXPECT_EQ(probe().origin.x, before.x);
+  EXPECT_EQ(probe().origin.z, before.z);
+  EXPECT_GT(probe().origin.y, before.y + 0.1);
+}
+
+TEST_F(DragOriginTest, AHeldLetterMovesAlongThatAxisOnly) {
+  const glm::dvec3 before = probe().origin;
+  const QPointF from = originPixel();
+  press(from);
+  move(from + QPointF(40, -30));
+  keyDown(Qt::Key_X);
+  EXPECT_NE(probe().origin.x, before.x);
+  EXPECT_EQ(probe().origin.y, before.y);
+  EXPECT_EQ(probe().origin.z, before.z);
+  keyUp(Qt::Key_X);
+  EXPECT_NE(probe().origin.y, before.y);
+  keyDown(Qt::Key_Z);
+  release(from + QPointF(40, -30));
+  keyUp(Qt::Key_Z);
+  EXPECT_NE(probe().origin.z, before.z);
+  EXPECT_EQ(probe().origin.x, before.x);
+}
+
+TEST_F(DragOriginTest, UndoShowsTheEarlierCaptureWithoutTakingItAgain) {
+  drag(originPixel(), originPixel() + QPointF(50, 0));
+  waitUntilIdle();
+  const std::uint64_t faces = counters().facesCaptured;
+  key(Qt::Key_Z, Qt::ControlModifier);
+  waitUntilIdle();
+  EXPECT_FALSE(document().canUndo());
+  EXPECT_EQ(counters().facesCaptured, faces);
+}
+
+TEST_F(DragOriginTest, EscapeStopsCapturingAndTheNextChangeGoesOn) {
+  const double before = probe().origin.x;
+  window_->editor().commitProbe("Set origin", [](Probe& edited) { edited.origin.x += 0.5; });
+  ASSERT_TRUE(window_->renderer().workPending());
+  while (window_->renderer().workProgress() < 0.05) QCoreApplication::processEvents();
+  key(Qt::Key_Escape);
+  QTest::qWait(50);
+  EXPECT_TRUE(window_->scheduler().workStopped());
+  EXPECT_TRUE(window_->renderer().workPending());
+  const std::uint64_t faces = counters().facesCaptured;
+  QTest::qWait(100);
+  EXPECT_EQ(counters().facesCaptured, faces);
+  window_->scheduler().resumeWork();
+  waitUntilIdle();
+  EXPECT_FALSE(window_->renderer().workPending());
+  EXPECT_EQ(probe().origin.x, before + 0.5);
+}
+
+}  // namespace
+}  // namespace boxprobe

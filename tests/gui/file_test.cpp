@@ -1,0 +1,149 @@
+// Open, save, drop, close: what is written reads back, and nothing is lost unasked.
+#include <gtest/gtest.h>
+
+#include <QDropEvent>
+#include <QFile>
+#include <QMimeData>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUrl>
+
+#include "app/gui/file_commands.h"
+#include "filters/io/scene_file.h"
+#include "tests/gui/dialogs.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+class FileTest : public WindowTest {
+ protected:
+  void edit() {
+    window_->editor().commitProbe("Set box", [](Probe& edited) { edited.box.max.x = 3.0; });
+  }
+  void drop(const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(window_.get(), &enter);
+    if (!enter.isAccepted()) return;
+    QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(window_.get(), &event);
+  }
+  QString inFolder(const QString& name) const { return folder_.filePath(name); }
+  static QString dataFile(const char* name) { return QString(BOXPROBE_DATA_DIR) + "/scenes/" + name; }
+
+  QTemporaryDir folder_;
+};
+
+TEST_F(FileTest, SaveAsWritesWhatReadsBackAndTheTitleFollows) {
+  EXPECT_TRUE(window_->windowTitle().startsWith("building.boxprobe.json"));
+  // What --set changed counts as opened, not as edited.
+  EXPECT_FALSE(window_->isWindowModified());
+  edit();
+  EXPECT_TRUE(window_->isWindowModified());
+  const auto dialog = answerFileDialog(inFolder("mine"));
+  key(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(dialog->text, "Save as");
+  const QString path = inFolder("mine.boxprobe.json");
+  ASSERT_TRUE(QFile::exists(path));
+  EXPECT_FALSE(window_->isWindowModified());
+  EXPECT_TRUE(window_->windowTitle().startsWith("mine.boxprobe.json"));
+  const LoadedScene read = loadScene(path.toStdString());
+  EXPECT_TRUE(read.scene.probes == document().scene().probes);
+  EXPECT_EQ(read.models.size(), 1u) << "the model's path must be found from the new folder";
+
+  document().undo();
+  EXPECT_TRUE(window_->isWindowModified());
+  key(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_FALSE(window_->isWindowModified());
+  EXPECT_EQ(loadScene(path.toStdString()).scene.probes.front().box.max.x, 4.505);
+}
+
+TEST_F(FileTest, AFailedSaveKeepsTheStar) {
+  edit();
+  answerFileDialog(inFolder("none/mine.boxprobe.json"));
+  document().markSaved("/nowhere/at/all.boxprobe.json");
+  window_->editor().commitProbe("Set box", [](Probe& edited) { edited.box.max.x = 2.0; });
+  const auto box = answerMessageBox(QMessageBox::Ok);
+  EXPECT_FALSE(window_->files().save());
+  EXPECT_TRUE(box->text.contains("/nowhere/at/all.boxprobe.json"));
+  EXPECT_TRUE(window_->isWindowModified());
+}
+
+TEST_F(FileTest, ADroppedSceneOpens) {
+  drop(dataFile("room.boxprobe.json"));
+  EXPECT_TRUE(window_->windowTitle().startsWith("room.boxprobe.json"));
+  EXPECT_EQ(probe().box.max.x, 4.0);
+  EXPECT_FALSE(document().canUndo());
+  waitUntilIdle();
+}
+
+TEST_F(FileTest, ADroppedModelGetsAProbeFittedToIt) {
+  drop(dataFile("building.glb"));
+  ASSERT_EQ(document().scene().probes.size(), 1u);
+  EXPECT_EQ(probe().name, "probe");
+  EXPECT_GE(probe().box.max.x, 4.5);
+  EXPECT_TRUE(window_->windowTitle().contains("not saved"));
+}
+
+TEST_F(FileTest, OtherFilesAreNotTaken) {
+  drop(QString(BOXPROBE_SOURCE_DIR) + "/CMakeLists.txt");
+  EXPECT_TRUE(window_->windowTitle().startsWith("building.boxprobe.json"));
+}
+
+TEST_F(FileTest, OpeningOverChangesAsksFirst) {
+  edit();
+  const auto cancelled = answerMessageBox(QMessageBox::Cancel);
+  EXPECT_FALSE(window_->files().openPath(dataFile("room.boxprobe.json")));
+  EXPECT_TRUE(cancelled->text.contains("building.boxprobe.json"));
+  EXPECT_EQ(probe().box.max.x, 3.0);
+  answerMessageBox(QMessageBox::Discard);
+  EXPECT_TRUE(window_->files().openPath(dataFile("room.boxprobe.json")));
+  EXPECT_EQ(probe().box.max.x, 4.0);
+}
+
+TEST_F(FileTest, AFileThatCannotBeReadLeavesTheSceneAndSaysWhyInOneLine) {
+  QFile file(inFolder("bad.boxprobe.json"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"format\": \"boxprobe-scene\", \"version\": 1, \"colour\": 3}");
+  file.close();
+  const auto box = answerMessageBox(QMessageBox::Ok);
+  EXPECT_FALSE(window_->files().openPath(file.fileName()));
+  EXPECT_TRUE(box->text.contains("bad.boxprobe.json")) << box->text.toStdString();
+  EXPECT_TRUE(box->text.contains("colour")) << box->text.toStdString();
+  EXPECT_FALSE(box->text.contains('\n'));
+  EXPECT_EQ(probe().name, "room");
+  EXPECT_EQ(document().scene().models.size(), 1u);
+}
+
+TEST_F(FileTest, ASkyThatCannotBeReadLeavesTheScene) {
+  QFile sky(inFolder("sky.hdr"));
+  ASSERT_TRUE(sky.open(QIODevice::WriteOnly));
+  sky.write("not a picture");
+  sky.close();
+  QFile file(inFolder("sky.boxprobe.json"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{\"format\": \"boxprobe-scene\", \"version\": 1, \"sky\": {\"image\": \"sky.hdr\"}}");
+  file.close();
+  const auto box = answerMessageBox(QMessageBox::Ok);
+  EXPECT_FALSE(window_->files().openPath(file.fileName()));
+  EXPECT_TRUE(box->text.contains("sky.hdr")) << box->text.toStdString();
+  EXPECT_EQ(document().scene().models.size(), 1u);
+}
+
+TEST_F(FileTest, ClosingWithChangesAsks) {
+  edit();
+  answerMessageBox(QMessageBox::Cancel);
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(window_->isVisible());
+  answerMessageBox(QMessageBox::Discard);
+  EXPECT_TRUE(window_->close());
+}
+
+TEST_F(FileTest, ClosingWithoutChangesDoesNotAsk) {
+  EXPECT_TRUE(window_->close());
+}
+
+}  // namespace
+}  // namespace boxprobe

@@ -1,0 +1,17 @@
+// Runs the window's tests under one QApplication, set up as the program's own.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QStandardPaths>
+
+#include "app/gui/window_style.h"
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  boxprobe::setSurfaceFormat();
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  QStandardPaths::setTestModeEnabled(true);
+  QApplication application(argc, argv);
+  boxprobe::applyWindowStyle(application);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,133 @@
+// The list of probes: add, duplicate, delete, rename, select; each undone in one step.
+#include "app/gui/probe_list.h"
+
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QStatusBar>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/gui/probe_widget.h"
+#include "app/gui/viewport.h"
+#include "filters/vtk/scene_renderer.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+class ProbeListTest : public WindowTest {
+ protected:
+  QListWidget* list() const { return window_->findChild<ProbeList*>()->list(); }
+  void click(const char* button) {
+    QTest::mouseClick(window_->findChild<QToolButton*>(button), Qt::LeftButton);
+    waitUntilIdle();
+  }
+  /// F2, the name, Enter: in the list itself.
+  void rename(int row, const QString& name) {
+    list()->setFocus();
+    list()->setCurrentRow(row);
+    list()->editItem(list()->item(row));
+    auto* editor = list()->viewport()->findChild<QLineEdit*>();
+    ASSERT_NE(editor, nullptr);
+    editor->selectAll();
+    QTest::keyClicks(editor, name);
+    QTest::keyClick(editor, Qt::Key_Return);
+  }
+  std::size_t count() const { return window_->document().scene().probes.size(); }
+};
+
+TEST_F(ProbeListTest, AddFitsAProbeToTheSceneWhereTheCameraLooks) {
+  click("Add");
+  ASSERT_EQ(count(), 2u);
+  const Probe& added = probe(1);
+  const Box bounds = window_->renderer().bounds();
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_LE(added.box.min[axis], bounds.min[axis]);
+    EXPECT_GE(added.box.max[axis], bounds.max[axis]);
+  }
+  const Camera camera = window_->renderer().currentCamera();
+  EXPECT_EQ(added.origin.x, camera.target.x);
+  EXPECT_EQ(document().selectedProbe(), 1u);
+  EXPECT_EQ(list()->count(), 2);
+  EXPECT_EQ(list()->currentRow(), 1);
+  document().undo();
+  EXPECT_EQ(count(), 1u);
+  EXPECT_EQ(list()->count(), 1);
+  EXPECT_FALSE(document().canUndo());
+}
+
+TEST_F(ProbeListTest, DuplicateCopiesEverythingButTheName) {
+  click("Duplicate");
+  ASSERT_EQ(count(), 2u);
+  Probe copy = probe(1);
+  EXPECT_EQ(copy.name, "room 2");
+  copy.name = "room";
+  EXPECT_TRUE(copy == probe(0));
+  EXPECT_EQ(document().selectedProbe(), 1u);
+  document().undo();
+  EXPECT_EQ(count(), 1u);
+}
+
+TEST_F(ProbeListTest, DeleteTakesTheSelectedOneAndUndoBringsItBack) {
+  click("Duplicate");
+  list()->setCurrentRow(0);
+  click("Delete");
+  ASSERT_EQ(count(), 1u);
+  EXPECT_EQ(probe(0).name, "room 2");
+  EXPECT_EQ(document().selectedProbe(), 0u);
+  document().undo();
+  ASSERT_EQ(count(), 2u);
+  EXPECT_EQ(probe(0).name, "room");
+}
+
+TEST_F(ProbeListTest, TheLastProbeCanGoAndThePanelSaysSo) {
+  list()->setFocus();
+  key(Qt::Key_Delete);
+  waitUntilIdle();
+  EXPECT_EQ(count(), 0u);
+  EXPECT_FALSE(window_->findChild<QWidget*>("boxMin")->isEnabled());
+  document().undo();
+  EXPECT_EQ(count(), 1u);
+}
+
+TEST_F(ProbeListTest, RenameInPlaceIsOneStepAndKeepsTheSelection) {
+  rename(0, "hall");
+  EXPECT_EQ(probe(0).name, "hall");
+  EXPECT_EQ(document().selectedProbe(), 0u);
+  EXPECT_EQ(document().undoLabel(), "Rename room to hall");
+  document().undo();
+  EXPECT_EQ(probe(0).name, "room");
+  EXPECT_EQ(list()->item(0)->text(), "room");
+}
+
+TEST_F(ProbeListTest, ANameTwiceOrNoneIsRefusedInOneLine) {
+  click("Duplicate");
+  rename(1, "room");
+  EXPECT_EQ(probe(1).name, "room 2");
+  EXPECT_EQ(list()->item(1)->text(), "room 2");
+  EXPECT_TRUE(window_->statusBar()->currentMessage().contains("room")) << "the status bar must say why";
+  rename(1, "  ");
+  EXPECT_EQ(probe(1).name, "room 2");
+  document().undo();
+  EXPECT_FALSE(document().canUndo());
+}
+
+TEST_F(ProbeListTest, ClickingAnotherProbesOriginSelectsItAndEditsNothing) {
+  click("Duplicate");
+  window_->editor().commitProbe("Set origin", [](Probe& edited) { edited.origin.x += 1.5; });
+  waitUntilIdle();
+  ASSERT_EQ(document().selectedProbe(), 1u);
+  const std::string last = document().undoLabel();
+  const QPointF at = originPixel(0);
+  press(at);
+  move(at + QPointF(15, 0));
+  release(at + QPointF(15, 0));
+  EXPECT_EQ(document().selectedProbe(), 0u);
+  EXPECT_EQ(list()->currentRow(), 0);
+  EXPECT_EQ(document().undoLabel(), last);
+}
+
+}  // namespace
+}  // namespace boxprobe

@@ -1,0 +1,94 @@
+// Steps, wheel and scrubbing: previewed as they go, one undo step in the end.
+#include "app/gui/value_field.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QStyle>
+#include <QStyleOptionSpinBox>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "app/gui/scrub_label.h"
+#include "app/gui/vector_row.h"
+#include "app/gui/viewport.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+class ValueFieldTest : public WindowTest {
+ protected:
+  ValueField* field(const char* name) const { return window_->findChild<ValueField*>(name); }
+  bool restsAsOneStep() {
+    const bool settled = QTest::qWaitFor([this] { return !document().previewing(); }, 3000);
+    document().undo();
+    return settled && !document().canUndo();
+  }
+};
+
+TEST_F(ValueFieldTest, StepsThatFollowEachOtherAreOneUndoStep) {
+  ValueField* intensity = field("intensity");
+  intensity->setFocus();
+  for (int i = 0; i < 4; ++i) key(Qt::Key_Up);
+  EXPECT_TRUE(document().previewing());
+  EXPECT_NEAR(probe().intensity, 1.2, 1e-9) << "steps must show at once";
+  EXPECT_TRUE(restsAsOneStep());
+  EXPECT_EQ(probe().intensity, 1.0);
+}
+
+TEST_F(ValueFieldTest, AnotherEditCommitsTheStepsFirst) {
+  ValueField* intensity = field("intensity");
+  intensity->setFocus();
+  key(Qt::Key_Up);
+  type(window_->findChild<VectorRow*>("origin")->field(0), "0.5");
+  EXPECT_EQ(document().undoLabel(), "Set origin X of room");
+  document().undo();
+  EXPECT_EQ(document().undoLabel(), "Set intensity of room");
+  EXPECT_NEAR(probe().intensity, 1.05, 1e-9);
+}
+
+TEST_F(ValueFieldTest, TheWheelChangesOnlyTheFieldInUse) {
+  ValueField* intensity = field("intensity");
+  const auto turn = [&] {
+    QWheelEvent event(QPointF(5, 5), intensity->mapToGlobal(QPoint(5, 5)), {}, {0, 120}, Qt::NoButton, {},
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(intensity, &event);
+  };
+  window_->viewport().setFocus();
+  turn();
+  EXPECT_EQ(probe().intensity, 1.0);
+  intensity->setFocus();
+  turn();
+  turn();
+  EXPECT_NEAR(probe().intensity, 1.1, 1e-9);
+  EXPECT_TRUE(restsAsOneStep());
+}
+
+TEST_F(ValueFieldTest, ScrubbingALabelIsOneStep) {
+  auto* row = window_->findChild<VectorRow*>("boxMax");
+  ScrubLabel* label = row->findChildren<ScrubLabel*>().at(1);
+  const double before = probe().box.max.y;
+  dragOver(label, {3, 8}, {63, 8}, 12);  // sixty pixels: six steps of 0.1 m
+  EXPECT_NEAR(probe().box.max.y, before + 0.6, 1e-9);
+  EXPECT_FALSE(document().previewing()) << "letting go must commit";
+  EXPECT_EQ(document().undoLabel(), "Set box max Y of room");
+  document().undo();
+  EXPECT_EQ(probe().box.max.y, before);
+  EXPECT_FALSE(document().canUndo());
+}
+
+TEST_F(ValueFieldTest, LeavingAFieldUntouchedEditsNothing) {
+  auto* row = window_->findChild<VectorRow*>("boxMax");
+  // A value with more digits than are shown.
+  window_->editor().commitProbe("Set", [](Probe& edited) { edited.box.max.x = 4.12345678; });
+  row->field(0)->setFocus();
+  row->field(1)->setFocus();
+  key(Qt::Key_Return);
+  EXPECT_EQ(probe().box.max.x, 4.12345678);
+  document().undo();
+  EXPECT_FALSE(document().canUndo());
+}
+
+}  // namespace
+}  // namespace boxprobe

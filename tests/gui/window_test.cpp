@@ -1,0 +1,138 @@
+// See window_test.h.
+#include "tests/gui/window_test.h"
+
+#include <QApplication>
+#include <QTest>
+#include <QWindow>
+
+#include "app/gui/probe_widget.h"
+#include "app/gui/render_scheduler.h"
+#include "app/gui/viewport.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+std::string buildingPath() {
+  return std::string(BOXPROBE_DATA_DIR) + "/scenes/building.boxprobe.json";
+}
+
+LoadedScene smallBuilding(const std::vector<std::string>& more) {
+  std::vector<std::string> assignments = {"probes.room.faceSize=32", "probes.room.samplesPerPixel=1",
+                                          "probes.room.bounces=1", "probes.room.blendDistance=0.5"};
+  assignments.insert(assignments.end(), more.begin(), more.end());
+  return loadScene(buildingPath(), assignments);
+}
+
+void WindowTest::SetUp() {
+  window_ = std::make_unique<MainWindow>();
+  window_->resize(1000, 640);
+  window_->showScene(scene());
+  window_->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager to give it the focus
+  waitUntilIdle();
+}
+
+void WindowTest::TearDown() {
+  window_.reset();
+}
+
+void WindowTest::waitUntilIdle() {
+  constexpr int kMilliseconds = 120000;
+  const bool done = QTest::qWaitFor(
+      [this] {
+        return window_->scheduler().idle() &&
+               (!window_->renderer().workPending() || window_->scheduler().workStopped());
+      },
+      kMilliseconds);
+  ASSERT_TRUE(done) << "work still pending after two minutes, " << window_->renderer().workProgress() << " done";
+  ASSERT_EQ(window_->renderer().error(), "");
+}
+
+void WindowTest::mouse(QEvent::Type type, const QWidget* over, const QPointF& position, Qt::MouseButton button,
+                       Qt::KeyboardModifiers modifiers) {
+  QWindow* window = window_->windowHandle();
+  const QPointF local = QPointF(over->mapTo(window_.get(), QPoint(0, 0))) + position;
+  // Far enough apart in time that two presses are not taken for a double click.
+  constexpr int kMillisecondsApart = 600;
+  timestamp_ += type == QEvent::MouseButtonPress ? kMillisecondsApart : 1;
+  qt_handleMouseEvent(window, local, window->mapToGlobal(QPoint(0, 0)) + local, buttons_, button, type, modifiers,
+                      timestamp_);
+  QCoreApplication::processEvents();
+}
+
+void WindowTest::press(const QPointF& pixel, Qt::KeyboardModifiers modifiers, Qt::MouseButton button) {
+  buttons_.setFlag(button, true);
+  mouse(QEvent::MouseButtonPress, &window_->viewport(), pixel, button, modifiers);
+}
+
+void WindowTest::move(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
+  mouse(QEvent::MouseMove, &window_->viewport(), pixel, Qt::NoButton, modifiers);
+}
+
+void WindowTest::release(const QPointF& pixel, Qt::KeyboardModifiers modifiers, Qt::MouseButton button) {
+  buttons_.setFlag(button, false);
+  mouse(QEvent::MouseButtonRelease, &window_->viewport(), pixel, button, modifiers);
+}
+
+void WindowTest::drag(const QPointF& from, const QPointF& to, Qt::KeyboardModifiers modifiers, int steps) {
+  move(from, modifiers);
+  press(from, modifiers);
+  for (int i = 1; i <= steps; ++i) move(from + (to - from) * i / steps, modifiers);
+  release(to, modifiers);
+}
+
+void WindowTest::dragOver(QWidget* widget, const QPointF& from, const QPointF& to, int steps) {
+  buttons_.setFlag(Qt::LeftButton, true);
+  mouse(QEvent::MouseButtonPress, widget, from, Qt::LeftButton, {});
+  for (int i = 1; i <= steps; ++i) mouse(QEvent::MouseMove, widget, from + (to - from) * i / steps, Qt::NoButton, {});
+  buttons_.setFlag(Qt::LeftButton, false);
+  mouse(QEvent::MouseButtonRelease, widget, to, Qt::LeftButton, {});
+}
+
+void WindowTest::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+  QTest::keyClick(window_->windowHandle(), key, modifiers);
+}
+
+void WindowTest::keyDown(Qt::Key key) {
+  QTest::keyPress(window_->windowHandle(), key);
+}
+
+void WindowTest::keyUp(Qt::Key key) {
+  QTest::keyRelease(window_->windowHandle(), key);
+}
+
+void WindowTest::type(QWidget* field, const QString& text) {
+  field->setFocus();
+  key(Qt::Key_A, Qt::ControlModifier);
+  for (const QChar c : text) QTest::keyClick(window_->windowHandle(), c.toLatin1());
+  key(Qt::Key_Return);
+}
+
+QPointF WindowTest::facePixel(const BoxFace& face) const {
+  const auto at = window_->probeWidget().displayPosition(face);
+  EXPECT_TRUE(at) << faceName(face) << " is behind the viewer";
+  return at.value_or(QPointF());
+}
+
+QPointF WindowTest::originPixel(std::size_t probe) const {
+  const auto at = window_->probeWidget().displayPositionOfOrigin(probe);
+  EXPECT_TRUE(at);
+  return at.value_or(QPointF());
+}
+
+QPointF WindowTest::pixelOf(const glm::dvec3& pointWorld) const {
+  const auto at = window_->viewport().view().pixel(pointWorld);
+  EXPECT_TRUE(at);
+  return at ? QPointF(at->x, at->y) : QPointF();
+}
+
+QPointF WindowTest::facePixelAfter(const BoxFace& face, double metres) const {
+  return pixelOf(faceCenterWorld(probe(), face) + metres * faceAxisWorld(probe(), face));
+}
+
+const Counters& WindowTest::counters() const {
+  return window_->renderer().counters();
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,71 @@
+// A main window with a small scene, and a mouse: what every test of the window starts from. Events go through the
+// window system's own entrance to Qt, so that grabbing, focus and button states are those a user gets.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QEvent>
+#include <QPointF>
+#include <QString>
+#include <Qt>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/gui/main_window.h"
+#include "app/gui/probe_frame.h"
+#include "filters/core/counters.h"
+
+class QWidget;
+
+namespace boxprobe {
+
+/// The building with captures small enough to wait for.
+std::string buildingPath();
+LoadedScene smallBuilding(const std::vector<std::string>& more = {});
+
+class WindowTest : public ::testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  /// What SetUp shows.
+  virtual LoadedScene scene() const { return smallBuilding(); }
+
+  /// Until nothing is left to capture or draw.
+  void waitUntilIdle();
+  /// The mouse over the picture: positions in the viewport's logical pixels. Each event is handled, and whatever it
+  /// causes in the same turns of the event loop, before the call returns.
+  void press(const QPointF& pixel, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButton button = Qt::LeftButton);
+  void move(const QPointF& pixel, Qt::KeyboardModifiers modifiers = {});
+  void release(const QPointF& pixel, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButton button = Qt::LeftButton);
+  /// Press, `steps` moves on a straight line, release.
+  void drag(const QPointF& from, const QPointF& to, Qt::KeyboardModifiers modifiers = {}, int steps = 8);
+  /// The same over another widget, in its pixels.
+  void dragOver(QWidget* widget, const QPointF& from, const QPointF& to, int steps = 8);
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
+  void keyDown(Qt::Key key);
+  void keyUp(Qt::Key key);
+  /// Into the field: selects all, types, Enter.
+  void type(QWidget* field, const QString& text);
+
+  QPointF facePixel(const BoxFace& face) const;
+  QPointF originPixel(std::size_t probe = 0) const;
+  QPointF pixelOf(const glm::dvec3& pointWorld) const;
+  /// Where the handle of `face` would be with the face `metres` farther out.
+  QPointF facePixelAfter(const BoxFace& face, double metres) const;
+
+  const Probe& probe(std::size_t index = 0) const { return window_->document().scene().probes.at(index); }
+  const Counters& counters() const;
+  Document& document() { return window_->document(); }
+  std::unique_ptr<MainWindow> window_;
+
+ private:
+  void mouse(QEvent::Type type, const QWidget* over, const QPointF& position, Qt::MouseButton button,
+             Qt::KeyboardModifiers modifiers);
+
+  Qt::MouseButtons buttons_;
+  int timestamp_ = 0;
+};
+
+}  // namespace boxprobe
