@@ -5,8 +5,8 @@
 
 namespace boxprobe {
 
-/// `name` is the path below shaders/, e.g. "shared/slab.glsl". Asking for a file that does not exist is a mistake in the
-/// program: aborts with the name.
+/// `name` is the path below shaders/, e.g. "shared/slab.glsl". Asking for a file that does not exist is a mistake in
+/// the program: aborts with the name.
 std::string_view shaderSource(std::string_view name);
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// The one translation unit that compiles the shader files as C++. GLSL's built-ins are GLM's; PROBE_MAP and fetchProbe are
-// what each host supplies (a sampler and textureLod on the GPU, a CubeSampler here).
+// The one translation unit that compiles the shader files as C++. GLSL's built-ins are GLM's; PROBE_MAP and fetchProbe
+// are what each host supplies (a sampler and textureLod on the GPU, a CubeSampler here).
 #include "filters/math/shared_math.h"
 
 #include <glm/common.hpp>
@@ -26,7 +26,9 @@ using glm::mix;
 using glm::sin;
 using glm::sqrt;
 
-static vec4 fetchProbe(ProbeMap map, const ProbeShape&, vec3 direction, float level) { return map->fetch(direction, level); }
+static vec4 fetchProbe(ProbeMap map, const ProbeShape&, vec3 direction, float level) {
+  return map->fetch(direction, level);
+}
 
 // A projection need not use the normal, nor the box: parameters of one signature for all rows.
 #pragma GCC diagnostic push
@@ -39,11 +41,11 @@ static vec4 fetchProbe(ProbeMap map, const ProbeShape&, vec3 direction, float le
 #include "shaders/shared/slab.glsl"
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
+#include "shaders/technique/evaluation_none.glsl"
 #include "shaders/technique/projection_box.glsl"
 #include "shaders/technique/projection_infinite.glsl"
 #include "shaders/technique/projection_normal.glsl"
 #include "shaders/technique/projection_sphere.glsl"
-#include "shaders/technique/evaluation_none.glsl"
 #pragma GCC diagnostic pop
 
 ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection) {
@@ -58,7 +60,8 @@ const std::vector<ProjectionRow>& projectionRows() {
   static const std::vector<ProjectionRow> rows = {
       {"normal", "Normal (painted on)", "Looked up with the surface normal: the picture sticks to the object.",
        "technique/projection_normal.glsl", "projectNormal", shading::projectNormal},
-      {"infinite", "Infinite (no correction)", "Looked up with the bare reflection vector: right only for far surroundings.",
+      {"infinite", "Infinite (no correction)",
+       "Looked up with the bare reflection vector: right only for far surroundings.",
        "technique/projection_infinite.glsl", "projectInfinite", shading::projectInfinite},
       {"sphere", "Sphere proxy", "The ray is intersected with the sphere around the box: straight walls bend.",
        "technique/projection_sphere.glsl", "projectSphere", shading::projectSphere},

@@ -1,6 +1,6 @@
-// shaders/shared and shaders/technique, compiled as C++ through GLM: one source for the picture and for its explanation.
-// Included by every layer; knows nothing above it. The definitions are in shared_math.cpp, the only translation unit that
-// includes the shader files; the structs come from shaders/shared/types.glsl itself.
+// shaders/shared and shaders/technique, compiled as C++ through GLM: one source for the picture and for its
+// explanation. Included by every layer; knows nothing above it. The definitions are in shared_math.cpp, the only
+// translation unit that includes the shader files; the structs come from shaders/shared/types.glsl itself.
 #pragma once
 
 #include <glm/vec2.hpp>

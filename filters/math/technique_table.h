@@ -17,7 +17,7 @@ struct ProjectionRow {
   std::string_view label;       ///< for a combo box
   std::string_view help;        ///< one line
   std::string_view shaderFile;  ///< in shaders/, defines `function`
-  std::string_view function;    ///< GLSL: ProbeHit function(ProbeShape, vec3 positionProbe, vec3 normal, vec3 reflection)
+  std::string_view function;  ///< GLSL: ProbeHit function(ProbeShape, vec3 positionProbe, vec3 normal, vec3 reflection)
   shading::ProbeHit (*project)(shading::ProbeShape, glm::vec3, glm::vec3, glm::vec3);  ///< the same, as C++
 };
 

@@ -22,12 +22,19 @@ int sourceLevels(int faceSize) {
   return levels;
 }
 
-int unitsOf(const BakeItem& item) { return kFaces + 1 + (prefilterLevels(item.faceSize) - 1) + 1; }
+int unitsOf(const BakeItem& item) {
+  return kFaces + 1 + (prefilterLevels(item.faceSize) - 1) + 1;
+}
 
 }  // namespace
 
-BakeQueue::BakeQueue(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture, Times* times)
-    : window_(window), state_(std::move(state)), capture_(capture), times_(times), prefilter_(window, &state_->counters) {}
+BakeQueue::BakeQueue(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture,
+                     Times* times)
+    : window_(window),
+      state_(std::move(state)),
+      capture_(capture),
+      times_(times),
+      prefilter_(window, &state_->counters) {}
 
 void BakeQueue::start(std::vector<BakeItem> items, std::vector<vtkLight*> lights, bool seeCurrentProbes) {
   abort();
@@ -53,7 +60,9 @@ void BakeQueue::abort() {
   unitsDone_ = 0.0;
 }
 
-double BakeQueue::progress() const { return pending() ? unitsDone_ / unitsTotal_ : 1.0; }
+double BakeQueue::progress() const {
+  return pending() ? unitsDone_ / unitsTotal_ : 1.0;
+}
 
 void BakeQueue::step() {
   if (!pending()) return;
@@ -85,7 +94,8 @@ bool BakeQueue::advanceItem() {
       if (item.distance) maps_->distance.allocate(item.faceSize, 1, GL_R32F);
     }
     state_->environmentDark = bounce_ == 1 && !seeCurrentProbes_;
-    capture_->captureFace(item.settings, unit_, item.props, lights_, source_, item.distance ? &maps_->distance : nullptr);
+    capture_->captureFace(item.settings, unit_, item.props, lights_, source_,
+                          item.distance ? &maps_->distance : nullptr);
     state_->environmentDark = false;
     return false;
   }
@@ -104,7 +114,8 @@ bool BakeQueue::advanceItem() {
   return true;
 }
 
-// Maps are shown together, so that every capture of a bounce sees the bounce before it, whatever the order of the probes.
+// Maps are shown together, so that every capture of a bounce sees the bounce before it, whatever the order of the
+// probes.
 void BakeQueue::endBounce() {
   for (Pending& done : finished_) items_[done.item].publish(std::move(done.maps));
   finished_.clear();

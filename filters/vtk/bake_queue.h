@@ -1,5 +1,5 @@
-// Captures and filters probes step by step: a face, a level at a time, bounce by bounce. Knows no scene: it is handed what
-// to photograph and whom to tell. Called by the scene renderer outside of the window's renders.
+// Captures and filters probes step by step: a face, a level at a time, bounce by bounce. Knows no scene: it is handed
+// what to photograph and whom to tell. Called by the scene renderer outside of the window's renders.
 #pragma once
 
 #include <functional>
@@ -29,8 +29,8 @@ class BakeQueue {
  public:
   BakeQueue(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture, Times* times);
 
-  /// Replaces what is under way. At the first bounce captures see no probe and no sky reflected (a mirror is black), unless
-  /// `seeCurrentProbes`: then they see the probes as they are, which suits a capture that follows a drag.
+  /// Replaces what is under way. At the first bounce captures see no probe and no sky reflected (a mirror is black),
+  /// unless `seeCurrentProbes`: then they see the probes as they are, which suits a capture that follows a drag.
   void start(std::vector<BakeItem> items, std::vector<vtkLight*> lights, bool seeCurrentProbes);
   void abort();
   bool pending() const { return bounce_ > 0; }

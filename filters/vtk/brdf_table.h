@@ -1,5 +1,5 @@
-// The second half of the split sum: how much of F0 and of F90 a surface reflects, by N.V and roughness. Computed on the CPU
-// once, in milliseconds: VTK's own table (1024² texels, 1024 samples each) takes seconds on a software renderer.
+// The second half of the split sum: how much of F0 and of F90 a surface reflects, by N.V and roughness. Computed on the
+// CPU once, in milliseconds: VTK's own table (1024² texels, 1024 samples each) takes seconds on a software renderer.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,8 +8,8 @@
 namespace boxprobe {
 
 struct BrdfTable {
-  int columns = 0;  ///< N.V, texel centres (i + 0.5) / columns
-  int rows = 0;     ///< perceptual roughness, texel centres
+  int columns = 0;                ///< N.V, texel centres (i + 0.5) / columns
+  int rows = 0;                   ///< perceptual roughness, texel centres
   std::vector<glm::vec2> texels;  ///< x scales F0, y scales F90
 };
 

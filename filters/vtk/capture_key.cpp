@@ -77,11 +77,12 @@ std::string sharedCaptureKey(const Scene& scene, const std::vector<DrawnObject>&
   return key.str();
 }
 
-std::string captureKey(const Scene& scene, std::size_t probe, const std::string& shared) {
+std::string captureKey(const Scene& scene, std::size_t probe, const std::vector<bool>& used,
+                       const std::string& shared) {
   std::string key = ownKey(scene.probes[probe]) + "| " + shared;
   if (scene.probes[probe].bounces > 1) {
     for (std::size_t i = 0; i < scene.probes.size(); ++i) {
-      if (i != probe) key += "| " + ownKey(scene.probes[i]);
+      if (i != probe && used[i]) key += "| " + ownKey(scene.probes[i]);
     }
   }
   return key;

@@ -30,7 +30,7 @@ class vtkTargetPass : public vtkRenderPass {
   static vtkTargetPass* New() { VTK_STANDARD_NEW_BODY(vtkTargetPass); }
   vtkTypeMacro(vtkTargetPass, vtkRenderPass)
 
-  const FloatTarget* Target = nullptr;
+      const FloatTarget* Target = nullptr;
 
   void Render(const vtkRenderState* s) override {
     vtkRenderer* renderer = s->GetRenderer();
@@ -61,9 +61,11 @@ class vtkTargetPass : public vtkRenderPass {
   vtkNew<vtkSequencePass> Content;
 };
 
-// The camera of each face, so that the picture lands in the face as OpenGL orients it (shaders/shared/cube.glsl): forward is
-// the face's axis, up the direction in which t grows.
-glm::dvec3 faceForward(int face) { return glm::dvec3(shading::cubeDirection(face, 0.0f, 0.0f)); }
+// The camera of each face, so that the picture lands in the face as OpenGL orients it (shaders/shared/cube.glsl):
+// forward is the face's axis, up the direction in which t grows.
+glm::dvec3 faceForward(int face) {
+  return glm::dvec3(shading::cubeDirection(face, 0.0f, 0.0f));
+}
 glm::dvec3 faceUp(int face) {
   return glm::dvec3(shading::cubeDirection(face, 0.0f, 1.0f) - shading::cubeDirection(face, 0.0f, 0.0f));
 }
@@ -101,7 +103,8 @@ void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std
   for (vtkProp* prop : props) renderer_->AddViewProp(prop);
   renderer_->RemoveAllLights();
   for (vtkLight* light : lights) renderer_->AddLight(light);
-  // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload, whoever made that.
+  // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload, whoever made
+  // that.
   camera->Modified();
 
   const float exposure = state_->exposure;
@@ -181,7 +184,8 @@ ImageRgbaF CubeCapture::renderFrame(vtkCamera* camera, int width, int height, in
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, w, h, GL_RGBA, GL_FLOAT, samples.data());
   }
-  ImageRgbaF image{width, height, std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4)};
+  ImageRgbaF image{width, height,
+                   std::vector<float>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4)};
   const double share = 1.0 / (samplesPerSide * samplesPerSide);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -189,11 +193,14 @@ ImageRgbaF CubeCapture::renderFrame(vtkCamera* camera, int width, int height, in
       for (int j = 0; j < samplesPerSide; ++j) {
         for (int i = 0; i < samplesPerSide; ++i) {
           const std::size_t row = static_cast<std::size_t>((height - 1 - y) * samplesPerSide + j);
-          const float* s = &samples[(row * static_cast<std::size_t>(w) + static_cast<std::size_t>(x * samplesPerSide + i)) * 4];
+          const float* s =
+              &samples[(row * static_cast<std::size_t>(w) + static_cast<std::size_t>(x * samplesPerSide + i)) * 4];
           for (int c = 0; c < 4; ++c) sum[c] += s[c];
         }
       }
-      float* pixel = &image.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 4];
+      float* pixel =
+          &image.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+                        4];
       for (int c = 0; c < 4; ++c) pixel[c] = static_cast<float>(sum[c] * share);
     }
   }

@@ -1,5 +1,6 @@
-// Photographs a scene from one point: a face at a time into RGBA float at several samples a texel, resolved to half-float
-// radiance with coverage in alpha and to distance. Called by the bake queue outside of any render of the window.
+// Photographs a scene from one point: a face at a time into RGBA float at several samples a texel, resolved to
+// half-float radiance with coverage in alpha and to distance. Called by the bake queue outside of any render of the
+// window.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -30,19 +31,24 @@ struct CaptureSettings {
   Clear clear = ClearToSky{};
 };
 
+/// Samples along each side of a texel or pixel for 1, 4 or 16 in all.
+inline int samplesPerSide(int samplesPerPixel) {
+  return samplesPerPixel >= 16 ? 4 : samplesPerPixel >= 4 ? 2 : 1;
+}
+
 class CubeCapture {
  public:
   CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state);
   ~CubeCapture();
 
-  /// Renders `props`, lit by `lights`, into level 0 of one face of `radiance` and of `distance` (either allocated at the same
-  /// face size). Counts texels above half-float range and texels that were not finite.
+  /// Renders `props`, lit by `lights`, into level 0 of one face of `radiance` and of `distance` (either allocated at
+  /// the same face size). Counts texels above half-float range and texels that were not finite.
   void captureFace(const CaptureSettings& settings, int face, const std::vector<vtkProp*>& props,
                    const std::vector<vtkLight*>& lights, const CubeTexture& radiance, const CubeTexture* distance);
 
   /// A whole frame in linear units through any camera: RGBA, `samplesPerSide`² samples a pixel, rows from the top.
-  ImageRgbaF renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide, const std::vector<vtkProp*>& props,
-                         const std::vector<vtkLight*>& lights);
+  ImageRgbaF renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide,
+                         const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights);
 
   void release();
 

@@ -1,5 +1,5 @@
-// What a draw needs to know of the probes: shared by the scene renderer (which fills it) and the mappers (which read it when
-// they draw). Plain data.
+// What a draw needs to know of the probes: shared by the scene renderer (which fills it) and the mappers (which read it
+// when they draw). Plain data.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -52,11 +52,11 @@ struct ProbeBinding {
 
 /// One for all mappers of a scene renderer.
 struct DrawState {
-  float exposure = 1.0f;           ///< 0: linear output
-  bool environmentDark = false;    ///< first bounce of a capture: probes and sky give nothing
+  float exposure = 1.0f;         ///< 0: linear output
+  bool environmentDark = false;  ///< first bounce of a capture: probes and sky give nothing
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
-  GLuint blackCube = 0;            ///< stands in for maps not captured yet
+  GLuint blackCube = 0;  ///< stands in for maps not captured yet
   Counters counters;
   bool countDraws = true;          ///< of the frame on the screen, not of captures
   std::set<const void*> programs;  ///< seen so far, to count compilations

@@ -1,8 +1,8 @@
 #include "filters/vtk/full_screen_pass.h"
 
-#include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
+#include <vtk_glew.h>
 
 #include "filters/core/errors.h"
 #include "filters/math/shader_source.h"
@@ -18,27 +18,39 @@ std::string joinShaderSources(const std::vector<std::string>& files) {
   return text;
 }
 
-FullScreenPass::FullScreenPass(std::vector<std::string> files, Counters* counters)
-    : files_(std::move(files)), counters_(counters) {}
+FullScreenPass::FullScreenPass(const std::vector<std::string>& files, Counters* counters)
+    : name_(files.back()), source_(joinShaderSources(files)), counters_(counters) {}
+
+FullScreenPass::FullScreenPass(std::string name, std::string source)
+    : name_(std::move(name)), source_(std::move(source)) {}
 
 FullScreenPass::~FullScreenPass() = default;
 
 void FullScreenPass::draw(vtkOpenGLRenderWindow* window, const std::function<void(vtkShaderProgram*)>& setUniforms) {
-  if (!quad_) {
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  if (program_ == nullptr) {
     // VTK's own placeholders: the version line and the mapping of gl_FragData.
-    const std::string source = "//VTK::System::Dec\n//VTK::Output::Dec\n" + joinShaderSources(files_);
-    quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), nullptr);
+    const std::string fragment = "//VTK::System::Dec\n//VTK::Output::Dec\n" + source_;
+    const std::string vertex = "//VTK::System::Dec\n" + std::string(shaderSource("gpu/full_screen_vertex.glsl"));
+    program_ = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
     if (counters_ != nullptr) ++counters_->programsCompiled;
-  } else if (quad_->Program != nullptr) {
-    window->GetShaderCache()->ReadyShaderProgram(quad_->Program);
+    glGenVertexArrays(1, &vertexArray_);
+  } else {
+    cache->ReadyShaderProgram(program_);
   }
-  if (quad_->Program == nullptr || !quad_->Program->GetCompiled()) {
-    throw WorkError("the shader " + files_.back() + " does not compile on this driver");
+  if (program_ == nullptr || !program_->GetCompiled()) {
+    throw WorkError("the shader " + name_ + " does not compile on this driver");
   }
-  setUniforms(quad_->Program);
-  quad_->Render();
+  setUniforms(program_);
+  glBindVertexArray(vertexArray_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
 }
 
-void FullScreenPass::release() { quad_.reset(); }
+void FullScreenPass::release() {
+  if (vertexArray_ != 0) glDeleteVertexArrays(1, &vertexArray_);
+  vertexArray_ = 0;
+  program_ = nullptr;
+}
 
 }  // namespace boxprobe

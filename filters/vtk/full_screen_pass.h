@@ -1,16 +1,15 @@
-// One fragment shader from shaders/gpu run over every pixel of the bound framebuffer. Built on first use.
+// One fragment shader from shaders/gpu run over every pixel of the bound framebuffer, as one triangle without vertex
+// data. Built on first use.
 #pragma once
 
 #include <vtkShaderProgram.h>
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "filters/core/counters.h"
 
-class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
@@ -20,8 +19,10 @@ std::string joinShaderSources(const std::vector<std::string>& files);
 
 class FullScreenPass {
  public:
-  /// `files` below shaders/, in order; the last one holds main().
-  FullScreenPass(std::vector<std::string> files, Counters* counters);
+  /// `files` below shaders/, in order; the last one holds main(). `counters` (may be null) learns of the compilation.
+  FullScreenPass(const std::vector<std::string>& files, Counters* counters);
+  /// A fragment shader as text; `name` stands for it in messages.
+  FullScreenPass(std::string name, std::string source);
   ~FullScreenPass();
   FullScreenPass(const FullScreenPass&) = delete;
   FullScreenPass& operator=(const FullScreenPass&) = delete;
@@ -31,9 +32,11 @@ class FullScreenPass {
   void release();
 
  private:
-  std::vector<std::string> files_;
-  Counters* counters_;
-  std::unique_ptr<vtkOpenGLQuadHelper> quad_;
+  std::string name_;
+  std::string source_;
+  Counters* counters_ = nullptr;
+  vtkShaderProgram* program_ = nullptr;  // the window's shader cache owns it
+  unsigned int vertexArray_ = 0;
 };
 
 }  // namespace boxprobe

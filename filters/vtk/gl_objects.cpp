@@ -12,10 +12,12 @@ namespace boxprobe {
 
 namespace {
 
-GLenum faceTarget(int face) { return GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face); }
+GLenum faceTarget(int face) {
+  return GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face);
+}
 
-// Binding outside of VTK's unit bookkeeping is safe on a unit of our own only while it is put back; creation and reading
-// need a binding for a moment, whatever unit is active.
+// Binding outside of VTK's unit bookkeeping is safe on a unit of our own only while it is put back; creation and
+// reading need a binding for a moment, whatever unit is active.
 class CubeBinding {
  public:
   explicit CubeBinding(GLuint handle) {
@@ -90,7 +92,8 @@ std::vector<float> CubeTexture::readFace(int face, int level) const {
 void CubeTexture::writeFace(int face, int level, const std::vector<float>& rgba) {
   const CubeBinding binding(handle_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTexSubImage2D(faceTarget(face), level, 0, 0, faceSize_ >> level, faceSize_ >> level, GL_RGBA, GL_FLOAT, rgba.data());
+  glTexSubImage2D(faceTarget(face), level, 0, 0, faceSize_ >> level, faceSize_ >> level, GL_RGBA, GL_FLOAT,
+                  rgba.data());
 }
 
 void FloatTarget::allocate(int width, int height) {

@@ -70,7 +70,8 @@ class CubeFramebuffer {
   CubeFramebuffer& operator=(const CubeFramebuffer&) = delete;
 
   /// Binds it with `color` (and `second` as attachment 1 if given) and sets the viewport to the level's size.
-  void bind(vtkOpenGLRenderWindow* window, const CubeTexture& color, int face, int level, const CubeTexture* second = nullptr);
+  void bind(vtkOpenGLRenderWindow* window, const CubeTexture& color, int face, int level,
+            const CubeTexture* second = nullptr);
   /// Binds it for drawing only, with what is attached: the other side of a blit.
   void bindDraw(vtkOpenGLRenderWindow* window);
   void release();
@@ -79,8 +80,9 @@ class CubeFramebuffer {
   GLuint framebuffer_ = 0;
 };
 
-/// What a full-screen pass changes, put back when it goes out of scope: framebuffer bindings, viewport, depth test, blending,
-/// scissor. Also switches seamless cube filtering on, which VTK does only while its own image-based lighting is on.
+/// What a full-screen pass changes, put back when it goes out of scope: framebuffer bindings, viewport, depth test,
+/// blending, scissor. Also switches seamless cube filtering on, which VTK does only while its own image-based lighting
+/// is on.
 class PassState {
  public:
   explicit PassState(vtkOpenGLRenderWindow* window);

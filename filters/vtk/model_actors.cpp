@@ -40,7 +40,8 @@ vtkSmartPointer<vtkPolyData> makePolyData(const Mesh& mesh) {
   points->SetData(floatArray(mesh.positions, 3, "Points"));
   data->SetPoints(points);
   if (!mesh.normals.empty()) data->GetPointData()->SetNormals(floatArray(mesh.normals, 3, "Normals"));
-  // VTK's row 0 is the bottom of a picture and glTF's is the top; uploading rows in glTF's order makes v agree as it is.
+  // VTK's row 0 is the bottom of a picture and glTF's is the top; uploading rows in glTF's order makes v agree as it
+  // is.
   if (!mesh.uv.empty()) data->GetPointData()->SetTCoords(floatArray(mesh.uv, 2, "TCoords"));
   if (!mesh.tangents.empty()) data->GetPointData()->SetTangents(floatArray(mesh.tangents, 3, "Tangents"));
 
@@ -56,7 +57,8 @@ vtkSmartPointer<vtkPolyData> makePolyData(const Mesh& mesh) {
   return data;
 }
 
-// VTK's combined map holds occlusion in R beside roughness (G) and metallic (B); glTF may keep occlusion in another image.
+// VTK's combined map holds occlusion in R beside roughness (G) and metallic (B); glTF may keep occlusion in another
+// image.
 std::shared_ptr<const ImageRgba8> combineOcclusion(const ImageRgba8* roughMetal, const ImageRgba8* occlusion) {
   auto result = std::make_shared<ImageRgba8>();
   const ImageRgba8& size = roughMetal != nullptr ? *roughMetal : *occlusion;
@@ -67,11 +69,16 @@ std::shared_ptr<const ImageRgba8> combineOcclusion(const ImageRgba8* roughMetal,
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
       const auto at = [&](const ImageRgba8& image, int channel) {
-        const auto column = static_cast<std::size_t>(x) * static_cast<std::size_t>(image.width) / static_cast<std::size_t>(size.width);
-        const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.height) / static_cast<std::size_t>(size.height);
-        return image.pixels[(row * static_cast<std::size_t>(image.width) + column) * 4 + static_cast<std::size_t>(channel)];
+        const auto column =
+            static_cast<std::size_t>(x) * static_cast<std::size_t>(image.width) / static_cast<std::size_t>(size.width);
+        const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.height) /
+                         static_cast<std::size_t>(size.height);
+        return image
+            .pixels[(row * static_cast<std::size_t>(image.width) + column) * 4 + static_cast<std::size_t>(channel)];
       };
-      std::uint8_t* texel = &result->pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x)) * 4];
+      std::uint8_t* texel = &result->pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                                             static_cast<std::size_t>(x)) *
+                                            4];
       if (occlusion != nullptr) texel[0] = at(*occlusion, 0);
       if (roughMetal != nullptr) {
         texel[1] = at(*roughMetal, 1);

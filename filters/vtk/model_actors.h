@@ -1,5 +1,5 @@
-// A model's instances as VTK actors: geometry, physically based properties, textures. Called by the scene renderer when the
-// models change; material and object overrides are applied again, without rebuilding geometry, when they change.
+// A model's instances as VTK actors: geometry, physically based properties, textures. Called by the scene renderer when
+// the models change; material and object overrides are applied again, without rebuilding geometry, when they change.
 #pragma once
 
 #include <vtkActor.h>
@@ -32,7 +32,8 @@ struct DrawnObject {
 glm::dmat4 placementMatrix(const ModelFile& file);
 
 /// Objects of one model. Texture objects and vertex data are shared between its instances.
-std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placement, const std::shared_ptr<DrawState>& state);
+std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placement,
+                                     const std::shared_ptr<DrawState>& state);
 
 /// Material and object overrides of `scene` on an object.
 void applyOverrides(DrawnObject& object, const Scene& scene);

@@ -1,5 +1,5 @@
-// From a capture to the chain that lookups read: level 0 copied, each further level filtered by the GGX lobe of the roughness
-// it stands for. One level a call, so that a window stays responsive.
+// From a capture to the chain that lookups read: level 0 copied, each further level filtered by the GGX lobe of the
+// roughness it stands for. One level a call, so that a window stays responsive.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ class Prefilter {
  public:
   Prefilter(vtkOpenGLRenderWindow* window, Counters* counters);
 
-  /// The source's own mip levels (box filter) and a copy of its level 0 into the chain. Source and chain are allocated; the
-  /// source needs as many levels as its size allows.
+  /// The source's own mip levels (box filter) and a copy of its level 0 into the chain. Source and chain are allocated;
+  /// the source needs as many levels as its size allows.
   void begin(const CubeTexture& source, const CubeTexture& chain);
   /// Level 1 and up.
   void filterLevel(const CubeTexture& source, const CubeTexture& chain, int level);

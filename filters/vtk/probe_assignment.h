@@ -10,9 +10,11 @@
 
 namespace boxprobe {
 
-/// The binding of one object: the probes whose influence box meets its bounds, most important first (equal importance by
-/// name, never by the order in the file), at most ProbeBinding::kMaxProbesPerDraw. `drawn[i]` belongs to scene.probes[i].
+/// The binding of one object: the probes whose influence box meets its bounds, most important first (equal importance
+/// by name, never by the order in the file), at most ProbeBinding::kMaxProbesPerDraw. `drawn[i]` belongs to
+/// scene.probes[i].
 std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, const Scene& scene,
-                                                 const std::vector<std::shared_ptr<DrawnProbe>>& drawn, bool probesEnabled);
+                                                 const std::vector<std::shared_ptr<DrawnProbe>>& drawn,
+                                                 bool probesEnabled);
 
 }  // namespace boxprobe

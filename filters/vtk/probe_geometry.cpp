@@ -1,10 +1,19 @@
 #include "filters/vtk/probe_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 namespace boxprobe {
+
+namespace {
+
+// A floor that lies in a face of its room's box is inside: without this skin rounding (1e-7 of the distance to the
+// camera) would decide pixel by pixel when the blend distance is 0. Relative to the box, so it works at every scale.
+constexpr double kInfluenceSkin = 1.0e-4;
+
+}  // namespace
 
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationDegrees) {
   const glm::dvec3 a = rotationDegrees * (3.14159265358979323846 / 180.0);
@@ -26,8 +35,10 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
   const Box& influence = probe.influenceBox();
   g.boxMin = glm::vec3(probe.box.min - origin);
   g.boxMax = glm::vec3(probe.box.max - origin);
-  g.influenceMin = glm::vec3(influence.min - origin);
-  g.influenceMax = glm::vec3(influence.max - origin);
+  const glm::dvec3 size = influence.size();
+  const double skin = kInfluenceSkin * std::max({size.x, size.y, size.z});
+  g.influenceMin = glm::vec3(influence.min - skin - origin);
+  g.influenceMax = glm::vec3(influence.max + skin - origin);
   g.blendMin = glm::vec3(probe.blendDistance.min);
   g.blendMax = glm::vec3(probe.blendDistance.max);
   g.intensity = static_cast<float>(probe.intensity);

@@ -1,5 +1,5 @@
-// A probe's box, influence and capture origin in the probe frame of shaders/shared/types.glsl. Called by the mapper's uniforms
-// and by everything that explains a pixel on the CPU. Double until the last step.
+// A probe's box, influence and capture origin in the probe frame of shaders/shared/types.glsl. Called by the mapper's
+// uniforms and by everything that explains a pixel on the CPU. Double until the last step.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -11,10 +11,10 @@
 namespace boxprobe {
 
 struct ProbeGeometry {
-  glm::dvec3 originWorld{0.0};       ///< where the probe was captured
-  glm::dmat3 worldFromProbe{1.0};    ///< rotation only
+  glm::dvec3 originWorld{0.0};     ///< where the probe was captured
+  glm::dmat3 worldFromProbe{1.0};  ///< rotation only
   bool rotated = false;
-  glm::vec3 boxMin{0.0f}, boxMax{0.0f};              ///< probe frame: relative to the capture origin, along the box's axes
+  glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame: relative to the capture origin, along the box's axes
   glm::vec3 influenceMin{0.0f}, influenceMax{0.0f};
   glm::vec3 blendMin{0.0f}, blendMax{0.0f};
   float intensity = 1.0f;
@@ -25,7 +25,8 @@ struct ProbeGeometry {
 /// Rotation about X, then Y, then Z (world axes).
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationDegrees);
 
-/// `capturedAt` may differ from probe.origin while a new capture is under way: lookups must use where the map was taken.
+/// `capturedAt` may differ from probe.origin while a new capture is under way: lookups must use where the map was
+/// taken.
 ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt);
 
 /// Does the influence box, as an oriented box, meet an axis-aligned box? Conservative (may say yes for a near miss).

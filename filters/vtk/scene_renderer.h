@@ -1,5 +1,5 @@
-// A scene drawn by VTK with box-projected reflections: owns the VTK actors, the probes' textures and the capture work, in
-// any vtkOpenGLRenderWindow (the Qt window's, or an off-screen one). Called by app/cli and app/gui; knows neither.
+// A scene drawn by VTK with box-projected reflections: owns the VTK actors, the probes' textures and the capture work,
+// in any vtkOpenGLRenderWindow (the Qt window's, or an off-screen one). Called by app/cli and app/gui; knows neither.
 //
 // How it is driven:
 //   sync(scene, changes)   after every document change; cheap: notes what is stale, updates uniforms and actors
@@ -44,8 +44,8 @@ class SceneRenderer {
   /// Brings actors, lights, uniforms and the list of stale captures up to `scene`. No GL call.
   void sync(const Scene& scene, const Changes& changes);
 
-  /// While an origin is dragged: faces are captured step by step at the newest origin and shown when complete; the final
-  /// capture is made once the drag has ended (`interactive` false).
+  /// While an origin is dragged: faces are captured step by step at the newest origin and shown when complete; the
+  /// final capture is made once the drag has ended (`interactive` false).
   void setInteractive(bool interactive);
 
   bool workPending() const;
@@ -69,7 +69,8 @@ class SceneRenderer {
 
   /// Renders one frame with VTK's own path into the window's frame buffer and reads it back: display colours.
   ImageRgba8 renderDisplay();
-  /// One frame in linear scene units (exposure not applied), RGBA float, alpha = coverage; `samplesPerPixel` 1, 4 or 16.
+  /// One frame in linear scene units (exposure not applied), RGBA float, alpha = coverage; `samplesPerPixel` 1, 4
+  /// or 16.
   ImageRgbaF renderLinear(int width, int height, int samplesPerPixel);
 
   const Counters& counters() const;

@@ -25,7 +25,9 @@ std::array<double, 9> basis(const glm::dvec3& n) {
 constexpr double kCosine[9] = {1.0, 2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25, 0.25, 0.25, 0.25, 0.25};
 
 // Integral over the rectangle from the face's centre to (s, t) of the solid angle of the cube's face.
-double cornerArea(double s, double t) { return std::atan2(s * t, std::sqrt(s * s + t * t + 1.0)); }
+double cornerArea(double s, double t) {
+  return std::atan2(s * t, std::sqrt(s * s + t * t + 1.0));
+}
 
 }  // namespace
 
@@ -38,9 +40,10 @@ ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& f
         const double s0 = -1.0 + column * step, t0 = -1.0 + row * step;
         const double s1 = s0 + step, t1 = t0 + step;
         const double solidAngle = cornerArea(s1, t1) - cornerArea(s0, t1) - cornerArea(s1, t0) + cornerArea(s0, t0);
-        const glm::dvec3 direction = glm::normalize(glm::dvec3(shading::cubeDirection(
-            face, static_cast<float>(s0 + 0.5 * step), static_cast<float>(t0 + 0.5 * step))));
-        const float* texel = &faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(row * faceSize + column) * 4];
+        const glm::dvec3 direction = glm::normalize(glm::dvec3(
+            shading::cubeDirection(face, static_cast<float>(s0 + 0.5 * step), static_cast<float>(t0 + 0.5 * step))));
+        const float* texel =
+            &faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(row * faceSize + column) * 4];
         const glm::dvec3 radiance(texel[0], texel[1], texel[2]);
         const auto y = basis(direction);
         for (std::size_t i = 0; i < 9; ++i) sum[i] += radiance * (y[i] * solidAngle);

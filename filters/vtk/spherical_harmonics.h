@@ -1,5 +1,5 @@
-// Diffuse irradiance of a cubemap as nine spherical-harmonic coefficients. CPU only, no VTK: called once a capture with a
-// small level (8² to 16² faces hold more than the nine coefficients can).
+// Diffuse irradiance of a cubemap as nine spherical-harmonic coefficients. CPU only, no VTK: called once a capture with
+// a small level (8² to 16² faces hold more than the nine coefficients can).
 #pragma once
 
 #include <array>

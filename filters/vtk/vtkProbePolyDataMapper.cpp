@@ -22,101 +22,82 @@ vtkStandardNewMacro(vtkProbePolyDataMapper);
 vtkProbePolyDataMapper::vtkProbePolyDataMapper() = default;
 vtkProbePolyDataMapper::~vtkProbePolyDataMapper() = default;
 
-void vtkProbePolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkProbePolyDataMapper::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Variant: " << this->VariantKey << "\n";
 }
 
-void vtkProbePolyDataMapper::SetDrawState(std::shared_ptr<boxprobe::DrawState> state)
-{
+void vtkProbePolyDataMapper::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
   this->State = std::move(state);
 }
 
-void vtkProbePolyDataMapper::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding)
-{
+void vtkProbePolyDataMapper::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding) {
   const std::string key = binding ? binding->variantKey() : std::string();
   this->Binding = std::move(binding);
-  if (key != this->VariantKey)
-  {
+  if (key != this->VariantKey) {
     this->VariantKey = key;
     this->Modified();
   }
 }
 
-void vtkProbePolyDataMapper::ReplaceShaderValues(
-  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
-{
+void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+                                                 vtkActor* actor) {
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
-  if (!this->State || !this->Binding)
-  {
+  if (!this->State || !this->Binding) {
     return;
   }
   std::string source = shaders[vtkShader::Fragment]->GetSource();
   const std::string failure = boxprobe::splicePbr(source, *this->Binding);
-  if (!failure.empty() && this->State->error.empty())
-  {
+  if (!failure.empty() && this->State->error.empty()) {
     this->State->error = failure;
   }
   shaders[vtkShader::Fragment]->SetSource(source);
 }
 
-void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
-{
+void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) {
   this->Superclass::UpdateShaders(cellBO, renderer, actor);
-  if (!this->State)
-  {
+  if (!this->State) {
     return;
   }
-  if (cellBO.Program != nullptr && this->State->programs.insert(cellBO.Program).second)
-  {
+  if (cellBO.Program != nullptr && this->State->programs.insert(cellBO.Program).second) {
     ++this->State->counters.programsCompiled;
-    if (!cellBO.Program->GetCompiled() && this->State->error.empty())
-    {
+    if (!cellBO.Program->GetCompiled() && this->State->error.empty()) {
       this->State->error = "a physically based shader with probes does not compile on this driver";
     }
   }
 }
 
-void vtkProbePolyDataMapper::SetCameraShaderParameters(
-  vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
-{
+void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer,
+                                                       vtkActor* actor) {
   this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
   vtkShaderProgram* program = cellBO.Program;
-  if (!this->State || !this->Binding || !program->IsUniformUsed("bpExposure"))
-  {
+  if (!this->State || !this->Binding || !program->IsUniformUsed("bpExposure")) {
     return;
   }
   program->SetUniformf("bpExposure", this->State->exposure);
   program->SetUniformf("bpParallel", renderer->GetActiveCamera()->GetParallelProjection() ? 1.0f : 0.0f);
   const bool probes = this->Binding->lighting == Lighting::Probes;
-  if (probes)
-  {
+  if (probes) {
     this->UploadProbes(program, renderer);
   }
-  if (this->State->countDraws)
-  {
+  if (this->State->countDraws) {
     ++this->State->counters.drawsByProbeCount[probes ? this->Binding->probes.size() : 0];
   }
 }
 
-int vtkProbePolyDataMapper::Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle)
-{
+int vtkProbePolyDataMapper::Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->Bound.push_back(std::make_unique<boxprobe::BoundTexture>(window, target, handle));
   return this->Bound.back()->unit();
 }
 
-void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer* renderer)
-{
+void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer* renderer) {
   ++this->State->counters.uniformUpdates;
   vtkCamera* camera = renderer->GetActiveCamera();
   const vtkMatrix4x4* viewFromWorld = camera->GetModelViewTransformMatrix();
   float viewToWorld[9];
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
       // Column-major, and the inverse of a rotation is its transpose: element (row, column) of the inverse.
       viewToWorld[column * 3 + row] = static_cast<float>(viewFromWorld->GetElement(column, row));
     }
@@ -126,19 +107,17 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
 
   const auto& sky = this->State->sky;
   program->SetUniformi(
-    "bpSkyMap", this->Bind(renderer, GL_TEXTURE_CUBE_MAP, sky ? sky->radiance.handle() : this->State->blackCube));
+      "bpSkyMap", this->Bind(renderer, GL_TEXTURE_CUBE_MAP, sky ? sky->radiance.handle() : this->State->blackCube));
   program->SetUniformf("bpSkyMaxLevel", sky ? sky->maxLevel() : 0.0f);
   program->SetUniformf("bpSkyIntensity", sky && !this->State->environmentDark ? 1.0f : 0.0f);
   boxprobe::ShCoefficients skySh{};
-  if (sky)
-  {
+  if (sky) {
     skySh = sky->irradiance;
   }
   program->SetUniform3fv("bpSkySh", 9, reinterpret_cast<const float(*)[3]>(&skySh[0].x));
 
   const std::size_t count = this->Binding->probes.size();
-  if (count == 0)
-  {
+  if (count == 0) {
     return;
   }
   constexpr std::size_t kMax = boxprobe::ProbeBinding::kMaxProbesPerDraw;
@@ -147,8 +126,7 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   std::array<glm::mat3, kMax> worldFromProbe{};
   std::array<glm::vec3, 9 * kMax> sh{};
   const double* eye = camera->GetPosition();
-  for (std::size_t i = 0; i < count; ++i)
-  {
+  for (std::size_t i = 0; i < count; ++i) {
     const boxprobe::DrawnProbe& probe = *this->Binding->probes[i];
     const boxprobe::ProbeGeometry& g = probe.geometry;
     origin[i] = glm::vec3(g.originWorld - glm::dvec3(eye[0], eye[1], eye[2]));
@@ -161,16 +139,17 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
     worldFromProbe[i] = glm::mat3(g.worldFromProbe);
     intensity[i] = probe.maps && !this->State->environmentDark ? g.intensity : 0.0f;
     maxLevel[i] = probe.maps ? probe.maps->maxLevel() : 0.0f;
-    if (probe.maps)
-    {
+    if (probe.maps) {
       std::copy(probe.maps->irradiance.begin(), probe.maps->irradiance.end(), sh.begin() + static_cast<long>(9 * i));
     }
-    program->SetUniformi(("bpMap" + std::to_string(i)).c_str(),
-      this->Bind(renderer, GL_TEXTURE_CUBE_MAP, probe.maps ? probe.maps->radiance.handle() : this->State->blackCube));
+    program->SetUniformi(
+        ("bpMap" + std::to_string(i)).c_str(),
+        this->Bind(renderer, GL_TEXTURE_CUBE_MAP, probe.maps ? probe.maps->radiance.handle() : this->State->blackCube));
   }
   const int n = static_cast<int>(count);
-  const auto upload = [program, n](const char* name, const std::array<glm::vec3, kMax>& values)
-  { program->SetUniform3fv(name, n, reinterpret_cast<const float(*)[3]>(&values[0].x)); };
+  const auto upload = [program, n](const char* name, const std::array<glm::vec3, kMax>& values) {
+    program->SetUniform3fv(name, n, reinterpret_cast<const float(*)[3]>(&values[0].x));
+  };
   upload("bpOrigin", origin);
   upload("bpBoxMin", boxMin);
   upload("bpBoxMax", boxMax);
@@ -181,19 +160,16 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   program->SetUniform1fv("bpIntensity", n, intensity.data());
   program->SetUniform1fv("bpMaxLevel", n, maxLevel.data());
   program->SetUniform3fv("bpSh", 9 * n, reinterpret_cast<const float(*)[3]>(&sh[0].x));
-  if (this->Binding->rotated())
-  {
+  if (this->Binding->rotated()) {
     program->SetUniformMatrix3x3("bpWorldFromProbe", &worldFromProbe[0][0].x);
     // VTK sets one matrix a call; array elements have names of their own.
-    for (std::size_t i = 1; i < count; ++i)
-    {
+    for (std::size_t i = 1; i < count; ++i) {
       program->SetUniformMatrix3x3(("bpWorldFromProbe[" + std::to_string(i) + "]").c_str(), &worldFromProbe[i][0].x);
     }
   }
 }
 
-void vtkProbePolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor)
-{
+void vtkProbePolyDataMapper::RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) {
   this->Superclass::RenderPieceFinish(renderer, actor);
   this->Bound.clear();
 }

@@ -2,9 +2,9 @@
  * @class   vtkProbePolyDataMapper
  * @brief   polydata mapper whose physically based shading is lit by reflection probes
  *
- * Draws as vtkOpenGLPolyDataMapper does, with probe lighting spliced into the shader (see vtk_pbr_splice.h) and its uniforms
- * uploaded at every draw, relative to the camera, from double. Give it a draw state and a binding; without a binding it is
- * VTK's own mapper.
+ * Draws as vtkOpenGLPolyDataMapper does, with probe lighting spliced into the shader (see vtk_pbr_splice.h) and its
+ * uniforms uploaded at every draw, relative to the camera, from double. Give it a draw state and a binding; without a
+ * binding it is VTK's own mapper.
  */
 #pragma once
 
@@ -16,29 +16,27 @@
 
 #include "filters/vtk/draw_state.h"
 
-class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper
-{
-public:
+class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
+ public:
   static vtkProbePolyDataMapper* New();
-  vtkTypeMacro(vtkProbePolyDataMapper, vtkOpenGLPolyDataMapper)
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkProbePolyDataMapper, vtkOpenGLPolyDataMapper) void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
   /** Another variant key means another program, built at the next draw; otherwise only uniforms change. */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   const boxprobe::ProbeBinding* GetBinding() const { return this->Binding.get(); }
 
-protected:
+ protected:
   vtkProbePolyDataMapper();
   ~vtkProbePolyDataMapper() override;
 
-  void ReplaceShaderValues(
-    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+                           vtkActor* actor) override;
   void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void SetCameraShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
 
-private:
+ private:
   vtkProbePolyDataMapper(const vtkProbePolyDataMapper&) = delete;
   void operator=(const vtkProbePolyDataMapper&) = delete;
 
@@ -48,5 +46,5 @@ private:
   std::shared_ptr<boxprobe::DrawState> State;
   std::shared_ptr<const boxprobe::ProbeBinding> Binding;
   std::string VariantKey;
-  std::vector<std::unique_ptr<boxprobe::BoundTexture>> Bound; // for the piece being drawn
+  std::vector<std::unique_ptr<boxprobe::BoundTexture>> Bound;  // for the piece being drawn
 };

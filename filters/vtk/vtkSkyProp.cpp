@@ -12,52 +12,43 @@
 
 vtkStandardNewMacro(vtkSkyProp);
 
-vtkSkyProp::vtkSkyProp()
-{
+vtkSkyProp::vtkSkyProp() {
   this->PickableOff();
 }
 
 vtkSkyProp::~vtkSkyProp() = default;
 
-void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state)
-{
+void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
   this->State = std::move(state);
-  this->Pass = std::make_unique<boxprobe::FullScreenPass>(
-    std::vector<std::string>{ "shared/sky.glsl", "gpu/sky.glsl" }, &this->State->counters);
+  this->Pass = std::make_unique<boxprobe::FullScreenPass>(std::vector<std::string>{"shared/sky.glsl", "gpu/sky.glsl"},
+                                                          &this->State->counters);
 }
 
-void vtkSkyProp::SetSky(const boxprobe::Sky& sky, std::shared_ptr<const boxprobe::ImageRgbaF> image)
-{
-  if (const auto* gradient = std::get_if<boxprobe::SkyGradient>(&sky))
-  {
+void vtkSkyProp::SetSky(const boxprobe::Sky& sky, std::shared_ptr<const boxprobe::ImageRgbaF> image) {
+  if (const auto* gradient = std::get_if<boxprobe::SkyGradient>(&sky)) {
     this->Gradient = *gradient;
-  }
-  else if (const auto* color = std::get_if<boxprobe::SkyColor>(&sky))
-  {
-    this->Gradient = { color->color, color->color, color->color };
+  } else if (const auto* color = std::get_if<boxprobe::SkyColor>(&sky)) {
+    this->Gradient = {color->color, color->color, color->color};
   }
   this->ImageChanged = this->ImageChanged || image != this->Image;
   this->Image = std::move(image);
   this->Modified();
 }
 
-int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport)
-{
+int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
 
-  if (this->ImageChanged)
-  {
+  if (this->ImageChanged) {
     this->ReleaseGraphicsResources(nullptr);
     this->ImageChanged = false;
-    if (this->Image)
-    {
+    if (this->Image) {
       glGenTextures(1, &this->ImageTexture);
       const boxprobe::BoundTexture bound(window, GL_TEXTURE_2D, this->ImageTexture);
       glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
       glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, this->Image->width, this->Image->height, 0, GL_RGBA, GL_FLOAT,
-        this->Image->pixels.data());
+                   this->Image->pixels.data());
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
@@ -68,17 +59,15 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport)
   vtkCamera* camera = renderer->GetActiveCamera();
   const vtkMatrix4x4* viewFromWorld = camera->GetModelViewTransformMatrix();
   float viewToWorld[9];
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
       viewToWorld[column * 3 + row] = static_cast<float>(viewFromWorld->GetElement(column, row));
     }
   }
   const double aspect =
-    camera->GetUseExplicitAspectRatio() ? camera->GetExplicitAspectRatio() : renderer->GetTiledAspectRatio();
+      camera->GetUseExplicitAspectRatio() ? camera->GetExplicitAspectRatio() : renderer->GetTiledAspectRatio();
   const double vertical = std::tan(0.5 * camera->GetViewAngle() * 3.14159265358979323846 / 180.0);
-  const float tangents[2] = { static_cast<float>(vertical * aspect), static_cast<float>(vertical) };
+  const float tangents[2] = {static_cast<float>(vertical * aspect), static_cast<float>(vertical)};
 
   // Behind everything already drawn: passes only where depth is still that of the cleared buffer.
   const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
@@ -95,8 +84,7 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport)
   glDepthRange(1.0, 1.0);
 
   std::unique_ptr<boxprobe::BoundTexture> image;
-  if (this->Image)
-  {
+  if (this->Image) {
     image = std::make_unique<boxprobe::BoundTexture>(window, GL_TEXTURE_2D, this->ImageTexture);
   }
   this->Pass->draw(window, [&](vtkShaderProgram* program) {
@@ -108,8 +96,7 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport)
     program->SetUniform2f("bpTangents", tangents);
     program->SetUniformf("bpParallel", camera->GetParallelProjection() ? 1.0f : 0.0f);
     program->SetUniformf("bpExposure", this->State->exposure);
-    if (image)
-    {
+    if (image) {
       program->SetUniformi("bpSkyImage", image->unit());
     }
   });
@@ -117,16 +104,13 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport)
   return 1;
 }
 
-void vtkSkyProp::ReleaseGraphicsResources(vtkWindow* window)
-{
-  if (this->ImageTexture != 0)
-  {
+void vtkSkyProp::ReleaseGraphicsResources(vtkWindow* window) {
+  if (this->ImageTexture != 0) {
     glDeleteTextures(1, &this->ImageTexture);
     this->ImageTexture = 0;
     this->ImageChanged = true;
   }
-  if (window != nullptr && this->Pass)
-  {
+  if (window != nullptr && this->Pass) {
     this->Pass->release();
   }
 }

@@ -2,8 +2,8 @@
  * @class   vtkSkyProp
  * @brief   the sky of a scene, drawn behind everything
  *
- * A gradient or a latitude-longitude image at infinity. Writes alpha 0, so that a capture's alpha tells geometry from sky.
- * Linear or display colours, as the draw state says.
+ * A gradient or a latitude-longitude image at infinity. Writes alpha 0, so that a capture's alpha tells geometry from
+ * sky. Linear or display colours, as the draw state says.
  */
 #pragma once
 
@@ -16,26 +16,25 @@
 #include "filters/vtk/draw_state.h"
 #include "filters/vtk/full_screen_pass.h"
 
-class vtkSkyProp : public vtkProp
-{
-public:
+class vtkSkyProp : public vtkProp {
+ public:
   static vtkSkyProp* New();
   vtkTypeMacro(vtkSkyProp, vtkProp)
 
-  void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
+      void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
   /** `image` for a SkyImage, else null. */
   void SetSky(const boxprobe::Sky& sky, std::shared_ptr<const boxprobe::ImageRgbaF> image);
 
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
-  double* GetBounds() override { return nullptr; } // at infinity: must not stretch the clipping range
+  double* GetBounds() override { return nullptr; }  // at infinity: must not stretch the clipping range
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-protected:
+ protected:
   vtkSkyProp();
   ~vtkSkyProp() override;
 
-private:
+ private:
   vtkSkyProp(const vtkSkyProp&) = delete;
   void operator=(const vtkSkyProp&) = delete;
 

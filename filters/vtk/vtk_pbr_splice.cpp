@@ -1,9 +1,10 @@
-// Tried on VTK 9.1.0 (Debian 12). The anchors are single statements that vtkOpenGLPolyDataMapper::ReplaceShaderLight writes;
-// for another version, run tests/image/splice_test and correct the table below.
+// Tried on VTK 9.1.0 (Debian 12). The anchors are single statements that vtkOpenGLPolyDataMapper::ReplaceShaderLight
+// writes; for another version, run tests/image/splice_test and correct the table below.
 #include "filters/vtk/vtk_pbr_splice.h"
 
 #include <vtkVersion.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "filters/math/shader_source.h"
@@ -19,8 +20,8 @@ constexpr const char* kCoatMark = "#define CLEAR_COAT";
 
 struct Anchor {
   const char* what;
-  std::vector<const char*> texts;  // what VTK may have written: without and with its own image-based lighting
-  const char* replacement;
+  std::vector<const char*> texts;         // what VTK may have written: without and with its own image-based lighting
+  std::vector<const char*> replacements;  // one for each text, or one for all
   bool coatOnly;
 };
 
@@ -29,7 +30,17 @@ constexpr const char* kDeclarations = "void main()\n{";
 
 const std::vector<Anchor>& viewAndOutputAnchors() {
   static const std::vector<Anchor> anchors = {
-      {"view vector", {"vec3 V = normalize(-vertexVC.xyz);"}, "vec3 V = bpViewVector(vertexVC.xyz);", false},
+      {"view vector", {"vec3 V = normalize(-vertexVC.xyz);"}, {"vec3 V = bpViewVector(vertexVC.xyz);"}, false},
+      // d is at least a2; rounding makes it 0 where roughness is near 0 and the half vector is the normal: 0/0.
+      {"microfacet distribution",
+       {"float d = (NdH * a2 - NdH) * NdH + 1.0;"},
+       {"float d = max((NdH * a2 - NdH) * NdH + 1.0, max(a2, 1.0e-12));"},
+       false},
+      // VTK 9.1 drops the emissive factor of a material without an emissive texture.
+      {"emission",
+       {"vec3 emissiveColor = vec3(0.0);", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
+       {"vec3 emissiveColor = emissiveFactorUniform;", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
+       false},
   };
   return anchors;
 }
@@ -39,22 +50,27 @@ const std::vector<Anchor>& lightingAnchors() {
       {"diffuse irradiance",
        {"vec3 irradiance = vec3(0.0);", "vec3 irradiance = texture(irradianceTex, envMatrix*N).rgb;",
         "vec3 irradiance = vec3(ComputeSH(rotN, shRed), ComputeSH(rotN, shGreen), ComputeSH(rotN, shBlue));"},
-       "BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness);\n  vec3 irradiance = bpLight.irradiance;", false},
+       {"BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness);\n  vec3 irradiance = bpLight.irradiance;"},
+       false},
       {"specular reflection",
        {"vec3 prefilteredSpecularColor = vec3(0.0);",
         "vec3 prefilteredSpecularColor = textureLod(prefilterTex, worldReflect, roughness * prefilterMaxLevel).rgb;"},
-       "vec3 prefilteredSpecularColor = bpLight.specular;", false},
+       {"vec3 prefilteredSpecularColor = bpLight.specular;"},
+       false},
       {"split-sum table",
        {"vec2 brdf = vec2(0.0, 0.0);", "vec2 brdf = texture(brdfTex, vec2(NdV, roughness)).rg;"},
-       "vec2 brdf = texture(bpBrdf, vec2(NdV, roughness)).rg;", false},
+       {"vec2 brdf = texture(bpBrdf, vec2(NdV, roughness)).rg;"},
+       false},
       {"clear-coat reflection",
        {"vec3 prefilteredSpecularCoatColor = vec3(0.0);",
         "vec3 prefilteredSpecularCoatColor = textureLod(prefilterTex, coatWorldReflect, coatRoughness * "
         "prefilterMaxLevel).rgb;"},
-       "vec3 prefilteredSpecularCoatColor = bpGatherLight(vertexVC.xyz, coatN, V, coatRoughness).specular;", true},
+       {"vec3 prefilteredSpecularCoatColor = bpGatherLight(vertexVC.xyz, coatN, V, coatRoughness).specular;"},
+       true},
       {"clear-coat split-sum table",
        {"vec2 coatBrdf = vec2(0.0);", "vec2 coatBrdf = texture(brdfTex, vec2(coatNdV, coatRoughness)).rg;"},
-       "vec2 coatBrdf = texture(bpBrdf, vec2(coatNdV, coatRoughness)).rg;", true},
+       {"vec2 coatBrdf = texture(bpBrdf, vec2(coatNdV, coatRoughness)).rg;"},
+       true},
   };
   return anchors;
 }
@@ -73,15 +89,17 @@ void replaceAll(std::string& text, const std::string& from, const std::string& t
 }
 
 std::string missing(const std::string& what, const std::string& anchor) {
-  return std::string("VTK ") + vtkVersion::GetVTKVersion() + " writes a shader without the anchor for the " + what + ": \"" +
-         anchor + "\"; Boxprobe is known to work with VTK 9.1.0";
+  return std::string("VTK ") + vtkVersion::GetVTKVersion() + " writes a shader without the anchor for the " + what +
+         ": \"" + anchor + "\"; Boxprobe is known to work with VTK 9.1.0";
 }
 
 std::string applyAnchors(std::string& text, const std::vector<Anchor>& anchors, bool coat) {
   for (const Anchor& anchor : anchors) {
     if (anchor.coatOnly && !coat) continue;
     bool found = false;
-    for (const char* candidate : anchor.texts) found = found || replaceOnce(text, candidate, anchor.replacement);
+    for (std::size_t i = 0; i < anchor.texts.size() && !found; ++i) {
+      found = replaceOnce(text, anchor.texts[i], anchor.replacements[std::min(i, anchor.replacements.size() - 1)]);
+    }
     if (!found) return missing(anchor.what, anchor.texts.front());
   }
   return {};
@@ -128,14 +146,16 @@ std::string techniqueSources(const ProbeBinding& binding) {
   const auto& first = projectionRows()[static_cast<std::size_t>(binding.probes.front()->geometry.technique.projection)];
   return joinShaderSources(projectionFiles) +
          "ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)\n{\n" + dispatch +
-         "  return " + std::string(first.function) + "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n" +
+         "  return " + std::string(first.function) +
+         "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n" +
          joinShaderSources({"gpu/fetch_probe.glsl"}) + joinShaderSources(evaluationFiles);
 }
 
 std::string probeDeclarations(const ProbeBinding& binding) {
   const std::vector<int> groups = binding.groups();
   std::string lighting(shaderSource("gpu/probe_lighting.glsl"));
-  replaceOnce(lighting, "//BP::Slots", techniqueSources(binding) + perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
+  replaceOnce(lighting, "//BP::Slots",
+              techniqueSources(binding) + perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
   replaceOnce(lighting, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
   replaceOnce(lighting, "//BP::Shares", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
   return "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
@@ -155,9 +175,11 @@ std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding) 
   const bool unlit = binding.lighting == Lighting::Unlit;
 
   std::string text = fragmentSource;
-  std::string declarations = probes ? probeDeclarations(binding) : "uniform float bpParallel;\nuniform float bpExposure;\n";
+  std::string declarations =
+      probes ? probeDeclarations(binding) : "uniform float bpParallel;\nuniform float bpExposure;\n";
   declarations += shaderSource("gpu/output.glsl");
-  if (!replaceOnce(text, kDeclarations, declarations + "\n" + kDeclarations)) return missing("declarations", "void main()");
+  if (!replaceOnce(text, kDeclarations, declarations + "\n" + kDeclarations))
+    return missing("declarations", "void main()");
 
   std::string failure = applyAnchors(text, viewAndOutputAnchors(), coat);
   if (failure.empty() && probes) failure = applyAnchors(text, lightingAnchors(), coat);

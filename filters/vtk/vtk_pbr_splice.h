@@ -1,5 +1,5 @@
-// Puts probe lighting into the fragment shader VTK's polydata mapper has written for physically based shading. The only file
-// that knows VTK's shader text: every anchor, the check that each one matched, the versions it was tried on.
+// Puts probe lighting into the fragment shader VTK's polydata mapper has written for physically based shading. The only
+// file that knows VTK's shader text: every anchor, the check that each one matched, the versions it was tried on.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace boxprobe {
 
-/// Edits `fragmentSource` in place. Returns an empty string, or one line naming VTK's version and the anchor that is not
-/// there (the source is then unchanged).
-/// A shader without physically based shading (no light, lines, points) has nothing to splice and is left as it is.
+/// Edits `fragmentSource` in place. Returns an empty string, or one line naming VTK's version and the anchor that is
+/// not there (the source is then unchanged). A shader without physically based shading (no light, lines, points) has
+/// nothing to splice and is left as it is.
 std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding);
 
 }  // namespace boxprobe

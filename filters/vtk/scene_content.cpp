@@ -1,0 +1,62 @@
+#include "filters/vtk/scene_content.h"
+
+#include <vtkRenderer.h>
+
+#include "filters/io/image_file.h"
+#include "filters/vtk/scene_lights.h"
+
+namespace boxprobe {
+
+void SceneContent::rebuildObjects(vtkRenderer* renderer, const std::shared_ptr<DrawState>& state) {
+  for (DrawnObject& object : objects) renderer->RemoveActor(object.actor);
+  objects.clear();
+  ++modelGeneration;
+  for (std::size_t i = 0; i < models.size() && i < scene.models.size(); ++i) {
+    for (DrawnObject& object : makeObjects(*models[i], scene.models[i], state)) {
+      renderer->AddActor(object.actor);
+      objects.push_back(std::move(object));
+    }
+  }
+  // Drawn last: it only fills what nothing else covered.
+  renderer->RemoveViewProp(sky);
+  renderer->AddViewProp(sky);
+}
+
+void SceneContent::rebuildLights(vtkRenderer* renderer) {
+  renderer->RemoveAllLights();
+  lights = makeLights(scene, bounds().center());
+  for (auto& light : lights) renderer->AddLight(light);
+}
+
+void SceneContent::rebuildSky() {
+  const auto* image = std::get_if<SkyImage>(&scene.sky);
+  if (image == nullptr) {
+    skyImage.reset();
+    skyImageFile_.clear();
+  } else if (image->file != skyImageFile_) {
+    skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file));
+    skyImageFile_ = image->file;
+  }
+  sky->SetSky(scene.sky, skyImage);
+}
+
+Box SceneContent::bounds() const {
+  Box box;
+  bool any = false;
+  for (const DrawnObject& object : objects) {
+    if (!object.settings.visible) continue;
+    const Box b = worldBounds(object);
+    box = any ? Box{glm::min(box.min, b.min), glm::max(box.max, b.max)} : b;
+    any = true;
+  }
+  return box;
+}
+
+std::vector<vtkLight*> SceneContent::lightPointers() const {
+  std::vector<vtkLight*> pointers;
+  pointers.reserve(lights.size());
+  for (const auto& light : lights) pointers.push_back(light);
+  return pointers;
+}
+
+}  // namespace boxprobe

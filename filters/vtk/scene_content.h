@@ -1,0 +1,43 @@
+// What is in the picture besides probes: the scene's values with the VTK objects made from them. Owned by the scene
+// renderer, read by the probe set.
+#pragma once
+
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <vector>
+
+#include "filters/core/model.h"
+#include "filters/core/scene.h"
+#include "filters/vtk/model_actors.h"
+#include "filters/vtk/vtkSkyProp.h"
+
+class vtkRenderer;
+
+namespace boxprobe {
+
+struct SceneContent {
+  Scene scene;
+  std::vector<std::shared_ptr<const Model>> models;  ///< in the order of scene.models
+  int modelGeneration = 0;                           ///< counts replacements of the models
+  std::vector<DrawnObject> objects;
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  vtkNew<vtkSkyProp> sky;
+  std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
+
+  /// Bounds of all visible objects; a box around the origin when there is none.
+  Box bounds() const;
+  std::vector<vtkLight*> lightPointers() const;
+
+  void rebuildObjects(vtkRenderer* renderer, const std::shared_ptr<DrawState>& state);
+  void rebuildLights(vtkRenderer* renderer);
+  /// Reads the sky's image if it has one and it is not the one at hand. Throws InputError.
+  void rebuildSky();
+
+ private:
+  std::string skyImageFile_;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,179 @@
+// What a probe holds after a capture: coverage, range, levels, bounces; and what is captured again after which edit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "filters/math/shared_math.h"
+#include "filters/vtk/draw_state.h"
+#include "filters/vtk/prefilter.h"
+#include "filters/vtk/spherical_harmonics.h"
+#include "tests/support/gpu_window.h"
+#include "tests/support/scene_picture.h"
+
+namespace {
+
+using namespace boxprobe;
+using namespace boxprobe::test;
+
+TEST(Prefilter, WhiteFurnaceStaysWhiteAtEveryLevel) {
+  const auto window = makeWindow();
+  Counters counters;
+  Prefilter prefilter(window, &counters);
+  CubeTexture source, chain;
+  constexpr int kFace = 64;
+  source.allocate(kFace, 7, GL_RGBA16F);
+  chain.allocate(kFace, prefilterLevels(kFace), GL_RGBA16F);
+  const std::vector<float> white(kFace * kFace * 4, 1.0f);
+  for (int face = 0; face < 6; ++face) source.writeFace(face, 0, white);
+  prefilter.begin(source, chain);
+  for (int level = 1; level < chain.levels(); ++level) prefilter.filterLevel(source, chain, level);
+  for (int level = 0; level < chain.levels(); ++level) {
+    for (int face = 0; face < 6; ++face) {
+      for (const float value : chain.readFace(face, level)) ASSERT_NEAR(value, 1.0f, 1e-3f) << "level " << level;
+    }
+  }
+  const ShCoefficients sh = Prefilter::irradiance(source);
+  for (const glm::vec3 n : {glm::vec3(1, 0, 0), glm::vec3(0, -1, 0), glm::normalize(glm::vec3(1, 2, -3))}) {
+    const glm::vec3 e = shading::shIrradiance(n, sh[0], sh[1], sh[2], sh[3], sh[4], sh[5], sh[6], sh[7], sh[8]);
+    EXPECT_NEAR(e.x, 1.0f, 1e-3f);
+  }
+  EXPECT_EQ(counters.levelsFiltered, static_cast<std::uint64_t>(chain.levels() - 1));
+}
+
+// A cosine lobe has a closed form: radiance max(d.y, 0) gives irradiance over pi of 2/3 for a normal up, by quadrature
+// independent of the code under test.
+TEST(Prefilter, IrradianceOfACosineSky) {
+  const auto window = makeWindow();
+  Counters counters;
+  Prefilter prefilter(window, &counters);
+  CubeTexture source, chain;
+  constexpr int kFace = 64;
+  source.allocate(kFace, 7, GL_RGBA16F);
+  chain.allocate(kFace, prefilterLevels(kFace), GL_RGBA16F);
+  for (int face = 0; face < 6; ++face) {
+    std::vector<float> texels;
+    for (int row = 0; row < kFace; ++row) {
+      for (int column = 0; column < kFace; ++column) {
+        const glm::vec3 d =
+            glm::normalize(shading::cubeDirection(face, 2.0f * (static_cast<float>(column) + 0.5f) / kFace - 1.0f,
+                                                  2.0f * (static_cast<float>(row) + 0.5f) / kFace - 1.0f));
+        texels.insert(texels.end(), {std::max(d.y, 0.0f), 0.0f, 0.0f, 1.0f});
+      }
+    }
+    source.writeFace(face, 0, texels);
+  }
+  prefilter.begin(source, chain);
+  const ShCoefficients sh = Prefilter::irradiance(source);
+  const auto at = [&](const glm::vec3& n) {
+    return shading::shIrradiance(n, sh[0], sh[1], sh[2], sh[3], sh[4], sh[5], sh[6], sh[7], sh[8]).x;
+  };
+  // Bands above 2 are left out, so a few percent are expected.
+  EXPECT_NEAR(at({0, 1, 0}), 2.0 / 3.0, 0.02);
+  EXPECT_NEAR(at({1, 0, 0}), 2.0 / (3.0 * 3.14159265), 0.02);  // integral of max(y,0) max(x,0) / pi
+  EXPECT_NEAR(at({0, -1, 0}), 0.0, 0.03);
+}
+
+TEST(Levels, BakeAndLookupAreInverse) {
+  for (int last = 1; last <= 10; ++last) {
+    for (int level = 0; level <= last; ++level) {
+      const float p = shading::roughnessForLevel(static_cast<float>(level), static_cast<float>(last));
+      EXPECT_NEAR(shading::levelForRoughness(p, static_cast<float>(last)), level, 2e-5f * static_cast<float>(last));
+    }
+    EXPECT_EQ(shading::roughnessForLevel(0.0f, static_cast<float>(last)), 0.0f);
+    EXPECT_EQ(shading::roughnessForLevel(static_cast<float>(last), static_cast<float>(last)), 1.0f);
+  }
+}
+
+TEST(Capture, OnlyWhatAnEditNeedsIsMadeAgain) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  const Camera camera = cameraNamed(picture.scene, "main");
+  picture.show(camera);
+  const auto captured = [&] { return picture.renderer->counters().facesCaptured; };
+  const auto filtered = [&] { return picture.renderer->counters().levelsFiltered; };
+  EXPECT_GE(captured(), 6u);
+  std::uint64_t faces = captured(), levels = filtered();
+
+  const auto edit = [&](const std::function<void(Scene&)>& change) {
+    const Scene before = picture.scene;
+    change(picture.scene);
+    picture.renderer->sync(picture.scene, difference(before, picture.scene));
+    picture.renderer->finishWork();
+  };
+  edit([](Scene& s) { s.probes[0].box.max.x += 0.5; });
+  edit([](Scene& s) { s.probes[0].blendDistance.min.y = 0.7; });
+  edit([](Scene& s) { s.probes[0].technique = "sphere"; });
+  edit([](Scene& s) { s.probes[0].rotationDegrees.y = 20.0; });
+  edit([](Scene& s) { s.materials["sphere"].roughness = 0.5f; });  // spheres are not seen by the probe
+  EXPECT_EQ(captured(), faces);
+  EXPECT_EQ(filtered(), levels);
+
+  const glm::dvec3 origin = picture.scene.probes[0].origin;
+  edit([](Scene& s) { s.probes[0].origin.x += 0.25; });
+  EXPECT_EQ(captured(), faces + 6);
+  faces = captured();
+  levels = filtered();
+  edit([&](Scene& s) { s.probes[0].origin = origin; });  // as by undo: the earlier maps are still there
+  EXPECT_EQ(captured(), faces);
+  EXPECT_EQ(filtered(), levels);
+
+  edit([](Scene& s) { s.probes[0].bounces = 3; });
+  EXPECT_EQ(captured(), faces + 18);
+  edit([](Scene& s) {
+    s.probes.push_back(s.probes[0]);
+    s.probes[1].name = "far away";
+    s.probes[1].box = Box{{100, 0, 100}, {101, 1, 101}};
+  });
+  EXPECT_EQ(captured(), faces + 18) << "a probe whose influence meets no object is not captured";
+}
+
+TEST(Capture, BrightTexelsAreClampedAndCounted) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.scene.materials["lamp"].emissive = glm::vec3(1.0e6f);
+  picture.show(cameraNamed(picture.scene, "main"));
+  EXPECT_GT(picture.renderer->counters().texelsClamped, 0u);
+  EXPECT_EQ(picture.renderer->counters().texelsNotFinite, 0u);
+  for (const float value : picture.linear(1).pixels) ASSERT_TRUE(std::isfinite(value));
+}
+
+TEST(Capture, WithoutReflectiveObjectsNothingIsCaptured) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  for (const char* node : {"floor", "lamp", "sphere 1", "sphere 2", "sphere 3"})
+    picture.scene.objects[node].visible = false;
+  picture.show(cameraNamed(picture.scene, "main"));
+  EXPECT_EQ(picture.renderer->counters().facesCaptured, 0u);
+}
+
+// The reflected colour on a sphere carried out of the probe's influence: continuous with a blend distance, a jump
+// without.
+TEST(Blend, FromProbeToSkyWithoutAJump) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 65, 65);
+  picture.scene.sky = SkyColor{{0.0f, 0.0f, 3.0f}};
+  picture.scene.probes[0].influence.reset();
+  Camera camera;
+  camera.verticalFovDegrees = 2.0;  // looks at one point of the floor
+  const auto largestStep = [&](double blend) {
+    picture.scene.probes[0].box.max.x = 1.0;
+    picture.scene.probes[0].blendDistance = BlendDistance{glm::dvec3(0.0), glm::dvec3(blend, 0.0, 0.0)};
+    picture.show(camera);
+    double previous = -1.0, worst = 0.0;
+    for (int i = 0; i <= 60; ++i) {
+      const double x = -0.5 + 2.0 * i / 60.0;
+      Camera eye = camera;
+      eye.position = {x, 1.0, 2.5};
+      eye.target = {x, 0.0, 2.501};
+      eye.up = {0.0, 0.0, -1.0};
+      picture.renderer->applyCamera(eye);
+      const ImageRgbaF image = picture.linear(1);
+      const double blue = image.pixels[(32 * 65 + 32) * 4 + 2];
+      if (previous >= 0.0) worst = std::max(worst, std::abs(blue - previous));
+      previous = blue;
+    }
+    return worst;
+  };
+  const double jump = largestStep(0.0), smooth = largestStep(1.0);
+  EXPECT_GT(jump, 1.0);
+  EXPECT_LT(smooth, 0.25 * jump);
+}
+
+}  // namespace
