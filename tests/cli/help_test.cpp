@@ -11,7 +11,7 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
 Outcome help(const std::vector<std::string>& arguments) {
-  const Outcome outcome = runProgram(arguments, DisplayKind::Unset);
+  Outcome outcome = runProgram(arguments, DisplayKind::Unset);
   EXPECT_EQ(outcome.exitStatus, 0);
   EXPECT_EQ(outcome.err, "");
   return outcome;

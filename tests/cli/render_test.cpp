@@ -21,7 +21,7 @@ class Render : public ::testing::Test {
  protected:
   /// Renders data/scenes/SCENE at 160 x 90 into the folder; returns the path of the picture.
   std::string render(const std::string& scene, const std::string& output, const std::vector<std::string>& more = {}) {
-    const std::string path = folder.path(output);
+    std::string path = folder.path(output);
     std::vector<std::string> arguments = {"render", demoScene(scene), "-o", path, "--size", "160x90"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     outcome = runProgram(arguments);
@@ -196,7 +196,7 @@ TEST_F(Render, BareModel) {
   outcome = runProgram({"render", model, "-o", folder.path("out.png"), "--size", "64x48"});
   EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
   const ImageRgba8 image = loadImage8(folder.path("out.png"));
-  const std::size_t centre = 4 * (24 * 64 + 32);
+  constexpr std::size_t centre = std::size_t{4} * (24 * 64 + 32);
   EXPECT_FALSE(std::equal(&image.pixels[0], &image.pixels[3], &image.pixels[centre]))
       << "the triangle stands before the sky";
 }
