@@ -31,6 +31,9 @@ class vtkTargetPass : public vtkRenderPass {
   vtkTypeMacro(vtkTargetPass, vtkRenderPass)
 
       const FloatTarget* Target = nullptr;
+  // Not in the renderer: taking a prop out of a renderer releases its buffers and textures, which the window's own renderer
+  // goes on using.
+  std::vector<vtkProp*> Props;
 
   void Render(const vtkRenderState* s) override {
     vtkRenderer* renderer = s->GetRenderer();
@@ -42,7 +45,9 @@ class vtkTargetPass : public vtkRenderPass {
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
     renderer->Clear();
-    this->Content->Render(s);
+    vtkRenderState content(renderer);
+    content.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
+    this->Content->Render(&content);
   }
 
  protected:
@@ -95,12 +100,12 @@ CubeCapture::~CubeCapture() = default;
 void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
                              const std::vector<vtkLight*>& lights, const glm::vec3& clearColor) {
   target_.allocate(width, height);
-  vtkTargetPass::SafeDownCast(renderer_->GetPass())->Target = &target_;
+  auto* pass = vtkTargetPass::SafeDownCast(renderer_->GetPass());
+  pass->Target = &target_;
+  pass->Props = props;
   renderer_->SetRenderWindow(window_);
   renderer_->SetBackground(clearColor.x, clearColor.y, clearColor.z);
   renderer_->SetActiveCamera(camera);
-  renderer_->RemoveAllViewProps();
-  for (vtkProp* prop : props) renderer_->AddViewProp(prop);
   renderer_->RemoveAllLights();
   for (vtkLight* light : lights) renderer_->AddLight(light);
   // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload, whoever made
@@ -213,7 +218,6 @@ void CubeCapture::release() {
   resolve_.release();
   if (query_ != 0) glDeleteQueries(1, &query_);
   query_ = 0;
-  renderer_->RemoveAllViewProps();
   renderer_->SetRenderWindow(nullptr);
 }
 
