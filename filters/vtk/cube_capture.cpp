@@ -31,8 +31,8 @@ class vtkTargetPass : public vtkRenderPass {
   vtkTypeMacro(vtkTargetPass, vtkRenderPass)
 
       const FloatTarget* Target = nullptr;
-  // Not in the renderer: taking a prop out of a renderer releases its buffers and textures, which the window's own renderer
-  // goes on using.
+  // Not in the renderer: taking a prop out of a renderer releases its buffers and textures, which the window's own
+  // renderer goes on using.
   std::vector<vtkProp*> Props;
 
   void Render(const vtkRenderState* s) override {

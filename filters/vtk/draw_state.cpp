@@ -20,6 +20,9 @@ std::vector<int> ProbeBinding::groups() const {
 std::string ProbeBinding::variantKey() const {
   std::string key(1, static_cast<char>('0' + static_cast<int>(lighting)));
   if (rotated()) key += 'r';
+  if (weights) key += 'w';
+  if (sky) key += 's';
+  if (diffuse) key += 'd';
   const std::vector<int> group = groups();
   for (std::size_t i = 0; i < probes.size(); ++i) {
     key += " " + std::to_string(group[i]) + ":" + techniqueId(probes[i]->geometry.technique);

@@ -42,8 +42,11 @@ struct ProbeBinding {
   Lighting lighting = Lighting::Plain;
   std::vector<std::shared_ptr<const DrawnProbe>> probes;  ///< most important first, at most kMaxProbesPerDraw
   static constexpr std::size_t kMaxProbesPerDraw = 4;
+  bool weights = true;  ///< false: one probe, at full weight all over the object
+  bool sky = true;      ///< false: the probes leave nothing to it
+  bool diffuse = true;  ///< false: the material is all metal
 
-  /// Equal keys share a program: techniques, importance groups, rotation.
+  /// Equal keys share a program: techniques, importance groups, and what can be left out.
   std::string variantKey() const;
   bool rotated() const;
   /// Group of equal importance of each probe, from 0.

@@ -202,6 +202,8 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
   const auto it = scene.objects.find(object.node);
   object.settings = it != scene.objects.end() ? it->second : ObjectOverride{};
 
+  object.allMetal = material.metallic == 1.0f && !material.metallicRoughnessTexture.image;
+
   vtkProperty* property = object.actor->GetProperty();
   const glm::dvec3 base(material.baseColor);
   property->SetOpacity(material.baseColor.a);

@@ -7,7 +7,7 @@ namespace boxprobe {
 
 std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, const Scene& scene,
                                                  const std::vector<std::shared_ptr<DrawnProbe>>& drawn,
-                                                 bool probesEnabled) {
+                                                 bool probesEnabled, bool general) {
   auto binding = std::make_shared<ProbeBinding>();
   if (object.unlit) {
     binding->lighting = Lighting::Unlit;
@@ -27,6 +27,19 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
     const Probe& q = scene.probes[b];
     return p.importance != q.importance ? p.importance > q.importance : p.name < q.name;
   });
+  binding->diffuse = !object.allMetal;
+  if (!general) {
+    const auto cover = std::find_if(order.begin(), order.end(),
+                                    [&](std::size_t i) { return fullWeightEverywhere(scene.probes[i], bounds); });
+    if (cover != order.end()) {
+      const double importance = scene.probes[*cover].importance;
+      order.erase(std::remove_if(order.begin(), order.end(),
+                                 [&](std::size_t i) { return scene.probes[i].importance < importance; }),
+                  order.end());
+      binding->sky = false;
+      binding->weights = order.size() > 1;
+    }
+  }
   if (order.size() > ProbeBinding::kMaxProbesPerDraw) order.resize(ProbeBinding::kMaxProbesPerDraw);
   for (const std::size_t i : order) binding->probes.push_back(drawn[i]);
   return binding;

@@ -15,6 +15,6 @@ namespace boxprobe {
 /// scene.probes[i].
 std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, const Scene& scene,
                                                  const std::vector<std::shared_ptr<DrawnProbe>>& drawn,
-                                                 bool probesEnabled);
+                                                 bool probesEnabled, bool general);
 
 }  // namespace boxprobe

@@ -12,6 +12,7 @@ namespace {
 // A floor that lies in a face of its room's box is inside: without this skin rounding (1e-7 of the distance to the
 // camera) would decide pixel by pixel when the blend distance is 0. Relative to the box, so it works at every scale.
 constexpr double kInfluenceSkin = 1.0e-4;
+constexpr double kNarrowestBlend = 1.0e-5;
 
 }  // namespace
 
@@ -39,14 +40,32 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
   const double skin = kInfluenceSkin * std::max({size.x, size.y, size.z});
   g.influenceMin = glm::vec3(influence.min - skin - origin);
   g.influenceMax = glm::vec3(influence.max + skin - origin);
-  g.blendMin = glm::vec3(probe.blendDistance.min);
-  g.blendMax = glm::vec3(probe.blendDistance.max);
+  // No wider than a position's own rounding: to a pixel that is a step.
+  const double shortest = kNarrowestBlend * std::max({size.x, size.y, size.z});
+  g.rateMin = glm::vec3(1.0 / glm::max(probe.blendDistance.min, glm::dvec3(shortest)));
+  g.rateMax = glm::vec3(1.0 / glm::max(probe.blendDistance.max, glm::dvec3(shortest)));
   g.intensity = static_cast<float>(probe.intensity);
   g.importance = probe.importance;
   g.technique = parseTechnique(probe.technique).value_or(Technique{});
   // "Projection off" is the bare reflection vector, whatever the technique's projection.
   if (!probe.projection) g.technique.projection = parseTechnique("infinite")->projection;
   return g;
+}
+
+bool fullWeightEverywhere(const Probe& probe, const Box& boundsWorld) {
+  const Box& influence = probe.influenceBox();
+  const glm::dvec3 center = probe.box.center();
+  const glm::dmat3 probeFromWorld = glm::transpose(rotationMatrix(probe.rotationDegrees));
+  const glm::dvec3 low = influence.min + probe.blendDistance.min;
+  const glm::dvec3 high = influence.max - probe.blendDistance.max;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 world((corner & 1) != 0 ? boundsWorld.max.x : boundsWorld.min.x,
+                           (corner & 2) != 0 ? boundsWorld.max.y : boundsWorld.min.y,
+                           (corner & 4) != 0 ? boundsWorld.max.z : boundsWorld.min.z);
+    const glm::dvec3 p = center + probeFromWorld * (world - center);
+    if (glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high))) return false;
+  }
+  return true;
 }
 
 bool influenceMeets(const Probe& probe, const Box& boundsWorld) {

@@ -16,7 +16,7 @@ struct ProbeGeometry {
   bool rotated = false;
   glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame: relative to the capture origin, along the box's axes
   glm::vec3 influenceMin{0.0f}, influenceMax{0.0f};
-  glm::vec3 blendMin{0.0f}, blendMax{0.0f};
+  glm::vec3 rateMin{0.0f}, rateMax{0.0f};  ///< 1 / blend distance, by face
   float intensity = 1.0f;
   double importance = 1.0;
   Technique technique;
@@ -28,6 +28,9 @@ glm::dmat3 rotationMatrix(const glm::dvec3& rotationDegrees);
 /// `capturedAt` may differ from probe.origin while a new capture is under way: lookups must use where the map was
 /// taken.
 ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt);
+
+/// Has every point of an axis-aligned box full weight?
+bool fullWeightEverywhere(const Probe& probe, const Box& boundsWorld);
 
 /// Does the influence box, as an oriented box, meet an axis-aligned box? Conservative (may say yes for a near miss).
 bool influenceMeets(const Probe& probe, const Box& boundsWorld);

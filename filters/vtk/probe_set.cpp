@@ -55,18 +55,14 @@ void ProbeSet::updateShapes() {
 }
 
 void ProbeSet::assignToObjects() {
-  assignmentPostponed_ = false;
   std::vector<std::shared_ptr<DrawnProbe>> drawn;
   for (const Entry& entry : entries_) drawn.push_back(entry.drawn);
   for (DrawnObject& object : content_->objects) {
-    auto binding = assignProbes(object, content_->scene, drawn, enabled_);
+    auto binding = assignProbes(object, content_->scene, drawn, enabled_, interactive_);
     const std::string key = binding->variantKey();
     const ProbeBinding* current = object.mapper->GetBinding();
     // A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
-    if (interactive_ && current != nullptr && current->variantKey() != key && variantsUsed_.count(key) == 0) {
-      assignmentPostponed_ = true;
-      continue;
-    }
+    if (interactive_ && current != nullptr && current->variantKey() != key && variantsUsed_.count(key) == 0) continue;
     variantsUsed_.insert(key);
     object.mapper->SetBinding(std::move(binding));
   }
@@ -96,9 +92,8 @@ void ProbeSet::updateCaptures() {
 void ProbeSet::setInteractive(bool interactive) {
   if (interactive_ == interactive) return;
   interactive_ = interactive;
-  if (interactive_) return;
-  if (assignmentPostponed_) assignToObjects();
-  startWork();
+  assignToObjects();
+  if (!interactive_) startWork();
 }
 
 void ProbeSet::setEnabled(bool enabled) {

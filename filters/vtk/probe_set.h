@@ -67,8 +67,7 @@ class ProbeSet {
   std::string skyWanted_, skyShown_;
   std::vector<std::string> queued_;     ///< keys the queue works towards
   std::set<std::string> variantsUsed_;  ///< program variants objects have had so far
-  bool assignmentPostponed_ = false;
-  std::vector<CachedMaps> cache_;  ///< most recently made last
+  std::vector<CachedMaps> cache_;       ///< most recently made last
 };
 
 }  // namespace boxprobe

@@ -9,16 +9,14 @@ namespace boxprobe {
 
 namespace {
 
-std::array<double, 9> basis(const glm::dvec3& n) {
-  return {0.282094791773878,
-          0.488602511902920 * n.y,
-          0.488602511902920 * n.z,
-          0.488602511902920 * n.x,
-          1.092548430592079 * n.x * n.y,
-          1.092548430592079 * n.y * n.z,
-          0.315391565252520 * (3.0 * n.z * n.z - 1.0),
-          1.092548430592079 * n.x * n.z,
-          0.546274215296040 * (n.x * n.x - n.y * n.y)};
+// Real spherical harmonics are a constant times a polynomial; the constant enters twice, in the projection and in the
+// evaluation, so its square is folded into the coefficient.
+constexpr double kConstant[9] = {0.282094791773878, 0.488602511902920, 0.488602511902920,
+                                 0.488602511902920, 1.092548430592079, 1.092548430592079,
+                                 0.315391565252520, 1.092548430592079, 0.546274215296040};
+
+std::array<double, 9> polynomials(const glm::dvec3& n) {
+  return {1.0, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0, n.x * n.z, n.x * n.x - n.y * n.y};
 }
 
 // Clamped cosine over pi, by band.
@@ -45,13 +43,13 @@ ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& f
         const float* texel =
             &faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(row * faceSize + column) * 4];
         const glm::dvec3 radiance(texel[0], texel[1], texel[2]);
-        const auto y = basis(direction);
+        const auto y = polynomials(direction);
         for (std::size_t i = 0; i < 9; ++i) sum[i] += radiance * (y[i] * solidAngle);
       }
     }
   }
   ShCoefficients result;
-  for (std::size_t i = 0; i < 9; ++i) result[i] = glm::vec3(sum[i] * kCosine[i]);
+  for (std::size_t i = 0; i < 9; ++i) result[i] = glm::vec3(sum[i] * (kCosine[i] * kConstant[i] * kConstant[i]));
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace boxprobe {
 using ShCoefficients = std::array<glm::vec3, 9>;
 
 /// Radiance of six faces (RGBA float, faceSize² texels each, OpenGL face order and orientation) projected on the real
-/// spherical harmonics of bands 0 to 2 and convolved with the clamped cosine over pi, so that
+/// spherical harmonics of bands 0 to 2 and convolved with the clamped cosine over pi, constants folded in, so that
 /// shIrradiance (shaders/shared/sh.glsl) gives the irradiance over pi: a constant radiance L gives L for every normal.
 /// Ramamoorthi and Hanrahan 2001; each texel weighs its exact solid angle.
 ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& faces, int faceSize);

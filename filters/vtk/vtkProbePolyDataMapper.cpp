@@ -105,6 +105,15 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   program->SetUniformMatrix3x3("bpViewToWorld", viewToWorld);
   program->SetUniformi("bpBrdf", this->Bind(renderer, GL_TEXTURE_2D, this->State->brdfTable));
 
+  if (this->Binding->sky) {
+    this->UploadSky(program, renderer);
+  }
+  if (!this->Binding->probes.empty()) {
+    this->UploadSlots(program, renderer);
+  }
+}
+
+void vtkProbePolyDataMapper::UploadSky(vtkShaderProgram* program, vtkRenderer* renderer) {
   const auto& sky = this->State->sky;
   program->SetUniformi(
       "bpSkyMap", this->Bind(renderer, GL_TEXTURE_CUBE_MAP, sky ? sky->radiance.handle() : this->State->blackCube));
@@ -121,11 +130,11 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
     return;
   }
   constexpr std::size_t kMax = boxprobe::ProbeBinding::kMaxProbesPerDraw;
-  std::array<glm::vec3, kMax> origin, boxMin, boxMax, influenceMin, influenceMax, blendMin, blendMax;
+  std::array<glm::vec3, kMax> origin, boxMin, boxMax, influenceMin, influenceMax, rateMin, rateMax;
   std::array<float, kMax> intensity{}, maxLevel{};
   std::array<glm::mat3, kMax> worldFromProbe{};
   std::array<glm::vec3, 9 * kMax> sh{};
-  const double* eye = camera->GetPosition();
+  const double* eye = renderer->GetActiveCamera()->GetPosition();
   for (std::size_t i = 0; i < count; ++i) {
     const boxprobe::DrawnProbe& probe = *this->Binding->probes[i];
     const boxprobe::ProbeGeometry& g = probe.geometry;
@@ -134,8 +143,8 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
     boxMax[i] = g.boxMax;
     influenceMin[i] = g.influenceMin;
     influenceMax[i] = g.influenceMax;
-    blendMin[i] = g.blendMin;
-    blendMax[i] = g.blendMax;
+    rateMin[i] = g.rateMin;
+    rateMax[i] = g.rateMax;
     worldFromProbe[i] = glm::mat3(g.worldFromProbe);
     intensity[i] = probe.maps && !this->State->environmentDark ? g.intensity : 0.0f;
     maxLevel[i] = probe.maps ? probe.maps->maxLevel() : 0.0f;
@@ -155,8 +164,8 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   upload("bpBoxMax", boxMax);
   upload("bpInfluenceMin", influenceMin);
   upload("bpInfluenceMax", influenceMax);
-  upload("bpBlendMin", blendMin);
-  upload("bpBlendMax", blendMax);
+  upload("bpRateMin", rateMin);
+  upload("bpRateMax", rateMax);
   program->SetUniform1fv("bpIntensity", n, intensity.data());
   program->SetUniform1fv("bpMaxLevel", n, maxLevel.data());
   program->SetUniform3fv("bpSh", 9 * n, reinterpret_cast<const float(*)[3]>(&sh[0].x));

@@ -41,6 +41,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void operator=(const vtkProbePolyDataMapper&) = delete;
 
   void UploadProbes(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadSky(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer);
   int Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle);
 
   std::shared_ptr<boxprobe::DrawState> State;

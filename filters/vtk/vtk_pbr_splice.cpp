@@ -158,9 +158,13 @@ std::string probeDeclarations(const ProbeBinding& binding) {
               techniqueSources(binding) + perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
   replaceOnce(lighting, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
   replaceOnce(lighting, "//BP::Shares", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
-  return "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
-         std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n#define BP_ROTATED " +
-         (binding.rotated() ? "1\n" : "0\n") +
+  const auto define = [](const char* name, bool value) {
+    return std::string("#define ") + name + (value ? " 1\n" : " 0\n");
+  };
+  return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
+         define("BP_SKY", binding.sky) + define("BP_DIFFUSE", binding.diffuse) + "#define BP_SLOTS " +
+         std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
+         std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", "shared/weights.glsl",
                             "shared/sh.glsl"}) +
          lighting;

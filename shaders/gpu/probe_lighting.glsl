@@ -2,6 +2,9 @@
 //   BP_SLOTS     probes this draw may use (0 to 4), most important first
 //   BP_GROUPS    runs of equal importance among them
 //   BP_ROTATED   1 if any of their boxes is rotated
+//   BP_WEIGHTS   0 if the draw lies where its one probe has full weight
+//   BP_SKY       0 if the probes leave nothing to the sky anywhere in the draw
+//   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
 
@@ -20,8 +23,8 @@ uniform vec3 bpBoxMin[BP_SLOTS];        // projection box, probe frame
 uniform vec3 bpBoxMax[BP_SLOTS];
 uniform vec3 bpInfluenceMin[BP_SLOTS];  // influence box, probe frame
 uniform vec3 bpInfluenceMax[BP_SLOTS];
-uniform vec3 bpBlendMin[BP_SLOTS];
-uniform vec3 bpBlendMax[BP_SLOTS];
+uniform vec3 bpRateMin[BP_SLOTS];        // 1 / blend distance
+uniform vec3 bpRateMax[BP_SLOTS];
 uniform float bpIntensity[BP_SLOTS];
 uniform float bpMaxLevel[BP_SLOTS];
 uniform vec3 bpSh[9 * BP_SLOTS];
@@ -43,14 +46,17 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   vec3 position = bpViewToWorld * positionView;
   vec3 normal = bpViewToWorld * normalView;
   vec3 view = bpViewToWorld * viewView;
-  vec3 reflection = reflect(-view, normal);
+  vec3 reflection = bpViewToWorld * reflect(-viewView, normalView);
 
   BpLight light;
   light.specular = vec3(0.0f);
   light.irradiance = vec3(0.0f);
   float remaining = 1.0f;
 
-#if BP_SLOTS > 0
+#if BP_SLOTS > 0 && !BP_WEIGHTS
+  bpAddSlot0(light, bpIntensity[0], position, normal, view, reflection, roughness);
+  remaining = 0.0f;
+#elif BP_SLOTS > 0
   float weight[BP_SLOTS];
   float groupSum[BP_GROUPS];
   float groupShare[BP_GROUPS];
@@ -64,12 +70,16 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 //BP::Shares
 #endif
 
+#if BP_SKY
   float sky = remaining * bpSkyIntensity;
   if (sky > 1.0e-5f)
   {
     light.specular += sky * textureLod(bpSkyMap, reflection, levelForRoughness(roughness, bpSkyMaxLevel)).rgb;
+#if BP_DIFFUSE
     light.irradiance += sky * shIrradiance(normal, bpSkySh[0], bpSkySh[1], bpSkySh[2], bpSkySh[3], bpSkySh[4],
                                            bpSkySh[5], bpSkySh[6], bpSkySh[7], bpSkySh[8]);
+#endif
   }
+#endif
   return light;
 }

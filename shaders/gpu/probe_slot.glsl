@@ -24,7 +24,9 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
 #endif
 
   light.specular += weight * @EVALUATE@(bpMap@SLOT@, probe, point).rgb;
+#if BP_DIFFUSE
   light.irradiance += weight * shIrradiance(normal, bpSh[9 * @SLOT@], bpSh[9 * @SLOT@ + 1], bpSh[9 * @SLOT@ + 2],
                                             bpSh[9 * @SLOT@ + 3], bpSh[9 * @SLOT@ + 4], bpSh[9 * @SLOT@ + 5],
                                             bpSh[9 * @SLOT@ + 6], bpSh[9 * @SLOT@ + 7], bpSh[9 * @SLOT@ + 8]);
+#endif
 }

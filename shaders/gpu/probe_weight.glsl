@@ -2,6 +2,6 @@
 #if BP_ROTATED
   local@SLOT@ = transpose(bpWorldFromProbe[@SLOT@]) * local@SLOT@;
 #endif
-  weight[@SLOT@] = influenceWeight(local@SLOT@, bpInfluenceMin[@SLOT@], bpInfluenceMax[@SLOT@], bpBlendMin[@SLOT@],
-                                   bpBlendMax[@SLOT@]);
+  weight[@SLOT@] = influenceWeight(local@SLOT@, bpInfluenceMin[@SLOT@], bpInfluenceMax[@SLOT@], bpRateMin[@SLOT@],
+                                   bpRateMax[@SLOT@]);
   groupSum[@GROUP@] += weight[@SLOT@];

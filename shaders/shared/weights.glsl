@@ -1,19 +1,19 @@
 // How much of a pixel a probe gets. C1-smooth, independent of the order of the probes.
 
-// 0 at the face, 1 at `blend` and further in, 0 outside. A blend distance of 0 is a step.
-float faceWeight(float distanceInside, float blend)
+// 0 at the face and outside, 1 from 1 / `rate` inwards.
+float faceWeight(float distanceInside, float rate)
 {
-  float x = distanceInside >= blend ? 1.0f : (distanceInside > 0.0f ? distanceInside / blend : 0.0f);
-  x = distanceInside < 0.0f ? 0.0f : x;
+  float x = clamp(distanceInside * rate, 0.0f, 1.0f);
   return x * x * (3.0f - 2.0f * x);
 }
 
-// Product over the six faces of the influence box. All in the same frame.
-float influenceWeight(vec3 position, vec3 influenceMin, vec3 influenceMax, vec3 blendMin, vec3 blendMax)
+// Product over the six faces of the influence box, all in the same frame. Rates are 1 / blend distance; the host turns a
+// blend distance of 0 into a rate so high that the rise is narrower than a position's rounding (filters/vtk/probe_geometry).
+float influenceWeight(vec3 position, vec3 influenceMin, vec3 influenceMax, vec3 rateMin, vec3 rateMax)
 {
-  return faceWeight(position.x - influenceMin.x, blendMin.x) * faceWeight(influenceMax.x - position.x, blendMax.x) *
-         faceWeight(position.y - influenceMin.y, blendMin.y) * faceWeight(influenceMax.y - position.y, blendMax.y) *
-         faceWeight(position.z - influenceMin.z, blendMin.z) * faceWeight(influenceMax.z - position.z, blendMax.z);
+  return faceWeight(position.x - influenceMin.x, rateMin.x) * faceWeight(influenceMax.x - position.x, rateMax.x) *
+         faceWeight(position.y - influenceMin.y, rateMin.y) * faceWeight(influenceMax.y - position.y, rateMax.y) *
+         faceWeight(position.z - influenceMin.z, rateMin.z) * faceWeight(influenceMax.z - position.z, rateMax.z);
 }
 
 // Probes of equal importance share what the more important ones left: each gets remaining * weight * this.

@@ -103,7 +103,7 @@ TEST(Parity, LevelsWeightsAndLobes) {
       sources(
           {"shared/roughness.glsl", "shared/weights.glsl", "shared/ggx.glsl", "shared/sky.glsl", "shared/cube.glsl"}),
       "  out0 = vec4(levelForRoughness(in0.x, in0.w), roughnessForLevel(in0.y * in0.w, in0.w),"
-      " influenceWeight(in1.xyz, vec3(-0.7), vec3(0.8), in0.xyz, vec3(0.0)), ggxMasking(in0.z, in0.x));\n"
+      " influenceWeight(in1.xyz, vec3(-0.7), vec3(0.8), in0.xyz, vec3(9.0)), ggxMasking(in0.z, in0.x));\n"
       "  out1 = vec4(ggxHalfVector(in0.xy, in0.z), ggxDistribution(normalize(in1.xyz), in0.x + 0.01));\n"
       "  out2 = vec4(skyGradient(in1.xyz, vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)), 0.0);\n"
       "  out3 = vec4(cubeDirection(int(in0.w) - 1, in1.x, in1.y), 0.0);\n",
@@ -116,7 +116,7 @@ TEST(Parity, LevelsWeightsAndLobes) {
     };
     note(0, gpu[0][i].x, shading::levelForRoughness(a[i].x, a[i].w));
     note(1, gpu[0][i].y, shading::roughnessForLevel(a[i].y * a[i].w, a[i].w));
-    note(2, gpu[0][i].z, shading::influenceWeight(vec3(b[i]), vec3(-0.7f), vec3(0.8f), vec3(a[i]), vec3(0.0f)));
+    note(2, gpu[0][i].z, shading::influenceWeight(vec3(b[i]), vec3(-0.7f), vec3(0.8f), vec3(a[i]), vec3(9.0f)));
     note(3, gpu[0][i].w, shading::ggxMasking(a[i].z, a[i].x));
     const vec3 half = shading::ggxHalfVector(glm::vec2(a[i].x, a[i].y), a[i].z);
     note(4, glm::length(vec3(gpu[1][i]) - half), 0.0f);
