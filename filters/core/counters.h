@@ -7,7 +7,8 @@
 namespace boxprobe {
 
 struct Counters {
-  std::uint64_t facesCaptured = 0;
+  std::uint64_t facesCaptured = 0;     ///< of probes
+  std::uint64_t skyFacesCaptured = 0;  ///< of the sky's own map
   std::uint64_t levelsFiltered = 0;    ///< prefiltered mip levels, six faces each
   std::uint64_t programsCompiled = 0;  ///< distinct GL programs this program caused
   std::uint64_t renders = 0;

@@ -86,14 +86,14 @@ void Document::commit(const std::string& label, const Edit& edit) {
     cancel();
     throw;
   }
-  record(label, std::move(next));
+  record(label, next);
 }
 
 void Document::commitPreview(const std::string& label) {
   if (previewing()) record(label, shown_);
 }
 
-void Document::record(const std::string& label, Snapshot scene) {
+void Document::record(const std::string& label, const Snapshot& scene) {
   if (same(committed_, scene)) {
     cancel();
     return;

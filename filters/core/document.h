@@ -88,7 +88,7 @@ class Document {
     Snapshot before, after;
   };
 
-  void record(const std::string& label, Snapshot scene);
+  void record(const std::string& label, const Snapshot& scene);
   void move(Snapshot committed, Snapshot shown, std::size_t position, Changes changes);
   void notify(const Changes& changes);
 

@@ -1,6 +1,8 @@
 // Key paths as text; see the header.
 #include "filters/core/field_error.h"
 
+#include "filters/core/one_line.h"
+
 namespace boxprobe {
 
 std::string keyPathText(const KeyPath& path) {
@@ -13,6 +15,8 @@ std::string keyPathText(const KeyPath& path) {
 }
 
 FieldError::FieldError(KeyPath path, const std::string& reason)
-    : InputError(path.empty() ? reason : keyPathText(path) + ": " + reason), path_(std::move(path)), reason_(reason) {}
+    : InputError(oneLine(path.empty() ? reason : keyPathText(path) + ": " + reason)),
+      path_(std::move(path)),
+      reason_(reason) {}
 
 }  // namespace boxprobe

@@ -84,7 +84,7 @@ std::optional<std::size_t> findProbe(const Scene& scene, const std::string& name
 std::string unusedProbeName(const Scene& scene, const std::string& stem) {
   std::unordered_set<std::string> taken;
   for (const Probe& probe : scene.probes) taken.insert(probe.name);
-  const std::string base = stem.empty() ? "probe" : stem;
+  std::string base = stem.empty() ? "probe" : stem;
   if (taken.count(base) == 0) return base;
   for (std::size_t number = 2;; ++number) {  // ends: one of the first probes.size() + 1 numbers is free
     std::string name = base + " " + std::to_string(number);

@@ -6,6 +6,7 @@
 #include "filters/core/field_error.h"
 #include "filters/core/model.h"
 #include "filters/core/nearest_name.h"
+#include "filters/core/one_line.h"
 #include "filters/core/scene.h"
 
 namespace boxprobe {
@@ -15,7 +16,7 @@ namespace {
 using Remarks = std::vector<std::string>;
 
 void remark(Remarks& remarks, const KeyPath& path, const std::string& sentence) {
-  remarks.push_back(keyPathText(path) + ": " + sentence);
+  remarks.push_back(oneLine(keyPathText(path) + ": " + sentence));
 }
 
 bool flat(const Box& box) {

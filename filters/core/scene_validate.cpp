@@ -18,6 +18,10 @@ namespace {
 constexpr std::size_t kMostProbes = 10000;
 constexpr const char* kAxes[3] = {"x", "y", "z"};
 
+std::string indexKey(std::size_t index) {
+  return "[" + std::to_string(index) + "]";
+}
+
 /// One object of the scene: its key path, and checks of the fields below it.
 class Fields {
  public:
@@ -88,7 +92,7 @@ template <typename Named>
 void checkNames(const std::vector<Named>& entries, const std::string& key) {
   std::unordered_map<std::string, std::size_t> first;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Fields entry({key, "[" + std::to_string(i) + "]"});
+    const Fields entry({key, indexKey(i)});
     const std::string& name = entries[i].name;
     if (name.empty()) entry.fail("name", "is empty; give it a name");
     if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; })) {
@@ -96,14 +100,14 @@ void checkNames(const std::vector<Named>& entries, const std::string& key) {
     }
     const auto [earlier, inserted] = first.emplace(name, i);
     if (!inserted) {
-      entry.fail("name", "\"" + name + "\" is already the name of " + key + "[" + std::to_string(earlier->second) +
-                             "]; give each its own");
+      entry.fail("name", "\"" + name + "\" is already the name of " + keyPathText({key, indexKey(earlier->second)}) +
+                             "; give each its own");
     }
   }
 }
 
 void checkModel(const ModelFile& model, std::size_t index) {
-  const Fields fields({"models", "[" + std::to_string(index) + "]"});
+  const Fields fields({"models", indexKey(index)});
   if (model.file.empty()) fields.fail("file", "is empty; name a model file");
   fields.finiteVector("translation", model.translation);
   fields.finiteVector("rotationDegrees", model.rotationDegrees);
@@ -144,7 +148,7 @@ void checkCamera(const Camera& camera) {
 }
 
 void checkLight(const Light& light, std::size_t index) {
-  const Fields fields({"lights", "[" + std::to_string(index) + "]"});
+  const Fields fields({"lights", indexKey(index)});
   if (light.type == LightType::Directional) {
     fields.direction("direction", light.direction);
   } else {

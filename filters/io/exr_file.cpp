@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "filters/core/errors.h"
+#include "filters/core/one_line.h"
 #include "filters/io/atomic_file.h"
 #include "filters/io/image_detail.h"
 #include "filters/io/image_file.h"
@@ -81,14 +82,6 @@ ImageRgbaF readPart(Imf::MultiPartInputFile& file, const std::string& path) {
     if (plan.source[3] == nullptr) image.pixels[texel + 3] = 1.0f;
   }
   return image;
-}
-
-/// Libraries report over several lines at times; an error of this program is one.
-std::string oneLine(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  return text;
 }
 
 }  // namespace

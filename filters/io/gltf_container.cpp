@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "filters/core/errors.h"
-#include "filters/core/nearest_name.h"
+#include "filters/core/one_line.h"
 #include "filters/io/gltf_parts.h"
 #include "filters/io/json_text.h"
 #include "filters/io/read_file.h"
@@ -49,7 +49,7 @@ bool readFileBeside(std::vector<unsigned char>* out, std::string*, const std::st
     out->assign(bytes.begin(), bytes.end());
     return true;
   } catch (const std::exception& error) {
-    if (reading.problem.empty()) reading.problem = reading.modelPath + ": " + error.what();
+    if (reading.problem.empty()) reading.problem = oneLine(reading.modelPath + ": " + error.what());
     return false;
   }
 }
@@ -99,8 +99,9 @@ std::string jsonChunk(const std::string& bytes, const std::string& path) {
   return json;
 }
 
-std::string oneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
+/// tinygltf's message as the middle of a sentence.
+std::string reasonOf(const std::string& error) {
+  std::string text = oneLine(error);
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
   return text.empty() ? "is not a glTF file" : text;
 }
@@ -119,14 +120,14 @@ void checkVersionAndExtensions(GltfFile& file) {
     }
   }
   for (const std::string& name : file.gltf.extensionsUsed) {
-    if (!supported(name)) file.warn("uses the extension " + name + ", which is not supported and left out");
+    if (!supported(name)) file.warn("uses the extension " + oneLine(name) + ", which is not supported and left out");
   }
 }
 
 }  // namespace
 
 void GltfFile::fail(const std::string& where, const std::string& reason) const {
-  throw InputError(path + ": " + where + ": " + reason);
+  throw InputError(oneLine(path + ": " + where + ": " + reason));
 }
 
 void GltfFile::warn(const std::string& warning) {
@@ -178,7 +179,7 @@ GltfFile openGltf(const std::string& path) {
     error = problem.what();
   }
   if (!reading.problem.empty()) throw InputError(reading.problem);
-  if (!read) throw InputError(path + ": " + oneLine(error) + "; export it again");
+  if (!read) throw InputError(path + ": " + reasonOf(error) + "; export it again");
   file.encodedImages = std::move(reading.images);
   checkVersionAndExtensions(file);
   return file;

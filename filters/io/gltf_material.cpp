@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "filters/core/one_line.h"
 #include "filters/io/gltf_parts.h"
 #include "filters/io/image_detail.h"
 
@@ -35,7 +36,7 @@ class MaterialReader {
     material.emissiveTexture = texture(source.emissiveTexture, "emissiveTexture");
     readExtensions(source, material);
     if (!source.alphaMode.empty() && source.alphaMode != "OPAQUE") {
-      file_.warn("has materials with alphaMode " + source.alphaMode + ", which are drawn opaque");
+      file_.warn("has materials with alphaMode " + oneLine(source.alphaMode) + ", which are drawn opaque");
     }
     return material;
   }
@@ -121,10 +122,9 @@ class MaterialReader {
     if (decoded) return decoded;
     const tinygltf::Image& source = file_.gltf.images[static_cast<std::size_t>(index)];
     const bool isFile = !source.uri.empty();
-    const std::string name = file_.path + ": image " + std::to_string(index) +
-                             (isFile                ? " (" + source.uri + ")"
-                              : source.name.empty() ? ""
-                                                    : " \"" + source.name + "\"");
+    const std::string called = isFile ? source.uri : source.name;
+    const std::string name =
+        oneLine(file_.path + ": image " + std::to_string(index) + (called.empty() ? "" : " (" + called + ")"));
     ByteRange bytes;
     if (source.bufferView >= 0) {
       bytes = bufferViewBytes(file_, source.bufferView, "image " + std::to_string(index));
@@ -132,7 +132,7 @@ class MaterialReader {
       bytes = {reinterpret_cast<const unsigned char*>(kept->second.data()), kept->second.size()};
     }
     ImageRgba8 picture = decodeImage8(bytes.data, bytes.size, name);
-    picture.name = isFile ? source.uri : source.name.empty() ? "image " + std::to_string(index) : source.name;
+    picture.name = called.empty() ? "image " + std::to_string(index) : called;
     decoded = std::make_shared<const ImageRgba8>(std::move(picture));
     return decoded;
   }

@@ -31,8 +31,9 @@ glm::dmat4 localTransform(const GltfFile& file, std::size_t index) {
   };
   glm::dmat4 matrix(1.0);
   if (check(node.matrix, 16, "matrix")) {
+    auto number = node.matrix.begin();  // column by column
     for (int column = 0; column < 4; ++column) {
-      for (int row = 0; row < 4; ++row) matrix[column][row] = node.matrix[static_cast<std::size_t>(4 * column + row)];
+      for (int row = 0; row < 4; ++row) matrix[column][row] = *number++;
     }
     return matrix;
   }

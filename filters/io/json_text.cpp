@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filters/core/errors.h"
+#include "filters/core/one_line.h"
 
 namespace boxprobe {
 
@@ -37,11 +38,7 @@ std::string reasonOnly(const std::string& what) {
   if (what.compare(start, 11, "parse error") == 0) {
     if (const auto colon = what.find(": ", start); colon != std::string::npos) start = colon + 2;
   }
-  std::string reason = what.substr(start);
-  for (char& c : reason) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  }
-  return reason;
+  return oneLine(what.substr(start));
 }
 
 /// Takes the place of the library's handler to learn where an error is: exceptions for numbers out of range carry none.
@@ -170,7 +167,7 @@ class PlaceScanner {
     level.key = Json::parse(text_.substr(start, position_ + 1 - start)).get<std::string>();  // undoes escapes
     level.haveKey = true;
     if (!level.keys.insert(level.key).second) {
-      throw InputError(at(result_.name, here(start)) + "the key \"" + level.key +
+      throw InputError(at(result_.name, here(start)) + "the key \"" + oneLine(level.key) +
                        "\" stands here a second time; remove one");
     }
     result_.places[pointer()] = here(start);

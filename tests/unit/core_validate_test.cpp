@@ -163,6 +163,11 @@ TEST(Validate, NamesAreThereAndUnique) {
   EXPECT_NE(problem([](Scene& s) { s.sky = SkyImage{}; }), "");
 }
 
+TEST(Validate, MessagesStayOneLineWhateverNamesHold) {
+  EXPECT_NE(problem([](Scene& s) { s.materials["two\nlines"].roughness = 2.0f; }), "");
+  EXPECT_NE(problem([](Scene& s) { s.probes[0].technique = "two\nlines"; }), "");
+}
+
 TEST(Validate, UnknownTechniqueListsTheKnownOnes) {
   const std::string text = problem([](Scene& s) { s.probes[0].technique = "boxx"; });
   EXPECT_EQ(text.rfind("probes.room.technique: \"boxx\" is not known; use PROJECTION, EVALUATION", 0), 0u) << text;

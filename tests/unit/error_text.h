@@ -15,7 +15,7 @@ std::string errorText(Operation operation) {
   try {
     operation();
   } catch (const Expected& error) {
-    const std::string text = error.what();
+    std::string text = error.what();
     EXPECT_EQ(text.find('\n'), std::string::npos) << "more than one line: " << text;
     return text;
   } catch (const std::exception& error) {

@@ -28,7 +28,7 @@ ImageRgbaF ramp(int width, int height) {
 
 /// A file of other software: the given half or float channels, value = texel index (+ channel index * 100).
 void writeOther(const std::string& path, int width, int height, Imf::PixelType type,
-                const std::vector<std::string>& channels, bool tiled, Imath::V2i corner = {0, 0}) {
+                const std::vector<std::string>& channels, bool tiled, const Imath::V2i& corner = {0, 0}) {
   const Imath::Box2i window(corner, corner + Imath::V2i(width - 1, height - 1));
   Imf::Header header(window, window);
   Imf::FrameBuffer buffer;

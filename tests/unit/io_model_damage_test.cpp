@@ -171,6 +171,13 @@ TEST_F(ModelDamage, TransformsAreChecked) {
   EXPECT_NE(problem([](GlbBuilder& g) { g.json["nodes"][0]["matrix"] = {1, 0, 0}; }), "");
 }
 
+TEST_F(ModelDamage, MessagesStayOneLineWhateverNamesHold) {
+  EXPECT_EQ(problem([](GlbBuilder& g) {
+              g.json["nodes"][0].merge_patch({{"name", "two\nlines"}, {"mesh", 4}});
+            }),
+            "node 0 \"two lines\": mesh 4 does not exist; the file has 1");
+}
+
 TEST_F(ModelDamage, RequiredExtensionsMustBeKnown) {
   EXPECT_EQ(problem([](GlbBuilder& g) { g.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }),
             "extensionsRequired: needs KHR_draco_mesh_compression, which is not supported; export without it");
