@@ -47,10 +47,15 @@ std::string statsJson(const RunStats& stats) {
   const Counters& c = stats.counters;
   const std::vector<double>& frames = stats.frameCpuSeconds;
   Json json;
-  json["counters"] = {{"facesCaptured", c.facesCaptured},         {"levelsFiltered", c.levelsFiltered},
-                      {"programsCompiled", c.programsCompiled},   {"renders", c.renders},
-                      {"drawsByProbeCount", c.drawsByProbeCount}, {"texelsClamped", c.texelsClamped},
-                      {"texelsNotFinite", c.texelsNotFinite},     {"uniformUpdates", c.uniformUpdates}};
+  json["counters"] = {{"facesCaptured", c.facesCaptured},
+                      {"skyFacesCaptured", c.skyFacesCaptured},
+                      {"levelsFiltered", c.levelsFiltered},
+                      {"programsCompiled", c.programsCompiled},
+                      {"renders", c.renders},
+                      {"drawsByProbeCount", c.drawsByProbeCount},
+                      {"texelsClamped", c.texelsClamped},
+                      {"texelsNotFinite", c.texelsNotFinite},
+                      {"uniformUpdates", c.uniformUpdates}};
   Json& times = json["times"];
   times["startToFirstFrameCpuSeconds"] = orNull(stats.startToFirstFrameCpuSeconds);
   times["captureCpuSeconds"] = stats.times.captureCpuSeconds;

@@ -91,12 +91,12 @@ bool BakeQueue::advanceItem() {
       maps_ = std::make_shared<ProbeMaps>();
       maps_->capturedAt = item.settings.originWorld;
       source_.allocate(item.faceSize, sourceLevels(item.faceSize), GL_RGBA16F);
-      if (item.distance) maps_->distance.allocate(item.faceSize, 1, GL_R32F);
+      if (!item.sky) maps_->distance.allocate(item.faceSize, 1, GL_R32F);
     }
     state_->environmentDark = bounce_ == 1 && !seeCurrentProbes_;
-    capture_->captureFace(item.settings, unit_, item.props, lights_, source_,
-                          item.distance ? &maps_->distance : nullptr);
+    capture_->captureFace(item.settings, unit_, item.props, lights_, source_, item.sky ? nullptr : &maps_->distance);
     state_->environmentDark = false;
+    ++(item.sky ? state_->counters.skyFacesCaptured : state_->counters.facesCaptured);
     return false;
   }
   const CpuTimer timer(times_->prefilterCpuSeconds);

@@ -19,7 +19,7 @@ struct BakeItem {
   CaptureSettings settings;
   int faceSize = 256;
   int bounces = 1;
-  bool distance = true;
+  bool sky = false;  ///< the sky's own map: at infinity, so without distances
   std::vector<vtkProp*> props;
   /// Called at the end of each bounce with the finished maps; later bounces then see them.
   std::function<void(std::shared_ptr<const ProbeMaps>)> publish;

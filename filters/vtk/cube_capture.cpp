@@ -170,7 +170,16 @@ void CubeCapture::captureFace(const CaptureSettings& settings, int face, const s
     state_->counters.texelsNotFinite += notFinite;
     state_->counters.texelsClamped += bad - notFinite;
   }
-  ++state_->counters.facesCaptured;
+}
+
+void CubeCapture::drawOnce(const CaptureSettings& settings, const std::vector<vtkProp*>& props,
+                           const std::vector<vtkLight*>& lights) {
+  const glm::dvec3& o = settings.originWorld;
+  faceCamera_->SetPosition(o.x, o.y, o.z);
+  faceCamera_->SetFocalPoint(o.x, o.y, o.z - 1.0);
+  faceCamera_->SetViewUp(0.0, 1.0, 0.0);
+  faceCamera_->SetClippingRange(settings.nearDistance, settings.farDistance);
+  renderInto(faceCamera_, 4, 4, props, lights, glm::vec3(0.0f));
 }
 
 ImageRgbaF CubeCapture::renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide,

@@ -46,6 +46,10 @@ class CubeCapture {
   void captureFace(const CaptureSettings& settings, int face, const std::vector<vtkProp*>& props,
                    const std::vector<vtkLight*>& lights, const CubeTexture& radiance, const CubeTexture* distance);
 
+  /// Draws into a few pixels that nobody reads: what it takes to have programs compiled and buffers uploaded.
+  void drawOnce(const CaptureSettings& settings, const std::vector<vtkProp*>& props,
+                const std::vector<vtkLight*>& lights);
+
   /// A whole frame in linear units through any camera: RGBA, `samplesPerSide`² samples a pixel, rows from the top.
   ImageRgbaF renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide,
                          const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights);

@@ -22,7 +22,7 @@ bool lit(const DrawnObject& object) {
 
 ProbeSet::ProbeSet(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture,
                    SceneContent* content, Times* times)
-    : state_(std::move(state)), content_(content), queue_(window, state_, capture, times) {}
+    : state_(std::move(state)), content_(content), capture_(capture), queue_(window, state_, capture, times) {}
 
 // A probe keeps what it shows through a change of the list; a renamed one finds its maps again by key.
 void ProbeSet::matchEntries() {
@@ -55,17 +55,43 @@ void ProbeSet::updateShapes() {
 }
 
 void ProbeSet::assignToObjects() {
+  assign(true);
+}
+
+void ProbeSet::assign(bool newProgramsAllowed) {
   std::vector<std::shared_ptr<DrawnProbe>> drawn;
   for (const Entry& entry : entries_) drawn.push_back(entry.drawn);
-  for (DrawnObject& object : content_->objects) {
+  toPrepare_.clear();
+  for (std::size_t i = 0; i < content_->objects.size(); ++i) {
+    DrawnObject& object = content_->objects[i];
     auto binding = assignProbes(object, content_->scene, drawn, enabled_, interactive_);
     const std::string key = binding->variantKey();
     const ProbeBinding* current = object.mapper->GetBinding();
     // A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
-    if (interactive_ && current != nullptr && current->variantKey() != key && variantsUsed_.count(key) == 0) continue;
+    if (!newProgramsAllowed && current != nullptr && current->variantKey() != key && variantsUsed_.count(key) == 0)
+      continue;
     variantsUsed_.insert(key);
     object.mapper->SetBinding(std::move(binding));
+    if (editable_ && !interactive_) {
+      auto general = assignProbes(object, content_->scene, drawn, enabled_, true);
+      if (general->variantKey() != key) toPrepare_.emplace_back(i, std::move(general));
+    }
   }
+}
+
+// Draws one object into a few pixels with the program a drag will need, so that it is compiled by then.
+void ProbeSet::prepareOne() {
+  auto [index, general] = std::move(toPrepare_.back());
+  toPrepare_.pop_back();
+  DrawnObject& object = content_->objects[index];
+  if (!object.settings.visible || !prepared_.insert(general->variantKey() + object.materialName).second) return;
+  const auto binding = object.mapper->GetSharedBinding();
+  variantsUsed_.insert(general->variantKey());
+  object.mapper->SetBinding(std::move(general));
+  CaptureSettings settings;
+  settings.originWorld = worldBounds(object).center();
+  capture_->drawOnce(settings, {object.actor}, content_->lightPointers());
+  object.mapper->SetBinding(binding);
 }
 
 void ProbeSet::updateCaptures() {
@@ -92,7 +118,7 @@ void ProbeSet::updateCaptures() {
 void ProbeSet::setInteractive(bool interactive) {
   if (interactive_ == interactive) return;
   interactive_ = interactive;
-  assignToObjects();
+  assign(true);
   if (!interactive_) startWork();
 }
 
@@ -135,7 +161,7 @@ void ProbeSet::startWork() {
 BakeItem ProbeSet::skyItem() {
   BakeItem item;
   item.faceSize = content_->skyImage ? kSkyImageFaceSize : kSkyFaceSize;
-  item.distance = false;
+  item.sky = true;
   item.settings.samplesPerTexelSide = 1;
   item.props = {content_->sky};
   item.publish = [this, key = skyWanted_](std::shared_ptr<const ProbeMaps> maps) {
@@ -182,7 +208,11 @@ void ProbeSet::show(Entry& entry, const Probe& probe, const std::string& key, st
 
 void ProbeSet::step() {
   if (!queue_.pending()) startWork();
-  queue_.step();
+  if (queue_.pending()) {
+    queue_.step();
+  } else if (preparationPending()) {
+    prepareOne();
+  }
 }
 
 std::shared_ptr<const ProbeMaps> ProbeSet::cached(const std::string& key) const {

@@ -20,15 +20,19 @@ class ProbeSet {
 
   /// Takes over boxes, weights and techniques from the scene: uniforms only.
   void updateShapes();
-  /// Gives every object the probes whose influence meets it.
+  /// Gives every object the probes whose influence meets it. During a drag (setInteractive) only with programs there
+  /// already are: `whileDragging`.
   void assignToObjects();
+  void assignWhileDragging() { assign(false); }
   /// Finds out which captures an edit has made stale; shows maps made before where there are any; starts or stops work.
   void updateCaptures();
 
   void setInteractive(bool interactive);
   void setEnabled(bool enabled);
+  /// Someone may start to drag a box: the programs that takes are compiled ahead, as work of the lowest priority.
+  void setEditable(bool editable) { editable_ = editable; }
 
-  bool workPending() const { return queue_.pending() || stale(); }
+  bool workPending() const { return queue_.pending() || stale() || preparationPending(); }
   void step();
   double progress() const { return queue_.pending() ? queue_.progress() : (stale() ? 0.0 : 1.0); }
 
@@ -49,6 +53,9 @@ class ProbeSet {
   };
 
   void matchEntries();
+  void assign(bool newProgramsAllowed);
+  bool preparationPending() const { return !interactive_ && !toPrepare_.empty(); }
+  void prepareOne();
   bool stale() const;
   void startWork();
   BakeItem skyItem();
@@ -59,15 +66,20 @@ class ProbeSet {
 
   std::shared_ptr<DrawState> state_;
   SceneContent* content_;
+  CubeCapture* capture_;
   BakeQueue queue_;
   bool enabled_ = true;
   bool interactive_ = false;
+  bool editable_ = false;
 
   std::vector<Entry> entries_;  ///< in the order of scene.probes
   std::string skyWanted_, skyShown_;
   std::vector<std::string> queued_;     ///< keys the queue works towards
   std::set<std::string> variantsUsed_;  ///< program variants objects have had so far
-  std::vector<CachedMaps> cache_;       ///< most recently made last
+  std::vector<std::pair<std::size_t, std::shared_ptr<const ProbeBinding>>>
+      toPrepare_;  ///< object, its binding in a drag
+  std::set<std::string> prepared_;
+  std::vector<CachedMaps> cache_;  ///< most recently made last
 };
 
 }  // namespace boxprobe

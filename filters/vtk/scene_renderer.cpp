@@ -28,6 +28,7 @@ struct SceneRenderer::Impl {
   SceneContent content;
   CubeCapture capture;
   ProbeSet probes;
+  bool interactive = false;
 
   void beginFrame();
 };
@@ -86,13 +87,21 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   if (changes.sky) content.rebuildSky();
   if (objects || probes) {
     d.probes.updateShapes();
-    d.probes.assignToObjects();
+    if (d.interactive) {
+      d.probes.assignWhileDragging();
+    } else {
+      d.probes.assignToObjects();
+    }
   }
   if (objects || probes || changes.lights || changes.sky) d.probes.updateCaptures();
 }
 
 void SceneRenderer::setInteractive(bool interactive) {
   impl_->probes.setInteractive(interactive);
+}
+
+void SceneRenderer::setEditable(bool editable) {
+  impl_->probes.setEditable(editable);
 }
 
 bool SceneRenderer::workPending() const {

@@ -48,6 +48,9 @@ class SceneRenderer {
   /// final capture is made once the drag has ended (`interactive` false).
   void setInteractive(bool interactive);
 
+  /// For a window whose probes can be dragged: programs a drag needs are compiled ahead, as part of the work.
+  void setEditable(bool editable);
+
   bool workPending() const;
   /// One unit of work; the GL context must be current (call window->MakeCurrent() first). Returns workPending().
   bool step();

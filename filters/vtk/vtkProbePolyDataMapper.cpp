@@ -124,11 +124,10 @@ void vtkProbePolyDataMapper::UploadSky(vtkShaderProgram* program, vtkRenderer* r
     skySh = sky->irradiance;
   }
   program->SetUniform3fv("bpSkySh", 9, reinterpret_cast<const float(*)[3]>(&skySh[0].x));
+}
 
+void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer) {
   const std::size_t count = this->Binding->probes.size();
-  if (count == 0) {
-    return;
-  }
   constexpr std::size_t kMax = boxprobe::ProbeBinding::kMaxProbesPerDraw;
   std::array<glm::vec3, kMax> origin, boxMin, boxMax, influenceMin, influenceMax, rateMin, rateMax;
   std::array<float, kMax> intensity{}, maxLevel{};

@@ -25,6 +25,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   /** Another variant key means another program, built at the next draw; otherwise only uniforms change. */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   const boxprobe::ProbeBinding* GetBinding() const { return this->Binding.get(); }
+  std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Binding; }
 
  protected:
   vtkProbePolyDataMapper();
