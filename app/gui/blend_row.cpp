@@ -26,26 +26,22 @@ double largest(const BlendDistance& b) {
 
 }  // namespace
 
-BlendRow::BlendRow(QWidget* parent) : QWidget(parent), all_(new ValueField(kFormat, this)) {
-  auto* six = new QWidget(this);
-  auto* form = new QFormLayout(six);
+BlendRow::BlendRow(QWidget* parent) : QWidget(parent), all_(new ValueField(kFormat, this)), faces_(new QWidget(this)) {
+  auto* form = new QFormLayout(faces_);
   form->setContentsMargins(0, 0, 0, 0);
   const QString tip = tr("metres inside this face over which the probe's weight rises from 0 to 1");
-  min_ = new VectorRow(kFormat, tip, six);
-  max_ = new VectorRow(kFormat, tip, six);
+  min_ = new VectorRow(kFormat, tip, faces_);
+  max_ = new VectorRow(kFormat, tip, faces_);
   form->addRow(tr("- faces"), min_);
   form->addRow(tr("+ faces"), max_);
 
   all_->setToolTip(
       tr("Metres inside the influence box over which the probe's weight rises from 0 at its faces to 1 at the dashed "
          "inner box. Sets all six faces."));
-  auto* layout = new QVBoxLayout(this);
+  auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* line = new QHBoxLayout;
-  line->addWidget(all_, 1);
-  line->addWidget(unfoldButton(six, tr("One distance for each of the six faces"), this));
-  layout->addLayout(line);
-  layout->addWidget(six);
+  layout->addWidget(all_, 1);
+  layout->addWidget(unfoldButton(faces_, tr("One distance for each of the six faces"), this));
 
   connect(all_, &ValueField::previewed, this, [this](double value) { emit previewed(everyFace(value)); });
   connect(all_, &ValueField::committed, this, [this](double value) { emit committed(everyFace(value)); });

@@ -19,6 +19,8 @@ class BlendRow : public QWidget {
 
   void show(const BlendDistance& blend);
   ValueField* all() const { return all_; }
+  /// The unfolding part, as wide as the panel: the panel places it below this row.
+  QWidget* faces() const { return faces_; }
   VectorRow* minFaces() const { return min_; }
   VectorRow* maxFaces() const { return max_; }
 
@@ -29,6 +31,7 @@ class BlendRow : public QWidget {
  private:
   BlendDistance shown_;
   ValueField* all_;
+  QWidget* faces_;
   VectorRow* min_;
   VectorRow* max_;
 };

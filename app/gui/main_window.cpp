@@ -180,9 +180,7 @@ void MainWindow::connectWork() {
 void MainWindow::documentChanged(const Changes& changes) {
   // While something is dragged the renderer puts off what only the final value needs: programs, further bounces.
   if (document_.previewing()) renderer_->setInteractive(true);
-  Changes forPicture = changes;
-  forPicture.file = changes.models;  // saving, or the first edit after it, changes nothing in the picture
-  renderer_->sync(document_.scene(), forPicture);
+  renderer_->sync(document_.scene(), changes);
   if (!document_.previewing()) renderer_->setInteractive(false);
   probeWidget_->update();
   probeList_->update();

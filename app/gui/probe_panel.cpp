@@ -125,6 +125,7 @@ void ProbePanel::buildInfluence() {
   QFormLayout* form = addSection(this, tr("Influence"));
   blend_ = new BlendRow(this);
   addRow(form, tr("Blend distance"), blend_);
+  form->addRow(blend_->faces());
   connect(blend_, &BlendRow::previewed, this, [this](const BlendDistance& blend) {
     editor_.previewProbe(label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
   });

@@ -9,6 +9,8 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
@@ -102,6 +104,17 @@ void Viewport::showInvitation(const QString& text) {
 void Viewport::placeInvitation() {
   invitation_->adjustSize();
   invitation_->move((width() - invitation_->width()) / 2, (height() - invitation_->height()) / 2);
+}
+
+void Viewport::initializeGL() {
+  QVTKOpenGLNativeWidget::initializeGL();
+  // Where the processor draws, four samples a pixel make a picture take three times as long: following the mouse comes
+  // first there.
+  const auto* name = reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
+  const QString renderer = QString::fromLatin1(name != nullptr ? name : "");
+  const bool software = renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("SWR");
+  constexpr int kSamples = 4;
+  window_->SetMultiSamples(software ? 0 : kSamples);
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {

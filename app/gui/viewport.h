@@ -42,6 +42,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void becameReady();
 
  protected:
+  void initializeGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;

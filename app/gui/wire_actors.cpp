@@ -26,7 +26,7 @@ constexpr double kHiddenOpacity = 0.4;  ///< of lines the scene hides
 constexpr double kHaloOpacity = 0.7;
 constexpr double kHaloPixels = 2.0;      ///< added to a line's width
 constexpr double kHaloBehind = 1.004;    ///< times as far away as the line, so that the line wins where both are
-constexpr double kDashesPerEdge = 24.0;  ///< of the longest edge
+constexpr double kDashesPerEdge = 32.0;  ///< of the longest edge
 constexpr double kDashShare = 0.55;      ///< of a dash and its gap
 
 vtkSmartPointer<vtkActor> lineActor(vtkRenderer* renderer, vtkPolyData* lines, const QColor& color, double width,

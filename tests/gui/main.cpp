@@ -5,6 +5,7 @@
 #include <QStandardPaths>
 
 #include "app/gui/window_style.h"
+#include "tests/gui/window_test.h"
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
@@ -13,5 +14,7 @@ int main(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);
   QApplication application(argc, argv);
   boxprobe::applyWindowStyle(application);
-  return RUN_ALL_TESTS();
+  const int result = RUN_ALL_TESTS();
+  boxprobe::sharedWindow().reset();  // while there is an application
+  return result;
 }

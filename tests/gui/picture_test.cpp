@@ -91,7 +91,7 @@ class EmptyWindowTest : public PictureTest {
   LoadedScene scene() const override { return {}; }
 };
 
-TEST_F(EmptyWindowTest, OpensWithoutASceneAndSaysWhatToDo) {
+TEST_F(EmptyWindowTest, SaysWhatToDoAndThenOpens) {
   EXPECT_TRUE(window_->windowTitle().startsWith("no scene"));
   bool invited = false;
   for (auto* label : window_->viewport().findChildren<QWidget*>()) invited |= label->isVisible();

@@ -34,6 +34,7 @@ class ProbeListTest : public WindowTest {
     editor->selectAll();
     QTest::keyClicks(editor, name);
     QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents();  // the list takes the text over in the next turn
   }
   std::size_t count() const { return window_->document().scene().probes.size(); }
 };

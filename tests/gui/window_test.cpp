@@ -17,24 +17,31 @@ std::string buildingPath() {
 }
 
 LoadedScene smallBuilding(const std::vector<std::string>& more) {
+  // The box is smaller than the building, so that the first camera sees all of its handles.
   std::vector<std::string> assignments = {"probes.room.faceSize=32", "probes.room.samplesPerPixel=1",
-                                          "probes.room.bounces=1", "probes.room.blendDistance=0.5"};
+                                          "probes.room.bounces=1", "probes.room.blendDistance=0.5",
+                                          "probes.room.box={\"min\":[-2,0.125,-2.5],\"max\":[1.5,2.75,1]}"};
   assignments.insert(assignments.end(), more.begin(), more.end());
-  return loadScene(buildingPath(), assignments);
+  LoadedScene loaded = loadScene(buildingPath(), assignments);
+  loaded.scene.probes.front().influence.reset();
+  return loaded;
+}
+
+std::unique_ptr<MainWindow>& sharedWindow() {
+  static std::unique_ptr<MainWindow> window;
+  return window;
 }
 
 void WindowTest::SetUp() {
-  window_ = std::make_unique<MainWindow>();
-  window_->resize(1000, 640);
+  if (!sharedWindow()) sharedWindow() = std::make_unique<MainWindow>();
+  window_ = sharedWindow().get();
+  window_->resize(1200, 700);
   window_->showScene(scene());
   window_->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
-  QApplication::setActiveWindow(window_.get());  // a bare X server has no window manager to give it the focus
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_));
+  QApplication::setActiveWindow(window_);  // a bare X server has no window manager to give it the focus
+  window_->viewport().setFocus();
   waitUntilIdle();
-}
-
-void WindowTest::TearDown() {
-  window_.reset();
 }
 
 void WindowTest::waitUntilIdle() {
@@ -52,7 +59,7 @@ void WindowTest::waitUntilIdle() {
 void WindowTest::mouse(QEvent::Type type, const QWidget* over, const QPointF& position, Qt::MouseButton button,
                        Qt::KeyboardModifiers modifiers) {
   QWindow* window = window_->windowHandle();
-  const QPointF local = QPointF(over->mapTo(window_.get(), QPoint(0, 0))) + position;
+  const QPointF local = QPointF(over->mapTo(window_, QPoint(0, 0))) + position;
   // Far enough apart in time that two presses are not taken for a double click.
   constexpr int kMillisecondsApart = 600;
   timestamp_ += type == QEvent::MouseButtonPress ? kMillisecondsApart : 1;

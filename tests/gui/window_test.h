@@ -24,10 +24,12 @@ namespace boxprobe {
 std::string buildingPath();
 LoadedScene smallBuilding(const std::vector<std::string>& more = {});
 
+/// The window all tests share: its shader programs are compiled once. Deleted by the test program's end.
+std::unique_ptr<MainWindow>& sharedWindow();
+
 class WindowTest : public ::testing::Test {
  protected:
   void SetUp() override;
-  void TearDown() override;
 
   /// What SetUp shows.
   virtual LoadedScene scene() const { return smallBuilding(); }
@@ -58,7 +60,7 @@ class WindowTest : public ::testing::Test {
   const Probe& probe(std::size_t index = 0) const { return window_->document().scene().probes.at(index); }
   const Counters& counters() const;
   Document& document() { return window_->document(); }
-  std::unique_ptr<MainWindow> window_;
+  MainWindow* window_ = nullptr;
 
  private:
   void mouse(QEvent::Type type, const QWidget* over, const QPointF& position, Qt::MouseButton button,
