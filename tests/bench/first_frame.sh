@@ -81,3 +81,10 @@ echo "CPU seconds from start to the first frame written, $runs runs in turn: med
 printf '%-16s %s (%s to %s)\n' "boxprobe render" "$our_median" "$our_least" "$our_most"
 printf '%-16s %s (%s to %s)\n' "$(f3d --version | head -n 1)" "$their_median" "$their_least" "$their_most"
 awk -v a="$our_median" -v b="$their_median" 'BEGIN {printf "ratio            %.2f\n", a / b}'
+
+# Stock VTK with image-based lighting from a 256² cube at its defaults: once, it takes long.
+stock=$(dirname "$program")/../tests/bench/bench_stock_first_frame
+if [[ -x $stock ]]; then
+  seconds=$("$stock" 2>/dev/null)
+  awk -v a="$our_median" -v b="$seconds" 'BEGIN {printf "%-16s %.3f\nratio            %.3f\n", "stock VTK", b, a / b}'
+fi

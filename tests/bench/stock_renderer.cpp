@@ -63,7 +63,7 @@ vtkSmartPointer<vtkActor> stockActor(vtkActor* ours) {
 
 }  // namespace
 
-vtkSmartPointer<vtkOpenGLRenderer> makeStockRenderer(vtkRenderer* ours, const SkyGradient& sky) {
+vtkSmartPointer<vtkOpenGLRenderer> makeStockRenderer(vtkRenderer* ours, const SkyGradient& sky, int irradianceSize) {
   auto stock = vtkSmartPointer<vtkOpenGLRenderer>::New();
   stock->SetActiveCamera(ours->GetActiveCamera());
   stock->SetUseDepthPeeling(ours->GetUseDepthPeeling());
@@ -81,8 +81,8 @@ vtkSmartPointer<vtkOpenGLRenderer> makeStockRenderer(vtkRenderer* ours, const Sk
   stock->UseImageBasedLightingOn();
   stock->UseSphericalHarmonicsOff();  // they want a latitude-longitude picture
   stock->SetEnvironmentTexture(cube);
-  // Only frames are timed; at its default size the irradiance map alone takes 20 s of software rendering.
-  stock->GetEnvMapIrradiance()->SetIrradianceSize(32);
+  // At VTK's default size the irradiance map alone takes 20 s of software rendering.
+  stock->GetEnvMapIrradiance()->SetIrradianceSize(static_cast<unsigned int>(irradianceSize));
   vtkNew<vtkSkybox> skybox;
   skybox->SetTexture(cube);
   skybox->SetProjectionToCube();

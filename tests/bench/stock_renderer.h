@@ -10,8 +10,12 @@ class vtkRenderer;
 
 namespace boxprobe::bench {
 
+/// VTK 9.1's default size of the diffuse irradiance map; 32 is enough to time frames after the first.
+constexpr int kVtkIrradianceSize = 256;
+
 /// A copy of `ours` for the same window: its actors' geometry and properties under stock mappers, its lights and its
 /// camera, a 256² cube map of `sky` as environment and drawn as background.
-vtkSmartPointer<vtkOpenGLRenderer> makeStockRenderer(vtkRenderer* ours, const SkyGradient& sky);
+vtkSmartPointer<vtkOpenGLRenderer> makeStockRenderer(vtkRenderer* ours, const SkyGradient& sky,
+                                                     int irradianceSize = 32);
 
 }  // namespace boxprobe::bench
