@@ -25,7 +25,7 @@ bool endsWith(std::string text, const std::string& end) {
 }
 
 void applyAssignments(Scene& scene, const std::vector<std::string>& assignments) {
-  for (const std::string& assignment : assignments) setSceneField(scene, assignment);
+  setSceneFields(scene, assignments);
   if (assignments.empty()) return;
   try {
     validate(scene);  // after the last one: two assignments may be valid only together

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "filters/core/scene.h"
 
@@ -29,5 +30,8 @@ void saveSceneFile(const Scene& scene, const std::string& path);
 /// "sky.color=[1,0,0]". VALUE is JSON; a bare word is taken as a string. Throws InputError naming the key that does not
 /// exist or the value of the wrong type.
 void setSceneField(Scene& scene, const std::string& assignment);
+
+/// Several in order, validated once all are applied. On an error `scene` is unchanged.
+void setSceneFields(Scene& scene, const std::vector<std::string>& assignments);
 
 }  // namespace boxprobe

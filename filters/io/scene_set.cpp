@@ -135,21 +135,32 @@ Json& locate(Json& root, const std::string& keys, KeyPath& path) {
 
 }  // namespace
 
-void setSceneField(Scene& scene, const std::string& assignment) {
-  const std::string name = "--set " + assignment;
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos || equals == 0) throw InputError(name + ": is not an assignment; write KEY=VALUE");
-  Json value = parseValue(assignment.substr(equals + 1), name);
+void setSceneFields(Scene& scene, const std::vector<std::string>& assignments) {
+  Scene result = scene;
+  std::string name;
   try {
-    Json root = sceneToJson(scene, "", JsonForm::Complete);
-    KeyPath path;
-    locate(root, assignment.substr(0, equals), path) = std::move(value);
-    Scene result = sceneFromJson(root, "");
+    for (const std::string& assignment : assignments) {
+      name = "--set " + assignment;
+      const std::size_t equals = assignment.find('=');
+      if (equals == std::string::npos || equals == 0)
+        throw InputError(name + ": is not an assignment; write KEY=VALUE");
+      Json value = parseValue(assignment.substr(equals + 1), name);
+      Json root = sceneToJson(result, "", JsonForm::Complete);
+      KeyPath path;
+      locate(root, assignment.substr(0, equals), path) = std::move(value);
+      result = sceneFromJson(root, "");
+    }
+    // Only now: two ends of a box may have to move before it is a box again.
+    if (assignments.size() > 1) name = "--set";
     validate(result);
-    scene = std::move(result);
   } catch (const FieldError& error) {
     throw InputError(name + ": " + error.what());
   }
+  scene = std::move(result);
+}
+
+void setSceneField(Scene& scene, const std::string& assignment) {
+  setSceneFields(scene, {assignment});
 }
 
 }  // namespace boxprobe

@@ -163,7 +163,6 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
     object.materialName = object.material.name;
     object.unlit = object.material.unlit;
     object.worldFromModel = worldFromFile * instance.worldFromModel;
-    object.mirroredTransform = glm::determinant(glm::dmat3(object.worldFromModel)) < 0.0;
 
     object.mapper = vtkSmartPointer<vtkProbePolyDataMapper>::New();
     object.mapper->SetInputData(data[static_cast<std::size_t>(instance.mesh)]);
@@ -180,8 +179,8 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
     vtkProperty* property = object.actor->GetProperty();
     property->SetInterpolationToPBR();
     setTextures(property, object.material, !mesh.tangents.empty(), textures);
-    property->SetBackfaceCulling(!object.material.doubleSided && !object.mirroredTransform);
-    property->SetFrontfaceCulling(!object.material.doubleSided && object.mirroredTransform);
+    // Meshes under a mirroring transform come wound the other way already, so front faces are always the same.
+    property->SetBackfaceCulling(!object.material.doubleSided);
     objects.push_back(std::move(object));
   }
   return objects;

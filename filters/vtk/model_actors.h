@@ -22,7 +22,6 @@ struct DrawnObject {
   Material material;  ///< as the model has it, before overrides
   bool unlit = false;
   bool allMetal = false;           ///< after overrides: no diffuse reflection anywhere
-  bool mirroredTransform = false;  ///< negative determinant: front faces are wound the other way
   glm::dmat4 worldFromModel{1.0};
   vtkSmartPointer<vtkActor> actor;
   vtkSmartPointer<vtkProbePolyDataMapper> mapper;

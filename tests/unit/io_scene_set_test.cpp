@@ -134,5 +134,15 @@ TEST_F(SceneSet, MistakesAreNamed) {
   EXPECT_NE(problem("materials.=3"), "");
 }
 
+// A box moved by both its ends is no box in between.
+TEST_F(SceneSet, SeveralAreValidatedTogether) {
+  setSceneFields(scene, {"probes.room.box.min=[5,0,0]", "probes.room.box.max=[9,9,9]"});
+  EXPECT_EQ(scene.probes[0].box, (Box{{5, 0, 0}, {9, 9, 9}}));
+  const Scene before = scene;
+  const std::string text = errorText([&] { setSceneFields(scene, {"exposure=2", "probes.room.box.min=[99,0,0]"}); });
+  EXPECT_NE(text.find("probes.room.box: min.x 99 is greater than max.x 9"), std::string::npos) << text;
+  EXPECT_EQ(scene, before);
+}
+
 }  // namespace
 }  // namespace boxprobe
