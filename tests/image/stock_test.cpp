@@ -45,16 +45,16 @@ class Given : public Base {
     object->InitializeObjectBase();
     return object;
   }
-  void Give(vtkOpenGLRenderWindow* window, unsigned int handle, unsigned int target) {
+  void Give(vtkOpenGLRenderWindow* window, unsigned int handle, unsigned int target, int levels) {
     this->TextureObject->SetContext(window);
     this->TextureObject->AssignToExistingTexture(handle, target);
-    this->TextureObject->SetMinificationFilter(target == GL_TEXTURE_2D ? vtkTextureObject::Linear
-                                                                       : vtkTextureObject::LinearMipmapLinear);
+    this->TextureObject->SetMinificationFilter(levels == 1 ? vtkTextureObject::Linear
+                                                           : vtkTextureObject::LinearMipmapLinear);
     this->TextureObject->SetMagnificationFilter(vtkTextureObject::Linear);
     this->TextureObject->SetWrapS(vtkTextureObject::ClampToEdge);
     this->TextureObject->SetWrapT(vtkTextureObject::ClampToEdge);
     this->TextureObject->SetWrapR(vtkTextureObject::ClampToEdge);
-    this->TextureObject->SetMaxLevel(target == GL_TEXTURE_2D ? 0 : 20);
+    this->TextureObject->SetMaxLevel(levels - 1);
   }
   void Load(vtkRenderer*) override { this->TextureObject->Activate(); }
 
@@ -163,7 +163,7 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   const ProbeMaps& maps = *mapper->GetBinding()->probes.at(0)->maps;
 
   vtkNew<GivenRenderer> stock;
-  stock->Prefilter->Give(picture.window, maps.radiance.handle(), GL_TEXTURE_CUBE_MAP);
+  stock->Prefilter->Give(picture.window, maps.radiance.handle(), GL_TEXTURE_CUBE_MAP, maps.radiance.levels());
   stock->Prefilter->SetPrefilterLevels(static_cast<unsigned int>(maps.radiance.levels()));
   CubeTexture cube;
   constexpr int kFace = 64;
@@ -180,14 +180,14 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
     }
     cube.writeFace(face, 0, texels);
   }
-  stock->Irradiance->Give(picture.window, cube.handle(), GL_TEXTURE_CUBE_MAP);
+  stock->Irradiance->Give(picture.window, cube.handle(), GL_TEXTURE_CUBE_MAP, 1);
   const BrdfTable values = makeBrdfTable();
   GLuint tableTexture = 0;
   glGenTextures(1, &tableTexture);
   glBindTexture(GL_TEXTURE_2D, tableTexture);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, values.columns, values.rows, 0, GL_RG, GL_FLOAT, values.texels.data());
   glBindTexture(GL_TEXTURE_2D, 0);
-  stock->Table->Give(picture.window, tableTexture, GL_TEXTURE_2D);
+  stock->Table->Give(picture.window, tableTexture, GL_TEXTURE_2D, 1);
 
   // The same actors under VTK's own mapper.
   stock->UseImageBasedLightingOn();
@@ -224,6 +224,12 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   picture.window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   picture.window->GetPixelData(0, 0, 639, 511, 1, pixels, 0);
+  ImageRgba8 theirs{640, 512, std::vector<std::uint8_t>(640 * 512 * 4, 255), {}};
+  for (int i = 0; i < 640 * 512; ++i) {
+    const int from = (511 - i / 640) * 640 + i % 640;
+    for (int c = 0; c < 3; ++c) theirs.pixels[static_cast<std::size_t>(4 * i + c)] = pixels->GetValue(3 * from + c);
+  }
+  keepPicture(theirs, "stock_theirs");
   picture.window->RemoveRenderer(stock);
   picture.window->AddRenderer(renderer);
 
