@@ -14,6 +14,9 @@ constexpr std::size_t kMapCacheBytes = std::size_t{256} << 20;
 constexpr int kSkyFaceSize = 64;  // a gradient has no detail
 constexpr int kSkyImageFaceSize = 256;
 
+// Maps captured during a drag show at once but do not count as the final ones.
+constexpr const char* kDuringDrag = "| during a drag";
+
 bool lit(const DrawnObject& object) {
   return !object.unlit && object.settings.visible;
 }
@@ -132,7 +135,11 @@ void ProbeSet::setEnabled(bool enabled) {
 bool ProbeSet::stale() const {
   if (!enabled_) return false;
   if (skyWanted_ != skyShown_ && std::any_of(content_->objects.begin(), content_->objects.end(), lit)) return true;
-  return std::any_of(entries_.begin(), entries_.end(), [](const Entry& e) { return e.used && e.wanted != e.shown; });
+  return std::any_of(entries_.begin(), entries_.end(), [this](const Entry& e) { return stale(e); });
+}
+
+bool ProbeSet::stale(const Entry& entry) const {
+  return entry.used && entry.shown != entry.wanted && !(interactive_ && entry.shown == entry.wanted + kDuringDrag);
 }
 
 void ProbeSet::startWork() {
@@ -153,7 +160,7 @@ void ProbeSet::startWork() {
   std::vector<BakeItem> items;
   if (skyWanted_ != skyShown_) items.push_back(skyItem());
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (entries_[i].used && entries_[i].wanted != entries_[i].shown) items.push_back(probeItem(i));
+    if (stale(entries_[i])) items.push_back(probeItem(i));
   }
   queue_.start(std::move(items), content_->lightPointers(), interactive_);
 }
@@ -188,8 +195,7 @@ BakeItem ProbeSet::probeItem(std::size_t index) {
   }
   if (std::holds_alternative<ClearToSky>(probe.clear)) item.props.push_back(content_->sky);
 
-  // A capture made during a drag shows at once but does not count as the final one.
-  const std::string key = interactive_ ? entries_[index].wanted + "| during a drag" : entries_[index].wanted;
+  const std::string key = interactive_ ? entries_[index].wanted + kDuringDrag : entries_[index].wanted;
   item.publish = [this, key, name = probe.name, left = item.bounces](std::shared_ptr<const ProbeMaps> maps) mutable {
     const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
     if (it == entries_.end()) return;

@@ -57,6 +57,7 @@ class ProbeSet {
   bool preparationPending() const { return !interactive_ && !toPrepare_.empty(); }
   void prepareOne();
   bool stale() const;
+  bool stale(const Entry& entry) const;
   void startWork();
   BakeItem skyItem();
   BakeItem probeItem(std::size_t index);

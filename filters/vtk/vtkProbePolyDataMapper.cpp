@@ -13,6 +13,7 @@
 #include <array>
 #include <glm/mat3x3.hpp>
 
+#include "filters/vtk/camera_uniforms.h"
 #include "filters/vtk/vtk_pbr_splice.h"
 
 using boxprobe::Lighting;
@@ -93,16 +94,7 @@ int vtkProbePolyDataMapper::Bind(vtkRenderer* renderer, unsigned int target, uns
 
 void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer* renderer) {
   ++this->State->counters.uniformUpdates;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const vtkMatrix4x4* viewFromWorld = camera->GetModelViewTransformMatrix();
-  float viewToWorld[9];
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      // Column-major, and the inverse of a rotation is its transpose: element (row, column) of the inverse.
-      viewToWorld[column * 3 + row] = static_cast<float>(viewFromWorld->GetElement(column, row));
-    }
-  }
-  program->SetUniformMatrix3x3("bpViewToWorld", viewToWorld);
+  program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToWorldRotation(renderer->GetActiveCamera()).data());
   program->SetUniformi("bpBrdf", this->Bind(renderer, GL_TEXTURE_2D, this->State->brdfTable));
 
   if (this->Binding->sky) {

@@ -1,7 +1,6 @@
 #include "filters/vtk/vtkSkyProp.h"
 
 #include <vtkCamera.h>
-#include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
@@ -9,6 +8,8 @@
 #include <vtkShaderProgram.h>
 
 #include <cmath>
+
+#include "filters/vtk/camera_uniforms.h"
 
 vtkStandardNewMacro(vtkSkyProp);
 
@@ -57,13 +58,6 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
   }
 
   vtkCamera* camera = renderer->GetActiveCamera();
-  const vtkMatrix4x4* viewFromWorld = camera->GetModelViewTransformMatrix();
-  float viewToWorld[9];
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      viewToWorld[column * 3 + row] = static_cast<float>(viewFromWorld->GetElement(column, row));
-    }
-  }
   const double aspect =
       camera->GetUseExplicitAspectRatio() ? camera->GetExplicitAspectRatio() : renderer->GetTiledAspectRatio();
   const double vertical = std::tan(0.5 * camera->GetViewAngle() * 3.14159265358979323846 / 180.0);
@@ -92,7 +86,7 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
     program->SetUniform3f("bpSkyTop", &this->Gradient.top.x);
     program->SetUniform3f("bpSkyHorizon", &this->Gradient.horizon.x);
     program->SetUniform3f("bpSkyGround", &this->Gradient.ground.x);
-    program->SetUniformMatrix3x3("bpViewToWorld", viewToWorld);
+    program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToWorldRotation(camera).data());
     program->SetUniform2f("bpTangents", tangents);
     program->SetUniformf("bpParallel", camera->GetParallelProjection() ? 1.0f : 0.0f);
     program->SetUniformf("bpExposure", this->State->exposure);
