@@ -1,0 +1,13 @@
+// What shaders are told of the camera. Called by the mapper and the sky when they draw; knows nothing of probes.
+#pragma once
+
+#include <array>
+
+class vtkCamera;
+
+namespace boxprobe {
+
+/// Rotation from view to world axes, in the order SetUniformMatrix3x3 takes: column after column.
+std::array<float, 9> viewToWorldRotation(vtkCamera* camera);
+
+}  // namespace boxprobe
