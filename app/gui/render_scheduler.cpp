@@ -1,14 +1,17 @@
 // See render_scheduler.h.
 #include "app/gui/render_scheduler.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace boxprobe {
 
 namespace {
 
-/// While work goes on, pictures of its progress are this far apart: a picture costs as much as several units of work.
-constexpr qint64 kProgressPictureMilliseconds = 60;
+/// While work goes on, pictures of its progress are at least this far apart, and so far that drawing them takes no more
+/// than a fifth of the time: a picture can cost as much as several units of work.
+constexpr qint64 kProgressPictureMilliseconds = 250;
+constexpr qint64 kWorkTimesPicture = 4;
 
 }  // namespace
 
@@ -57,9 +60,11 @@ void RenderScheduler::turn() {
   const bool ended = working_ && !more;
   if (ended) working_ = false;
 
-  if (renderRequested_ || ended || (more && sinceRender_.elapsed() > kProgressPictureMilliseconds)) {
+  if (renderRequested_ || ended || (more && sinceRender_.elapsed() > progressInterval_)) {
     renderRequested_ = false;
+    sinceRender_.restart();
     hooks_.render();
+    progressInterval_ = std::max(kProgressPictureMilliseconds, kWorkTimesPicture * sinceRender_.elapsed());
     ++renders_;
     sinceRender_.restart();
     emit rendered();

@@ -52,6 +52,7 @@ class RenderScheduler : public QObject {
   Hooks hooks_;
   QTimer timer_;
   QElapsedTimer sinceRender_;
+  qint64 progressInterval_ = 0;  ///< milliseconds
   bool renderRequested_ = false;
   bool working_ = false;
   bool stopped_ = false;
