@@ -5,17 +5,10 @@
 
 #include "filters/core/document.h"
 #include "tests/unit/error_text.h"
+#include "tests/unit/two_probes.h"
 
 namespace boxprobe {
 namespace {
-
-Scene twoProbes() {
-  Scene scene;
-  scene.probes.resize(2);
-  scene.probes[0].name = "room";
-  scene.probes[1].name = "hall";
-  return scene;
-}
 
 class DocumentTest : public ::testing::Test {
  protected:

@@ -7,6 +7,7 @@
 #include "filters/core/nearest_name.h"
 #include "filters/core/number_text.h"
 #include "filters/core/scene.h"
+#include "tests/unit/two_probes.h"
 
 namespace boxprobe {
 namespace {
@@ -14,14 +15,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-Scene twoProbes() {
-  Scene scene;
-  scene.probes.resize(2);
-  scene.probes[0].name = "room";
-  scene.probes[1].name = "hall";
-  return scene;
-}
 
 /// The kinds of change as a word list, so that a failure shows which one is missing or too many.
 std::string kinds(const Changes& c) {
