@@ -17,6 +17,9 @@
 #include <vtkShaderProgram.h>
 #include <vtkTranslucentPass.h>
 
+#include <algorithm>
+
+#include "filters/core/errors.h"
 #include "filters/math/shared_math.h"
 
 namespace boxprobe {
@@ -99,6 +102,13 @@ CubeCapture::~CubeCapture() = default;
 
 void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
                              const std::vector<vtkLight*>& lights, const glm::vec3& clearColor) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (std::max(width, height) > largest) {
+    throw InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                     " samples is more than this driver's " + std::to_string(largest) +
+                     " a side; ask for a smaller size or fewer samples");
+  }
   target_.allocate(width, height);
   auto* pass = vtkTargetPass::SafeDownCast(renderer_->GetPass());
   pass->Target = &target_;
@@ -114,7 +124,7 @@ void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std
 
   const float exposure = state_->exposure;
   const bool countDraws = state_->countDraws;
-  state_->exposure = 0.0f;
+  state_->exposure = -1.0f;
   state_->countDraws = false;
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   renderer_->Render();
@@ -206,9 +216,11 @@ ImageRgbaF CubeCapture::renderFrame(vtkCamera* camera, int width, int height, in
       double sum[4] = {};
       for (int j = 0; j < samplesPerSide; ++j) {
         for (int i = 0; i < samplesPerSide; ++i) {
-          const std::size_t row = static_cast<std::size_t>((height - 1 - y) * samplesPerSide + j);
-          const float* s =
-              &samples[(row * static_cast<std::size_t>(w) + static_cast<std::size_t>(x * samplesPerSide + i)) * 4];
+          const int row = (height - 1 - y) * samplesPerSide + j;
+          const int column = x * samplesPerSide + i;
+          const float* s = &samples[(static_cast<std::size_t>(row) * static_cast<std::size_t>(w) +
+                                     static_cast<std::size_t>(column)) *
+                                    4];
           for (int c = 0; c < 4; ++c) sum[c] += s[c];
         }
       }
