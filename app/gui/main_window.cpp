@@ -62,7 +62,6 @@ MainWindow::MainWindow()
                               this)),
       menu_(new MenuBar(this)),
       status_(new StatusLine(statusBar())) {
-  renderer_->setEditable(true);
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); });
   viewport_->setProbeWidget(probeWidget_);
   renderer_->setEditable(true);

@@ -14,6 +14,7 @@ std::optional<int> rowOf(const Rows& rows, std::string_view id) {
 }
 
 constexpr std::string_view kDefaultProjection = "box";
+constexpr std::string_view kUnprojected = "infinite";
 constexpr std::string_view kDefaultEvaluation = "none";
 
 }  // namespace
@@ -32,6 +33,11 @@ std::optional<Technique> parseTechnique(std::string_view id) {
   const auto e = rowOf(evaluationRows(), evaluation);
   if (!p || !e) return std::nullopt;
   return Technique{*p, *e};
+}
+
+Technique withoutProjection(Technique technique) {
+  technique.projection = *rowOf(projectionRows(), kUnprojected);
+  return technique;
 }
 
 std::string techniqueId(const Technique& technique) {

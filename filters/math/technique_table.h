@@ -42,6 +42,8 @@ struct Technique {
 
 /// `PROJECTION`, `EVALUATION` or `PROJECTION+EVALUATION`; a projection alone means `+none`, an evaluation alone `box+`.
 std::optional<Technique> parseTechnique(std::string_view id);
+/// The same evaluation looked up with the bare reflection vector: what "projection off" means.
+Technique withoutProjection(Technique technique);
 /// The full id, `box+none`.
 std::string techniqueId(const Technique& technique);
 /// The shortest id that parses back: `box` for `box+none`.

@@ -72,7 +72,12 @@ void BakeQueue::step() {
     return;
   }
   if (advanceItem()) {
-    finished_.push_back({item_, std::move(maps_)});
+    // The sky sees no probe, and the first bounce is lit by it: no reason to wait for the others.
+    if (items_[item_].sky) {
+      items_[item_].publish(std::move(maps_));
+    } else {
+      finished_.push_back({item_, std::move(maps_)});
+    }
     ++item_;
     unit_ = 0;
   } else {
@@ -93,9 +98,9 @@ bool BakeQueue::advanceItem() {
       source_.allocate(item.faceSize, sourceLevels(item.faceSize), GL_RGBA16F);
       if (!item.sky) maps_->distance.allocate(item.faceSize, 1, GL_R32F);
     }
-    state_->environmentDark = bounce_ == 1 && !seeCurrentProbes_;
+    state_->firstBounce = bounce_ == 1 && !seeCurrentProbes_;
     capture_->captureFace(item.settings, unit_, item.props, lights_, source_, item.sky ? nullptr : &maps_->distance);
-    state_->environmentDark = false;
+    state_->firstBounce = false;
     ++(item.sky ? state_->counters.skyFacesCaptured : state_->counters.facesCaptured);
     return false;
   }

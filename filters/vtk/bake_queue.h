@@ -29,8 +29,9 @@ class BakeQueue {
  public:
   BakeQueue(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture, Times* times);
 
-  /// Replaces what is under way. At the first bounce captures see no probe and no sky reflected (a mirror is black),
-  /// unless `seeCurrentProbes`: then they see the probes as they are, which suits a capture that follows a drag.
+  /// Replaces what is under way. At the first bounce no probe has been captured yet: a mirror in a probe is black, and
+  /// what is not a mirror gets the diffuse light of the sky in place of the probe's. With `seeCurrentProbes` captures
+  /// see the probes as they are, which suits one that follows a drag.
   void start(std::vector<BakeItem> items, std::vector<vtkLight*> lights, bool seeCurrentProbes);
   void abort();
   bool pending() const { return bounce_ > 0; }

@@ -55,15 +55,15 @@ struct ProbeBinding {
 
 /// One for all mappers of a scene renderer.
 struct DrawState {
-  float exposure = 1.0f;         ///< 0: linear output
-  bool environmentDark = false;  ///< first bounce of a capture: probes and sky give nothing
+  float exposure = 1.0f;     ///< negative: linear output
+  bool firstBounce = false;  ///< of a capture: probes reflect nothing yet, and the sky lights in their place
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
   GLuint blackCube = 0;  ///< stands in for maps not captured yet
   Counters counters;
   bool countDraws = true;          ///< of the frame on the screen, not of captures
   std::set<const void*> programs;  ///< seen so far, to count compilations
-  std::string error;               ///< first failure since the last frame began
+  std::string error;               ///< first failure since the models were set
 };
 
 }  // namespace boxprobe

@@ -21,7 +21,7 @@ struct DrawnObject {
   std::string materialName;
   Material material;  ///< as the model has it, before overrides
   bool unlit = false;
-  bool allMetal = false;           ///< after overrides: no diffuse reflection anywhere
+  bool allMetal = false;  ///< after overrides: no diffuse reflection anywhere
   glm::dmat4 worldFromModel{1.0};
   vtkSmartPointer<vtkActor> actor;
   vtkSmartPointer<vtkProbePolyDataMapper> mapper;

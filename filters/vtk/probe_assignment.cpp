@@ -28,19 +28,23 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
     return p.importance != q.importance ? p.importance > q.importance : p.name < q.name;
   });
   binding->diffuse = !object.allMetal;
+  const auto covers = [&](std::size_t i) { return fullWeightEverywhere(scene.probes[i], bounds); };
   if (!general) {
-    const auto cover = std::find_if(order.begin(), order.end(),
-                                    [&](std::size_t i) { return fullWeightEverywhere(scene.probes[i], bounds); });
+    // Nothing is left for probes less important than one that covers the object.
+    const auto cover = std::find_if(order.begin(), order.end(), covers);
     if (cover != order.end()) {
       const double importance = scene.probes[*cover].importance;
       order.erase(std::remove_if(order.begin(), order.end(),
                                  [&](std::size_t i) { return scene.probes[i].importance < importance; }),
                   order.end());
-      binding->sky = false;
-      binding->weights = order.size() > 1;
     }
   }
   if (order.size() > ProbeBinding::kMaxProbesPerDraw) order.resize(ProbeBinding::kMaxProbesPerDraw);
+  // Asked of those that are left: the one that covers the object may have been one too many.
+  if (!general && std::any_of(order.begin(), order.end(), covers)) {
+    binding->sky = false;
+    binding->weights = order.size() > 1;
+  }
   for (const std::size_t i : order) binding->probes.push_back(drawn[i]);
   return binding;
 }

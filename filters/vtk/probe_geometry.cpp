@@ -14,6 +14,15 @@ namespace {
 constexpr double kInfluenceSkin = 1.0e-4;
 constexpr double kNarrowestBlend = 1.0e-5;
 
+double largestSide(const Box& box) {
+  const glm::dvec3 size = box.size();
+  return std::max({size.x, size.y, size.z});
+}
+
+double skinOf(const Box& box) {
+  return kInfluenceSkin * largestSide(box);
+}
+
 }  // namespace
 
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationDegrees) {
@@ -36,19 +45,17 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
   const Box& influence = probe.influenceBox();
   g.boxMin = glm::vec3(probe.box.min - origin);
   g.boxMax = glm::vec3(probe.box.max - origin);
-  const glm::dvec3 size = influence.size();
-  const double skin = kInfluenceSkin * std::max({size.x, size.y, size.z});
+  const double skin = skinOf(influence);
   g.influenceMin = glm::vec3(influence.min - skin - origin);
   g.influenceMax = glm::vec3(influence.max + skin - origin);
   // No wider than a position's own rounding: to a pixel that is a step.
-  const double shortest = kNarrowestBlend * std::max({size.x, size.y, size.z});
+  const double shortest = std::max(kNarrowestBlend * largestSide(influence), 1.0e-30);  // a box may be a point
   g.rateMin = glm::vec3(1.0 / glm::max(probe.blendDistance.min, glm::dvec3(shortest)));
   g.rateMax = glm::vec3(1.0 / glm::max(probe.blendDistance.max, glm::dvec3(shortest)));
   g.intensity = static_cast<float>(probe.intensity);
   g.importance = probe.importance;
   g.technique = parseTechnique(probe.technique).value_or(Technique{});
-  // "Projection off" is the bare reflection vector, whatever the technique's projection.
-  if (!probe.projection) g.technique.projection = parseTechnique("infinite")->projection;
+  if (!probe.projection) g.technique = withoutProjection(g.technique);
   return g;
 }
 
@@ -74,7 +81,7 @@ bool influenceMeets(const Probe& probe, const Box& boundsWorld) {
   const glm::dmat3 r = rotationMatrix(probe.rotationDegrees);
   // The axis-aligned bounds of the turned box.
   const glm::dvec3 middle = center + r * (influence.center() - center);
-  const glm::dvec3 half = 0.5 * influence.size();
+  const glm::dvec3 half = 0.5 * influence.size() + skinOf(influence);
   const glm::dvec3 extent = glm::abs(r[0]) * half.x + glm::abs(r[1]) * half.y + glm::abs(r[2]) * half.z;
   return glm::all(glm::lessThanEqual(middle - extent, boundsWorld.max)) &&
          glm::all(glm::greaterThanEqual(middle + extent, boundsWorld.min));

@@ -58,7 +58,7 @@ void ProbeSet::updateShapes() {
 }
 
 void ProbeSet::assignToObjects() {
-  assign(true);
+  assign(!interactive_);
 }
 
 void ProbeSet::assign(bool newProgramsAllowed) {
@@ -169,7 +169,8 @@ BakeItem ProbeSet::skyItem() {
   BakeItem item;
   item.faceSize = content_->skyImage ? kSkyImageFaceSize : kSkyFaceSize;
   item.sky = true;
-  item.settings.samplesPerTexelSide = 1;
+  // A sun of a few pixels must not fall between samples.
+  item.settings.samplesPerTexelSide = content_->skyImage ? 4 : 1;
   item.props = {content_->sky};
   item.publish = [this, key = skyWanted_](std::shared_ptr<const ProbeMaps> maps) {
     state_->sky = maps;
@@ -200,7 +201,10 @@ BakeItem ProbeSet::probeItem(std::size_t index) {
     const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
     if (it == entries_.end()) return;
     const bool last = --left == 0;
-    show(*it, content_->scene.probes[static_cast<std::size_t>(it - entries_.begin())], last ? key : it->shown, maps);
+    // Maps of an earlier bounce have a key of their own: an undo in between must not take them for what was there
+    // before.
+    show(*it, content_->scene.probes[static_cast<std::size_t>(it - entries_.begin())],
+         last ? key : key + "| " + std::to_string(left) + " bounces to go", maps);
     if (last && !interactive_) remember(key, std::move(maps));
   };
   return item;

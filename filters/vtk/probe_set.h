@@ -20,10 +20,9 @@ class ProbeSet {
 
   /// Takes over boxes, weights and techniques from the scene: uniforms only.
   void updateShapes();
-  /// Gives every object the probes whose influence meets it. During a drag (setInteractive) only with programs there
-  /// already are: `whileDragging`.
+  /// Gives every object the probes whose influence meets it; during a drag only as far as there are programs for it
+  /// already.
   void assignToObjects();
-  void assignWhileDragging() { assign(false); }
   /// Finds out which captures an edit has made stale; shows maps made before where there are any; starts or stops work.
   void updateCaptures();
 

@@ -28,7 +28,6 @@ struct SceneRenderer::Impl {
   SceneContent content;
   CubeCapture capture;
   ProbeSet probes;
-  bool interactive = false;
 
   void beginFrame();
 };
@@ -74,12 +73,17 @@ void SceneRenderer::setModels(std::vector<std::shared_ptr<const Model>> models) 
 void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   Impl& d = *impl_;
   SceneContent& content = d.content;
+  // Maps that are replaced are deleted, which needs their context.
+  if (d.state->brdfTable != 0) d.window->MakeCurrent();
   content.scene = scene;
   const bool models = changes.models;
   const bool objects = models || changes.materials || changes.objects;
   const bool probes =
       models || changes.probeList || changes.probeShape || changes.probeTechnique || changes.probeCapture;
-  if (models) content.rebuildObjects(d.renderer, d.state);
+  if (models) {
+    d.state->error.clear();
+    content.rebuildObjects(d.renderer, d.state);
+  }
   if (objects) {
     for (DrawnObject& object : content.objects) applyOverrides(object, scene);
   }
@@ -87,11 +91,7 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   if (changes.sky) content.rebuildSky();
   if (objects || probes) {
     d.probes.updateShapes();
-    if (d.interactive) {
-      d.probes.assignWhileDragging();
-    } else {
-      d.probes.assignToObjects();
-    }
+    d.probes.assignToObjects();
   }
   if (objects || probes || changes.lights || changes.sky) d.probes.updateCaptures();
 }
@@ -171,7 +171,7 @@ ImageRgba8 SceneRenderer::renderDisplay() {
   for (int y = 0; y < size[1]; ++y) {
     const unsigned char* row = pixels->GetPointer(3 * static_cast<vtkIdType>(size[1] - 1 - y) * size[0]);
     std::uint8_t* out = &image.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size[0]) * 4];
-    for (int x = 0; x < size[0]; ++x) {
+    for (std::ptrdiff_t x = 0; x < size[0]; ++x) {
       out[4 * x] = row[3 * x];
       out[4 * x + 1] = row[3 * x + 1];
       out[4 * x + 2] = row[3 * x + 2];

@@ -41,7 +41,7 @@ class SceneRenderer {
   /// The geometry; `models` in the order of scene.models. Replaces all actors.
   void setModels(std::vector<std::shared_ptr<const Model>> models);
 
-  /// Brings actors, lights, uniforms and the list of stale captures up to `scene`. No GL call.
+  /// Brings actors, lights, uniforms and the list of stale captures up to `scene`. Draws nothing.
   void sync(const Scene& scene, const Changes& changes);
 
   /// While an origin is dragged: faces are captured step by step at the newest origin and shown when complete; the

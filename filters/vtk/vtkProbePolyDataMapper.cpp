@@ -110,7 +110,7 @@ void vtkProbePolyDataMapper::UploadSky(vtkShaderProgram* program, vtkRenderer* r
   program->SetUniformi(
       "bpSkyMap", this->Bind(renderer, GL_TEXTURE_CUBE_MAP, sky ? sky->radiance.handle() : this->State->blackCube));
   program->SetUniformf("bpSkyMaxLevel", sky ? sky->maxLevel() : 0.0f);
-  program->SetUniformf("bpSkyIntensity", sky && !this->State->environmentDark ? 1.0f : 0.0f);
+  program->SetUniformf("bpSkyIntensity", sky ? 1.0f : 0.0f);
   boxprobe::ShCoefficients skySh{};
   if (sky) {
     skySh = sky->irradiance;
@@ -137,14 +137,17 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
     rateMin[i] = g.rateMin;
     rateMax[i] = g.rateMax;
     worldFromProbe[i] = glm::mat3(g.worldFromProbe);
-    intensity[i] = probe.maps && !this->State->environmentDark ? g.intensity : 0.0f;
-    maxLevel[i] = probe.maps ? probe.maps->maxLevel() : 0.0f;
-    if (probe.maps) {
-      std::copy(probe.maps->irradiance.begin(), probe.maps->irradiance.end(), sh.begin() + static_cast<long>(9 * i));
+    // Without maps: no reflection, and the sky's diffuse light, which is the best guess there is.
+    const boxprobe::ProbeMaps* maps = this->State->firstBounce ? nullptr : probe.maps.get();
+    const boxprobe::ProbeMaps* diffuse = maps != nullptr ? maps : this->State->sky.get();
+    intensity[i] = g.intensity;
+    maxLevel[i] = maps != nullptr ? maps->maxLevel() : 0.0f;
+    if (diffuse != nullptr) {
+      std::copy(diffuse->irradiance.begin(), diffuse->irradiance.end(), sh.begin() + static_cast<long>(9 * i));
     }
     program->SetUniformi(
         ("bpMap" + std::to_string(i)).c_str(),
-        this->Bind(renderer, GL_TEXTURE_CUBE_MAP, probe.maps ? probe.maps->radiance.handle() : this->State->blackCube));
+        this->Bind(renderer, GL_TEXTURE_CUBE_MAP, maps != nullptr ? maps->radiance.handle() : this->State->blackCube));
   }
   const int n = static_cast<int>(count);
   const auto upload = [program, n](const char* name, const std::array<glm::vec3, kMax>& values) {

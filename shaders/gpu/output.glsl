@@ -1,7 +1,7 @@
 // How a pixel leaves VTK's PBR shader: linear scene units into captures and EXR files, display colours on the screen.
 vec3 bpOutput(vec3 color)
 {
-  return bpExposure > 0.0f ? pow(color * bpExposure, vec3(1.0f / 2.2f)) : color;
+  return bpExposure >= 0.0f ? pow(color * bpExposure, vec3(1.0f / 2.2f)) : color;
 }
 
 // VTK 9.1 takes the eye for a point even under parallel projection.

@@ -10,7 +10,7 @@
 
 uniform mat3 bpViewToWorld;
 uniform float bpParallel;       // 1 under parallel projection
-uniform float bpExposure;       // 0: linear output; else display colours at this exposure
+uniform float bpExposure;       // negative: linear output; else display colours at this exposure
 uniform sampler2D bpBrdf;       // split-sum table: N.V across, roughness up
 uniform samplerCube bpSkyMap;   // prefiltered sky
 uniform float bpSkyMaxLevel;

@@ -7,7 +7,7 @@ uniform sampler2D bpSkyImage;  // first row at the top of the picture; centre co
 uniform mat3 bpViewToWorld;
 uniform vec2 bpTangents;       // tangent of half the field of view, horizontal and vertical
 uniform float bpParallel;      // 1: parallel projection, one direction for every pixel
-uniform float bpExposure;      // 0: linear output; else display colours at this exposure
+uniform float bpExposure;      // negative: linear output; else display colours at this exposure
 
 in vec2 texCoord;
 
@@ -27,5 +27,5 @@ void main()
   {
     color = skyGradient(d, bpSkyTop, bpSkyHorizon, bpSkyGround);
   }
-  gl_FragData[0] = vec4(bpExposure > 0.0f ? pow(color * bpExposure, vec3(1.0f / 2.2f)) : color, 0.0f);
+  gl_FragData[0] = vec4(bpExposure >= 0.0f ? pow(color * bpExposure, vec3(1.0f / 2.2f)) : color, 0.0f);
 }

@@ -16,14 +16,21 @@ namespace {
 using namespace boxprobe;
 using namespace boxprobe::test;
 
-TEST(Prefilter, WhiteFurnaceStaysWhiteAtEveryLevel) {
-  const auto window = makeWindow();
+/// A source cube map to be written by the test, and room for what is filtered from it.
+class PrefilterTest : public ::testing::Test {
+ protected:
+  PrefilterTest() {
+    source.allocate(kFace, 7, GL_RGBA16F);
+    chain.allocate(kFace, prefilterLevels(kFace), GL_RGBA16F);
+  }
+  static constexpr int kFace = 64;
+  vtkSmartPointer<vtkOpenGLRenderWindow> window = makeWindow();
   Counters counters;
-  Prefilter prefilter(window, &counters);
+  Prefilter prefilter{window, &counters};
   CubeTexture source, chain;
-  constexpr int kFace = 64;
-  source.allocate(kFace, 7, GL_RGBA16F);
-  chain.allocate(kFace, prefilterLevels(kFace), GL_RGBA16F);
+};
+
+TEST_F(PrefilterTest, WhiteFurnaceStaysWhiteAtEveryLevel) {
   const std::vector<float> white(kFace * kFace * 4, 1.0f);
   for (int face = 0; face < 6; ++face) source.writeFace(face, 0, white);
   prefilter.begin(source, chain);
@@ -43,14 +50,7 @@ TEST(Prefilter, WhiteFurnaceStaysWhiteAtEveryLevel) {
 
 // A cosine lobe has a closed form: radiance max(d.y, 0) gives irradiance over pi of 2/3 for a normal up, by quadrature
 // independent of the code under test.
-TEST(Prefilter, IrradianceOfACosineSky) {
-  const auto window = makeWindow();
-  Counters counters;
-  Prefilter prefilter(window, &counters);
-  CubeTexture source, chain;
-  constexpr int kFace = 64;
-  source.allocate(kFace, 7, GL_RGBA16F);
-  chain.allocate(kFace, prefilterLevels(kFace), GL_RGBA16F);
+TEST_F(PrefilterTest, IrradianceOfACosineSky) {
   for (int face = 0; face < 6; ++face) {
     std::vector<float> texels;
     for (int row = 0; row < kFace; ++row) {
@@ -125,6 +125,40 @@ TEST(Capture, OnlyWhatAnEditNeedsIsMadeAgain) {
     s.probes[1].box = Box{{100, 0, 100}, {101, 1, 101}};
   });
   EXPECT_EQ(captured(), faces + 18) << "a probe whose influence meets no object is not captured";
+}
+
+TEST(Capture, AnUndoBetweenBouncesBringsTheEarlierPictureBack) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.scene.probes[0].bounces = 2;
+  picture.show(cameraNamed(picture.scene, "main"));
+  const ImageRgbaF before = picture.linear(1);
+  const std::uint64_t faces = picture.renderer->counters().facesCaptured;
+  const Scene kept = picture.scene;
+  picture.scene.probes[0].origin = {-3.0, 0.5, 2.0};
+  picture.renderer->sync(picture.scene, difference(kept, picture.scene));
+  picture.window->MakeCurrent();
+  while (picture.renderer->counters().facesCaptured < faces + 7) picture.renderer->step();
+  EXPECT_NE(picture.linear(1).pixels, before.pixels) << "the first bounce is shown";
+  picture.renderer->sync(kept, difference(picture.scene, kept));
+  picture.renderer->finishWork();
+  EXPECT_EQ(picture.linear(1).pixels, before.pixels);
+}
+
+TEST(Capture, AProbeThatCoversAnObjectButIsOneTooManyLeavesTheSky) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.scene.sky = SkyColor{{0.0f, 2.0f, 0.0f}};
+  for (const char* node : {"sphere 1", "sphere 2", "sphere 3"}) picture.scene.objects[node].visible = false;
+  for (int i = 0; i < 4; ++i) {
+    Probe small = picture.scene.probes[0];
+    small.name = "small " + std::to_string(i);
+    small.importance = 2.0;
+    small.influence = Box{{3.9, 0.0, 0.5 * i}, {4.0, 0.1, 0.5 * i + 0.1}};
+    picture.scene.probes.push_back(small);
+  }
+  picture.show(cameraNamed(picture.scene, "B"));  // looks down at the floor
+  const ImageRgbaF image = picture.linear(1);
+  const float* middle = &image.pixels[(18 * 64 + 32) * 4];
+  EXPECT_GT(middle[1], 1.0f);
 }
 
 TEST(Capture, BrightTexelsAreClampedAndCounted) {
