@@ -9,8 +9,6 @@
 #include "app/gui/editor.h"
 #include "filters/core/document.h"
 
-class vtkGenericOpenGLRenderWindow;
-
 namespace boxprobe {
 
 class FileCommands;

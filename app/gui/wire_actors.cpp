@@ -12,6 +12,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "app/gui/axis_colors.h"
@@ -60,7 +61,9 @@ void addEdges(std::vector<glm::dvec3>& segments, const Probe& probe, const Box& 
     }
     if (length <= 0.0) continue;
     const glm::dvec3 direction = (to - from) / length;
-    for (double start = 0.0; start < length; start += period) {
+    const int dashes = static_cast<int>(std::ceil(length / period));
+    for (int i = 0; i < dashes; ++i) {
+      const double start = i * period;
       segments.push_back(from + direction * start);
       segments.push_back(from + direction * std::min(start + period * kDashShare, length));
     }

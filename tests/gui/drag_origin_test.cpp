@@ -16,7 +16,7 @@ namespace {
 class DragOriginTest : public WindowTest {
  protected:
   LoadedScene scene() const override { return smallBuilding({"probes.room.bounces=2"}); }
-  static constexpr std::uint64_t kFacesOfOneCapture = 6 * 2;
+  static constexpr std::uint64_t kFacesOfOneCapture = 12;  // six of each bounce
 };
 
 TEST_F(DragOriginTest, CapturesOnTheWayAndOnceMoreWhenItRests) {
