@@ -31,7 +31,7 @@ class PrefilterTest : public ::testing::Test {
 };
 
 TEST_F(PrefilterTest, WhiteFurnaceStaysWhiteAtEveryLevel) {
-  const std::vector<float> white(kFace * kFace * 4, 1.0f);
+  const std::vector<float> white(std::size_t{kFace} * kFace * 4, 1.0f);
   for (int face = 0; face < 6; ++face) source.writeFace(face, 0, white);
   prefilter.begin(source, chain);
   for (int level = 1; level < chain.levels(); ++level) prefilter.filterLevel(source, chain, level);

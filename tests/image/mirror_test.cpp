@@ -33,11 +33,12 @@ std::vector<bool> floorMask(ScenePicture& picture, const Camera& camera) {
   picture.scene = kept;
   // Pixels on the floor's border show wall as well.
   std::vector<bool> inner = mask;
+  const auto texel = [](int x, int y) { return static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x); };
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       for (const auto& [dx, dy] : {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)}) {
         const int nx = std::clamp(x + dx, 0, kWidth - 1), ny = std::clamp(y + dy, 0, kHeight - 1);
-        if (!mask[static_cast<std::size_t>(ny * kWidth + nx)]) inner[static_cast<std::size_t>(y * kWidth + x)] = false;
+        if (!mask[texel(nx, ny)]) inner[texel(x, y)] = false;
       }
     }
   }
@@ -48,7 +49,7 @@ ImageRgbaF truth(ScenePicture& picture, const Camera& camera) {
   const Scene kept = picture.scene;
   picture.scene.objects["floor"].visible = false;
   picture.show(mirroredInFloor(camera, 0.0));
-  const ImageRgbaF image = flippedTopToBottom(picture.linear());
+  ImageRgbaF image = flippedTopToBottom(picture.linear());
   picture.scene = kept;
   return image;
 }

@@ -54,7 +54,7 @@ glm::vec3 centreOf(const Model& model, Scene scene, bool parallel = false) {
   picture.renderer->finishWork();
   const ImageRgbaF image = picture.linear(1);
   EXPECT_EQ(picture.renderer->error(), "");
-  const float* c = &image.pixels[(16 * 33 + 16) * 4];
+  const float* c = &image.pixels[(std::size_t{16} * 33 + 16) * 4];
   EXPECT_EQ(c[3], 1.0f);
   return {c[0], c[1], c[2]};
 }

@@ -172,8 +172,9 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   for (int face = 0; face < 6; ++face) {
     std::vector<float> texels;
     for (int i = 0; i < kFace * kFace; ++i) {
-      const float s = 2.0f * (static_cast<float>(i % kFace) + 0.5f) / kFace - 1.0f,
-                  t = 2.0f * (static_cast<float>(i / kFace) + 0.5f) / kFace - 1.0f;
+      const int column = i % kFace, row = i / kFace;
+      const float s = 2.0f * (static_cast<float>(column) + 0.5f) / kFace - 1.0f,
+                  t = 2.0f * (static_cast<float>(row) + 0.5f) / kFace - 1.0f;
       const glm::vec3 n = glm::normalize(shading::cubeDirection(face, s, t));
       const glm::vec3 e = shading::shIrradiance(n, sh[0], sh[1], sh[2], sh[3], sh[4], sh[5], sh[6], sh[7], sh[8]);
       texels.insert(texels.end(), {e.x, e.y, e.z, 1.0f});
@@ -209,13 +210,13 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
     copy->SetProperty(actor->GetProperty());
     copy->SetUserMatrix(actor->GetUserMatrix());
     for (const std::string name : {"roughness", "coatRoughness"}) {
+      std::string lookup = name == "roughness" ? "worldReflect" : "coatWorldReflect";
+      lookup.append(", log2(1.0 + ").append(name).append(" * ").append(name);
+      lookup.append(" * (exp2(prefilterMaxLevel) - 1.0))");
       copy->GetShaderProperty()->AddFragmentShaderReplacement(
           name == "roughness" ? "worldReflect, roughness * prefilterMaxLevel"
                               : "coatWorldReflect, coatRoughness * prefilterMaxLevel",
-          false,
-          (name == "roughness" ? "worldReflect" : "coatWorldReflect") +
-              (", log2(1.0 + " + name + " * " + name + " * (exp2(prefilterMaxLevel) - 1.0))"),
-          false);
+          false, lookup, false);
     }
     stock->AddActor(copy);
   }
@@ -224,10 +225,11 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   picture.window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   picture.window->GetPixelData(0, 0, 639, 511, 1, pixels, 0);
-  ImageRgba8 theirs{640, 512, std::vector<std::uint8_t>(640 * 512 * 4, 255), {}};
+  ImageRgba8 theirs{640, 512, std::vector<std::uint8_t>(std::size_t{640} * 512 * 4, 255), {}};
   for (int i = 0; i < 640 * 512; ++i) {
     const int from = (511 - i / 640) * 640 + i % 640;
-    for (int c = 0; c < 3; ++c) theirs.pixels[static_cast<std::size_t>(4 * i + c)] = pixels->GetValue(3 * from + c);
+    std::uint8_t* to = &theirs.pixels[4 * static_cast<std::size_t>(i)];
+    for (int c = 0; c < 3; ++c) to[c] = pixels->GetValue(3 * from + c);
   }
   keepPicture(theirs, "stock_theirs");
   picture.window->RemoveRenderer(stock);
@@ -236,7 +238,7 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   int worst = 0, different = 0, compared = 0;
   for (int y = 0; y < 512; ++y) {
     for (int x = 0; x < 640; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y * 640 + x);
+      const std::size_t i = static_cast<std::size_t>(y) * 640 + static_cast<std::size_t>(x);
       if (coverage.pixels[4 * i + 3] < 1.0f) continue;
       ++compared;
       int d = 0;
