@@ -5,7 +5,6 @@
 #include <cctype>
 #include <filesystem>
 #include <map>
-#include <set>
 
 #include "app/cli/fit_scene.h"
 #include "filters/core/errors.h"
@@ -24,16 +23,6 @@ bool endsWith(std::string text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-void applyAssignments(Scene& scene, const std::vector<std::string>& assignments) {
-  setSceneFields(scene, assignments);
-  if (assignments.empty()) return;
-  try {
-    validate(scene);  // after the last one: two assignments may be valid only together
-  } catch (const InputError& error) {
-    throw InputError("--set: " + std::string(error.what()));
-  }
-}
-
 LoadedScene loadBareModel(const std::string& path) {
   LoadedScene loaded;
   loaded.scene = sceneForModel(path);
@@ -42,24 +31,6 @@ LoadedScene loadBareModel(const std::string& path) {
   loaded.scene.probes = {fittedProbe(bounds)};
   loaded.scene.cameras = {fittedCamera(bounds)};
   return loaded;
-}
-
-std::string listed(const std::set<std::string>& names) {
-  constexpr std::size_t most = 12;
-  std::string list;
-  std::size_t count = 0;
-  for (const std::string& name : names) {
-    if (count++ == most) return list + ", ...";
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  return list.empty() ? "none" : list;
-}
-
-void warnIfUnknown(std::vector<std::string>& warnings, const std::string& key, const std::string& kind,
-                   const std::string& name, const std::set<std::string>& known) {
-  if (known.count(name) != 0) return;
-  warnings.push_back(key + ": the models have no " + kind + " named '" + name +
-                     "', so this does nothing (they have: " + listed(known) + ")");
 }
 
 }  // namespace
@@ -81,22 +52,13 @@ std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene) {
 
 std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models) {
   std::vector<std::string> warnings;
-  std::set<std::string> materials;
-  std::set<std::string> nodes;
+  std::vector<const Model*> plain;
   for (std::size_t i = 0; i < models.size(); ++i) {
     for (const std::string& warning : models[i]->warnings) warnings.push_back(scene.models[i].file + ": " + warning);
-    for (const Material& material : models[i]->materials) materials.insert(material.name);
-    for (const Instance& instance : models[i]->instances) nodes.insert(instance.node);
+    plain.push_back(models[i].get());
   }
-  for (const std::string& feature : featuresNotUsed(scene)) warnings.push_back(feature);
-  for (const auto& [name, material] : scene.materials) {
-    warnIfUnknown(warnings, "materials." + name, "material", name, materials);
-  }
-  for (const auto& [name, object] : scene.objects) warnIfUnknown(warnings, "objects." + name, "object", name, nodes);
-  for (const Probe& probe : scene.probes) {
-    for (const std::string& name : probe.hides) {
-      warnIfUnknown(warnings, "probes." + probe.name + ".hides", "object", name, nodes);
-    }
+  for (const auto& remarks : {featuresNotUsed(scene), unmatchedOverrides(scene, plain)}) {
+    warnings.insert(warnings.end(), remarks.begin(), remarks.end());
   }
   return warnings;
 }
@@ -108,11 +70,11 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
   LoadedScene loaded;
   if (isModelPath(path)) {
     loaded = loadBareModel(path);
-    applyAssignments(loaded.scene, assignments);
+    setSceneFields(loaded.scene, assignments);
   } else if (endsWith(path, ".json")) {
     loaded.scene = loadSceneFile(path);
     loaded.path = path;
-    applyAssignments(loaded.scene, assignments);
+    setSceneFields(loaded.scene, assignments);
     loaded.models = loadModels(loaded.scene);
   } else {
     throw InputError(path + ": neither a scene (.boxprobe.json) nor a model (.glb, .gltf)");
