@@ -127,6 +127,29 @@ TEST(Capture, OnlyWhatAnEditNeedsIsMadeAgain) {
   EXPECT_EQ(captured(), faces + 18) << "a probe whose influence meets no object is not captured";
 }
 
+// A probe whose influence is its box: dragging a face takes objects in and out of it, and its weights over others.
+TEST(Capture, DraggingABoxOverObjectsCompilesNothing) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.scene.probes[0].influence.reset();
+  picture.renderer->setEditable(true);
+  picture.show(cameraNamed(picture.scene, "main"));
+  picture.display();
+  const ImageRgba8 before = picture.display();
+  const Counters counted = picture.renderer->counters();
+  picture.renderer->setInteractive(true);
+  for (int i = 1; i <= 8; ++i) {
+    const Scene last = picture.scene;
+    picture.scene.probes[0].box.max.x = 4.0 - i * 0.8;
+    picture.renderer->sync(picture.scene, difference(last, picture.scene));
+    EXPECT_FALSE(picture.renderer->workPending());
+    picture.display();
+  }
+  EXPECT_NE(picture.display().pixels, before.pixels) << "the picture follows the drag";
+  EXPECT_EQ(picture.renderer->counters().programsCompiled, counted.programsCompiled);
+  EXPECT_EQ(picture.renderer->counters().facesCaptured, counted.facesCaptured);
+  EXPECT_EQ(picture.renderer->counters().levelsFiltered, counted.levelsFiltered);
+}
+
 TEST(Capture, AnUndoBetweenBouncesBringsTheEarlierPictureBack) {
   ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
   picture.scene.probes[0].bounces = 2;
