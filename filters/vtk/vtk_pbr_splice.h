@@ -1,5 +1,6 @@
 // Puts probe lighting into the fragment shader VTK's polydata mapper has written for physically based shading. The only
-// file that knows VTK's shader text: every anchor, the check that each one matched, the versions it was tried on.
+// file that knows the text of VTK's surface shader: every anchor, the check that each one matched, the versions it was
+// tried on.
 #pragma once
 
 #include <string>
