@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <glm/matrix.hpp>
 
-#include "filters/vtk/probe_geometry.h"
+#include "filters/core/probe_geometry.h"
 
 namespace boxprobe {
 

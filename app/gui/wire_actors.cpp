@@ -17,7 +17,7 @@
 
 #include "app/gui/axis_colors.h"
 #include "app/gui/probe_frame.h"
-#include "filters/vtk/probe_geometry.h"
+#include "filters/core/probe_geometry.h"
 
 namespace boxprobe {
 

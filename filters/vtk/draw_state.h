@@ -10,8 +10,8 @@
 
 #include "filters/core/counters.h"
 #include "filters/vtk/gl_objects.h"
-#include "filters/vtk/probe_geometry.h"
-#include "filters/vtk/spherical_harmonics.h"
+#include "filters/core/probe_geometry.h"
+#include "filters/math/spherical_harmonics.h"
 
 namespace boxprobe {
 

@@ -18,7 +18,7 @@
 #include <map>
 #include <tuple>
 
-#include "filters/vtk/probe_geometry.h"
+#include "filters/core/probe_geometry.h"
 
 namespace boxprobe {
 

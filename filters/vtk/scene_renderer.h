@@ -12,12 +12,16 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "filters/core/baked_probe.h"
 #include "filters/core/counters.h"
 #include "filters/core/document.h"
+#include "filters/core/explanation.h"
 #include "filters/core/model.h"
 #include "filters/core/scene.h"
+#include "filters/core/surface_view.h"
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -75,6 +79,18 @@ class SceneRenderer {
   /// One frame in linear scene units (exposure not applied), RGBA float, alpha = coverage; `samplesPerPixel` 1, 4
   /// or 16.
   ImageRgbaF renderLinear(int width, int height, int samplesPerPixel);
+
+  /// What the surfaces are coloured by: a row of surfaceViews(). Row 0, the picture, costs nothing; any other compiles
+  /// further programs when it is first drawn.
+  void setView(const SurfaceViewSettings& settings);
+  const SurfaceViewSettings& view() const;
+
+  /// The whole calculation of one pixel of a picture of `width` x `height` through the current camera; x, y from the
+  /// top left. Draws that pixel only.
+  Explanation explain(int x, int y, int width, int height);
+
+  /// The maps a probe shows now, read back; nothing while it has none. An empty name stands for the sky.
+  std::optional<BakedMaps> readMaps(const std::string& probeName) const;
 
   const Counters& counters() const;
   const Times& times() const;

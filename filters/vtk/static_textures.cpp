@@ -2,7 +2,7 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
-#include "filters/vtk/brdf_table.h"
+#include "filters/math/brdf_table.h"
 
 namespace boxprobe {
 

@@ -10,7 +10,7 @@
 #include "app/gui/probe_widget.h"
 #include "app/gui/render_scheduler.h"
 #include "app/gui/viewport.h"
-#include "filters/vtk/probe_geometry.h"
+#include "filters/core/probe_geometry.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/window_test.h"
 

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "filters/vtk/probe_geometry.h"
+#include "filters/core/probe_geometry.h"
 
 namespace boxprobe {
 namespace {

@@ -27,7 +27,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "filters/math/shared_math.h"
-#include "filters/vtk/brdf_table.h"
+#include "filters/math/brdf_table.h"
 #include "filters/vtk/vtkProbePolyDataMapper.h"
 #include "tests/support/scene_picture.h"
 

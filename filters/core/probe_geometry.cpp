@@ -1,4 +1,4 @@
-#include "filters/vtk/probe_geometry.h"
+#include "filters/core/probe_geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "filters/vtk/brdf_table.h"
+#include "filters/math/brdf_table.h"
 
 #include <algorithm>
 #include <cmath>

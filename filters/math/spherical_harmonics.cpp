@@ -1,9 +1,9 @@
-#include "filters/vtk/spherical_harmonics.h"
+#include "filters/math/spherical_harmonics.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/math/shared_math.h"
+#include "filters/math/cube_map.h"
 
 namespace boxprobe {
 
@@ -22,11 +22,6 @@ std::array<double, 9> polynomials(const glm::dvec3& n) {
 // Clamped cosine over pi, by band.
 constexpr double kCosine[9] = {1.0, 2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25, 0.25, 0.25, 0.25, 0.25};
 
-// Integral over the rectangle from the face's centre to (s, t) of the solid angle of the cube's face.
-double cornerArea(double s, double t) {
-  return std::atan2(s * t, std::sqrt(s * s + t * t + 1.0));
-}
-
 }  // namespace
 
 ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& faces, int faceSize) {
@@ -36,8 +31,7 @@ ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& f
     for (int row = 0; row < faceSize; ++row) {
       for (int column = 0; column < faceSize; ++column) {
         const double s0 = -1.0 + column * step, t0 = -1.0 + row * step;
-        const double s1 = s0 + step, t1 = t0 + step;
-        const double solidAngle = cornerArea(s1, t1) - cornerArea(s0, t1) - cornerArea(s1, t0) + cornerArea(s0, t0);
+        const double solidAngle = cubeSolidAngle(s0, t0, s0 + step, t0 + step);
         const glm::dvec3 direction = glm::normalize(glm::dvec3(
             shading::cubeDirection(face, static_cast<float>(s0 + 0.5 * step), static_cast<float>(t0 + 0.5 * step))));
         const float* texel =

@@ -1,0 +1,23 @@
+// A captured and prefiltered probe on the CPU: what the bake files hold, what previews show and explanations look up.
+// Plain values; knows neither VTK nor files.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "filters/math/cube_map.h"
+#include "filters/math/spherical_harmonics.h"
+
+namespace boxprobe {
+
+struct BakedMaps {
+  /// Prefiltered chain; level 0 is the capture itself. Linear radiance premultiplied by coverage, alpha = coverage.
+  CubeMap radiance;
+  /// One level, in the red channel: from the capture origin to what was seen, scene units; 0 where nothing was. Empty
+  /// for a map without distances (the sky, an imported picture).
+  CubeMap distance;
+  ShCoefficients irradiance{};
+  glm::dvec3 capturedAt{0.0};  ///< capture origin, world
+};
+
+}  // namespace boxprobe

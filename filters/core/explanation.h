@@ -1,0 +1,88 @@
+// The whole calculation of one pixel as plain values: what the explain card shows and `boxprobe explain` prints. Frames
+// are in the names; lengths in scene units, colours linear, before exposure.
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filters/math/cube_map.h"
+
+namespace boxprobe {
+
+/// What the surface is where a pixel's ray meets it: read from the shader itself, so textures and normal maps count.
+struct SurfacePoint {
+  std::string object;    ///< node name
+  std::string material;  ///< material name
+  glm::dvec3 positionWorld{0.0};
+  glm::dvec3 eyeWorld{0.0};
+  glm::vec3 normalWorld{0.0f};  ///< shading normal, unit; zero if the point has none
+  glm::vec3 viewWorld{0.0f};    ///< towards the eye, unit
+  glm::vec3 albedo{0.0f};
+  glm::vec3 emissive{0.0f};
+  float metallic = 0.0f;
+  float roughness = 0.0f;  ///< perceptual
+  float occlusion = 1.0f;
+};
+
+/// One fetch from a probe's map.
+struct Lookup {
+  glm::vec3 direction{0.0f};  ///< probe frame, as handed to the map; not normalised
+  float level = 0.0f;
+  float roughness = 0.0f;  ///< what that level was baked for
+  float weight = 0.0f;     ///< share of the technique's value
+  glm::vec3 value{0.0f};   ///< what came back
+  std::vector<TexelShare> texels;
+};
+
+struct ProbeExplanation {
+  std::string name;
+  std::string technique;   ///< full id
+  float weight = 0.0f;     ///< share of the pixel, before intensity; all probes and the sky sum to 1
+  float influence = 0.0f;  ///< the influence box's own weight, before sharing
+  float intensity = 1.0f;
+  bool captured = false;  ///< false: no maps yet, it gives nothing
+  glm::dvec3 originWorld{0.0};
+  glm::dvec3 hitWorld{0.0};              ///< H; meaningless if hitDistance is empty
+  glm::vec3 positionProbe{0.0f};         ///< P - C in the probe's axes
+  glm::vec3 reflectionProbe{0.0f};       ///< R in the probe's axes
+  glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame
+  std::optional<glm::vec3> slabFactors;  ///< techniques with a box only
+  std::optional<float> hitDistance;      ///< d, if the technique has a proxy to hit
+  glm::vec3 lookupDirection{0.0f};       ///< H - C (or what the technique looks up in its place), probe frame
+  int face = -1;                         ///< 0..5 -x +x -y +y -z +z of the box
+  std::optional<float> trueDistance;     ///< along R to what the probe's distance cubemap holds there
+  glm::vec3 specular{0.0f};              ///< the technique's value, before weight and intensity
+  glm::vec3 irradiance{0.0f};            ///< over pi, before weight and intensity
+  std::vector<Lookup> lookups;
+};
+
+struct Explanation {
+  int x = 0, y = 0;  ///< pixel, from the top left
+  bool hit = false;  ///< false: the pixel shows the background; only `color` and `notes` are meaningful
+  SurfacePoint surface;
+  glm::vec3 reflectionWorld{0.0f};
+  float nDotV = 0.0f;
+  glm::vec3 f0{0.0f};
+  glm::vec2 brdf{0.0f};    ///< split-sum factors of F0 and F90
+  glm::vec3 direct{0.0f};  ///< light sources, both lobes
+  glm::vec3 emissive{0.0f};
+  glm::vec3 diffuse{0.0f};   ///< of probes and sky, with albedo
+  glm::vec3 specular{0.0f};  ///< of probes and sky, with the split-sum factor
+  glm::vec3 coat{0.0f};      ///< what a clear coat adds; 0 without one
+  float skyWeight = 0.0f;
+  float skyLevel = 0.0f;
+  glm::vec3 skyValue{0.0f};
+  std::vector<ProbeExplanation> probes;  ///< in the order of the draw, most important first
+  glm::vec3 color{0.0f};                 ///< computed here
+  std::optional<glm::vec3> rendered;     ///< the same pixel as the GPU drew it
+  float brightestTexel = 0.0f;           ///< largest component of any texel fetched
+  /// What is undefined and why, what is unusual: one sentence each ("The capture origin lies outside the box, ...").
+  std::vector<std::string> notes;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,56 @@
+// Cubemaps in and out: baked probes as OpenEXR files, and environment pictures of any common layout as cubes. Written
+// by `boxprobe bake` and the window, read for `custom` probes and the bake cache. Knows neither VTK nor Qt.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "filters/core/baked_probe.h"
+#include "filters/core/scene.h"
+
+namespace boxprobe {
+
+/// How the six faces lie in a picture.
+enum class CubeLayout {
+  Automatic,  ///< by the envmap attribute, else by the picture's shape, else by the names of six files
+  LatLong,    ///< 2:1
+  Strip,      ///< 6:1 or 1:6, faces in OpenEXR's order if the file says envmap = cube, else OpenGL's
+  Cross,      ///< 4:3 horizontal or 3:4 vertical
+  SixFiles,   ///< one file a face
+};
+
+/// What a baked probe's file says about itself, as EXR attributes.
+struct BakedProbeInfo {
+  Probe probe;            ///< name, origin, box, rotation, blend distance, technique ... as baked
+  std::string inputHash;  ///< of everything the capture depends on; equal hashes, equal files
+  std::string program;    ///< "Boxprobe 0.2"
+};
+
+struct BakedProbeFile {
+  BakedMaps maps;
+  BakedProbeInfo info;
+};
+
+/// Our own file of a probe: every level with coverage, distance, irradiance and metadata, exact to half precision and
+/// readable as an environment map by others. Written to a temporary file and renamed. Throws WorkError.
+void saveBakedProbe(const std::string& path, const BakedProbeFile& file);
+/// Throws InputError naming file, part and attribute.
+BakedProbeFile loadBakedProbe(const std::string& path);
+/// The hash alone, from the header; nothing if the file is missing, damaged or not one of ours. Never throws.
+std::optional<std::string> bakedProbeHash(const std::string& path);
+
+struct LoadedCube {
+  CubeMap radiance;  ///< one level, OpenGL orientation, alpha = coverage (1 where the file has none)
+  CubeMap distance;  ///< empty if the file has none
+  CubeLayout layout = CubeLayout::Automatic;  ///< the one found
+  std::size_t texelsNotFinite = 0;            ///< replaced by 0
+  std::size_t texelsClamped = 0;              ///< beyond half range, brought down to it
+};
+
+/// Any environment picture, EXR or HDR, as a cube. `faceSize` 0: as many texels as the picture gives (a power of two).
+/// For SixFiles `path` is one of the six, or a pattern with `%s` for the face. Throws InputError.
+LoadedCube loadCube(const std::string& path, CubeLayout layout = CubeLayout::Automatic, int faceSize = 0);
+
+}  // namespace boxprobe
