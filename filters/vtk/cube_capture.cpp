@@ -2,72 +2,21 @@
 
 #include <vtkCamera.h>
 #include <vtkCullerCollection.h>
-#include <vtkFrameBufferObjectBase.h>
 #include <vtkLight.h>
-#include <vtkLightsPass.h>
-#include <vtkObjectFactory.h>
-#include <vtkOpaquePass.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
-#include <vtkRenderPass.h>
-#include <vtkRenderPassCollection.h>
-#include <vtkRenderState.h>
 #include <vtkRenderer.h>
-#include <vtkSequencePass.h>
 #include <vtkShaderProgram.h>
-#include <vtkTranslucentPass.h>
 
 #include <algorithm>
 
 #include "filters/core/errors.h"
 #include "filters/math/shared_math.h"
+#include "filters/vtk/vtkTargetPass.h"
 
 namespace boxprobe {
 
 namespace {
-
-// Draws a renderer into a framebuffer of ours instead of the window's. A render pass, so that VTK itself activates the
-// textures of the actors it draws.
-class vtkTargetPass : public vtkRenderPass {
- public:
-  static vtkTargetPass* New() { VTK_STANDARD_NEW_BODY(vtkTargetPass); }
-  vtkTypeMacro(vtkTargetPass, vtkRenderPass)
-
-      const FloatTarget* Target = nullptr;
-  // Not in the renderer: taking a prop out of a renderer releases its buffers and textures, which the window's own
-  // renderer goes on using.
-  std::vector<vtkProp*> Props;
-
-  void Render(const vtkRenderState* s) override {
-    vtkRenderer* renderer = s->GetRenderer();
-    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    vtkOpenGLState* state = window->GetState();
-    const PassState saved(window);
-    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Target->framebuffer());
-    state->vtkglViewport(0, 0, this->Target->width(), this->Target->height());
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglEnable(GL_BLEND);
-    renderer->Clear();
-    vtkRenderState content(renderer);
-    content.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
-    this->Content->Render(&content);
-  }
-
- protected:
-  vtkTargetPass() {
-    vtkNew<vtkRenderPassCollection> passes;
-    vtkNew<vtkLightsPass> lights;
-    vtkNew<vtkOpaquePass> opaque;
-    vtkNew<vtkTranslucentPass> translucent;
-    passes->AddItem(lights);
-    passes->AddItem(opaque);
-    passes->AddItem(translucent);
-    this->Content->SetPasses(passes);
-  }
-
- private:
-  vtkNew<vtkSequencePass> Content;
-};
 
 // The camera of each face, so that the picture lands in the face as OpenGL orients it (shaders/shared/cube.glsl):
 // forward is the face's axis, up the direction in which t grows.
@@ -111,7 +60,9 @@ void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std
   }
   target_.allocate(width, height);
   auto* pass = vtkTargetPass::SafeDownCast(renderer_->GetPass());
-  pass->Target = &target_;
+  pass->Framebuffer = target_.framebuffer();
+  pass->Viewport[2] = width;
+  pass->Viewport[3] = height;
   pass->Props = props;
   renderer_->SetRenderWindow(window_);
   renderer_->SetBackground(clearColor.x, clearColor.y, clearColor.z);

@@ -1,0 +1,39 @@
+/**
+ * @class vtkTargetPass
+ * @brief draws given props into a framebuffer of ours instead of the window's
+ *
+ * A render pass, so that VTK itself activates the textures of the actors it draws. The props are not in the renderer:
+ * taking a prop out of a renderer releases its buffers and textures, which the window's own renderer goes on using.
+ * Used by the probe capture and by the surface capture; knows neither.
+ */
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkRenderPass.h>
+#include <vtk_glew.h>
+
+#include <vector>
+
+class vtkProp;
+class vtkSequencePass;
+
+class vtkTargetPass : public vtkRenderPass {
+ public:
+  static vtkTargetPass* New();
+  vtkTypeMacro(vtkTargetPass, vtkRenderPass)
+
+      GLuint Framebuffer = 0;
+  /// x, y, width, height in pixels of the framebuffer; may reach beyond it, to draw a part of a larger picture.
+  int Viewport[4] = {0, 0, 1, 1};
+  bool Blend = true;
+  std::vector<vtkProp*> Props;
+
+  void Render(const vtkRenderState* s) override;
+
+ protected:
+  vtkTargetPass();
+  ~vtkTargetPass() override;
+
+ private:
+  vtkNew<vtkSequencePass> Content;
+};
