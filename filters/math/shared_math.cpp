@@ -10,14 +10,17 @@
 #include "filters/math/technique_table.h"
 
 #define PROBE_MAP ProbeMap
+#define DISTANCE_MAP DistanceMap
 
 namespace boxprobe::shading {
 
 using glm::abs;
 using glm::clamp;
 using glm::cos;
+using glm::cross;
 using glm::dot;
 using glm::exp2;
+using glm::floor;
 using glm::length;
 using glm::log2;
 using glm::max;
@@ -30,6 +33,10 @@ static vec4 fetchProbe(ProbeMap map, const ProbeShape&, vec3 direction, float le
   return map->fetch(direction, level);
 }
 
+static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {
+  return map->fetchDistance(direction);
+}
+
 // A projection need not use the normal, nor the box: parameters of one signature for all rows.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
@@ -39,6 +46,7 @@ static vec4 fetchProbe(ProbeMap map, const ProbeShape&, vec3 direction, float le
 #include "shaders/shared/sh.glsl"
 #include "shaders/shared/sky.glsl"
 #include "shaders/shared/slab.glsl"
+#include "shaders/shared/true_hit.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
 #include "shaders/technique/evaluation_none.glsl"

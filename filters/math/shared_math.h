@@ -18,6 +18,15 @@ class CubeSampler {
 };
 using ProbeMap = const CubeSampler*;
 
+/// A probe's distances as the mathematics sees them: what `fetchDistance` is on this side.
+class DistanceSampler {
+ public:
+  virtual ~DistanceSampler() = default;
+  /// Of the nearest texel, scene units; 0 where the probe saw nothing. `direction` need not be unit.
+  virtual float fetchDistance(const glm::vec3& direction) const = 0;
+};
+using DistanceMap = const DistanceSampler*;
+
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
@@ -32,6 +41,8 @@ float influenceWeight(vec3 position, vec3 influenceMin, vec3 influenceMax, vec3 
 float groupScale(float weightSum);
 float remainingAfter(float remaining, float weightSum);
 vec3 cubeDirection(int face, float s, float t);
+vec3 cubeTexelCentre(vec3 direction, float faceSize);
+float trueHitDistance(DistanceMap map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float reach);
 vec3 ggxHalfVector(vec2 u, float alpha);
 float ggxDistribution(vec3 h, float alpha);
 float ggxMasking(float c, float alpha);

@@ -36,8 +36,22 @@ void main()
   if (bpCount == 1 && finite && inRange) { discard; }
   if (bpCount == 2 && finite) { discard; }
 
-  // The sample nearest the texel's centre decides the distance; a mean over an edge would be a surface that is not there.
-  float depth = texelFetch(bpDepth, corner + ivec2(bpScale / 2), 0).r;
+  // Distance at the texel's centre, which lies between samples where their number is even. Window depth is linear across
+  // a plane on the screen, so the mean of the samples around the centre is exact on one; across an edge it would be a surface
+  // that is not there, and the nearest sample stands alone.
+  ivec2 middle = corner + ivec2(bpScale / 2);
+  float depth = texelFetch(bpDepth, middle, 0).r;
+  if (bpScale % 2 == 0)
+  {
+    float a = texelFetch(bpDepth, middle - ivec2(1, 1), 0).r;
+    float b = texelFetch(bpDepth, middle - ivec2(1, 0), 0).r;
+    float c = texelFetch(bpDepth, middle - ivec2(0, 1), 0).r;
+    float farthest = max(max(a, b), max(c, depth));
+    // The sum of opposite corners is the same on a plane; the allowance is for rounding.
+    bool plane = abs(a + depth - b - c) <= 1.0e-6f + 0.02f * (1.0f - farthest);
+    if (farthest < 1.0f && plane) { depth = 0.25f * (a + b + c + depth); }
+    else { depth = min(min(a, b), min(c, depth)); }
+  }
   float viewDepth = 2.0f * bpNear * bpFar / (bpFar + bpNear - (2.0f * depth - 1.0f) * (bpFar - bpNear));
   vec2 st = 2.0f * gl_FragCoord.xy / bpFaceSize - 1.0f;
   float toDistance = length(cubeDirection(bpFace, st.x, st.y));

@@ -11,3 +11,19 @@ vec3 cubeDirection(int face, float s, float t)
   if (face == 4) { return vec3(s, -t, 1.0f); }
   return vec3(-s, -t, -1.0f);
 }
+
+// Direction to the centre of the texel of a face of `faceSize`² that a direction falls into, its largest component 1. The grid
+// looks the same from every side, so no face has to be named.
+vec3 cubeTexelCentre(vec3 direction, float faceSize)
+{
+  vec3 a = abs(direction);
+  float largest = max(max(a.x, a.y), max(a.z, 1.0e-37f));
+  vec3 q = direction / largest;
+  vec3 last = vec3(faceSize - 1.0f);
+  vec3 texel = clamp(floor((0.5f * q + 0.5f) * faceSize), vec3(0.0f), last);
+  vec3 centre = (2.0f * texel + 1.0f) / faceSize - 1.0f;
+  if (a.x >= a.y && a.x >= a.z) { centre.x = direction.x < 0.0f ? -1.0f : 1.0f; }
+  else if (a.y >= a.z) { centre.y = direction.y < 0.0f ? -1.0f : 1.0f; }
+  else { centre.z = direction.z < 0.0f ? -1.0f : 1.0f; }
+  return centre;
+}

@@ -1,0 +1,66 @@
+// Where a ray really hits the scene, as far as the probe saw it: the ray is followed through the probe's distance cubemap, which
+// holds the distance from the capture origin to what was seen in each direction, 0 where nothing was. For judging techniques,
+// not for drawing: it costs dozens of fetches. What the origin cannot see it cannot know: a wall hidden from it is missed.
+// Needs shared/cube.glsl; the host supplies DISTANCE_MAP and fetchDistance (the nearest texel, not interpolated).
+
+// How far beyond what the probe saw in its direction a point lies; negative: in free space. Nothing seen: free for ever.
+float trueHitDepth(DISTANCE_MAP map, ProbeShape probe, vec3 position)
+{
+  float seen = fetchDistance(map, probe, position);
+  return seen > 0.0f ? length(position) - seen : -1.0f;
+}
+
+// Distance along the unit vector `reflection` from `position` (probe frame) to the first surface; kNoHit if there is none
+// within `reach`. On a plane, away from its silhouette, exact to rounding for any face size.
+float trueHitDistance(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float reach)
+{
+  const int kSteps = 64;
+  const int kHalvings = 12;
+  // The start lies on a surface: it counts as in front of it until the ray has left its texel's rounding behind.
+  float skin = 4.0f / faceSize;
+  bool inFront = false;
+  float before = 0.0f;
+  float after = -1.0f;
+  for (int i = 1; i <= kSteps; ++i)
+  {
+    float t = reach * float(i * i) / float(kSteps * kSteps);
+    vec3 p = position + t * reflection;
+    float depth = trueHitDepth(map, probe, p);
+    if (inFront && depth >= 0.0f) { after = t; break; }
+    if (depth < 0.0f && -depth > skin * min(t, length(p))) { inFront = true; }
+    before = t;
+  }
+  if (after < 0.0f) { return kNoHit; }
+  for (int i = 0; i < kHalvings; ++i)
+  {
+    float t = 0.5f * (before + after);
+    if (trueHitDepth(map, probe, position + t * reflection) >= 0.0f) { after = t; } else { before = t; }
+  }
+
+  // The texel found stands for a piece of wall: the plane through it and two of its neighbours is hit exactly.
+  vec3 c = cubeTexelCentre(position + after * reflection, faceSize);
+  float step = 2.0f / faceSize;
+  vec3 side = vec3(c.x > 0.0f ? -step : step, c.y > 0.0f ? -step : step, c.z > 0.0f ? -step : step);
+  vec3 c1 = c;
+  vec3 c2 = c;
+  if (abs(c.x) == 1.0f) { c1.y = c.y + side.y; c2.z = c.z + side.z; }
+  else if (abs(c.y) == 1.0f) { c1.z = c.z + side.z; c2.x = c.x + side.x; }
+  else { c1.x = c.x + side.x; c2.y = c.y + side.y; }
+  float d0 = fetchDistance(map, probe, c);
+  float d1 = fetchDistance(map, probe, c1);
+  float d2 = fetchDistance(map, probe, c2);
+  if (d1 > 0.0f && d2 > 0.0f)
+  {
+    vec3 q = c * (d0 / length(c));
+    vec3 n = cross(c1 * (d1 / length(c1)) - q, c2 * (d2 / length(c2)) - q);
+    float along = dot(n, reflection);
+    float gap = dot(n, q - position);
+    float t = abs(along) > 1.0e-30f ? gap / along : -1.0f;
+    vec3 hit = position + t * reflection;
+    vec3 a = abs(hit);
+    vec3 off = hit / max(max(a.x, a.y), max(a.z, 1.0e-37f)) - c;
+    // A plane through texels of two surfaces meets the ray somewhere else: then the texel itself has the word.
+    if (t > 0.0f && max(max(abs(off.x), abs(off.y)), abs(off.z)) < 1.5f * step) { return t; }
+  }
+  return after;
+}
