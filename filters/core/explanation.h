@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -26,7 +27,13 @@ struct SurfacePoint {
   glm::vec3 emissive{0.0f};
   float metallic = 0.0f;
   float roughness = 0.0f;  ///< perceptual
-  float occlusion = 1.0f;
+  float occlusion = 1.0f;  ///< factor of all light but emission
+  float baseF0 = 0.04f;    ///< of the non-metal, from the index of refraction
+  float opacity = 1.0f;
+  float coatStrength = 0.0f;
+  float coatRoughness = 0.0f;
+  float coatF0 = 0.04f;
+  glm::vec3 coatNormalWorld{0.0f};
 };
 
 /// One fetch from a probe's map.
@@ -41,12 +48,14 @@ struct Lookup {
 
 struct ProbeExplanation {
   std::string name;
+  int index = 0;           ///< in the scene's list: gives it its colour in views
   std::string technique;   ///< full id
   float weight = 0.0f;     ///< share of the pixel, before intensity; all probes and the sky sum to 1
   float influence = 0.0f;  ///< the influence box's own weight, before sharing
   float intensity = 1.0f;
   bool captured = false;  ///< false: no maps yet, it gives nothing
   glm::dvec3 originWorld{0.0};
+  glm::dmat3 worldFromProbe{1.0};        ///< rotation of the box
   glm::dvec3 hitWorld{0.0};              ///< H; meaningless if hitDistance is empty
   glm::vec3 positionProbe{0.0f};         ///< P - C in the probe's axes
   glm::vec3 reflectionProbe{0.0f};       ///< R in the probe's axes
@@ -55,6 +64,7 @@ struct ProbeExplanation {
   std::optional<float> hitDistance;      ///< d, if the technique has a proxy to hit
   glm::vec3 lookupDirection{0.0f};       ///< H - C (or what the technique looks up in its place), probe frame
   int face = -1;                         ///< 0..5 -x +x -y +y -z +z of the box
+  float maxLevel = 0.0f;                 ///< last level of its chain
   std::optional<float> trueDistance;     ///< along R to what the probe's distance cubemap holds there
   glm::vec3 specular{0.0f};              ///< the technique's value, before weight and intensity
   glm::vec3 irradiance{0.0f};            ///< over pi, before weight and intensity
@@ -74,13 +84,16 @@ struct Explanation {
   glm::vec3 diffuse{0.0f};   ///< of probes and sky, with albedo
   glm::vec3 specular{0.0f};  ///< of probes and sky, with the split-sum factor
   glm::vec3 coat{0.0f};      ///< what a clear coat adds; 0 without one
+  int lookupCount = 0;       ///< fetches from cubemaps in all, coat and sky included
   float skyWeight = 0.0f;
   float skyLevel = 0.0f;
   glm::vec3 skyValue{0.0f};
   std::vector<ProbeExplanation> probes;  ///< in the order of the draw, most important first
   glm::vec3 color{0.0f};                 ///< computed here
   std::optional<glm::vec3> rendered;     ///< the same pixel as the GPU drew it
-  float brightestTexel = 0.0f;           ///< largest component of any texel fetched
+  /// Position in `probes` of the one with the largest share of the pixel: the one that views show. -1: none.
+  int dominant = -1;
+  float brightestTexel = 0.0f;  ///< largest component of any texel fetched
   /// What is undefined and why, what is unusual: one sentence each ("The capture origin lies outside the box, ...").
   std::vector<std::string> notes;
 };
