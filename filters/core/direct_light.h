@@ -1,0 +1,15 @@
+// Light sources on a surface as VTK 9.1's physically based shader adds them up, for explanations. CPU only.
+#pragma once
+
+#include <vector>
+
+#include "filters/core/explanation.h"
+#include "filters/core/scene.h"
+
+namespace boxprobe {
+
+/// Both lobes and the coat, before ambient occlusion. `f0` and `f90` as in the shader.
+glm::vec3 directLight(const SurfacePoint& surface, const glm::vec3& f0, const glm::vec3& f90,
+                      const std::vector<Light>& lights);
+
+}  // namespace boxprobe

@@ -1,0 +1,271 @@
+#include "filters/core/explain_pixel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+#include <glm/matrix.hpp>
+
+#include "filters/core/direct_light.h"
+#include "filters/core/lookup_record.h"
+#include "filters/math/distance_cube.h"
+
+namespace boxprobe {
+
+namespace {
+
+glm::vec3 irradianceAt(const glm::vec3& n, const ShCoefficients& c) {
+  return shading::shIrradiance(n, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]);
+}
+
+bool inside(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high, float slack) {
+  for (int i = 0; i < 3; ++i) {
+    if (p[i] < low[i] - slack || p[i] > high[i] + slack) return false;
+  }
+  return true;
+}
+
+float largestComponent(const glm::vec4& v) {
+  return std::max({v.x, v.y, v.z});
+}
+
+float brightest(const std::vector<Lookup>& lookups, const CubeMap& map) {
+  float result = 0.0f;
+  for (const Lookup& lookup : lookups) {
+    for (const TexelShare& t : lookup.texels) {
+      result = std::max(result, largestComponent(map.texel(t.level, t.face, t.column, t.row)));
+    }
+  }
+  return result;
+}
+
+/// What one probe gives: the technique run once more with every fetch recorded.
+ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s, const glm::vec3& reflection,
+                              float roughness, const BakedMaps* sky) {
+  const ProbeGeometry& g = probe.geometry;
+  ProbeExplanation e;
+  e.name = probe.name;
+  e.index = probe.index;
+  e.technique = techniqueId(g.technique);
+  e.intensity = g.intensity;
+  e.captured = probe.maps != nullptr;
+  e.originWorld = g.originWorld;
+  e.worldFromProbe = g.worldFromProbe;
+  e.boxMin = g.boxMin;
+  e.boxMax = g.boxMax;
+  e.maxLevel = e.captured ? probe.maps->radiance.maxLevel() : 0.0f;
+
+  // As in the shader: both relative to the eye first, in single precision.
+  const glm::vec3 position(s.positionWorld - s.eyeWorld), origin(g.originWorld - s.eyeWorld);
+  const glm::mat3 probeFromWorld = glm::transpose(glm::mat3(g.worldFromProbe));
+  const auto turned = [&](const glm::vec3& v) { return g.rotated ? probeFromWorld * v : v; };
+  e.positionProbe = turned(position - origin);
+  e.reflectionProbe = turned(reflection);
+  e.influence = shading::influenceWeight(e.positionProbe, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
+
+  const shading::ProbeShape shape{g.boxMin, g.boxMax, e.maxLevel, g.technique.projection, 0};
+  const shading::ShadingPoint point{e.positionProbe, turned(s.normalWorld), turned(s.viewWorld), e.reflectionProbe,
+                                    roughness};
+  const shading::ProbeHit hit = shading::projectRay(shape, point.position, point.normal, point.reflection);
+  e.lookupDirection = hit.direction;
+  e.face = hit.face;
+  constexpr float kNoHit = 1.0e38f;
+  if (hit.face >= 0) e.slabFactors = hit.slabFactors;
+  if (hit.distance < kNoHit) {
+    e.hitDistance = hit.distance;
+    e.hitWorld = g.originWorld + g.worldFromProbe * glm::dvec3(hit.direction);
+  }
+  if (e.captured) {
+    const auto evaluate = evaluationRows()[static_cast<std::size_t>(g.technique.evaluation)].evaluate;
+    const RecordedLookups record = recordLookups(evaluate, probe.maps->radiance, g, shape, point);
+    e.specular = glm::vec3(record.value);
+    e.lookups = record.lookups;
+    if (!probe.maps->distance.empty()) {
+      const float reach = 2.0f * glm::length(g.boxMax - g.boxMin);
+      const DistanceCube distances(probe.maps->distance);
+      const float faceSize = static_cast<float>(probe.maps->distance.faceSize());
+      // Maps are captured along the world's axes, so the true hit is looked for in those.
+      const float t = shading::trueHitDistance(&distances, shape, faceSize, position - origin, reflection, reach);
+      if (t < kNoHit) e.trueDistance = t;
+    }
+  }
+  const BakedMaps* diffuse = e.captured ? probe.maps : sky;
+  if (diffuse != nullptr) e.irradiance = irradianceAt(s.normalWorld, diffuse->irradiance);
+  return e;
+}
+
+struct Gathered {
+  glm::vec3 specular{0.0f};
+  glm::vec3 irradiance{0.0f};
+  std::vector<ProbeExplanation> probes;
+  float skyWeight = 0.0f, skyLevel = 0.0f;
+  glm::vec3 skyValue{0.0f};
+  int lookups = 0;
+  float brightestTexel = 0.0f;
+};
+
+// The same order of steps as bpGatherLight in shaders/gpu/probe_lighting.glsl.
+Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness) {
+  SurfacePoint s = in.surface;
+  s.normalWorld = normal;
+  const glm::vec3 reflection = glm::reflect(-s.viewWorld, normal);
+  Gathered out;
+  std::vector<float> groupSum;
+  for (const ExplainedProbe& probe : in.probes) {
+    out.probes.push_back(explainProbe(probe, s, reflection, roughness, in.skyMaps));
+    groupSum.resize(std::max(groupSum.size(), static_cast<std::size_t>(probe.group) + 1));
+    groupSum[static_cast<std::size_t>(probe.group)] += out.probes.back().influence;
+  }
+  float remaining = 1.0f;
+  std::vector<float> groupShare;
+  for (const float sum : groupSum) {
+    groupShare.push_back(remaining * shading::groupScale(sum));
+    remaining = shading::remainingAfter(remaining, sum);
+  }
+  for (std::size_t i = 0; i < out.probes.size(); ++i) {
+    ProbeExplanation& p = out.probes[i];
+    p.weight = in.weights ? groupShare[static_cast<std::size_t>(in.probes[i].group)] * p.influence : 1.0f;
+    const float share = p.weight * p.intensity;
+    // Less cannot show and is not fetched.
+    if (in.weights && share <= 1.0e-5f) {
+      p.lookups.clear();
+      p.weight = 0.0f;
+      continue;
+    }
+    out.specular += share * p.specular;
+    out.irradiance += share * p.irradiance;
+    out.lookups += static_cast<int>(p.lookups.size());
+    if (p.captured)
+      out.brightestTexel = std::max(out.brightestTexel, brightest(p.lookups, in.probes[i].maps->radiance));
+  }
+  if (!in.weights && !in.probes.empty()) remaining = 0.0f;
+  if (in.sky && in.skyMaps != nullptr && remaining > 1.0e-5f) {
+    const CubeMap& map = in.skyMaps->radiance;
+    out.skyWeight = remaining;
+    out.skyLevel = shading::levelForRoughness(roughness, map.maxLevel());
+    out.skyValue = glm::vec3(map.fetch(reflection, out.skyLevel));
+    out.specular += remaining * out.skyValue;
+    out.irradiance += remaining * irradianceAt(normal, in.skyMaps->irradiance);
+    ++out.lookups;
+    for (const TexelShare& t : map.footprint(reflection, out.skyLevel)) {
+      out.brightestTexel = std::max(out.brightestTexel, largestComponent(map.texel(t.level, t.face, t.column, t.row)));
+    }
+  }
+  return out;
+}
+
+void addNotes(Explanation& e) {
+  const SurfacePoint& s = e.surface;
+  if (s.opacity < 0.999f) {
+    e.notes.emplace_back("The surface is translucent: what lies behind it shows through and is not part of this.");
+  }
+  if (e.probes.empty()) {
+    e.notes.emplace_back("No probe's influence box reaches this object: it reflects the sky alone, uncorrected.");
+  }
+  for (const ProbeExplanation& p : e.probes) {
+    if (p.weight <= 0.0f) {
+      e.notes.push_back("Probe \"" + p.name + "\": its weight is 0 here, so nothing is fetched from it.");
+      continue;
+    }
+    if (!p.captured) e.notes.push_back("Probe \"" + p.name + "\" has not been captured yet: it reflects nothing.");
+    if (!p.hitDistance) {
+      e.notes.push_back("Probe \"" + p.name + "\": technique " + p.technique +
+                        " has no box to hit, so hit point and distance are undefined; the surroundings are taken to be "
+                        "infinitely far away.");
+    }
+    if (!p.slabFactors) continue;
+    const float skin = 1.0e-4f * glm::length(p.boxMax - p.boxMin);
+    if (!inside(glm::vec3(0.0f), p.boxMin, p.boxMax, 0.0f)) {
+      e.notes.push_back("Probe \"" + p.name +
+                        "\": the capture origin lies outside the projection box, so part of what the lookup names was "
+                        "never seen from inside the box.");
+    }
+    if (!inside(p.positionProbe, p.boxMin, p.boxMax, skin)) {
+      e.notes.push_back("Probe \"" + p.name +
+                        "\": the point lies outside the projection box; distances to planes behind it count as 0 and "
+                        "the hit is pulled on to the box.");
+    }
+    if (!p.trueDistance && p.captured) {
+      e.notes.push_back(
+          "Probe \"" + p.name +
+          "\": its distances do not tell the true hit here (open sky, or hidden from the capture origin).");
+    }
+  }
+}
+
+}  // namespace
+
+glm::vec2 sampleBrdf(const BrdfTable& table, float nDotV, float roughness) {
+  const auto texel = [&](int column, int row) {
+    const glm::vec2 t = table.texels[static_cast<std::size_t>(std::clamp(row, 0, table.rows - 1) * table.columns +
+                                                              std::clamp(column, 0, table.columns - 1))];
+    return glm::vec2(glm::unpackHalf1x16(glm::packHalf1x16(t.x)), glm::unpackHalf1x16(glm::packHalf1x16(t.y)));
+  };
+  const float u = nDotV * static_cast<float>(table.columns) - 0.5f,
+              v = roughness * static_cast<float>(table.rows) - 0.5f;
+  const float column = std::floor(u), row = std::floor(v);
+  const float a = u - column, b = v - row;
+  const int i = static_cast<int>(column), j = static_cast<int>(row);
+  return (1.0f - b) * ((1.0f - a) * texel(i, j) + a * texel(i + 1, j)) +
+         b * ((1.0f - a) * texel(i, j + 1) + a * texel(i + 1, j + 1));
+}
+
+Explanation explainPixel(const ExplainInput& in) {
+  Explanation e;
+  e.hit = true;
+  e.surface = in.surface;
+  const SurfacePoint& s = in.surface;
+  e.emissive = s.emissive;
+  if (in.lighting == ExplainInput::Lighting::Unlit) {
+    e.color = e.emissive;
+    e.notes.emplace_back("The material is unlit: it shows its colour, no light and no probe.");
+    return e;
+  }
+  if (glm::dot(s.normalWorld, s.normalWorld) < 0.25f) {
+    e.notes.emplace_back("The surface has no normal here, so there is no reflected ray to project.");
+    return e;
+  }
+  e.reflectionWorld = glm::reflect(-s.viewWorld, s.normalWorld);
+  const float facing = glm::dot(s.normalWorld, s.viewWorld);
+  if (facing <= 0.0f) {
+    e.notes.emplace_back("The shading normal points away from the eye: the reflected ray starts below the surface.");
+  }
+  e.nDotV = std::clamp(facing, 1.0e-5f, 1.0f);
+  e.f0 = glm::mix(glm::vec3(s.baseF0), s.albedo, s.metallic);
+  const float f90 = std::clamp(glm::dot(e.f0, glm::vec3(50.0f * 0.33f)), 0.0f, 1.0f);
+  const glm::vec3 edge = glm::mix(glm::vec3(f90), glm::vec3(1.0f), s.metallic);
+  e.direct = s.occlusion * directLight(s, e.f0, edge, in.lights);
+
+  if (in.lighting == ExplainInput::Lighting::Probes) {
+    Gathered light = gather(in, s.normalWorld, s.roughness);
+    e.brdf = sampleBrdf(*in.brdf, e.nDotV, s.roughness);
+    e.specular = s.occlusion * light.specular * (e.f0 * e.brdf.x + edge * e.brdf.y);
+    e.diffuse = s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo;
+    e.probes = std::move(light.probes);
+    e.skyWeight = light.skyWeight;
+    e.skyLevel = light.skyLevel;
+    e.skyValue = light.skyValue;
+    e.lookupCount = light.lookups;
+    e.brightestTexel = light.brightestTexel;
+    if (s.coatStrength > 0.0f) {
+      const Gathered coat = gather(in, s.coatNormalWorld, s.coatRoughness);
+      const float coatNDotV = std::clamp(glm::dot(s.coatNormalWorld, s.viewWorld), 1.0e-5f, 1.0f);
+      const glm::vec2 brdf = sampleBrdf(*in.brdf, coatNDotV, s.coatRoughness);
+      const float fresnel = s.coatF0 + (1.0f - s.coatF0) * std::pow(1.0f - coatNDotV, 5.0f);
+      e.coat = s.occlusion * coat.specular * (s.coatF0 * brdf.x + brdf.y) * fresnel * s.coatStrength;
+      e.lookupCount += coat.lookups;
+      e.brightestTexel = std::max(e.brightestTexel, coat.brightestTexel);
+    }
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < e.probes.size(); ++i) {
+      if (e.probes[i].weight <= largest) continue;
+      largest = e.probes[i].weight;
+      e.dominant = static_cast<int>(i);
+    }
+    addNotes(e);
+  }
+  e.color = e.direct + e.diffuse + e.specular + e.coat + e.emissive;
+  return e;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,43 @@
+// The calculation of one pixel, done again on the CPU with the shader's own mathematics: from what the surface is to
+// the linear colour, every step kept. Called by the scene renderer with what the GPU says about the surface; knows no
+// GL.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "filters/core/baked_probe.h"
+#include "filters/core/explanation.h"
+#include "filters/core/probe_geometry.h"
+#include "filters/core/scene.h"
+#include "filters/math/brdf_table.h"
+
+namespace boxprobe {
+
+/// A probe of the draw, most important first.
+struct ExplainedProbe {
+  std::string name;
+  int index = 0;  ///< in the scene's list
+  int group = 0;  ///< of equal importance, from 0
+  ProbeGeometry geometry;
+  const BakedMaps* maps = nullptr;  ///< null: not captured yet
+};
+
+struct ExplainInput {
+  SurfacePoint surface;
+  enum class Lighting { Plain, Unlit, Probes } lighting = Lighting::Probes;
+  std::vector<ExplainedProbe> probes;
+  bool weights = true;  ///< false: one probe at full weight, nothing left for the sky
+  bool sky = true;      ///< false: the probes leave nothing to it
+  const BakedMaps* skyMaps = nullptr;
+  const BrdfTable* brdf = nullptr;
+  std::vector<Light> lights;
+};
+
+/// Total: whatever is undefined is left out and said in `notes`.
+Explanation explainPixel(const ExplainInput& input);
+
+/// Factors of F0 and F90 as the GPU reads them: half precision, bilinear, clamped at the edges.
+glm::vec2 sampleBrdf(const BrdfTable& table, float nDotV, float roughness);
+
+}  // namespace boxprobe
