@@ -27,6 +27,7 @@ struct ProbeMaps {
 
 /// A probe as draws see it. `maps` is null until the first capture is complete; it then gives nothing.
 struct DrawnProbe {
+  int index = 0;  ///< in the scene's list
   ProbeGeometry geometry;
   std::shared_ptr<const ProbeMaps> maps;
 };
@@ -53,6 +54,13 @@ struct ProbeBinding {
   std::vector<int> groups() const;
 };
 
+/// What the debug view's programs show.
+struct DebugDraw {
+  int view = 0;  ///< row of surfaceViews()
+  float low = 0.0f, high = 1.0f;
+  GLuint colorMap = 0;  ///< 256 x 1
+};
+
 /// One for all mappers of a scene renderer.
 struct DrawState {
   float exposure = 1.0f;     ///< negative: linear output
@@ -61,6 +69,7 @@ struct DrawState {
   GLuint brdfTable = 0;
   GLuint blackCube = 0;  ///< stands in for maps not captured yet
   Counters counters;
+  DebugDraw debug;
   bool countDraws = true;          ///< of the frame on the screen, not of captures
   std::set<const void*> programs;  ///< seen so far, to count compilations
   std::string error;               ///< first failure since the models were set

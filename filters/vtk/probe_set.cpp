@@ -50,6 +50,7 @@ void ProbeSet::updateShapes() {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     DrawnProbe& drawn = *entries_[i].drawn;
     const Probe& probe = content_->scene.probes[i];
+    drawn.index = static_cast<int>(i);
     drawn.geometry = probeGeometry(probe, drawn.maps ? drawn.maps->capturedAt : probe.origin);
     entries_[i].used = std::any_of(content_->objects.begin(), content_->objects.end(), [&](const DrawnObject& object) {
       return lit(object) && influenceMeets(probe, worldBounds(object));

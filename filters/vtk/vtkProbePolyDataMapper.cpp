@@ -13,6 +13,7 @@
 #include <array>
 #include <glm/mat3x3.hpp>
 
+#include "filters/core/probe_color.h"
 #include "filters/vtk/camera_uniforms.h"
 #include "filters/vtk/vtk_pbr_splice.h"
 
@@ -41,6 +42,13 @@ void vtkProbePolyDataMapper::SetBinding(std::shared_ptr<const boxprobe::ProbeBin
   }
 }
 
+void vtkProbePolyDataMapper::SetDebug(bool debug) {
+  if (debug != this->Debug) {
+    this->Debug = debug;
+    this->Modified();
+  }
+}
+
 void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                                                  vtkActor* actor) {
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
@@ -48,7 +56,7 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
     return;
   }
   std::string source = shaders[vtkShader::Fragment]->GetSource();
-  const std::string failure = boxprobe::splicePbr(source, *this->Binding);
+  const std::string failure = boxprobe::splicePbr(source, *this->Binding, this->Debug);
   if (!failure.empty() && this->State->error.empty()) {
     this->State->error = failure;
   }
@@ -81,6 +89,9 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
   if (probes) {
     this->UploadProbes(program, renderer);
   }
+  if (this->Debug) {
+    this->UploadDebug(program, renderer);
+  }
   if (this->State->countDraws) {
     ++this->State->counters.drawsByProbeCount[probes ? this->Binding->probes.size() : 0];
   }
@@ -102,6 +113,42 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   }
   if (!this->Binding->probes.empty()) {
     this->UploadSlots(program, renderer);
+  }
+}
+
+void vtkProbePolyDataMapper::UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer) {
+  const boxprobe::DebugDraw& debug = this->State->debug;
+  program->SetUniformi("bpView", debug.view);
+  const float range[2] = {debug.low, debug.high};
+  program->SetUniform2f("bpViewRange", range);
+  if (debug.colorMap != 0) {
+    program->SetUniformi("bpViewColors", this->Bind(renderer, GL_TEXTURE_2D, debug.colorMap));
+  }
+  const auto& faces = boxprobe::faceColors();
+  program->SetUniform3fv("bpFaceColors", 6, reinterpret_cast<const float(*)[3]>(&faces[0].x));
+  program->SetUniformf("bpObject", static_cast<float>(this->ObjectNumber));
+  if (this->Binding->lighting != Lighting::Probes) {
+    program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToWorldRotation(renderer->GetActiveCamera()).data());
+    return;
+  }
+  const glm::vec3 sky = boxprobe::skyColor();
+  program->SetUniform3f("bpSkyColor", &sky.x);
+  constexpr std::size_t kMax = boxprobe::ProbeBinding::kMaxProbesPerDraw;
+  std::array<glm::vec3, kMax> color;
+  std::array<float, kMax> faceSize{};
+  const std::size_t count = this->Binding->probes.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const boxprobe::DrawnProbe& probe = *this->Binding->probes[i];
+    color[i] = boxprobe::probeColor(probe.index);
+    const bool known = probe.maps != nullptr && probe.maps->distance.allocated();
+    faceSize[i] = known ? static_cast<float>(probe.maps->distance.faceSize()) : 0.0f;
+    program->SetUniformi(
+        ("bpDistanceMap" + std::to_string(i)).c_str(),
+        this->Bind(renderer, GL_TEXTURE_CUBE_MAP, known ? probe.maps->distance.handle() : this->State->blackCube));
+  }
+  if (count > 0) {
+    program->SetUniform3fv("bpProbeColor", static_cast<int>(count), reinterpret_cast<const float(*)[3]>(&color[0].x));
+    program->SetUniform1fv("bpDistanceFaceSize", static_cast<int>(count), faceSize.data());
   }
 }
 

@@ -26,6 +26,10 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   const boxprobe::ProbeBinding* GetBinding() const { return this->Binding.get(); }
   std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Binding; }
+  /** Draws with the debug view's program (see vtk_pbr_splice.h) instead of the picture's. */
+  void SetDebug(bool debug);
+  /** What a surface capture names this object by; 0 is the background's. */
+  void SetObjectNumber(int number) { this->ObjectNumber = number; }
 
  protected:
   vtkProbePolyDataMapper();
@@ -42,6 +46,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void operator=(const vtkProbePolyDataMapper&) = delete;
 
   void UploadProbes(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadSky(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer);
   int Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle);
@@ -49,5 +54,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<boxprobe::DrawState> State;
   std::shared_ptr<const boxprobe::ProbeBinding> Binding;
   std::string VariantKey;
+  bool Debug = false;
+  int ObjectNumber = 0;
   std::vector<std::unique_ptr<boxprobe::BoundTexture>> Bound;  // for the piece being drawn
 };

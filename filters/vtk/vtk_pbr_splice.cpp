@@ -122,7 +122,7 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
 }
 
 // The files and the dispatch that this draw's techniques need, and no other.
-std::string techniqueSources(const ProbeBinding& binding) {
+std::string techniqueSources(const ProbeBinding& binding, bool debug) {
   std::vector<std::string> projectionFiles, evaluationFiles;
   const auto addOnce = [](std::vector<std::string>& files, std::string_view file) {
     for (const std::string& present : files) {
@@ -147,32 +147,34 @@ std::string techniqueSources(const ProbeBinding& binding) {
   return joinShaderSources(projectionFiles) +
          "ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)\n{\n" + dispatch +
          "  return " + std::string(first.function) +
-         "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n" +
+         "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n#define DISTANCE_MAP "
+         "samplerCube\n" +
+         (debug ? joinShaderSources({"gpu/debug_distance.glsl", "shared/true_hit.glsl"}) : std::string()) +
          joinShaderSources({"gpu/fetch_probe.glsl"}) + joinShaderSources(evaluationFiles);
 }
 
-std::string probeDeclarations(const ProbeBinding& binding) {
+std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
   const std::vector<int> groups = binding.groups();
   std::string lighting(shaderSource("gpu/probe_lighting.glsl"));
   replaceOnce(lighting, "//BP::Slots",
-              techniqueSources(binding) + perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
+              techniqueSources(binding, debug) + perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
   replaceOnce(lighting, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
   replaceOnce(lighting, "//BP::Shares", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
   const auto define = [](const char* name, bool value) {
     return std::string("#define ") + name + (value ? " 1\n" : " 0\n");
   };
   return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
-         define("BP_SKY", binding.sky) + define("BP_DIFFUSE", binding.diffuse) + "#define BP_SLOTS " +
-         std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
+         define("BP_SKY", binding.sky) + define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
+         "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
          std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", "shared/weights.glsl",
                             "shared/sh.glsl"}) +
-         lighting;
+         (debug ? joinShaderSources({"shared/cube.glsl", "gpu/debug_trace.glsl"}) : std::string()) + lighting;
 }
 
 }  // namespace
 
-std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding) {
+std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, bool debug) {
   if (fragmentSource.find(kPbrMark) == std::string::npos) return {};
   const bool coat = fragmentSource.find(kCoatMark) != std::string::npos;
   const bool probes = binding.lighting == Lighting::Probes;
@@ -180,8 +182,13 @@ std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding) 
 
   std::string text = fragmentSource;
   std::string declarations =
-      probes ? probeDeclarations(binding) : "uniform float bpParallel;\nuniform float bpExposure;\n";
+      probes ? probeDeclarations(binding, debug) : "uniform float bpParallel;\nuniform float bpExposure;\n";
   declarations += shaderSource("gpu/output.glsl");
+  if (debug) {
+    if (!probes) declarations += "uniform mat3 bpViewToWorld;\nuniform int bpView;\n";
+    declarations += std::string("#define BP_LIT ") + (probes ? "1\n" : "0\n");
+    declarations += shaderSource("gpu/surface_view.glsl");
+  }
   if (!replaceOnce(text, kDeclarations, declarations + "\n" + kDeclarations))
     return missing("declarations", "void main()");
 
@@ -190,7 +197,10 @@ std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding) 
   if (!failure.empty()) return failure;
 
   constexpr const char* kOutput = "color = pow(color, vec3(1.0/2.2));";
-  if (!replaceOnce(text, kOutput, unlit ? "color = bpOutput(emissiveColor);" : "color = bpOutput(color);")) {
+  std::string output = unlit ? "color = emissiveColor;\n" : "";
+  output += debug ? "color = bpViewColor(color);\n" : "color = bpOutput(color);\n";
+  if (debug) output += shaderSource("gpu/surface_output.glsl");
+  if (!replaceOnce(text, kOutput, output)) {
     return missing("output", kOutput);
   }
   fragmentSource = std::move(text);

@@ -12,6 +12,8 @@ namespace boxprobe {
 /// Edits `fragmentSource` in place. Returns an empty string, or one line naming VTK's version and the anchor that is
 /// not there (the source is then unchanged). A shader without physically based shading (no light, lines, points) has
 /// nothing to splice and is left as it is.
-std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding);
+/// With `debug` the program is one of the debug view: it can show any row of surfaceViews() and writes what the surface
+/// is into further attachments.
+std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, bool debug = false);
 
 }  // namespace boxprobe

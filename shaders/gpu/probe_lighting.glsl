@@ -4,6 +4,7 @@
 //   BP_ROTATED   1 if any of their boxes is rotated
 //   BP_WEIGHTS   0 if the draw lies where its one probe has full weight
 //   BP_SKY       0 if the probes leave nothing to the sky anywhere in the draw
+//   BP_DEBUG     1 in the debug view's programs, which note what the lookups were
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
@@ -31,6 +32,10 @@ uniform vec3 bpSh[9 * BP_SLOTS];
 #if BP_ROTATED
 uniform mat3 bpWorldFromProbe[BP_SLOTS];
 #endif
+#if BP_DEBUG
+uniform vec3 bpProbeColor[BP_SLOTS];
+uniform float bpDistanceFaceSize[BP_SLOTS]; // 0: no distances
+#endif
 #endif
 
 struct BpLight
@@ -52,6 +57,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   light.specular = vec3(0.0f);
   light.irradiance = vec3(0.0f);
   float remaining = 1.0f;
+#if BP_DEBUG
+  if (!bpCoat) { bpBest.share = 0.0f; }
+#endif
 
 #if BP_SLOTS > 0 && !BP_WEIGHTS
   bpAddSlot0(light, bpIntensity[0], position, normal, view, reflection, roughness);
@@ -74,12 +82,19 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   float sky = remaining * bpSkyIntensity;
   if (sky > 1.0e-5f)
   {
+#if BP_DEBUG
+    bpLookups += 1.0f;
+    bpWeightColor += bpCoat ? vec3(0.0f) : sky * bpSkyColor;
+#endif
     light.specular += sky * textureLod(bpSkyMap, reflection, levelForRoughness(roughness, bpSkyMaxLevel)).rgb;
 #if BP_DIFFUSE
     light.irradiance += sky * shIrradiance(normal, bpSkySh[0], bpSkySh[1], bpSkySh[2], bpSkySh[3], bpSkySh[4],
                                            bpSkySh[5], bpSkySh[6], bpSkySh[7], bpSkySh[8]);
 #endif
   }
+#endif
+#if BP_DEBUG
+  bpCoat = true;  // the next call, if there is one, is for the clear coat
 #endif
   return light;
 }

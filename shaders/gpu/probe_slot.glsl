@@ -1,4 +1,7 @@
 uniform samplerCube bpMap@SLOT@;
+#if BP_DEBUG
+uniform samplerCube bpDistanceMap@SLOT@;
+#endif
 
 void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 normal, vec3 view, vec3 reflection, float roughness)
 {
@@ -23,10 +26,38 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   point.reflection = probeFromWorld * reflection;
 #endif
 
+#if BP_DEBUG
+  bpLevelSum = 0.0f;
+  bpFetches = 0.0f;
+#endif
   light.specular += weight * @EVALUATE@(bpMap@SLOT@, probe, point).rgb;
 #if BP_DIFFUSE
   light.irradiance += weight * shIrradiance(normal, bpSh[9 * @SLOT@], bpSh[9 * @SLOT@ + 1], bpSh[9 * @SLOT@ + 2],
                                             bpSh[9 * @SLOT@ + 3], bpSh[9 * @SLOT@ + 4], bpSh[9 * @SLOT@ + 5],
                                             bpSh[9 * @SLOT@ + 6], bpSh[9 * @SLOT@ + 7], bpSh[9 * @SLOT@ + 8]);
+#endif
+#if BP_DEBUG
+  float share = weight / max(bpIntensity[@SLOT@], 1.0e-30f);
+  bpWeightColor += bpCoat ? vec3(0.0f) : share * bpProbeColor[@SLOT@];
+  if (!bpCoat && share > bpBest.share)
+  {
+    vec3 offset = position - bpOrigin[@SLOT@];
+    bpBest.share = share;
+    bpBest.hit = projectRay(probe, point.position, point.normal, point.reflection);
+    bpBest.lookup = bpBest.hit.direction;
+#if BP_ROTATED
+    bpBest.lookup = bpWorldFromProbe[@SLOT@] * bpBest.lookup;
+#endif
+    bpBest.levelSum = bpLevelSum;
+    bpBest.fetches = bpFetches;
+    bpBest.maxLevel = probe.maxLevel;
+    bpBest.trueDistance = kNoHit;
+    if (bpDistanceFaceSize[@SLOT@] > 0.0f && bpView >= 2 && bpView <= 4)
+    {
+      bpBest.trueDistance = trueHitDistance(bpDistanceMap@SLOT@, probe, bpDistanceFaceSize[@SLOT@], offset, reflection,
+                                            2.0f * length(probe.boxMax - probe.boxMin));
+    }
+    bpBest.truth = offset + bpBest.trueDistance * reflection;
+  }
 #endif
 }

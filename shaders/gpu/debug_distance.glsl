@@ -1,0 +1,5 @@
+// The GPU's side of `fetchDistance`. Debug view only.
+float fetchDistance(samplerCube map, ProbeShape probe, vec3 direction)
+{
+  return textureLod(map, direction, 0.0f).r;
+}

@@ -1,0 +1,29 @@
+// The debug view's side of a draw: what the lookups were, noted while they are made. Only in programs compiled for the debug
+// view; spliced in before gpu/fetch_probe.glsl. The numbers are those of filters/core/surface_view.cpp.
+uniform int bpView;            // row of surfaceViews(); 0: the picture itself
+uniform vec3 bpSkyColor;       // stands for the sky's share in the view of weights
+struct BpTrace
+{
+  float share;        // of the pixel; the probe with the largest one is shown
+  ProbeHit hit;       // along R
+  float trueDistance; // along R; kNoHit if the probe's distances do not tell
+  vec3 truth;         // P - C + trueDistance R, world axes
+  vec3 lookup;        // direction looked up, world axes
+  float levelSum;
+  float fetches;
+  float maxLevel;
+};
+
+BpTrace bpBest;
+vec3 bpWeightColor = vec3(0.0f);
+float bpLookups = 0.0f;    // of the pixel
+float bpLevelSum = 0.0f;   // of the probe being evaluated
+float bpFetches = 0.0f;
+bool bpCoat = false;       // the clear coat's lookups count, but its probes are not what is shown
+
+void bpTraceFetch(float level, float maxLevel)
+{
+  bpLookups += 1.0f;
+  bpFetches += 1.0f;
+  bpLevelSum += clamp(level, 0.0f, maxLevel);
+}

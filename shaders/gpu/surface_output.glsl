@@ -1,0 +1,13 @@
+// What the surface is at a pixel, beside its colour, for a framebuffer with further attachments: read by
+// filters/vtk/surface_capture.cpp, explained by filters/core/explain_pixel.cpp. Lies within VTK's main(), debug view only.
+  gl_FragData[1] = vec4(bpViewToWorld * vertexVC.xyz, bpObject); // relative to the eye, world axes
+  gl_FragData[2] = vec4(bpViewToWorld * N, roughness);
+  gl_FragData[3] = vec4(albedo, metallic);
+  gl_FragData[4] = vec4(emissiveColor, mix(1.0, ao, aoStrengthUniform));
+#ifdef CLEAR_COAT
+  gl_FragData[5] = vec4(bpViewToWorld * coatN, coatRoughness);
+  gl_FragData[6] = vec4(baseF0Uniform, opacity, coatStrength, coatF0Uniform);
+#else
+  gl_FragData[5] = vec4(0.0);
+  gl_FragData[6] = vec4(baseF0Uniform, opacity, 0.0, 0.0);
+#endif

@@ -1,0 +1,59 @@
+// The debug view's output: the value of the chosen row of filters/core/surface_view.cpp, as a colour on the screen, as the
+// number itself into linear pictures. Spliced in for the debug view only.
+uniform vec2 bpViewRange;      // of scalars
+uniform sampler2D bpViewColors; // colour map, 256 x 1
+uniform vec3 bpFaceColors[6];
+uniform float bpObject;        // index of the object + 1, for picking
+
+const vec3 kUndefined = vec3(-1.0f);
+
+#if BP_LIT
+vec3 bpViewValue()
+{
+  bool traced = bpBest.share > 0.0f;
+  bool known = traced && bpBest.trueDistance < kNoHit;
+  float level = bpBest.fetches > 0.0f ? bpBest.levelSum / bpBest.fetches : -1.0f;
+  if (bpView == 1) { return traced && bpBest.hit.distance < 1.0e38f ? vec3(bpBest.hit.distance) : kUndefined; }
+  if (bpView == 2) { return known ? vec3(bpBest.trueDistance) : kUndefined; }
+  if (bpView == 3)
+  {
+    return known && bpBest.hit.distance < 1.0e38f ? vec3(abs(bpBest.hit.distance - bpBest.trueDistance)) : kUndefined;
+  }
+  if (bpView == 4)
+  {
+    if (!known) { return kUndefined; }
+    vec3 a = normalize(bpBest.lookup);
+    vec3 b = normalize(bpBest.truth);
+    return vec3(atan(length(cross(a, b)), dot(a, b)) * 57.2957795f);
+  }
+  if (bpView == 5) { return vec3(level); }
+  if (bpView == 6) { return level >= 0.0f ? vec3(roughnessForLevel(level, bpBest.maxLevel)) : kUndefined; }
+  if (bpView == 7) { return traced ? 0.5f * normalize(bpBest.lookup) + 0.5f : kUndefined; }
+  if (bpView == 8) { return bpWeightColor; }
+  if (bpView == 9) { return traced ? vec3(float(bpBest.hit.face)) : kUndefined; }
+  return vec3(bpLookups);
+}
+#else
+// Nothing is looked up: an unlit material, or probes switched off.
+vec3 bpViewValue()
+{
+  return bpView == 10 ? vec3(0.0f) : kUndefined;
+}
+#endif
+
+vec3 bpViewColor(vec3 color)
+{
+  if (bpView == 0) { return bpOutput(color); }
+  vec3 value = bpViewValue();
+  if (bpExposure < 0.0f) { return value; }
+  if (value.x < 0.0f)
+  {
+    // Hatched: no colour of any scale, on any surface.
+    float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0f);
+    return vec3(stripe < 0.5f ? 0.30f : 0.36f);
+  }
+  if (bpView == 9) { return bpFaceColors[int(value.x + 0.5f)]; }
+  if (bpView == 7 || bpView == 8) { return value; }
+  float x = clamp((value.x - bpViewRange.x) / max(bpViewRange.y - bpViewRange.x, 1.0e-30f), 0.0f, 1.0f);
+  return texture(bpViewColors, vec2((x * 255.0f + 0.5f) / 256.0f, 0.5f)).rgb;
+}
