@@ -1,0 +1,43 @@
+// From a point's calculated rays to lines: which of them are drawn, where they begin and end, what they carry. Called
+// by vtkProjectionRays for every point; knows no pipeline.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "filters/vtk/ray_calculation.h"
+#include "filters/vtk/ray_lines.h"
+
+namespace boxprobe {
+
+class RayScene;
+
+struct RaySettings {
+  RayView view;
+  std::vector<RayProbe> probes;
+  std::array<bool, kRayKinds> kinds{};
+  double maximumLength = 100.0;  ///< of what has no end of its own, scene units
+  double normalLength = 0.25;
+  bool contributingOnly = true;  ///< only probes whose share of the point the picture would fetch
+  RayScene* scene = nullptr;     ///< null: the true hit by the probes' own distances
+};
+
+class RayBuilder {
+ public:
+  /// Both must outlive it.
+  RayBuilder(const RaySettings& settings, RayLines& lines) : settings_(settings), lines_(lines) {}
+  void addPoint(int point, const SurfaceRay& ray);
+
+ private:
+  std::optional<double> sceneDistance(const SurfaceRay& ray) const;
+  void add(const RayLine& line);
+  void addSkyRay(int point, const SurfaceRay& ray);
+  void addProbe(int point, const SurfaceRay& ray, int probe, float share, std::optional<double> sceneDistance);
+  void addLookups(const RayLine& common, const ProbeRay& found, const RayProbe& probe, const SurfaceRay& ray);
+
+  const RaySettings& settings_;
+  RayLines& lines_;
+};
+
+}  // namespace boxprobe
