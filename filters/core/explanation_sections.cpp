@@ -1,0 +1,280 @@
+// See explanation_sections.h.
+#include "filters/core/explanation_sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "filters/core/fixed_text.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr const char* kLength = "scene units";
+constexpr char kAxes[] = "xyz";
+/// Slab factors from here on stand for "never": the ray runs along that plane.
+constexpr float kNever = 1e30f;
+
+template <typename Vector>
+std::vector<std::string> numbers(const Vector& v, int decimals = 4) {
+  return {fixedText(v[0], decimals), fixedText(v[1], decimals), fixedText(v[2], decimals)};
+}
+
+std::string percent(double share) {
+  constexpr double kSmallestShown = 5e-4;
+  return share > 0.0 && share < kSmallestShown ? "<0.1 %" : fixedText(100.0 * share, 1) + " %";
+}
+
+/// A number to be subtracted: its own sign in brackets.
+std::string subtrahend(double value) {
+  return value < 0.0 ? "(" + fixedText(value) + ")" : fixedText(value);
+}
+
+ExplanationRow row(std::string symbol, std::vector<std::string> values, std::string unit, std::string meaning) {
+  ExplanationRow made;
+  made.symbol = std::move(symbol);
+  made.numbers = std::move(values);
+  made.unit = std::move(unit);
+  made.meaning = std::move(meaning);
+  return made;
+}
+
+ExplanationRow scalar(std::string symbol, double value, std::string unit, std::string meaning) {
+  return row(std::move(symbol), {fixedText(value)}, std::move(unit), std::move(meaning));
+}
+
+template <typename Vector>
+ExplanationRow vector(std::string symbol, const Vector& value, std::string unit, std::string meaning) {
+  return row(std::move(symbol), numbers(value), std::move(unit), std::move(meaning));
+}
+
+ExplanationRow light(std::string symbol, const glm::vec3& value, std::string meaning) {
+  ExplanationRow made = vector(std::move(symbol), value, "", std::move(meaning));
+  made.color = value;
+  return made;
+}
+
+ExplanationSection surfaceSection(const Explanation& e) {
+  const SurfacePoint& s = e.surface;
+  ExplanationSection section{"Surface: object \"" + s.object + "\", material \"" + s.material + "\"", {}, -1};
+  auto& rows = section.rows;
+  rows.push_back(vector("P", s.positionWorld, kLength, "shading point"));
+  const bool normal = s.normalWorld != glm::vec3(0.0f);
+  if (normal) {
+    rows.push_back(vector("N", s.normalWorld, "", "shading normal, unit"));
+  } else {
+    rows.push_back(row("N", {"undefined"}, "", "the surface has no normal here"));
+  }
+  rows.push_back(vector("V", s.viewWorld, "", "towards the eye, unit"));
+  if (normal) {
+    rows.push_back(vector("R", e.reflectionWorld, "", "reflected direction, reflect(-V, N)"));
+    rows.push_back(scalar("N.V", e.nDotV, "", "cosine of the angle of view"));
+  }
+  rows.push_back(
+      scalar("p", s.roughness, "", "perceptual roughness; alpha = p^2 = " + fixedText(s.roughness * s.roughness)));
+  ExplanationRow albedo = vector("albedo", s.albedo, "", "base colour; metallic " + fixedText(s.metallic, 2));
+  albedo.color = s.albedo;
+  rows.push_back(albedo);
+  rows.push_back(vector("F_0", e.f0, "",
+                        "reflectance at normal incidence: mix(" + fixedText(s.baseF0, 3) + ", base colour, metallic)"));
+  if (s.occlusion < 1.0f)
+    rows.push_back(scalar("AO", s.occlusion, "", "the material's occlusion, factor of all but emission"));
+  if (s.opacity < 1.0f) rows.push_back(scalar("opacity", s.opacity, "", "of the surface"));
+  return section;
+}
+
+ExplanationRow slabRow(const ProbeExplanation& p, int axis) {
+  const float t = (*p.slabFactors)[axis];
+  const float r = p.reflectionProbe[axis];
+  const std::string symbol = std::string("t_") + kAxes[axis];
+  if (t > kNever) {
+    return row(symbol, {"infinite"}, "",
+               std::string("R has no part along ") + kAxes[axis] + ": that pair of planes is never met");
+  }
+  const bool positive = r > 0.0f;
+  const float plane = positive ? p.boxMax[axis] : p.boxMin[axis];
+  if (t == 0.0f && std::abs(r) > 0.0f && (plane - p.positionProbe[axis]) * r < 0.0f) {
+    return scalar(symbol, t, kLength, "counts as 0: P lies beyond that plane");
+  }
+  const std::string formula = std::string(positive ? "(max - P)/R = (" : "(min - P)/R = (") + fixedText(plane) + " - " +
+                              subtrahend(p.positionProbe[axis]) + ") / " + fixedText(r);
+  return scalar(symbol, t, kLength, formula);
+}
+
+void addProjection(const ProbeExplanation& p, std::vector<ExplanationRow>& rows) {
+  rows.push_back(vector("C", p.originWorld, kLength, "where the probe was captured"));
+  const bool rotated = p.worldFromProbe != glm::dmat3(1.0);
+  const std::string frame = rotated ? ", along the box's own axes" : "";
+  rows.push_back(vector("P - C", p.positionProbe, kLength, "from the capture origin" + frame));
+  if (rotated) rows.push_back(vector("R", p.reflectionProbe, "", "reflected direction along the box's own axes"));
+  if (p.slabFactors) {
+    rows.push_back(vector("min", p.boxMin, kLength, "box relative to C" + frame));
+    rows.push_back(vector("max", p.boxMax, kLength, ""));
+    const glm::vec3& t = *p.slabFactors;
+    const int smallest = t.x <= t.y && t.x <= t.z ? 0 : t.y <= t.z ? 1 : 2;
+    for (int axis = 0; axis < 3; ++axis) {
+      rows.push_back(slabRow(p, axis));
+      rows.back().marked = axis == smallest;
+    }
+  }
+  if (p.hitDistance) {
+    std::string meaning = p.slabFactors ? "min(t_x, t_y, t_z)" : "along R to the proxy";
+    if (p.face >= 0) meaning += ": the ray leaves through the face " + boxFaceName(p.face);
+    rows.push_back(scalar("d", *p.hitDistance, kLength, meaning));
+    rows.push_back(vector("H", p.hitWorld, kLength, "hit point, P + d R"));
+    rows.push_back(vector("H - C", p.lookupDirection, kLength, "what the cubemap is looked up with"));
+  } else {
+    rows.push_back(vector("L", p.lookupDirection, "", "what the cubemap is looked up with; nothing is hit"));
+  }
+  if (p.trueDistance) {
+    std::string meaning = "along R to what the probe itself saw";
+    if (p.hitDistance) meaning += "; the proxy is off by " + fixedText(std::abs(*p.hitDistance - *p.trueDistance));
+    rows.push_back(scalar("d_true", *p.trueDistance, kLength, meaning));
+  }
+}
+
+void addTexels(const ProbeExplanation& p, const Lookup& lookup, const ExplanationDetail& detail,
+               std::vector<ExplanationRow>& rows) {
+  std::vector<TexelShare> texels = lookup.texels;
+  std::stable_sort(texels.begin(), texels.end(), [](const auto& a, const auto& b) { return a.share > b.share; });
+  float rest = 0.0f;
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const TexelShare& t = texels[i];
+    const float share = lookup.weight * t.share;
+    if (i >= detail.texelsPerLookup) {
+      rest += share;
+      continue;
+    }
+    ExplanationRow made;
+    made.symbol = percent(share);
+    made.meaning = "texel " + std::to_string(t.column) + ", " + std::to_string(t.row) + " of face " +
+                   cubeFaceName(t.face) + ", level " + std::to_string(t.level);
+    if (detail.texelValue) made.color = detail.texelValue(p, t);
+    if (made.color) made.numbers = numbers(*made.color);
+    made.detail = true;
+    rows.push_back(made);
+  }
+  if (texels.size() <= detail.texelsPerLookup) return;
+  rows.push_back(row(percent(rest), {}, "", std::to_string(texels.size() - detail.texelsPerLookup) + " more texels"));
+  rows.back().detail = true;
+}
+
+std::string levelText(const Lookup& lookup, float maxLevel) {
+  return "level " + fixedText(lookup.level, 2) + " of 0 to " + fixedText(maxLevel, 0) + ", baked for roughness " +
+         fixedText(lookup.roughness, 3);
+}
+
+void addLookups(const Explanation& e, const ProbeExplanation& p, const ExplanationDetail& detail,
+                std::vector<ExplanationRow>& rows) {
+  const std::size_t shown = std::min(p.lookups.size(), detail.lookupsPerProbe);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Lookup& lookup = p.lookups[i];
+    std::string meaning = levelText(lookup, p.maxLevel);
+    const float change = lookup.roughness - e.surface.roughness;
+    constexpr float kSame = 5e-4f;
+    if (std::abs(change) > kSame) {
+      meaning += std::string(change < 0.0f ? " (sharper than" : " (softer than") + " the surface's " +
+                 fixedText(e.surface.roughness, 3) + ")";
+    }
+    const std::string symbol = p.lookups.size() == 1 ? "fetch" : "fetch " + std::to_string(i + 1);
+    if (p.lookups.size() > 1) meaning = percent(lookup.weight) + ", " + meaning;
+    rows.push_back(light(symbol, lookup.value, meaning));
+    addTexels(p, lookup, detail, rows);
+  }
+  if (p.lookups.size() > shown) {
+    rows.push_back(row("...", {}, "", std::to_string(p.lookups.size() - shown) + " more fetches"));
+  }
+  rows.push_back(light("L_spec", p.specular, "the probe's reflected light: its fetches by their shares"));
+  rows.push_back(light("E/pi", p.irradiance, "its light from all around N, for the diffuse part"));
+}
+
+ExplanationSection probeSection(const Explanation& e, std::size_t index, const ExplanationDetail& detail) {
+  const ProbeExplanation& p = e.probes[index];
+  ExplanationSection section{
+      "Probe \"" + p.name + "\": " + percent(p.weight) + " of the pixel, technique " + p.technique,
+      {},
+      static_cast<int>(index)};
+  std::string influence = "weight of its influence box at P";
+  if (p.intensity != 1.0f) influence += "; intensity " + fixedText(p.intensity, 2);
+  section.rows.push_back(scalar("w", p.influence, "", influence));
+  addProjection(p, section.rows);
+  if (p.lookups.empty()) {
+    section.rows.push_back(
+        row("fetch", {}, "", p.captured ? "none: its share cannot show" : "none: not captured yet, it gives no light"));
+  } else {
+    addLookups(e, p, detail, section.rows);
+  }
+  return section;
+}
+
+ExplanationSection skySection(const Explanation& e) {
+  ExplanationSection section{"Sky: " + percent(e.skyWeight) + " of the pixel", {}, -1};
+  section.rows.push_back(
+      light("L_sky", e.skyValue, "what no probe takes, looked up along R at level " + fixedText(e.skyLevel, 2)));
+  return section;
+}
+
+ExplanationSection sumSection(const Explanation& e) {
+  ExplanationSection section{"Sum", {}, -1};
+  auto& rows = section.rows;
+  rows.push_back(light("direct", e.direct, "light sources"));
+  rows.push_back(light("emissive", e.emissive, "the surface's own light"));
+  rows.push_back(light("diffuse", e.diffuse, "light from all around N, with the base colour"));
+  rows.push_back(light("specular", e.specular,
+                       "reflected light times F_0 A + F_90 B; A = " + fixedText(e.brdf.x) +
+                           ", B = " + fixedText(e.brdf.y) + " of the split sum"));
+  if (e.coat != glm::vec3(0.0f)) rows.push_back(light("coat", e.coat, "what the clear coat changes"));
+  rows.push_back(light("color", e.color, "computed: linear light before exposure"));
+  rows.back().sum = true;
+  if (e.rendered) {
+    const auto difference = relativeDifference(e);
+    rows.push_back(light("rendered", *e.rendered,
+                         "the pixel as drawn; differs by " + fixedText(*difference, 5) +
+                             (e.brightestTexel > 0.0f ? " of the brightest texel" : " of the colour")));
+  }
+  return section;
+}
+
+}  // namespace
+
+std::string boxFaceName(int face) {
+  static constexpr std::array<const char*, 6> names = {"-x", "+x", "-y", "+y", "-z", "+z"};
+  return face >= 0 && face < 6 ? names[static_cast<std::size_t>(face)] : "none";
+}
+
+std::string cubeFaceName(int face) {
+  static constexpr std::array<const char*, 6> names = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+  return face >= 0 && face < 6 ? names[static_cast<std::size_t>(face)] : "none";
+}
+
+std::optional<float> relativeDifference(const Explanation& e) {
+  if (!e.rendered) return std::nullopt;
+  const auto largest = [](const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  const float difference = largest(*e.rendered - e.color);
+  const float scale = e.brightestTexel > 0.0f ? e.brightestTexel : largest(*e.rendered);
+  return scale > 0.0f ? difference / scale : difference;
+}
+
+std::vector<ExplanationSection> explanationSections(const Explanation& e, const ExplanationDetail& detail) {
+  std::vector<ExplanationSection> sections;
+  const std::string pixel = "Pixel " + std::to_string(e.x) + ", " + std::to_string(e.y);
+  if (!e.hit) {
+    ExplanationSection background{pixel + ": the background", {}, -1};
+    background.rows.push_back(light("color", e.rendered.value_or(e.color), "what the sky shows there, linear"));
+    return {background};
+  }
+  ExplanationSection head{pixel, {}, -1};
+  head.rows.push_back(light("color", e.rendered.value_or(e.color), "linear light before exposure"));
+  sections.push_back(head);
+  sections.push_back(surfaceSection(e));
+  for (std::size_t i = 0; i < e.probes.size(); ++i) sections.push_back(probeSection(e, i, detail));
+  if (e.skyWeight > 0.0f) sections.push_back(skySection(e));
+  sections.push_back(sumSection(e));
+  return sections;
+}
+
+}  // namespace boxprobe

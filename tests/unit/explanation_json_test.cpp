@@ -1,0 +1,60 @@
+// The JSON of an explained pixel: the documented fields, with null for what is undefined.
+#include "app/cli/explanation_json.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/explained_room.h"
+
+namespace boxprobe {
+namespace {
+
+TEST(ExplanationJson, HoldsTheDocumentedFields) {
+  const Explanation e = ExplainedRoom().explain();
+  const auto json = nlohmann::json::parse(explanationJson(e));
+  EXPECT_EQ(json["pixel"], nlohmann::json({640, 360}));
+  EXPECT_EQ(json["positionWorld"], nlohmann::json({0.5, 0.0, 0.0}));
+  EXPECT_FLOAT_EQ(json["color"][0].get<float>(), e.rendered->x) << "as rendered";
+  EXPECT_FLOAT_EQ(json["colorComputed"][0].get<float>(), e.color.x);
+  for (const char* field : {"normalWorld", "reflectionWorld", "direct", "emissive", "diffuse"}) {
+    EXPECT_EQ(json[field].size(), 3u) << field;
+  }
+  EXPECT_EQ(json["sky"]["weight"], 0.0);
+  EXPECT_EQ(json["sky"]["value"].size(), 3u);
+  const auto& probe = json["probes"].at(0);
+  EXPECT_EQ(probe["name"], "room");
+  EXPECT_EQ(probe["weight"], 1.0);
+  EXPECT_EQ(probe["technique"], "box+none");
+  EXPECT_EQ(probe["face"], "+x");
+  EXPECT_NEAR(probe["slabFactors"][1].get<double>(), 4.24264, 1e-5);
+  EXPECT_NEAR(probe["hitDistance"].get<double>(), 2.12132, 1e-5);
+  EXPECT_NEAR(probe["hitWorld"][1].get<double>(), 1.5, 1e-6);
+  const auto& lookup = probe["lookups"].at(0);
+  EXPECT_EQ(lookup["direction"].size(), 3u);
+  EXPECT_EQ(lookup["weight"], 1.0);
+  EXPECT_NEAR(lookup["value"][0].get<double>(), 0.1, 1e-6);
+  EXPECT_FALSE(lookup["texels"].empty());
+}
+
+TEST(ExplanationJson, WhatIsUndefinedIsNull) {
+  ExplainedRoom room;
+  room.probe.technique = "infinite";
+  const auto json = nlohmann::json::parse(explanationJson(room.explain()));
+  EXPECT_TRUE(json["probes"][0]["hitDistance"].is_null());
+  EXPECT_TRUE(json["probes"][0]["slabFactors"].is_null());
+  EXPECT_FALSE(json["notes"].empty());
+
+  const auto background = nlohmann::json::parse(explanationJson(Explanation{}));
+  EXPECT_TRUE(background["positionWorld"].is_null());
+  EXPECT_EQ(background["background"], true);
+}
+
+TEST(ExplanationJson, NamesOfAnyBytesAreWritten) {
+  ExplainedRoom room;
+  room.surface.object = "caf\xe9";
+  EXPECT_NO_THROW(nlohmann::json::parse(explanationJson(room.explain())));
+}
+
+}  // namespace
+}  // namespace boxprobe
