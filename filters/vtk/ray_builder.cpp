@@ -60,7 +60,8 @@ void RayBuilder::addPoint(int point, const SurfaceRay& ray) {
   const std::vector<float> shares = probeShares(ray.positionWorld, settings_.probes);
   bool any = false;
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    if (settings_.contributingOnly && shares[i] <= kSmallestShare) continue;
+    const float fetched = shares[i] * settings_.probes[i].geometry.intensity;
+    if (settings_.contributingOnly && fetched <= kSmallestShare) continue;
     addProbe(point, ray, static_cast<int>(i), shares[i], truth);
     any = true;
   }
@@ -104,10 +105,10 @@ void RayBuilder::addProbe(int point, const SurfaceRay& ray, int probe, float sha
   if (truth && found.hitDistance) line.error = glm::length(trueHit - found.hitWorld);
   // Of several fetches the heaviest speaks for the ray.
   const auto heaviest = std::max_element(found.lookups.begin(), found.lookups.end(),
-                                         [](const RayLookup& a, const RayLookup& b) { return a.share < b.share; });
+                                         [](const Lookup& a, const Lookup& b) { return a.weight < b.weight; });
   if (heaviest != found.lookups.end()) {
     line.level = heaviest->level;
-    line.lookupShare = heaviest->share;
+    line.lookupShare = heaviest->weight;
   }
   add(line);
   addLookups(line, found, p, ray);
@@ -128,11 +129,11 @@ void RayBuilder::addLookups(const RayLine& common, const ProbeRay& found, const 
                             const SurfaceRay& ray) {
   const bool proxy = found.hitDistance.has_value();
   const ProbeGeometry& g = probe.geometry;
-  for (const RayLookup& lookup : found.lookups) {
+  for (const Lookup& lookup : found.lookups) {
     RayLine line = common;
     line.direction = glm::dvec3(lookup.direction);
     line.level = lookup.level;
-    line.lookupShare = lookup.share;
+    line.lookupShare = lookup.weight;
     // With a proxy the vector ends on it; without, it is a bare direction.
     const glm::dvec3 vector = proxy ? line.direction : settings_.maximumLength * unit(lookup.direction);
     line.kind = RayKind::Lookup;

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <numeric>
 
+#include "filters/core/lookup_record.h"
 #include "filters/math/distance_cube.h"
 
 namespace boxprobe {
@@ -86,13 +87,15 @@ ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
     result.status |= kRayNoProxy;
   }
   const EvaluationRow& evaluation = evaluationRows()[static_cast<std::size_t>(g.technique.evaluation)];
-  result.lookups = recordLookups(evaluation, shape, point);
+  result.lookups = recordLookups(evaluation.evaluate, shape, point).lookups;
+  for (Lookup& lookup : result.lookups) lookup.level = std::clamp(lookup.level, 0.0f, probe.maxLevel);
   if (probe.distances && !probe.distances->empty()) {
     const DistanceCube distances(*probe.distances);
-    // No surface the probe saw is farther along R than this.
-    const float reach = glm::length(point.position) + probe.farthestSeen;
-    const float t = shading::trueHitDistance(&distances, shape, static_cast<float>(probe.distances->faceSize()),
-                                             point.position, point.reflection, reach);
+    // Maps are laid out along the world's axes. As far as explanations and the shader look.
+    const float reach = 2.0f * glm::length(g.boxMax - g.boxMin);
+    const float t =
+        shading::trueHitDistance(&distances, shape, static_cast<float>(probe.distances->faceSize()),
+                                 glm::vec3(ray.positionWorld - g.originWorld), glm::vec3(ray.reflectionWorld), reach);
     if (t < kFarthestHit) result.trueDistance = t;
   }
   return result;

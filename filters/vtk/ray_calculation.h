@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/explanation.h"
 #include "filters/core/probe_geometry.h"
 #include "filters/math/cube_map.h"
 #include "filters/vtk/ray_arrays.h"
-#include "filters/vtk/ray_lookups.h"
 
 namespace boxprobe {
 
@@ -27,7 +27,6 @@ struct RayProbe {
   ProbeGeometry geometry;
   float maxLevel = 0.0f;                     ///< last level of its chain
   std::shared_ptr<const CubeMap> distances;  ///< null or empty: not known
-  float farthestSeen = 0.0f;                 ///< largest of `distances`
 };
 
 /// What there is before any probe.
@@ -51,7 +50,7 @@ struct ProbeRay {
   glm::dvec3 hitWorld{0.0};  ///< meaningless without hitDistance
   int face = -1;
   glm::vec3 direction{0.0f};  ///< what the projection looks up, probe frame
-  std::vector<RayLookup> lookups;
+  std::vector<Lookup> lookups;
   std::optional<double> trueDistance;  ///< by the probe's own distances
 };
 

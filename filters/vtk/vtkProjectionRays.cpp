@@ -30,7 +30,6 @@ struct FilterProbe {
   std::optional<double> maximumLevel;
   std::optional<glm::dvec3> capturedAt;
   std::shared_ptr<const CubeMap> distances;
-  float farthestSeen = 0.0f;
 };
 
 RayProbe rayProbe(const FilterProbe& p) {
@@ -39,7 +38,6 @@ RayProbe rayProbe(const FilterProbe& p) {
   result.geometry = probeGeometry(p.probe, p.capturedAt.value_or(p.probe.origin));
   result.maxLevel = static_cast<float>(p.maximumLevel.value_or(prefilterLevels(p.probe.faceSize) - 1));
   result.distances = p.distances;
-  result.farthestSeen = p.farthestSeen;
   return result;
 }
 
@@ -246,17 +244,7 @@ void vtkProjectionRays::SetProbeCapturedAt(int index, double x, double y, double
 
 void vtkProjectionRays::SetProbeDistances(int index, std::shared_ptr<const CubeMap> distances) {
   if (this->EditProbe(index, true) == nullptr) return;
-  FilterProbe& probe = this->Internal->probes[static_cast<std::size_t>(index)];
-  probe.farthestSeen = 0.0f;
-  if (distances && !distances->empty()) {
-    const auto texels =
-        static_cast<std::size_t>(distances->faceSize()) * static_cast<std::size_t>(distances->faceSize());
-    for (int face = 0; face < 6; ++face) {
-      const float* red = distances->face(0, face);
-      for (std::size_t i = 0; i < texels; ++i) probe.farthestSeen = std::max(probe.farthestSeen, red[4 * i]);
-    }
-  }
-  probe.distances = std::move(distances);
+  this->Internal->probes[static_cast<std::size_t>(index)].distances = std::move(distances);
 }
 
 void vtkProjectionRays::PrintSelf(ostream& os, vtkIndent indent) {
