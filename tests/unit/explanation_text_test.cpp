@@ -88,7 +88,7 @@ TEST(ExplanationText, SharesOfTexelsAddUpAndLongListsAreSummedUp) {
   const auto shares = [](const std::vector<ExplanationSection>& sections) {
     double sum = 0.0;
     for (const auto& section : sections) {
-      for (const auto& row : section.rows) sum += row.detail ? std::stod(row.symbol) : 0.0;
+      for (const auto& row : section.rows) sum += row.detail && row.symbol.front() != '<' ? std::stod(row.symbol) : 0.0;
     }
     return sum;
   };
