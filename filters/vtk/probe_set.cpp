@@ -246,6 +246,13 @@ void ProbeSet::remember(const std::string& key, std::shared_ptr<const ProbeMaps>
   }
 }
 
+std::shared_ptr<const ProbeMaps> ProbeSet::maps(const std::string& probeName) const {
+  for (const Entry& entry : entries_) {
+    if (entry.name == probeName) return entry.drawn->maps;
+  }
+  return nullptr;
+}
+
 std::size_t ProbeSet::memoryBytes() const {
   std::size_t bytes = 0;
   for (const CachedMaps& entry : cache_) bytes += entry.maps->bytes();

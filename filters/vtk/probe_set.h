@@ -35,6 +35,9 @@ class ProbeSet {
   void step();
   double progress() const { return queue_.pending() ? queue_.progress() : (stale() ? 0.0 : 1.0); }
 
+  /// What a probe shows now; null while it has none, or if there is no such probe.
+  std::shared_ptr<const ProbeMaps> maps(const std::string& probeName) const;
+
   std::size_t memoryBytes() const;
   void release();
 

@@ -7,6 +7,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "filters/vtk/cube_capture.h"
+#include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/probe_set.h"
 #include "filters/vtk/scene_content.h"
 #include "filters/vtk/static_textures.h"
@@ -196,6 +197,13 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
       d.capture.renderFrame(camera, width, height, samplesPerSide(samplesPerPixel), props, d.content.lightPointers());
   camera->Modified();
   return image;
+}
+
+std::optional<BakedMaps> SceneRenderer::readMaps(const std::string& probeName) const {
+  const auto maps = probeName.empty() ? impl_->state->sky : impl_->probes.maps(probeName);
+  if (!maps) return std::nullopt;
+  impl_->window->MakeCurrent();
+  return readBack(*maps);
 }
 
 const Counters& SceneRenderer::counters() const {

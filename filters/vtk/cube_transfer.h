@@ -1,0 +1,22 @@
+// A probe's maps between the graphics side and plain values, exactly: half floats become floats and the same half
+// floats again. Called by the scene renderer for previews and explanations, and by the bake cache for files. Every
+// function needs the window's context current. Knows neither scenes nor files.
+#pragma once
+
+#include <memory>
+
+#include "filters/core/baked_probe.h"
+#include "filters/vtk/draw_state.h"
+
+namespace boxprobe {
+
+/// Everything a probe holds. Waits until the graphics side has finished what is under way.
+BakedMaps readBack(const ProbeMaps& maps);
+
+/// The other way. Maps without distances stay without.
+std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps);
+
+/// Level 0 of `cube` into level 0 of `texture`, allocated at the same face size.
+void uploadLevel0(const CubeMap& cube, CubeTexture& texture);
+
+}  // namespace boxprobe
