@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/display_check.h"
+#include "app/cli/explain_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/messages.h"
 #include "app/cli/output_check.h"
@@ -36,7 +37,8 @@ int run(int& argc, char** argv) {
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png\n"
       "Each sub-command explains itself: boxprobe render --help");
   program.require_subcommand(0, 1);
-  const std::vector<Subcommand> subcommands = {addRenderCommand(program), addInfoCommand(program)};
+  const std::vector<Subcommand> subcommands = {addRenderCommand(program), addExplainCommand(program),
+                                               addInfoCommand(program)};
 
   try {
     program.parse(argc, argv);

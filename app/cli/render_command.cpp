@@ -12,8 +12,8 @@
 #include "app/cli/messages.h"
 #include "app/cli/offscreen_window.h"
 #include "app/cli/output_check.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/render_options.h"
+#include "app/cli/scene_work.h"
 #include "app/cli/stats_json.h"
 #include "app/cli/vtk_messages.h"
 #include "filters/core/errors.h"
@@ -25,20 +25,6 @@
 namespace boxprobe {
 
 namespace {
-
-/// A picture without its reflections, or with a mesh missing, must not pass for the real one.
-void requireHealthy(const SceneRenderer& renderer) {
-  if (!renderer.error().empty()) throw WorkError(renderer.error());
-  if (!firstVtkError().empty()) throw WorkError(firstVtkError());
-}
-
-void captureProbes(SceneRenderer& renderer, const InterruptGuard& interrupt, bool quiet) {
-  ProgressLine line("capturing probes", !quiet);
-  renderer.finishWork([&](double fraction) {
-    line.show(fraction);
-    return !interrupt.interrupted();
-  });
-}
 
 /// Draws and writes the picture: nothing is written if the drawing failed or was interrupted.
 void writePicture(SceneRenderer& renderer, const RenderOptions& options, bool linear, const InterruptGuard& interrupt) {
@@ -79,6 +65,7 @@ void runRender(const RenderOptions& options) {
   LoadedScene loaded = loadScene(options.scenePath, options.assignments);
   chooseTechnique(loaded.scene, options.technique);
   const Camera camera = chooseCamera(loaded.scene, options.camera);
+  const SurfaceViewSettings view = parseView(options.view, options.range);
   if (!options.report.quiet) printWarnings(loaded.warnings);
   interrupt.check();
 
@@ -94,6 +81,7 @@ void runRender(const RenderOptions& options) {
   renderer.setModels(loaded.models);
   renderer.sync(loaded.scene, Changes::all());
   renderer.applyCamera(camera);
+  renderer.setView(view);
   captureProbes(renderer, interrupt, options.report.quiet);
   requireHealthy(renderer);
   interrupt.check();

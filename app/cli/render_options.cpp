@@ -1,12 +1,23 @@
 // See render_options.h.
 #include "app/cli/render_options.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "filters/core/errors.h"
 #include "filters/math/technique_table.h"
 
 namespace boxprobe {
+
+namespace {
+
+std::string surfaceViewIdList() {
+  std::string list;
+  for (const SurfaceViewRow& row : surfaceViews()) list += (list.empty() ? "" : ", ") + std::string(row.id);
+  return list;
+}
+
+}  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("SCENE", options.scenePath, "Scene file (.boxprobe.json) or bare model (.glb, .gltf)")->required();
@@ -29,6 +40,13 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--frames", options.frames, "Then draw N more frames and report their CPU time in --stats")
       ->check(CLI::Range(0, 100000).description(""))
       ->type_name("N");
+  command
+      .add_option(
+          "--view", options.view,
+          "Colour the surfaces by (PNG: with its scale; EXR: the numbers, -1 where undefined): " + surfaceViewIdList())
+      ->type_name("ID");
+  command.add_option("--range", options.range, "Numbers at the ends of the scale of --view (default: by the scene)")
+      ->type_name("LOW,HIGH");
   command.add_option("--set", options.assignments, "Change a field of the scene: probes.NAME.FIELD=VALUE (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
@@ -50,6 +68,30 @@ FrameSize parseFrameSize(const std::string& text) {
     throw InputError("--size " + text + ": expected WIDTHxHEIGHT in pixels, each from 1 to 16384, as in 1280x720");
   }
   return size;
+}
+
+SurfaceViewSettings parseView(const std::string& id, const std::string& range) {
+  SurfaceViewSettings settings;
+  if (!id.empty()) {
+    const std::optional<int> view = findSurfaceView(id);
+    if (!view) throw InputError("--view " + id + ": no such view; there are: " + surfaceViewIdList());
+    settings.view = *view;
+  }
+  if (range.empty()) return settings;
+  const SurfaceViewRow& row = surfaceViews()[static_cast<std::size_t>(settings.view)];
+  if (row.kind != ViewKind::Scalar) {
+    throw InputError("--range " + range + ": only a view of a number has a scale; choose one with --view");
+  }
+  double low = 0.0, high = 0.0;
+  int used = 0;
+  const bool two = std::sscanf(range.c_str(), "%lf,%lf%n", &low, &high, &used) == 2;
+  if (!two || static_cast<std::size_t>(used) != range.size() || !std::isfinite(low) || !std::isfinite(high) ||
+      low >= high) {
+    throw InputError("--range " + range + ": expected two numbers, the lower first, as in 0,8");
+  }
+  settings.low = low;
+  settings.high = high;
+  return settings;
 }
 
 Camera chooseCamera(const Scene& scene, const std::string& name) {

@@ -6,6 +6,7 @@
 
 #include "app/cli/subcommand.h"
 #include "filters/core/scene.h"
+#include "filters/core/surface_view.h"
 
 namespace boxprobe {
 
@@ -23,6 +24,8 @@ struct RenderOptions {
   int samples = 4;
   std::string probes = "on";
   int frames = 0;
+  std::string view;   ///< id of a row of surfaceViews(); empty: the picture
+  std::string range;  ///< LOW,HIGH; empty: the view's own
   std::vector<std::string> assignments;
   ReportOptions report;
 };
@@ -32,6 +35,9 @@ void addRenderOptions(CLI::App& command, RenderOptions& options);
 
 /// "1280x720": two whole numbers from 1 to 16384. Throws InputError.
 FrameSize parseFrameSize(const std::string& text);
+
+/// A row of the debug view's table and its range. Throws InputError listing the ids there are.
+SurfaceViewSettings parseView(const std::string& id, const std::string& range);
 
 /// The camera of that name; without a name "main", else the first, else the default camera. Throws InputError listing
 /// the names there are.

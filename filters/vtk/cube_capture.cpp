@@ -93,8 +93,12 @@ void CubeCapture::captureFace(const CaptureSettings& settings, int face, const s
   faceCamera_->SetViewUp(up.x, up.y, up.z);
   faceCamera_->SetClippingRange(settings.nearDistance, settings.farDistance);
   const int size = radiance.faceSize() * settings.samplesPerTexelSide;
+  // A probe photographs the scene, not the debug view of it.
+  const int view = state_->debug.view;
+  state_->debug.view = 0;
   const auto* color = std::get_if<glm::vec3>(&settings.clear);
   renderInto(faceCamera_, size, size, props, lights, color != nullptr ? *color : glm::vec3(0.0f));
+  state_->debug.view = view;
 
   const PassState saved(window_);
   faces_.bind(window_, radiance, face, 0, distance);

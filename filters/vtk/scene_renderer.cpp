@@ -6,11 +6,17 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "filters/vtk/cube_capture.h"
 #include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/probe_set.h"
 #include "filters/vtk/scene_content.h"
 #include "filters/vtk/static_textures.h"
+#include "filters/vtk/surface_inspector.h"
+#include "filters/vtk/view_legend.h"
 
 namespace boxprobe {
 
@@ -19,7 +25,8 @@ struct SceneRenderer::Impl {
       : window(w),
         state(std::make_shared<DrawState>()),
         capture(w, state),
-        probes(w, state, &capture, &content, &times) {}
+        probes(w, state, &capture, &content, &times),
+        inspector(w, state, &content) {}
 
   vtkOpenGLRenderWindow* window;
   std::shared_ptr<DrawState> state;
@@ -29,12 +36,47 @@ struct SceneRenderer::Impl {
   SceneContent content;
   CubeCapture capture;
   ProbeSet probes;
+  SurfaceInspector inspector;
+  ViewLegend legend;
+  SurfaceViewSettings view;
 
   void beginFrame();
+  std::pair<double, double> viewRange() const;
+  void applyView();
 };
+
+// A row without a range of its own takes one from the scene: distances up to the scene's diagonal, levels up to the
+// longest chain.
+std::pair<double, double> SceneRenderer::Impl::viewRange() const {
+  const SurfaceViewRow& row = surfaceViews()[static_cast<std::size_t>(view.view)];
+  double low = row.low, high = row.high;
+  if (row.kind == ViewKind::Scalar && low == high) {
+    if (row.id == "level") {
+      for (const Probe& probe : content.scene.probes) high = std::max(high, prefilterLevels(probe.faceSize) - 1.0);
+    } else {
+      const double diagonal = glm::length(content.bounds().size());
+      const double digit = std::pow(10.0, std::floor(std::log10(std::max(diagonal, 1.0e-30))));
+      high = std::ceil(diagonal / digit) * digit * (row.id == "hit-error" ? 0.1 : 1.0);
+    }
+    if (high <= low) high = low + 1.0;
+  }
+  return {view.low.value_or(low), view.high.value_or(high)};
+}
+
+void SceneRenderer::Impl::applyView() {
+  for (DrawnObject& object : content.objects) object.mapper->SetDebug(view.view != 0);
+  const auto [low, high] = viewRange();
+  state->debug.view = view.view;
+  state->debug.low = static_cast<float>(low);
+  state->debug.high = static_cast<float>(high);
+  std::vector<std::string> names;
+  for (const Probe& probe : content.scene.probes) names.push_back(probe.name);
+  legend.show(renderer, surfaceViews()[static_cast<std::size_t>(view.view)], low, high, names);
+}
 
 void SceneRenderer::Impl::beginFrame() {
   makeStaticTextures(window, *state);
+  if (view.view != 0) legend.upload(window, state->debug);
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   state->exposure = static_cast<float>(content.scene.exposure);
   state->counters.drawsByProbeCount = {};
@@ -84,6 +126,7 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   if (models) {
     d.state->error.clear();
     content.rebuildObjects(d.renderer, d.state);
+    d.inspector.forgetObjects();
   }
   if (objects) {
     for (DrawnObject& object : content.objects) applyOverrides(object, scene);
@@ -95,6 +138,37 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
     d.probes.assignToObjects();
   }
   if (objects || probes || changes.lights || changes.sky) d.probes.updateCaptures();
+  if (d.view.view != 0) d.applyView();
+}
+
+void SceneRenderer::setView(const SurfaceViewSettings& settings) {
+  if (impl_->view == settings) return;
+  impl_->view = settings;
+  impl_->applyView();
+}
+
+const SurfaceViewSettings& SceneRenderer::view() const {
+  return impl_->view;
+}
+
+std::pair<double, double> SceneRenderer::viewRange() const {
+  return impl_->viewRange();
+}
+
+Explanation SceneRenderer::explain(int x, int y, int width, int height) {
+  return explain({glm::ivec2(x, y)}, width, height).front();
+}
+
+std::vector<Explanation> SceneRenderer::explain(const std::vector<glm::ivec2>& pixels, int width, int height) {
+  Impl& d = *impl_;
+  d.window->MakeCurrent();
+  makeStaticTextures(d.window, *d.state);
+  d.renderer->ResetCameraClippingRange();
+  vtkCamera* camera = d.renderer->GetActiveCamera();
+  std::vector<Explanation> result = d.inspector.explain(camera, width, height, pixels);
+  // The surface capture left its camera's lighting uniforms behind in shared programs; see CubeCapture::renderInto.
+  camera->Modified();
+  return result;
 }
 
 void SceneRenderer::setInteractive(bool interactive) {
@@ -191,7 +265,8 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
   for (DrawnObject& object : d.content.objects) {
     if (object.settings.visible) props.push_back(object.actor);
   }
-  props.push_back(d.content.sky);
+  // The sky has no value in the debug view: it stays transparent.
+  if (d.view.view == 0) props.push_back(d.content.sky);
   vtkCamera* camera = d.renderer->GetActiveCamera();
   ImageRgbaF image =
       d.capture.renderFrame(camera, width, height, samplesPerSide(samplesPerPixel), props, d.content.lightPointers());
@@ -227,6 +302,9 @@ void SceneRenderer::releaseGraphics() {
   d.window->MakeCurrent();
   d.probes.release();
   d.capture.release();
+  d.inspector.release();
+  if (d.state->debug.colorMap != 0) glDeleteTextures(1, &d.state->debug.colorMap);
+  d.state->debug.colorMap = 0;
   releaseStaticTextures(*d.state);
   d.content.sky->ReleaseGraphicsResources(d.window);
 }

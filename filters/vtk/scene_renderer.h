@@ -11,9 +11,12 @@
 #include <vtkSmartPointer.h>
 
 #include <functional>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "filters/core/baked_probe.h"
 #include "filters/core/counters.h"
@@ -84,10 +87,14 @@ class SceneRenderer {
   /// further programs when it is first drawn.
   void setView(const SurfaceViewSettings& settings);
   const SurfaceViewSettings& view() const;
+  /// The range the active view shows, the scene's own where none is locked.
+  std::pair<double, double> viewRange() const;
 
   /// The whole calculation of one pixel of a picture of `width` x `height` through the current camera; x, y from the
   /// top left. Draws that pixel only.
   Explanation explain(int x, int y, int width, int height);
+  /// Many pixels of one picture: the surfaces are drawn once.
+  std::vector<Explanation> explain(const std::vector<glm::ivec2>& pixels, int width, int height);
 
   /// The maps a probe shows now, read back; nothing while it has none. An empty name stands for the sky.
   std::optional<BakedMaps> readMaps(const std::string& probeName) const;

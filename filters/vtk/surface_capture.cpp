@@ -115,10 +115,10 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
       const auto from = static_cast<std::size_t>((rect.height - 1 - row) * rect.width + column);
       SurfacePixel& pixel = pixels[static_cast<std::size_t>(row * rect.width + column)];
       const glm::vec4 place = values[1][from];
+      pixel.color = glm::vec3(values[0][from]);
       pixel.object = static_cast<int>(place.w + 0.5f);
       if (pixel.object == 0) continue;
       SurfacePoint& p = pixel.point;
-      pixel.color = glm::vec3(values[0][from]);
       p.eyeWorld = eye;
       p.positionWorld = eye + glm::dvec3(place);
       p.viewWorld = camera->GetParallelProjection() != 0 ? glm::vec3(-towardsEye) : -glm::normalize(glm::vec3(place));

@@ -1,0 +1,15 @@
+// What every sub-command that draws does between loading a scene and using it. Called by render, explain and bake.
+#pragma once
+
+namespace boxprobe {
+
+class InterruptGuard;
+class SceneRenderer;
+
+/// A picture without its reflections, or with a mesh missing, must not pass for the real one: throws WorkError.
+void requireHealthy(const SceneRenderer& renderer);
+
+/// Captures and filters what the scene needs, with a progress line; stops early when interrupted.
+void captureProbes(SceneRenderer& renderer, const InterruptGuard& interrupt, bool quiet);
+
+}  // namespace boxprobe

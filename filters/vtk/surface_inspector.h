@@ -1,0 +1,56 @@
+// Explains pixels of the current picture: reads what the surface is from the GPU, looks up the same maps on the CPU,
+// and hands both to explainPixel. Draws twins of the objects with the debug view's programs, so that the picture's own
+// programs stay as they are; a twin is made when it is first under the pointer. Owned by the scene renderer.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "filters/core/baked_probe.h"
+#include "filters/core/explain_pixel.h"
+#include "filters/math/brdf_table.h"
+#include "filters/vtk/scene_content.h"
+#include "filters/vtk/surface_capture.h"
+
+class vtkCamera;
+
+namespace boxprobe {
+
+class SurfaceInspector {
+ public:
+  SurfaceInspector(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, SceneContent* content);
+
+  /// One explanation for each of `pixels` (x, y from the top left) of a picture of width x height. The context must be
+  /// current. A single pixel draws that pixel only; several draw the picture once.
+  std::vector<Explanation> explain(vtkCamera* camera, int width, int height, const std::vector<glm::ivec2>& pixels);
+
+  /// The objects were replaced.
+  void forgetObjects() { twins_.clear(); }
+  void release();
+
+ private:
+  struct Twin {
+    vtkSmartPointer<vtkActor> actor;
+    vtkSmartPointer<vtkProbePolyDataMapper> mapper;
+  };
+  vtkProp* twinOf(std::size_t object);
+  std::vector<vtkProp*> twinsAt(vtkCamera* camera, double aspect, const glm::dvec2& center, const glm::dvec2& halfSize);
+  const BakedMaps* onCpu(const std::shared_ptr<const ProbeMaps>& maps);
+  Explanation explainOne(const SurfacePixel& pixel);
+
+  vtkOpenGLRenderWindow* window_;
+  std::shared_ptr<DrawState> state_;
+  SceneContent* content_;
+  SurfaceCapture capture_;
+  BrdfTable brdf_;
+  std::map<std::size_t, Twin> twins_;
+  struct Copy {
+    std::weak_ptr<const ProbeMaps> of;
+    std::unique_ptr<BakedMaps> maps;
+  };
+  std::vector<Copy> copies_;  ///< maps read back; those whose original is gone are dropped
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,36 @@
+// The debug view's colours and the bar that explains them: one source for what the shader shows and what the legend
+// says. Owned by the scene renderer; draws into the window only, never into captures or linear pictures.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+#include "filters/core/surface_view.h"
+#include "filters/vtk/draw_state.h"
+
+class vtkColorTransferFunction;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkScalarBarActor;
+
+namespace boxprobe {
+
+class ViewLegend {
+ public:
+  ViewLegend();
+  ~ViewLegend();
+
+  /// The bar of a view with its range; for the view of weights, a swatch for each probe. Row 0 takes the bar away.
+  void show(vtkRenderer* renderer, const SurfaceViewRow& row, double low, double high,
+            const std::vector<std::string>& probeNames);
+  /// The colour map as the shader reads it. The context must be current.
+  void upload(vtkOpenGLRenderWindow* window, DebugDraw& debug) const;
+
+ private:
+  vtkSmartPointer<vtkColorTransferFunction> colors_;
+  vtkSmartPointer<vtkScalarBarActor> bar_;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,271 @@
+// The CPU's account of a pixel agrees with the pixel: random pixels of every scene, through every camera, with every
+// technique, several probes and rotated boxes. And the debug view's numbers in the shader are those of the account.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <random>
+
+#include "filters/core/explanation_text.h"
+#include "filters/core/surface_view.h"
+#include "filters/math/technique_table.h"
+#include "tests/support/scene_picture.h"
+
+namespace {
+
+using namespace boxprobe;
+using namespace boxprobe::test;
+
+struct Case {
+  std::string name;
+  Scene scene;
+};
+
+Scene fileScene(const std::string& name) {
+  Scene scene = ScenePicture::fromFile("scenes/" + name + ".boxprobe.json", 8, 8).scene;
+  for (Probe& probe : scene.probes) {
+    probe.faceSize = 128;
+    probe.bounces = 1;
+  }
+  return scene;
+}
+
+/// Three probes of two importances side by side over the building, one of them turned, with different techniques.
+Scene manyProbes() {
+  Scene scene = fileScene("building");
+  const Probe room = scene.probes.front();
+  scene.probes.clear();
+  Probe left = room, right = room, nested = room;
+  left.name = "left";
+  left.box.max.x = 0.8;
+  left.influence.reset();
+  left.origin = {-2.0, 1.5, 0.4};
+  left.blendDistance = {glm::dvec3(1.5), glm::dvec3(1.5)};
+  right.name = "right";
+  right.box.min.x = -0.8;
+  right.influence.reset();
+  right.origin = {2.2, 1.7, -0.3};
+  right.rotationDegrees = {0.0, 20.0, 5.0};
+  right.technique = "sphere";
+  right.intensity = 1.4;
+  nested.name = "nested";
+  nested.importance = 2.0;
+  nested.box = {{-1.5, -0.1, -1.5}, {1.5, 2.0, 1.5}};
+  nested.influence.reset();
+  nested.blendDistance = {glm::dvec3(0.7), glm::dvec3(0.7)};
+  scene.probes = {left, right, nested};
+  scene.lights.push_back({LightType::Point, {0, -1, 0}, {1.0, 3.0, 1.0}, {1.0f, 0.8f, 0.6f}, 6.0f});
+  return scene;
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> result = {{"room", fileScene("room")},
+                              {"building", fileScene("building")},
+                              {"six-faces", fileScene("six-faces")},
+                              {"several probes, one turned, a point light", manyProbes()}};
+  Scene rough = fileScene("room");
+  for (auto& [name, material] : rough.materials) material.roughness = 0.3f;
+  rough.materials["floor"].roughness = 0.4f;
+  rough.materials["floor"].coat = 0.8f;
+  rough.sky = SkyImage{std::string(BOXPROBE_DATA_DIR) + "/scenes/sky.hdr"};
+  rough.probes.front().box.max.y *= 0.8;
+  rough.probes.front().influence.reset();
+  result.push_back({"room, rough under a clear coat, sky from a picture", rough});
+  return result;
+}
+
+std::string mixedTechnique(std::size_t i) {
+  const auto& projections = projectionRows();
+  const auto& evaluations = evaluationRows();
+  return std::string(projections[i % projections.size()].id) + "+" +
+         std::string(evaluations[(i / projections.size()) % evaluations.size()].id);
+}
+
+TEST(Explain, AgreesWithThePicture) {
+  constexpr int kWidth = 480, kHeight = 270;
+  constexpr std::size_t kPixels = 100000;
+  const std::vector<Case> all = cases();
+  std::mt19937 random(7);
+  std::size_t compared = 0, beyond = 0, onBox = 0, offBox = 0;
+  double worst = 0.0;
+  std::string worstText, worstCase;
+  struct Work {
+    const Case* of;
+    Camera camera;
+    std::string technique;
+  };
+  std::vector<Work> work;
+  for (const Case& c : all) {
+    std::size_t i = 0;
+    for (const Camera& camera : c.scene.cameras) {
+      work.push_back({&c, camera, ""});
+      if (i++ == 0) {
+        const std::size_t techniques = projectionRows().size() * evaluationRows().size();
+        for (std::size_t t = 0; t < techniques; ++t) work.push_back({&c, camera, mixedTechnique(t)});
+      }
+    }
+  }
+  const std::size_t each = kPixels / work.size() + 1;
+  std::unique_ptr<ScenePicture> picture;
+  const Case* shown = nullptr;
+  for (const Work& w : work) {
+    if (w.of != shown) {
+      picture = std::make_unique<ScenePicture>(w.of->scene, kWidth, kHeight);
+      shown = w.of;
+    }
+    picture->scene = w.of->scene;
+    for (Probe& probe : picture->scene.probes) {
+      if (!w.technique.empty()) probe.technique = w.technique;
+    }
+    picture->show(w.camera);
+    const ImageRgbaF image = picture->linear(1);
+    std::vector<glm::ivec2> pixels;
+    for (std::size_t i = 0; i < each; ++i) {
+      pixels.emplace_back(random() % kWidth, random() % kHeight);
+    }
+    for (const Explanation& e : picture->renderer->explain(pixels, kWidth, kHeight)) {
+      if (!e.hit) continue;
+      const float* p = &image.pixels[static_cast<std::size_t>(e.y * kWidth + e.x) * 4];
+      const glm::vec3 drawn(p[0], p[1], p[2]);
+      // Relative to the brightest texel fetched; what no texel lights (direct light, emission) to the colour itself.
+      const float scale = std::max({e.brightestTexel, e.color.x, e.color.y, e.color.z, 1.0e-3f});
+      const glm::vec3 d = glm::abs(drawn - e.color);
+      const double error = std::max({d.x, d.y, d.z}) / scale;
+      ++compared;
+      if (!(error <= 2.0e-3)) ++beyond;
+      if (!(error <= worst)) {
+        worst = error;
+        worstText = explanationText(e);
+        worstCase = w.of->name + ", camera " + w.camera.name + ", " + w.technique;
+      }
+      for (const ProbeExplanation& probe : e.probes) {
+        if (!probe.slabFactors || !probe.hitDistance) continue;
+        const glm::vec3 size = probe.boxMax - probe.boxMin;
+        const glm::vec3 low = glm::abs(probe.lookupDirection - probe.boxMin);
+        const glm::vec3 high = glm::abs(probe.lookupDirection - probe.boxMax);
+        const glm::vec3 nearest = glm::min(low, high);
+        const bool on = std::min({nearest.x, nearest.y, nearest.z}) <= 1.0e-5f * std::max({size.x, size.y, size.z});
+        // A start outside the box is pulled on to it only along the axes it is outside of.
+        const glm::vec3 slack = 1.0e-5f * size;
+        const bool inside = glm::all(glm::greaterThanEqual(probe.positionProbe, probe.boxMin - slack)) &&
+                            glm::all(glm::lessThanEqual(probe.positionProbe, probe.boxMax + slack));
+        if (inside) ++(on ? onBox : offBox);
+      }
+    }
+  }
+  std::printf("  %zu pixels compared, %zu beyond 2e-3 (%.4f %%), worst %.2e (%s):\n%s", compared, beyond,
+              100.0 * static_cast<double>(beyond) / static_cast<double>(compared), worst, worstCase.c_str(),
+              worstText.c_str());
+  std::printf("  %zu hits within 1e-5 of the box's size from it, %zu not\n", onBox, offBox);
+  EXPECT_GT(compared, kPixels / 2);
+  EXPECT_LE(static_cast<double>(beyond), 1.0e-3 * static_cast<double>(compared));
+  EXPECT_GT(onBox, 10000u);
+  EXPECT_EQ(offBox, 0u);
+}
+
+// A single pixel, which draws the objects under it alone, gives what the whole picture does.
+TEST(Explain, OnePixelAlone) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/building.boxprobe.json", 64, 64);
+  picture.scene.probes.front().faceSize = 64;
+  picture.scene.probes.front().bounces = 1;
+  picture.show(cameraNamed(picture.scene, "main"));
+  std::vector<glm::ivec2> pixels;
+  for (int i = 0; i < 40; ++i) pixels.emplace_back((i * 37) % 320, (i * 53) % 180);
+  const auto together = picture.renderer->explain(pixels, 320, 180);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Explanation alone = picture.renderer->explain(pixels[i].x, pixels[i].y, 320, 180);
+    EXPECT_EQ(alone.hit, together[i].hit);
+    EXPECT_EQ(alone.surface.object, together[i].surface.object) << pixels[i].x << "," << pixels[i].y;
+    EXPECT_LE(glm::length(alone.color - together[i].color), 1.0e-5f * (1.0f + glm::length(alone.color)));
+  }
+}
+
+class Views : public testing::TestWithParam<int> {};
+
+// The shader's number and the account's, over a picture of each scene.
+TEST_P(Views, SameNumberAsTheExplanation) {
+  const SurfaceViewRow& row = surfaceViews()[static_cast<std::size_t>(GetParam())];
+  std::size_t compared = 0, different = 0, defined = 0;
+  for (const Case& c : {Case{"building", fileScene("building")}, Case{"several", manyProbes()}}) {
+    constexpr int kWidth = 160, kHeight = 90;
+    ScenePicture picture(c.scene, kWidth, kHeight);
+    for (Probe& probe : picture.scene.probes) probe.faceSize = 64;
+    picture.scene.materials["floor"].roughness = 0.3f;
+    picture.renderer->setView({GetParam(), {}, {}});
+    picture.show(picture.scene.cameras.front());
+    keepPicture(picture.display(), "view_" + std::string(row.id) + "_" + c.name);
+    const ImageRgbaF image = picture.linear(1);
+    std::vector<glm::ivec2> pixels;
+    for (int i = 0; i < 2000; ++i) pixels.emplace_back((i * 37) % kWidth, (i * 53) % kHeight);
+    for (const Explanation& e : picture.renderer->explain(pixels, kWidth, kHeight)) {
+      const float* p = &image.pixels[static_cast<std::size_t>(e.y * kWidth + e.x) * 4];
+      if (!e.hit) continue;
+      const auto value = row.value(e);
+      ++compared;
+      defined += value.has_value();
+      const glm::vec3 expected = value.value_or(glm::vec3(-1.0f));
+      const glm::vec3 d = glm::abs(glm::vec3(p[0], p[1], p[2]) - expected);
+      const float scale = std::max(1.0f, glm::length(expected));
+      const bool same = std::max({d.x, d.y, d.z}) <= 2.0e-3f * scale;
+      different += !same;
+      if (!same && different <= 3) {
+        std::printf("  %s at %d,%d: shader %g %g %g, explanation %g %g %g\n", c.name.c_str(), e.x, e.y, p[0], p[1],
+                    p[2], expected.x, expected.y, expected.z);
+      }
+    }
+  }
+  std::printf("  %s: %zu of %zu differ, %zu defined\n", std::string(row.id).c_str(), different, compared, defined);
+  EXPECT_GT(defined, compared / 2);
+  // Where a ray grazes an edge of the box or of what the probe saw, rounding decides between two answers.
+  EXPECT_LE(static_cast<double>(different), 5.0e-3 * static_cast<double>(compared));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Views, testing::Range(1, static_cast<int>(surfaceViews().size())),
+                         [](const testing::TestParamInfo<int>& row) {
+                           std::string name(surfaceViews()[static_cast<std::size_t>(row.param)].id);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(View, CaptureIsOfTheSceneNotOfTheView) {
+  ScenePicture plain = ScenePicture::fromFile("scenes/six-faces.boxprobe.json", 64, 64);
+  plain.show(plain.scene.cameras.front());
+  ScenePicture viewed = ScenePicture::fromFile("scenes/six-faces.boxprobe.json", 64, 64);
+  viewed.renderer->setView({1, {}, {}});
+  viewed.show(viewed.scene.cameras.front());
+  viewed.renderer->setView({0, {}, {}});
+  EXPECT_EQ(plain.display().pixels, viewed.display().pixels);
+}
+
+// In a room that is its box the true hit is the box's: the distance cubemap's answer is exact on planes.
+TEST(Explain, TrueHitInARoomIsTheBoxHit) {
+  ScenePicture picture(fileScene("six-faces"), 64, 64);
+  picture.show(picture.scene.cameras.front());
+  std::vector<glm::ivec2> pixels;
+  for (int i = 0; i < 3000; ++i) pixels.emplace_back((i * 37) % 320, (i * 53) % 180);
+  std::vector<float> errors;
+  std::size_t unknown = 0;
+  for (const Explanation& e : picture.renderer->explain(pixels, 320, 180)) {
+    for (const ProbeExplanation& p : e.probes) {
+      if (!p.hitDistance) continue;
+      if (!p.trueDistance) {
+        ++unknown;
+        continue;
+      }
+      errors.push_back(std::abs(*p.hitDistance - *p.trueDistance) / glm::length(p.boxMax - p.boxMin));
+    }
+  }
+  ASSERT_GT(errors.size(), 1000u);
+  std::sort(errors.begin(), errors.end());
+  std::printf("  true hit against box hit: median %.1e of the box's diagonal, 99 %% %.1e, worst %.1e, %zu unknown\n",
+              static_cast<double>(errors[errors.size() / 2]), static_cast<double>(errors[errors.size() * 99 / 100]),
+              static_cast<double>(errors.back()), unknown);
+  EXPECT_LT(errors[errors.size() / 2], 1.0e-4f);
+  EXPECT_LT(errors[errors.size() * 95 / 100], 5.0e-3f);
+}
+
+}  // namespace
