@@ -1,0 +1,60 @@
+/**
+ * @class vtkRayLinesProp
+ * @brief lines of constant width in pixels with a halo, over the scene they are in
+ *
+ * Drawn after everything else of its renderer, against its depth: what surfaces hide is dashed and faint, not lost. One
+ * buffer of ends, colours and widths; new lines upload that buffer, a moved camera uploads nothing. Does not stretch
+ * the camera's clipping range, is not picked. Knows nothing of rays: see RayLayer.
+ */
+#pragma once
+
+#include <vtkProp.h>
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+class vtkShaderProgram;
+
+namespace boxprobe {
+
+/// As the vertex shader reads it. A line without length is a dot of that width.
+struct DrawnLine {
+  glm::vec3 from{0.0f}, to{0.0f};  ///< relative to the anchor
+  glm::vec3 color{1.0f};           ///< display
+  float widthPixels = 2.0f;
+  float arrow = 0.0f;  ///< 1: a head at `to`
+};
+
+}  // namespace boxprobe
+
+class vtkRayLinesProp : public vtkProp {
+ public:
+  static vtkRayLinesProp* New();
+  vtkTypeMacro(vtkRayLinesProp, vtkProp)
+
+      void SetLines(std::vector<boxprobe::DrawnLine> lines, const glm::dvec3& anchorWorld);
+  /** Device pixels a logical one, for screens of high density. */
+  void SetPixelScale(float scale);
+
+  int RenderOverlay(vtkViewport* viewport) override;
+  double* GetBounds() override { return nullptr; }
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+ protected:
+  vtkRayLinesProp();
+  ~vtkRayLinesProp() override;
+
+ private:
+  vtkRayLinesProp(const vtkRayLinesProp&) = delete;
+  void operator=(const vtkRayLinesProp&) = delete;
+  void Upload();
+  void BuildArray();
+
+  std::vector<boxprobe::DrawnLine> Lines;
+  glm::dvec3 AnchorWorld{0.0};
+  float PixelScale = 1.0f;
+  bool LinesChanged = true;
+  vtkShaderProgram* Program = nullptr;  // the window's shader cache owns it
+  unsigned int VertexArray = 0;
+  unsigned int Buffer = 0;
+};

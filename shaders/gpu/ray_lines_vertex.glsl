@@ -1,0 +1,59 @@
+// A line of constant width in pixels as a rectangle facing the screen, one instance a line, four corners each. The ends are
+// projected here, so moving the camera uploads nothing but two matrices.
+in vec3 bpFrom;    // relative to the lines' anchor, which was subtracted in double
+in vec3 bpTo;
+in vec3 bpColor;
+in vec2 bpShape;   // width in pixels; 1: an arrow head at the end
+
+uniform mat4 bpClipFromLine;
+uniform mat4 bpPulledFromLine; // the same a little nearer to the eye: only its depth is used, so a line on a wall wins over it
+uniform vec2 bpHalfViewport;   // pixels
+uniform float bpNear;          // view depth before which a line is cut; below 0 in parallel projection: nowhere
+uniform float bpPixelScale;    // device pixels a logical one
+
+out vec2 place;                // pixels along and across, 0 at the start
+flat out float lineLength;     // pixels
+flat out vec3 lineColor;
+flat out vec2 lineShape;       // half width in pixels; arrow
+
+const float kReach = 7.0f;     // beyond the ends and to the sides: halo, arrow head, smooth edge
+
+void main()
+{
+  vec4 a = bpClipFromLine * vec4(bpFrom, 1.0f);
+  vec4 b = bpClipFromLine * vec4(bpTo, 1.0f);
+  vec4 pulledA = bpPulledFromLine * vec4(bpFrom, 1.0f);
+  vec4 pulledB = bpPulledFromLine * vec4(bpTo, 1.0f);
+  place = vec2(0.0f);
+  lineLength = 0.0f;
+  lineColor = bpColor;
+  lineShape = vec2(0.5f * bpShape.x * bpPixelScale, bpShape.y);
+  // Behind the eye there is nothing to project: the part before `bpNear` is cut off.
+  if (a.w < bpNear && b.w < bpNear) { gl_Position = vec4(0.0f, 0.0f, 2.0f, 1.0f); return; }
+  if (a.w < bpNear)
+  {
+    float t = (bpNear - a.w) / (b.w - a.w);
+    a = mix(a, b, t);
+    pulledA = mix(pulledA, pulledB, t);
+  }
+  else if (b.w < bpNear)
+  {
+    float t = (bpNear - b.w) / (a.w - b.w);
+    b = mix(b, a, t);
+    pulledB = mix(pulledB, pulledA, t);
+  }
+  vec2 start = a.xy / a.w * bpHalfViewport;
+  vec2 end = b.xy / b.w * bpHalfViewport;
+  vec2 along = end - start;
+  lineLength = length(along);
+  along = lineLength > 1.0e-3f ? along / lineLength : vec2(1.0f, 0.0f);
+  vec2 across = vec2(-along.y, along.x);
+  float reach = lineShape.x + kReach * bpPixelScale;
+  bool atEnd = (gl_VertexID & 1) == 1;
+  float side = (gl_VertexID & 2) == 2 ? reach : -reach;
+  vec2 corner = (atEnd ? end + reach * along : start - reach * along) + side * across;
+  place = vec2(atEnd ? lineLength + reach : -reach, side);
+  // w = 1: depth and place run linearly over the screen.
+  float depth = atEnd ? pulledB.z / pulledB.w : pulledA.z / pulledA.w;
+  gl_Position = vec4(corner / bpHalfViewport, depth, 1.0f);
+}
