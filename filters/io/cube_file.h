@@ -9,6 +9,7 @@
 
 #include "filters/core/baked_probe.h"
 #include "filters/core/scene.h"
+#include "filters/io/exr_precision.h"
 
 namespace boxprobe {
 
@@ -34,8 +35,9 @@ struct BakedProbeFile {
 };
 
 /// Our own file of a probe: every level with coverage, distance, irradiance and metadata, exact to half precision and
-/// readable as an environment map by others. Written to a temporary file and renamed. Throws WorkError.
-void saveBakedProbe(const std::string& path, const BakedProbeFile& file);
+/// readable as an environment map by others. Equal input, equal bytes. Written to a temporary file and renamed. Throws
+/// WorkError.
+void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrecision precision = ExrPrecision::Half);
 /// Throws InputError naming file, part and attribute.
 BakedProbeFile loadBakedProbe(const std::string& path);
 /// The hash alone, from the header; nothing if the file is missing, damaged or not one of ours. Never throws.

@@ -1,0 +1,132 @@
+// A baked probe's file: exact for us, whole or refused, and its metadata.
+#include <OpenEXR/ImfEnvmap.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfVecAttribute.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/unit/cube_pictures.h"
+#include "tests/unit/error_text.h"
+#include "tests/unit/temporary_folder.h"
+
+namespace boxprobe {
+namespace {
+
+class CubeBaked : public TemporaryFolder {};
+
+BakedProbeFile example(int faceSize = 32, int levels = 6) {
+  BakedProbeFile file;
+  file.maps.radiance = noisyHalfCube(faceSize, levels);
+  file.maps.distance = CubeMap(faceSize, 1);
+  for (int i = 0; i < 6 * faceSize * faceSize; ++i) file.maps.distance.face(0, 0)[4 * i] = 0.1f * static_cast<float>(i);
+  for (std::size_t i = 0; i < 9; ++i)
+    file.maps.irradiance[i] = glm::vec3(0.1f, -0.2f, 1e-7f) * static_cast<float>(i + 1);
+  file.maps.capturedAt = {0.1, 1e6 + 1e-7, -3.0};
+  Probe& probe = file.info.probe;
+  probe.name = "true";  // reads like another type
+  probe.origin = file.maps.capturedAt;
+  probe.box = {{-1.25, -2, -3}, {4, 5, 6.1}};
+  probe.influence = Box{{-1, -1, -1}, {1, 1, 1}};
+  probe.rotationDegrees = {0, 30.5, 0};
+  probe.blendDistance = {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}};
+  probe.clear = glm::vec3(0.3f, 0.0f, 1.0f);
+  probe.projection = false;
+  probe.technique = "sphere";
+  probe.parameters = {{"samples", 64.0}, {"animated", true}, {"pattern", std::string("blue")}};
+  probe.faceSize = faceSize;
+  probe.bounces = 3;
+  probe.mode = ProbeUpdate::Custom;
+  probe.image = "room.exr";
+  probe.filter = FilterKind::Gaussian;
+  probe.hides = {"lamp", "mirror [1]"};
+  probe.bevel = Bevel{0.3, 1.0};
+  probe.occlusion = BoxOcclusion{2.0, 1.5, 0.5};
+  file.info.inputHash = "0123abcd";
+  file.info.program = "Boxprobe 0.1.0";
+  return file;
+}
+
+TEST_F(CubeBaked, EveryTexelAndValueComesBack) {
+  for (const int levels : {1, 4, 6}) {
+    BakedProbeFile file = example(32, levels);
+    file.info.probe.image = (folder_ / "pictures" / "room.exr").string();  // kept relative to the file
+    saveBakedProbe(this->file("a.exr"), file);
+    const BakedProbeFile again = loadBakedProbe(this->file("a.exr"));
+    EXPECT_TRUE(sameTexels(again.maps.radiance, file.maps.radiance)) << levels;
+    EXPECT_TRUE(sameTexels(again.maps.distance, file.maps.distance));
+    EXPECT_EQ(again.maps.irradiance, file.maps.irradiance);
+    EXPECT_EQ(again.maps.capturedAt, file.maps.capturedAt);
+    EXPECT_EQ(again.info.probe, file.info.probe);
+    EXPECT_EQ(again.info.inputHash, file.info.inputHash);
+    EXPECT_EQ(again.info.program, file.info.program);
+    EXPECT_EQ(bakedProbeHash(this->file("a.exr")), "0123abcd");
+    EXPECT_EQ(entryCount(), 1u);
+  }
+}
+
+TEST_F(CubeBaked, ADefaultProbeWithoutDistanceToo) {
+  BakedProbeFile file;
+  file.maps.radiance = noisyHalfCube(16, 5);
+  saveBakedProbe(this->file("a.exr"), file);
+  const BakedProbeFile again = loadBakedProbe(this->file("a.exr"));
+  EXPECT_TRUE(again.maps.distance.empty());
+  EXPECT_EQ(again.info.probe, file.info.probe);
+  EXPECT_EQ(bakedProbeHash(this->file("a.exr")), "");
+}
+
+TEST_F(CubeBaked, FloatKeepsWhatHalfRounds) {
+  BakedProbeFile file = example();
+  file.maps.radiance.setTexel(0, 3, 5, 6, {0.1f, 1e6f, 1e-9f, 1.0f});
+  saveBakedProbe(this->file("f.exr"), file, ExrPrecision::Float);
+  EXPECT_TRUE(sameTexels(loadBakedProbe(this->file("f.exr")).maps.radiance, file.maps.radiance));
+  saveBakedProbe(this->file("h.exr"), file);
+  const glm::vec4 rounded = loadBakedProbe(this->file("h.exr")).maps.radiance.texel(0, 3, 5, 6);
+  EXPECT_EQ(rounded.x, static_cast<float>(half(0.1f)));
+  EXPECT_EQ(rounded.y, 65504.0f);  // not infinity
+}
+
+TEST_F(CubeBaked, EqualInputEqualBytes) {
+  saveBakedProbe(file("a.exr"), example());
+  saveBakedProbe(file("b.exr"), example());
+  EXPECT_EQ(read("a.exr"), read("b.exr"));
+}
+
+TEST_F(CubeBaked, OtherProgramsSeeAnEnvironmentMapFirst) {
+  saveBakedProbe(file("a.exr"), example());
+  Imf::MultiPartInputFile exr(file("a.exr").c_str());
+  const Imf::Header& header = exr.header(0);
+  ASSERT_TRUE(Imf::hasEnvmap(header));
+  EXPECT_EQ(Imf::envmap(header), Imf::ENVMAP_CUBE);
+  EXPECT_EQ(header.dataWindow().max, Imath::V2i(31, 191));
+  EXPECT_EQ(header.tileDescription().mode, Imf::MIPMAP_LEVELS);
+  const auto* origin = header.findTypedAttribute<Imf::V3dAttribute>("probe.origin");
+  ASSERT_NE(origin, nullptr);
+  EXPECT_EQ(origin->value(), Imath::V3d(0.1, 1e6 + 1e-7, -3.0));
+}
+
+TEST_F(CubeBaked, WhatIsNoProbeIsSaidToBeNone) {
+  saveBakedProbe(file("a.exr"), example());
+  EXPECT_EQ(bakedProbeHash(file("gone.exr")), std::nullopt);
+  EXPECT_EQ(bakedProbeHash(folder_.string()), std::nullopt);
+  EXPECT_EQ(bakedProbeHash(write("empty.exr", "")), std::nullopt);
+  EXPECT_EQ(errorText([&] { loadBakedProbe(file("gone.exr")); }),
+            file("gone.exr") + ": does not exist; check the path");
+  BakedProbeFile odd;
+  odd.maps.radiance = CubeMap(24, 1);
+  EXPECT_NE(errorText<WorkError>([&] { saveBakedProbe(file("odd.exr"), odd); }).find("power of two"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("odd.exr")));
+}
+
+TEST_F(CubeBaked, AttributesOutOfRangeAreNamed) {
+  BakedProbeFile bad = example();
+  bad.info.probe.blendDistance.max.y = std::numeric_limits<double>::quiet_NaN();
+  saveBakedProbe(file("a.exr"), bad);
+  const std::string text = errorText([&] { loadBakedProbe(file("a.exr")); });
+  EXPECT_EQ(text.rfind(file("a.exr") + ": part 0: attributes: probes.true.blendDistance.max", 0), 0u) << text;
+}
+
+}  // namespace
+}  // namespace boxprobe
