@@ -274,6 +274,11 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
   return image;
 }
 
+std::shared_ptr<const BakedMaps> SceneRenderer::mapsOnCpu(const std::string& probeName) {
+  impl_->window->MakeCurrent();
+  return impl_->inspector.onCpu(probeName.empty() ? impl_->state->sky : impl_->probes.maps(probeName));
+}
+
 std::optional<BakedMaps> SceneRenderer::readMaps(const std::string& probeName) const {
   const auto maps = probeName.empty() ? impl_->state->sky : impl_->probes.maps(probeName);
   if (!maps) return std::nullopt;

@@ -98,6 +98,8 @@ class SceneRenderer {
 
   /// The maps a probe shows now, read back; nothing while it has none. An empty name stands for the sky.
   std::optional<BakedMaps> readMaps(const std::string& probeName) const;
+  /// The same copy that explain() looks up, read back once for each capture; null while it has none.
+  std::shared_ptr<const BakedMaps> mapsOnCpu(const std::string& probeName);
 
   const Counters& counters() const;
   const Times& times() const;

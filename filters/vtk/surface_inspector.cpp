@@ -65,15 +65,15 @@ std::vector<vtkProp*> SurfaceInspector::twinsAt(vtkCamera* camera, double aspect
   return result;
 }
 
-const BakedMaps* SurfaceInspector::onCpu(const std::shared_ptr<const ProbeMaps>& maps) {
+std::shared_ptr<const BakedMaps> SurfaceInspector::onCpu(const std::shared_ptr<const ProbeMaps>& maps) {
   if (!maps) return nullptr;
   copies_.erase(std::remove_if(copies_.begin(), copies_.end(), [](const Copy& c) { return c.of.expired(); }),
                 copies_.end());
   for (const Copy& copy : copies_) {
-    if (copy.of.lock() == maps) return copy.maps.get();
+    if (copy.of.lock() == maps) return copy.maps;
   }
-  copies_.push_back({maps, std::make_unique<BakedMaps>(readBack(*maps))});
-  return copies_.back().maps.get();
+  copies_.push_back({maps, std::make_shared<const BakedMaps>(readBack(*maps))});
+  return copies_.back().maps;
 }
 
 std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width, int height,
@@ -151,12 +151,12 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     probe.name = content_->scene.probes[static_cast<std::size_t>(drawn.index)].name;
     probe.group = groups[i];
     probe.geometry = drawn.geometry;
-    probe.maps = onCpu(drawn.maps);
+    probe.maps = onCpu(drawn.maps).get();
     in.probes.push_back(std::move(probe));
   }
   in.weights = binding.weights;
   in.sky = binding.sky;
-  in.skyMaps = onCpu(state_->sky);
+  in.skyMaps = onCpu(state_->sky).get();
   in.brdf = &brdf_;
   in.lights = content_->scene.lights;
   Explanation e = explainPixel(in);

@@ -26,6 +26,9 @@ class SurfaceInspector {
   /// current. A single pixel draws that pixel only; several draw the picture once.
   std::vector<Explanation> explain(vtkCamera* camera, int width, int height, const std::vector<glm::ivec2>& pixels);
 
+  /// The maps read back, once as long as they live; null for null. The context must be current.
+  std::shared_ptr<const BakedMaps> onCpu(const std::shared_ptr<const ProbeMaps>& maps);
+
   /// The objects were replaced.
   void forgetObjects() { twins_.clear(); }
   void release();
@@ -37,7 +40,6 @@ class SurfaceInspector {
   };
   vtkProp* twinOf(std::size_t object);
   std::vector<vtkProp*> twinsAt(vtkCamera* camera, double aspect, const glm::dvec2& center, const glm::dvec2& halfSize);
-  const BakedMaps* onCpu(const std::shared_ptr<const ProbeMaps>& maps);
   Explanation explainOne(const SurfacePixel& pixel);
 
   vtkOpenGLRenderWindow* window_;
@@ -48,7 +50,7 @@ class SurfaceInspector {
   std::map<std::size_t, Twin> twins_;
   struct Copy {
     std::weak_ptr<const ProbeMaps> of;
-    std::unique_ptr<BakedMaps> maps;
+    std::shared_ptr<const BakedMaps> maps;
   };
   std::vector<Copy> copies_;  ///< maps read back; those whose original is gone are dropped
 };
