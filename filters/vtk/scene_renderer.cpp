@@ -45,8 +45,14 @@ struct SceneRenderer::Impl {
   void applyView();
 };
 
-// A row without a range of its own takes one from the scene: distances up to the scene's diagonal, levels up to the
-// longest chain.
+// To two digits: the ends of a scale should be readable numbers.
+double roundedUp(double x) {
+  const double digit = std::pow(10.0, std::floor(std::log10(std::max(x, 1.0e-30))) - 1.0);
+  return std::ceil(x / digit) * digit;
+}
+
+// A row without a range of its own takes one from the scene: distances up to the largest box's diagonal, which no ray
+// inside of it exceeds, levels up to the longest chain.
 std::pair<double, double> SceneRenderer::Impl::viewRange() const {
   const SurfaceViewRow& row = surfaceViews()[static_cast<std::size_t>(view.view)];
   double low = row.low, high = row.high;
@@ -54,9 +60,10 @@ std::pair<double, double> SceneRenderer::Impl::viewRange() const {
     if (row.id == "level") {
       for (const Probe& probe : content.scene.probes) high = std::max(high, prefilterLevels(probe.faceSize) - 1.0);
     } else {
-      const double diagonal = glm::length(content.bounds().size());
-      const double digit = std::pow(10.0, std::floor(std::log10(std::max(diagonal, 1.0e-30))));
-      high = std::ceil(diagonal / digit) * digit * (row.id == "hit-error" ? 0.1 : 1.0);
+      double diagonal = 0.0;
+      for (const Probe& probe : content.scene.probes) diagonal = std::max(diagonal, glm::length(probe.box.size()));
+      if (diagonal == 0.0) diagonal = glm::length(content.bounds().size());
+      high = roundedUp(row.id == "hit-error" ? 0.1 * diagonal : diagonal);
     }
     if (high <= low) high = low + 1.0;
   }

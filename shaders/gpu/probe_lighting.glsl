@@ -58,7 +58,11 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   light.irradiance = vec3(0.0f);
   float remaining = 1.0f;
 #if BP_DEBUG
-  if (!bpCoat) { bpBest.share = 0.0f; }
+  if (!bpCoat)
+  {
+    bpBest.share = 0.0f;
+    bpBest.fetches = 0.0f;
+  }
 #endif
 
 #if BP_SLOTS > 0 && !BP_WEIGHTS

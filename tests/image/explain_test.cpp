@@ -180,56 +180,56 @@ TEST(Explain, OnePixelAlone) {
     const Explanation alone = picture.renderer->explain(pixels[i].x, pixels[i].y, 320, 180);
     EXPECT_EQ(alone.hit, together[i].hit);
     EXPECT_EQ(alone.surface.object, together[i].surface.object) << pixels[i].x << "," << pixels[i].y;
-    EXPECT_LE(glm::length(alone.color - together[i].color), 1.0e-5f * (1.0f + glm::length(alone.color)));
+    // Rasterized from another corner: positions differ in their last digits, and textures with them.
+    EXPECT_LE(glm::length(alone.color - together[i].color), 5.0e-3f * (1.0f + glm::length(alone.color)));
   }
 }
 
-class Views : public testing::TestWithParam<int> {};
-
-// The shader's number and the account's, over a picture of each scene.
-TEST_P(Views, SameNumberAsTheExplanation) {
-  const SurfaceViewRow& row = surfaceViews()[static_cast<std::size_t>(GetParam())];
-  std::size_t compared = 0, different = 0, defined = 0;
+// The shader's number and the account's, over a picture of each scene, for every row of the table.
+TEST(Views, SameNumbersAsTheExplanation) {
+  constexpr int kWidth = 160, kHeight = 90;
+  std::vector<glm::ivec2> pixels;
+  for (int i = 0; i < 2000; ++i) pixels.emplace_back((i * 37) % kWidth, (i * 53) % kHeight);
+  std::vector<std::size_t> compared(surfaceViews().size()), different = compared, defined = compared;
   for (const Case& c : {Case{"building", fileScene("building")}, Case{"several", manyProbes()}}) {
-    constexpr int kWidth = 160, kHeight = 90;
     ScenePicture picture(c.scene, kWidth, kHeight);
     for (Probe& probe : picture.scene.probes) probe.faceSize = 64;
     picture.scene.materials["floor"].roughness = 0.3f;
-    picture.renderer->setView({GetParam(), {}, {}});
     picture.show(picture.scene.cameras.front());
-    keepPicture(picture.display(), "view_" + std::string(row.id) + "_" + c.name);
-    const ImageRgbaF image = picture.linear(1);
-    std::vector<glm::ivec2> pixels;
-    for (int i = 0; i < 2000; ++i) pixels.emplace_back((i * 37) % kWidth, (i * 53) % kHeight);
-    for (const Explanation& e : picture.renderer->explain(pixels, kWidth, kHeight)) {
-      const float* p = &image.pixels[static_cast<std::size_t>(e.y * kWidth + e.x) * 4];
-      if (!e.hit) continue;
-      const auto value = row.value(e);
-      ++compared;
-      defined += value.has_value();
-      const glm::vec3 expected = value.value_or(glm::vec3(-1.0f));
-      const glm::vec3 d = glm::abs(glm::vec3(p[0], p[1], p[2]) - expected);
-      const float scale = std::max(1.0f, glm::length(expected));
-      const bool same = std::max({d.x, d.y, d.z}) <= 2.0e-3f * scale;
-      different += !same;
-      if (!same && different <= 3) {
-        std::printf("  %s at %d,%d: shader %g %g %g, explanation %g %g %g\n", c.name.c_str(), e.x, e.y, p[0], p[1],
-                    p[2], expected.x, expected.y, expected.z);
+    const std::vector<Explanation> explanations = picture.renderer->explain(pixels, kWidth, kHeight);
+    for (std::size_t view = 1; view < surfaceViews().size(); ++view) {
+      const SurfaceViewRow& row = surfaceViews()[view];
+      picture.renderer->setView({static_cast<int>(view), {}, {}});
+      keepPicture(picture.display(), "view_" + std::string(row.id) + "_" + c.name);
+      const ImageRgbaF image = picture.linear(1);
+      for (const Explanation& e : explanations) {
+        const float* p = &image.pixels[static_cast<std::size_t>(e.y * kWidth + e.x) * 4];
+        if (!e.hit) continue;
+        const auto value = row.value(e);
+        ++compared[view];
+        defined[view] += value.has_value();
+        const glm::vec3 expected = value.value_or(glm::vec3(-1.0f));
+        const glm::vec3 d = glm::abs(glm::vec3(p[0], p[1], p[2]) - expected);
+        const float scale = std::max(1.0f, glm::length(expected));
+        const bool same = std::max({d.x, d.y, d.z}) <= 2.0e-3f * scale;
+        different[view] += !same;
+        if (!same && different[view] <= 2) {
+          std::printf("  %s at %d,%d: shader %g %g %g, explanation %g %g %g\n", c.name.c_str(), e.x, e.y,
+                      static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]),
+                      static_cast<double>(expected.x), static_cast<double>(expected.y),
+                      static_cast<double>(expected.z));
+        }
       }
     }
   }
-  std::printf("  %s: %zu of %zu differ, %zu defined\n", std::string(row.id).c_str(), different, compared, defined);
-  EXPECT_GT(defined, compared / 2);
-  // Where a ray grazes an edge of the box or of what the probe saw, rounding decides between two answers.
-  EXPECT_LE(static_cast<double>(different), 5.0e-3 * static_cast<double>(compared));
+  for (std::size_t view = 1; view < surfaceViews().size(); ++view) {
+    const std::string id(surfaceViews()[view].id);
+    std::printf("  %s: %zu of %zu differ, %zu defined\n", id.c_str(), different[view], compared[view], defined[view]);
+    EXPECT_GT(defined[view], compared[view] / 2) << id;
+    // Where a ray grazes an edge of the box or of what the probe saw, rounding decides between two answers.
+    EXPECT_LE(static_cast<double>(different[view]), 5.0e-3 * static_cast<double>(compared[view])) << id;
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(All, Views, testing::Range(1, static_cast<int>(surfaceViews().size())),
-                         [](const testing::TestParamInfo<int>& row) {
-                           std::string name(surfaceViews()[static_cast<std::size_t>(row.param)].id);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
 
 TEST(View, CaptureIsOfTheSceneNotOfTheView) {
   ScenePicture plain = ScenePicture::fromFile("scenes/six-faces.boxprobe.json", 64, 64);
@@ -243,7 +243,7 @@ TEST(View, CaptureIsOfTheSceneNotOfTheView) {
 
 // In a room that is its box the true hit is the box's: the distance cubemap's answer is exact on planes.
 TEST(Explain, TrueHitInARoomIsTheBoxHit) {
-  ScenePicture picture(fileScene("six-faces"), 64, 64);
+  ScenePicture picture(fileScene("room"), 64, 64);
   picture.show(picture.scene.cameras.front());
   std::vector<glm::ivec2> pixels;
   for (int i = 0; i < 3000; ++i) pixels.emplace_back((i * 37) % 320, (i * 53) % 180);
