@@ -7,9 +7,11 @@
 #include <OpenEXR/ImfStringVectorAttribute.h>
 #include <OpenEXR/ImfVecAttribute.h>
 
+#include <charconv>
 #include <cmath>
 
 #include "filters/core/errors.h"
+#include "filters/core/number_text.h"
 #include "filters/core/one_line.h"
 #include "filters/io/scene_json.h"
 
@@ -23,6 +25,24 @@ bool isVector(const Json& value) {
   return value.is_array() && value.size() == 3 && value[0].is_number() && value[1].is_number() && value[2].is_number();
 }
 
+/// The double that people mean by a float: 1.6 for 1.6f, not 1.60000002384185791.
+double meant(float value) {
+  const std::string text = numberText(value);
+  double result = value;
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
+}
+
+// As v3f where that says it all, as it does for what people type: exrheader prints those, and not v3d.
+void addVector(Imf::Header& header, const std::string& name, const Imath::V3d& vector) {
+  const Imath::V3f narrow(vector);
+  if (Imath::V3d(meant(narrow.x), meant(narrow.y), meant(narrow.z)) == vector) {
+    header.insert(name, Imf::V3fAttribute(narrow));
+  } else {
+    header.insert(name, Imf::V3dAttribute(vector));
+  }
+}
+
 void addValue(Imf::Header& header, const std::string& name, const Json& value) {
   if (value.is_object()) {
     for (const auto& [key, member] : value.items()) addValue(header, name + "." + key, member);
@@ -33,8 +53,7 @@ void addValue(Imf::Header& header, const std::string& name, const Json& value) {
   } else if (value.is_string()) {
     header.insert(name, Imf::StringAttribute(value.get<std::string>()));
   } else if (isVector(value)) {
-    const Imath::V3d vector(value[0].get<double>(), value[1].get<double>(), value[2].get<double>());
-    header.insert(name, Imf::V3dAttribute(vector));
+    addVector(header, name, {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()});
   } else if (!value.empty()) {
     header.insert(name, Imf::StringVectorAttribute(value.get<Imf::StringVector>()));
   }
@@ -47,14 +66,23 @@ Json numberJson(double value) {
   return value;
 }
 
+std::optional<glm::dvec3> vectorValue(const Imf::Attribute& attribute) {
+  if (const auto* wide = dynamic_cast<const Imf::V3dAttribute*>(&attribute)) {
+    return glm::dvec3(wide->value().x, wide->value().y, wide->value().z);
+  }
+  if (const auto* narrow = dynamic_cast<const Imf::V3fAttribute*>(&attribute)) {
+    return glm::dvec3(meant(narrow->value().x), meant(narrow->value().y), meant(narrow->value().z));
+  }
+  return std::nullopt;
+}
+
 Json valueJson(const Imf::Attribute& attribute, const std::string& where) {
   if (const auto* flag = dynamic_cast<const Imf::IntAttribute*>(&attribute)) return flag->value() != 0;
   if (const auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&attribute)) return numberJson(number->value());
   if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute)) return text->value();
   if (const auto* list = dynamic_cast<const Imf::StringVectorAttribute*>(&attribute)) return list->value();
-  if (const auto* vector = dynamic_cast<const Imf::V3dAttribute*>(&attribute)) {
-    const Imath::V3d& v = vector->value();
-    return {numberJson(v.x), numberJson(v.y), numberJson(v.z)};
+  if (const auto vector = vectorValue(attribute)) {
+    return {numberJson(vector->x), numberJson(vector->y), numberJson(vector->z)};
   }
   throw InputError(where + " has the type " + oneLine(attribute.typeName()) + ", which no value has; bake it again");
 }
@@ -63,12 +91,14 @@ std::string attributeName(const std::string& path, const std::string& name) {
   return path + ": part 0: attribute " + oneLine(name);
 }
 
+[[noreturn]] void missing(const std::string& path, const std::string& name) {
+  throw InputError(attributeName(path, name) + " is missing: this is not a probe that was baked; bake it again");
+}
+
 template <typename Attribute>
 const Attribute& require(const Imf::Header& header, const std::string& name, const std::string& path) {
   const auto* attribute = header.findTypedAttribute<Attribute>(name);
-  if (attribute == nullptr) {
-    throw InputError(attributeName(path, name) + " is missing: this is not a probe that was baked; bake it again");
-  }
+  if (attribute == nullptr) missing(path, name);
   return *attribute;
 }
 
@@ -79,8 +109,15 @@ std::string textAttribute(const Imf::Header& header, const std::string& name, co
 }
 
 glm::dvec3 vectorAttribute(const Imf::Header& header, const std::string& name, const std::string& path) {
-  const Imath::V3d& v = require<Imf::V3dAttribute>(header, name, path).value();
-  return {v.x, v.y, v.z};
+  const auto found = header.find(name);
+  if (found == header.end()) missing(path, name);
+  const auto vector = vectorValue(found.attribute());
+  if (!vector) missing(path, name);
+  return *vector;
+}
+
+void addVectorAttribute(Imf::Header& header, const std::string& name, const glm::dvec3& value) {
+  addVector(header, name, {value.x, value.y, value.z});
 }
 
 void addProbeAttributes(Imf::Header& header, const BakedProbeInfo& info, const std::string& folder) {

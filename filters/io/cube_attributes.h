@@ -1,6 +1,7 @@
-// A probe's values as OpenEXR attributes and back: "probe.origin" a v3d, "probe.box.min" a v3d, "probe.technique" a
-// string, "probe.faceSize" a double, "probe.projection" an int (0 or 1), so that exrheader shows them and any reader of
-// attributes finds them. The keys are the scene file's; there is no second list of fields. Internal to this folder.
+// A probe's values as OpenEXR attributes and back: "probe.origin" and "probe.box.min" a v3f (a v3d where float would
+// round), "probe.technique" a string, "probe.faceSize" a double, "probe.projection" an int (0 or 1), so that exrheader
+// shows them and any reader of attributes finds them. The keys are the scene file's; there is no second list of fields.
+// Internal to this folder.
 #pragma once
 
 #include <OpenEXR/ImfHeader.h>
@@ -22,5 +23,6 @@ ShCoefficients readCoefficients(const Imf::Header& header, const std::string& pa
 /// Throws InputError if the header has no such attribute.
 std::string textAttribute(const Imf::Header& header, const std::string& name, const std::string& path);
 glm::dvec3 vectorAttribute(const Imf::Header& header, const std::string& name, const std::string& path);
+void addVectorAttribute(Imf::Header& header, const std::string& name, const glm::dvec3& value);
 
 }  // namespace boxprobe

@@ -5,7 +5,6 @@
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTileDescription.h>
-#include <OpenEXR/ImfVecAttribute.h>
 
 #include <algorithm>
 #include <cmath>
@@ -183,8 +182,7 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
   Imf::Header& metadata = parts.front().header;
   addProbeAttributes(metadata, file.info, folderOf(path));
   addCoefficients(metadata, file.maps.irradiance);
-  const glm::dvec3& at = file.maps.capturedAt;
-  metadata.insert("capturedAt", Imf::V3dAttribute(Imath::V3d(at.x, at.y, at.z)));
+  addVectorAttribute(metadata, "capturedAt", file.maps.capturedAt);
   metadata.insert(kVersionAttribute, Imf::IntAttribute(kVersion));
   metadata.insert(kLevelsAttribute, Imf::IntAttribute(radiance.levels()));
   Imf::addComments(metadata, kComments);

@@ -51,6 +51,19 @@ struct LoadedCube {
   std::size_t texelsClamped = 0;              ///< beyond half range, brought down to it
 };
 
+struct CubePictureOptions {
+  int level = 0;                      ///< of the chain
+  int faceSize = 0;                   ///< texels; a latitude-longitude map is 4 faces wide. 0: as the level has
+  const CubeMap* distance = nullptr;  ///< written as a float channel "distance" if given
+  ExrPrecision precision = ExrPrecision::Half;
+};
+/// One level of a cube as a picture for others. LatLong: with OpenEXR's envmap attribute, texels on the edges. Strip
+/// (and Automatic): an OpenEXR cube, N x 6N, with the attribute. Cross: 4:3, OpenGL's faces as they are unless another
+/// size is asked for. SixFiles: `path` has %s for px, nx, py, ny, pz, nz (OpenGL's faces), or a bare % for +X, -X ...
+/// as exrenvmap reads and writes them (OpenEXR's). Throws InputError for options out of range, WorkError.
+void saveCubePicture(const std::string& path, const CubeMap& cube, CubeLayout layout,
+                     const CubePictureOptions& options = {});
+
 /// Any environment picture, EXR or HDR, as a cube. `faceSize` 0: as many texels as the picture gives (a power of two).
 /// For SixFiles `path` is one of the six, or a pattern with `%s` for the face. Throws InputError.
 LoadedCube loadCube(const std::string& path, CubeLayout layout = CubeLayout::Automatic, int faceSize = 0);
