@@ -103,6 +103,14 @@ struct BlendDistance {
 };
 
 enum class ProbeUpdate { Baked, Realtime, Custom };
+/// How the six faces lie in a picture of the surroundings.
+enum class CubeLayout {
+  Automatic,  ///< by the envmap attribute, else by the picture's shape, else by the names of six files
+  LatLong,    ///< 2:1
+  Strip,      ///< 6:1 or 1:6, faces in OpenEXR's order if the file says envmap = cube, else OpenGL's
+  Cross,      ///< 4:3 horizontal or 3:4 vertical
+  SixFiles,   ///< one file a face
+};
 enum class FilterKind { Ggx, Gaussian };
 /// What a probe holds where it saw nothing.
 struct ClearToSky {
@@ -148,6 +156,7 @@ struct Probe {
   int bounces = 1;     ///< 1 to 5
   ProbeUpdate mode = ProbeUpdate::Baked;
   std::string image;  ///< custom mode
+  CubeLayout imageLayout = CubeLayout::Automatic;
   FilterKind filter = FilterKind::Ggx;
   int samplesPerPixel = 4;         ///< 1, 4 or 16
   std::vector<std::string> hides;  ///< node names left out of this probe's capture

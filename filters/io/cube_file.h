@@ -13,15 +13,6 @@
 
 namespace boxprobe {
 
-/// How the six faces lie in a picture.
-enum class CubeLayout {
-  Automatic,  ///< by the envmap attribute, else by the picture's shape, else by the names of six files
-  LatLong,    ///< 2:1
-  Strip,      ///< 6:1 or 1:6, faces in OpenEXR's order if the file says envmap = cube, else OpenGL's
-  Cross,      ///< 4:3 horizontal or 3:4 vertical
-  SixFiles,   ///< one file a face
-};
-
 /// What a baked probe's file says about itself, as EXR attributes.
 struct BakedProbeInfo {
   Probe probe;            ///< name, origin, box, rotation, blend distance, technique ... as baked

@@ -179,6 +179,9 @@ void readProbeCapture(const JsonCursor& entry, Probe& probe, const std::string& 
     probe.mode = static_cast<ProbeUpdate>(mode->choice({"baked", "realtime", "custom"}));
   }
   if (const auto image = entry.find("image")) probe.image = resolved(image->text(), folder);
+  if (const auto layout = entry.find("imageLayout")) {
+    probe.imageLayout = static_cast<CubeLayout>(layout->choice({"auto", "latlong", "strip", "cross", "six"}));
+  }
   if (const auto filter = entry.find("filter")) {
     probe.filter = static_cast<FilterKind>(filter->choice({"ggx", "gaussian"}));
   }
@@ -196,10 +199,11 @@ Probe readProbe(const JsonCursor& element, const std::string& folder) {
   probe.name = name->text();
   // From here on by name, as people think of it; an empty one is left to validate(), which counts.
   const JsonCursor entry = probe.name.empty() ? element : element.at({"probes", probe.name});
-  entry.requireObject({"name",      "origin",          "box",           "rotationDegrees", "influence", "near",
-                       "far",       "clear",           "blendDistance", "importance",      "intensity", "projection",
-                       "technique", "parameters",      "faceSize",      "bounces",         "mode",      "image",
-                       "filter",    "samplesPerPixel", "hides",         "bevel",           "occlusion"});
+  entry.requireObject(
+      {"name",     "origin",        "box",        "rotationDegrees", "influence",   "near",      "far",
+       "clear",    "blendDistance", "importance", "intensity",       "projection",  "technique", "parameters",
+       "faceSize", "bounces",       "mode",       "image",           "imageLayout", "filter",    "samplesPerPixel",
+       "hides",    "bevel",         "occlusion"});
   if (const auto box = entry.find("box")) probe.box = readBox(*box);
   readInto(entry, "rotationDegrees", probe.rotationDegrees, &JsonCursor::vector);
   if (const auto influence = entry.find("influence")) probe.influence = readBox(*influence);

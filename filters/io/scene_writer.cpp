@@ -231,6 +231,8 @@ Json probeJson(const Probe& probe, const std::string& folder, JsonForm form) {
   out.put("bounces", probe.bounces, standard.bounces);
   out.putJson("mode", modes[static_cast<int>(probe.mode)], probe.mode == standard.mode);
   if (!probe.image.empty()) out.putJson("image", writtenPath(probe.image, folder), false);
+  const char* const layouts[] = {"auto", "latlong", "strip", "cross", "six"};
+  out.putJson("imageLayout", layouts[static_cast<int>(probe.imageLayout)], probe.imageLayout == standard.imageLayout);
   out.putJson("filter", probe.filter == FilterKind::Ggx ? "ggx" : "gaussian", probe.filter == standard.filter);
   out.put("samplesPerPixel", probe.samplesPerPixel, standard.samplesPerPixel);
   out.put("hides", probe.hides, standard.hides);

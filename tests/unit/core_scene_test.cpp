@@ -93,7 +93,8 @@ TEST(Difference, NamesTheKindOfEachProbeField) {
            [](Probe& p) { p.clear = glm::vec3(1, 0, 0); }, [](Probe& p) { p.faceSize = 64; },
            [](Probe& p) { p.bounces = 2; }, [](Probe& p) { p.mode = ProbeUpdate::Realtime; },
            [](Probe& p) { p.image = "a.exr"; }, [](Probe& p) { p.filter = FilterKind::Gaussian; },
-           [](Probe& p) { p.samplesPerPixel = 1; }, [](Probe& p) { p.hides = {"mirror"}; }}) {
+           [](Probe& p) { p.samplesPerPixel = 1; }, [](Probe& p) { p.imageLayout = CubeLayout::Strip; },
+           [](Probe& p) { p.hides = {"mirror"}; }}) {
     EXPECT_EQ(kindsAfter([&](Scene& s) { edit(s.probes[0]); }), "capture ");
   }
 }
