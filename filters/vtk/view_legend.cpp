@@ -1,15 +1,19 @@
 #include "filters/vtk/view_legend.h"
 
+#include <vtkCellArray.h>
 #include <vtkColorTransferFunction.h>
+#include <vtkLegendBoxActor.h>
 #include <vtkLookupTable.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
-#include <vtkVariant.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "filters/core/probe_color.h"
 
@@ -28,24 +32,14 @@ void setText(vtkTextProperty* text, int size) {
   text->ShadowOff();
 }
 
-vtkSmartPointer<vtkLookupTable> swatches(const std::vector<glm::vec3>& colors, const std::vector<std::string>& names) {
-  auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetNumberOfTableValues(static_cast<vtkIdType>(colors.size()));
-  table->IndexedLookupOn();
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    const glm::dvec3 c(colors[i]);
-    table->SetTableValue(static_cast<vtkIdType>(i), c.x, c.y, c.z, 1.0);
-    table->SetAnnotation(vtkVariant(static_cast<int>(i)), names[i]);
-  }
-  return table;
-}
-
 }  // namespace
 
 // From dark blue through green to yellow: lightness rises all the way, so that order is seen without the bar and
 // without colour vision.
 ViewLegend::ViewLegend()
-    : colors_(vtkSmartPointer<vtkColorTransferFunction>::New()), bar_(vtkSmartPointer<vtkScalarBarActor>::New()) {
+    : colors_(vtkSmartPointer<vtkColorTransferFunction>::New()),
+      bar_(vtkSmartPointer<vtkScalarBarActor>::New()),
+      names_(vtkSmartPointer<vtkLegendBoxActor>::New()) {
   colors_->SetColorSpaceToLab();
   colors_->AddRGBPoint(0.00, 0.11, 0.09, 0.30);
   colors_->AddRGBPoint(0.25, 0.16, 0.34, 0.60);
@@ -56,59 +50,87 @@ ViewLegend::ViewLegend()
   bar_->UnconstrainedFontSizeOn();
   setText(bar_->GetTitleTextProperty(), 15);
   setText(bar_->GetLabelTextProperty(), 14);
-  setText(bar_->GetAnnotationTextProperty(), 14);
   bar_->SetTextPositionToPrecedeScalarBar();
   bar_->DrawBackgroundOn();
   bar_->GetBackgroundProperty()->SetColor(0.08, 0.08, 0.09);
   bar_->GetBackgroundProperty()->SetOpacity(0.78);
   bar_->SetNumberOfLabels(5);
-  bar_->AnnotationTextScalingOff();
   bar_->SetTextPad(6);
   bar_->SetVerticalTitleSeparation(10);
+
+  setText(names_->GetEntryTextProperty(), 14);
+  names_->UseBackgroundOn();
+  double background[3] = {0.08, 0.08, 0.09};
+  names_->SetBackgroundColor(background);
+  names_->SetBackgroundOpacity(0.78);
+  names_->BorderOff();
 }
 
 ViewLegend::~ViewLegend() = default;
 
 void ViewLegend::show(vtkRenderer* renderer, const SurfaceViewRow& row, double low, double high,
                       const std::vector<std::string>& probeNames) {
-  const bool barred = row.kind == ViewKind::Scalar || row.kind == ViewKind::Category || row.id == "weights";
-  if (!barred) {
-    renderer->RemoveActor2D(bar_);
+  renderer->RemoveActor2D(bar_);
+  renderer->RemoveActor2D(names_);
+  if (row.kind == ViewKind::Category) {
+    const auto& faces = faceColors();
+    showNames(renderer, {faces.begin(), faces.end()}, {"-x", "+x", "-y", "+y", "-z", "+z"});
     return;
   }
-  std::string title(row.label);
-  if (!row.unit.empty()) title += "\n" + std::string(row.unit);
-  bar_->SetTitle(title.c_str());
-  double height = 0.5;
-  if (row.kind == ViewKind::Scalar) {
-    vtkNew<vtkLookupTable> table;
-    table->SetNumberOfTableValues(kColors);
-    for (int i = 0; i < kColors; ++i) {
-      double rgb[3];
-      colors_->GetColor(static_cast<double>(i) / (kColors - 1), rgb);
-      table->SetTableValue(i, rgb[0], rgb[1], rgb[2], 1.0);
-    }
-    table->SetTableRange(low, high);
-    table->Build();
-    bar_->SetLookupTable(table);
-    bar_->SetLabelFormat(high - low >= 10.0 ? "%.1f" : high - low >= 0.1 ? "%.2f" : "%.4f");
-  } else if (row.kind == ViewKind::Category) {
-    const auto& faces = faceColors();
-    bar_->SetLookupTable(swatches({faces.begin(), faces.end()}, {"-x", "+x", "-y", "+y", "-z", "+z"}));
-  } else {
+  if (row.id == "weights") {
     std::vector<glm::vec3> colors;
     std::vector<std::string> names = probeNames;
     for (std::size_t i = 0; i < names.size(); ++i) colors.push_back(probeColor(static_cast<int>(i)));
     colors.push_back(skyColor());
     names.emplace_back("sky");
-    bar_->SetLookupTable(swatches(colors, names));
-    height = std::min(0.5, 0.12 + 0.06 * static_cast<double>(names.size()));
+    showNames(renderer, colors, names);
+    return;
   }
+  if (row.kind != ViewKind::Scalar) return;
+  std::string title(row.label);
+  if (!row.unit.empty()) title += "\n" + std::string(row.unit);
+  bar_->SetTitle(title.c_str());
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(kColors);
+  for (int i = 0; i < kColors; ++i) {
+    double rgb[3];
+    colors_->GetColor(static_cast<double>(i) / (kColors - 1), rgb);
+    table->SetTableValue(i, rgb[0], rgb[1], rgb[2], 1.0);
+  }
+  table->SetTableRange(low, high);
+  table->Build();
+  bar_->SetLookupTable(table);
+  bar_->SetLabelFormat(high - low >= 10.0 ? "%.1f" : high - low >= 0.1 ? "%.2f" : "%.4f");
   bar_->SetPosition(0.015, 0.03);
   bar_->SetWidth(0.13);
-  bar_->SetHeight(height);
-  renderer->RemoveActor2D(bar_);
+  bar_->SetHeight(0.5);
   renderer->AddActor2D(bar_);
+}
+
+void ViewLegend::showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& colors,
+                           const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 24;  // more would not be legible; the first of the list are the ones of the file
+  const std::size_t count = std::min(names.size(), kMost);
+  names_->SetNumberOfEntries(static_cast<int>(count));
+  vtkNew<vtkPoints> corners;
+  for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) corners->InsertNextPoint(x, y, 0);
+  vtkNew<vtkCellArray> face;
+  face->InsertNextCell({0, 1, 2, 3});
+  vtkNew<vtkPolyData> square;
+  square->SetPoints(corners);
+  square->SetPolys(face);
+  std::size_t longest = 4;
+  for (std::size_t i = 0; i < count; ++i) {
+    glm::dvec3 color(colors[i]);
+    names_->SetEntrySymbol(static_cast<int>(i), square);
+    names_->SetEntryString(static_cast<int>(i), names[i].c_str());
+    names_->SetEntryColor(static_cast<int>(i), &color.x);
+    longest = std::max(longest, names[i].size());
+  }
+  names_->SetPosition(0.015, 0.03);
+  names_->SetPosition2(std::min(0.05 + 0.008 * static_cast<double>(longest), 0.4),
+                       std::min(0.045 * static_cast<double>(count), 0.9));
+  renderer->AddActor2D(names_);
 }
 
 void ViewLegend::upload(vtkOpenGLRenderWindow* window, DebugDraw& debug) const {

@@ -4,6 +4,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "filters/vtk/draw_state.h"
 
 class vtkColorTransferFunction;
+class vtkLegendBoxActor;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkScalarBarActor;
@@ -29,8 +31,11 @@ class ViewLegend {
   void upload(vtkOpenGLRenderWindow* window, DebugDraw& debug) const;
 
  private:
+  void showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& colors, const std::vector<std::string>& names);
+
   vtkSmartPointer<vtkColorTransferFunction> colors_;
   vtkSmartPointer<vtkScalarBarActor> bar_;
+  vtkSmartPointer<vtkLegendBoxActor> names_;
 };
 
 }  // namespace boxprobe

@@ -10,35 +10,21 @@ float trueHitDepth(DISTANCE_MAP map, ProbeShape probe, vec3 position)
   return seen > 0.0f ? length(position) - seen : -1.0f;
 }
 
-// Distance along the unit vector `reflection` from `position` (probe frame) to the first surface; kNoHit if there is none
-// within `reach`. On a plane, away from its silhouette, exact to rounding for any face size.
-float trueHitDistance(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float reach)
+// A hit taken from one texel: distance along the ray to the plane through the texel and two of its neighbours.
+struct TexelHit
 {
-  const int kSteps = 64;
-  const int kHalvings = 12;
-  // The start lies on a surface: it counts as in front of it until the ray has left its texel's rounding behind.
-  float skin = 4.0f / faceSize;
-  bool inFront = false;
-  float before = 0.0f;
-  float after = -1.0f;
-  for (int i = 1; i <= kSteps; ++i)
-  {
-    float t = reach * float(i * i) / float(kSteps * kSteps);
-    vec3 p = position + t * reflection;
-    float depth = trueHitDepth(map, probe, p);
-    if (inFront && depth >= 0.0f) { after = t; break; }
-    if (depth < 0.0f && -depth > skin * min(t, length(p))) { inFront = true; }
-    before = t;
-  }
-  if (after < 0.0f) { return kNoHit; }
-  for (int i = 0; i < kHalvings; ++i)
-  {
-    float t = 0.5f * (before + after);
-    if (trueHitDepth(map, probe, position + t * reflection) >= 0.0f) { after = t; } else { before = t; }
-  }
+  float distance; // along the ray
+  bool onPlane;   // the plane is met within the texel: exact if the wall is flat
+  bool start;     // the plane is the one the ray starts from: no hit
+};
 
-  // The texel found stands for a piece of wall: the plane through it and two of its neighbours is hit exactly.
-  vec3 c = cubeTexelCentre(position + after * reflection, faceSize);
+TexelHit texelHit(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float near)
+{
+  TexelHit result;
+  result.distance = near;
+  result.onPlane = false;
+  result.start = false;
+  vec3 c = cubeTexelCentre(position + near * reflection, faceSize);
   float step = 2.0f / faceSize;
   vec3 side = vec3(c.x > 0.0f ? -step : step, c.y > 0.0f ? -step : step, c.z > 0.0f ? -step : step);
   vec3 c1 = c;
@@ -49,18 +35,51 @@ float trueHitDistance(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 p
   float d0 = fetchDistance(map, probe, c);
   float d1 = fetchDistance(map, probe, c1);
   float d2 = fetchDistance(map, probe, c2);
-  if (d1 > 0.0f && d2 > 0.0f)
+  if (d1 <= 0.0f || d2 <= 0.0f) { return result; }
+
+  vec3 q = c * (d0 / length(c));
+  vec3 n = cross(c1 * (d1 / length(c1)) - q, c2 * (d2 / length(c2)) - q);
+  float size = length(n);
+  float gap = dot(n, q - position);
+  result.start = abs(gap) < 2.0e-3f * d0 * size;
+  float along = dot(n, reflection);
+  float t = abs(along) > 1.0e-6f * size ? gap / along : -1.0f;
+  vec3 hit = position + t * reflection;
+  vec3 a = abs(hit);
+  vec3 off = hit / max(max(a.x, a.y), max(a.z, 1.0e-37f)) - c;
+  // A plane through texels of two surfaces meets the ray somewhere else: then the texel itself has the word.
+  result.onPlane = t > 0.0f && max(max(abs(off.x), abs(off.y)), abs(off.z)) < 1.5f * step;
+  if (result.onPlane) { result.distance = t; }
+  return result;
+}
+
+// Distance along the unit vector `reflection` from `position` (probe frame) to the first surface; kNoHit if there is none
+// within `reach`. On a plane, away from its silhouette, exact to rounding for any face size.
+float trueHitDistance(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float reach)
+{
+  const int kSteps = 64;
+  const int kHalvings = 12;
+  bool inFront = false;
+  float before = 0.0f;
+  for (int i = 1; i <= kSteps; ++i)
   {
-    vec3 q = c * (d0 / length(c));
-    vec3 n = cross(c1 * (d1 / length(c1)) - q, c2 * (d2 / length(c2)) - q);
-    float along = dot(n, reflection);
-    float gap = dot(n, q - position);
-    float t = abs(along) > 1.0e-30f ? gap / along : -1.0f;
-    vec3 hit = position + t * reflection;
-    vec3 a = abs(hit);
-    vec3 off = hit / max(max(a.x, a.y), max(a.z, 1.0e-37f)) - c;
-    // A plane through texels of two surfaces meets the ray somewhere else: then the texel itself has the word.
-    if (t > 0.0f && max(max(abs(off.x), abs(off.y)), abs(off.z)) < 1.5f * step) { return t; }
+    float t = reach * float(i * i) / float(kSteps * kSteps);
+    float depth = trueHitDepth(map, probe, position + t * reflection);
+    if (inFront && depth >= 0.0f)
+    {
+      float low = before;
+      float high = t;
+      for (int k = 0; k < kHalvings; ++k)
+      {
+        float middle = 0.5f * (low + high);
+        if (trueHitDepth(map, probe, position + middle * reflection) >= 0.0f) { high = middle; } else { low = middle; }
+      }
+      TexelHit hit = texelHit(map, probe, faceSize, position, reflection, high);
+      // A ray leaves the surface it starts from slowly: in the steps of texels it may seem to dip below it again.
+      if (!hit.start) { return hit.distance; }
+    }
+    inFront = depth < 0.0f;
+    before = t;
   }
-  return after;
+  return kNoHit;
 }
