@@ -8,12 +8,13 @@
 
 namespace boxprobe {
 
-VectorRow::VectorRow(const ValueField::Format& format, const QString& toolTip, QWidget* parent) : QWidget(parent) {
+VectorRow::VectorRow(const ValueField::Format& format, const QString& toolTip, QWidget* parent, const QString& names)
+    : QWidget(parent) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
   for (int axis = 0; axis < 3; ++axis) {
-    const QString name = QString("XYZ"[axis]);
+    const QString name = names.mid(axis, 1);
     auto* field = new ValueField(format, this);
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);  // three in a row: the room is for digits
     field->setMinimumWidth(80);

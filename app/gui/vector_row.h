@@ -1,5 +1,5 @@
-// Three numbers side by side, X Y Z, each with a label in its axis' colour that can be scrubbed. Called by the panels;
-// knows no document.
+// Three numbers side by side, X Y Z or R G B, each with a label in its axis' colour that can be scrubbed. Called by the
+// panels; knows no document.
 #pragma once
 
 #include <QWidget>
@@ -14,7 +14,8 @@ class VectorRow : public QWidget {
   Q_OBJECT
 
  public:
-  VectorRow(const ValueField::Format& format, const QString& toolTip, QWidget* parent = nullptr);
+  VectorRow(const ValueField::Format& format, const QString& toolTip, QWidget* parent = nullptr,
+            const QString& names = "XYZ");
 
   void show(const glm::dvec3& value);
   ValueField* field(int axis) const { return fields_[static_cast<std::size_t>(axis)]; }
