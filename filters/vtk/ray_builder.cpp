@@ -2,6 +2,7 @@
 #include "filters/vtk/ray_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "filters/vtk/ray_scene.h"
@@ -30,7 +31,10 @@ std::optional<double> RayBuilder::sceneDistance(const SurfaceRay& ray) const {
   const glm::dvec3 start = ray.positionWorld + (side * skin) * ray.normalWorld;
   const auto hit = settings_.scene->firstHit(start, ray.reflectionWorld, skin, settings_.scene->reachFrom(start));
   if (!hit) return std::nullopt;
-  return hit->distance;
+  // Where the ray itself, not the raised one, meets the plane that was found.
+  const double slope = glm::dot(hit->facing, ray.reflectionWorld);
+  const double distance = glm::dot(hit->facing, hit->positionWorld - ray.positionWorld) / slope;
+  return std::abs(slope) > 1.0e-6 && distance > 0.0 ? distance : hit->distance;
 }
 
 void RayBuilder::add(const RayLine& line) {

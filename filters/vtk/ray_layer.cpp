@@ -156,7 +156,7 @@ void RayLayer::rebuild() {
     anchor = reader.anchor;
     const RayColors colors(rays_, coloring_, locked_);
     range_ = colors.range();
-    if (legend_) colors.describe(bar_);
+    colors.describe(bar_);
     const auto width = static_cast<float>(lineWidth_);
     std::vector<DrawnLine> dots;
     std::set<std::array<float, 3>> origins;  // one dot for all the lookups of a probe

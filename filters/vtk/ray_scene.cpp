@@ -2,6 +2,7 @@
 #include "filters/vtk/ray_scene.h"
 
 #include <vtkPolyData.h>
+#include <vtkPolygon.h>
 #include <vtkStaticCellLocator.h>
 
 #include <glm/geometric.hpp>
@@ -35,15 +36,19 @@ std::optional<RaySceneHit> RayScene::firstHit(const glm::dvec3& originWorld, con
   // Edges are caught by a tolerance far below anything visible, so that no ray slips between two triangles.
   const double tolerance = 1.0e-9 * diagonal_;
   RaySceneHit hit;
+  double parametric[3];
   double t = 0.0;
   int subId = 0;
   vtkIdType cell = -1;
-  if (locator_->IntersectWithLine(&a.x, &b.x, tolerance, t, &hit.positionWorld.x, &hit.parametric.x, subId, cell) ==
-          0 ||
+  if (locator_->IntersectWithLine(&a.x, &b.x, tolerance, t, &hit.positionWorld.x, parametric, subId, cell) == 0 ||
       cell < 0) {
     return std::nullopt;
   }
   hit.cell = cell;
+  vtkIdType corners = 0;
+  const vtkIdType* ids = nullptr;
+  triangles_->GetCellPoints(cell, corners, ids);
+  vtkPolygon::ComputeNormal(triangles_->GetPoints(), static_cast<int>(corners), ids, &hit.facing.x);
   hit.distance = glm::dot(hit.positionWorld - originWorld, direction);
   return hit;
 }

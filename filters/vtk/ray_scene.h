@@ -17,7 +17,7 @@ struct RaySceneHit {
   double distance = 0.0;  ///< along the unit direction, scene units
   glm::dvec3 positionWorld{0.0};
   long long cell = -1;
-  glm::dvec3 parametric{0.0};  ///< r, s, t of VTK's cell
+  glm::dvec3 facing{0.0};  ///< of the cell's plane, unit; zero for a cell without area
 };
 
 class RayScene {
