@@ -8,6 +8,8 @@ namespace boxprobe {
 
 struct Counters {
   std::uint64_t facesCaptured = 0;     ///< of probes
+  std::uint64_t facesReused = 0;       ///< of probes captured again, taken from earlier maps that show the same
+  std::uint64_t mapsLoaded = 0;        ///< probes (and sky) read from baked files in place of captures
   std::uint64_t skyFacesCaptured = 0;  ///< of the sky's own map
   std::uint64_t levelsFiltered = 0;    ///< prefiltered mip levels, six faces each
   std::uint64_t programsCompiled = 0;  ///< distinct GL programs this program caused

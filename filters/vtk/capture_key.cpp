@@ -1,91 +1,197 @@
 #include "filters/vtk/capture_key.h"
 
-#include <iomanip>
-#include <sstream>
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "filters/math/shared_math.h"
+#include "filters/vtk/content_hash.h"
 
 namespace boxprobe {
 
 namespace {
 
-class KeyText {
- public:
-  KeyText() { text_ << std::setprecision(17); }
-  KeyText& add(double value) {
-    text_ << value << ' ';
-    return *this;
-  }
-  KeyText& add(const std::string& value) {
-    text_ << value.size() << ':' << value << ' ';
-    return *this;
-  }
-  template <typename Vector>
-  KeyText& addVector(const Vector& v) {
-    return add(v.x).add(v.y).add(v.z);
-  }
-  std::string str() const { return text_.str(); }
+// Raise it whenever captures or filters come to give other texels for the same inputs: files baked before are then
+// baked anew.
+constexpr int kBakeVersion = 1;
 
- private:
-  std::ostringstream text_;
-};
+std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
+  if (!use.image) return {};
+  std::string& key = known[use.image.get()];
+  if (key.empty()) {
+    ContentHash hash;
+    hash.add(use.image->width).add(use.image->height).addArray(use.image->pixels);
+    key = hash.text();
+  }
+  return key + std::to_string(static_cast<int>(use.wrapS)) + std::to_string(static_cast<int>(use.wrapT));
+}
 
-std::string ownKey(const Probe& probe) {
-  KeyText key;
-  key.addVector(probe.origin).add(probe.nearDistance).add(probe.farDistance).add(probe.faceSize).add(probe.bounces);
-  key.add(probe.samplesPerPixel).add(static_cast<double>(probe.filter)).add(static_cast<double>(probe.clear.index()));
-  if (const auto* color = std::get_if<glm::vec3>(&probe.clear)) key.addVector(*color);
-  for (const std::string& node : probe.hides) key.add(node);
-  return key.str();
+std::string meshKey(const Mesh& mesh) {
+  ContentHash hash;
+  hash.addArray(mesh.positions).addArray(mesh.normals).addArray(mesh.tangents).addArray(mesh.uv).addArray(mesh.indices);
+  return hash.text();
+}
+
+std::string materialKey(const Material& m, std::map<const void*, std::string>& images) {
+  ContentHash hash;
+  hash.add(m.name).addVector(m.baseColor).add(m.baseColor.a).add(m.metallic).add(m.roughness).addVector(m.emissive);
+  hash.add(m.normalScale).add(m.occlusionStrength).add(m.coat).add(m.coatRoughness).add(m.ior);
+  hash.add(m.unlit ? 1 : 0).add(m.doubleSided ? 1 : 0);
+  for (const TextureUse* use :
+       {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture}) {
+    hash.add(imageKey(*use, images));
+  }
+  return hash.text();
+}
+
+void addOverride(ContentHash& hash, const MaterialOverride& m) {
+  for (const auto& color : {m.baseColor, m.emissive}) {
+    hash.add(color ? 1 : 0);
+    if (color) hash.addVector(*color);
+  }
+  for (const auto& value : {m.metallic, m.roughness, m.normalScale, m.coat, m.ior, m.transmission}) {
+    hash.add(value ? 1 : 0).add(value ? static_cast<double>(*value) : 0.0);
+  }
+}
+
+void addCamera(ContentHash& hash, const Probe& probe) {
+  hash.add(kBakeVersion).addVector(probe.origin).add(probe.nearDistance).add(probe.farDistance).add(probe.faceSize);
+  hash.add(probe.samplesPerPixel).add(static_cast<double>(probe.clear.index()));
+  if (const auto* color = std::get_if<glm::vec3>(&probe.clear)) hash.addVector(*color);
+}
+
+// A box is outside of a face's 90 degree pyramid if it lies wholly beyond one of its planes; may say yes for a near
+// miss. The margin covers float rounding in the projection, which could reach a texel at the edge.
+bool inFrustum(const Box& boundsWorld, const glm::dvec3& originWorld, int face) {
+  const glm::dvec3 forward(shading::cubeDirection(face, 0.0f, 0.0f));
+  const glm::dvec3 s = glm::dvec3(shading::cubeDirection(face, 1.0f, 0.0f)) - forward;
+  const glm::dvec3 t = glm::dvec3(shading::cubeDirection(face, 0.0f, 1.0f)) - forward;
+  const glm::dvec3 center = boundsWorld.center() - originWorld;
+  const glm::dvec3 half = 0.5 * boundsWorld.size();
+  const double margin = 1.0e-4 * (glm::length(center) + glm::length(half));
+  const auto beyond = [&](const glm::dvec3& inward) {
+    return glm::dot(center, inward) + glm::dot(half, glm::abs(inward)) < -margin;
+  };
+  return !beyond(forward) && !beyond(forward + s) && !beyond(forward - s) && !beyond(forward + t) &&
+         !beyond(forward - t);
+}
+
+template <typename Filter>
+std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, const Probe& probe, Filter counts) {
+  std::vector<std::size_t> lighting;
+  hash.add(world.lights).add(world.sky);
+  for (const CaptureObject& object : world.objects) {
+    if (!captureShows(probe, object) || !counts(object)) continue;
+    hash.add(object.key);
+    lighting.insert(lighting.end(), object.probes.begin(), object.probes.end());
+  }
+  std::sort(lighting.begin(), lighting.end());
+  lighting.erase(std::unique(lighting.begin(), lighting.end()), lighting.end());
+  return lighting;
 }
 
 }  // namespace
 
-std::string skyKey(const Scene& scene) {
-  KeyText key;
-  key.add(static_cast<double>(scene.sky.index()));
-  if (const auto* gradient = std::get_if<SkyGradient>(&scene.sky)) {
-    key.addVector(gradient->top).addVector(gradient->horizon).addVector(gradient->ground);
-  } else if (const auto* color = std::get_if<SkyColor>(&scene.sky)) {
-    key.addVector(color->color);
-  } else {
-    key.add(std::get<SkyImage>(scene.sky).file);
+std::vector<std::string> objectContentKeys(const std::vector<std::shared_ptr<const Model>>& models,
+                                           std::size_t modelCount) {
+  std::vector<std::string> keys;
+  std::map<const void*, std::string> images, meshes;
+  for (std::size_t i = 0; i < models.size() && i < modelCount; ++i) {
+    for (const Instance& instance : models[i]->instances) {
+      const Mesh& mesh = models[i]->meshes[static_cast<std::size_t>(instance.mesh)];
+      std::string& key = meshes[&mesh];
+      if (key.empty()) {
+        key = meshKey(mesh);
+        if (mesh.material >= 0)
+          key += materialKey(models[i]->materials[static_cast<std::size_t>(mesh.material)], images);
+      }
+      keys.push_back(key);
+    }
   }
-  return "sky " + key.str();
+  return keys;
 }
 
-std::string sharedCaptureKey(const Scene& scene, const std::vector<DrawnObject>& objects, int modelGeneration) {
-  KeyText key;
-  key.add(modelGeneration).add(skyKey(scene));
+CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& objects,
+                          const std::vector<std::string>& contentKeys, const std::string& skyPixels) {
+  CaptureWorld world;
+  world.sky = skyKey(scene, skyPixels);
+  ContentHash lights;
   for (const Light& light : scene.lights) {
-    key.add(static_cast<double>(light.type)).addVector(light.direction).addVector(light.position);
-    key.addVector(light.color).add(light.intensity);
+    lights.add(static_cast<double>(light.type)).addVector(light.direction).addVector(light.position);
+    lights.addVector(light.color).add(light.intensity);
   }
+  world.lights = lights.text();
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (!objects[i].settings.seenByProbes) continue;
-    key.add(static_cast<double>(i));
-    const auto it = scene.materials.find(objects[i].materialName);
-    if (it == scene.materials.end()) continue;
-    const MaterialOverride& m = it->second;
-    key.add(it->first);
-    for (const auto& color : {m.baseColor, m.emissive}) {
-      if (color) key.addVector(*color);
-      key.add(color ? 1 : 0);
+    const DrawnObject& drawn = objects[i];
+    CaptureObject object;
+    object.node = drawn.node;
+    object.seenByProbes = drawn.settings.seenByProbes;
+    object.dynamic = drawn.settings.dynamic;
+    object.boundsWorld = worldBounds(drawn);
+    ContentHash hash;
+    hash.add(contentKeys[i]).addBytes(&drawn.worldFromModel, sizeof drawn.worldFromModel);
+    if (const auto it = scene.materials.find(drawn.materialName); it != scene.materials.end()) {
+      addOverride(hash, it->second);
     }
-    for (const auto& value : {m.metallic, m.roughness, m.normalScale, m.coat, m.ior, m.transmission}) {
-      key.add(value ? *value : -1.0);
+    object.key = hash.text();
+    for (std::size_t p = 0; !drawn.unlit && p < scene.probes.size(); ++p) {
+      if (influenceMeets(scene.probes[p], object.boundsWorld)) object.probes.push_back(p);
     }
+    world.objects.push_back(std::move(object));
   }
-  return key.str();
+  return world;
 }
 
-std::string captureKey(const Scene& scene, std::size_t probe, const std::vector<bool>& used,
-                       const std::string& shared) {
-  std::string key = ownKey(scene.probes[probe]) + "| " + shared;
-  if (scene.probes[probe].bounces > 1) {
-    for (std::size_t i = 0; i < scene.probes.size(); ++i) {
-      if (i != probe && used[i]) key += "| " + ownKey(scene.probes[i]);
-    }
+std::string skyKey(const Scene& scene, const std::string& skyPixels) {
+  ContentHash hash;
+  hash.add("sky").add(kBakeVersion).add(static_cast<double>(scene.sky.index()));
+  if (const auto* gradient = std::get_if<SkyGradient>(&scene.sky)) {
+    hash.addVector(gradient->top).addVector(gradient->horizon).addVector(gradient->ground);
+  } else if (const auto* color = std::get_if<SkyColor>(&scene.sky)) {
+    hash.addVector(color->color);
+  } else {
+    hash.add(skyPixels);
   }
-  return key;
+  return hash.text();
+}
+
+std::string imageContentKey(const ImageRgbaF& image) {
+  return ContentHash().add(image.width).add(image.height).addArray(image.pixels).text();
+}
+
+std::string importKey(const Probe& probe, const CubeMap& picture) {
+  ContentHash hash;
+  hash.add("import").add(kBakeVersion).add(static_cast<double>(probe.filter)).add(picture.faceSize());
+  const auto texels = static_cast<std::size_t>(picture.faceSize()) * static_cast<std::size_t>(picture.faceSize());
+  for (int face = 0; face < 6; ++face) hash.addBytes(picture.face(0, face), texels * 4 * sizeof(float));
+  return hash.text();
+}
+
+bool captureShows(const Probe& probe, const CaptureObject& object) {
+  if (!object.seenByProbes || (object.dynamic && probe.mode != ProbeUpdate::Realtime)) return false;
+  return std::find(probe.hides.begin(), probe.hides.end(), object.node) == probe.hides.end();
+}
+
+CaptureView faceView(const CaptureWorld& world, const Probe& probe, int face) {
+  ContentHash hash;
+  hash.add("face").add(face);
+  addCamera(hash, probe);
+  CaptureView view;
+  view.lighting = addShown(hash, world, probe, [&](const CaptureObject& object) {
+    return inFrustum(object.boundsWorld, probe.origin, face);
+  });
+  view.key = hash.text();
+  return view;
+}
+
+CaptureView probeView(const CaptureWorld& world, const Probe& probe) {
+  ContentHash hash;
+  hash.add("probe").add(static_cast<double>(probe.filter));
+  addCamera(hash, probe);
+  CaptureView view;
+  view.lighting = addShown(hash, world, probe, [](const CaptureObject&) { return true; });
+  view.key = hash.text();
+  return view;
 }
 
 }  // namespace boxprobe

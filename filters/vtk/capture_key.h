@@ -1,25 +1,67 @@
-// What a capture depends on, as text: equal keys, equal pictures. Decides what is captured again after an edit, and
-// finds maps made before (undo costs nothing).
+// What a capture depends on, as fingerprints of contents: equal keys, equal pictures, in this run and the next. Decides
+// what is captured again after an edit, which faces can be kept, and whether a file on disk still holds. Called by the
+// probe set. Boxes, blend distances, techniques, importance and intensity never count: what they change inside of a
+// reflection's reflection stays as baked.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "filters/core/model.h"
 #include "filters/core/scene.h"
+#include "filters/math/cube_map.h"
 #include "filters/vtk/model_actors.h"
 
 namespace boxprobe {
 
-/// The part all probes share: objects that probes see with their materials, lights, sky. `modelGeneration` stands for
-/// the geometry and the models' own materials.
-std::string sharedCaptureKey(const Scene& scene, const std::vector<DrawnObject>& objects, int modelGeneration);
+/// Fingerprints of the objects of all models as the files have them, in the order of SceneContent::objects: geometry,
+/// material, textures.
+std::vector<std::string> objectContentKeys(const std::vector<std::shared_ptr<const Model>>& models,
+                                           std::size_t modelCount);
 
-/// The key of one probe. With more than one bounce a capture shows the captures of the other probes that any object
-/// uses, so their inputs count too; boxes, blend distances and techniques never do: what they change inside of a
-/// reflection's reflection is left as baked.
-std::string captureKey(const Scene& scene, std::size_t probe, const std::vector<bool>& used, const std::string& shared);
+/// One object as captures meet it.
+struct CaptureObject {
+  std::string key;  ///< contents, placement, overrides
+  std::string node;
+  Box boundsWorld;
+  bool seenByProbes = true;
+  bool dynamic = false;             ///< moves: only realtime probes see it
+  std::vector<std::size_t> probes;  ///< those that light it, as indices into scene.probes
+};
+
+/// Everything captures depend on besides the probe itself.
+struct CaptureWorld {
+  std::vector<CaptureObject> objects;
+  std::string sky;  ///< skyKey
+  std::string lights;
+};
+
+/// `contentKeys` as objectContentKeys gave them, `skyPixels` the fingerprint of the sky's image if it is one.
+CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& objects,
+                          const std::vector<std::string>& contentKeys, const std::string& skyPixels);
 
 /// The key of the sky's own map.
-std::string skyKey(const Scene& scene);
+std::string skyKey(const Scene& scene, const std::string& skyPixels);
+std::string imageContentKey(const ImageRgbaF& image);
+
+/// The key of a map made from a picture of the user's.
+std::string importKey(const Probe& probe, const CubeMap& picture);
+
+/// Does this probe's capture show that object?
+bool captureShows(const Probe& probe, const CaptureObject& object);
+
+/// What one face, or the whole capture, of a probe shows.
+struct CaptureView {
+  std::string key;
+  std::vector<std::size_t> lighting;  ///< the probes that light what is in it: later bounces show them, sorted
+};
+
+/// Of one face. An object outside of the face's frustum does not count: nothing there throws a shadow into it. So an
+/// edit, or an object that moves, leaves the faces that do not show it as they are.
+CaptureView faceView(const CaptureWorld& world, const Probe& probe, int face);
+/// Of all six, with how they are filtered.
+CaptureView probeView(const CaptureWorld& world, const Probe& probe);
 
 }  // namespace boxprobe

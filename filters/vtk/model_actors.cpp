@@ -152,7 +152,6 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
   data.reserve(model.meshes.size());
   for (const Mesh& mesh : model.meshes) data.push_back(makePolyData(mesh));
   TextureCache textures;
-  const glm::dmat4 worldFromFile = placementMatrix(placement);
 
   std::vector<DrawnObject> objects;
   for (const Instance& instance : model.instances) {
@@ -162,19 +161,13 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
     if (mesh.material >= 0) object.material = model.materials[static_cast<std::size_t>(mesh.material)];
     object.materialName = object.material.name;
     object.unlit = object.material.unlit;
-    object.worldFromModel = worldFromFile * instance.worldFromModel;
-
     object.mapper = vtkSmartPointer<vtkProbePolyDataMapper>::New();
     object.mapper->SetInputData(data[static_cast<std::size_t>(instance.mesh)]);
     object.mapper->ScalarVisibilityOff();
     object.mapper->SetDrawState(state);
     object.actor = vtkSmartPointer<vtkActor>::New();
     object.actor->SetMapper(object.mapper);
-    vtkNew<vtkMatrix4x4> matrix;
-    for (int row = 0; row < 4; ++row) {
-      for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, object.worldFromModel[column][row]);
-    }
-    object.actor->SetUserMatrix(matrix);
+    placeObject(object, instance, placement);
 
     vtkProperty* property = object.actor->GetProperty();
     property->SetInterpolationToPBR();
@@ -184,6 +177,15 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
     objects.push_back(std::move(object));
   }
   return objects;
+}
+
+void placeObject(DrawnObject& object, const Instance& instance, const ModelFile& placement) {
+  object.worldFromModel = placementMatrix(placement) * instance.worldFromModel;
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, object.worldFromModel[column][row]);
+  }
+  object.actor->SetUserMatrix(matrix);
 }
 
 void applyOverrides(DrawnObject& object, const Scene& scene) {

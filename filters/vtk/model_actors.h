@@ -35,6 +35,9 @@ glm::dmat4 placementMatrix(const ModelFile& file);
 std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placement,
                                      const std::shared_ptr<DrawState>& state);
 
+/// Moves an object to where its model's entry puts it now.
+void placeObject(DrawnObject& object, const Instance& instance, const ModelFile& placement);
+
 /// Material and object overrides of `scene` on an object.
 void applyOverrides(DrawnObject& object, const Scene& scene);
 

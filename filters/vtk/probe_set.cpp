@@ -2,30 +2,43 @@
 
 #include <algorithm>
 
-#include "filters/vtk/capture_key.h"
+#include "filters/core/errors.h"
+#include "filters/vtk/content_hash.h"
+#include "filters/vtk/prefilter.h"
 #include "filters/vtk/probe_assignment.h"
+#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
 namespace {
 
-// Maps no probe uses any more are kept for undo up to this much GPU memory.
-constexpr std::size_t kMapCacheBytes = std::size_t{256} << 20;
 constexpr int kSkyFaceSize = 64;  // a gradient has no detail
 constexpr int kSkyImageFaceSize = 256;
 
 // Maps captured during a drag show at once but do not count as the final ones.
-constexpr const char* kDuringDrag = "| during a drag";
+constexpr const char* kDuringDrag = " during a drag";
 
 bool lit(const DrawnObject& object) {
   return !object.unlit && object.settings.visible;
+}
+
+// A picture of the user's has no capture origin: it belongs where the probe stands now.
+glm::dvec3 capturedAt(const Probe& probe, const ProbeMaps* maps) {
+  return maps == nullptr || probe.mode == ProbeUpdate::Custom ? probe.origin : maps->capturedAt;
 }
 
 }  // namespace
 
 ProbeSet::ProbeSet(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture,
                    SceneContent* content, Times* times)
-    : state_(std::move(state)), content_(content), capture_(capture), queue_(window, state_, capture, times) {}
+    : state_(std::move(state)), content_(content), capture_(capture), runner_(window, state_, capture, times) {}
+
+std::optional<std::size_t> ProbeSet::find(const std::string& name) const {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].name == name) return i;
+  }
+  return std::nullopt;
+}
 
 // A probe keeps what it shows through a change of the list; a renamed one finds its maps again by key.
 void ProbeSet::matchEntries() {
@@ -51,7 +64,7 @@ void ProbeSet::updateShapes() {
     DrawnProbe& drawn = *entries_[i].drawn;
     const Probe& probe = content_->scene.probes[i];
     drawn.index = static_cast<int>(i);
-    drawn.geometry = probeGeometry(probe, drawn.maps ? drawn.maps->capturedAt : probe.origin);
+    drawn.geometry = probeGeometry(probe, capturedAt(probe, drawn.maps.get()));
     entries_[i].used = std::any_of(content_->objects.begin(), content_->objects.end(), [&](const DrawnObject& object) {
       return lit(object) && influenceMeets(probe, worldBounds(object));
     });
@@ -98,173 +111,289 @@ void ProbeSet::prepareOne() {
   object.mapper->SetBinding(binding);
 }
 
-void ProbeSet::updateCaptures() {
-  const Scene& scene = content_->scene;
-  const std::string shared = sharedCaptureKey(scene, content_->objects, content_->modelGeneration);
-  std::vector<bool> used;
-  for (const Entry& entry : entries_) used.push_back(entry.used);
+void ProbeSet::updateWorld() {
+  if (contentGeneration_ != content_->modelGeneration) {
+    contentKeys_ = objectContentKeys(content_->models, content_->scene.models.size());
+    contentGeneration_ = content_->modelGeneration;
+  }
+  if (content_->skyImage != skyImage_.lock()) {
+    skyImage_ = content_->skyImage;
+    skyPixels_ = content_->skyImage ? imageContentKey(*content_->skyImage) : std::string();
+  }
+  world_ = captureWorld(content_->scene, content_->objects, contentKeys_, skyPixels_);
+  pictures_.update(content_->scene);
+}
+
+BounceKeys ProbeSet::bounceKeys() const {
+  std::vector<BounceKeys::Input> inputs;
+  for (const Probe& probe : content_->scene.probes) {
+    BounceKeys::Input input;
+    input.bounces = probe.bounces;
+    input.imported = probe.mode == ProbeUpdate::Custom;
+    input.realtime = probe.mode == ProbeUpdate::Realtime;
+    CaptureView view = probeView(world_, probe);
+    input.view = input.imported ? pictures_.key(probe) : view.key;
+    input.lighting = std::move(view.lighting);
+    if (const auto it = records_.find(input.view); it != records_.end()) {
+      input.record = it->second;
+    } else {
+      input.record = folder_.record(input.view);
+    }
+    inputs.push_back(std::move(input));
+  }
+  return BounceKeys(std::move(inputs));
+}
+
+void ProbeSet::updateKeys() {
+  keys_ = bounceKeys();
+  // A record that no longer leads to maps has served: what is made now follows the boxes as they are now.
+  bool dropped = false;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const std::string& key = keys_.finalKey(i);
+    if (!baked(i) || entries_[i].shown == key || cache_.find(key) || folder_.has(key)) continue;
+    dropped |= records_.erase(keys_.input(i).view) > 0;
+  }
+  if (dropped) keys_ = bounceKeys();
+
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     Entry& entry = entries_[i];
-    entry.wanted = captureKey(scene, i, used, shared);
-    if (entry.wanted == entry.shown) continue;
-    if (auto maps = cached(entry.wanted)) show(entry, scene.probes[i], entry.wanted, std::move(maps));
+    const std::string before = entry.wanted;
+    entry.wanted =
+        probe(i).mode == ProbeUpdate::Realtime ? realtimeKey(probe(i), realtimeFaces(probe(i))) : keys_.finalKey(i);
+    if (entry.wanted != before) entry.passes = keys_.input(i).lighting.empty() ? 0 : probe(i).bounces - 1;
   }
-  skyWanted_ = skyKey(scene);
-  if (skyWanted_ != skyShown_) {
-    if (auto maps = cached(skyWanted_)) {
-      state_->sky = std::move(maps);
-      skyShown_ = skyWanted_;
+}
+
+void ProbeSet::showCached() {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    Entry& entry = entries_[i];
+    if (entry.wanted == entry.shown || entry.wanted.empty()) continue;
+    if (auto maps = cache_.find(entry.wanted)) {
+      show(i, entry.wanted, std::move(maps));
+      entry.fromFile = false;
     }
   }
-  startWork();
+  if (skyWanted_ == skyShown_) return;
+  if (auto maps = cache_.find(skyWanted_)) {
+    state_->sky = std::move(maps);
+    skyShown_ = skyWanted_;
+  }
+}
+
+void ProbeSet::updateCaptures() {
+  updateWorld();
+  updateKeys();
+  skyWanted_ = world_.sky;
+  replan();
 }
 
 void ProbeSet::setInteractive(bool interactive) {
   if (interactive_ == interactive) return;
   interactive_ = interactive;
   assign(true);
-  if (!interactive_) startWork();
+  replan();
 }
 
 void ProbeSet::setEnabled(bool enabled) {
   if (enabled_ == enabled) return;
   enabled_ = enabled;
   assignToObjects();
-  startWork();
+  replan();
 }
 
-bool ProbeSet::stale() const {
-  if (!enabled_) return false;
-  if (skyWanted_ != skyShown_ && std::any_of(content_->objects.begin(), content_->objects.end(), lit)) return true;
-  return std::any_of(entries_.begin(), entries_.end(), [this](const Entry& e) { return stale(e); });
+void ProbeSet::setBakeTargets(const std::vector<std::string>& names) {
+  targets_ = {names.begin(), names.end()};
+  replan();
 }
 
-bool ProbeSet::stale(const Entry& entry) const {
-  return entry.used && entry.shown != entry.wanted && !(interactive_ && entry.shown == entry.wanted + kDuringDrag);
+void ProbeSet::useBakedFiles(const std::string& folder) {
+  folder_ = folder.empty() ? BakeFolder() : BakeFolder(folder);
+  updateKeys();
+  replan();
 }
 
-void ProbeSet::startWork() {
-  if (!stale()) {
-    queue_.abort();
-    return;
+void ProbeSet::requestBake(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const auto index = find(name);
+    if (!index) continue;
+    Entry& entry = entries_[*index];
+    if (baked(*index)) {
+      for (int bounce = 1; bounce <= probe(*index).bounces; ++bounce) cache_.forget(keys_.key(*index, bounce));
+      folder_.forget(entry.wanted);
+      records_.erase(keys_.input(*index).view);
+    }
+    pictures_.forget(name);
+    entry.shown = "made anew";
+    entry.faces = {};
+    entry.again = true;
   }
-  std::vector<std::string> target;
-  for (const Entry& entry : entries_) target.push_back(entry.wanted);
-  target.push_back(skyWanted_);
-  target.emplace_back(interactive_ ? "interactive" : "still");
-  if (queue_.pending()) {
-    if (target == queued_) return;
-    // While something is dragged the capture under way is completed first: a picture a little late is better than none.
-    if (interactive_ && queued_.back() == "interactive") return;
+  runner_.abort();
+  current_.reset();
+  updateCaptures();
+}
+
+bool ProbeSet::stale(std::size_t index) const {
+  const Entry& entry = entries_[index];
+  if (entry.wanted.empty()) return false;
+  if (!targets_.empty()) {
+    if (targets_.count(entry.name) == 0 || !baked(index)) return false;
+    return entry.shown != entry.wanted && !folder_.has(entry.wanted);
   }
-  queued_ = std::move(target);
-  std::vector<BakeItem> items;
-  if (skyWanted_ != skyShown_) items.push_back(skyItem());
+  if (!entry.used) return false;
+  if (probe(index).mode == ProbeUpdate::Realtime) return entry.shown != entry.wanted || entry.passes > 0;
+  return entry.shown != entry.wanted && !(interactive_ && entry.shown == entry.wanted + kDuringDrag);
+}
+
+BakeState ProbeSet::bakeState(const std::string& probeName) const {
+  const auto index = find(probeName);
+  if (!index) return BakeState::NotUsed;
+  const Entry& entry = entries_[*index];
+  if (current_ && current_->name == probeName) return BakeState::Capturing;
+  if (!entry.wanted.empty() && entry.shown == entry.wanted) {
+    return entry.fromFile ? BakeState::FromFile : BakeState::UpToDate;
+  }
+  if (!entry.used && targets_.count(probeName) == 0) return BakeState::NotUsed;
+  if (folder_.has(entry.wanted)) return BakeState::FromFile;
+  return BakeState::Stale;
+}
+
+std::optional<BakeRecord> ProbeSet::record(const std::string& probeName) const {
+  if (probeName.empty()) {
+    if (skyShown_.empty() || skyShown_ != skyWanted_) return std::nullopt;
+    return BakeRecord{skyShown_, skyShown_, {}, {}};
+  }
+  const auto index = find(probeName);
+  if (!index || !baked(*index) || entries_[*index].shown != entries_[*index].wanted) return std::nullopt;
+  return keys_.record(*index);
+}
+
+// Work for everything that is stale, in the order in which it is done.
+void ProbeSet::replan() {
+  showCached();
+  jobs_.clear();
+  if (enabled_) {
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      if (!stale(i)) continue;
+      const Probe& p = probe(i);
+      if (p.mode == ProbeUpdate::Realtime) {
+        jobs_.push_back({JobKind::Realtime, p.name, 1, {}, p.faceSize});
+      } else if (p.mode == ProbeUpdate::Custom) {
+        jobs_.push_back({JobKind::Picture, p.name, 1, entries_[i].wanted, pictures_.picture(p.name)->faceSize()});
+      } else if (interactive_) {
+        jobs_.push_back({JobKind::Drag, p.name, 1, entries_[i].wanted + kDuringDrag, p.faceSize});
+      }
+    }
+    if (!interactive_) planBounces();
+    const bool wanted =
+        targets_.empty() ? std::any_of(content_->objects.begin(), content_->objects.end(), lit) : !jobs_.empty();
+    if (wanted && !skyWanted_.empty() && skyWanted_ != skyShown_) {
+      const JobKind kind = folder_.has(skyWanted_) ? JobKind::File : JobKind::SkyMap;
+      jobs_.insert(jobs_.begin(), {kind, {}, 1, skyWanted_, content_->skyImage ? kSkyImageFaceSize : kSkyFaceSize});
+    }
+  }
+  if (jobs_.empty()) {
+    kept_.clear();
+    unitsDone_ = 0;
+  }
+  if (!keepsCurrent()) {
+    runner_.abort();
+    current_.reset();
+  }
+}
+
+void ProbeSet::planBounces() {
+  std::vector<std::pair<int, std::size_t>> missing;
+  std::set<std::string> onDisk;
+  const auto have = [&](const std::string& key) {
+    if (key.empty() || cache_.find(key)) return true;
+    if (!folder_.has(key)) return false;
+    onDisk.insert(key);
+    return true;
+  };
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (stale(entries_[i])) items.push_back(probeItem(i));
+    if (stale(i) && baked(i)) keys_.collect(i, probe(i).bounces, have, missing);
   }
-  queue_.start(std::move(items), content_->lightPointers(), interactive_);
-}
-
-BakeItem ProbeSet::skyItem() {
-  BakeItem item;
-  item.faceSize = content_->skyImage ? kSkyImageFaceSize : kSkyFaceSize;
-  item.sky = true;
-  // A sun of a few pixels must not fall between samples.
-  item.settings.samplesPerTexelSide = content_->skyImage ? 4 : 1;
-  item.props = {content_->sky};
-  item.publish = [this, key = skyWanted_](std::shared_ptr<const ProbeMaps> maps) {
-    state_->sky = maps;
-    skyShown_ = key;
-    remember(key, std::move(maps));
-  };
-  return item;
-}
-
-BakeItem ProbeSet::probeItem(std::size_t index) {
-  const Probe& probe = content_->scene.probes[index];
-  BakeItem item;
-  item.settings.originWorld = probe.origin;
-  item.settings.nearDistance = probe.nearDistance;
-  item.settings.farDistance = probe.farDistance;
-  item.settings.clear = probe.clear;
-  item.settings.samplesPerTexelSide = samplesPerSide(probe.samplesPerPixel);
-  item.faceSize = probe.faceSize;
-  item.bounces = interactive_ ? 1 : probe.bounces;
-  for (DrawnObject& object : content_->objects) {
-    const bool hidden = std::find(probe.hides.begin(), probe.hides.end(), object.node) != probe.hides.end();
-    if (object.settings.seenByProbes && !hidden) item.props.push_back(object.actor);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (onDisk.count(keys_.finalKey(i)) == 0) continue;
+    jobs_.push_back({JobKind::File, entries_[i].name, probe(i).bounces, keys_.finalKey(i), probe(i).faceSize});
+    onDisk.erase(keys_.finalKey(i));
   }
-  if (std::holds_alternative<ClearToSky>(probe.clear)) item.props.push_back(content_->sky);
-
-  const std::string key = interactive_ ? entries_[index].wanted + kDuringDrag : entries_[index].wanted;
-  item.publish = [this, key, name = probe.name, left = item.bounces](std::shared_ptr<const ProbeMaps> maps) mutable {
-    const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
-    if (it == entries_.end()) return;
-    const bool last = --left == 0;
-    // Maps of an earlier bounce have a key of their own: an undo in between must not take them for what was there
-    // before.
-    show(*it, content_->scene.probes[static_cast<std::size_t>(it - entries_.begin())],
-         last ? key : key + "| " + std::to_string(left) + " bounces to go", maps);
-    if (last && !interactive_) remember(key, std::move(maps));
-  };
-  return item;
+  std::stable_sort(missing.begin(), missing.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [bounce, index] : missing) {
+    const Probe& p = probe(index);
+    const bool imported = keys_.input(index).imported;
+    const Job job{imported ? JobKind::Picture : JobKind::Bounce, p.name, bounce, keys_.key(index, bounce),
+                  imported ? pictures_.picture(p.name)->faceSize() : p.faceSize};
+    if (std::find(jobs_.begin(), jobs_.end(), job) == jobs_.end()) jobs_.push_back(job);
+  }
 }
 
-void ProbeSet::show(Entry& entry, const Probe& probe, const std::string& key, std::shared_ptr<const ProbeMaps> maps) {
-  entry.drawn->maps = std::move(maps);
-  entry.drawn->geometry = probeGeometry(probe, entry.drawn->maps->capturedAt);
-  entry.shown = key;
+// May what is under way go on? A map that follows a drag or something that moves is completed, although the scene has
+// moved on: a picture a little late is better than none.
+bool ProbeSet::keepsCurrent() const {
+  if (!current_ || !enabled_) return false;
+  const auto index = find(current_->name);
+  if (current_->kind == JobKind::Realtime) {
+    return index && probe(*index).mode == ProbeUpdate::Realtime && probe(*index).faceSize == current_->faceSize;
+  }
+  if (current_->kind == JobKind::Drag) return interactive_ && index && baked(*index);
+  return std::find(jobs_.begin(), jobs_.end(), *current_) != jobs_.end();
+}
+
+double ProbeSet::progress() const {
+  if (jobs_.empty() && !runner_.pending()) return 1.0;
+  int left = -runner_.unitsDone();
+  for (const Job& job : jobs_) {
+    left += job.kind == JobKind::File ? 1 : BakeRunner::units(job.faceSize, job.kind == JobKind::Realtime);
+  }
+  return static_cast<double>(unitsDone_) / std::max(unitsDone_ + left, 1);
 }
 
 void ProbeSet::step() {
-  if (!queue_.pending()) startWork();
-  if (queue_.pending()) {
-    queue_.step();
+  if (!runner_.pending() && !jobs_.empty()) {
+    const Job job = jobs_.front();
+    begin(job);
+    if (job.kind == JobKind::File) return;
+  }
+  if (runner_.pending()) {
+    ++unitsDone_;
+    runner_.step();
   } else if (preparationPending()) {
     prepareOne();
   }
 }
 
-std::shared_ptr<const ProbeMaps> ProbeSet::cached(const std::string& key) const {
-  const auto it = std::find_if(cache_.begin(), cache_.end(), [&](const CachedMaps& c) { return c.key == key; });
-  return it != cache_.end() ? it->maps : nullptr;
-}
-
-void ProbeSet::remember(const std::string& key, std::shared_ptr<const ProbeMaps> maps) {
-  cache_.erase(std::remove_if(cache_.begin(), cache_.end(), [&](const CachedMaps& c) { return c.key == key; }),
-               cache_.end());
-  cache_.push_back({key, std::move(maps)});
-  std::size_t bytes = memoryBytes();
-  for (auto it = cache_.begin(); it != cache_.end() && bytes > kMapCacheBytes;) {
-    if (it->maps.use_count() > 1) {  // a probe shows it
-      ++it;
-      continue;
-    }
-    bytes -= it->maps->bytes();
-    it = cache_.erase(it);
-  }
+void ProbeSet::show(std::size_t index, const std::string& key, std::shared_ptr<const ProbeMaps> maps) {
+  Entry& entry = entries_[index];
+  entry.drawn->geometry = probeGeometry(probe(index), capturedAt(probe(index), maps.get()));
+  entry.drawn->maps = std::move(maps);
+  entry.shown = key;
+  entry.faces = {};
 }
 
 std::shared_ptr<const ProbeMaps> ProbeSet::maps(const std::string& probeName) const {
-  for (const Entry& entry : entries_) {
-    if (entry.name == probeName) return entry.drawn->maps;
-  }
-  return nullptr;
+  const auto index = find(probeName);
+  return index ? entries_[*index].drawn->maps : nullptr;
 }
 
 std::size_t ProbeSet::memoryBytes() const {
-  std::size_t bytes = 0;
-  for (const CachedMaps& entry : cache_) bytes += entry.maps->bytes();
+  std::size_t bytes = cache_.bytes();
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const auto& maps = entries_[i].drawn->maps;
+    if (maps && probe(i).mode == ProbeUpdate::Realtime) bytes += maps->bytes();
+  }
   return bytes;
 }
 
 void ProbeSet::release() {
-  queue_.release();
+  runner_.release();
+  current_.reset();
+  kept_.clear();
   cache_.clear();
   for (Entry& entry : entries_) {
     entry.drawn->maps.reset();
     entry.shown.clear();
+    entry.faces = {};
   }
   state_->sky.reset();
   skyShown_.clear();

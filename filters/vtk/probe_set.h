@@ -1,17 +1,30 @@
-// The probes of a scene at work: which maps each one shows, which are stale, the queue that makes them, those kept for
-// undo, and which object uses which probe. Lazy: a probe no visible object uses is not captured. Owned by the scene
+// The probes of a scene at work: which maps each one shows, which are stale, what has to be made for them and in which
+// order, and which object uses which probe. Lazy: a probe no visible object uses is not captured. Owned by the scene
 // renderer.
+//
+// A baked probe is made once for given inputs (capture_key.h, bounce_keys.h), kept for undo, and taken from a file
+// where one with the same key lies. A realtime probe follows what it shows: one face a step, only faces that changed,
+// and the new maps replace the old ones whole, so that no half of one moment is seen beside half of another. A custom
+// probe is filtered from a picture.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "filters/vtk/bake_queue.h"
+#include "filters/io/bake_folder.h"
+#include "filters/vtk/bake_runner.h"
+#include "filters/vtk/bounce_keys.h"
+#include "filters/vtk/capture_key.h"
+#include "filters/vtk/custom_pictures.h"
+#include "filters/vtk/map_cache.h"
 #include "filters/vtk/scene_content.h"
 
 namespace boxprobe {
+
+enum class BakeState;
 
 class ProbeSet {
  public:
@@ -30,10 +43,18 @@ class ProbeSet {
   void setEnabled(bool enabled);
   /// Someone may start to drag a box: the programs that takes are compiled ahead, as work of the lowest priority.
   void setEditable(bool editable) { editable_ = editable; }
+  /// See the scene renderer's functions of these names.
+  void setBakeTargets(const std::vector<std::string>& names);
+  void useBakedFiles(const std::string& folder);
+  void requestBake(const std::vector<std::string>& names);
+  BakeState bakeState(const std::string& probeName) const;
+  const std::string& pictureError() const { return pictures_.error(); }
+  /// What the maps a baked probe shows were made from; nothing while they are not the final ones. Empty: the sky.
+  std::optional<BakeRecord> record(const std::string& probeName) const;
 
-  bool workPending() const { return queue_.pending() || stale() || preparationPending(); }
+  bool workPending() const { return runner_.pending() || !jobs_.empty() || preparationPending(); }
   void step();
-  double progress() const { return queue_.pending() ? queue_.progress() : (stale() ? 0.0 : 1.0); }
+  double progress() const;
 
   /// What a probe shows now; null while it has none, or if there is no such probe.
   std::shared_ptr<const ProbeMaps> maps(const std::string& probeName) const;
@@ -45,44 +66,95 @@ class ProbeSet {
   struct Entry {
     std::string name;
     std::shared_ptr<DrawnProbe> drawn = std::make_shared<DrawnProbe>();
-    std::string shown;   ///< key of the maps it shows
-    std::string wanted;  ///< key of those it should
-    bool used = false;   ///< some visible object lies in its influence
+    std::string shown;      ///< key of the maps it shows
+    std::string wanted;     ///< key of those it should; empty: there is nothing it could show
+    FaceKeys faces;         ///< realtime: of the faces it shows
+    int passes = 0;         ///< realtime: further rounds until mirrors in mirrors have settled
+    bool used = false;      ///< some visible object lies in its influence
+    bool again = false;     ///< asked for although nothing changed: no face is kept
+    bool fromFile = false;  ///< what it shows was read from a file
   };
-  struct CachedMaps {
+  enum class JobKind { SkyMap, File, Picture, Drag, Bounce, Realtime };
+  struct Job {
+    JobKind kind;
+    std::string name;  ///< of the probe; empty: the sky
+    int bounce = 1;
     std::string key;
-    std::shared_ptr<const ProbeMaps> maps;
+    int faceSize = 0;
+    bool operator==(const Job& o) const { return kind == o.kind && name == o.name && key == o.key; }
   };
 
   void matchEntries();
   void assign(bool newProgramsAllowed);
   bool preparationPending() const { return !interactive_ && !toPrepare_.empty(); }
   void prepareOne();
-  bool stale() const;
-  bool stale(const Entry& entry) const;
-  void startWork();
-  BakeItem skyItem();
-  BakeItem probeItem(std::size_t index);
-  void show(Entry& entry, const Probe& probe, const std::string& key, std::shared_ptr<const ProbeMaps> maps);
-  std::shared_ptr<const ProbeMaps> cached(const std::string& key) const;
-  void remember(const std::string& key, std::shared_ptr<const ProbeMaps> maps);
+
+  std::optional<std::size_t> find(const std::string& name) const;
+  const Probe& probe(std::size_t index) const { return content_->scene.probes[index]; }
+  bool baked(std::size_t index) const { return probe(index).mode == ProbeUpdate::Baked; }
+  bool stale(std::size_t index) const;
+  void updateWorld();
+  void updateKeys();
+  void showCached();
+  BounceKeys bounceKeys() const;
+  std::string realtimeKey(const Probe& probe, const FaceKeys& faces) const;
+  std::string realtimeFace(const Probe& probe, int face) const;
+  FaceKeys realtimeFaces(const Probe& probe) const;
+
+  void replan();
+  void planBounces();
+  bool keepsCurrent() const;
+  void begin(const Job& job);
+  void loadFile(const Job& job);
+  BakeItem skyItem(const Job& job);
+  BakeItem pictureItem(const Job& job);
+  BakeItem captureItem(const Job& job);
+  BakeItem realtimeItem(const Job& job);
+  std::string faceKey(std::size_t index, int bounce, int face) const;
+  FaceSource faceSource(const Probe& probe) const;
+  void seeBounce(std::size_t of, int bounce);
+  void seeAgain();
+  void finish(const Job& job, FaceKeys faces, std::shared_ptr<const ProbeMaps> maps, bool fromFile);
+  void finishRealtime(const Job& job, const Probe& as, const FaceKeys& faces, std::shared_ptr<const ProbeMaps> maps);
+  void show(std::size_t index, const std::string& key, std::shared_ptr<const ProbeMaps> maps);
 
   std::shared_ptr<DrawState> state_;
   SceneContent* content_;
   CubeCapture* capture_;
-  BakeQueue queue_;
+  BakeRunner runner_;
   bool enabled_ = true;
   bool interactive_ = false;
   bool editable_ = false;
+  std::set<std::string> targets_;
 
   std::vector<Entry> entries_;  ///< in the order of scene.probes
   std::string skyWanted_, skyShown_;
-  std::vector<std::string> queued_;     ///< keys the queue works towards
+  std::vector<std::string> contentKeys_;  ///< of the objects
+  int contentGeneration_ = -1;
+  std::weak_ptr<const ImageRgbaF> skyImage_;
+  std::string skyPixels_;
+  CaptureWorld world_;
+  BounceKeys keys_;
+  std::map<std::string, BakeRecord> records_;  ///< by view
+  CustomPictures pictures_;
+  BakeFolder folder_;
+  MapCache cache_;
+
+  std::vector<Job> jobs_;
+  std::optional<Job> current_;                          ///< what the runner is at
+  std::vector<std::shared_ptr<const ProbeMaps>> kept_;  ///< of earlier bounces, while later ones are to be made
+  int unitsDone_ = 0;
+
+  struct Seen {
+    std::shared_ptr<const ProbeMaps> maps;
+    ProbeGeometry geometry;
+  };
+  std::vector<Seen> windowSees_;  ///< what draws see, put aside while a capture sees an earlier bounce
+
   std::set<std::string> variantsUsed_;  ///< program variants objects have had so far
   std::vector<std::pair<std::size_t, std::shared_ptr<const ProbeBinding>>>
       toPrepare_;  ///< object, its binding in a drag
   std::set<std::string> prepared_;
-  std::vector<CachedMaps> cache_;  ///< most recently made last
 };
 
 }  // namespace boxprobe

@@ -7,7 +7,24 @@
 
 namespace boxprobe {
 
+// A model that is moved keeps its actors: geometry, textures and programs stay on the graphics side.
+bool SceneContent::placeObjects() {
+  if (models != builtModels_ || scene.models.size() != builtFiles_.size()) return false;
+  for (std::size_t i = 0; i < builtFiles_.size(); ++i) {
+    if (scene.models[i].file != builtFiles_[i]) return false;
+  }
+  auto object = objects.begin();
+  for (std::size_t i = 0; i < models.size() && i < scene.models.size(); ++i) {
+    for (const Instance& instance : models[i]->instances) placeObject(*object++, instance, scene.models[i]);
+  }
+  return true;
+}
+
 void SceneContent::rebuildObjects(vtkRenderer* renderer, const std::shared_ptr<DrawState>& state) {
+  if (!objects.empty() && placeObjects()) return;
+  builtModels_ = models;
+  builtFiles_.clear();
+  for (const ModelFile& file : scene.models) builtFiles_.push_back(file.file);
   for (DrawnObject& object : objects) renderer->RemoveActor(object.actor);
   objects.clear();
   ++modelGeneration;

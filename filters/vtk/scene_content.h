@@ -31,12 +31,17 @@ struct SceneContent {
   Box bounds() const;
   std::vector<vtkLight*> lightPointers() const;
 
+  /// Actors for the models as they are now, or the present ones moved if that is all that changed.
   void rebuildObjects(vtkRenderer* renderer, const std::shared_ptr<DrawState>& state);
   void rebuildLights(vtkRenderer* renderer);
   /// Reads the sky's image if it has one and it is not the one at hand. Throws InputError.
   void rebuildSky();
 
  private:
+  bool placeObjects();
+
+  std::vector<std::shared_ptr<const Model>> builtModels_;  ///< what the objects were made from
+  std::vector<std::string> builtFiles_;
   std::string skyImageFile_;
 };
 

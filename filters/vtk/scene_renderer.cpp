@@ -286,6 +286,37 @@ std::shared_ptr<const BakedMaps> SceneRenderer::mapsOnCpu(const std::string& pro
   return impl_->inspector.onCpu(probeName.empty() ? impl_->state->sky : impl_->probes.maps(probeName));
 }
 
+void SceneRenderer::useBakedFiles(const std::string& folder) {
+  impl_->probes.useBakedFiles(folder);
+}
+
+void SceneRenderer::setBakeTargets(const std::vector<std::string>& probes) {
+  impl_->probes.setBakeTargets(probes);
+}
+
+void SceneRenderer::requestBake(const std::vector<std::string>& probes) {
+  impl_->probes.requestBake(probes);
+}
+
+BakeState SceneRenderer::bakeState(const std::string& probeName) const {
+  return impl_->probes.bakeState(probeName);
+}
+
+std::string SceneRenderer::saveBaked(const std::string& probeName, const std::string& folder,
+                                     const std::string& program) const {
+  const auto record = impl_->probes.record(probeName);
+  const auto maps = record ? readMaps(probeName) : std::nullopt;
+  if (!maps) return {};
+  Probe probe;
+  probe.name.clear();
+  if (const auto index = findProbe(impl_->content.scene, probeName)) probe = impl_->content.scene.probes[*index];
+  return BakeFolder::save(folder, probe, *record, *maps, program);
+}
+
+const std::string& SceneRenderer::pictureError() const {
+  return impl_->probes.pictureError();
+}
+
 std::optional<BakedMaps> SceneRenderer::readMaps(const std::string& probeName) const {
   const auto maps = probeName.empty() ? impl_->state->sky : impl_->probes.maps(probeName);
   if (!maps) return std::nullopt;

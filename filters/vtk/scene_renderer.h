@@ -10,6 +10,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -31,10 +33,26 @@ class vtkRenderer;
 
 namespace boxprobe {
 
+/// What one bounce of all probes took.
+struct BounceCost {
+  std::uint64_t faces = 0;  ///< captured
+  double cpuSeconds = 0.0;  ///< capture and filtering, all threads
+};
+
 /// CPU seconds of this process, all threads, by kind of work.
 struct Times {
+  std::array<BounceCost, 5> bounces;  ///< probes only, the first bounce first
   double captureCpuSeconds = 0.0;
   double prefilterCpuSeconds = 0.0;
+};
+
+/// How far a probe's maps are.
+enum class BakeState {
+  NotUsed,    ///< no visible object lies in its influence: nothing is made for it
+  Stale,      ///< an input changed, or nothing was made yet: work is pending
+  Capturing,  ///< being made now
+  UpToDate,
+  FromFile,  ///< up to date, from a baked file
 };
 
 class SceneRenderer {
@@ -95,6 +113,21 @@ class SceneRenderer {
   Explanation explain(int x, int y, int width, int height);
   /// Many pixels of one picture: the surfaces are drawn once.
   std::vector<Explanation> explain(const std::vector<glm::ivec2>& pixels, int width, int height);
+
+  /// Baked files of this folder are used in place of captures where their inputs are those of the scene; empty: none.
+  /// Looks at the folder once, at this call.
+  void useBakedFiles(const std::string& folder);
+  /// The work is to make these baked probes and no more, whether an object uses them or not; those that have a file
+  /// that holds are not even loaded. Empty: everything the picture needs, the default.
+  void setBakeTargets(const std::vector<std::string>& probes);
+  /// Makes these probes again although nothing changed; a custom probe's picture is read again.
+  void requestBake(const std::vector<std::string>& probes);
+  BakeState bakeState(const std::string& probeName) const;
+  /// Writes the maps of a baked probe (an empty name: the sky) as an EXR file into `folder`; returns its path, empty
+  /// if they are not final. `program` is what the file names as its writer. Throws WorkError.
+  std::string saveBaked(const std::string& probeName, const std::string& folder, const std::string& program) const;
+  /// Empty while every custom probe's picture could be read; else one line. Such a probe keeps the maps it had.
+  const std::string& pictureError() const;
 
   /// The maps a probe shows now, read back; nothing while it has none. An empty name stands for the sky.
   std::optional<BakedMaps> readMaps(const std::string& probeName) const;

@@ -1,0 +1,47 @@
+#include "filters/vtk/custom_pictures.h"
+
+#include "filters/core/errors.h"
+#include "filters/io/cube_file.h"
+#include "filters/vtk/capture_key.h"
+
+namespace boxprobe {
+
+void CustomPictures::update(const Scene& scene) {
+  error_.clear();
+  for (const Probe& probe : scene.probes) {
+    if (probe.mode != ProbeUpdate::Custom) continue;
+    const std::string place = "probes." + probe.name + ".image: ";
+    const auto it = pictures_.find(probe.name);
+    if (it == pictures_.end() || it->second.file != probe.image) {
+      Picture& picture = pictures_[probe.name];
+      picture.file = probe.image;
+      picture.error.clear();
+      try {
+        if (probe.image.empty()) throw InputError("mode custom needs the path of an EXR or HDR picture");
+        picture.cube = std::make_shared<const CubeMap>(loadCube(probe.image).radiance);
+        picture.key.clear();
+      } catch (const InputError& error) {
+        picture.error = place + error.what();
+      }
+    }
+    if (error_.empty()) error_ = pictures_[probe.name].error;
+  }
+}
+
+std::shared_ptr<const CubeMap> CustomPictures::picture(const std::string& probeName) const {
+  const auto it = pictures_.find(probeName);
+  return it != pictures_.end() ? it->second.cube : nullptr;
+}
+
+std::string CustomPictures::key(const Probe& probe) const {
+  const auto it = pictures_.find(probe.name);
+  if (it == pictures_.end() || !it->second.cube) return {};
+  Picture& picture = it->second;
+  if (picture.key.empty() || picture.keyFilter != probe.filter) {
+    picture.key = importKey(probe, *picture.cube);
+    picture.keyFilter = probe.filter;
+  }
+  return picture.key;
+}
+
+}  // namespace boxprobe
