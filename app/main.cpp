@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/bake_command.h"
 #include "app/cli/display_check.h"
 #include "app/cli/explain_command.h"
 #include "app/cli/info_command.h"
@@ -37,8 +38,8 @@ int run(int& argc, char** argv) {
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png\n"
       "Each sub-command explains itself: boxprobe render --help");
   program.require_subcommand(0, 1);
-  const std::vector<Subcommand> subcommands = {addRenderCommand(program), addExplainCommand(program),
-                                               addInfoCommand(program)};
+  const std::vector<Subcommand> subcommands = {addRenderCommand(program), addBakeCommand(program),
+                                               addExplainCommand(program), addInfoCommand(program)};
 
   try {
     program.parse(argc, argv);

@@ -22,6 +22,7 @@
 #include "filters/core/errors.h"
 #include "filters/core/explanation_text.h"
 #include "filters/io/atomic_file.h"
+#include "filters/io/bake_folder.h"
 #include "filters/math/technique_table.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
@@ -70,6 +71,7 @@ void runExplain(const ExplainOptions& options) {
   installVtkMessages(options.report.quiet, false);
   const vtkSmartPointer<vtkOpenGLRenderWindow> window = makeOffscreenWindow(size.width, size.height, 1);
   SceneRenderer renderer(window);
+  renderer.useBakedFiles(BakeFolder::besideScene(options.scenePath));
   renderer.setModels(loaded.models);
   renderer.sync(loaded.scene, Changes::all());
   renderer.applyCamera(camera);

@@ -1,6 +1,8 @@
-// A single line on stderr that says how far long work is; nothing where stderr is not a terminal.
+// A single line on stderr that says how far long work is and about how long it will go on; nothing where stderr is not
+// a terminal.
 #pragma once
 
+#include <chrono>
 #include <string>
 
 namespace boxprobe {
@@ -16,9 +18,12 @@ class ProgressLine {
   void show(double fraction);  ///< 0..1; redrawn only when the percentage shown changes
 
  private:
+  std::string timeLeft(double fraction) const;
+
   std::string label_;
   bool enabled_;
   int shownPercent_ = -1;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace boxprobe

@@ -18,6 +18,7 @@
 #include "app/cli/vtk_messages.h"
 #include "filters/core/errors.h"
 #include "filters/io/atomic_file.h"
+#include "filters/io/bake_folder.h"
 #include "filters/io/image_file.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
@@ -78,6 +79,7 @@ void runRender(const RenderOptions& options) {
   }
   SceneRenderer renderer(window);
   renderer.setProbesEnabled(options.probes == "on");
+  renderer.useBakedFiles(BakeFolder::besideScene(options.scenePath));
   renderer.setModels(loaded.models);
   renderer.sync(loaded.scene, Changes::all());
   renderer.applyCamera(camera);

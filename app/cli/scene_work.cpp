@@ -15,6 +15,7 @@ void requireHealthy(const SceneRenderer& renderer) {
 }
 
 void captureProbes(SceneRenderer& renderer, const InterruptGuard& interrupt, bool quiet) {
+  if (!renderer.pictureError().empty()) throw InputError(renderer.pictureError());
   ProgressLine line("capturing probes", !quiet);
   renderer.finishWork([&](double fraction) {
     line.show(fraction);

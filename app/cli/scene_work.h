@@ -9,7 +9,8 @@ class SceneRenderer;
 /// A picture without its reflections, or with a mesh missing, must not pass for the real one: throws WorkError.
 void requireHealthy(const SceneRenderer& renderer);
 
-/// Captures and filters what the scene needs, with a progress line; stops early when interrupted.
+/// Captures and filters what the scene needs, with a progress line; stops early when interrupted. Throws InputError for
+/// a custom probe whose picture cannot be read.
 void captureProbes(SceneRenderer& renderer, const InterruptGuard& interrupt, bool quiet);
 
 }  // namespace boxprobe

@@ -48,6 +48,8 @@ std::string statsJson(const RunStats& stats) {
   const std::vector<double>& frames = stats.frameCpuSeconds;
   Json json;
   json["counters"] = {{"facesCaptured", c.facesCaptured},
+                      {"facesReused", c.facesReused},
+                      {"mapsLoaded", c.mapsLoaded},
                       {"skyFacesCaptured", c.skyFacesCaptured},
                       {"levelsFiltered", c.levelsFiltered},
                       {"programsCompiled", c.programsCompiled},
@@ -60,6 +62,10 @@ std::string statsJson(const RunStats& stats) {
   times["startToFirstFrameCpuSeconds"] = orNull(stats.startToFirstFrameCpuSeconds);
   times["captureCpuSeconds"] = stats.times.captureCpuSeconds;
   times["prefilterCpuSeconds"] = stats.times.prefilterCpuSeconds;
+  times["bounces"] = Json::array();
+  for (const BounceCost& bounce : stats.times.bounces) {
+    times["bounces"].push_back({{"faces", bounce.faces}, {"cpuSeconds", bounce.cpuSeconds}});
+  }
   times["frameCpuSecondsMedian"] = frames.empty() ? Json(nullptr) : Json(median(frames));
   times["frameCpuSecondsMin"] = frames.empty() ? Json(nullptr) : Json(*std::min_element(frames.begin(), frames.end()));
   times["frames"] = frames.size();

@@ -29,8 +29,6 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   };
   if (flat(probe.box)) say("box", "is flat: no ray hits it inside, so the probe is not projected there.");
   if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe shows nowhere.");
-  if (probe.mode == ProbeUpdate::Realtime) say("mode", "realtime is not supported yet; the probe is baked.");
-  if (probe.mode == ProbeUpdate::Custom) say("mode", "custom is not supported yet; the probe is baked.");
   if (probe.mode != ProbeUpdate::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
   if (probe.filter == FilterKind::Gaussian) say("filter", "gaussian is not supported yet; ggx is used.");
   if (!probe.parameters.empty()) say("parameters", "are not used by this version's techniques.");
@@ -48,9 +46,6 @@ std::vector<std::string> featuresNotUsed(const Scene& scene) {
     }
   }
   for (const auto& [name, object] : scene.objects) {
-    if (object.dynamic) {
-      remark(remarks, {"objects", name, "dynamic"}, "is not supported yet; the object is captured as any other.");
-    }
     if (object.probeMode != ProbeMode::BlendAndSky) {
       remark(remarks, {"objects", name, "probeMode"}, "only blend+sky is supported yet; it is used.");
     }

@@ -12,13 +12,14 @@ void CustomPictures::update(const Scene& scene) {
     if (probe.mode != ProbeUpdate::Custom) continue;
     const std::string place = "probes." + probe.name + ".image: ";
     const auto it = pictures_.find(probe.name);
-    if (it == pictures_.end() || it->second.file != probe.image) {
+    if (it == pictures_.end() || it->second.file != probe.image || it->second.layout != probe.imageLayout) {
       Picture& picture = pictures_[probe.name];
       picture.file = probe.image;
+      picture.layout = probe.imageLayout;
       picture.error.clear();
       try {
         if (probe.image.empty()) throw InputError("mode custom needs the path of an EXR or HDR picture");
-        picture.cube = std::make_shared<const CubeMap>(loadCube(probe.image).radiance);
+        picture.cube = std::make_shared<const CubeMap>(loadCube(probe.image, probe.imageLayout).radiance);
         picture.key.clear();
       } catch (const InputError& error) {
         picture.error = place + error.what();

@@ -28,6 +28,7 @@ class CustomPictures {
  private:
   struct Picture {
     std::string file;
+    CubeLayout layout = CubeLayout::Automatic;
     std::shared_ptr<const CubeMap> cube;
     std::string error;
     std::string key;
