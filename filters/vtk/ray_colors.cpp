@@ -108,7 +108,7 @@ void RayColors::useNumber(const std::optional<RayRange>& locked) {
   vtkNew<vtkColorTransferFunction> colors;
   colors->SetColorSpaceToLab();
   const auto at = [&](double share) { return range_.low + share * (range_.high - range_.low); };
-  colors->AddRGBPoint(at(0.0), 0.34, 0.44, 0.98);
+  colors->AddRGBPoint(at(0.0), 0.42, 0.55, 1.00);
   colors->AddRGBPoint(at(0.5), 0.20, 0.76, 0.67);
   colors->AddRGBPoint(at(1.0), 1.00, 0.95, 0.50);
   table_ = colors;
@@ -154,6 +154,7 @@ void RayColors::describe(vtkScalarBarActor* bar) const {
   const double size = range_.high - range_.low;
   bar->SetLabelFormat(size >= 10.0 ? "%.1f" : size >= 0.1 ? "%.2f" : "%.2e");
   const int entries = static_cast<int>(table_->GetNumberOfAnnotatedValues());
+  bar->SetWidth(choices_.empty() ? 0.13 : 0.055);
   bar->SetHeight(choices_.empty() ? 0.36 : std::min(0.40, 0.08 + 0.045 * entries));
 }
 

@@ -68,6 +68,9 @@ RayLayer::RayLayer(vtkRenderer* renderer) : renderer_(renderer) {
   setText(bar_->GetTitleTextProperty(), 15);
   setText(bar_->GetLabelTextProperty(), 14);
   setText(bar_->GetAnnotationTextProperty(), 14);
+  // The names of choices stand outside of the bar's own background.
+  bar_->GetAnnotationTextProperty()->SetBackgroundColor(0.08, 0.08, 0.09);
+  bar_->GetAnnotationTextProperty()->SetBackgroundOpacity(0.78);
   bar_->AnnotationTextScalingOff();
   bar_->SetTextPositionToPrecedeScalarBar();
   bar_->DrawBackgroundOn();
@@ -79,7 +82,6 @@ RayLayer::RayLayer(vtkRenderer* renderer) : renderer_(renderer) {
   bar_->PickableOff();
   // Above the bar of what surfaces are coloured by, which has the lower half.
   bar_->SetPosition(0.015, 0.57);
-  bar_->SetWidth(0.13);
 }
 
 RayLayer::~RayLayer() {
@@ -158,7 +160,8 @@ void RayLayer::rebuild() {
     range_ = colors.range();
     colors.describe(bar_);
     const auto width = static_cast<float>(lineWidth_);
-    std::vector<DrawnLine> dots;
+    // What is drawn later lies on top: a true ray runs along the reflected one, and its error shows on both.
+    std::vector<DrawnLine> below, dots;
     std::set<std::array<float, 3>> origins;  // one dot for all the lookups of a probe
     vtkCellArray* cells = rays_->GetLines();
     drawn.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()) * 2);
@@ -176,11 +179,12 @@ void RayLayer::rebuild() {
       line.color = colors.color(firstCell + i);
       line.widthPixels = kind == RayKind::Error ? kErrorLine * width : width;
       line.arrow = headed(kind) ? 1.0f : 0.0f;
-      drawn.push_back(line);
+      (kind == RayKind::TrueHit ? below : drawn).push_back(line);
       const auto dot = [&](const glm::vec3& at) { dots.push_back({at, at, line.color, kDot * width, 0.0f}); };
       if (kind == RayKind::Eye || kind == RayKind::TrueHit) dot(line.to);
       if (kind == RayKind::Lookup && origins.insert({line.from.x, line.from.y, line.from.z}).second) dot(line.from);
     }
+    drawn.insert(drawn.begin(), below.begin(), below.end());
     drawn.insert(drawn.end(), dots.begin(), dots.end());
   }
   lines_->SetLines(std::move(drawn), anchor);
