@@ -1,6 +1,7 @@
 #include "filters/vtk/view_legend.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkLegendBoxActor.h>
 #include <vtkLookupTable.h>
@@ -11,6 +12,7 @@
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <utility>
@@ -59,6 +61,7 @@ ViewLegend::ViewLegend()
   bar_->SetVerticalTitleSeparation(10);
 
   setText(names_->GetEntryTextProperty(), 14);
+  names_->ScalarVisibilityOn();
   names_->UseBackgroundOn();
   double background[3] = {0.08, 0.08, 0.09};
   names_->SetBackgroundColor(background);
@@ -116,15 +119,19 @@ void ViewLegend::showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& 
   for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) corners->InsertNextPoint(x, y, 0);
   vtkNew<vtkCellArray> face;
   face->InsertNextCell({0, 1, 2, 3});
-  vtkNew<vtkPolyData> square;
-  square->SetPoints(corners);
-  square->SetPolys(face);
   std::size_t longest = 4;
   for (std::size_t i = 0; i < count; ++i) {
-    glm::dvec3 color(colors[i]);
+    // The colour sits in the swatch itself: an entry's colour would be its text's too, dark on dark.
+    vtkNew<vtkUnsignedCharArray> color;
+    color->SetNumberOfComponents(3);
+    const glm::dvec3 rgb = 255.0 * glm::dvec3(colors[i]);
+    color->InsertNextTuple3(rgb.x, rgb.y, rgb.z);
+    vtkNew<vtkPolyData> square;
+    square->SetPoints(corners);
+    square->SetPolys(face);
+    square->GetCellData()->SetScalars(color);
     names_->SetEntrySymbol(static_cast<int>(i), square);
     names_->SetEntryString(static_cast<int>(i), names[i].c_str());
-    names_->SetEntryColor(static_cast<int>(i), &color.x);
     longest = std::max(longest, names[i].size());
   }
   names_->SetPosition(0.015, 0.03);
