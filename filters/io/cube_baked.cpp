@@ -81,16 +81,17 @@ ExrPart stackPart(const std::string& name, int size, const Imath::Box2i& display
   return part;
 }
 
-bool isBakedProbe(const Imf::Header& header) {
-  const auto* version = header.findTypedAttribute<Imf::IntAttribute>(kVersionAttribute);
-  return version != nullptr && version->value() == kVersion;
-}
-
 int partNamed(const Imf::MultiPartInputFile& file, const std::string& name) {
   for (int part = 0; part < file.parts(); ++part) {
     if (file.header(part).hasName() && file.header(part).name() == name) return part;
   }
   return -1;
+}
+
+/// The exact levels count, not the attribute alone: exrenvmap copies every attribute into what it makes of a file.
+bool isBakedProbe(const Imf::MultiPartInputFile& file) {
+  const auto* version = file.header(0).findTypedAttribute<Imf::IntAttribute>(kVersionAttribute);
+  return version != nullptr && version->value() == kVersion && partNamed(file, levelName(0)) > 0;
 }
 
 float finiteOrZero(float value) {
@@ -112,9 +113,9 @@ void readLevel(Imf::MultiPartInputFile& file, CubeMap& cube, int level, const st
 
 BakedMaps readMaps(Imf::MultiPartInputFile& file, const std::string& path) {
   const Imf::Header& header = file.header(0);
-  if (!isBakedProbe(header)) {
-    throw InputError(path + ": part 0: attribute " + kVersionAttribute +
-                     " is not 1: not a probe baked by this version; bake it again");
+  if (!isBakedProbe(file)) {
+    throw InputError(path + ": attribute " + kVersionAttribute + " = 1 and a part " + levelName(0) +
+                     " are not there: no probe baked by this version; bake it again");
   }
   BakedMaps maps;
   maps.capturedAt = vectorAttribute(header, "capturedAt", path);
@@ -202,7 +203,7 @@ std::optional<std::string> bakedProbeHash(const std::string& path) {
   try {
     std::optional<std::string> hash;
     withExrFile(path, [&](Imf::MultiPartInputFile& file) {
-      bool whole = isBakedProbe(file.header(0));
+      bool whole = isBakedProbe(file);
       for (int part = 0; part < file.parts(); ++part) whole = whole && file.partComplete(part);
       if (whole) hash = textAttribute(file.header(0), "inputHash", path);
     });

@@ -15,6 +15,7 @@
 // right edge -Z, in both conventions of texels.
 #pragma once
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -32,6 +33,18 @@ double texelCoordinate(double position, int count, TexelPlacement placement);
 
 /// OpenEXR's faces have OpenGL's s (X and Z faces) or t (Y faces) reversed; its own inverse.
 CubePoint mirroredOpenExr(CubePoint point);
+
+/// Where a face lies in a picture of several, in units of faces, OpenGL's order.
+struct FaceCell {
+  int column, row;
+  bool turned = false;  ///< by half a turn
+};
+using FaceCells = std::array<FaceCell, 6>;
+constexpr FaceCells kRow = {{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}};
+constexpr FaceCells kColumn = {{{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}}};
+/// Unfolded around +Z, neighbours meeting as they do on the cube: -Z is right of +X, or turned below -Y.
+constexpr FaceCells kCrossWide = {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
+constexpr FaceCells kCrossTall = {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3, true}}};
 
 /// x to the right, y down, both [-1, 1].
 glm::vec3 latLongDirection(double x, double y);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <thread>
 
 namespace boxprobe {
@@ -85,45 +86,63 @@ int samplesForRatio(double ratio) {
   return ratio <= kEqual ? 1 : static_cast<int>(std::ceil(2.0 * std::min(ratio, kMost)));
 }
 
+namespace {
+
+/// Towards a point of a face, or beyond one of its edges: there the next face goes on, folded over the edge so that
+/// lengths are kept and the footprints of the texels that share an edge are the same. The largest component is 1.
+glm::vec3 foldedDirection(const CubePoint& point) {
+  const float beyond = std::max(std::fabs(point.s), std::fabs(point.t)) - 1.0f;
+  const glm::vec3 onFace =
+      shading::cubeDirection(point.face, std::clamp(point.s, -1.0f, 1.0f), std::clamp(point.t, -1.0f, 1.0f));
+  return beyond > 0.0f ? onFace - beyond * shading::cubeDirection(point.face, 0.0f, 0.0f) : onFace;
+}
+
+/// The mean over a texel of a face whose sample in column i and row j of `samples` by `samples` is at `place`.
+glm::vec4 meanOverTexel(const DirectionSampler& source, const std::function<CubePoint(int i, int j)>& place,
+                        int samples) {
+  if (samples == 1) return source(foldedDirection(place(0, 0)));  // itself, bit for bit
+  glm::vec4 sum(0.0f);
+  float weights = 0.0f;
+  for (int i = 0; i < samples * samples; ++i) {
+    const CubePoint point = place(i % samples, i / samples);
+    // Three faces meet at a corner, not four: beyond two edges at once there is nothing.
+    if (std::fabs(point.s) > 1.0f && std::fabs(point.t) > 1.0f) continue;
+    const glm::vec3 direction = foldedDirection(point);
+    const float square = glm::dot(direction, direction);
+    const float weight = 1.0f / (square * std::sqrt(square));  // solid angle of a step on the face
+    sum += weight * source(direction);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+}  // namespace
+
 CubeMap resampleToCube(const DirectionSampler& source, int faceSize, int samples) {
   CubeMap cube(faceSize, 1);
   forEachRow(6 * faceSize, [&](int line) {
     const int face = line / faceSize, row = line % faceSize;
+    const auto at = [&](int texel, int sample) {
+      return static_cast<float>(texelCoordinate(texel + offset(sample, samples), faceSize, TexelPlacement::Centres));
+    };
     for (int column = 0; column < faceSize; ++column) {
-      glm::vec4 sum(0.0f);
-      float weights = 0.0f;
-      for (int i = 0; i < samples * samples; ++i) {
-        const auto at = [&](int texel, int sample) {
-          return static_cast<float>(
-              texelCoordinate(texel + offset(sample, samples), faceSize, TexelPlacement::Centres));
-        };
-        const float s = at(column, i % samples), t = at(row, i / samples);
-        const float square = 1.0f + s * s + t * t;
-        const float weight = 1.0f / (square * std::sqrt(square));  // solid angle of a step on the face
-        sum += weight * source(shading::cubeDirection(face, s, t));
-        weights += weight;
-      }
-      cube.setTexel(0, face, column, row, sum / weights);
+      const auto place = [&](int i, int j) { return CubePoint{face, at(column, i), at(row, j)}; };
+      cube.setTexel(0, face, column, row, meanOverTexel(source, place, samples));
     }
   });
   return cube;
 }
 
 void resampleToOpenExrFace(const DirectionSampler& source, int face, int size, int samples, float* rgba) {
+  // A texel on an edge reaches beyond it, onto the next face, which has it too: a source there must not count twice.
+  const auto at = [&](int texel, int sample) {
+    return static_cast<float>(
+        texelCoordinate(texel + (size > 1 ? offset(sample, samples) : 0.0), size, TexelPlacement::Edges));
+  };
   forEachRow(size, [&](int row) {
     for (int column = 0; column < size; ++column) {
-      glm::vec4 sum(0.0f);
-      for (int i = 0; i < samples * samples; ++i) {
-        // Beyond the edge is the next face's business: what is left of the outermost texels lies on this one.
-        const auto at = [&](int texel, int sample) {
-          const double coordinate =
-              texelCoordinate(texel + (size > 1 ? offset(sample, samples) : 0.0), size, TexelPlacement::Edges);
-          return static_cast<float>(std::clamp(coordinate, -1.0, 1.0));
-        };
-        const CubePoint point = mirroredOpenExr({face, at(column, i % samples), at(row, i / samples)});
-        sum += source(shading::cubeDirection(point.face, point.s, point.t));
-      }
-      store(rgba + 4 * (static_cast<std::ptrdiff_t>(row) * size + column), sum / static_cast<float>(samples * samples));
+      const auto place = [&](int i, int j) { return mirroredOpenExr({face, at(column, i), at(row, j)}); };
+      store(rgba + 4 * (static_cast<std::ptrdiff_t>(row) * size + column), meanOverTexel(source, place, samples));
     }
   });
 }

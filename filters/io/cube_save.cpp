@@ -109,12 +109,12 @@ void copyFace(const CubeMap& faces, int face, int left, int top, int width, std:
 }
 
 ExrPart crossPart(const Surroundings& source, int faceSize, ExrPrecision precision) {
-  constexpr int kCells[6][2] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}};
   const int width = 4 * faceSize, height = 3 * faceSize;
   const auto unfold = [&](const CubeMap& faces) {
     std::vector<float> pixels(std::size_t(4) * width * height, 0.0f);
     for (int face = 0; face < 6; ++face) {
-      copyFace(faces, face, kCells[face][0] * faceSize, kCells[face][1] * faceSize, width, pixels);
+      const FaceCell cell = kCrossWide[static_cast<std::size_t>(face)];
+      copyFace(faces, face, cell.column * faceSize, cell.row * faceSize, width, pixels);
     }
     return pixels;
   };

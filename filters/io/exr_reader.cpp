@@ -129,6 +129,8 @@ ExrPicture readExrPart(Imf::MultiPartInputFile& file, int index, const std::stri
   const Size size = sizeOf(window);
   checkImageSize(path, size.width, size.height);
   const ChannelPlan plan = planChannels(header.channels(), where);
+  // Here, too, before memory is asked for: a header may promise what the file never had.
+  if (!file.partComplete(index)) throw InputError(where + " is not complete; save it again");
 
   ExrPicture picture;
   ImageRgbaF& image = picture.image;
@@ -185,6 +187,7 @@ std::vector<float> readExrChannel(Imf::MultiPartInputFile& file, int index, cons
                      " pixels and must be " + std::to_string(width) + " x " + std::to_string(height) +
                      "; bake it again");
   }
+  if (!file.partComplete(index)) throw InputError(where + " is not complete; save it again");
   const Imf::Channel* found = header.channels().findChannel(channel);
   if (found == nullptr || found->xSampling != 1 || found->ySampling != 1) {
     throw InputError(where + ": has no channel " + channel + " at full resolution; bake it again");
