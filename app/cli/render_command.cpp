@@ -15,6 +15,7 @@
 #include "app/cli/render_options.h"
 #include "app/cli/scene_work.h"
 #include "app/cli/stats_json.h"
+#include "app/cli/view_sheet.h"
 #include "app/cli/vtk_messages.h"
 #include "filters/core/errors.h"
 #include "filters/io/atomic_file.h"
@@ -36,7 +37,8 @@ void writePicture(SceneRenderer& renderer, const RenderOptions& options, bool li
     interrupt.check();
     saveExr(options.outputPath, image);
   } else {
-    const ImageRgba8 image = renderer.renderDisplay();
+    const bool sheet = options.view == kAllViews;
+    const ImageRgba8 image = sheet ? renderViewSheet(renderer, [&] { interrupt.check(); }) : renderer.renderDisplay();
     requireHealthy(renderer);
     interrupt.check();
     savePng(options.outputPath, image);
@@ -59,6 +61,9 @@ double timedFrame(SceneRenderer& renderer, vtkOpenGLRenderWindow* window, const 
 void runRender(const RenderOptions& options) {
   const bool linear = requireExtension("-o", options.outputPath, {".png", ".exr"}) == ".exr";
   const FrameSize size = parseFrameSize(options.size);
+  if (linear && options.view == kAllViews) {
+    throw InputError("-o " + options.outputPath + ": a sheet of all views is a .png; an .exr holds one view's numbers");
+  }
   requireWritable("-o", options.outputPath);
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
 

@@ -43,7 +43,9 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command
       .add_option(
           "--view", options.view,
-          "Colour the surfaces by (PNG: with its scale; EXR: the numbers, -1 where undefined): " + surfaceViewIdList())
+          "Colour the surfaces by (PNG: with its scale; EXR: the numbers, -1 where undefined), or all: a sheet of "
+          "every view side by side: " +
+              surfaceViewIdList())
       ->type_name("ID");
   command.add_option("--range", options.range, "Numbers at the ends of the scale of --view (default: by the scene)")
       ->type_name("LOW,HIGH");
@@ -72,9 +74,9 @@ FrameSize parseFrameSize(const std::string& text) {
 
 SurfaceViewSettings parseView(const std::string& id, const std::string& range) {
   SurfaceViewSettings settings;
-  if (!id.empty()) {
+  if (!id.empty() && id != kAllViews) {
     const std::optional<int> view = findSurfaceView(id);
-    if (!view) throw InputError("--view " + id + ": no such view; there are: " + surfaceViewIdList());
+    if (!view) throw InputError("--view " + id + ": no such view; there are: all, " + surfaceViewIdList());
     settings.view = *view;
   }
   if (range.empty()) return settings;

@@ -36,6 +36,9 @@ void addRenderOptions(CLI::App& command, RenderOptions& options);
 /// "1280x720": two whole numbers from 1 to 16384. Throws InputError.
 FrameSize parseFrameSize(const std::string& text);
 
+/// What --view takes for a sheet of all rows.
+inline constexpr const char* kAllViews = "all";
+
 /// A row of the debug view's table and its range. Throws InputError listing the ids there are.
 SurfaceViewSettings parseView(const std::string& id, const std::string& range);
 

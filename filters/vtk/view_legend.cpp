@@ -3,6 +3,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
+#include <vtkCoordinate.h>
 #include <vtkLegendBoxActor.h>
 #include <vtkLookupTable.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -11,6 +12,7 @@
 #include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -41,7 +43,8 @@ void setText(vtkTextProperty* text, int size) {
 ViewLegend::ViewLegend()
     : colors_(vtkSmartPointer<vtkColorTransferFunction>::New()),
       bar_(vtkSmartPointer<vtkScalarBarActor>::New()),
-      names_(vtkSmartPointer<vtkLegendBoxActor>::New()) {
+      names_(vtkSmartPointer<vtkLegendBoxActor>::New()),
+      caption_(vtkSmartPointer<vtkTextActor>::New()) {
   colors_->SetColorSpaceToLab();
   colors_->AddRGBPoint(0.00, 0.11, 0.09, 0.30);
   colors_->AddRGBPoint(0.25, 0.16, 0.34, 0.60);
@@ -50,7 +53,6 @@ ViewLegend::ViewLegend()
   colors_->AddRGBPoint(1.00, 0.99, 0.94, 0.40);
 
   bar_->UnconstrainedFontSizeOn();
-  setText(bar_->GetTitleTextProperty(), 15);
   setText(bar_->GetLabelTextProperty(), 14);
   bar_->SetTextPositionToPrecedeScalarBar();
   bar_->DrawBackgroundOn();
@@ -58,7 +60,6 @@ ViewLegend::ViewLegend()
   bar_->GetBackgroundProperty()->SetOpacity(0.78);
   bar_->SetNumberOfLabels(5);
   bar_->SetTextPad(6);
-  bar_->SetVerticalTitleSeparation(10);
 
   setText(names_->GetEntryTextProperty(), 14);
   names_->ScalarVisibilityOn();
@@ -67,6 +68,13 @@ ViewLegend::ViewLegend()
   names_->SetBackgroundColor(background);
   names_->SetBackgroundOpacity(0.78);
   names_->BorderOff();
+
+  setText(caption_->GetTextProperty(), 16);
+  caption_->GetTextProperty()->SetBackgroundColor(background);
+  caption_->GetTextProperty()->SetBackgroundOpacity(0.78);
+  caption_->GetTextProperty()->SetVerticalJustificationToTop();
+  caption_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  caption_->SetPosition(0.015, 0.97);
 }
 
 ViewLegend::~ViewLegend() = default;
@@ -75,6 +83,11 @@ void ViewLegend::show(vtkRenderer* renderer, const SurfaceViewRow& row, double l
                       const std::vector<std::string>& probeNames) {
   renderer->RemoveActor2D(bar_);
   renderer->RemoveActor2D(names_);
+  renderer->RemoveActor2D(caption_);
+  if (row.kind == ViewKind::Picture) return;
+  const std::string unit = row.unit.empty() ? "" : ", " + std::string(row.unit);
+  caption_->SetInput((" " + std::string(row.label) + unit + " ").c_str());
+  renderer->AddActor2D(caption_);
   if (row.kind == ViewKind::Category) {
     const auto& faces = faceColors();
     showNames(renderer, {faces.begin(), faces.end()}, {"-x", "+x", "-y", "+y", "-z", "+z"});
@@ -90,9 +103,6 @@ void ViewLegend::show(vtkRenderer* renderer, const SurfaceViewRow& row, double l
     return;
   }
   if (row.kind != ViewKind::Scalar) return;
-  std::string title(row.label);
-  if (!row.unit.empty()) title += "\n" + std::string(row.unit);
-  bar_->SetTitle(title.c_str());
   vtkNew<vtkLookupTable> table;
   table->SetNumberOfTableValues(kColors);
   for (int i = 0; i < kColors; ++i) {

@@ -16,6 +16,7 @@ class vtkLegendBoxActor;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkScalarBarActor;
+class vtkTextActor;
 
 namespace boxprobe {
 
@@ -24,7 +25,7 @@ class ViewLegend {
   ViewLegend();
   ~ViewLegend();
 
-  /// The bar of a view with its range; for the view of weights, a swatch for each probe. Row 0 takes the bar away.
+  /// The name of a view, and its bar with the range; for weights and faces a swatch for each. Row 0 takes all away.
   void show(vtkRenderer* renderer, const SurfaceViewRow& row, double low, double high,
             const std::vector<std::string>& probeNames);
   /// The colour map as the shader reads it. The context must be current.
@@ -36,6 +37,7 @@ class ViewLegend {
   vtkSmartPointer<vtkColorTransferFunction> colors_;
   vtkSmartPointer<vtkScalarBarActor> bar_;
   vtkSmartPointer<vtkLegendBoxActor> names_;
+  vtkSmartPointer<vtkTextActor> caption_;
 };
 
 }  // namespace boxprobe
