@@ -16,6 +16,7 @@
 
 #include "app/cli/fit_scene.h"
 #include "app/gui/about_dialog.h"
+#include "app/gui/capture_panel.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/material_panel.h"
 #include "app/gui/menu_bar.h"
@@ -92,6 +93,7 @@ void MainWindow::buildPanels() {
                                         },
                                         [this] { return renderer_->bounds(); }});
   probePanel_ = new ProbePanel(*editor_);
+  capturePanel_ = new CapturePanel(*editor_);
   materialPanel_ = new MaterialPanel(*editor_);
   picturePanel_ = new PicturePanel(*editor_);
 
@@ -99,8 +101,9 @@ void MainWindow::buildPanels() {
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(6);
-  for (QWidget* panel : {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(probePanel_),
-                         static_cast<QWidget*>(materialPanel_), static_cast<QWidget*>(picturePanel_)}) {
+  for (QWidget* panel :
+       {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(probePanel_), static_cast<QWidget*>(capturePanel_),
+        static_cast<QWidget*>(materialPanel_), static_cast<QWidget*>(picturePanel_)}) {
     layout->addWidget(panel);
   }
   layout->addStretch(1);
@@ -186,6 +189,7 @@ void MainWindow::documentChanged(const Changes& changes) {
   probeWidget_->update();
   probeList_->update();
   probePanel_->update();
+  capturePanel_->update();
   materialPanel_->update();
   picturePanel_->update();
   menu_->update(document_);
@@ -203,6 +207,7 @@ void MainWindow::updateTitle() {
 void MainWindow::showScene(LoadedScene loaded) {
   probeWidget_->cancel();
   renderer_->setModels(loaded.models);
+  capturePanel_->setModels(loaded.models);
   materialPanel_->setModels(loaded.models);
   document_.open(std::move(loaded.scene), loaded.path);
   if (!document_.scene().probes.empty()) document_.selectProbe(0);

@@ -11,6 +11,7 @@
 
 namespace boxprobe {
 
+class CapturePanel;
 class FileCommands;
 class MaterialPanel;
 class MenuBar;
@@ -79,6 +80,7 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   ProbeList* probeList_ = nullptr;
   ProbePanel* probePanel_ = nullptr;
+  CapturePanel* capturePanel_ = nullptr;
   MaterialPanel* materialPanel_ = nullptr;
   PicturePanel* picturePanel_ = nullptr;
   bool firstPictureDone_ = false;

@@ -2,18 +2,16 @@
 #include "app/gui/probe_panel.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
 #include "app/gui/blend_row.h"
 #include "app/gui/panel_layout.h"
+#include "app/gui/probe_fields.h"
 #include "app/gui/probe_frame.h"
-#include "app/gui/quiet_combo.h"
 #include "app/gui/technique_combo.h"
 #include "app/gui/vector_row.h"
 
@@ -41,16 +39,6 @@ Box withSide(Box box, bool maximum, int axis, double value) {
   return box;
 }
 
-void addNumbers(QComboBox* combo, std::initializer_list<int> numbers, const QString& pattern) {
-  for (const int number : numbers) combo->addItem(pattern.arg(number), number);
-}
-
-void showNumber(QComboBox* combo, int number, const QString& pattern) {
-  const QSignalBlocker quiet(combo);
-  if (combo->findData(number) < 0) combo->addItem(pattern.arg(number), number);
-  combo->setCurrentIndex(combo->findData(number));
-}
-
 }  // namespace
 
 ProbePanel::ProbePanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
@@ -59,20 +47,17 @@ ProbePanel::ProbePanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
   buildPlace();
   buildInfluence();
   buildLook();
-  buildCapture();
   // What a field is called from outside: by style sheets and tests.
   const std::pair<QWidget*, const char*> names[] = {
-      {origin_, "origin"},         {boxMin_, "boxMin"},         {boxMax_, "boxMax"},       {rotation_, "rotation"},
-      {blend_, "blendDistance"},   {importance_, "importance"}, {intensity_, "intensity"}, {technique_, "technique"},
-      {techniqueHelp_, "help"},    {projection_, "projection"}, {faceSize_, "faceSize"},   {bounces_, "bounces"},
-      {ownInfluence_, "influence"}};
+      {origin_, "origin"},       {boxMin_, "boxMin"},         {boxMax_, "boxMax"},         {rotation_, "rotation"},
+      {blend_, "blendDistance"}, {importance_, "importance"}, {intensity_, "intensity"},   {technique_, "technique"},
+      {techniqueHelp_, "help"},  {projection_, "projection"}, {ownInfluence_, "influence"}};
   for (const auto& [widget, name] : names) widget->setObjectName(name);
   update();
 }
 
 QString ProbePanel::label(const QString& what) const {
-  const Probe* probe = editor_.probe();
-  return probe ? tr("Set %1 of %2").arg(what, QString::fromStdString(probe->name)) : QString();
+  return probeEditLabel(editor_, what);
 }
 
 void ProbePanel::connectVector(VectorRow* row, const QString& what, const VectorEdit& edit) {
@@ -83,20 +68,6 @@ void ProbePanel::connectVector(VectorRow* row, const QString& what, const Vector
   connect(row, &VectorRow::committed, this, [this, labelFor, edit](int axis, double value) {
     editor_.commitProbe(labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
   });
-}
-
-ValueField* ProbePanel::addNumber(QFormLayout* form, const QString& name, const ValueField::Format& format,
-                                  const QString& toolTip, const NumberEdit& edit) {
-  auto* field = new ValueField(format, this);
-  addRow(form, name, field, toolTip);
-  const QString what = name.toLower();
-  connect(field, &ValueField::previewed, this, [this, what, edit](double value) {
-    editor_.previewProbe(label(what), [=](Probe& probe) { edit(probe, value); });
-  });
-  connect(field, &ValueField::committed, this, [this, what, edit](double value) {
-    editor_.commitProbe(label(what), [=](Probe& probe) { edit(probe, value); });
-  });
-  return field;
 }
 
 void ProbePanel::buildPlace() {
@@ -132,9 +103,9 @@ void ProbePanel::buildInfluence() {
   connect(blend_, &BlendRow::committed, this, [this](const BlendDistance& blend) {
     editor_.commitProbe(label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
   });
-  importance_ =
-      addNumber(form, tr("Importance"), kLevel, tr("Where probes overlap, the higher importance takes its share first"),
-                [](Probe& probe, double value) { probe.importance = value; });
+  importance_ = addProbeNumber(editor_, form, tr("Importance"), kLevel,
+                               tr("Where probes overlap, the higher importance takes its share first"),
+                               [](Probe& probe, double value) { probe.importance = value; });
 
   ownInfluence_ = new QCheckBox(tr("Influence box of its own"), this);
   ownInfluence_->setToolTip(tr("Off: the probe reaches as far as its projection box"));
@@ -170,33 +141,13 @@ void ProbePanel::buildLook() {
   projection_->setToolTip(
       tr("Off: the cubemap is looked up with the bare reflection vector, as if infinitely far away"));
   form->addRow(projection_);
-  intensity_ = addNumber(form, tr("Intensity"), kFactor, tr("Factor on the probe's light, 1 as captured"),
-                         [](Probe& probe, double value) { probe.intensity = value; });
+  intensity_ = addProbeNumber(editor_, form, tr("Intensity"), kFactor, tr("Factor on the probe's light, 1 as captured"),
+                              [](Probe& probe, double value) { probe.intensity = value; });
   connect(technique_, &TechniqueCombo::chosen, this, [this](const std::string& id) {
     editor_.commitProbe(label(tr("technique")), [id](Probe& probe) { probe.technique = id; });
   });
   connect(projection_, &QCheckBox::clicked, this, [this](bool on) {
     editor_.commitProbe(label(tr("projection")), [on](Probe& probe) { probe.projection = on; });
-  });
-}
-
-void ProbePanel::buildCapture() {
-  QFormLayout* form = addSection(this, tr("Capture"));
-  faceSize_ = new QuietCombo(this);
-  bounces_ = new QuietCombo(this);
-  addNumbers(faceSize_, {16, 32, 64, 128, 256, 512, 1024, 2048}, tr("%1 × %1 texels"));
-  addNumbers(bounces_, {1, 2, 3, 4, 5}, "%1");
-  addRow(form, tr("Face size"), faceSize_,
-         tr("Texels along an edge of each cubemap face: sharper mirrors, more memory"));
-  addRow(form, tr("Bounces"), bounces_,
-         tr("How often the probe is captured in turn: with 1, mirrors are black in their own probe"));
-  connect(faceSize_, QOverload<int>::of(&QComboBox::activated), this, [this] {
-    const int size = faceSize_->currentData().toInt();
-    editor_.commitProbe(label(tr("face size")), [size](Probe& probe) { probe.faceSize = size; });
-  });
-  connect(bounces_, QOverload<int>::of(&QComboBox::activated), this, [this] {
-    const int count = bounces_->currentData().toInt();
-    editor_.commitProbe(label(tr("bounces")), [count](Probe& probe) { probe.bounces = count; });
   });
 }
 
@@ -234,8 +185,6 @@ void ProbePanel::update() {
   techniqueHelp_->setText(technique_->help());
   projection_->setChecked(probe->projection);
   intensity_->show(probe->intensity);
-  showNumber(faceSize_, probe->faceSize, tr("%1 × %1 texels"));
-  showNumber(bounces_, probe->bounces, "%1");
 }
 
 }  // namespace boxprobe

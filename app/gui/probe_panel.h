@@ -1,5 +1,6 @@
-// The selected probe in numbers: shows the document's values and turns entries into edits through the editor. Called by
-// the main window; knows neither the picture nor the list of probes.
+// Place, influence and look of the selected probe in numbers: shows the document's values and turns entries into edits
+// through the editor. Called by the main window; knows neither the picture nor the list of probes, nor how it is
+// captured (capture_panel.h).
 #pragma once
 
 #include <QWidget>
@@ -10,7 +11,6 @@
 #include "app/gui/value_field.h"
 
 class QCheckBox;
-class QComboBox;
 class QFormLayout;
 class QLabel;
 
@@ -31,15 +31,11 @@ class ProbePanel : public QWidget {
 
  private:
   using VectorEdit = std::function<void(Probe&, int axis, double value)>;
-  using NumberEdit = std::function<void(Probe&, double value)>;
 
   void buildPlace();
   void buildInfluence();
   void buildLook();
-  void buildCapture();
   void connectVector(VectorRow* row, const QString& what, const VectorEdit& edit);
-  ValueField* addNumber(QFormLayout* form, const QString& label, const ValueField::Format& format,
-                        const QString& toolTip, const NumberEdit& edit);
   void updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box);
   QString label(const QString& what) const;
 
@@ -54,8 +50,6 @@ class ProbePanel : public QWidget {
   TechniqueCombo* technique_ = nullptr;
   QLabel* techniqueHelp_ = nullptr;
   QCheckBox* projection_ = nullptr;
-  QComboBox* faceSize_ = nullptr;
-  QComboBox* bounces_ = nullptr;
 };
 
 }  // namespace boxprobe
