@@ -161,7 +161,7 @@ void RayLayer::rebuild() {
     colors.describe(bar_);
     const auto width = static_cast<float>(lineWidth_);
     // What is drawn later lies on top: a true ray runs along the reflected one, and its error shows on both.
-    std::vector<DrawnLine> below, dots;
+    std::vector<DrawnLine> below, heads, dots;
     std::set<std::array<float, 3>> origins;  // one dot for all the lookups of a probe
     vtkCellArray* cells = rays_->GetLines();
     drawn.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()) * 2);
@@ -180,11 +180,16 @@ void RayLayer::rebuild() {
       line.widthPixels = kind == RayKind::Error ? kErrorLine * width : width;
       line.arrow = headed(kind) ? 1.0f : 0.0f;
       (kind == RayKind::TrueHit ? below : drawn).push_back(line);
+      if (headed(kind)) {
+        heads.push_back(line);
+        heads.back().arrow = 2.0f;
+      }
       const auto dot = [&](const glm::vec3& at) { dots.push_back({at, at, line.color, kDot * width, 0.0f}); };
       if (kind == RayKind::Eye || kind == RayKind::TrueHit) dot(line.to);
       if (kind == RayKind::Lookup && origins.insert({line.from.x, line.from.y, line.from.z}).second) dot(line.from);
     }
     drawn.insert(drawn.begin(), below.begin(), below.end());
+    drawn.insert(drawn.end(), heads.begin(), heads.end());
     drawn.insert(drawn.end(), dots.begin(), dots.end());
   }
   lines_->SetLines(std::move(drawn), anchor);

@@ -22,7 +22,7 @@ struct DrawnLine {
   glm::vec3 from{0.0f}, to{0.0f};  ///< relative to the anchor
   glm::vec3 color{1.0f};           ///< display
   float widthPixels = 2.0f;
-  float arrow = 0.0f;  ///< 1: a head at `to`
+  float arrow = 0.0f;  ///< 1: the shaft of an arrow to `to`; 2: its head, a line of its own
 };
 
 }  // namespace boxprobe

@@ -12,7 +12,7 @@ const float kHaloPixels = 1.75f;
 const vec3 kHaloColor = vec3(0.04f);
 const float kDashPixels = 9.0f; // a dash and its gap
 
-// Distance in pixels to the outline of the line with round ends and, if it has one, its head; negative inside.
+// Distance in pixels to the outline of a line with round ends, or of an arrow's head; negative inside.
 float outline()
 {
   float head = 11.0f * bpPixelScale;
@@ -20,13 +20,10 @@ float outline()
   bool arrow = lineShape.y > 0.5f && lineLength > 1.5f * head;
   float end = arrow ? lineLength - 0.5f * head : lineLength;
   float beyond = max(max(-place.x, place.x - end), 0.0f);
-  float d = length(vec2(beyond, place.y)) - lineShape.x;
-  if (arrow)
-  {
-    vec2 q = vec2(lineLength - place.x, abs(place.y));  // from the tip backwards
-    d = min(d, max(dot(q, normalize(vec2(-headHalf, head))), q.x - head));
-  }
-  return d;
+  if (lineShape.y < 1.5f) { return length(vec2(beyond, place.y)) - lineShape.x; }
+  if (!arrow) { return 1.0e6f; }  // too short on the screen for a head
+  vec2 q = vec2(lineLength - place.x, abs(place.y));  // from the tip backwards
+  return max(dot(q, normalize(vec2(-headHalf, head))), q.x - head);
 }
 
 void main()

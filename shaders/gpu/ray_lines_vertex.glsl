@@ -3,7 +3,7 @@
 in vec3 bpFrom;    // relative to the lines' anchor, which was subtracted in double
 in vec3 bpTo;
 in vec3 bpColor;
-in vec2 bpShape;   // width in pixels; 1: an arrow head at the end
+in vec2 bpShape;   // width in pixels; 1: the shaft of an arrow, 2: its head
 
 uniform mat4 bpClipFromLine;
 uniform mat4 bpPulledFromLine; // the same a little nearer to the eye: only its depth is used, so a line on a wall wins over it
@@ -14,9 +14,13 @@ uniform float bpPixelScale;    // device pixels a logical one
 out vec2 place;                // pixels along and across, 0 at the start
 flat out float lineLength;     // pixels
 flat out vec3 lineColor;
-flat out vec2 lineShape;       // half width in pixels; arrow
+flat out vec2 lineShape;       // half width in pixels; 1 or 2: of an arrow
 
-const float kReach = 7.0f;     // beyond the ends and to the sides: halo, arrow head, smooth edge
+// Beyond the ends and to the sides, pixels: halo and smooth edge. A head is wider, and a rectangle of its own so that long
+// shafts stay narrow: what lines cost is the pixels they cover.
+const float kReach = 3.0f;
+const float kHeadReach = 7.0f;
+const float kHeadLength = 14.0f;
 
 void main()
 {
@@ -48,11 +52,13 @@ void main()
   lineLength = length(along);
   along = lineLength > 1.0e-3f ? along / lineLength : vec2(1.0f, 0.0f);
   vec2 across = vec2(-along.y, along.x);
-  float reach = lineShape.x + kReach * bpPixelScale;
+  bool head = lineShape.y > 1.5f;
+  float reach = lineShape.x + (head ? kHeadReach : kReach) * bpPixelScale;
+  float first = head ? max(lineLength - kHeadLength * bpPixelScale, 0.0f) : -reach;
   bool atEnd = (gl_VertexID & 1) == 1;
   float side = (gl_VertexID & 2) == 2 ? reach : -reach;
-  vec2 corner = (atEnd ? end + reach * along : start - reach * along) + side * across;
-  place = vec2(atEnd ? lineLength + reach : -reach, side);
+  vec2 corner = (atEnd ? end + reach * along : start + first * along) + side * across;
+  place = vec2(atEnd ? lineLength + reach : first, side);
   // w = 1: depth and place run linearly over the screen.
   float depth = atEnd ? pulledB.z / pulledB.w : pulledA.z / pulledA.w;
   gl_Position = vec4(corner / bpHalfViewport, depth, 1.0f);
