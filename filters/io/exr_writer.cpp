@@ -131,7 +131,7 @@ Imf::Compression chooseCompression(const ExrLevel& level) {
     return encodeExr({std::move(part)}).size();
   };
   const std::size_t zip = bytes(Imf::ZIP_COMPRESSION), piz = bytes(Imf::PIZ_COMPRESSION);
-  return 20 * piz < 19 * zip ? Imf::PIZ_COMPRESSION : Imf::ZIP_COMPRESSION;
+  return piz < zip ? Imf::PIZ_COMPRESSION : Imf::ZIP_COMPRESSION;
 }
 
 std::string encodeExr(std::vector<ExrPart> parts) {

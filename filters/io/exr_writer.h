@@ -40,8 +40,8 @@ void addPlane(ExrLevel& level, const std::string& channel, const float* values, 
 /// Planes R, G, B and A from interleaved pixels.
 void addRgba(ExrLevel& level, const float* pixels, ExrPrecision precision);
 
-/// PIZ where it is at least a twentieth smaller than ZIP on rows spread over the level, else ZIP: noise of a capture
-/// favours the wavelets of PIZ, large even areas and smooth gradients ZIP. Both lose nothing.
+/// ZIP or PIZ, whichever makes rows spread over the level smaller: even areas and smooth gradients, as rendered, favour
+/// ZIP, grain favours the wavelets of PIZ. Both lose nothing and take about the same time.
 Imf::Compression chooseCompression(const ExrLevel& level);
 
 /// The file's bytes. Channels of each header are those of its levels' planes.

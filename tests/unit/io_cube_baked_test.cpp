@@ -106,6 +106,23 @@ TEST_F(CubeBaked, OtherProgramsSeeAnEnvironmentMapFirst) {
   EXPECT_EQ(origin->value(), Imath::V3d(0.1, 1e6 + 1e-7, -3.0));
 }
 
+TEST_F(CubeBaked, CompressionFollowsTheContent) {
+  BakedProbeFile probe;
+  probe.maps.radiance = smoothCube(64);
+  saveBakedProbe(file("even.exr"), probe);
+  const CubeMap noise = noisyHalfCube(64, 1);
+  for (int i = 0; i < 6 * 64 * 64 * 4; ++i) {  // grain of a few percent, as of a photograph
+    float& value = probe.maps.radiance.face(0, 0)[i];
+    if (i % 4 != 3) value = half(value * (1.0f + 0.004f * std::log(noise.face(0, 0)[i])));
+  }
+  saveBakedProbe(file("grain.exr"), probe);
+  const auto compression = [&](const char* name) {
+    return Imf::MultiPartInputFile(file(name).c_str()).header(1).compression();
+  };
+  EXPECT_EQ(compression("even.exr"), Imf::ZIP_COMPRESSION);
+  EXPECT_EQ(compression("grain.exr"), Imf::PIZ_COMPRESSION);
+}
+
 TEST_F(CubeBaked, WhatIsNoProbeIsSaidToBeNone) {
   saveBakedProbe(file("a.exr"), example());
   EXPECT_EQ(bakedProbeHash(file("gone.exr")), std::nullopt);
