@@ -79,6 +79,7 @@ std::string BakeFolder::save(const std::string& folder, const Probe& probe, cons
   BakedProbeFile file;
   file.maps = maps;
   file.info.probe = probe;
+  if (probe.name.empty()) file.info.probe.name = "sky";  // a probe without a name is no valid one to read back
   file.info.inputHash = record.text();
   file.info.program = program;
   saveBakedProbe(path, file);

@@ -60,18 +60,20 @@ void addCamera(ContentHash& hash, const Probe& probe) {
   if (const auto* color = std::get_if<glm::vec3>(&probe.clear)) hash.addVector(*color);
 }
 
-// A box is outside of a face's 90 degree pyramid if it lies wholly beyond one of its planes; may say yes for a near
-// miss. The margin covers float rounding in the projection, which could reach a texel at the edge.
-bool inFrustum(const Box& boundsWorld, const glm::dvec3& originWorld, int face) {
+// A box is outside of a face's 90 degree pyramid if it lies wholly beyond one of its planes or the far one; may say yes
+// for a near miss. The margin covers float rounding in the projection, which could reach a texel at the edge.
+bool inFrustum(const Box& boundsWorld, const Probe& probe, int face) {
   const glm::dvec3 forward(shading::cubeDirection(face, 0.0f, 0.0f));
   const glm::dvec3 s = glm::dvec3(shading::cubeDirection(face, 1.0f, 0.0f)) - forward;
   const glm::dvec3 t = glm::dvec3(shading::cubeDirection(face, 0.0f, 1.0f)) - forward;
-  const glm::dvec3 center = boundsWorld.center() - originWorld;
+  const glm::dvec3 center = boundsWorld.center() - probe.origin;
   const glm::dvec3 half = 0.5 * boundsWorld.size();
   const double margin = 1.0e-4 * (glm::length(center) + glm::length(half));
   const auto beyond = [&](const glm::dvec3& inward) {
     return glm::dot(center, inward) + glm::dot(half, glm::abs(inward)) < -margin;
   };
+  const double nearest = glm::dot(center, forward) - glm::dot(half, glm::abs(forward));
+  if (nearest > probe.farDistance + margin) return false;
   return !beyond(forward) && !beyond(forward + s) && !beyond(forward - s) && !beyond(forward + t) &&
          !beyond(forward - t);
 }
@@ -177,9 +179,8 @@ CaptureView faceView(const CaptureWorld& world, const Probe& probe, int face) {
   hash.add("face").add(face);
   addCamera(hash, probe);
   CaptureView view;
-  view.lighting = addShown(hash, world, probe, [&](const CaptureObject& object) {
-    return inFrustum(object.boundsWorld, probe.origin, face);
-  });
+  view.lighting = addShown(hash, world, probe,
+                           [&](const CaptureObject& object) { return inFrustum(object.boundsWorld, probe, face); });
   view.key = hash.text();
   return view;
 }
@@ -189,7 +190,12 @@ CaptureView probeView(const CaptureWorld& world, const Probe& probe) {
   hash.add("probe").add(static_cast<double>(probe.filter));
   addCamera(hash, probe);
   CaptureView view;
-  view.lighting = addShown(hash, world, probe, [](const CaptureObject&) { return true; });
+  view.lighting = addShown(hash, world, probe, [&](const CaptureObject& object) {
+    for (int face = 0; face < 6; ++face) {
+      if (inFrustum(object.boundsWorld, probe, face)) return true;
+    }
+    return false;
+  });
   view.key = hash.text();
   return view;
 }
