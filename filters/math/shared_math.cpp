@@ -41,11 +41,14 @@ static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #include "shaders/shared/cube.glsl"
+#include "shaders/shared/edge_fixup.glsl"  // after cube.glsl, which it uses
 #include "shaders/shared/ggx.glsl"
+#include "shaders/shared/lobe_frame.glsl"
 #include "shaders/shared/roughness.glsl"
 #include "shaders/shared/sh.glsl"
 #include "shaders/shared/sky.glsl"
 #include "shaders/shared/slab.glsl"
+#include "shaders/shared/source_level.glsl"
 #include "shaders/shared/true_hit.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.

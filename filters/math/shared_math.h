@@ -46,6 +46,13 @@ float trueHitDistance(DistanceMap map, ProbeShape probe, float faceSize, vec3 po
 vec3 ggxHalfVector(vec2 u, float alpha);
 float ggxDistribution(vec3 h, float alpha);
 float ggxMasking(float c, float alpha);
+vec3 lobeTangent(vec3 n);
+vec3 lobeBitangent(vec3 n);
+float edgeFixupShare(float texelsFromEdge, float width);
+float edgeFixupPull(float share, float other);
+vec3 directionAcrossEdge(int face, float side, float along, bool alongT, float faceSize);
+float sourceLookup(float centre, float side, float faceSize);
+float sourceWeight(float s, float t);
 vec3 shIrradiance(vec3 n, vec3 c0, vec3 c1, vec3 c2, vec3 c3, vec3 c4, vec3 c5, vec3 c6, vec3 c7, vec3 c8);
 vec3 skyGradient(vec3 direction, vec3 top, vec3 horizon, vec3 ground);
 

@@ -1,52 +1,49 @@
 #include "filters/vtk/prefilter.h"
 
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
 
 #include <algorithm>
-#include <cmath>
-
-#include "filters/math/shared_math.h"
+#include <array>
+#include <glm/vec4.hpp>
 
 namespace boxprobe {
 
-int prefilterLevels(int faceSize) {
-  int levels = 1;
-  for (int size = faceSize; size > 4; size /= 2) ++levels;
-  return levels;
-}
-
-std::vector<glm::vec4> lobeSamples(float roughness, int count, int sourceFaceSize) {
-  const double alpha = static_cast<double>(roughness) * roughness;
-  // With N = V a half vector beyond 45 degrees reflects below the horizon: tan²(theta) = alpha² u / (1 - u) < 1.
-  const double cut = 1.0 / (1.0 + alpha * alpha);
-  const double texelSolidAngle = 4.0 * 3.14159265358979 / (6.0 * sourceFaceSize * sourceFaceSize);
-  std::vector<glm::vec4> samples;
-  samples.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    const double azimuth = std::fmod(i * 0.6180339887498949, 1.0);
-    const double u = cut * (i + 0.5) / count;
-    const glm::vec3 half = shading::ggxHalfVector(glm::vec2(azimuth, u), static_cast<float>(alpha));
-    const glm::vec3 light = 2.0f * half.z * half - glm::vec3(0.0f, 0.0f, 1.0f);
-    // Density of the reflected direction: D(h) (n.h) / (4 v.h) = D / 4 for v = n, over the part above the horizon.
-    const double density = shading::ggxDistribution(half, static_cast<float>(alpha)) / 4.0 / cut;
-    const double solidAngle = 1.0 / (count * density);
-    const double level = 0.5 * std::log2(std::max(solidAngle / texelSolidAngle, 1.0));
-    samples.emplace_back(light, static_cast<float>(level));
-  }
-  return samples;
-}
-
 Prefilter::Prefilter(vtkOpenGLRenderWindow* window, Counters* counters)
-    : window_(window), counters_(counters), pass_({"shared/cube.glsl", "gpu/prefilter_ggx.glsl"}, counters) {}
+    : window_(window),
+      counters_(counters),
+      sourcePass_({"shared/cube.glsl", "shared/source_level.glsl", "gpu/prefilter_source.glsl"}, counters),
+      lobePass_({"shared/cube.glsl", "shared/lobe_frame.glsl", "shared/edge_fixup.glsl", "gpu/prefilter_lobe.glsl"},
+                counters) {}
 
-void Prefilter::begin(const CubeTexture& source, const CubeTexture& chain) {
+void Prefilter::makeSourceLevels(const CubeTexture& source) {
   const PassState saved(window_);
-  {
-    const BoundTexture bound(window_, GL_TEXTURE_CUBE_MAP, source.handle());
-    glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
+  const BoundTexture bound(window_, GL_TEXTURE_CUBE_MAP, source.handle());
+  for (int level = 1; level < source.levels(); ++level) {
+    // A texture may be read and drawn into at once as long as no level is both.
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BASE_LEVEL, level - 1);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, level - 1);
+    for (int face = 0; face < 6; ++face) {
+      to_.bind(window_, source, face, level);
+      sourcePass_.draw(window_, [&](vtkShaderProgram* program) {
+        program->SetUniformi("bpSource", bound.unit());
+        program->SetUniformi("bpFace", face);
+        program->SetUniformf("bpFaceSize", static_cast<float>(source.faceSize() >> level));
+        program->SetUniformf("bpLevel", 0.0f);
+      });
+    }
   }
+  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BASE_LEVEL, 0);
+  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, source.levels() - 1);
+}
+
+void Prefilter::begin(const CubeTexture& source, const CubeTexture& chain, const PrefilterSettings& settings) {
+  makeSourceLevels(source);
+  if (lobeOfLevel(settings, 0, chain.levels() - 1).width > 0.0f) {
+    filterLevel(source, chain, 0, settings);
+    return;
+  }
+  const PassState saved(window_);
   const int size = source.faceSize();
   for (int face = 0; face < 6; ++face) {
     to_.bind(window_, chain, face, 0);
@@ -56,19 +53,30 @@ void Prefilter::begin(const CubeTexture& source, const CubeTexture& chain) {
   }
 }
 
-void Prefilter::filterLevel(const CubeTexture& source, const CubeTexture& chain, int level) {
+void Prefilter::filterLevel(const CubeTexture& source, const CubeTexture& chain, int level,
+                            const PrefilterSettings& settings) {
+  const FilterLobe lobe = lobeOfLevel(settings, level, chain.levels() - 1);
+  filterWith(source, chain, level, lobeTaps(lobe, samplesOfLevel(settings, level), source.faceSize()),
+             settings.filter == FilterLobe::Kind::Gaussian ? settings.gaussian.edgeFixupWidth : 0);
+}
+
+void Prefilter::filterWith(const CubeTexture& source, const CubeTexture& chain, int level,
+                           const std::vector<LobeTap>& taps, int edgeFixupWidth) {
   const PassState saved(window_);
-  const float roughness = shading::roughnessForLevel(static_cast<float>(level), static_cast<float>(chain.levels() - 1));
-  const std::vector<glm::vec4> samples = lobeSamples(roughness, kSamples, source.faceSize());
+  const int size = chain.faceSize() >> level;
+  const int count = std::min(static_cast<int>(taps.size()), kMaxSamples);
+  std::vector<std::array<float, 4>> packed;
+  for (const LobeTap& tap : taps) packed.push_back({tap.direction.x, tap.direction.y, tap.level, tap.weight});
   const BoundTexture bound(window_, GL_TEXTURE_CUBE_MAP, source.handle());
   for (int face = 0; face < 6; ++face) {
     to_.bind(window_, chain, face, level);
-    pass_.draw(window_, [&](vtkShaderProgram* program) {
+    lobePass_.draw(window_, [&](vtkShaderProgram* program) {
       program->SetUniformi("bpSource", bound.unit());
       program->SetUniformi("bpFace", face);
-      program->SetUniformf("bpFaceSize", static_cast<float>(chain.faceSize() >> level));
-      program->SetUniformi("bpSampleCount", kSamples);
-      program->SetUniform4fv("bpSamples", kSamples, reinterpret_cast<const float(*)[4]>(&samples[0].x));
+      program->SetUniformf("bpFaceSize", static_cast<float>(size));
+      program->SetUniformf("bpFixupWidth", static_cast<float>(std::min(edgeFixupWidth, size / 2)));
+      program->SetUniformi("bpTapCount", count);
+      program->SetUniform4fv("bpTaps", count, reinterpret_cast<const float(*)[4]>(packed.data()));
     });
   }
   ++counters_->levelsFiltered;
@@ -85,7 +93,8 @@ ShCoefficients Prefilter::irradiance(const CubeTexture& source) {
 void Prefilter::release() {
   from_.release();
   to_.release();
-  pass_.release();
+  sourcePass_.release();
+  lobePass_.release();
 }
 
 }  // namespace boxprobe

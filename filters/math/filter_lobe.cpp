@@ -1,0 +1,161 @@
+#include "filters/math/filter_lobe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "filters/math/shared_math.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979324;
+// Standard deviations to either side that CubeMapGen's cone holds; what lies beyond, 1.1 %, is cut off as there.
+constexpr double kGaussianReach = 3.0;
+// Lookups are denser than the kernel in its tail, and weigh less there: with a density equal to the kernel (power 2, or
+// variance 1) the last ones have footprints wider than their distance from the middle.
+constexpr double kGgxPower = 1.75;
+constexpr double kGaussianSpread = 2.0;
+// Levels added to where a texel covers exactly a lookup's share of solid angle: footprints then overlap, and a lamp
+// between two lookups is not lost. Less gives blotches, more blurs; chosen for the least error over the benchmark's
+// cubemaps.
+constexpr double kLevelBias = 0.3;
+// Variance of a lookup's footprint per axis in texels of its level: 1/4 of the 1 3 3 1 chain, 1/6 of the interpolation.
+constexpr double kFootprintVariance = 0.25 + 1.0 / 6.0;
+
+struct Sample {
+  glm::dvec3 direction;
+  double density;  // per steradian
+};
+
+// Density proportional to (1 + x²)^-power, x = tan(angle(h)) / alpha, up to the horizon, where tan(angle(h)) = 1. GGX's
+// D itself has power 2. `share` runs evenly over (0, 1), `azimuth` in turns.
+Sample ggxSample(double alpha, double azimuth, double share) {
+  const double g = 1.0 - kGgxPower;
+  const double atHorizon = std::pow(1.0 + 1.0 / (alpha * alpha), g);
+  const double v = std::pow(1.0 - share * (1.0 - atHorizon), 1.0 / g);  // 1 + x²
+  const double tangent2 = alpha * alpha * (v - 1.0);
+  const double cosine2 = 1.0 / (1.0 + tangent2);
+  const double radius = 2.0 * std::sqrt(tangent2) * cosine2, phi = 2.0 * kPi * azimuth;  // sin of twice the angle
+  // d(share)/dv over d(solid angle)/dv; the solid angle is 2 pi (1 - z) with z = (1 - tangent2) / (1 + tangent2).
+  const double shareByV = -g * std::pow(v, g - 1.0) / (1.0 - atHorizon);
+  const double solidAngleByV = 4.0 * kPi * alpha * alpha * cosine2 * cosine2;
+  return {{radius * std::cos(phi), radius * std::sin(phi), 2.0 * cosine2 - 1.0}, shareByV / solidAngleByV};
+}
+
+// A Gaussian of kGaussianSpread times the variance over the plane that the sphere unrolls to, up to the reach.
+Sample gaussianSample(double deviation, double azimuth, double share) {
+  const double variance = kGaussianSpread * deviation * deviation;
+  const double reach = std::min(kGaussianReach * deviation, 0.5 * kPi);
+  const double inside = 1.0 - std::exp(-0.5 * reach * reach / variance);
+  const double angle = std::sqrt(-2.0 * variance * std::log1p(-share * inside)), phi = 2.0 * kPi * azimuth;
+  const double planeDensity = std::exp(-0.5 * angle * angle / variance) / (2.0 * kPi * variance * inside);
+  return {{std::sin(angle) * std::cos(phi), std::sin(angle) * std::sin(phi), std::cos(angle)},
+          planeDensity * (angle > 0.0 ? angle / std::sin(angle) : 1.0)};
+}
+
+std::vector<LobeTap> tapsOf(const FilterLobe& lobe, int count, double texelSolidAngle) {
+  std::vector<LobeTap> taps;
+  taps.reserve(static_cast<std::size_t>(count));
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const double azimuth = std::fmod(i * 0.6180339887498949, 1.0);
+    const double share = (i + 0.5) / count;
+    const bool ggx = lobe.kind == FilterLobe::Kind::Ggx;
+    const Sample s = ggx ? ggxSample(lobe.width, azimuth, share) : gaussianSample(lobe.width, azimuth, share);
+    const double level = 0.5 * std::log2(1.0 / (count * s.density * texelSolidAngle)) + kLevelBias;
+    const double weight = lobeKernel(lobe, static_cast<float>(1.0 - s.direction.z)) / s.density;
+    taps.push_back({glm::vec3(s.direction), static_cast<float>(std::max(level, 0.0)), static_cast<float>(weight)});
+    sum += weight;
+  }
+  for (LobeTap& tap : taps) tap.weight = static_cast<float>(tap.weight / sum);
+  return taps;
+}
+
+// Mean of angle² over two, footprints included: what a Gaussian's variance is, but for its cut-off reach. The capture's
+// own interpolation is not counted: it belongs to the picture that is blurred.
+double varianceOf(const std::vector<LobeTap>& taps, double texelSolidAngle) {
+  double sum = 0.0;
+  for (const LobeTap& tap : taps) {
+    const double angle = std::atan2(std::hypot(tap.direction.x, tap.direction.y), tap.direction.z);
+    const double footprint = (std::exp2(2.0 * tap.level) - 1.0) * kFootprintVariance * texelSolidAngle;
+    sum += tap.weight * (0.5 * angle * angle + footprint);
+  }
+  return sum;
+}
+
+double varianceOf(const FilterLobe& lobe) {
+  constexpr int kSteps = 2000;
+  double sum = 0.0, weight = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = 0.5 * kPi * (i + 0.5) / kSteps;
+    const double w = std::sin(angle) * lobeKernel(lobe, static_cast<float>(1.0 - std::cos(angle)));
+    sum += w * 0.5 * angle * angle;
+    weight += w;
+  }
+  return sum / weight;
+}
+
+}  // namespace
+
+int prefilterLevels(int faceSize) {
+  int levels = 1;
+  for (int size = faceSize; size > 4; size /= 2) ++levels;
+  return levels;
+}
+
+FilterLobe lobeOfLevel(const PrefilterSettings& settings, int level, int maxLevel) {
+  if (settings.filter == FilterLobe::Kind::Ggx) {
+    const float p = shading::roughnessForLevel(static_cast<float>(level), static_cast<float>(maxLevel));
+    return {FilterLobe::Kind::Ggx, p * p};
+  }
+  // CubeMapGen filters each level from the one before it, so variances add up.
+  const GaussianSettings& g = settings.gaussian;
+  const auto deviation = [](double coneDegrees) { return 0.5 * coneDegrees * kPi / 180.0 / kGaussianReach; };
+  double variance = deviation(g.baseAngleDegrees) * deviation(g.baseAngleDegrees);
+  double angle = g.initialMipAngleDegrees;
+  for (int i = 1; i <= level; ++i, angle *= g.mipAngleScale) variance += deviation(angle) * deviation(angle);
+  return {FilterLobe::Kind::Gaussian, static_cast<float>(std::sqrt(variance))};
+}
+
+int samplesOfLevel(const PrefilterSettings& settings, int level) {
+  const int first = std::clamp(settings.samples, kMinSamples, kMaxSamples);
+  return std::min(first << std::clamp(level - 1, 0, 8), kMaxSamples);
+}
+
+float lobeKernel(const FilterLobe& lobe, float oneMinusCosine) {
+  if (oneMinusCosine >= 1.0f) return 0.0f;
+  const float sine2 = 0.5f * std::max(oneMinusCosine, 0.0f);  // of half the angle
+  if (lobe.kind == FilterLobe::Kind::Ggx) {
+    const float q = sine2 + lobe.width * lobe.width * (1.0f - sine2);
+    const float r = lobe.width / std::max(q, 1.0e-30f);
+    return r * r * (1.0f - oneMinusCosine);
+  }
+  const float angle = 2.0f * std::asin(std::sqrt(sine2));
+  if (angle > static_cast<float>(kGaussianReach) * lobe.width) return 0.0f;
+  return std::exp(-0.5f * angle * angle / (lobe.width * lobe.width));
+}
+
+std::vector<LobeTap> lobeTaps(const FilterLobe& lobe, int count, int sourceFaceSize) {
+  const double texelSolidAngle = 4.0 * kPi / (6.0 * sourceFaceSize * sourceFaceSize);
+  FilterLobe narrower = lobe;
+  if (lobe.kind == FilterLobe::Kind::Ggx) {
+    // A GGX has no useful variance, its tail would rule it. In its middle a lookup has the solid angle 4 pi alpha² /
+    // count (power 2), so its footprint's variance is this share of the kernel's own scale, (2 alpha)²; taking it off
+    // alpha once leaves the least error.
+    const double share = kFootprintVariance * kPi / count * std::exp2(2.0 * kLevelBias);
+    narrower.width *= static_cast<float>(1.0 - std::min(share, 0.3));
+    return tapsOf(narrower, count, texelSolidAngle);
+  }
+  const double target = varianceOf(lobe);
+  std::vector<LobeTap> taps = tapsOf(lobe, count, texelSolidAngle);
+  for (int i = 0; i < 8; ++i) {
+    const double ratio = target / varianceOf(taps, texelSolidAngle);
+    narrower.width *= static_cast<float>(std::sqrt(std::clamp(ratio, 0.25, 4.0)));
+    taps = tapsOf(narrower, count, texelSolidAngle);
+  }
+  return taps;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,49 @@
+// One face of one prefiltered level: a lobe around each texel's direction over the captured radiance. The lookups are the
+// same for every texel, so the host computes them once a level (filters/math/filter_lobe.h); filters/math/cube_filter.cpp
+// is this file's twin on the CPU. Needs shared/cube.glsl, shared/lobe_frame.glsl, shared/edge_fixup.glsl.
+uniform samplerCube bpSource;
+uniform int bpFace;
+uniform float bpFaceSize; // texels of the level written
+uniform float bpFixupWidth; // texels; 0: none
+uniform int bpTapCount;
+uniform vec4 bpTaps[480]; // xy: direction in the lobe's frame; z: level of the source; w: weight, all sum to 1
+
+vec4 lobeMean(vec3 n)
+{
+  vec3 t = lobeTangent(n);
+  vec3 b = lobeBitangent(n);
+  vec4 sum = vec4(0.0f);
+  for (int i = 0; i < bpTapCount; ++i)
+  {
+    vec4 tap = bpTaps[i];
+    float z = sqrt(max(1.0f - tap.x * tap.x - tap.y * tap.y, 0.0f));
+    sum += tap.w * textureLod(bpSource, tap.x * t + tap.y * b + z * n, tap.z);
+  }
+  return sum;
+}
+
+void main()
+{
+  vec2 st = 2.0f * gl_FragCoord.xy / bpFaceSize - 1.0f;
+  vec4 value = lobeMean(normalize(cubeDirection(bpFace, st.x, st.y)));
+
+  float last = 1.0f - 1.0f / bpFaceSize; // of the texels at the edge
+  float shareS = edgeFixupShare((last - abs(st.x)) * 0.5f * bpFaceSize, bpFixupWidth);
+  float shareT = edgeFixupShare((last - abs(st.y)) * 0.5f * bpFaceSize, bpFixupWidth);
+  vec4 change = vec4(0.0f);
+  if (shareS > 0.0f)
+  {
+    float side = sign(st.x);
+    change += edgeFixupPull(shareS, shareT) *
+      (lobeMean(normalize(directionAcrossEdge(bpFace, side, st.y, false, bpFaceSize))) -
+        lobeMean(normalize(cubeDirection(bpFace, side * last, st.y))));
+  }
+  if (shareT > 0.0f)
+  {
+    float side = sign(st.y);
+    change += edgeFixupPull(shareT, shareS) *
+      (lobeMean(normalize(directionAcrossEdge(bpFace, side, st.x, true, bpFaceSize))) -
+        lobeMean(normalize(cubeDirection(bpFace, st.x, side * last))));
+  }
+  gl_FragData[0] = value + change;
+}
