@@ -30,7 +30,6 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   if (flat(probe.box)) say("box", "is flat: no ray hits it inside, so the probe is not projected there.");
   if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe shows nowhere.");
   if (probe.mode != ProbeUpdate::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
-  if (probe.filter == FilterKind::Gaussian) say("filter", "gaussian is not supported yet; ggx is used.");
   if (!probe.parameters.empty()) say("parameters", "are not used by this version's techniques.");
   if (probe.bevel) say("bevel", "is not supported yet; the box keeps its sharp edges.");
   if (probe.occlusion) say("occlusion", "is not supported yet; nothing is darkened.");

@@ -137,12 +137,12 @@ bool BakeRunner::filter() {
   const int levels = prefilterLevels(item_->faceSize);
   if (level_ == 0) {
     maps_->radiance.allocate(item_->faceSize, levels, GL_RGBA16F);
-    prefilter_.begin(source_, maps_->radiance);
+    prefilter_.begin(source_, maps_->radiance, item_->prefilter);
     level_ = 1;
     return false;
   }
   do {
-    if (level_ < levels) prefilter_.filterLevel(source_, maps_->radiance, level_);
+    if (level_ < levels) prefilter_.filterLevel(source_, maps_->radiance, level_, item_->prefilter);
     ++level_;
   } while (item_->fewSteps && level_ > 2 && level_ < levels);
   if (level_ < levels) return false;

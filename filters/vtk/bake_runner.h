@@ -31,6 +31,7 @@ struct BakeItem {
   /// Small levels are filtered together, as one unit that costs less than the first level alone: fewer steps to wait
   /// for a map that follows something that moves.
   bool fewSteps = false;
+  PrefilterSettings prefilter;
   std::shared_ptr<const CubeMap> picture;  ///< taken in place of a capture; then `face` is not asked
 
   /// Asked just before a face is made, so that it shows the scene as it is by then.

@@ -13,7 +13,7 @@ namespace {
 
 // Raise it whenever captures or filters come to give other texels for the same inputs: files baked before are then
 // baked anew.
-constexpr int kBakeVersion = 1;
+constexpr int kBakeVersion = 2;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
   if (!use.image) return {};

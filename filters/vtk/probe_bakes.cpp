@@ -9,6 +9,21 @@
 
 namespace boxprobe {
 
+namespace {
+
+PrefilterSettings prefilterOf(const Probe& probe) {
+  PrefilterSettings settings;
+  if (probe.filter == FilterKind::Gaussian) settings.filter = FilterLobe::Kind::Gaussian;
+  return settings;
+}
+
+// Whether level 0 of a probe's maps holds its faces as they were captured: the frosty filter blurs it too.
+bool keepsCapture(const Probe& probe) {
+  return probe.filter == FilterKind::Ggx;
+}
+
+}  // namespace
+
 void ProbeSet::begin(const Job& job) {
   if (job.kind == JobKind::File) {
     loadFile(job);
@@ -30,6 +45,7 @@ void ProbeSet::begin(const Job& job) {
   }
   item.faceSize = job.faceSize;
   item.bounce = job.bounce;
+  if (const auto index = find(job.name)) item.prefilter = prefilterOf(probe(*index));
   runner_.start(std::move(item));
   current_ = job;
 }
@@ -96,6 +112,7 @@ FaceSource ProbeSet::faceSource(const Probe& probe) const {
 
 // The first bounce shows no light from probes, so it differs from a later one only where a probe would throw some.
 std::string ProbeSet::faceKey(std::size_t index, int bounce, int face) const {
+  if (!keepsCapture(probe(index))) return {};  // no face to be used again
   const CaptureView view = faceView(world_, probe(index), face);
   std::vector<std::string> lighting;
   for (const std::size_t other : keys_.sees(index)) {
@@ -249,7 +266,7 @@ void ProbeSet::finishRealtime(const Job& job, const Probe& as, const FaceKeys& f
     const std::string key = realtimeKey(as, faces);
     if (key == entry.wanted && entry.shown == key && entry.passes > 0) --entry.passes;
     show(*index, key, std::move(maps));
-    entry.faces = faces;
+    entry.faces = keepsCapture(as) ? faces : FaceKeys{};
     entry.again = entry.fromFile = false;
   }
   replan();
