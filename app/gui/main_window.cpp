@@ -16,7 +16,10 @@
 
 #include "app/cli/fit_scene.h"
 #include "app/gui/about_dialog.h"
+#include "app/gui/bake_panel.h"
 #include "app/gui/capture_panel.h"
+#include "app/gui/debug_view.h"
+#include "app/gui/explain_card.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/material_panel.h"
 #include "app/gui/menu_bar.h"
@@ -24,7 +27,9 @@
 #include "app/gui/probe_list.h"
 #include "app/gui/probe_overlay.h"
 #include "app/gui/probe_panel.h"
+#include "app/gui/probe_preview.h"
 #include "app/gui/probe_widget.h"
+#include "app/gui/recent_files.h"
 #include "app/gui/render_scheduler.h"
 #include "app/gui/status_line.h"
 #include "app/gui/viewport.h"
@@ -61,6 +66,7 @@ MainWindow::MainWindow()
                               {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
                                [this](const std::string& path) { exportPicture(path); }},
                               this)),
+      debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
       menu_(new MenuBar(this)),
       status_(new StatusLine(statusBar())) {
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); });
@@ -73,12 +79,16 @@ MainWindow::MainWindow()
   connectViews();
   connectMenu();
   connectWork();
+  connectBaking();
+  connectDebugView();
   documentChanged(Changes::all());
 }
 
 MainWindow::~MainWindow() {
   // The overlay and the scene hold GL objects of the viewport's context: they go first, while it is there.
+  preview_->hide();
   viewport_->window3d()->MakeCurrent();
+  debugView_->releaseGraphics();
   renderer_->releaseGraphics();
   overlay_.reset();
   renderer_.reset();
@@ -92,6 +102,7 @@ void MainWindow::buildPanels() {
                                           return glm::dvec3(target[0], target[1], target[2]);
                                         },
                                         [this] { return renderer_->bounds(); }});
+  bakePanel_ = new BakePanel(*editor_, *renderer_, *scheduler_);
   probePanel_ = new ProbePanel(*editor_);
   capturePanel_ = new CapturePanel(*editor_);
   materialPanel_ = new MaterialPanel(*editor_);
@@ -102,8 +113,9 @@ void MainWindow::buildPanels() {
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(6);
   for (QWidget* panel :
-       {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(probePanel_), static_cast<QWidget*>(capturePanel_),
-        static_cast<QWidget*>(materialPanel_), static_cast<QWidget*>(picturePanel_)}) {
+       {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(bakePanel_), static_cast<QWidget*>(probePanel_),
+        static_cast<QWidget*>(capturePanel_), static_cast<QWidget*>(materialPanel_),
+        static_cast<QWidget*>(picturePanel_)}) {
     layout->addWidget(panel);
   }
   layout->addStretch(1);
@@ -121,6 +133,61 @@ void MainWindow::buildPanels() {
   dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
   addDockWidget(Qt::RightDockWidgetArea, dock);
   resizeDocks({dock}, {kPanelWidth}, Qt::Horizontal);
+  menu_->addDockToggle(dock->toggleViewAction());
+  buildPreviewDock(dock);
+  buildDebugDocks(dock);
+}
+
+void MainWindow::buildDebugDocks(QDockWidget* beside) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(debugView_->panel());
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  const auto dock = [&](const QString& title, const char* name, QWidget* content) {
+    auto* made = new QDockWidget(title, this);
+    made->setObjectName(name);
+    made->setWidget(content);
+    tabifyDockWidget(beside, made);
+    menu_->addDockToggle(made->toggleViewAction());
+    return made;
+  };
+  dock(tr("Debug"), "debug", scroll);
+  QDockWidget* card = dock(tr("Explain"), "explain", debugView_->card());
+  connect(debugView_.get(), &DebugView::toolChanged, card, [card](bool on) {
+    if (!on) return;
+    card->show();
+    card->raise();
+  });
+  beside->raise();
+}
+
+void MainWindow::connectDebugView() {
+  connect(menu_, &MenuBar::explainToolSwitched, debugView_.get(), &DebugView::setTool);
+  connect(menu_, &MenuBar::copyTextRequested, debugView_.get(), &DebugView::copyText);
+  connect(menu_, &MenuBar::copyJsonRequested, debugView_.get(), &DebugView::copyJson);
+  connect(menu_, &MenuBar::saveRaysRequested, debugView_.get(), &DebugView::saveRays);
+  connect(debugView_.get(), &DebugView::toolChanged, menu_, &MenuBar::showExplainTool);
+  connect(debugView_.get(), &DebugView::pictureChanged, scheduler_, &RenderScheduler::requestRender);
+  connect(debugView_.get(), &DebugView::message, status_, &StatusLine::showMessage);
+  connect(debugView_.get(), &DebugView::failed, status_, &StatusLine::showError);
+  connect(viewport_, &Viewport::cameraMoved, debugView_.get(), &DebugView::cameraMoved);
+  connect(scheduler_, &RenderScheduler::workEnded, debugView_.get(), &DebugView::workEnded);
+}
+
+void MainWindow::buildPreviewDock(QDockWidget* beside) {
+  preview_ = new ProbePreview(*editor_, *renderer_, [this] { viewport_->window3d()->MakeCurrent(); });
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(preview_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* dock = new QDockWidget(tr("Cubemap"), this);
+  dock->setObjectName("cubemap");
+  dock->setWidget(scroll);
+  dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+  tabifyDockWidget(beside, dock);
+  beside->raise();
   menu_->addDockToggle(dock->toggleViewAction());
 }
 
@@ -151,8 +218,10 @@ void MainWindow::connectMenu() {
   connect(menu_, &MenuBar::addRequested, probeList_, &ProbeList::addProbe);
   connect(menu_, &MenuBar::duplicateRequested, probeList_, &ProbeList::duplicateProbe);
   connect(menu_, &MenuBar::deleteRequested, probeList_, &ProbeList::deleteProbe);
-  connect(menu_, &MenuBar::escapePressed, this,
-          [this] { probeWidget_->dragging() ? probeWidget_->cancel() : scheduler_->stopWork(); });
+  connect(menu_, &MenuBar::escapePressed, this, [this] {
+    if (probeWidget_->dragging()) return probeWidget_->cancel();
+    if (!debugView_->unpin()) scheduler_->stopWork();
+  });
   connect(menu_, &MenuBar::cameraChosen, this, &MainWindow::applyCamera);
   connect(menu_, &MenuBar::resetViewRequested, this, &MainWindow::resetView);
   connect(menu_, &MenuBar::boxesShown, probeWidget_, &ProbeWidget::setVisible);
@@ -181,6 +250,20 @@ void MainWindow::connectWork() {
   connect(status_, &StatusLine::resumeRequested, scheduler_, &RenderScheduler::resumeWork);
 }
 
+void MainWindow::connectBaking() {
+  connect(menu_, &MenuBar::bakeRequested, bakePanel_, &BakePanel::bakeSelected);
+  connect(menu_, &MenuBar::bakeAllRequested, bakePanel_, &BakePanel::bakeAll);
+  connect(menu_, &MenuBar::saveBakedRequested, bakePanel_, &BakePanel::saveBaked);
+  connect(bakePanel_, &BakePanel::statesChanged, probeList_, &ProbeList::showStates);
+  connect(bakePanel_, &BakePanel::message, status_, &StatusLine::showMessage);
+  connect(bakePanel_, &BakePanel::failed, status_, &StatusLine::showError);
+  connect(preview_, &ProbePreview::pictureChanged, scheduler_, &RenderScheduler::requestRender);
+  connect(scheduler_, &RenderScheduler::rendered, preview_, &ProbePreview::update);
+  connect(menu_, &MenuBar::recentChosen, files_, &FileCommands::openPath, Qt::QueuedConnection);
+  connect(files_, &FileCommands::recentChanged, menu_, &MenuBar::showRecent);
+  menu_->showRecent(recentFiles());
+}
+
 void MainWindow::documentChanged(const Changes& changes) {
   // While something is dragged the renderer puts off what only the final value needs: programs, further bounces.
   if (document_.previewing()) renderer_->setInteractive(true);
@@ -189,10 +272,13 @@ void MainWindow::documentChanged(const Changes& changes) {
   probeWidget_->update();
   probeList_->update();
   probePanel_->update();
+  bakePanel_->update();
   capturePanel_->update();
   materialPanel_->update();
   picturePanel_->update();
+  preview_->update();
   menu_->update(document_);
+  debugView_->documentChanged(changes);
   updateTitle();
   const bool empty = document_.scene().models.empty();
   viewport_->showInvitation(empty ? tr("Drop a scene or a model here, or open one with Ctrl+O") : QString());
@@ -209,6 +295,8 @@ void MainWindow::showScene(LoadedScene loaded) {
   renderer_->setModels(loaded.models);
   capturePanel_->setModels(loaded.models);
   materialPanel_->setModels(loaded.models);
+  debugView_->setModels(loaded.models);
+  bakePanel_->useFilesBeside(loaded.path);
   document_.open(std::move(loaded.scene), loaded.path);
   if (!document_.scene().probes.empty()) document_.selectProbe(0);
   resetView();
@@ -220,6 +308,7 @@ void MainWindow::resetView() {
   } else {
     renderer_->applyCamera(document_.scene().cameras.front());
   }
+  debugView_->cameraMoved();
   scheduler_->requestRender();
 }
 
@@ -227,6 +316,7 @@ void MainWindow::applyCamera(int index) {
   const auto& cameras = document_.scene().cameras;
   if (static_cast<std::size_t>(index) >= cameras.size()) return;
   renderer_->applyCamera(cameras[static_cast<std::size_t>(index)]);
+  debugView_->cameraMoved();
   scheduler_->requestRender();
 }
 
@@ -241,6 +331,7 @@ void MainWindow::guarded(const Work& work) {
 }
 
 void MainWindow::drawPicture() {
+  debugView_->update();
   overlay_->follow(viewport_->view());
   viewport_->window3d()->Render();
 }

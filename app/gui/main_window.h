@@ -9,9 +9,13 @@
 #include "app/gui/editor.h"
 #include "filters/core/document.h"
 
+class QDockWidget;
+
 namespace boxprobe {
 
+class BakePanel;
 class CapturePanel;
+class DebugView;
 class FileCommands;
 class MaterialPanel;
 class MenuBar;
@@ -19,6 +23,7 @@ class PicturePanel;
 class ProbeList;
 class ProbeOverlay;
 class ProbePanel;
+class ProbePreview;
 class ProbeWidget;
 class RenderScheduler;
 class SceneRenderer;
@@ -41,6 +46,7 @@ class MainWindow : public QMainWindow {
   ProbeWidget& probeWidget() { return *probeWidget_; }
   RenderScheduler& scheduler() { return *scheduler_; }
   FileCommands& files() { return *files_; }
+  DebugView& debugView() { return *debugView_; }
   const SceneRenderer& renderer() const { return *renderer_; }
 
  signals:
@@ -56,9 +62,13 @@ class MainWindow : public QMainWindow {
 
  private:
   void buildPanels();
+  void buildPreviewDock(QDockWidget* beside);
+  void buildDebugDocks(class QDockWidget* beside);
   void connectViews();
   void connectMenu();
+  void connectDebugView();
   void connectWork();
+  void connectBaking();
   void documentChanged(const Changes& changes);
   void resetView();
   void applyCamera(int index);
@@ -76,13 +86,16 @@ class MainWindow : public QMainWindow {
   ProbeWidget* probeWidget_;
   RenderScheduler* scheduler_;
   FileCommands* files_;
+  std::unique_ptr<DebugView> debugView_;
   MenuBar* menu_;
   StatusLine* status_;
   ProbeList* probeList_ = nullptr;
   ProbePanel* probePanel_ = nullptr;
+  BakePanel* bakePanel_ = nullptr;
   CapturePanel* capturePanel_ = nullptr;
   MaterialPanel* materialPanel_ = nullptr;
   PicturePanel* picturePanel_ = nullptr;
+  ProbePreview* preview_ = nullptr;
   bool firstPictureDone_ = false;
   std::string shownError_;
 };

@@ -14,10 +14,12 @@ namespace boxprobe {
 MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   QMenu* file = window->menuBar()->addMenu(tr("&File"));
   add(file, tr("&Open..."), QKeySequence::Open, &MenuBar::openRequested);
+  recent_ = file->addMenu(tr("Open &recent"));
   add(file, tr("&Save"), QKeySequence::Save, &MenuBar::saveRequested);
   add(file, tr("Save &as..."), QKeySequence("Ctrl+Shift+S"), &MenuBar::saveAsRequested);
   file->addSeparator();
   export_ = add(file, tr("&Export image..."), QKeySequence("Ctrl+E"), &MenuBar::exportRequested);
+  add(file, tr("Save &baked probes..."), {}, &MenuBar::saveBakedRequested);
   file->addSeparator();
   add(file, tr("&Quit"), QKeySequence("Ctrl+Q"), &MenuBar::quitRequested);
 
@@ -29,6 +31,9 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   duplicate_ = add(edit, tr("&Duplicate probe"), QKeySequence("Ctrl+D"), &MenuBar::duplicateRequested);
   delete_ = add(edit, tr("De&lete probe"), QKeySequence::Delete, &MenuBar::deleteRequested);
   edit->addSeparator();
+  bake_ = add(edit, tr("&Bake probe"), QKeySequence("F5"), &MenuBar::bakeRequested);
+  add(edit, tr("Ba&ke all probes"), QKeySequence("Shift+F5"), &MenuBar::bakeAllRequested);
+  edit->addSeparator();
   add(edit, tr("Cancel drag, stop capturing"), QKeySequence("Esc"), &MenuBar::escapePressed);
 
   view_ = window->menuBar()->addMenu(tr("&View"));
@@ -37,6 +42,14 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   view_->addSeparator();
   addToggle(view_, tr("Probe &boxes and handles"), QKeySequence("Ctrl+B"), &MenuBar::boxesShown);
   addToggle(view_, tr("Re&flections from probes"), QKeySequence("Ctrl+R"), &MenuBar::reflectionsShown);
+
+  QMenu* debug = window->menuBar()->addMenu(tr("&Debug"));
+  explain_ = addToggle(debug, tr("&Explain pixels"), QKeySequence("E"), &MenuBar::explainToolSwitched);
+  explain_->setChecked(false);
+  debug->addSeparator();
+  add(debug, tr("&Copy explanation as text"), QKeySequence("Ctrl+Shift+C"), &MenuBar::copyTextRequested);
+  add(debug, tr("Copy explanation as &JSON"), QKeySequence("Ctrl+Shift+J"), &MenuBar::copyJsonRequested);
+  add(debug, tr("Save &rays..."), QKeySequence(), &MenuBar::saveRaysRequested);
 
   QMenu* help = window->menuBar()->addMenu(tr("&Help"));
   add(help, tr("&Mouse and keys, about"), QKeySequence("F1"), &MenuBar::aboutRequested);
@@ -58,8 +71,22 @@ QAction* MenuBar::addToggle(QMenu* menu, const QString& text, const QKeySequence
   return action;
 }
 
+void MenuBar::showExplainTool(bool on) {
+  explain_->setChecked(on);
+}
+
 void MenuBar::addDockToggle(QAction* action) {
   view_->addAction(action);
+}
+
+void MenuBar::showRecent(const QStringList& paths) {
+  recent_->clear();
+  for (int i = 0; i < paths.size(); ++i) {
+    const QString path = paths[i];
+    QAction* action = recent_->addAction(QString("&%1  %2").arg(i + 1).arg(QString(path).replace('&', "&&")));
+    connect(action, &QAction::triggered, this, [this, path] { emit recentChosen(path); });
+  }
+  recent_->setEnabled(!paths.isEmpty());
 }
 
 void MenuBar::update(const Document& document) {
@@ -72,6 +99,7 @@ void MenuBar::update(const Document& document) {
   redo_->setText(withLabel(tr("&Redo"), document.canRedo() ? document.redoLabel() : ""));
   duplicate_->setEnabled(document.selectedProbe().has_value());
   delete_->setEnabled(document.selectedProbe().has_value());
+  bake_->setEnabled(document.selectedProbe().has_value());
 
   std::vector<std::string> names;
   for (const Camera& camera : document.scene().cameras) names.push_back(camera.name);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 #include <string>
 #include <vector>
 
@@ -23,23 +24,34 @@ class MenuBar : public QObject {
   /// The document changed: labels of undo and redo, what can be chosen, the scene's cameras.
   void update(const Document& document);
   void addDockToggle(QAction* action);
+  void showRecent(const QStringList& paths);
+  /// The tool was switched elsewhere.
+  void showExplainTool(bool on);
 
  signals:
   void openRequested();
   void saveRequested();
   void saveAsRequested();
   void exportRequested();
+  void saveBakedRequested();
+  void recentChosen(const QString& path);
   void quitRequested();
   void undoRequested();
   void redoRequested();
   void addRequested();
   void duplicateRequested();
   void deleteRequested();
+  void bakeRequested();
+  void bakeAllRequested();
   void escapePressed();
   void cameraChosen(int index);
   void resetViewRequested();
   void boxesShown(bool shown);
   void reflectionsShown(bool shown);
+  void explainToolSwitched(bool on);
+  void copyTextRequested();
+  void copyJsonRequested();
+  void saveRaysRequested();
   void aboutRequested();
 
  private:
@@ -49,8 +61,9 @@ class MenuBar : public QObject {
   QMainWindow* window_;
   QMenu* view_;
   QMenu* cameras_;
+  QMenu* recent_;
   std::vector<std::string> cameraNames_;
-  QAction *undo_, *redo_, *duplicate_, *delete_, *export_;
+  QAction *undo_, *redo_, *duplicate_, *delete_, *bake_, *export_, *explain_;
 };
 
 }  // namespace boxprobe

@@ -8,6 +8,7 @@
 
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -40,6 +41,7 @@ CameraController::Motion motionFor(Qt::MouseButton button, Qt::KeyboardModifiers
   return Motion::Orbit;
 }
 
+constexpr double kClickPixels = 4.0;  ///< a press that moves less is a click
 constexpr double kWheelStep = 120.0;  ///< eighths of a degree: one notch of a usual wheel
 
 }  // namespace
@@ -72,7 +74,8 @@ void Viewport::setCamera(std::function<vtkCamera*()> camera) {
 
 void Viewport::setProbeWidget(ProbeWidget* widget) {
   probeWidget_ = widget;
-  connect(widget, &ProbeWidget::cursorWanted, this, [this](Qt::CursorShape shape) { setCursor(shape); });
+  connect(widget, &ProbeWidget::cursorWanted, this,
+          [this](Qt::CursorShape shape) { setCursor(picking_ && shape == Qt::ArrowCursor ? Qt::CrossCursor : shape); });
   connect(widget, &ProbeWidget::readout, this, &Viewport::showReadout);
 }
 
@@ -93,6 +96,12 @@ void Viewport::showReadout(const QString& text, const QPointF& atPixel) {
   const int x = std::min(static_cast<int>(atPixel.x()) + kBesidePointer, width() - readout_->width());
   const int y = std::min(static_cast<int>(atPixel.y()) + kBesidePointer, height() - readout_->height());
   readout_->move(std::max(x, 0), std::max(y, 0));
+}
+
+void Viewport::setPicking(bool on) {
+  picking_ = on;
+  pressed_.reset();
+  setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 void Viewport::showInvitation(const QString& text) {
@@ -122,6 +131,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   if (cameraController_.motion() != CameraController::Motion::None) return;
   if (event->button() == Qt::LeftButton && probeWidget_->press(event->localPos(), event->modifiers())) return;
   if (probeWidget_->dragging()) return;
+  if (picking_ && event->button() == Qt::LeftButton) pressed_ = event->localPos();
   cameraController_.begin(motionFor(event->button(), event->modifiers()), event->localPos());
 }
 
@@ -129,8 +139,12 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   event->accept();
   if (cameraController_.motion() == CameraController::Motion::None) {
     probeWidget_->move(event->localPos(), event->modifiers());
-  } else if (cameraController_.move(camera_(), event->localPos(), height())) {
-    emit cameraMoved();
+    if (!probeWidget_->dragging()) emit pointerMoved(event->localPos());
+  } else if (pressed_ && QLineF(*pressed_, event->localPos()).length() < kClickPixels) {
+    return;  // a hand is never quite still
+  } else {
+    pressed_.reset();
+    if (cameraController_.move(camera_(), event->localPos(), height())) emit cameraMoved();
   }
 }
 
@@ -138,6 +152,10 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   event->accept();
   if (event->button() == Qt::LeftButton) probeWidget_->release(event->localPos(), event->modifiers());
   if (event->buttons() == Qt::NoButton) cameraController_.end();
+  if (event->button() != Qt::LeftButton || !pressed_) return;
+  const QPointF pressed = *pressed_;
+  pressed_.reset();
+  if (QLineF(pressed, event->localPos()).length() < kClickPixels) emit clicked(event->localPos());
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
@@ -148,6 +166,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 
 void Viewport::leaveEvent(QEvent* event) {
   probeWidget_->leave();
+  emit pointerLeft();
   QVTKOpenGLNativeWidget::leaveEvent(event);
 }
 

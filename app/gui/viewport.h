@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 
 #include <functional>
+#include <optional>
 
 #include "app/gui/camera_controller.h"
 #include "app/gui/handle_picking.h"
@@ -34,12 +35,19 @@ class Viewport : public QVTKOpenGLNativeWidget {
   bool readyToDraw() const;
   /// Numbers beside the pointer; an empty text hides them.
   void showReadout(const QString& text, const QPointF& atPixel);
+  /// While on, a click without a drag is told by `clicked`, and the camera waits until a drag is one.
+  void setPicking(bool on);
   /// A line in the middle while there is nothing to see; an empty text hides it.
   void showInvitation(const QString& text);
 
  signals:
   void cameraMoved();
   void becameReady();
+  /// Over the picture, no button held; logical pixels.
+  void pointerMoved(const QPointF& position);
+  void pointerLeft();
+  /// On no handle. Only while picking is on.
+  void clicked(const QPointF& position);
 
  protected:
   void initializeGL() override;
@@ -61,6 +69,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   CameraController cameraController_;
   std::function<vtkCamera*()> camera_;
   ProbeWidget* probeWidget_ = nullptr;
+  bool picking_ = false;
+  std::optional<QPointF> pressed_;  ///< while what began there may still become a click
   QLabel* readout_;
   QLabel* invitation_;
 };

@@ -99,28 +99,28 @@ class ViewBuilder {
   }
 
   void addLines(const Ray& r) {
-    const auto line = [&](SchematicLine kind, const glm::dvec3& from, const glm::dvec3& to, bool arrow,
-                          const char* label) {
-      view_.lines.push_back({kind, paper(from), paper(to), arrow, label});
+    const auto line = [&](SchematicLine kind, const glm::dvec3& from, const glm::dvec3& to, const char* label) {
+      const double inSpace = glm::length(to - from), onPaper = glm::length(paper(to) - paper(from));
+      view_.lines.push_back({kind, paper(from), paper(to), label, inSpace > 0.0 ? onPaper / inSpace : 0.0});
     };
-    line(SchematicLine::Eye, r.eye, r.position, true, "V");
-    // A direction has no length of its own: both are drawn as long as reads well.
-    line(SchematicLine::Normal, r.position, r.position + 0.5 * r.reach * r.normal, true, "N");
+    line(SchematicLine::Eye, r.eye, r.position, "");
     if (r.hit) {
-      line(SchematicLine::Reflected, r.position, *r.hit, true, "R");
-      line(SchematicLine::Lookup, glm::dvec3(0.0), *r.hit, true, "H - C");
+      line(SchematicLine::Lookup, glm::dvec3(0.0), *r.hit, "H - C");
+      line(SchematicLine::Reflected, r.position, *r.hit, "d");
     } else {
-      line(SchematicLine::Reflected, r.position, r.position + r.reach * r.reflection, true, "R");
-      line(SchematicLine::Lookup, glm::dvec3(0.0), r.reach * glm::normalize(r.lookup), true, "L");
+      // A direction has no length of its own: it is drawn as long as reads well.
+      line(SchematicLine::Lookup, glm::dvec3(0.0), r.reach * glm::normalize(r.lookup), "L");
+      line(SchematicLine::Reflected, r.position, r.position + r.reach * r.reflection, "");
     }
-    if (r.trueHit && r.hit) line(SchematicLine::TrueHit, *r.hit, *r.trueHit, false, "");
+    line(SchematicLine::Normal, r.position, r.position + 0.5 * r.reach * r.normal, "");
+    if (r.trueHit && r.hit) line(SchematicLine::TrueHit, *r.hit, *r.trueHit, "");
   }
 
   /// Of the planes that this view shows edge-on: where the prolonged ray crosses each.
   void addPlanes(const Ray& r) {
     const int smallest = smallestAxis(*r.slab);
     for (const int axis : {view_.right, view_.up}) {
-      constexpr double kFarBoxes = 3.0;  // crossings farther off would only shrink the drawing
+      constexpr double kFarBoxes = 100.0;  // for a ray all but parallel to the plane
       const double t = (*r.slab)[axis];
       if (t > kFarBoxes * glm::length(r.boxMax - r.boxMin)) continue;
       glm::dvec3 from = r.boxMin, to = r.boxMax;
@@ -133,9 +133,12 @@ class ViewBuilder {
       glm::dvec2 a = paper(from), b = paper(to);
       view_.planes.push_back({a, b, paper(crossing), label, axis == smallest});
       if (axis == smallest) continue;
-      view_.lines.push_back({SchematicLine::Slab, paper(r.hit.value_or(r.position)), paper(crossing), false, ""});
+      view_.lines.push_back({SchematicLine::Slab, paper(r.hit.value_or(r.position)), paper(crossing), "", 1.0});
       view_.points.push_back({SchematicPoint::SlabPlane, paper(crossing), label, {}});
-      see(paper(crossing));
+      // A crossing far off would only shrink the drawing: its line leaves the paper.
+      constexpr double kRoom = 0.4;
+      const glm::dvec2 room = kRoom * (*view_.boxHigh - *view_.boxLow);
+      see(glm::clamp(paper(crossing), *view_.boxLow - room, *view_.boxHigh + room));
     }
   }
 
@@ -211,11 +214,11 @@ std::optional<Schematic> schematic(const Explanation& e) {
   const ProbeExplanation& p = e.probes[static_cast<std::size_t>(std::max(e.dominant, 0))];
   const Ray r = rayOf(e, p);
   Schematic made;
-  made.plan = ViewBuilder("Plan", 0, 2, false, true).build(r);
+  made.plan = ViewBuilder("Plan (from above)", 0, 2, false, true).build(r);
   // Looking along -z at the front (x to the right), or from the +x side (-z to the right, as one walks round).
   const bool alongX = std::abs(r.reflection.x) >= std::abs(r.reflection.z);
-  made.elevation = alongX ? ViewBuilder("Elevation", 0, 1, false, false).build(r)
-                          : ViewBuilder("Elevation", 2, 1, true, false).build(r);
+  made.elevation = alongX ? ViewBuilder("Elevation (from the front)", 0, 1, false, false).build(r)
+                          : ViewBuilder("Elevation (from the side)", 2, 1, true, false).build(r);
   made.caption = caption(p);
   return made;
 }

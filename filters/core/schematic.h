@@ -27,8 +27,8 @@ struct SchematicView {
   struct Line {
     SchematicLine kind;
     glm::dvec2 from, to;
-    bool arrow = false;
-    std::string label;  ///< beside its middle; may be empty
+    std::string label;            ///< beside it; may be empty
+    double foreshortening = 1.0;  ///< its length on the paper over its length in space
   };
   struct Point {
     SchematicPoint kind;

@@ -1,0 +1,36 @@
+// The schematic in a corner of the picture: plan and side elevation of what is explained, as large as the picture has
+// room for. Called by the main window; paints through schematic_painter.h. Takes no mouse.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "filters/core/schematic.h"
+
+namespace boxprobe {
+
+class SchematicInset : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Keeps itself in the lower right corner of `parent`.
+  explicit SchematicInset(QWidget* parent);
+
+  /// Nothing to draw (the background, no probe) hides it.
+  void show(const Explanation& explanation);
+  void clear();
+  /// By the user: off, it stays hidden whatever is explained, and computes nothing.
+  void setShown(bool shown);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void place();
+
+  std::optional<Schematic> schematic_;
+  bool shown_ = true;
+};
+
+}  // namespace boxprobe
