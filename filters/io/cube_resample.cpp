@@ -98,8 +98,8 @@ glm::vec3 foldedDirection(const CubePoint& point) {
 }
 
 /// The mean over a texel of a face whose sample in column i and row j of `samples` by `samples` is at `place`.
-glm::vec4 meanOverTexel(const DirectionSampler& source, const std::function<CubePoint(int i, int j)>& place,
-                        int samples) {
+template <typename Place>
+glm::vec4 meanOverTexel(const DirectionSampler& source, const Place& place, int samples) {
   if (samples == 1) return source(foldedDirection(place(0, 0)));  // itself, bit for bit
   glm::vec4 sum(0.0f);
   float weights = 0.0f;
