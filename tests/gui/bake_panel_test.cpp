@@ -1,0 +1,256 @@
+// Baking from the window: every field of a capture edits what it says, the buttons make what they say, the state tells
+// it, and what was saved is found again.
+#include "app/gui/bake_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemView>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+
+#include "app/gui/file_commands.h"
+#include "app/gui/hides_list.h"
+#include "app/gui/probe_list.h"
+#include "app/gui/recent_files.h"
+#include "app/gui/render_scheduler.h"
+#include "app/gui/time_left.h"
+#include "app/gui/value_field.h"
+#include "app/gui/vector_row.h"
+#include "filters/io/image_file.h"
+#include "filters/io/scene_file.h"
+#include "filters/vtk/scene_renderer.h"
+#include "tests/gui/dialogs.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+class BakePanelTest : public WindowTest {
+ protected:
+  template <typename Widget>
+  Widget* named(const char* name) const {
+    auto* widget = window_->findChild<Widget*>(name);
+    EXPECT_NE(widget, nullptr) << name;
+    return widget;
+  }
+  BakePanel* panel() const { return window_->findChild<BakePanel*>(); }
+  QString state() const { return named<QLabel>("bakeState")->text(); }
+  /// Chooses as a user does: by the keyboard, with the list open.
+  void choose(const char* name, int value) {
+    auto* combo = named<QComboBox>(name);
+    combo->setFocus();
+    combo->showPopup();
+    QTest::qWait(20);
+    combo->view()->setCurrentIndex(combo->model()->index(combo->findData(value), 0));
+    QTest::keyClick(combo->view(), Qt::Key_Return);
+  }
+  void click(const char* button) { QTest::mouseClick(named<QToolButton>(button), Qt::LeftButton); }
+  std::size_t steps() {
+    std::size_t count = 0;
+    while (document().canUndo()) {
+      document().undo();
+      ++count;
+    }
+    return count;
+  }
+  /// A scene in a folder of its own, open.
+  QString openCopy() {
+    const QString path = folder_.filePath("copy.boxprobe.json");
+    saveSceneFile(document().scene(), path.toStdString());
+    EXPECT_TRUE(window_->files().openPath(path));
+    waitUntilIdle();
+    return path;
+  }
+  QString environment(int width, int height) {
+    ImageRgbaF image{width, height, {}};
+    image.pixels.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4, 0.5f);
+    const QString path = folder_.filePath(QString("light%1.exr").arg(width));
+    saveExr(path.toStdString(), image);
+    return path;
+  }
+
+  QTemporaryDir folder_;
+};
+
+TEST_F(BakePanelTest, EveryFieldOfACaptureReachesItsPlaceAsOneStep) {
+  type(named<ValueField>("near"), "0.25");
+  EXPECT_EQ(probe().nearDistance, 0.25);
+  type(named<ValueField>("far"), "42");
+  EXPECT_EQ(probe().farDistance, 42.0);
+  choose("samplesPerPixel", 16);
+  EXPECT_EQ(probe().samplesPerPixel, 16);
+  choose("filter", static_cast<int>(FilterKind::Gaussian));
+  EXPECT_EQ(probe().filter, FilterKind::Gaussian);
+  choose("mode", static_cast<int>(ProbeUpdate::Realtime));
+  EXPECT_EQ(probe().mode, ProbeUpdate::Realtime);
+  choose("mode", static_cast<int>(ProbeUpdate::Baked));
+  EXPECT_EQ(probe().mode, ProbeUpdate::Baked);
+  choose("clear", 1);
+  EXPECT_TRUE(std::holds_alternative<ClearToNone>(probe().clear));
+  EXPECT_FALSE(named<VectorRow>("clearColor")->isVisible());
+  choose("clear", 2);
+  type(named<VectorRow>("clearColor")->field(1), "0.75");
+  EXPECT_EQ(std::get<glm::vec3>(probe().clear), glm::vec3(0.0f, 0.75f, 0.0f));
+  EXPECT_EQ(steps(), 9u);
+  waitUntilIdle();
+}
+
+TEST_F(BakePanelTest, NearCannotPassFar) {
+  type(named<ValueField>("far"), "10");
+  type(named<ValueField>("near"), "99");
+  EXPECT_LT(probe().nearDistance, 10.0);
+  waitUntilIdle();
+}
+
+TEST_F(BakePanelTest, AnObjectTickedInTheListIsHiddenFromTheProbe) {
+  auto* hides = named<HidesList>("hides");
+  const std::uint64_t before = counters().facesCaptured;
+  std::string node;
+  QTimer::singleShot(0, [&] {
+    auto* box = hides->menu()->findChild<QCheckBox*>();
+    ASSERT_NE(box, nullptr);
+    node = box->objectName().toStdString();
+    QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(8, box->height() / 2));
+    hides->menu()->close();
+  });
+  QTest::mouseClick(hides, Qt::LeftButton);
+  ASSERT_FALSE(node.empty());
+  ASSERT_EQ(probe().hides, std::vector<std::string>{node});
+  EXPECT_TRUE(hides->text().contains(QString::fromStdString(node)));
+  waitUntilIdle();
+  EXPECT_GT(counters().facesCaptured, before);
+  document().undo();
+  EXPECT_TRUE(probe().hides.empty());
+  waitUntilIdle();
+}
+
+TEST_F(BakePanelTest, BakeMakesTheProbeAgainAndTheStateFollows) {
+  EXPECT_EQ(state(), "Up to date");
+  QStringList seen;
+  const auto connection =
+      QObject::connect(panel(), &BakePanel::statesChanged, [&seen](const auto& looks) { seen << looks.front().text; });
+  const std::uint64_t before = counters().facesCaptured;
+  click("bake");
+  EXPECT_NE(state(), "Up to date");
+  waitUntilIdle();
+  QObject::disconnect(connection);
+  EXPECT_EQ(counters().facesCaptured - before, 6u);
+  EXPECT_EQ(state(), "Up to date");
+  EXPECT_TRUE(seen.contains("Capturing")) << seen.join(", ").toStdString();
+  EXPECT_EQ(window_->findChild<ProbeList*>()->list()->item(0)->toolTip(), "Up to date");
+  EXPECT_FALSE(document().canUndo()) << "baking edits nothing";
+}
+
+TEST_F(BakePanelTest, BakeAllMakesEveryProbe) {
+  QTest::mouseClick(named<QToolButton>("Duplicate"), Qt::LeftButton);
+  waitUntilIdle();
+  const std::uint64_t before = counters().facesCaptured;
+  click("bakeAll");
+  waitUntilIdle();
+  EXPECT_EQ(counters().facesCaptured - before, 12u);
+}
+
+TEST_F(BakePanelTest, StopLeavesTheRestAndTheStateSaysSo) {
+  click("bake");
+  QTest::qWaitFor([this] { return state() == "Capturing"; }, 20000);
+  ASSERT_EQ(state(), "Capturing");
+  click("stopBake");
+  waitUntilIdle();
+  EXPECT_TRUE(window_->renderer().workPending());
+  EXPECT_EQ(state(), "Stale: capturing was stopped");
+  EXPECT_FALSE(named<QToolButton>("stopBake")->isEnabled());
+  window_->scheduler().resumeWork();
+  waitUntilIdle();
+  EXPECT_EQ(state(), "Up to date");
+}
+
+TEST_F(BakePanelTest, WhatIsSavedBesideTheSceneIsLoadedWithIt) {
+  const QString path = openCopy();
+  const auto question = answerMessageBox(QMessageBox::Save);
+  click("saveBaked");
+  EXPECT_TRUE(question->text.contains("copy.probes")) << question->text.toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_->statusBar()->currentMessage().startsWith("Wrote"); }, 20000));
+  const QDir files(folder_.filePath("copy.probes"));
+  EXPECT_TRUE(files.exists("room.exr"));
+  const std::uint64_t before = counters().facesCaptured;
+  // A program started anew has captured nothing; here the maps kept for undo have to go first.
+  window_->showScene(LoadedScene{});
+  waitUntilIdle();
+  document().markSaved({});
+  ASSERT_TRUE(window_->files().openPath(path));
+  waitUntilIdle();
+  EXPECT_EQ(counters().facesCaptured, before);
+  EXPECT_TRUE(state() == "Loaded from disk, up to date" || state() == "Up to date") << state().toStdString();
+}
+
+TEST_F(BakePanelTest, ACustomProbeTakesItsImageFromTheDialogAndRefusesWhatIsNone) {
+  answerFileDialog(environment(64, 32));
+  choose("mode", static_cast<int>(ProbeUpdate::Custom));
+  ASSERT_EQ(probe().mode, ProbeUpdate::Custom);
+  EXPECT_TRUE(QString::fromStdString(probe().image).endsWith("light64.exr"));
+  EXPECT_FALSE(named<ValueField>("near")->isVisible()) << "an image is not captured";
+  waitUntilIdle();
+  EXPECT_EQ(state(), "Custom image light64.exr");
+  document().undo();
+  EXPECT_EQ(probe().mode, ProbeUpdate::Baked);
+
+  QFile bad(folder_.filePath("bad.exr"));
+  ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+  bad.write("not a picture");
+  bad.close();
+  answerFileDialog(bad.fileName());
+  std::shared_ptr<SeenDialog> box;
+  QTimer::singleShot(200, [&] { box = answerMessageBox(QMessageBox::Ok); });
+  choose("mode", static_cast<int>(ProbeUpdate::Custom));
+  ASSERT_TRUE(box);
+  EXPECT_TRUE(box->text.contains("bad.exr")) << box->text.toStdString();
+  EXPECT_FALSE(box->text.contains('\n'));
+  EXPECT_EQ(probe().mode, ProbeUpdate::Baked);
+  EXPECT_EQ(named<QComboBox>("mode")->currentData().toInt(), static_cast<int>(ProbeUpdate::Baked));
+  waitUntilIdle();
+}
+
+TEST_F(BakePanelTest, OpenedFilesLeadTheRecentOnesAndOpenAgain) {
+  const QString path = openCopy();
+  ASSERT_FALSE(recentFiles().isEmpty());
+  EXPECT_EQ(recentFiles().front(), path);
+  QMenu* recent = nullptr;
+  for (QMenu* menu : window_->menuBar()->findChildren<QMenu*>()) {
+    if (menu->title() == "Open &recent") recent = menu;
+  }
+  ASSERT_NE(recent, nullptr);
+  ASSERT_FALSE(recent->actions().isEmpty());
+  window_->showScene(smallBuilding());
+  recent->actions().front()->trigger();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(document().path(), path.toStdString());
+  waitUntilIdle();
+}
+
+TEST(TimeLeft, IsWhatIsLeftAtTheSpeedSoFar) {
+  TimeLeft left;
+  EXPECT_FALSE(left.update(0.0, 10.0));
+  EXPECT_FALSE(left.update(0.1, 10.5)) << "too early to judge";
+  const auto seconds = left.update(0.25, 15.0);
+  ASSERT_TRUE(seconds);
+  EXPECT_NEAR(*seconds, 15.0, 1e-9);
+  EXPECT_FALSE(left.update(0.1, 16.0)) << "work was added: the old speed says nothing";
+  EXPECT_EQ(TimeLeft::text(12.3), "12 s left");
+  EXPECT_EQ(TimeLeft::text(240.0), "4 min left");
+}
+
+}  // namespace
+}  // namespace boxprobe
