@@ -1,8 +1,11 @@
 // Damaged, hostile and unwritable files of cubes: one line, no crash, no memory asked for by a header, no partial file.
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDeepFrameBuffer.h>
+#include <OpenEXR/ImfDeepScanLineOutputFile.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfPartType.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -191,6 +194,26 @@ TEST_F(CubeDamage, AFolderThatIsNotThereOrADeviceIsNamed) {
   EXPECT_EQ(errorText<WorkError>([&] { saveBakedProbe(file("gone/a.exr"), probe); }).rfind(file("gone/a.exr"), 0), 0u);
   EXPECT_EQ(errorText<WorkError>([&] { saveBakedProbe(folder_.string(), probe); }).rfind(folder_.string(), 0), 0u);
   EXPECT_EQ(entryCount(), 0u);
+}
+
+TEST_F(CubeDamage, DeepDataIsRefusedByName) {
+  Imf::Header header(8, 4);
+  header.channels().insert("R", Imf::Channel(Imf::HALF));
+  header.setType(Imf::DEEPSCANLINE);
+  header.compression() = Imf::ZIPS_COMPRESSION;
+  {
+    std::vector<unsigned> counts(32, 0u);
+    std::vector<half*> samples(32, nullptr);
+    Imf::DeepFrameBuffer buffer;
+    buffer.insertSampleCountSlice(Imf::Slice::Make(Imf::UINT, counts.data(), header.dataWindow()));
+    buffer.insert("R", Imf::DeepSlice(Imf::HALF, reinterpret_cast<char*>(samples.data()), sizeof(half*),
+                                      8 * sizeof(half*), sizeof(half)));
+    Imf::DeepScanLineOutputFile out(file("deep.exr").c_str(), header);
+    out.setFrameBuffer(buffer);
+    out.writePixels(4);
+  }
+  EXPECT_EQ(errorText([&] { loadCube(file("deep.exr")); }),
+            file("deep.exr") + ": part 0 is deep data (deepscanline); flatten it first");
 }
 
 TEST_F(CubeDamage, NonFiniteValuesInABakedFileAreZero) {
