@@ -40,6 +40,7 @@ struct SceneRenderer::Impl {
   ViewLegend legend;
   SurfaceViewSettings view;
 
+  void makeCurrent();
   void beginFrame();
   std::pair<double, double> viewRange() const;
   void applyView();
@@ -79,6 +80,11 @@ void SceneRenderer::Impl::applyView() {
   std::vector<std::string> names;
   for (const Probe& probe : content.scene.probes) names.push_back(probe.name);
   legend.show(renderer, surfaceViews()[static_cast<std::size_t>(view.view)], low, high, names);
+}
+
+// Maps that are replaced, and those under way that are given up, are deleted, which needs their context.
+void SceneRenderer::Impl::makeCurrent() {
+  if (state->brdfTable != 0) window->MakeCurrent();
 }
 
 void SceneRenderer::Impl::beginFrame() {
@@ -123,8 +129,7 @@ void SceneRenderer::setModels(std::vector<std::shared_ptr<const Model>> models) 
 void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   Impl& d = *impl_;
   SceneContent& content = d.content;
-  // Maps that are replaced are deleted, which needs their context.
-  if (d.state->brdfTable != 0) d.window->MakeCurrent();
+  d.makeCurrent();
   content.scene = scene;
   const bool models = changes.models;
   const bool objects = models || changes.materials || changes.objects;
@@ -179,6 +184,7 @@ std::vector<Explanation> SceneRenderer::explain(const std::vector<glm::ivec2>& p
 }
 
 void SceneRenderer::setInteractive(bool interactive) {
+  impl_->makeCurrent();
   impl_->probes.setInteractive(interactive);
 }
 
@@ -213,6 +219,7 @@ bool SceneRenderer::finishWork(const std::function<bool(double)>& progress) {
 }
 
 void SceneRenderer::setProbesEnabled(bool enabled) {
+  impl_->makeCurrent();
   impl_->probes.setEnabled(enabled);
 }
 
@@ -287,14 +294,17 @@ std::shared_ptr<const BakedMaps> SceneRenderer::mapsOnCpu(const std::string& pro
 }
 
 void SceneRenderer::useBakedFiles(const std::string& folder) {
+  impl_->makeCurrent();
   impl_->probes.useBakedFiles(folder);
 }
 
 void SceneRenderer::setBakeTargets(const std::vector<std::string>& probes) {
+  impl_->makeCurrent();
   impl_->probes.setBakeTargets(probes);
 }
 
 void SceneRenderer::requestBake(const std::vector<std::string>& probes) {
+  impl_->makeCurrent();
   impl_->probes.requestBake(probes);
 }
 
