@@ -79,7 +79,7 @@ enum class WeightMode { Pixel, Object };
 struct ObjectOverride {
   bool visible = true;
   bool seenByProbes = true;
-  bool dynamic = false;
+  bool dynamic = false;  ///< moves: baked probes leave it out, so that its movement does not undo them
   ProbeMode probeMode = ProbeMode::BlendAndSky;
   WeightMode weights = WeightMode::Pixel;
   bool operator==(const ObjectOverride&) const;
@@ -102,7 +102,11 @@ struct BlendDistance {
   bool operator==(const BlendDistance&) const;
 };
 
-enum class ProbeUpdate { Baked, Realtime, Custom };
+enum class ProbeUpdate {
+  Baked,     ///< kept until an input of its capture changes
+  Realtime,  ///< follows what it shows, objects that move included, one face a frame
+  Custom,    ///< filtered from a picture
+};
 /// How the six faces lie in a picture of the surroundings.
 enum class CubeLayout {
   Automatic,  ///< by the envmap attribute, else by the picture's shape, else by the names of six files
