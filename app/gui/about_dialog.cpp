@@ -30,7 +30,8 @@ void showAbout(QWidget* parent) {
       row(QObject::tr("Drag X, Y, Z labels"), QObject::tr("changes the number beside them; with Shift finely")) +
       row(QObject::tr("Ctrl+Z, Ctrl+Shift+Z"), QObject::tr("undo, redo")) +
       row(QObject::tr("Ctrl+1 ... 9, Home"), QObject::tr("the scene's cameras, reset view")) +
-      row(QObject::tr("Ctrl+B, Ctrl+R"), QObject::tr("boxes, reflections on and off")) + "</table><p>" +
+      row(QObject::tr("Ctrl+B, Ctrl+R"), QObject::tr("boxes, reflections on and off")) +
+      row(QObject::tr("F5, Shift+F5"), QObject::tr("captures the selected probe again, all probes")) + "</table><p>" +
       QObject::tr(
           "Orange: the projection box. Dashed: inside it the probe has its full weight. Built on VTK, Qt, OpenEXR and "
           "GLM.") +

@@ -45,10 +45,18 @@ CapturePanel::CapturePanel(Editor& editor, QWidget* parent) : QWidget(parent), e
   buildSampling(form_);
   buildView(form_);
   // What a field is called from outside: by style sheets and tests.
-  const std::pair<QWidget*, const char*> names[] = {
-      {mode_, "mode"},       {image_, "image"}, {faceSize_, "faceSize"}, {samples_, "samplesPerPixel"},
-      {bounces_, "bounces"}, {near_, "near"},   {far_, "far"},           {clearColor_, "clearColor"},
-      {filter_, "filter"},   {clear_, "clear"}, {hides_, "hides"}};
+  const std::pair<QWidget*, const char*> names[] = {{mode_, "mode"},
+                                                    {layout_, "imageLayout"},
+                                                    {image_, "image"},
+                                                    {faceSize_, "faceSize"},
+                                                    {samples_, "samplesPerPixel"},
+                                                    {bounces_, "bounces"},
+                                                    {near_, "near"},
+                                                    {far_, "far"},
+                                                    {clearColor_, "clearColor"},
+                                                    {filter_, "filter"},
+                                                    {clear_, "clear"},
+                                                    {hides_, "hides"}};
   for (const auto& [widget, name] : names) widget->setObjectName(name);
   update();
 }
@@ -76,6 +84,17 @@ void CapturePanel::buildMode(QFormLayout* form) {
   addRow(form, tr("Image"), imageRow_,
          tr("OpenEXR or Radiance HDR: latitude-longitude, cross, strip, or one of six face files"));
   connect(choose, &QToolButton::clicked, this, &CapturePanel::chooseImage);
+  layout_ = addProbeChoice(
+      form, tr("Layout"),
+      {{tr("Detected"), static_cast<int>(CubeLayout::Automatic), tr("By the file's attributes, shape or name")},
+       {tr("Latitude-longitude"), static_cast<int>(CubeLayout::LatLong)},
+       {tr("Strip of faces"), static_cast<int>(CubeLayout::Strip)},
+       {tr("Cross"), static_cast<int>(CubeLayout::Cross)},
+       {tr("Six files"), static_cast<int>(CubeLayout::SixFiles)}},
+      tr("How the surroundings lie in the image. Default: detected"), [this](int layout) {
+        editor_.commitProbe(probeEditLabel(editor_, tr("image layout")),
+                            [layout](Probe& probe) { probe.imageLayout = static_cast<CubeLayout>(layout); });
+      });
 }
 
 void CapturePanel::buildSampling(QFormLayout* form) {
@@ -161,7 +180,8 @@ void CapturePanel::chooseImage() {
       QFileDialog::getOpenFileName(window(), tr("Environment image"), folder, tr("Environment images (*.exr *.hdr)"));
   if (!path.isEmpty()) {
     try {
-      loadCube(path.toStdString());  // found out now, while the probe can stay as it was
+      // Found out now, while the probe can stay as it was.
+      loadCube(path.toStdString(), probe ? probe->imageLayout : CubeLayout::Automatic);
       editor_.commitProbe(probeEditLabel(editor_, tr("image")), [&path](Probe& edited) {
         edited.mode = ProbeUpdate::Custom;
         edited.image = path.toStdString();
@@ -193,6 +213,8 @@ void CapturePanel::update() {
   showChoice(mode_, static_cast<int>(probe->mode));
   const bool custom = probe->mode == ProbeUpdate::Custom;
   showRow(imageRow_, custom);
+  showRow(layout_, custom);
+  showChoice(layout_, static_cast<int>(probe->imageLayout));
   const QString path = QString::fromStdString(probe->image);
   image_->setText(QFileInfo(path).fileName());
   image_->setToolTip(path);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/gui/editor.h"
+#include "app/gui/recent_files.h"
 #include "filters/core/errors.h"
 #include "filters/io/image_file.h"
 #include "filters/io/scene_file.h"
@@ -77,6 +78,7 @@ bool FileCommands::openPath(const QString& path) {
     const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
     hooks_.show(std::move(loaded));
+    remember(path);
     emit message(warning.isEmpty() ? tr("Opened %1").arg(path)
                  : more == 0       ? warning
                                    : tr("%1 (and %2 more; see `boxprobe info`)").arg(warning).arg(more));
@@ -85,6 +87,11 @@ bool FileCommands::openPath(const QString& path) {
     showError(tr("Cannot open"), QString::fromUtf8(error.what()));
     return false;
   }
+}
+
+void FileCommands::remember(const QString& path) {
+  rememberFile(path);
+  emit recentChanged(recentFiles());
 }
 
 bool FileCommands::save() {
@@ -111,6 +118,7 @@ bool FileCommands::saveTo(const QString& path) {
   try {
     saveSceneFile(document_.scene(), path.toStdString());
     document_.markSaved(path.toStdString());
+    remember(path);
     emit message(tr("Saved %1").arg(path));
     return true;
   } catch (const std::exception& error) {

@@ -41,8 +41,12 @@ class FileCommands : public QObject {
   /// Name of what is open, for the title: the file's, or the model's of a scene never saved.
   QString displayName() const;
 
+  /// `path` was opened or saved: it leads the list of recent files.
+  void remember(const QString& path);
+
  signals:
   void message(const QString& text);
+  void recentChanged(const QStringList& paths);
 
  private:
   bool saveTo(const QString& path);

@@ -82,6 +82,15 @@ void ProbeList::update() {
   delete_->setEnabled(selected.has_value());
 }
 
+void ProbeList::showStates(const std::vector<BakeStateLook>& looks) {
+  const QSignalBlocker quiet(list_);
+  for (std::size_t i = 0; i < looks.size() && static_cast<int>(i) < list_->count(); ++i) {
+    QListWidgetItem* item = list_->item(static_cast<int>(i));
+    item->setIcon(stateIcon(looks[i]));
+    item->setToolTip(looks[i].text);
+  }
+}
+
 void ProbeList::rename(QListWidgetItem* item) {
   const auto row = static_cast<std::size_t>(list_->row(item));
   const auto& probes = editor_.scene().probes;

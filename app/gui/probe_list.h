@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <functional>
 
+#include "app/gui/bake_state_look.h"
 #include "app/gui/editor.h"
 
 class QListWidget;
@@ -26,6 +27,9 @@ class ProbeList : public QWidget {
 
   /// The document changed.
   void update();
+
+  /// How far each probe's maps are, in the scene's order.
+  void showStates(const std::vector<boxprobe::BakeStateLook>& looks);
 
   void addProbe();
   void duplicateProbe();

@@ -22,8 +22,8 @@ StatusLine::StatusLine(QStatusBar* bar)
       stop_(new QToolButton(bar)),
       resume_(new QToolButton(bar)) {
   progress_->setRange(0, 100);
-  progress_->setFixedWidth(140);
-  progress_->setFormat(tr("Capturing %p %"));
+  progress_->setFixedWidth(210);
+  clock_.start();
   stop_->setText(tr("Stop"));
   stop_->setToolTip(tr("Leaves the rest of the capture until the scene changes again (Esc)"));
   resume_->setText(tr("Go on capturing"));
@@ -55,6 +55,9 @@ void StatusLine::showCounters(const Counters& c) {
 }
 
 void StatusLine::showProgress(double fraction) {
+  const auto seconds = timeLeft_.update(fraction, 1e-3 * static_cast<double>(clock_.elapsed()));
+  const QString text = tr("Capturing %p %");
+  progress_->setFormat(seconds ? text + ", " + TimeLeft::text(*seconds) : text);
   progress_->setValue(static_cast<int>(100.0 * fraction));
   progress_->show();
   stop_->show();
@@ -62,6 +65,7 @@ void StatusLine::showProgress(double fraction) {
 }
 
 void StatusLine::hideProgress(bool stopped) {
+  timeLeft_.restart();
   progress_->hide();
   stop_->hide();
   resume_->setVisible(stopped);

@@ -2,8 +2,10 @@
 // Called by the main window.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 
+#include "app/gui/time_left.h"
 #include "filters/core/counters.h"
 
 class QLabel;
@@ -35,6 +37,8 @@ class StatusLine : public QObject {
   QProgressBar* progress_;
   QToolButton* stop_;
   QToolButton* resume_;
+  QElapsedTimer clock_;
+  TimeLeft timeLeft_;
 };
 
 }  // namespace boxprobe

@@ -11,6 +11,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/stats_json.h"
 #include "app/cli/vtk_messages.h"
+#include "app/gui/file_commands.h"
 #include "app/gui/main_window.h"
 #include "app/gui/viewport.h"
 #include "app/gui/window_style.h"
@@ -59,7 +60,10 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
     stats = collectStats(window.renderer(), window.viewport().window3d());
     pictureError = window.renderer().error();
   });
-  if (!scenePath.empty()) window.showScene(std::move(loaded));
+  if (!scenePath.empty()) {
+    window.showScene(std::move(loaded));
+    window.files().remember(QString::fromStdString(scenePath));
+  }
   window.show();
   QApplication::exec();
 

@@ -12,6 +12,7 @@
 
 #include "filters/vtk/cube_capture.h"
 #include "filters/vtk/cube_transfer.h"
+#include "filters/vtk/preview_sphere.h"
 #include "filters/vtk/probe_set.h"
 #include "filters/vtk/scene_content.h"
 #include "filters/vtk/static_textures.h"
@@ -26,7 +27,8 @@ struct SceneRenderer::Impl {
         state(std::make_shared<DrawState>()),
         capture(w, state),
         probes(w, state, &capture, &content, &times),
-        inspector(w, state, &content) {}
+        inspector(w, state, &content),
+        sphere(w, renderer, state) {}
 
   vtkOpenGLRenderWindow* window;
   std::shared_ptr<DrawState> state;
@@ -37,6 +39,7 @@ struct SceneRenderer::Impl {
   CubeCapture capture;
   ProbeSet probes;
   SurfaceInspector inspector;
+  PreviewSphere sphere;
   ViewLegend legend;
   SurfaceViewSettings view;
 
@@ -94,6 +97,10 @@ void SceneRenderer::Impl::beginFrame() {
   state->exposure = static_cast<float>(content.scene.exposure);
   state->counters.drawsByProbeCount = {};
   renderer->ResetCameraClippingRange();
+  if (sphere.shown()) {
+    const auto index = findProbe(content.scene, sphere.settings().probe);
+    sphere.follow(index ? &content.scene.probes[*index] : nullptr, probes.maps(sphere.settings().probe));
+  }
 }
 
 SceneRenderer::SceneRenderer(vtkOpenGLRenderWindow* window) : impl_(std::make_unique<Impl>(window)) {
@@ -334,6 +341,18 @@ std::optional<BakedMaps> SceneRenderer::readMaps(const std::string& probeName) c
   return readBack(*maps);
 }
 
+std::shared_ptr<const ProbeMaps> SceneRenderer::shownMaps(const std::string& probeName) const {
+  return impl_->probes.maps(probeName);
+}
+
+void SceneRenderer::showPreviewSphere(const PreviewSphereSettings& settings) {
+  impl_->sphere.show(settings);
+}
+
+const PreviewSphereSettings& SceneRenderer::previewSphere() const {
+  return impl_->sphere.settings();
+}
+
 const Counters& SceneRenderer::counters() const {
   return impl_->state->counters;
 }
@@ -353,6 +372,7 @@ void SceneRenderer::releaseGraphics() {
   Impl& d = *impl_;
   if (d.window == nullptr || d.state->brdfTable == 0) return;
   d.window->MakeCurrent();
+  d.sphere.release();
   d.probes.release();
   d.capture.release();
   d.inspector.release();

@@ -27,11 +27,14 @@
 #include "filters/core/model.h"
 #include "filters/core/scene.h"
 #include "filters/core/surface_view.h"
+#include "filters/vtk/preview_settings.h"
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 
 namespace boxprobe {
+
+struct ProbeMaps;
 
 /// What one bounce of all probes took.
 struct BounceCost {
@@ -133,6 +136,12 @@ class SceneRenderer {
   std::optional<BakedMaps> readMaps(const std::string& probeName) const;
   /// The same copy that explain() looks up, read back once for each capture; null while it has none.
   std::shared_ptr<const BakedMaps> mapsOnCpu(const std::string& probeName);
+
+  /// What a probe shows now, on the graphics side; another object whenever it was made anew. Null while it has none.
+  std::shared_ptr<const ProbeMaps> shownMaps(const std::string& probeName) const;
+  /// A sphere at a probe's origin, lit by its maps alone; not in captures, explanations and renderLinear().
+  void showPreviewSphere(const PreviewSphereSettings& settings);
+  const PreviewSphereSettings& previewSphere() const;
 
   const Counters& counters() const;
   const Times& times() const;

@@ -165,8 +165,7 @@ TEST_F(BakePanelTest, BakeAllMakesEveryProbe) {
 
 TEST_F(BakePanelTest, StopLeavesTheRestAndTheStateSaysSo) {
   click("bake");
-  QTest::qWaitFor([this] { return state() == "Capturing"; }, 20000);
-  ASSERT_EQ(state(), "Capturing");
+  ASSERT_TRUE(QTest::qWaitFor([this] { return state() == "Capturing"; }, 20000)) << state().toStdString();
   click("stopBake");
   waitUntilIdle();
   EXPECT_TRUE(window_->renderer().workPending());
