@@ -344,9 +344,12 @@ void MainWindow::exportPicture(const std::string& path) {
     const int* size = viewport_->window3d()->GetSize();
     saveExr(path, renderer_->renderLinear(size[0], size[1], kExportSamples));
   } else {
+    const PreviewSphereSettings sphere = renderer_->previewSphere();
+    renderer_->showPreviewSphere({});
     overlay_->setSuspended(true);
     const ImageRgba8 image = renderer_->renderDisplay();
     overlay_->setSuspended(false);
+    renderer_->showPreviewSphere(sphere);
     savePng(path, image);
   }
   scheduler_->requestRender();

@@ -31,6 +31,7 @@ class PreviewTest : public WindowTest {
     set("previewKind", static_cast<int>(CubePictureKind::Cross));
     named<QSlider>("previewLevel")->setValue(0);
     named<QDockWidget>("probes")->raise();
+    window_->probeWidget().setVisible(true);
   }
   template <typename Widget>
   Widget* named(const char* name) const {
@@ -128,12 +129,13 @@ TEST_F(PreviewTest, ThePicturesAreTheMaps) {
 
 TEST_F(PreviewTest, PointingReadsTheTexel) {
   look();
+  const glm::vec3 kTexel(0.28125f, -0.21875f, 1.0f);  // the middle of one of 32 x 32
   const CubePicture picture(CubePictureKind::Cross, view()->image().width());
-  const glm::dvec2 at = picture.position({0.3f, -0.2f, 1.0f});
+  const glm::dvec2 at = picture.position(kTexel);
   QTest::mouseMove(view(), QPoint(static_cast<int>(at.x), static_cast<int>(at.y)));
   QCoreApplication::processEvents();
   const QString text = named<QLabel>("cubeReadout")->text();
-  const CubePoint point = cubePoint({0.3f, -0.2f, 1.0f});
+  const CubePoint point = cubePoint(kTexel);
   const int column = static_cast<int>((0.5f * point.s + 0.5f) * 32.0f),
             row = static_cast<int>((0.5f * point.t + 0.5f) * 32.0f);
   EXPECT_TRUE(text.startsWith(QString("Face +Z, column %1, row %2").arg(column).arg(row))) << text.toStdString();
@@ -154,8 +156,9 @@ TEST_F(PreviewTest, TheSphereShowsTheProbesOwnMapsAndIsGoneWhenHidden) {
   keep("chrome");
   const Camera camera = window_->renderer().currentCamera();
   const glm::vec3 toEye(glm::normalize(camera.position - probe().origin));
-  const auto display = [](const glm::vec4& light) {
-    return glm::vec3(displayByte(light.r, 1.0f), displayByte(light.g, 1.0f), displayByte(light.b, 1.0f));
+  const auto exposure = static_cast<float>(document().scene().exposure);
+  const auto display = [exposure](const glm::vec4& light) {
+    return glm::vec3(displayByte(light.r, exposure), displayByte(light.g, exposure), displayByte(light.b, exposure));
   };
   // Its middle faces the eye, so it reflects straight back.
   const glm::vec3 chrome = meanNear(originPixel());
@@ -182,7 +185,6 @@ TEST_F(PreviewTest, TheSphereShowsTheProbesOwnMapsAndIsGoneWhenHidden) {
   }
   set("previewSphere", static_cast<int>(SphereKind::Off));
   EXPECT_EQ(differingShare(without, shownPicture(window_->viewport()), 0), 0.0);
-  window_->probeWidget().setVisible(true);
 }
 
 }  // namespace
