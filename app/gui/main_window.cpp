@@ -86,7 +86,7 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow() {
   // The overlay and the scene hold GL objects of the viewport's context: they go first, while it is there.
-  preview_->hide();
+  preview_->setWatched(false);
   viewport_->window3d()->MakeCurrent();
   debugView_->releaseGraphics();
   renderer_->releaseGraphics();
@@ -187,6 +187,7 @@ void MainWindow::buildPreviewDock(QDockWidget* beside) {
   dock->setWidget(scroll);
   dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
   tabifyDockWidget(beside, dock);
+  connect(dock, &QDockWidget::visibilityChanged, preview_, &ProbePreview::setWatched);
   beside->raise();
   menu_->addDockToggle(dock->toggleViewAction());
 }

@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -90,19 +89,13 @@ void ProbePreview::buildFields() {
       {{tr("Cross"), static_cast<int>(CubePictureKind::Cross), tr("The six faces: -Z +X +Z -X around, +Y above")},
        {tr("Latitude-longitude"), static_cast<int>(CubePictureKind::LatLong), tr("The whole sphere in one picture")}},
       tr("As someone at the origin sees it: +Z in the middle, +X to its left, +Y up"), [this](int) { draw(); });
-  auto* line = new QWidget(this);
-  auto* row = new QHBoxLayout(line);
-  row->setContentsMargins(0, 0, 0, 0);
-  level_ = new QSlider(Qt::Horizontal, line);
+  level_ = new QSlider(Qt::Horizontal, this);
   level_->setFocusPolicy(Qt::StrongFocus);
   level_->setPageStep(1);
   level_->setRange(0, 0);
-  level_->setToolTip(tr("0 is the capture itself; each further level is filtered for rougher surfaces"));
-  levelText_ = new QLabel(line);
-  levelText_->setMinimumWidth(levelText_->fontMetrics().horizontalAdvance("10: roughness 0.00, 2048 × 2048 "));
-  row->addWidget(level_, 1);
-  row->addWidget(levelText_);
-  addRow(form, tr("Level"), line, level_->toolTip());
+  addRow(form, tr("Level"), level_, tr("0 is the capture itself; each further level is filtered for rougher surfaces"));
+  levelText_ = new QLabel(this);
+  form->addRow(QString(), levelText_);
   connect(level_, &QSlider::valueChanged, this, [this] {
     updateLevelText();
     updateSphere();
@@ -134,13 +127,9 @@ int ProbePreview::level() const {
   return showsDistance() ? 0 : level_->value();
 }
 
-void ProbePreview::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  update();
-}
-
-void ProbePreview::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
+void ProbePreview::setWatched(bool watched) {
+  watched_ = watched;
+  if (watched) return update();
   // What was half read is read anew when someone looks again.
   if (reader_.pending()) maps_.reset();
   reader_.stop();
@@ -149,7 +138,7 @@ void ProbePreview::hideEvent(QHideEvent* event) {
 
 void ProbePreview::update() {
   if (sphere_->currentData().toInt() != static_cast<int>(SphereKind::Off)) updateSphere();
-  if (!isVisible()) return;
+  if (!watched_) return;
   const Probe* probe = editor_.probe();
   setEnabled(probe != nullptr);
   const std::string name = probe ? probe->name : std::string();

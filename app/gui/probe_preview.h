@@ -28,6 +28,8 @@ class ProbePreview : public QWidget {
   /// `makeCurrent` makes the GL context of the renderer's window current.
   ProbePreview(Editor& editor, SceneRenderer& renderer, std::function<void()> makeCurrent, QWidget* parent = nullptr);
 
+  /// Whether anyone can see it. A dock behind another's tab still counts as visible for Qt.
+  void setWatched(bool watched);
   /// The document or a probe's maps may have changed. Cheap where they have not.
   void update();
   /// Faces read back since the start: what looking has cost.
@@ -38,10 +40,6 @@ class ProbePreview : public QWidget {
  signals:
   /// The sphere in the 3D view changed.
   void pictureChanged();
-
- protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
 
  private:
   void buildFields();
@@ -69,6 +67,7 @@ class ProbePreview : public QWidget {
   CubeMap cube_;  ///< what is shown
   double farthest_ = 0.0;
   int facesRead_ = 0;
+  bool watched_ = false;
   /// What was read, or is being read.
   std::string probe_;
   std::weak_ptr<const ProbeMaps> maps_;

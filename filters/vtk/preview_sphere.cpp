@@ -47,6 +47,7 @@ void PreviewSphere::build() {
   actor_->SetMapper(mapper_);
   actor_->GetProperty()->SetInterpolationToPBR();
   actor_->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  actor_->GetProperty()->SetEmissiveFactor(0.0, 0.0, 0.0);  // VTK's default is white
 
   layer_ = vtkSmartPointer<vtkRenderer>::New();
   window_->SetNumberOfLayers(std::max(window_->GetNumberOfLayers(), 2));
