@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/gui/cube_view.h"
@@ -25,7 +26,7 @@ namespace {
 constexpr int kRadiance = 0, kDistance = 1;
 constexpr const char* kFaceNames[6] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
 
-/// Distances as greys, white the farthest.
+/// Distances as greys, white at `farthest` and beyond.
 CubeMap greys(const CubeMap& distance, double farthest) {
   CubeMap result(distance.faceSize(), 1);
   const std::size_t count =
@@ -35,7 +36,7 @@ CubeMap greys(const CubeMap& distance, double farthest) {
     float* to = result.face(0, face);
     for (std::size_t i = 0; i < count; ++i) {
       // Undoes the display's curve: the grey itself is to be proportional.
-      const double grey = std::pow(from[4 * i] / std::max(farthest, 1e-30), 2.2);
+      const double grey = std::pow(std::min(from[4 * i] / std::max(farthest, 1e-30), 1.0), 2.2);
       for (std::size_t c = 0; c < 3; ++c) to[4 * i + c] = static_cast<float>(grey);
       to[4 * i + 3] = 1.0f;
     }
@@ -190,7 +191,12 @@ void ProbePreview::draw() {
                               ? tr("This probe has no distances (an imported picture, or not captured yet)")
                               : tr("Not captured yet");
   if (readDistance_) {
+    // What lies far outside would leave the room itself black: the scale ends at the box's diagonal.
+    const Probe* probe = editor_.probe();
+    const double diagonal = probe ? glm::length(probe->box.size()) : 0.0;
     farthest_ = cube_.empty() ? 0.0 : largestRed(cube_);
+    if (diagonal > 0.0) farthest_ = std::min(farthest_, diagonal);
+    farthest_ *= std::exp2(-stops_->value());
     const CubeMap grey = cube_.empty() ? CubeMap() : greys(cube_, farthest_);
     view_->show(&grey, kind, 1.0f, instead);
   } else {
@@ -202,6 +208,7 @@ void ProbePreview::draw() {
 void ProbePreview::updateLevelText() {
   const int last = level_->maximum();
   const auto maps = maps_.lock();
+  if (maps && showsDistance()) return levelText_->setText(tr("one level, %1 × %1").arg(faceSize(*maps)));
   const int size = maps ? std::max(faceSize(*maps) >> level_->value(), 1) : 0;
   const float roughness =
       last > 0 ? shading::roughnessForLevel(static_cast<float>(level_->value()), static_cast<float>(last)) : 0.0f;
@@ -226,7 +233,7 @@ void ProbePreview::updateSphere() {
 void ProbePreview::tell(const std::optional<glm::vec3>& direction) {
   if (!direction || cube_.empty()) {
     readout_->setText(cube_.empty()   ? QString()
-                      : readDistance_ ? tr("Black: nothing seen. White: %1 m.").arg(farthest_, 0, 'g', 4)
+                      : readDistance_ ? tr("Black: nothing seen. White: %1 m and beyond.").arg(farthest_, 0, 'g', 4)
                                       : tr("Point at the picture to read a texel."));
     return;
   }
