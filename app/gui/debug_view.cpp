@@ -1,6 +1,7 @@
 // See debug_view.h.
 #include "app/gui/debug_view.h"
 
+#include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -30,17 +31,12 @@ DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document
       viewport_(viewport),
       document_(document),
       inspector_({[this] { return viewport_.readyToDraw() && !document_.scene().models.empty(); },
-                  [this](const QPointF& position) { return explain(position); },
-                  [this](const glm::dvec3& point) -> std::optional<QPointF> {
-                    const auto pixel = viewport_.view().pixel(point);
-                    if (!pixel) return std::nullopt;
-                    const QPointF at(pixel->x, pixel->y);
-                    return QRectF(viewport_.rect()).contains(at) ? std::optional(at) : std::nullopt;
-                  }}),
+                  [this](const QPointF& position) { return hold(position); },
+                  [this](const QPointF& position) { return explain(position); }}),
       rays_(std::make_unique<RayRig>(renderer.renderer(),
                                      [this] {
                                        const int* size = viewport_.window3d()->GetSize();
-                                       return PixelRays(renderer_.renderer()->GetActiveCamera(), size[0], size[1]);
+                                       return PixelRays(seenFrom(), size[0], size[1]);
                                      })),
       panel_(new QWidget),
       tool_(new QPushButton(tr("Explain pixels"), panel_)),
@@ -86,7 +82,11 @@ void DebugView::connectParts() {
   connect(&inspector_, &PixelInspector::nothingExplained, this, &DebugView::showNothing);
   connect(&inspector_, &PixelInspector::readout, this, &DebugView::showReadout);
   connect(&inspector_, &PixelInspector::readoutEnded, this, [this] { viewport_.showReadout({}, {}); });
-  connect(&inspector_, &PixelInspector::pinChanged, card_, &ExplainCard::setPinned);
+  connect(&inspector_, &PixelInspector::pinChanged, this, [this](bool pinned) {
+    if (!pinned) pinnedCamera_ = nullptr;
+    card_->setPinned(pinned);
+    cameraMoved();
+  });
   connect(&inspector_, &PixelInspector::clicked, this, [this](const Explanation& e) {
     rays_->addClick(e);
     raysChanged();
@@ -122,6 +122,25 @@ Explanation DebugView::explain(const QPointF& position) const {
   return renderer_.explain(device(position.x(), size[0]), device(position.y(), size[1]), size[0], size[1]);
 }
 
+vtkCamera* DebugView::seenFrom() const {
+  return pinnedCamera_ ? pinnedCamera_.Get() : renderer_.renderer()->GetActiveCamera();
+}
+
+PixelInspector::Explain DebugView::hold(const QPointF& position) {
+  const auto camera = vtkSmartPointer<vtkCamera>::New();
+  camera->DeepCopy(renderer_.renderer()->GetActiveCamera());
+  pinnedCamera_ = camera;
+  return [this, position, camera] {
+    vtkRenderer* scene = renderer_.renderer();
+    const vtkSmartPointer<vtkCamera> current = scene->GetActiveCamera();
+    scene->SetActiveCamera(camera);
+    Explanation explanation = explain(position);
+    scene->SetActiveCamera(current);
+    current->Modified();  // shared programs hold the other camera's uniforms now
+    return explanation;
+  };
+}
+
 void DebugView::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
   inspector_.unpin();
   rays_->setModels(models);
@@ -142,8 +161,8 @@ void DebugView::documentChanged(const Changes& changes) {
 }
 
 void DebugView::cameraMoved() {
-  inspector_.invalidate();
-  if (rays_->followsCamera()) rays_->setSettings(rayPanel_->settings());
+  inspector_.cameraMoved();
+  if (rays_->followsCamera() && !pinnedCamera_) rays_->setSettings(rayPanel_->settings());
 }
 
 void DebugView::workEnded() {
@@ -172,7 +191,7 @@ bool DebugView::unpin() {
 
 void DebugView::show(const Explanation& explanation) {
   card_->show(explanation, document_.scene().exposure);
-  schematic_->show(explanation);
+  schematic_->show(explanation, QPointF(explanation.x, explanation.y) / pixelScale());
   if (rays_->explain(&explanation)) raysChanged();
 }
 

@@ -2,6 +2,8 @@
 // surfaces. Called by the main window, which tells it what changed and draws; off, it asks the renderer for nothing.
 #pragma once
 
+#include <vtkSmartPointer.h>
+
 #include <QWidget>
 #include <functional>
 #include <memory>
@@ -15,6 +17,7 @@
 
 class QCheckBox;
 class QPushButton;
+class vtkCamera;
 
 namespace boxprobe {
 
@@ -72,11 +75,14 @@ class DebugView : public QObject {
   void setSurfaceView(const SurfaceViewSettings& settings);
   void raysChanged();
   Explanation explain(const QPointF& position) const;
+  PixelInspector::Explain hold(const QPointF& position);
+  vtkCamera* seenFrom() const;
   double pixelScale() const;
 
   SceneRenderer& renderer_;
   Viewport& viewport_;
   const Document& document_;
+  vtkSmartPointer<vtkCamera> pinnedCamera_;  ///< null while nothing is pinned
   PixelInspector inspector_;
   std::unique_ptr<RayRig> rays_;
   QWidget* panel_;

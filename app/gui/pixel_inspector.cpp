@@ -1,7 +1,6 @@
 // See pixel_inspector.h.
 #include "app/gui/pixel_inspector.h"
 
-#include <glm/geometric.hpp>
 #include <utility>
 
 namespace boxprobe {
@@ -30,7 +29,7 @@ void PixelInspector::setReadout(bool on) {
 
 void PixelInspector::pointerMoved(const QPointF& position) {
   pointer_ = position;
-  invalidate();
+  cameraMoved();
 }
 
 void PixelInspector::pointerLeft() {
@@ -42,63 +41,53 @@ void PixelInspector::pointerLeft() {
 
 void PixelInspector::click(const QPointF& position) {
   if (!tool_ || !hooks_.ready()) return;
-  pointer_ = position;
-  const Explanation e = explain(position);
-  pin_ = Pin{position, e.hit ? std::optional(e.surface.positionWorld) : std::nullopt};
+  pin_ = hooks_.hold(position);
+  pinStale_ = false;
   emit pinChanged(true);
+  const Explanation e = explain(pin_);
   emit clicked(e);
-  invalidate();
+  emit explained(e);
 }
 
 void PixelInspector::unpin() {
   if (!pin_) return;
-  pin_.reset();
+  pin_ = {};
   emit pinChanged(false);
   invalidate();
 }
 
 void PixelInspector::invalidate() {
-  if (!wanted() || (!pointer_ && !pin_)) return;
-  stale_ = true;
+  if (!wanted()) return;
+  pointerStale_ = pinStale_ = true;
+  schedule();
+}
+
+void PixelInspector::cameraMoved() {
+  if (!readout_ && (!tool_ || pin_)) return;
+  pointerStale_ = true;
+  schedule();
+}
+
+void PixelInspector::schedule() {
   if (!timer_.isActive()) timer_.start();
 }
 
-std::optional<QPointF> PixelInspector::pinPosition() const {
-  return pin_->pointWorld ? hooks_.logicalPosition(*pin_->pointWorld) : pin_->position;
-}
-
-Explanation PixelInspector::explain(const QPointF& position) {
+Explanation PixelInspector::explain(const Explain& how) {
   ++count_;
-  return hooks_.explain(position);
+  return how();
 }
 
 void PixelInspector::update() {
-  if (!stale_ || !hooks_.ready()) return;
-  stale_ = false;
+  if ((!pointerStale_ && !pinStale_) || !hooks_.ready()) return;
   timer_.stop();
-  std::optional<Explanation> under;
-  if (pointer_ && (readout_ || !pin_)) {
-    under = explain(*pointer_);
-    if (readout_) emit readout(*under, *pointer_);
+  const bool pointer = std::exchange(pointerStale_, false) && pointer_ && (readout_ || (tool_ && !pin_));
+  const bool pin = std::exchange(pinStale_, false) && tool_ && pin_;
+  if (pointer) {
+    const Explanation under = explain([this] { return hooks_.explain(*pointer_); });
+    if (readout_) emit readout(under, *pointer_);
+    if (tool_ && !pin_) emit explained(under);
   }
-  if (!tool_) return;
-  if (!pin_) {
-    if (under) emit explained(*under);
-    return;
-  }
-  const auto position = pinPosition();
-  if (!position) return;  // out of view: the card keeps what it said last
-  Explanation e = under && *position == *pointer_ ? *under : explain(*position);
-  if (pin_->pointWorld && e.hit) {
-    // A pixel's width on the surface is no error; another surface in front is.
-    const double away = glm::length(e.surface.positionWorld - *pin_->pointWorld);
-    const double distance = glm::length(*pin_->pointWorld - e.surface.eyeWorld);
-    constexpr double kHidden = 0.03;
-    if (away > kHidden * distance) {
-      e.notes.insert(e.notes.begin(), "The pinned point is hidden from here: this is the surface in front of it.");
-    }
-  }
-  emit explained(e);
+  if (pin) emit explained(explain(pin_));
 }
 
 }  // namespace boxprobe

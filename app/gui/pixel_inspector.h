@@ -1,7 +1,7 @@
-// Which pixel is explained, and when: the one under the pointer while the tool is on, or the surface point that a click
-// pinned, wherever the camera has moved it since. However often something changes in one turn of the event loop, each
-// pixel is explained at most once in it; switched off, nothing is ever explained. Called by the debug view; knows the
-// renderer and the window only as functions.
+// Which pixel is explained, and when: the one under the pointer while the tool is on, or the one that a click pinned,
+// as it was seen from there: the camera can then go round and look at its rays from the side. However often something
+// changes in one turn of the event loop, a pixel is explained at most once in it; switched off, nothing ever is. Called
+// by the debug view; knows the renderer and the window only as functions.
 #pragma once
 
 #include <QObject>
@@ -19,10 +19,12 @@ class PixelInspector : public QObject {
   Q_OBJECT
 
  public:
+  using Explain = std::function<Explanation()>;
   struct Hooks {
-    std::function<bool()> ready;                                               ///< something can be explained now
-    std::function<Explanation(const QPointF&)> explain;                        ///< of the pixel at a logical position
-    std::function<std::optional<QPointF>(const glm::dvec3&)> logicalPosition;  ///< of a point in the world, if in view
+    std::function<bool()> ready;  ///< something can be explained now
+    /// Of the pixel at a logical position: explains it as it is seen now, however the camera moves later.
+    std::function<Explain(const QPointF&)> hold;
+    std::function<Explanation(const QPointF&)> explain;  ///< the same, once and now
   };
 
   explicit PixelInspector(Hooks hooks, QObject* parent = nullptr);
@@ -38,10 +40,12 @@ class PixelInspector : public QObject {
   /// Pins what is there. Does nothing while the tool is off.
   void click(const QPointF& position);
   void unpin();
-  bool pinned() const { return pin_.has_value(); }
+  bool pinned() const { return static_cast<bool>(pin_); }
 
-  /// The scene, the camera or the maps changed.
+  /// The scene or the maps changed.
   void invalidate();
+  /// Something else is under the pointer.
+  void cameraMoved();
   /// Whatever is due, now: called before a picture is drawn, so that it shows what is explained.
   void update();
 
@@ -56,21 +60,16 @@ class PixelInspector : public QObject {
   void pinChanged(bool pinned);
 
  private:
-  struct Pin {
-    QPointF position;
-    std::optional<glm::dvec3> pointWorld;  ///< none on the background
-  };
-
   bool wanted() const { return tool_ || readout_; }
-  std::optional<QPointF> pinPosition() const;
-  Explanation explain(const QPointF& position);
+  void schedule();
+  Explanation explain(const Explain& how);
 
   Hooks hooks_;
   QTimer timer_;
   bool tool_ = false, readout_ = false;
   std::optional<QPointF> pointer_;
-  std::optional<Pin> pin_;
-  bool stale_ = false;
+  Explain pin_;  ///< empty: none
+  bool pointerStale_ = false, pinStale_ = false;
   std::uint64_t count_ = 0;
 };
 

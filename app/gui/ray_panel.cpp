@@ -57,7 +57,7 @@ RayPanel::RayPanel(QWidget* parent)
       length_(new ValueField({1e-3, 1e7, 1.0, 2, ""}, this)),
       coloring_(new QuietCombo(this)),
       status_(helpLabel(this)),
-      clear_(new QPushButton(tr("Clear clicked points"), this)) {
+      clear_(new QPushButton(tr("Clear points"), this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   QFormLayout* form = addSection(this, tr("Projection rays"));
@@ -83,12 +83,15 @@ RayPanel::RayPanel(QWidget* parent)
   auto* buttons = new QHBoxLayout;
   auto* save = new QPushButton(tr("Save rays..."), this);
   save->setToolTip(tr("As VTK poly data (.vtp) with every number in arrays: opens in ParaView"));
+  clear_->setToolTip(tr("Forgets the points clicked"));
   buttons->addWidget(clear_);
   buttons->addWidget(save);
   form->addRow(buttons);
   form->addRow(status_);
 
   const auto choose = [this](QuietCombo* combo) {
+    combo->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    combo->setMinimumContentsLength(8);
     connect(combo, QOverload<int>::of(&QComboBox::activated), this, &RayPanel::apply);
   };
   choose(source_);

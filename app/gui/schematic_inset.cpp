@@ -12,9 +12,10 @@ namespace boxprobe {
 namespace {
 
 constexpr int kMargin = 10;
-constexpr int kWidth = 600, kHeight = 300;  ///< logical pixels; less in a small picture
-constexpr double kLargestShare = 0.75;      ///< of the picture's width
-constexpr double kLargestHeightShare = 0.5;
+/// Of the picture's width, within what is legible and what is needed; logical pixels.
+constexpr double kShareOfWidth = 0.52;
+constexpr int kSmallestWidth = 380, kLargestWidth = 680;
+constexpr double kLargestShareOfHeight = 0.45;
 
 }  // namespace
 
@@ -25,8 +26,9 @@ SchematicInset::SchematicInset(QWidget* parent) : QWidget(parent) {
   hide();
 }
 
-void SchematicInset::show(const Explanation& explanation) {
+void SchematicInset::show(const Explanation& explanation, const QPointF& position) {
   if (!shown_) return;
+  position_ = position;
   schematic_ = schematic(explanation);
   setVisible(schematic_.has_value());
   place();
@@ -45,9 +47,12 @@ void SchematicInset::setShown(bool shown) {
 
 void SchematicInset::place() {
   const QSize room = parentWidget()->size();
-  const int width = std::min(kWidth, static_cast<int>(kLargestShare * room.width()));
-  const int height = std::min(kHeight, static_cast<int>(kLargestHeightShare * room.height()));
-  setGeometry(room.width() - width - kMargin, room.height() - height - kMargin, width, height);
+  const int wanted = std::clamp(static_cast<int>(kShareOfWidth * room.width()), kSmallestWidth, kLargestWidth);
+  const int width = std::min(wanted, room.width() - 2 * kMargin);
+  const int height = std::min(width / 2, static_cast<int>(kLargestShareOfHeight * room.height()));
+  QRect place(room.width() - width - kMargin, room.height() - height - kMargin, width, height);
+  if (place.adjusted(-kMargin, -kMargin, kMargin, kMargin).contains(position_.toPoint())) place.moveTop(kMargin);
+  setGeometry(place);
 }
 
 void SchematicInset::paintEvent(QPaintEvent*) {

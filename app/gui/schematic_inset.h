@@ -13,11 +13,12 @@ class SchematicInset : public QWidget {
   Q_OBJECT
 
  public:
-  /// Keeps itself in the lower right corner of `parent`.
+  /// Keeps itself in the lower right corner, or the upper one, of `parent`.
   explicit SchematicInset(QWidget* parent);
 
   /// Nothing to draw (the background, no probe) hides it.
-  void show(const Explanation& explanation);
+  /// `position`: of the pixel explained, logical; the inset keeps off it.
+  void show(const Explanation& explanation, const QPointF& position);
   void clear();
   /// By the user: off, it stays hidden whatever is explained, and computes nothing.
   void setShown(bool shown);
@@ -30,6 +31,7 @@ class SchematicInset : public QWidget {
   void place();
 
   std::optional<Schematic> schematic_;
+  QPointF position_;
   bool shown_ = true;
 };
 

@@ -22,26 +22,27 @@ const QColor kPaper(18, 20, 24, 232);
 const QColor kInk(236, 238, 240);
 const QColor kDim(150, 156, 165);
 const QColor kBox(176, 182, 192);
-const QColor kDecides(255, 179, 26);
+const QColor kDecides(255, 104, 84);
 constexpr double kVectorPixels = 40.0;  ///< N, V and R are directions: drawn as long as reads well
 constexpr double kArrowPixels = 9.0;
 constexpr double kDotPixels = 4.0;
 constexpr double kMargin = 26.0;  ///< around a drawing, for labels
 
+/// The colours that the lines have in the picture (filters/vtk/ray_colors.cpp).
 QColor colorOf(SchematicLine kind) {
   switch (kind) {
     case SchematicLine::Eye:
-      return {200, 204, 210};
+      return {115, 199, 255};
     case SchematicLine::Normal:
-      return {86, 214, 140};
+      return {51, 217, 158};
     case SchematicLine::Reflected:
-      return {255, 120, 80};
+      return {255, 166, 26};
     case SchematicLine::Lookup:
-      return {92, 190, 255};
+      return {230, 140, 204};
     case SchematicLine::TrueHit:
-      return {232, 112, 226};
+      return {255, 255, 255};
     case SchematicLine::Slab:
-      return {255, 120, 80, 130};
+      return {255, 166, 26, 150};
   }
   return kInk;
 }

@@ -43,6 +43,7 @@ SurfaceViewPanel::SurfaceViewPanel(QWidget* parent)
     combo_->setItemData(combo_->count() - 1, text(row.help), Qt::ToolTipRole);
   }
   combo_->setObjectName("surfaceView");
+  combo_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   combo_->setMaxVisibleItems(combo_->count());
   addRow(form, tr("Coloured by"), combo_, tr("What the surfaces show in place of their own look"));
   auto* range = new QHBoxLayout(rangeRow_);
@@ -51,6 +52,8 @@ SurfaceViewPanel::SurfaceViewPanel(QWidget* parent)
   range->addWidget(new QLabel(tr("to"), this));
   range->addWidget(high_, 1);
   range->addWidget(lock_);
+  constexpr int kNarrowest = 60;  // the range of values alone would ask for more than the dock has
+  for (ValueField* field : {low_, high_}) field->setMinimumWidth(kNarrowest);
   low_->setObjectName("rangeLow");
   high_->setObjectName("rangeHigh");
   lock_->setObjectName("rangeLock");

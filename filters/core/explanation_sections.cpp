@@ -19,9 +19,13 @@ constexpr char kAxes[] = "xyz";
 /// Slab factors from here on stand for "never": the ray runs along that plane.
 constexpr float kNever = 1e30f;
 
+/// Components that are only rounding beside the largest are shown as 0.
 template <typename Vector>
-std::vector<std::string> numbers(const Vector& v, int decimals = 4) {
-  return {fixedText(v[0], decimals), fixedText(v[1], decimals), fixedText(v[2], decimals)};
+std::vector<std::string> numbers(const Vector& v) {
+  constexpr double kRounding = 1e-6;
+  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  const auto text = [largest](double x) { return fixedText(std::abs(x) < kRounding * largest ? 0.0 : x); };
+  return {text(v[0]), text(v[1]), text(v[2])};
 }
 
 std::string percent(double share) {
