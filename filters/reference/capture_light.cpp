@@ -1,0 +1,64 @@
+#include "filters/reference/capture_light.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "filters/core/direct_light.h"
+#include "filters/reference/reflecting_layers.h"
+
+namespace boxprobe {
+
+CaptureLight::CaptureLight(const Scene& scene, std::shared_ptr<const ImageRgbaF> skyImage)
+    : sky_(scene.sky, std::move(skyImage)), brdf_(makeBrdfTable()), lights_(scene.lights) {
+  for (const Probe& probe : scene.probes) probes_.push_back(probeGeometry(probe, probe.origin));
+  std::stable_sort(probes_.begin(), probes_.end(),
+                   [](const ProbeGeometry& a, const ProbeGeometry& b) { return a.importance > b.importance; });
+}
+
+// The weights of shaders/gpu/probe_lighting.glsl, with no probe's map there yet.
+CaptureLight::Shares CaptureLight::shares(const glm::dvec3& position) const {
+  Shares result{0.0f, 1.0f};
+  for (std::size_t first = 0; first < probes_.size();) {
+    std::size_t end = first;
+    float sum = 0.0f, lit = 0.0f;
+    for (; end < probes_.size() && probes_[end].importance == probes_[first].importance; ++end) {
+      const ProbeGeometry& g = probes_[end];
+      const glm::vec3 p(glm::transpose(g.worldFromProbe) * (position - g.originWorld));
+      const float weight = shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
+      sum += weight;
+      lit += weight * g.intensity;
+    }
+    result.diffuse += result.sky * shading::groupScale(sum) * lit;
+    result.sky = shading::remainingAfter(result.sky, sum);
+    first = end;
+  }
+  result.diffuse += result.sky;
+  return result;
+}
+
+glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit) const {
+  if (unlit) return s.emissive;
+  const FresnelEnds ends = fresnelEnds(s);
+  glm::vec3 sum = s.emissive;
+  if (!lights_.empty()) sum += s.occlusion * directLight(s, ends.f0, ends.f90, lights_);
+  if (s.metallic < 1.0f) {
+    sum += s.occlusion * shares(s.positionWorld).diffuse * (1.0f - ends.f0) * (1.0f - s.metallic) * s.albedo *
+           sky_.irradiance(s.normalWorld);
+  }
+  return sum;
+}
+
+glm::vec3 CaptureLight::captured(const SurfacePoint& s, bool unlit) const {
+  glm::vec3 sum = unreflected(s, unlit);
+  if (unlit) return sum;
+  const float share = shares(s.positionWorld).sky;
+  if (share <= 1.0e-5f) return sum;
+  for (const ReflectingLayer& layer : reflectingLayers(s, brdf_)) {
+    const glm::vec3 direction = glm::reflect(-s.viewWorld, glm::vec3(layer.normalWorld));
+    sum += share * glm::vec3(layer.factor) * sky_.reflection(direction, static_cast<float>(layer.roughness));
+  }
+  return sum;
+}
+
+}  // namespace boxprobe

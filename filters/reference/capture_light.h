@@ -1,0 +1,44 @@
+// What a surface sends out as a probe's first capture shows it: its own emission, the light sources, the sky's diffuse
+// light, and the sky's reflection where no probe reaches (where one does it is still black). Called for what reflection
+// rays hit, and, without the reflection, for what the camera sees. Knows no ray.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "filters/core/explanation.h"
+#include "filters/core/probe_geometry.h"
+#include "filters/core/scene.h"
+#include "filters/math/brdf_table.h"
+#include "filters/reference/reference_sky.h"
+
+namespace boxprobe {
+
+class CaptureLight {
+ public:
+  /// `skyImage`: the picture of the sky if it is one.
+  CaptureLight(const Scene& scene, std::shared_ptr<const ImageRgbaF> skyImage);
+
+  const ReferenceSky& sky() const { return sky_; }
+  const BrdfTable& brdf() const { return brdf_; }
+
+  /// Emission, light sources and diffuse light.
+  glm::vec3 unreflected(const SurfacePoint& surface, bool unlit) const;
+  /// That and the sky's reflection: what a capture shows.
+  glm::vec3 captured(const SurfacePoint& surface, bool unlit) const;
+
+ private:
+  /// Shares of a point's diffuse light and reflection, as probes and sky divide it.
+  struct Shares {
+    float diffuse = 1.0f;  ///< of the sky's irradiance: probes give it times their intensity
+    float sky = 1.0f;      ///< what the probes leave
+  };
+  Shares shares(const glm::dvec3& positionWorld) const;
+
+  ReferenceSky sky_;
+  BrdfTable brdf_;
+  std::vector<Light> lights_;
+  std::vector<ProbeGeometry> probes_;  ///< most important first
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,108 @@
+#include "filters/reference/reference_scene.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "filters/reference/reflecting_layers.h"
+#include "filters/reference/visible_normal_lobe.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// Rays through a picture as vtkCamera projects it: the field of view is the vertical one, pixels are square.
+class PictureRays {
+ public:
+  PictureRays(const Camera& camera, int width, int height) : width_(width), height_(height) {
+    forward_ = glm::normalize(camera.target - camera.position);
+    const double tangent = std::tan(0.5 * glm::radians(camera.verticalFovDegrees));
+    const glm::dvec3 right = glm::normalize(glm::cross(forward_, camera.up));
+    right_ = right * (tangent * width / height);
+    up_ = glm::cross(right, forward_) * tangent;
+  }
+  /// Pixels from the top left; not unit.
+  glm::dvec3 direction(double x, double y) const {
+    return forward_ + (2.0 * x / width_ - 1.0) * right_ + (1.0 - 2.0 * y / height_) * up_;
+  }
+
+ private:
+  int width_, height_;
+  glm::dvec3 forward_, right_, up_;
+};
+
+bool mirrorsOnly(const std::vector<ReflectingLayer>& layers, const SurfacePoint& s) {
+  for (const ReflectingLayer& layer : layers) {
+    if (!VisibleNormalLobe(layer.normalWorld, s.viewWorld, layer.roughness * layer.roughness).mirror()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+int positionsPerSide(int samplesPerPixel) {
+  return samplesPerPixel >= 16 ? 4 : samplesPerPixel >= 4 ? 2 : 1;
+}
+
+ReferenceScene::ReferenceScene(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
+                               std::shared_ptr<const ImageRgbaF> skyImage)
+    : tracer_(makeTriangleScene(scene, models)), light_(scene, std::move(skyImage)) {}
+
+glm::dvec3 ReferenceScene::seenFrom(const glm::dvec3& origin, const glm::dvec3& direction, RaySees sees) const {
+  const auto hit = tracer_.firstHit(origin, direction, sees);
+  if (!hit) return glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+  return glm::dvec3(light_.captured(tracer_.surface(*hit, origin), tracer_.object(*hit).material.unlit));
+}
+
+glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,
+                                         std::uint64_t seed) const {
+  glm::dvec3 sum(0.0);
+  for (const ReflectingLayer& layer : reflectingLayers(surface, light_.brdf())) {
+    const VisibleNormalLobe lobe(glm::normalize(layer.normalWorld), glm::normalize(glm::dvec3(surface.viewWorld)),
+                                 layer.roughness * layer.roughness);
+    sum += layer.factor * lobeMean(lobe, glm::dvec3(layer.fresnel.f0), glm::dvec3(layer.fresnel.f90), rays, seed,
+                                   [&](const glm::dvec3& direction) { return seenFrom(away, direction, sees); });
+    seed = stirred(seed);
+  }
+  return sum;
+}
+
+ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSettings& settings,
+                                        const ReferenceProgress& progress) const {
+  const PictureRays rays(camera, settings.width, settings.height);
+  const int side = positionsPerSide(settings.samplesPerPixel);
+  const RayPlan plan = planRays(settings.raysPerPixel, side * side);
+  const RaySees sees = settings.full ? RaySees::Picture : RaySees::Probes;
+  const auto estimate = [&](int x, int y, int pass) {
+    ProgressivePicture::Pixel pixel;
+    pixel.exact = true;
+    for (int k = 0; k < side * side; ++k) {
+      const glm::dvec3 direction = rays.direction(x + (k % side + 0.5) / side, y + (k / side + 0.5) / side);
+      const auto hit = tracer_.firstHit(camera.position, direction);
+      if (!hit) {
+        pixel.color += glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+        continue;
+      }
+      pixel.alpha += 1.0;
+      const SurfacePoint surface = tracer_.surface(*hit, camera.position);
+      const bool unlit = tracer_.object(*hit).material.unlit;
+      pixel.color += glm::dvec3(light_.unreflected(surface, unlit));
+      if (unlit) continue;
+      const std::uint64_t place =
+          (static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)) *
+              16 +
+          static_cast<std::uint64_t>(k);
+      const std::uint64_t seed = stirred(stirred(stirred(settings.seed) + place) + static_cast<std::uint64_t>(pass));
+      pixel.color += reflectedFrom(surface, tracer_.awayFrom(*hit), sees, plan.raysPerPass, seed);
+      pixel.exact = pixel.exact && mirrorsOnly(reflectingLayers(surface, light_.brdf()), surface);
+    }
+    pixel.color /= side * side;
+    pixel.alpha /= side * side;
+    return pixel;
+  };
+  ProgressivePicture picture(settings.width, settings.height);
+  picture.run(0, settings.height, plan.passes, estimate, progress);
+  return picture.picture();
+}
+
+}  // namespace boxprobe

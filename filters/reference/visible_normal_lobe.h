@@ -1,0 +1,79 @@
+// The lobe that a rough surface reflects into: half vectors of GGX visible from the eye, in double precision. Called by
+// both references; the real-time techniques have their own, single-precision forms in shaders/, which this one judges
+// and so shares nothing with. Knows no scene.
+#pragma once
+
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace boxprobe {
+
+/// Points of [0, 1)² spread evenly: the R2 sequence (Roberts 2018, inverse powers of the plastic number), shifted by
+/// an offset drawn from the seed. Sets of different seeds are independent, so the spread of their results says how far
+/// the mean of them is off (randomized quasi-Monte Carlo).
+class ShiftedPoints {
+ public:
+  explicit ShiftedPoints(std::uint64_t seed);
+  glm::dvec2 operator[](int index) const;
+
+ private:
+  glm::dvec2 shift_;
+};
+
+/// Bits of `value` stirred (the finalizer of splitmix64): seeds from pixel numbers.
+std::uint64_t stirred(std::uint64_t value);
+
+class VisibleNormalLobe {
+ public:
+  /// `normal` and `view` (towards the eye) unit vectors in one frame, alpha = perceptual roughness². A view from below
+  /// the surface, which interpolated normals produce, is taken as from its edge.
+  VisibleNormalLobe(const glm::dvec3& normal, const glm::dvec3& view, double alpha);
+
+  struct Sample {
+    glm::dvec3 direction;  ///< unit, away from the surface
+    double weight;         ///< G2 / G1: f cos / probability density, without the Fresnel factor; 0 below the surface
+    double hDotV;          ///< of the half vector with the view, for the Fresnel factor
+  };
+  /// Heitz 2018, "Sampling the GGX Distribution of Visible Normals"; height-correlated Smith masking. `u` in [0, 1)².
+  Sample sample(const glm::dvec2& u) const;
+
+  /// So narrow that every sample is the mirrored view.
+  bool mirror() const { return alpha_ < 1.0e-6; }
+
+ private:
+  glm::dvec3 normal_, tangent_, bitangent_;
+  glm::dvec3 mirrored_;
+  double alpha_, sine_, cosine_;
+  double stretchedX_, stretchedZ_;  ///< the view where the microfacets are a hemisphere
+  double viewRoot_;                 ///< sqrt(alpha² + (1 - alpha²) cos²) of the view
+};
+
+/// Mean of `radiance(direction)` over the lobe, weighed by what each direction contributes: masking and Schlick's
+/// Fresnel from `f0` to `f90`, by component. Weights are divided by their own sum, so a constant comes back exactly and
+/// the energy stays that of the split sum, which the caller multiplies with; such a quotient is off by a share that
+/// falls with the number of rays (by about a hundredth of the lobe's contrast with 8 rays at roughness 1, far less with
+/// more). A component that reflects nothing gives 0.
+template <typename Radiance>
+glm::dvec3 lobeMean(const VisibleNormalLobe& lobe, const glm::dvec3& f0, const glm::dvec3& f90, int rays,
+                    std::uint64_t seed, const Radiance& radiance) {
+  const ShiftedPoints points(seed);
+  glm::dvec3 sum(0.0), weights(0.0);
+  const int count = lobe.mirror() ? 1 : rays;
+  // At grazing views half the directions point into the surface: a few more are tried rather than none found.
+  constexpr int kSpare = 64;
+  for (int i = 0; i < count || (i < count + kSpare && weights == glm::dvec3(0.0)); ++i) {
+    const VisibleNormalLobe::Sample s = lobe.sample(points[i]);
+    if (s.weight <= 0.0) continue;
+    const double grazing = 1.0 - s.hDotV, square = grazing * grazing;
+    const glm::dvec3 weight = s.weight * (f0 + (f90 - f0) * (square * square * grazing));
+    sum += weight * radiance(s.direction);
+    weights += weight;
+  }
+  glm::dvec3 mean(0.0);
+  for (int c = 0; c < 3; ++c) mean[c] = weights[c] > 0.0 ? sum[c] / weights[c] : 0.0;
+  return mean;
+}
+
+}  // namespace boxprobe
