@@ -13,6 +13,7 @@
 #include "app/gui/probe_fields.h"
 #include "app/gui/probe_frame.h"
 #include "app/gui/technique_combo.h"
+#include "app/gui/technique_parameters_panel.h"
 #include "app/gui/vector_row.h"
 
 namespace boxprobe {
@@ -137,6 +138,8 @@ void ProbePanel::buildLook() {
   techniqueHelp_ = helpLabel(this);
   addRow(form, tr("Technique"), technique_);
   form->addRow(techniqueHelp_);
+  parameters_ = new TechniqueParametersPanel(editor_, this);
+  form->addRow(parameters_);
   projection_ = new QCheckBox(tr("Project onto the box"), this);
   projection_->setToolTip(
       tr("Off: the cubemap is looked up with the bare reflection vector, as if infinitely far away"));
@@ -183,6 +186,7 @@ void ProbePanel::update() {
 
   technique_->show(probe->technique);
   techniqueHelp_->setText(technique_->help());
+  parameters_->show(*probe);
   projection_->setChecked(probe->projection);
   intensity_->show(probe->intensity);
 }

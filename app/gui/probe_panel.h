@@ -18,6 +18,7 @@ namespace boxprobe {
 
 class BlendRow;
 class TechniqueCombo;
+class TechniqueParametersPanel;
 class VectorRow;
 
 class ProbePanel : public QWidget {
@@ -49,6 +50,7 @@ class ProbePanel : public QWidget {
   ValueField *importance_ = nullptr, *intensity_ = nullptr;
   TechniqueCombo* technique_ = nullptr;
   QLabel* techniqueHelp_ = nullptr;
+  TechniqueParametersPanel* parameters_ = nullptr;
   QCheckBox* projection_ = nullptr;
 };
 

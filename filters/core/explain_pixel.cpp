@@ -63,7 +63,7 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   e.reflectionProbe = turned(reflection);
   e.influence = shading::influenceWeight(e.positionProbe, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
 
-  const shading::ProbeShape shape{g.boxMin, g.boxMax, e.maxLevel, g.technique.projection, 0};
+  const shading::ProbeShape shape = probeShape(g, e.maxLevel);
   const shading::ShadingPoint point{e.positionProbe, turned(s.normalWorld), turned(s.viewWorld), e.reflectionProbe,
                                     roughness};
   const shading::ProbeHit hit = shading::projectRay(shape, point.position, point.normal, point.reflection);

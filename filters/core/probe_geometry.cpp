@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/core/technique_parameters.h"
+
 namespace boxprobe {
 
 namespace {
@@ -33,6 +35,11 @@ glm::dmat3 rotationMatrix(const glm::dvec3& rotationDegrees) {
   return z * y * x;
 }
 
+Technique probeTechnique(const Probe& probe) {
+  const Technique technique = parseTechnique(probe.technique).value_or(Technique{});
+  return probe.projection ? technique : withoutProjection(technique);
+}
+
 ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
   ProbeGeometry g;
   g.originWorld = capturedAt;
@@ -54,9 +61,19 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
   g.rateMax = glm::vec3(1.0 / glm::max(probe.blendDistance.max, glm::dvec3(shortest)));
   g.intensity = static_cast<float>(probe.intensity);
   g.importance = probe.importance;
-  g.technique = parseTechnique(probe.technique).value_or(Technique{});
-  if (!probe.projection) g.technique = withoutProjection(g.technique);
+  g.technique = probeTechnique(probe);
+  g.parameters = techniqueParameters(probe);
   return g;
+}
+
+shading::ProbeShape probeShape(const ProbeGeometry& geometry, float maxLevel) {
+  shading::ProbeShape shape{};
+  shape.boxMin = geometry.boxMin;
+  shape.boxMax = geometry.boxMax;
+  shape.maxLevel = maxLevel;
+  shape.projection = geometry.technique.projection;
+  shape.parameters = geometry.parameters;
+  return shape;
 }
 
 bool fullWeightEverywhere(const Probe& probe, const Box& boundsWorld) {

@@ -20,7 +20,14 @@ struct ProbeGeometry {
   float intensity = 1.0f;
   double importance = 1.0;
   Technique technique;
+  shading::TechniqueParameters parameters = standardParameters();
 };
+
+/// What the mathematics takes. `maxLevel`: last level of the probe's maps.
+shading::ProbeShape probeShape(const ProbeGeometry& geometry, float maxLevel);
+
+/// The technique that draws it: with projection off, looked up with the bare reflection vector.
+Technique probeTechnique(const Probe& probe);
 
 /// Rotation about X, then Y, then Z (world axes).
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationDegrees);

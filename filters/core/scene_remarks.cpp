@@ -7,6 +7,7 @@
 #include "filters/core/model.h"
 #include "filters/core/nearest_name.h"
 #include "filters/core/one_line.h"
+#include "filters/core/probe_geometry.h"
 #include "filters/core/scene.h"
 
 namespace boxprobe {
@@ -23,6 +24,18 @@ bool flat(const Box& box) {
   return glm::any(glm::equal(box.min, box.max));
 }
 
+// Not refused: what one technique does not read waits for the next, so that trying another loses nothing.
+void parameterRemarks(Remarks& remarks, const Probe& probe) {
+  const Technique technique = probeTechnique(probe);
+  std::vector<std::string> names;
+  for (const ParameterRow* row : parametersOf(technique)) names.emplace_back(row->name);
+  for (const auto& [name, value] : probe.parameters) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    remark(remarks, {"probes", probe.name, "parameters", name},
+           "is not used by technique " + techniqueId(technique) + ", whose parameters are: " + nameList(names) + ".");
+  }
+}
+
 void probeRemarks(Remarks& remarks, const Probe& probe) {
   const auto say = [&](const char* key, const std::string& sentence) {
     remark(remarks, {"probes", probe.name, key}, sentence);
@@ -30,7 +43,7 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   if (flat(probe.box)) say("box", "is flat: no ray hits it inside, so the probe is not projected there.");
   if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe shows nowhere.");
   if (probe.mode != ProbeUpdate::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
-  if (!probe.parameters.empty()) say("parameters", "are not used by this version's techniques.");
+  parameterRemarks(remarks, probe);
   if (probe.bevel) say("bevel", "is not supported yet; the box keeps its sharp edges.");
   if (probe.occlusion) say("occlusion", "is not supported yet; nothing is darkened.");
 }

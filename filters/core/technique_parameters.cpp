@@ -1,31 +1,13 @@
-// The rows and the check against them; see the header.
 #include "filters/core/technique_parameters.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "filters/core/nearest_name.h"
 #include "filters/core/number_text.h"
+#include "filters/math/parameter_table.h"
 
 namespace boxprobe {
-
-const std::vector<ParameterRow>& parameterRows() {
-  using Kind = ParameterKind;
-  static const std::vector<ParameterRow> rows = {
-      {"samples", Kind::WholeNumber, 1, 256, {}},
-      {"pattern", Kind::Choice, 0, 0, {"white", "blue", "r2", "deterministic"}},
-      {"animated", Kind::Switch, 0, 0, {}},
-      {"levelOffset", Kind::Switch, 0, 0, {}},
-      {"filtered", Kind::Switch, 0, 0, {}},
-      {"sampling", Kind::Choice, 0, 0, {"ggx", "luminance"}},
-      {"blur", Kind::Switch, 0, 0, {}},
-      {"power", Kind::Number, 0, 16, {}},
-      {"hardeningLength", Kind::Number, 1e-6, 1e6, {}},  // scene units; divided by, so never 0
-      {"curve", Kind::Choice, 0, 0, {"own", "unity", "linear", "exact", "marmoset", "three-level"}},
-      {"steps", Kind::WholeNumber, 1, 64, {}},
-      {"budget", Kind::Number, 0, 1, {}},
-  };
-  return rows;
-}
 
 std::string parameterProblem(const std::string& name, const ParameterValue& value) {
   std::vector<std::string> names;
@@ -52,6 +34,38 @@ std::string parameterProblem(const std::string& name, const ParameterValue& valu
   }
   return "is not a parameter of any technique" + didYouMean(name, names) + "; the parameters are " +
          nameList(names, names.size());
+}
+
+double parameterNumber(const Probe& probe, const ParameterRow& row) {
+  const auto found = probe.parameters.find(std::string(row.name));
+  if (found == probe.parameters.end()) return row.standard;
+  const ParameterValue& value = found->second;
+  if (const double* number = std::get_if<double>(&value)) return *number;
+  if (const bool* on = std::get_if<bool>(&value)) return *on ? 1.0 : 0.0;
+  const auto choice = std::find(row.choices.begin(), row.choices.end(), std::get<std::string>(value));
+  return choice == row.choices.end() ? row.standard : static_cast<double>(choice - row.choices.begin());
+}
+
+void setParameter(Probe& probe, const ParameterRow& row, double number) {
+  const std::string name(row.name);
+  if (number == row.standard) {
+    probe.parameters.erase(name);
+  } else if (row.kind == ParameterKind::Switch) {
+    probe.parameters[name] = number != 0.0;
+  } else if (row.kind == ParameterKind::Choice) {
+    probe.parameters[name] = std::string(row.choices.at(static_cast<std::size_t>(number)));
+  } else {
+    probe.parameters[name] = number;
+  }
+}
+
+shading::TechniqueParameters techniqueParameters(const Probe& probe) {
+  shading::TechniqueParameters values = standardParameters();
+  for (const ParameterRow& row : parameterRows()) {
+    if (row.number != nullptr) values.*row.number = static_cast<float>(parameterNumber(probe, row));
+    if (row.choice != nullptr) values.*row.choice = static_cast<int>(parameterNumber(probe, row));
+  }
+  return values;
 }
 
 }  // namespace boxprobe

@@ -26,6 +26,7 @@ using glm::log2;
 using glm::max;
 using glm::min;
 using glm::mix;
+using glm::pow;
 using glm::sin;
 using glm::sqrt;
 
@@ -43,6 +44,7 @@ static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {
 #include "shaders/shared/cube.glsl"
 #include "shaders/shared/edge_fixup.glsl"  // after cube.glsl, which it uses
 #include "shaders/shared/ggx.glsl"
+#include "shaders/shared/level_curve.glsl"  // after roughness.glsl, which it uses
 #include "shaders/shared/lobe_frame.glsl"
 #include "shaders/shared/roughness.glsl"
 #include "shaders/shared/sh.glsl"
@@ -52,6 +54,9 @@ static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {
 #include "shaders/shared/true_hit.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
+#include "shaders/technique/evaluation_approximate.glsl"
+#include "shaders/technique/evaluation_godot.glsl"
+#include "shaders/technique/evaluation_hdrp.glsl"
 #include "shaders/technique/evaluation_none.glsl"
 #include "shaders/technique/projection_box.glsl"
 #include "shaders/technique/projection_infinite.glsl"
@@ -84,8 +89,34 @@ const std::vector<ProjectionRow>& projectionRows() {
 
 const std::vector<EvaluationRow>& evaluationRows() {
   static const std::vector<EvaluationRow> rows = {
-      {"none", "No contact hardening", "One fetch at the surface's own roughness, whatever the distance.",
-       "technique/evaluation_none.glsl", "evaluateNone", shading::evaluateNone},
+      {"none",
+       "No contact hardening",
+       "One fetch at the surface's own roughness, whatever the distance.",
+       "technique/evaluation_none.glsl",
+       "evaluateNone",
+       shading::evaluateNone,
+       {"curve"}},
+      {"approximate",
+       "Approximate hardening",
+       "Sharper where what is reflected is nearer than the hardening length.",
+       "technique/evaluation_approximate.glsl",
+       "evaluateApproximate",
+       shading::evaluateApproximate,
+       {"hardeningLength", "curve"}},
+      {"hdrp",
+       "HDRP / Frostbite hardening",
+       "Sharper by the angle under which the capture origin sees the lobe's patch of wall.",
+       "technique/evaluation_hdrp.glsl",
+       "evaluateHdrp",
+       shading::evaluateHdrp,
+       {"curve"}},
+      {"godot",
+       "Godot hardening",
+       "Sharper by distance and, by a Fresnel-like factor, at grazing angles.",
+       "technique/evaluation_godot.glsl",
+       "evaluateGodot",
+       shading::evaluateGodot,
+       {"hardeningLength", "power", "curve"}},
   };
   return rows;
 }

@@ -36,6 +36,7 @@ float slabFactor(float position, float direction, float boxMin, float boxMax);
 vec3 slabFactors(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax);
 float roughnessForLevel(float level, float maxLevel);
 float levelForRoughness(float roughness, float maxLevel);
+float levelForCurve(ProbeShape probe, float roughness);
 float faceWeight(float distanceInside, float rate);
 float influenceWeight(vec3 position, vec3 influenceMin, vec3 influenceMax, vec3 rateMin, vec3 rateMax);
 float groupScale(float weightSum);

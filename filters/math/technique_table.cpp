@@ -40,6 +40,14 @@ Technique withoutProjection(Technique technique) {
   return technique;
 }
 
+std::vector<const ParameterRow*> parametersOf(Technique technique) {
+  std::vector<const ParameterRow*> rows;
+  for (const std::string_view name : evaluationRows()[static_cast<std::size_t>(technique.evaluation)].parameters) {
+    rows.push_back(findParameter(name));
+  }
+  return rows;
+}
+
 std::string techniqueId(const Technique& technique) {
   return std::string(projectionRows()[static_cast<std::size_t>(technique.projection)].id) + "+" +
          std::string(evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "filters/math/parameter_table.h"
 #include "filters/math/shared_math.h"
 
 namespace boxprobe {
@@ -28,6 +29,7 @@ struct EvaluationRow {
   std::string_view shaderFile;
   std::string_view function;  ///< GLSL: vec4 function(PROBE_MAP, ProbeShape, ShadingPoint)
   glm::vec4 (*evaluate)(shading::ProbeMap, shading::ProbeShape, shading::ShadingPoint);
+  std::vector<std::string_view> parameters;  ///< names of the rows of parameterRows() it reads
 };
 
 const std::vector<ProjectionRow>& projectionRows();
@@ -44,6 +46,8 @@ struct Technique {
 std::optional<Technique> parseTechnique(std::string_view id);
 /// The same evaluation looked up with the bare reflection vector: what "projection off" means.
 Technique withoutProjection(Technique technique);
+/// The parameters it reads, in the order of a form.
+std::vector<const ParameterRow*> parametersOf(Technique technique);
 /// The full id, `box+none`.
 std::string techniqueId(const Technique& technique);
 /// The shortest id that parses back: `box` for `box+none`.

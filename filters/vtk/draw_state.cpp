@@ -17,6 +17,16 @@ std::vector<int> ProbeBinding::groups() const {
   return result;
 }
 
+std::vector<const ParameterRow*> ProbeBinding::parameters() const {
+  std::vector<const ParameterRow*> rows;
+  for (const auto& probe : probes) {
+    for (const ParameterRow* row : parametersOf(probe->geometry.technique)) {
+      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
 std::string ProbeBinding::variantKey() const {
   std::string key(1, static_cast<char>('0' + static_cast<int>(lighting)));
   if (rotated()) key += 'r';
@@ -26,6 +36,9 @@ std::string ProbeBinding::variantKey() const {
   const std::vector<int> group = groups();
   for (std::size_t i = 0; i < probes.size(); ++i) {
     key += " " + std::to_string(group[i]) + ":" + techniqueId(probes[i]->geometry.technique);
+    for (const ParameterRow* row : parametersOf(probes[i]->geometry.technique)) {
+      if (row->choice != nullptr) key += "/" + std::to_string(probes[i]->geometry.parameters.*row->choice);
+    }
   }
   return key;
 }

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "filters/core/counters.h"
-#include "filters/vtk/gl_objects.h"
 #include "filters/core/probe_geometry.h"
 #include "filters/math/spherical_harmonics.h"
+#include "filters/vtk/gl_objects.h"
 
 namespace boxprobe {
 
@@ -50,6 +50,8 @@ struct ProbeBinding {
   /// Equal keys share a program: techniques, importance groups, and what can be left out.
   std::string variantKey() const;
   bool rotated() const;
+  /// Parameters that any of its techniques reads, each once.
+  std::vector<const ParameterRow*> parameters() const;
   /// Group of equal importance of each probe, from 0.
   std::vector<int> groups() const;
 };

@@ -62,11 +62,7 @@ SurfaceRay surfaceRay(const glm::dvec3& positionWorld, const glm::dvec3& normalW
 ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
   const ProbeGeometry& g = probe.geometry;
   const glm::dmat3 probeFromWorld = glm::transpose(g.worldFromProbe);
-  shading::ProbeShape shape{};
-  shape.boxMin = g.boxMin;
-  shape.boxMax = g.boxMax;
-  shape.maxLevel = probe.maxLevel;
-  shape.projection = g.technique.projection;
+  const shading::ProbeShape shape = probeShape(g, probe.maxLevel);
   shading::ShadingPoint point{};
   point.position = inProbeFrame(g, ray.positionWorld);
   point.normal = glm::vec3(probeFromWorld * ray.normalWorld);

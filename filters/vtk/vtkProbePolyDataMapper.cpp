@@ -210,6 +210,16 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
   program->SetUniform1fv("bpIntensity", n, intensity.data());
   program->SetUniform1fv("bpMaxLevel", n, maxLevel.data());
   program->SetUniform3fv("bpSh", 9 * n, reinterpret_cast<const float(*)[3]>(&sh[0].x));
+  for (const boxprobe::ParameterRow* row : this->Binding->parameters()) {
+    if (row->number == nullptr) {
+      continue;
+    }
+    std::array<float, kMax> values{};
+    for (std::size_t i = 0; i < count; ++i) {
+      values[i] = this->Binding->probes[i]->geometry.parameters.*row->number;
+    }
+    program->SetUniform1fv(boxprobe::parameterUniform(*row).c_str(), n, values.data());
+  }
   if (this->Binding->rotated()) {
     program->SetUniformMatrix3x3("bpWorldFromProbe", &worldFromProbe[0][0].x);
     // VTK sets one matrix a call; array elements have names of their own.

@@ -105,6 +105,26 @@ std::string applyAnchors(std::string& text, const std::vector<Anchor>& anchors, 
   return {};
 }
 
+std::string parameterDeclarations(const ProbeBinding& binding) {
+  std::string text;
+  for (const ParameterRow* row : binding.parameters()) {
+    if (row->number != nullptr) text += "uniform float " + parameterUniform(*row) + "[BP_SLOTS];\n";
+  }
+  return text;
+}
+
+// What a slot's technique reads: numbers from uniforms, choices as constants, so that the compiler drops the code of
+// those not chosen.
+std::string parameterAssignments(const DrawnProbe& probe, std::size_t slot) {
+  std::string text;
+  for (const ParameterRow* row : parametersOf(probe.geometry.technique)) {
+    const std::string value = row->choice != nullptr ? std::to_string(probe.geometry.parameters.*row->choice)
+                                                     : parameterUniform(*row) + "[" + std::to_string(slot) + "]";
+    text += "  probe.parameters." + std::string(row->name) + " = " + value + ";\n";
+  }
+  return text;
+}
+
 std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
   const std::vector<int> groups = binding.groups();
   std::string text;
@@ -116,6 +136,7 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
     replaceAll(piece, "@PROJECTION@", std::to_string(technique.projection));
     replaceAll(piece, "@EVALUATE@",
                std::string(evaluationRows()[static_cast<std::size_t>(technique.evaluation)].function));
+    replaceAll(piece, "@PARAMETERS@", parameterAssignments(*binding.probes[slot], slot));
     text += piece;
   }
   return text;
@@ -150,14 +171,15 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n#define DISTANCE_MAP "
          "samplerCube\n" +
          (debug ? joinShaderSources({"gpu/debug_distance.glsl", "shared/true_hit.glsl"}) : std::string()) +
-         joinShaderSources({"gpu/fetch_probe.glsl"}) + joinShaderSources(evaluationFiles);
+         joinShaderSources({"gpu/fetch_probe.glsl", "shared/level_curve.glsl"}) + joinShaderSources(evaluationFiles);
 }
 
 std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
   const std::vector<int> groups = binding.groups();
   std::string lighting(shaderSource("gpu/probe_lighting.glsl"));
   replaceOnce(lighting, "//BP::Slots",
-              techniqueSources(binding, debug) + perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
+              techniqueSources(binding, debug) + parameterDeclarations(binding) +
+                  perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
   replaceOnce(lighting, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
   replaceOnce(lighting, "//BP::Shares", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
   const auto define = [](const char* name, bool value) {
@@ -173,6 +195,10 @@ std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
 }
 
 }  // namespace
+
+std::string parameterUniform(const ParameterRow& row) {
+  return "bp_" + std::string(row.name);
+}
 
 std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, bool debug) {
   if (fragmentSource.find(kPbrMark) == std::string::npos) return {};

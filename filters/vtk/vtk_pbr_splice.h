@@ -16,4 +16,7 @@ namespace boxprobe {
 /// is into further attachments.
 std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, bool debug = false);
 
+/// Name of the uniform array that holds a number of `row` for each of a draw's probes.
+std::string parameterUniform(const ParameterRow& row);
+
 }  // namespace boxprobe

@@ -11,7 +11,7 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   probe.maxLevel = bpMaxLevel[@SLOT@];
   probe.projection = @PROJECTION@;
   probe.slot = @SLOT@;
-
+@PARAMETERS@
   ShadingPoint point;
   point.position = position - bpOrigin[@SLOT@];
   point.normal = normal;

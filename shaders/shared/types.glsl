@@ -3,6 +3,15 @@
 // Frames. "Probe frame": axes of the probe's box, origin at its capture origin C, scene units. Working relative to C keeps
 // full precision far from the world's origin: the subtraction P - C is done once, first.
 
+// What a technique can be tuned by; the rows of filters/math/parameter_table name, bound and explain each. Set are those that the
+// technique at hand uses, no other.
+struct TechniqueParameters
+{
+  int curve;              // row of the curves in level_curve.glsl
+  float hardeningLength;  // scene units, > 0
+  float power;            // > 0
+};
+
 struct ProbeShape
 {
   vec3 boxMin;      // projection box, probe frame; the capture origin may lie outside it
@@ -10,6 +19,7 @@ struct ProbeShape
   float maxLevel;   // last level of the prefiltered chain, the one baked for roughness 1
   int projection;   // row of the projection table
   int slot;         // which of a draw's probes this is: what the host needs to fetch from it
+  TechniqueParameters parameters;
 };
 
 struct ProbeHit

@@ -2,5 +2,5 @@
 vec4 evaluateNone(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
 {
   ProbeHit hit = projectRay(probe, point.position, point.normal, point.reflection);
-  return fetchProbe(map, probe, hit.direction, levelForRoughness(point.roughness, probe.maxLevel));
+  return fetchLevel(map, probe, hit.direction, levelForCurve(probe, point.roughness));
 }

@@ -8,9 +8,13 @@ ProbeHit projectSphere(ProbeShape probe, vec3 position, vec3 normal, vec3 reflec
   vec3 centre = 0.5f * probe.boxMin + 0.5f * probe.boxMax;
   vec3 halfSize = 0.5f * probe.boxMax - 0.5f * probe.boxMin;
   float largest = max(max(halfSize.x, halfSize.y), max(halfSize.z, 1.0e-37f));
-  float radius = largest * length(halfSize / largest);
+  vec3 off = position - centre;
+  vec3 a = abs(off);
+  // A box that is a point has a sphere of no radius: a billionth of the distance to it stands in, so that nothing is
+  // divided by 0 and no square overflows.
+  float radius = max(largest * length(halfSize / largest), max(1.0e-9f * max(max(a.x, a.y), a.z), 1.0e-37f));
 
-  vec3 o = (position - centre) / radius;
+  vec3 o = off / radius;
   float b = dot(o, reflection);
   float c = dot(o, o) - 1.0f;
   float root = sqrt(max(b * b - c, 0.0f));

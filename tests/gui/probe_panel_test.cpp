@@ -150,6 +150,36 @@ TEST_F(ProbePanelTest, TheTechniqueChangesThePictureAtOnceAndItsHelp) {
   EXPECT_LT(differingShare(box, shownPicture(window_->viewport())), 1e-3);
 }
 
+TEST_F(ProbePanelTest, TheParametersAreThoseOfTheTechnique) {
+  auto* combo = named<TechniqueCombo>("technique");
+  auto* length = named<ValueField>("hardeningLength");
+  auto* power = named<ValueField>("power");
+  auto* curve = named<QComboBox>("curve");
+  EXPECT_FALSE(length->isVisible());
+  EXPECT_TRUE(curve->isVisible());
+  choose(combo, combo->findData("approximate"));
+  EXPECT_TRUE(length->isVisible());
+  EXPECT_FALSE(power->isVisible());
+  choose(combo, combo->findData("godot"));
+  EXPECT_TRUE(power->isVisible());
+  EXPECT_DOUBLE_EQ(length->value(), 6.0) << "the default";
+  const std::uint64_t faces = counters().facesCaptured;
+  type(length, "2.5");
+  type(power, "3");
+  choose(curve, curve->findText("unity"));
+  EXPECT_EQ(document().undoLabel(), "Set level curve of room");
+  const std::map<std::string, ParameterValue> expected = {
+      {"hardeningLength", 2.5}, {"power", 3.0}, {"curve", std::string("unity")}};
+  EXPECT_EQ(probe().parameters, expected);
+  EXPECT_EQ(counters().facesCaptured, faces);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(curve->currentText(), "own");
+  EXPECT_DOUBLE_EQ(power->value(), 4.0);
+  type(length, "6");
+  EXPECT_TRUE(probe().parameters.empty()) << "a default is not written down";
+}
+
 TEST_F(ProbePanelTest, FaceSizeAndBouncesRecapture) {
   const std::uint64_t before = counters().facesCaptured;
   auto* size = named<QComboBox>("faceSize");

@@ -1,6 +1,7 @@
 // The same GLSL on the GPU and as C++: 131,072 random inputs for each projection of the table and each shared function.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
@@ -86,6 +87,67 @@ TEST(Parity, EveryProjectionGivesTheSameHit) {
     // The sphere's root cancels near its surface; everything else is the same to the last bits.
     EXPECT_LE(worst, row.id == "sphere" ? 3e-6f : 4e-7f) << row.id;
     EXPECT_LE(differentFace, kCount / 10000) << row.id << ": only rays through an edge may disagree";
+  }
+}
+
+// What a technique looks up, on both sides: fetches return their direction and level.
+struct EchoMap : shading::CubeSampler {
+  vec4 fetch(const vec3& direction, float level) const override {
+    return vec4(direction / std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z), 1e-37f}),
+                level);
+  }
+};
+
+TEST(Parity, EveryEvaluationLooksUpTheSame) {
+  const auto window = test::makeWindow();
+  const Inputs in = randomRays();
+  std::vector<vec4> view = in.normal, other = in.normal;
+  std::mt19937 random(22);
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    // V = reflect(-R, N), so that R = reflect(-V, N); roughness and parameters beside it.
+    const vec3 n(in.normal[i]), r(in.reflection[i]);
+    view[i] = vec4(2.0f * glm::dot(n, r) * n - r, unit(random));
+    other[i] = vec4(0.1f + 10.0f * unit(random), 1.0f + 5.0f * unit(random), 0.0f, 0.0f);
+  }
+  const ProjectionRow& box = projectionRows()[static_cast<std::size_t>(parseTechnique("box")->projection)];
+  const EchoMap map;
+  const std::size_t curves = findParameter("curve")->choices.size();
+  for (const EvaluationRow& row : evaluationRows()) {
+    const bool choosesCurve = std::find(row.parameters.begin(), row.parameters.end(), "curve") != row.parameters.end();
+    for (std::size_t curve = 0; curve < (choosesCurve ? curves : 1); ++curve) {
+      const auto gpu = test::evaluateOnGpu(
+          window,
+          sources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", box.shaderFile}) +
+              "ProbeHit projectRay(ProbeShape probe, vec3 p, vec3 n, vec3 r) { return " + std::string(box.function) +
+              "(probe, p, n, r); }\n#define PROBE_MAP int\nvec4 fetchProbe(int map, ProbeShape probe, vec3 d, float "
+              "level) { return vec4(d / max(max(abs(d.x), abs(d.y)), max(abs(d.z), 1e-37)), level); }\n" +
+              sources({"shared/level_curve.glsl", row.shaderFile}),
+          "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.slot = 0;\n"
+          "  probe.parameters.hardeningLength = in6.x; probe.parameters.power = in6.y; probe.parameters.curve = " +
+              std::to_string(curve) +
+              ";\n  ShadingPoint point; point.position = in0.xyz; point.normal = in1.xyz; point.view = in5.xyz; "
+              "point.reflection = in2.xyz; point.roughness = in5.w;\n  out0 = " +
+              std::string(row.function) + "(0, probe, point);\n",
+          {in.position, in.normal, in.reflection, in.boxMin, in.boxMax, view, other}, 1);
+      double worst = 0.0;
+      for (std::size_t i = 0; i < kCount; ++i) {
+        shading::ProbeShape probe{};
+        probe.boxMin = in.boxMin[i];
+        probe.boxMax = in.boxMax[i];
+        probe.maxLevel = 6.0f;
+        probe.projection = parseTechnique("box")->projection;
+        probe.parameters = {static_cast<int>(curve), other[i].x, other[i].y};
+        const shading::ShadingPoint point{in.position[i], in.normal[i], view[i], in.reflection[i], view[i].w};
+        const vec4 cpu = row.evaluate(&map, probe, point);
+        const vec4 d = glm::abs(gpu[0][i] - cpu);
+        const double error = std::max({d.x, d.y, d.z, d.w});
+        if (!(error <= worst)) worst = error;
+      }
+      std::printf("  %-12s curve %zu: worst difference %.2g\n", std::string(row.id).c_str(), curve, worst);
+      // Levels go through logarithms and powers, which a GPU has to a few digits.
+      EXPECT_LE(worst, 2.0e-4) << row.id << ", curve " << curve;
+    }
   }
 }
 

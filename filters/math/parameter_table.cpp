@@ -1,0 +1,80 @@
+#include "filters/math/parameter_table.h"
+
+namespace boxprobe {
+
+const std::vector<ParameterRow>& parameterRows() {
+  using Kind = ParameterKind;
+  using Values = shading::TechniqueParameters;
+  static const std::vector<ParameterRow> rows = {
+      {"samples", "Samples", "", "Reflected rays a pixel.", Kind::WholeNumber, 1, 256, 64, {}},
+      {"pattern",
+       "Pattern",
+       "",
+       "How the sampled rays are spread from pixel to pixel.",
+       Kind::Choice,
+       0,
+       0,
+       1,
+       {"white", "blue", "r2", "deterministic"}},
+      {"animated", "Animated", "", "A new pattern every frame, gathered over time.", Kind::Switch, 0, 0, 0, {}},
+      {"levelOffset", "Level offset", "", "Blurs each sample by its distance.", Kind::Switch, 0, 0, 0, {}},
+      {"filtered", "Filtered", "", "Filters each sample by its footprint on the wall.", Kind::Switch, 0, 0, 0, {}},
+      {"sampling", "Sampling", "", "What the rays are drawn from.", Kind::Choice, 0, 0, 0, {"ggx", "luminance"}},
+      {"blur", "Blur", "", "Smooths the sampled picture, normals kept apart.", Kind::Switch, 0, 0, 0, {}},
+      {"power",
+       "Power",
+       "",
+       "Exponent of the Fresnel-like factor (1 - N.V)^power: the higher, the closer to grazing it sets in. Published: "
+       "4; "
+       "2 and 3 are cheaper forms.",
+       Kind::Number,
+       0.01,
+       16,
+       4,
+       {},
+       &Values::power},
+      {"hardeningLength",
+       "Hardening length",
+       "m",
+       "Distance from the surface to what it reflects at which the reflection has the surface's full roughness. "
+       "Published: 6.",
+       Kind::Number,
+       1e-6,  // divided by, so never 0
+       1e6,
+       6,
+       {},
+       &Values::hardeningLength},
+      {"curve",
+       "Level curve",
+       "",
+       "From roughness to the level looked up. Own is what the levels were filtered for; the others show a mismatch.",
+       Kind::Choice,
+       0,
+       0,
+       0,
+       {"own", "unity", "linear", "exact", "marmoset", "three-level"},
+       nullptr,
+       &Values::curve},
+      {"steps", "Steps", "", "Lookups that refine the hit.", Kind::WholeNumber, 1, 64, 3, {}},
+      {"budget", "Error budget", "", "The largest error accepted.", Kind::Number, 0, 1, 0.04, {}},
+  };
+  return rows;
+}
+
+const ParameterRow* findParameter(std::string_view name) {
+  for (const ParameterRow& row : parameterRows()) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
+shading::TechniqueParameters standardParameters() {
+  shading::TechniqueParameters values{};
+  for (const ParameterRow& row : parameterRows()) {
+    if (row.number != nullptr) values.*row.number = static_cast<float>(row.standard);
+    if (row.choice != nullptr) values.*row.choice = static_cast<int>(row.standard);
+  }
+  return values;
+}
+
+}  // namespace boxprobe

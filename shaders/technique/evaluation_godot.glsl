@@ -1,0 +1,16 @@
+// Contact hardening as in Godot's box projection: by distance, q = d / S (1 - f) + (1 - f) p, saturated; level =
+// mix(alpha² L, level of p, q). The Fresnel-like f = (1 - N.V)^power makes grazing reflections sharper. Published with S = 6 metres
+// (hardeningLength), power 4 and a chain of L = 6.
+vec4 evaluateGodot(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
+{
+  ProbeHit hit = projectRay(probe, point.position, point.normal, point.reflection);
+  float p = clamp(point.roughness, 0.0f, 1.0f);
+  float reach = max(probe.parameters.hardeningLength, 1.0e-30f);
+  // A million lengths away q is 1 in every case; the bound keeps d / S, huge without a proxy to hit, from becoming inf * 0.
+  float lengths = min(hit.distance, 1.0e6f * reach) / reach;
+  float facing = clamp(dot(point.normal, point.view), 0.0f, 1.0f);
+  float unfresnel = 1.0f - pow(1.0f - facing, max(probe.parameters.power, 1.0e-3f));
+  float q = clamp(unfresnel * (lengths + p), 0.0f, 1.0f);
+  float alpha = p * p;
+  return fetchLevel(map, probe, hit.direction, mix(alpha * alpha * probe.maxLevel, levelForCurve(probe, p), q));
+}
