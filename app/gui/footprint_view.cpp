@@ -61,7 +61,7 @@ FootprintView::FootprintView(QWidget* parent) : QWidget(parent) {
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
-  setMinimumSize(200, 150);
+  setMinimumSize(240, 220);
   setToolTip(
       tr("The probe's cubemap, unfolded and seen from inside: +Z in the middle, +X to its left. Outlined: the "
          "texels this pixel fetches, magnified at the right with their shares in percent."));
@@ -163,7 +163,7 @@ void FootprintView::paintMagnifier(QPainter& painter, const QRectF& area) const 
       high[i] = std::max(high[i], at[i]);
     }
   }
-  constexpr int kFewest = 5, kMost = 24;
+  constexpr int kFewest = 4, kMost = 24;
   const int cells = std::clamp(std::max(high[0] - low[0], high[1] - low[1]) + 3, kFewest, kMost);
   const int first[2] = {(low[0] + high[0] + 1 - cells) / 2, (low[1] + high[1] + 1 - cells) / 2};
   const double cell = area.width() / cells;

@@ -29,14 +29,13 @@ void PixelInspector::setReadout(bool on) {
 
 void PixelInspector::pointerMoved(const QPointF& position) {
   pointer_ = position;
+  inside_ = true;
   cameraMoved();
 }
 
 void PixelInspector::pointerLeft() {
-  pointer_.reset();
-  if (!wanted()) return;
-  emit readoutEnded();
-  if (!pin_) emit nothingExplained();
+  inside_ = false;
+  if (readout_) emit readoutEnded();
 }
 
 void PixelInspector::click(const QPointF& position) {
@@ -80,11 +79,12 @@ Explanation PixelInspector::explain(const Explain& how) {
 void PixelInspector::update() {
   if ((!pointerStale_ && !pinStale_) || !hooks_.ready()) return;
   timer_.stop();
-  const bool pointer = std::exchange(pointerStale_, false) && pointer_ && (readout_ || (tool_ && !pin_));
+  const bool number = readout_ && inside_;
+  const bool pointer = std::exchange(pointerStale_, false) && pointer_ && (number || (tool_ && !pin_));
   const bool pin = std::exchange(pinStale_, false) && tool_ && pin_;
   if (pointer) {
     const Explanation under = explain([this] { return hooks_.explain(*pointer_); });
-    if (readout_) emit readout(under, *pointer_);
+    if (number) emit readout(under, *pointer_);
     if (tool_ && !pin_) emit explained(under);
   }
   if (pin) emit explained(explain(pin_));

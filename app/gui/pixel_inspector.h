@@ -36,6 +36,7 @@ class PixelInspector : public QObject {
   void setReadout(bool on);
 
   void pointerMoved(const QPointF& position);
+  /// What was explained last stays, and stays live: the way to the card leads out of the picture.
   void pointerLeft();
   /// Pins what is there. Does nothing while the tool is off.
   void click(const QPointF& position);
@@ -53,7 +54,7 @@ class PixelInspector : public QObject {
 
  signals:
   void explained(const boxprobe::Explanation& explanation);
-  void nothingExplained();  ///< the pointer left, or the tool went off
+  void nothingExplained();  ///< the tool went off
   void readout(const boxprobe::Explanation& explanation, const QPointF& position);
   void readoutEnded();
   void clicked(const boxprobe::Explanation& explanation);
@@ -67,8 +68,9 @@ class PixelInspector : public QObject {
   Hooks hooks_;
   QTimer timer_;
   bool tool_ = false, readout_ = false;
-  std::optional<QPointF> pointer_;
-  Explain pin_;  ///< empty: none
+  std::optional<QPointF> pointer_;  ///< where it was last
+  bool inside_ = false;             ///< it still is
+  Explain pin_;                     ///< empty: none
   bool pointerStale_ = false, pinStale_ = false;
   std::uint64_t count_ = 0;
 };

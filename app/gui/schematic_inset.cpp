@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMargin = 10;
 /// Of the picture's width, within what is legible and what is needed; logical pixels.
-constexpr double kShareOfWidth = 0.52;
+constexpr double kShareOfWidth = 0.6;
 constexpr int kSmallestWidth = 380, kLargestWidth = 680;
 constexpr double kLargestShareOfHeight = 0.45;
 

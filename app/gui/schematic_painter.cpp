@@ -134,7 +134,7 @@ class ViewPainter {
     QColor color;
     int rank = 0;
   };
-  static constexpr int kPointRank = 0, kPlaneRank = 1, kLineRank = 2;
+  static constexpr int kPointRank = 0, kPlaneRank = 1, kLineRank = 2, kOptionalRank = 3;
 
   QPointF at(const glm::dvec2& p) const { return offset_ + QPointF(p.x * scale_, -p.y * scale_); }
 
@@ -282,7 +282,7 @@ class ViewPainter {
     limit(from.x(), step.x(), room.left(), room.right());
     limit(from.y(), step.y(), room.top(), room.bottom());
     const QPointF entry = from + std::max(t, 0.0) * step;
-    labels_.push_back({"from the eye", entry, -step / std::max(length(step), 1.0), kDim, kLineRank});
+    labels_.push_back({"from the eye", entry, -step / std::max(length(step), 1.0), kDim, kOptionalRank});
   }
 
   /// Beside its anchor, towards its direction if that is free; else the nearest of the directions around that is.
@@ -293,6 +293,7 @@ class ViewPainter {
     const double wanted = std::atan2(label.direction.y(), label.direction.x());
     constexpr double kGap = 7.0;
     QRectF best;
+    bool placed = false;
     for (const double turn : {0.0, 0.7, -0.7, 1.4, -1.4, 2.2, -2.2, 3.14}) {
       const QPointF towards(std::cos(wanted + turn), std::sin(wanted + turn));
       const QPointF middle = label.anchor + QPointF(towards.x() * (0.5 * size.width() + kGap),
@@ -303,8 +304,10 @@ class ViewPainter {
           area_.contains(box) && std::none_of(occupied_.begin(), occupied_.end(),
                                               [&](const QRectF& other) { return other.intersects(letters); });
       if (best.isNull() || free) best = box;
+      placed = placed || free;
       if (free) break;
     }
+    if (!placed && label.rank == kOptionalRank) return;
     // Nothing leaves the drawing, even where everything is taken.
     best.moveLeft(std::clamp(best.left(), area_.left(), std::max(area_.right() - size.width(), area_.left())));
     best.moveTop(std::clamp(best.top(), area_.top(), std::max(area_.bottom() - size.height(), area_.top())));
