@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace boxprobe {
@@ -84,7 +85,7 @@ void filterCubeLevel(const CubeMap& source, CubeMap& chain, int level, const std
           shading::edgeFixupPull(shareT, shareS) * (lobeMean(shading::directionAcrossEdge(face, side, s, true, sizeF)) -
                                                     lobeMean(shading::cubeDirection(face, s, side * last)));
     }
-    chain.setTexel(level, face, column, row, value);
+    chain.setTexel(level, face, column, row, glm::max(value, glm::vec4(0.0f)));
   });
 }
 

@@ -55,46 +55,53 @@ Sample gaussianSample(double deviation, double azimuth, double share) {
           planeDensity * (angle > 0.0 ? angle / std::sin(angle) : 1.0)};
 }
 
-std::vector<LobeTap> tapsOf(const FilterLobe& lobe, int count, double texelSolidAngle) {
-  std::vector<LobeTap> taps;
-  taps.reserve(static_cast<std::size_t>(count));
-  double sum = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const double azimuth = std::fmod(i * 0.6180339887498949, 1.0);
-    const double share = (i + 0.5) / count;
-    const bool ggx = lobe.kind == FilterLobe::Kind::Ggx;
-    const Sample s = ggx ? ggxSample(lobe.width, azimuth, share) : gaussianSample(lobe.width, azimuth, share);
-    const double level = 0.5 * std::log2(1.0 / (count * s.density * texelSolidAngle)) + kLevelBias;
-    const double weight = lobeKernel(lobe, static_cast<float>(1.0 - s.direction.z)) / s.density;
-    taps.push_back({glm::vec3(s.direction), static_cast<float>(std::max(level, 0.0)), static_cast<float>(weight)});
-    sum += weight;
+// A group of lookups that lie at nearly the same angle.
+struct Ring {
+  double radius;    // 2 sin(angle / 2): areas in the plane are solid angles on the sphere
+  double variance;  // of the footprints, per axis, steradian
+  double kernel;    // wanted there, up to a factor that all rings share
+  double weight;
+};
+
+// exp(-x) I0(x) for x >= 0, to 2e-7: Abramowitz and Stegun, 9.8.1 and 9.8.2.
+double scaledBesselI0(double x) {
+  if (x < 3.75) {
+    const double y = (x / 3.75) * (x / 3.75);
+    return std::exp(-x) *
+           (1.0 +
+            y * (3.5156229 + y * (3.0899424 + y * (1.2067492 + y * (0.2659732 + y * (0.0360768 + y * 0.0045813))))));
   }
-  for (LobeTap& tap : taps) tap.weight = static_cast<float>(tap.weight / sum);
-  return taps;
+  const double y = 3.75 / x;
+  return (0.39894228 +
+          y * (0.01328592 +
+               y * (0.00225319 +
+                    y * (-0.00157565 +
+                         y * (0.00916281 +
+                              y * (-0.02057706 + y * (0.02635537 + y * (-0.01647633 + y * 0.00392377)))))))) /
+         std::sqrt(x);
 }
 
-// Mean of angle² over two, footprints included: what a Gaussian's variance is, but for its cut-off reach. The capture's
-// own interpolation is not counted: it belongs to the picture that is blurred.
-double varianceOf(const std::vector<LobeTap>& taps, double texelSolidAngle) {
-  double sum = 0.0;
-  for (const LobeTap& tap : taps) {
-    const double angle = std::atan2(std::hypot(tap.direction.x, tap.direction.y), tap.direction.z);
-    const double footprint = (std::exp2(2.0 * tap.level) - 1.0) * kFootprintVariance * texelSolidAngle;
-    sum += tap.weight * (0.5 * angle * angle + footprint);
-  }
-  return sum;
+// What is read at `radius` of a ring of unit weight, blurred by round footprints: a Gaussian turned about the middle.
+double blurredRing(const Ring& ring, double radius) {
+  const double apart = radius - ring.radius;
+  return std::exp(-0.5 * apart * apart / ring.variance) * scaledBesselI0(radius * ring.radius / ring.variance) /
+         ring.variance;
 }
 
-double varianceOf(const FilterLobe& lobe) {
-  constexpr int kSteps = 2000;
-  double sum = 0.0, weight = 0.0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double angle = 0.5 * kPi * (i + 0.5) / kSteps;
-    const double w = std::sin(angle) * lobeKernel(lobe, static_cast<float>(1.0 - std::cos(angle)));
-    sum += w * 0.5 * angle * angle;
-    weight += w;
+// Weights such that the lookups with their footprints, not the lookups alone, add up to the kernel: multiplied by
+// wanted over found until they meet (Richardson and Lucy's rule, which keeps them positive). A few rounds suffice, and
+// too many would chase the spacing of the rings.
+void fitWeights(std::vector<Ring>& rings) {
+  constexpr int kRounds = 6;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<double> found(rings.size(), 0.0);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      for (const Ring& ring : rings) found[i] += ring.weight * blurredRing(ring, rings[i].radius);
+    }
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rings.size(); ++i) sum += rings[i].weight *= rings[i].kernel / found[i];
+    for (Ring& ring : rings) ring.weight /= sum;
   }
-  return sum / weight;
 }
 
 }  // namespace
@@ -138,23 +145,41 @@ float lobeKernel(const FilterLobe& lobe, float oneMinusCosine) {
 }
 
 std::vector<LobeTap> lobeTaps(const FilterLobe& lobe, int count, int sourceFaceSize) {
+  constexpr int kRings = 64;
   const double texelSolidAngle = 4.0 * kPi / (6.0 * sourceFaceSize * sourceFaceSize);
-  FilterLobe narrower = lobe;
-  if (lobe.kind == FilterLobe::Kind::Ggx) {
-    // A GGX has no useful variance, its tail would rule it. In its middle a lookup has the solid angle 4 pi alpha² /
-    // count (power 2), so its footprint's variance is this share of the kernel's own scale, (2 alpha)²; taking it off
-    // alpha once leaves the least error.
-    const double share = kFootprintVariance * kPi / count * std::exp2(2.0 * kLevelBias);
-    narrower.width *= static_cast<float>(1.0 - std::min(share, 0.3));
-    return tapsOf(narrower, count, texelSolidAngle);
+  const int perRing = (count + kRings - 1) / kRings;
+  std::vector<LobeTap> taps;
+  std::vector<Ring> rings;
+  for (int i = 0; i < count; ++i) {
+    const double azimuth = std::fmod(i * 0.6180339887498949, 1.0);
+    const double share = (i + 0.5) / count;
+    const bool ggx = lobe.kind == FilterLobe::Kind::Ggx;
+    const Sample s = ggx ? ggxSample(lobe.width, azimuth, share) : gaussianSample(lobe.width, azimuth, share);
+    const double solidAngle = 1.0 / (count * s.density);
+    const double level = std::max(0.5 * std::log2(solidAngle / texelSolidAngle) + kLevelBias, 0.0);
+    const double kernel = lobeKernel(lobe, static_cast<float>(1.0 - s.direction.z));
+    taps.push_back({glm::vec3(s.direction), static_cast<float>(level), static_cast<float>(kernel * solidAngle)});
+    if (i % perRing == 0) rings.push_back({0.0, 0.0, 0.0, 0.0});
+    Ring& ring = rings.back();
+    ring.weight += kernel * solidAngle;
+    if (i % perRing != perRing / 2 && i != count - 1) continue;
+    if (ring.variance > 0.0) continue;
+    ring.radius = std::sqrt(2.0 * (1.0 - s.direction.z));
+    ring.kernel = kernel;
+    // The capture's own interpolation is not counted, it belongs to the picture that is blurred; and never less than
+    // what fills the gaps between lookups that are denser than texels.
+    ring.variance = std::max((std::exp2(2.0 * level) - 1.0) * kFootprintVariance * texelSolidAngle, 0.3 * solidAngle);
   }
-  const double target = varianceOf(lobe);
-  std::vector<LobeTap> taps = tapsOf(lobe, count, texelSolidAngle);
-  for (int i = 0; i < 8; ++i) {
-    const double ratio = target / varianceOf(taps, texelSolidAngle);
-    narrower.width *= static_cast<float>(std::sqrt(std::clamp(ratio, 0.25, 4.0)));
-    taps = tapsOf(narrower, count, texelSolidAngle);
+  std::vector<double> before;
+  for (const Ring& ring : rings) before.push_back(ring.weight);
+  fitWeights(rings);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < taps.size(); ++i) {
+    const std::size_t ring = i / static_cast<std::size_t>(perRing);
+    taps[i].weight = static_cast<float>(taps[i].weight * rings[ring].weight / before[ring]);
+    sum += taps[i].weight;
   }
+  for (LobeTap& tap : taps) tap.weight = static_cast<float>(tap.weight / sum);
   return taps;
 }
 

@@ -38,7 +38,7 @@ struct PrefilterSettings {
 
 constexpr int kMinSamples = 8;
 /// What shaders/gpu/prefilter_lobe.glsl has room for.
-constexpr int kMaxSamples = 480;
+constexpr int kMaxSamples = 768;
 
 /// Levels of a chain for a face size: the last one has 4 x 4 texels, enough for the lobe of roughness 1.
 int prefilterLevels(int faceSize);
@@ -59,8 +59,8 @@ struct LobeTap {
 
 /// The lookups that integrate a lobe over a cubemap. Their directions lie on a Fibonacci spiral, so they are even in
 /// azimuth and solid angle for any count; each reads a level of the source's mip chain whose texels cover its share of
-/// solid angle (filtered importance sampling, Krivanek and Colbert 2008). What these footprints add to the blur is
-/// taken off the lobe.
+/// solid angle (filtered importance sampling, Krivanek and Colbert 2008). Their weights are such that lookups and footprints
+/// together add up to the lobe.
 std::vector<LobeTap> lobeTaps(const FilterLobe& lobe, int count, int sourceFaceSize);
 
 }  // namespace boxprobe

@@ -12,8 +12,11 @@ namespace boxprobe {
 Prefilter::Prefilter(vtkOpenGLRenderWindow* window, Counters* counters)
     : window_(window),
       counters_(counters),
-      sourcePass_({"shared/cube.glsl", "shared/source_level.glsl", "gpu/prefilter_source.glsl"}, counters),
-      lobePass_({"shared/cube.glsl", "shared/lobe_frame.glsl", "shared/edge_fixup.glsl", "gpu/prefilter_lobe.glsl"},
+      sourcePass_(
+          {"shared/cube.glsl", "shared/source_level.glsl", "gpu/nearest_half.glsl", "gpu/prefilter_source.glsl"},
+          counters),
+      lobePass_({"shared/cube.glsl", "shared/lobe_frame.glsl", "shared/edge_fixup.glsl", "gpu/nearest_half.glsl",
+                 "gpu/prefilter_lobe.glsl"},
                 counters) {}
 
 void Prefilter::makeSourceLevels(const CubeTexture& source) {

@@ -1,12 +1,13 @@
 // One face of one prefiltered level: a lobe around each texel's direction over the captured radiance. The lookups are the
 // same for every texel, so the host computes them once a level (filters/math/filter_lobe.h); filters/math/cube_filter.cpp
-// is this file's twin on the CPU. Needs shared/cube.glsl, shared/lobe_frame.glsl, shared/edge_fixup.glsl.
+// is this file's twin on the CPU. Needs shared/cube.glsl, shared/lobe_frame.glsl, shared/edge_fixup.glsl,
+// gpu/nearest_half.glsl.
 uniform samplerCube bpSource;
 uniform int bpFace;
 uniform float bpFaceSize; // texels of the level written
 uniform float bpFixupWidth; // texels; 0: none
 uniform int bpTapCount;
-uniform vec4 bpTaps[480]; // xy: direction in the lobe's frame; z: level of the source; w: weight, all sum to 1
+uniform vec4 bpTaps[768]; // xy: direction in the lobe's frame; z: level of the source; w: weight, all sum to 1
 
 vec4 lobeMean(vec3 n)
 {
@@ -45,5 +46,5 @@ void main()
       (lobeMean(normalize(directionAcrossEdge(bpFace, side, st.x, true, bpFaceSize))) -
         lobeMean(normalize(cubeDirection(bpFace, st.x, side * last))));
   }
-  gl_FragData[0] = value + change;
+  gl_FragData[0] = nearestHalf(max(value + change, vec4(0.0f)));
 }

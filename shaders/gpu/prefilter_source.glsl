@@ -1,5 +1,6 @@
 // One face of one level of the source's mip chain, from the level before it, which is the only one that the texture gives
-// while this runs. Needs shared/cube.glsl, shared/source_level.glsl.
+// while this runs. Needs shared/cube.glsl, shared/source_level.glsl,
+// gpu/nearest_half.glsl.
 uniform samplerCube bpSource;
 uniform int bpFace;
 uniform float bpFaceSize; // texels of the level written
@@ -18,5 +19,5 @@ void main()
     sum += w * textureLod(bpSource, cubeDirection(bpFace, s, t), bpLevel);
     weight += w;
   }
-  gl_FragData[0] = sum / weight;
+  gl_FragData[0] = nearestHalf(sum / weight);
 }

@@ -2,7 +2,8 @@
 // edge, which become equal. It was made for hardware that stops interpolating at a face's border: equal texels on both
 // sides hide the jump there. Seamless lookups, as this program's, interpolate across the border and have no jump to hide;
 // on them the fix-up does one thing only, it flattens the picture a little along the edges. It is kept as part of the
-// frosty look's recipe and for files that go to readers without seamless lookups. Needs shared/cube.glsl.
+// frosty look's recipe and for files that go to readers without seamless lookups. Beside a small lamp it can take more than
+// there is; what is left is then 0. Needs shared/cube.glsl.
 
 // 1 at the edge, falling to 0 `width` texels inside.
 float edgeFixupShare(float texelsFromEdge, float width)
@@ -10,11 +11,12 @@ float edgeFixupShare(float texelsFromEdge, float width)
   return width > 0.0f ? clamp(1.0f - texelsFromEdge / width, 0.0f, 1.0f) : 0.0f;
 }
 
-// How much of the difference (texel across the edge - texel on this side of it) is added. Half makes the two equal; where
-// two edges meet three texels do, and a third makes all three equal. `other`: the share towards the other edge.
+// How much of the difference (texel across the edge - texel on this side of it) is added: half makes the two equal. Of two
+// edges the nearer counts; on the diagonal both do by a third, which makes the three texels at a corner of the cube equal.
+// `other`: the share towards the other edge.
 float edgeFixupPull(float share, float other)
 {
-  return share * (0.5f - other / 6.0f);
+  return share > other ? 0.5f * share : (share == other ? share / 3.0f : 0.0f);
 }
 
 // Direction to the edge texel across the edge s = side (-1 or 1) of a face of `faceSize`², beside t: the plane of the face
