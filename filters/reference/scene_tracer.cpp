@@ -180,9 +180,9 @@ SurfacePoint SceneTracer::surface(const TracedHit& hit, const glm::dvec3& eye) c
   if (m.occlusionTexture.image) {
     s.occlusion = glm::mix(1.0f, sampled(m.occlusionTexture, false).r, m.occlusionStrength);
   }
-  // vtkProperty's: a coat of index 2 lies over the base, in proportion to its strength.
+  // As vtkProperty has it: a coat of index 2, and a base between lying in air and lying under it.
   constexpr float kCoatIor = 2.0f;
-  s.baseF0 = reflectanceOf(m.ior, 1.0f + m.coat * (kCoatIor - 1.0f));
+  s.baseF0 = glm::mix(reflectanceOf(m.ior, 1.0f), reflectanceOf(m.ior, kCoatIor), m.coat);
   s.coatStrength = m.coat;
   s.coatRoughness = m.coatRoughness;
   s.coatF0 = reflectanceOf(kCoatIor, 1.0f);

@@ -1,0 +1,241 @@
+// The references against what is drawn: the same surfaces, the same picture where nothing reflects, the mirrored
+// camera's picture in a mirror; and against each other where the box is the truth.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "filters/core/direct_light.h"
+#include "filters/io/model_file.h"
+#include "filters/reference/metrics.h"
+#include "filters/reference/reference_box.h"
+#include "filters/reference/reference_scene.h"
+#include "filters/reference/reflecting_layers.h"
+#include "filters/reference/visible_normal_lobe.h"
+#include "tests/support/scene_picture.h"
+
+namespace {
+
+using namespace boxprobe;
+using namespace boxprobe::test;
+
+constexpr int kWidth = 480, kHeight = 270;
+
+ReferenceScene referenceOf(const Scene& scene) {
+  std::vector<std::shared_ptr<const Model>> models;
+  for (const ModelFile& file : scene.models) models.push_back(std::make_shared<Model>(loadModelFile(file.file)));
+  return ReferenceScene(scene, models, nullptr);
+}
+
+Scene emptyRoom(float floorRoughness) {
+  Scene scene = ScenePicture::fromFile("scenes/room.boxprobe.json", 8, 8).scene;
+  for (const char* sphere : {"sphere 1", "sphere 2", "sphere 3"}) scene.objects[sphere].visible = false;
+  scene.materials["floor"].roughness = floorRoughness;
+  return scene;
+}
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + static_cast<long>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// The tracer's surfaces against what the shader itself says of the same pixels: textures, lights, back faces, culling.
+TEST(Reference, SurfacesAreTheShaders) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/building.boxprobe.json", kWidth, kHeight);
+  picture.scene.materials["stone"].coat = 0.5f;
+  const ReferenceScene reference = referenceOf(picture.scene);
+  for (const char* name : {"main", "low"}) {
+    const Camera camera = cameraNamed(picture.scene, name);
+    picture.show(camera);
+    std::vector<glm::ivec2> places;
+    for (int y = 5; y < kHeight; y += 9) {
+      for (int x = 5; x < kWidth; x += 9) places.emplace_back(x, y);
+    }
+    int surfaces = 0, others = 0;
+    std::vector<double> position, normal, albedo, emissive, direct, rest;
+    for (const Explanation& e : picture.renderer->explain(places, kWidth, kHeight)) {
+      if (!e.hit) continue;
+      ++surfaces;
+      const SurfacePoint& drawn = e.surface;
+      const auto hit = reference.tracer().firstHit(camera.position, drawn.positionWorld - camera.position);
+      if (!hit || reference.tracer().object(*hit).node != drawn.object) {
+        ++others;
+        continue;
+      }
+      const SurfacePoint traced = reference.tracer().surface(*hit, camera.position);
+      position.push_back(glm::distance(drawn.positionWorld, traced.positionWorld));
+      emissive.push_back(glm::distance(drawn.emissive, traced.emissive));
+      if (reference.tracer().object(*hit).material.unlit) continue;
+      normal.push_back(glm::distance(drawn.normalWorld, traced.normalWorld));
+      albedo.push_back(glm::distance(drawn.albedo, traced.albedo));
+      rest.push_back(
+          std::max({std::abs(drawn.roughness - traced.roughness), std::abs(drawn.metallic - traced.metallic),
+                    std::abs(drawn.baseF0 - traced.baseF0), std::abs(drawn.coatF0 - traced.coatF0) * drawn.coatStrength,
+                    std::abs(drawn.coatStrength - traced.coatStrength), std::abs(drawn.occlusion - traced.occlusion)}));
+      const FresnelEnds ends = fresnelEnds(traced);
+      const glm::vec3 light = traced.occlusion * directLight(traced, ends.f0, ends.f90, picture.scene.lights);
+      direct.push_back(glm::distance(e.direct, light));
+    }
+    std::printf(
+        "  %-4s %d points, %d at an outline; nine in ten within: position %.1e, normal %.1e, albedo %.1e, emission "
+        "%.1e, "
+        "direct light %.1e\n",
+        name, surfaces, others, quantile(position, 0.9), quantile(normal, 0.9), quantile(albedo, 0.9),
+        quantile(emissive, 0.9), quantile(direct, 0.9));
+    ASSERT_GT(surfaces, 700);
+    EXPECT_LE(others, surfaces / 50);
+    EXPECT_LT(quantile(position, 0.98), 2.0e-3);
+    EXPECT_LT(quantile(normal, 0.98), 2.0e-3);
+    EXPECT_LT(quantile(rest, 1.0), 1.0e-5);
+    // Drawn with mip levels, traced without: what differs is the finest grain of the textures.
+    EXPECT_LT(quantile(albedo, 0.9), 0.06);
+    EXPECT_LT(quantile(emissive, 0.9), 0.01);
+    EXPECT_LT(quantile(direct, 0.9), 0.03);
+  }
+}
+
+// Where nothing reflects, and in a mirror: the picture that is drawn, through the camera and through its mirror image.
+TEST(Reference, WallsAndMirrorAreAsDrawn) {
+  ScenePicture picture(emptyRoom(0.0f), kWidth, kHeight);
+  const ReferenceScene reference = referenceOf(picture.scene);
+  ReferenceSettings settings;
+  settings.width = kWidth;
+  settings.height = kHeight;
+  settings.samplesPerPixel = 16;
+  settings.raysPerPixel = 16;
+  for (const char* name : {"main", "A"}) {
+    const Camera camera = cameraNamed(picture.scene, name);
+    const ReferencePicture traced = reference.render(camera, settings);
+    EXPECT_EQ(*std::max_element(traced.standardError.pixels.begin(), traced.standardError.pixels.end()), 0.0f)
+        << "a mirror needs one ray";
+
+    picture.show(camera);
+    const ImageRgbaF drawn = picture.linear(16);
+    const Scene kept = picture.scene;
+    picture.scene.objects["floor"].visible = false;
+    picture.show(mirroredInFloor(camera, 0.0));
+    const ImageRgbaF mirrored = flippedTopToBottom(picture.linear(16));
+    picture.scene = kept;
+    keepPicture(traced.color, std::string("reference_scene_") + name);
+    keepPicture(drawn, std::string("reference_drawn_") + name);
+
+    std::vector<bool> floor(static_cast<std::size_t>(kWidth) * kHeight), walls(floor.size());
+    std::size_t floorPixels = 0;
+    for (int y = 1; y + 1 < kHeight; ++y) {
+      for (int x = 1; x + 1 < kWidth; ++x) {
+        // Inner pixels only: on an outline a hair's breadth decides.
+        int count = 0;
+        for (int k = 0; k < 9; ++k) {
+          const glm::dvec3 up(0.0, 1.0, 0.0);
+          const auto direction = [&](double px, double py) {
+            const glm::dvec3 forward = glm::normalize(camera.target - camera.position);
+            const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
+            const double tangent = std::tan(0.5 * camera.verticalFovDegrees * 3.14159265358979 / 180.0);
+            return forward + tangent * ((2.0 * px / kWidth - 1.0) * kWidth / kHeight * right +
+                                        (1.0 - 2.0 * py / kHeight) * glm::cross(right, forward));
+          };
+          const auto hit = reference.tracer().firstHit(camera.position, direction(x + k % 3 - 0.5, y + k / 3 - 0.5));
+          count += hit && reference.tracer().object(*hit).node == "floor" ? 1 : 0;
+        }
+        const auto at = static_cast<std::size_t>(y * kWidth + x);
+        floor[at] = count == 9;
+        walls[at] = count == 0;
+        floorPixels += floor[at] ? 1 : 0;
+      }
+    }
+    ASSERT_GT(floorPixels, floor.size() / 20);
+    const PictureError wallError = pictureError(traced.color, drawn, walls);
+    const PictureError mirrorError = pictureError(traced.color, mirrored, floor);
+    std::printf("  camera %-4s walls %.1f dB, brightness %.4f; mirror %.1f dB, brightness %.4f\n", name,
+                -20.0 * std::log10(wallError.toneMappedRmse), wallError.brightnessRatio,
+                -20.0 * std::log10(mirrorError.toneMappedRmse), mirrorError.brightnessRatio);
+    EXPECT_LT(wallError.toneMappedRmse, 0.01);
+    EXPECT_NEAR(wallError.brightnessRatio, 1.0, 0.005);
+    EXPECT_LT(mirrorError.toneMappedRmse, 0.01);
+    EXPECT_NEAR(mirrorError.brightnessRatio, 1.0, 0.005);
+  }
+}
+
+struct Estimate {
+  glm::dvec3 mean{0.0}, standardError{0.0};
+};
+
+template <typename Pass>
+Estimate overPasses(const Pass& pass) {
+  constexpr int kPasses = 16;
+  glm::dvec3 sum(0.0), squares(0.0);
+  for (int i = 0; i < kPasses; ++i) {
+    const glm::dvec3 value = pass(i);
+    sum += value;
+    squares += value * value;
+  }
+  const glm::dvec3 mean = sum / double(kPasses);
+  return {mean, glm::sqrt(glm::max(squares / double(kPasses) - mean * mean, 0.0) / double(kPasses - 1))};
+}
+
+// In the empty room the walls stand on the box, so the two references are two ways to the same number: one looks a
+// capture up at box hits, the other traces triangles and textures.
+TEST(Reference, BoxAndSceneAgreeWhereTheBoxIsTheTruth) {
+  for (const float roughness : {0.25f, 0.5f}) {
+    ScenePicture picture(emptyRoom(roughness), kWidth, kHeight);
+    picture.scene.probes[0].faceSize = 512;
+    const ReferenceScene reference = referenceOf(picture.scene);
+    const BrdfTable& brdf = reference.light().brdf();
+    int count = 0, beyond = 0;
+    double zSum = 0.0, zSquares = 0.0, difference = 0.0, variance = 0.0, total = 0.0;
+    for (const char* name : {"main", "B"}) {
+      const Camera camera = cameraNamed(picture.scene, name);
+      picture.show(camera);
+      ReferenceBoxMaps maps;
+      maps.probes.push_back(picture.renderer->mapsOnCpu(picture.scene.probes[0].name));
+      maps.sky = picture.renderer->mapsOnCpu("");
+      std::vector<glm::ivec2> places;
+      for (int y = 4; y < kHeight; y += 14) {
+        for (int x = 4; x < kWidth; x += 14) places.emplace_back(x, y);
+      }
+      constexpr int kRays = 32;
+      for (const Explanation& e : picture.renderer->explain(places, kWidth, kHeight)) {
+        if (e.surface.object != "floor") continue;
+        const auto hit = reference.tracer().firstHit(camera.position, e.surface.positionWorld - camera.position);
+        ASSERT_TRUE(hit.has_value());
+        const SurfacePoint surface = reference.tracer().surface(*hit, camera.position);
+        const glm::dvec3 away = reference.tracer().awayFrom(*hit);
+        const std::uint64_t seed = stirred(static_cast<std::uint64_t>(e.y * kWidth + e.x));
+        const Estimate box = overPasses([&](int pass) {
+          return referenceBoxColor(e, maps, brdf, kRays, stirred(seed + static_cast<std::uint64_t>(2 * pass)));
+        });
+        const Estimate scene = overPasses([&](int pass) {
+          return reference.reflectedFrom(surface, away, RaySees::Probes, kRays,
+                                         stirred(seed + static_cast<std::uint64_t>(2 * pass + 1)));
+        });
+        for (int c = 0; c < 3; ++c) {
+          const double error = std::hypot(box.standardError[c], scene.standardError[c]);
+          const double z = (box.mean[c] - scene.mean[c]) / error;
+          ++count;
+          zSum += z;
+          zSquares += z * z;
+          beyond += std::abs(z) > 2.0 ? 1 : 0;
+          difference += box.mean[c] - scene.mean[c];
+          variance += error * error;
+          total += scene.mean[c];
+        }
+      }
+    }
+    ASSERT_GT(count, 900);
+    const double share = static_cast<double>(beyond) / count;
+    std::printf(
+        "  roughness %.2f: %d values, mean z %+.3f, rms z %.3f, beyond 2 sigma %.1f %%, brightness %+.3f %% (its "
+        "standard error %.3f %%)\n",
+        static_cast<double>(roughness), count, zSum / count, std::sqrt(zSquares / count), 100.0 * share,
+        100.0 * difference / total, 100.0 * std::sqrt(3.0 * variance) / total);
+    // The three components of a point go together: a third of them is independent.
+    EXPECT_LT(std::abs(zSum / count), 3.0 / std::sqrt(count / 3.0));
+    EXPECT_GT(share, 0.02);
+    EXPECT_LT(share, 0.10);
+    EXPECT_LT(std::abs(difference), 3.0 * std::sqrt(3.0 * variance));
+  }
+}
+
+}  // namespace
