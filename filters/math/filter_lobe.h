@@ -23,8 +23,10 @@ struct GaussianSettings {
   float baseAngleDegrees = 8.0f;        ///< level 0; 0 leaves the capture as it is
   float initialMipAngleDegrees = 5.0f;  ///< level 1
   float mipAngleScale = 2.0f;           ///< from one level's angle to the next
-  /// Texels over which the two sides of a face's edge are pulled together until they are equal; see edge_fixup.glsl.
-  int edgeFixupWidth = 4;
+  /// Texels over which the two sides of a face's edge are pulled together until they are equal (edge_fixup.glsl). 4 in
+  /// CubeMapGen; 0 here, because seamless lookups have no jump to hide and a lamp near an edge would get a dark patch
+  /// beside it.
+  int edgeFixupWidth = 0;
 };
 
 /// How a chain is made from a capture.
@@ -59,8 +61,8 @@ struct LobeTap {
 
 /// The lookups that integrate a lobe over a cubemap. Their directions lie on a Fibonacci spiral, so they are even in
 /// azimuth and solid angle for any count; each reads a level of the source's mip chain whose texels cover its share of
-/// solid angle (filtered importance sampling, Krivanek and Colbert 2008). Their weights are such that lookups and footprints
-/// together add up to the lobe.
+/// solid angle (filtered importance sampling, Krivanek and Colbert 2008). Their weights are such that lookups and
+/// footprints together add up to the lobe.
 std::vector<LobeTap> lobeTaps(const FilterLobe& lobe, int count, int sourceFaceSize);
 
 }  // namespace boxprobe

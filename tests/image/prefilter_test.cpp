@@ -44,6 +44,7 @@ class GpuPrefilter : public ::testing::Test {
 TEST_F(GpuPrefilter, EqualsTheCpu) {
   PrefilterSettings frosty, many;
   frosty.filter = FilterLobe::Kind::Gaussian;
+  frosty.gaussian.edgeFixupWidth = 4;
   many.samples = 300;
   const struct {
     int faceSize;
