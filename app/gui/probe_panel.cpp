@@ -50,9 +50,10 @@ ProbePanel::ProbePanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
   buildLook();
   // What a field is called from outside: by style sheets and tests.
   const std::pair<QWidget*, const char*> names[] = {
-      {origin_, "origin"},       {boxMin_, "boxMin"},         {boxMax_, "boxMax"},         {rotation_, "rotation"},
-      {blend_, "blendDistance"}, {importance_, "importance"}, {intensity_, "intensity"},   {technique_, "technique"},
-      {techniqueHelp_, "help"},  {projection_, "projection"}, {ownInfluence_, "influence"}};
+      {origin_, "origin"},         {boxMin_, "boxMin"},         {boxMax_, "boxMax"},
+      {rotation_, "rotation"},     {blend_, "blendDistance"},   {importance_, "importance"},
+      {intensity_, "intensity"},   {technique_, "technique"},   {techniqueHelp_, "techniqueHelp"},
+      {projection_, "projection"}, {ownInfluence_, "influence"}};
   for (const auto& [widget, name] : names) widget->setObjectName(name);
   update();
 }

@@ -129,7 +129,7 @@ TEST_F(ProbePanelTest, TheTechniquesAreThoseOfTheTable) {
 
 TEST_F(ProbePanelTest, TheTechniqueChangesThePictureAtOnceAndItsHelp) {
   auto* combo = named<TechniqueCombo>("technique");
-  auto* help = named<QLabel>("help");
+  auto* help = named<QLabel>("techniqueHelp");
   // Over the whole building, floor and all.
   window_->editor().commitProbe("Set box", [](Probe& edited) {
     edited.box = {glm::dvec3(-4.505, -0.005, -4.505), glm::dvec3(4.505, 5.005, 4.505)};
@@ -189,7 +189,8 @@ TEST_F(ProbePanelTest, FaceSizeAndBouncesRecapture) {
   auto* bounces = named<QComboBox>("bounces");
   choose(bounces, bounces->findData(2));
   EXPECT_EQ(probe().bounces, 2);
-  EXPECT_EQ(counters().facesCaptured - before, 18u);
+  // The first bounce is the one there was.
+  EXPECT_EQ(counters().facesCaptured - before, 12u);
 }
 
 TEST_F(ProbePanelTest, AnInfluenceBoxOfItsOwnStartsAsTheBox) {
