@@ -134,8 +134,9 @@ void runBake(const BakeOptions& options) {
     std::fputs(statsJson(stats).c_str(), stdout);
   } else if (!options.report.quiet) {
     for (const std::string& file : files) std::printf("%s\n", file.c_str());
-    std::printf("%s: %zu probes, %zu files written, %llu faces captured, %llu levels filtered\n", folder.c_str(),
-                probes.size(), files.size(), static_cast<unsigned long long>(stats.counters.facesCaptured),
+    std::printf("%s: %zu baked probe(s), %zu file(s) written, %llu faces captured, %llu levels filtered\n",
+                folder.c_str(), probes.size(), files.size(),
+                static_cast<unsigned long long>(stats.counters.facesCaptured),
                 static_cast<unsigned long long>(stats.counters.levelsFiltered));
   }
   renderer.releaseGraphics();

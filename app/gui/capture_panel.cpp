@@ -55,6 +55,7 @@ CapturePanel::CapturePanel(Editor& editor, QWidget* parent) : QWidget(parent), e
                                                     {far_, "far"},
                                                     {clearColor_, "clearColor"},
                                                     {filter_, "filter"},
+                                                    {filterSamples_, "filterSamples"},
                                                     {clear_, "clear"},
                                                     {hides_, "hides"}};
   for (const auto& [widget, name] : names) widget->setObjectName(name);
@@ -126,6 +127,11 @@ void CapturePanel::buildSampling(QFormLayout* form) {
         editor_.commitProbe(probeEditLabel(editor_, tr("filter")),
                             [kind](Probe& probe) { probe.filter = static_cast<FilterKind>(kind); });
       });
+  filterSamples_ = addProbeChoice(
+      form, tr("Filter quality"), {{tr("64 directions"), 64}, {tr("160 directions"), 160}, {tr("400 directions"), 400}},
+      tr("Directions a texel of level 1 is filtered by, twice as many a level further: smoother around lamps, longer "
+         "filtering. Default: 64"),
+      set(tr("filter quality"), &Probe::filterSamples));
 }
 
 void CapturePanel::buildView(QFormLayout* form) {
@@ -222,6 +228,7 @@ void CapturePanel::update() {
   showChoice(samples_, probe->samplesPerPixel, tr("%1 a texel"));
   showChoice(bounces_, probe->bounces);
   showChoice(filter_, static_cast<int>(probe->filter));
+  showChoice(filterSamples_, probe->filterSamples, tr("%1 directions"));
 
   // Bounds narrow only after the new values are in, which the old bounds must not cut off.
   near_->setBounds(kNear.minimum, kNear.maximum);

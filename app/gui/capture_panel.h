@@ -43,7 +43,7 @@ class CapturePanel : public QWidget {
   Editor& editor_;
   QFormLayout* form_ = nullptr;
   QComboBox *mode_ = nullptr, *layout_ = nullptr, *faceSize_ = nullptr, *samples_ = nullptr, *bounces_ = nullptr,
-            *filter_ = nullptr, *clear_ = nullptr;
+            *filter_ = nullptr, *filterSamples_ = nullptr, *clear_ = nullptr;
   QWidget* imageRow_ = nullptr;
   QLabel* image_ = nullptr;
   ValueField *near_ = nullptr, *far_ = nullptr;

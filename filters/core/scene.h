@@ -163,6 +163,7 @@ struct Probe {
   CubeLayout imageLayout = CubeLayout::Automatic;
   FilterKind filter = FilterKind::Ggx;
   int samplesPerPixel = 4;         ///< 1, 4 or 16
+  int filterSamples = 64;          ///< directions for a texel of level 1 of the filtered chain, 8 to 768
   std::vector<std::string> hides;  ///< node names left out of this probe's capture
   std::optional<Bevel> bevel;
   std::optional<BoxOcclusion> occlusion;

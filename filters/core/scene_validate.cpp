@@ -9,6 +9,7 @@
 #include "filters/core/number_text.h"
 #include "filters/core/scene.h"
 #include "filters/core/technique_parameters.h"
+#include "filters/math/filter_lobe.h"
 #include "filters/math/technique_table.h"
 
 namespace boxprobe {
@@ -209,6 +210,10 @@ void checkCapture(const Fields& fields, const Probe& probe) {
   }
   if (probe.bounces < 1 || probe.bounces > 5) {
     fields.fail("bounces", "is " + std::to_string(probe.bounces) + " and must be from 1 to 5");
+  }
+  if (probe.filterSamples < kMinSamples || probe.filterSamples > kMaxSamples) {
+    fields.fail("filterSamples", "is " + std::to_string(probe.filterSamples) + " and must be from " +
+                                     std::to_string(kMinSamples) + " to " + std::to_string(kMaxSamples));
   }
   if (probe.samplesPerPixel != 1 && probe.samplesPerPixel != 4 && probe.samplesPerPixel != 16) {
     fields.fail("samplesPerPixel", "is " + std::to_string(probe.samplesPerPixel) + " and must be 1, 4 or 16");

@@ -185,7 +185,8 @@ void readProbeCapture(const JsonCursor& entry, Probe& probe, const std::string& 
   if (const auto filter = entry.find("filter")) {
     probe.filter = static_cast<FilterKind>(filter->choice({"ggx", "gaussian"}));
   }
-  readInto(entry, "samplesPerPixel", probe.samplesPerPixel, &JsonCursor::whole);
+  readInto(entry, "samplesPerPixel", "filterSamples", probe.samplesPerPixel, &JsonCursor::whole);
+  readInto(entry, "filterSamples", probe.filterSamples, &JsonCursor::whole);
   if (const auto hides = entry.find("hides")) {
     for (const JsonCursor& node : hides->elements()) probe.hides.push_back(node.text());
   }

@@ -235,6 +235,7 @@ Json probeJson(const Probe& probe, const std::string& folder, JsonForm form) {
   out.putJson("imageLayout", layouts[static_cast<int>(probe.imageLayout)], probe.imageLayout == standard.imageLayout);
   out.putJson("filter", probe.filter == FilterKind::Ggx ? "ggx" : "gaussian", probe.filter == standard.filter);
   out.put("samplesPerPixel", probe.samplesPerPixel, standard.samplesPerPixel);
+  out.put("filterSamples", probe.filterSamples, standard.filterSamples);
   out.put("hides", probe.hides, standard.hides);
   if (probe.bevel) out.putJson("bevel", bevelJson(*probe.bevel, form), false);
   if (probe.occlusion) out.putJson("occlusion", occlusionJson(*probe.occlusion, form), false);

@@ -163,7 +163,11 @@ std::string imageContentKey(const ImageRgbaF& image) {
 
 std::string importKey(const Probe& probe, const CubeMap& picture) {
   ContentHash hash;
-  hash.add("import").add(kBakeVersion).add(static_cast<double>(probe.filter)).add(picture.faceSize());
+  hash.add("import")
+      .add(kBakeVersion)
+      .add(static_cast<double>(probe.filter))
+      .add(probe.filterSamples)
+      .add(picture.faceSize());
   const auto texels = static_cast<std::size_t>(picture.faceSize()) * static_cast<std::size_t>(picture.faceSize());
   for (int face = 0; face < 6; ++face) hash.addBytes(picture.face(0, face), texels * 4 * sizeof(float));
   return hash.text();
@@ -187,7 +191,7 @@ CaptureView faceView(const CaptureWorld& world, const Probe& probe, int face) {
 
 CaptureView probeView(const CaptureWorld& world, const Probe& probe) {
   ContentHash hash;
-  hash.add("probe").add(static_cast<double>(probe.filter));
+  hash.add("probe").add(static_cast<double>(probe.filter)).add(probe.filterSamples);
   addCamera(hash, probe);
   CaptureView view;
   view.lighting = addShown(hash, world, probe, [&](const CaptureObject& object) {

@@ -14,6 +14,7 @@ namespace {
 PrefilterSettings prefilterOf(const Probe& probe) {
   PrefilterSettings settings;
   if (probe.filter == FilterKind::Gaussian) settings.filter = FilterLobe::Kind::Gaussian;
+  settings.samples = probe.filterSamples;
   return settings;
 }
 

@@ -120,6 +120,8 @@ TEST(Validate, RangesNameTheKeyTheValueAndTheRange) {
   EXPECT_NE(problem([](Scene& s) { s.probes[0].faceSize = std::numeric_limits<int>::min(); }), "");
   expectSound([](Scene& s) { s.probes[0].faceSize = 2048; });
   expectSound([](Scene& s) { s.probes[0].faceSize = 16; });
+  EXPECT_EQ(problem([](Scene& s) { s.probes[0].filterSamples = 1000; }),
+            "probes.room.filterSamples: is 1000 and must be from 8 to 768");
   EXPECT_EQ(problem([](Scene& s) { s.probes[0].samplesPerPixel = 2; }),
             "probes.room.samplesPerPixel: is 2 and must be 1, 4 or 16");
   EXPECT_EQ(problem([](Scene& s) { s.probes[0].bounces = 6; }), "probes.room.bounces: is 6 and must be from 1 to 5");

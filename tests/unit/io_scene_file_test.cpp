@@ -33,7 +33,7 @@ TEST(SceneParse, ReadsEveryKeyOfAProbe) {
     "blendDistance": {"min": [1, 2, 3], "max": [4, 5, 6]}, "importance": 2, "intensity": 0.5, "projection": false,
     "technique": "sphere", "parameters": {"samples": 8, "pattern": "r2", "animated": true}, "faceSize": 64,
     "bounces": 3, "mode": "custom", "image": "room.exr", "imageLayout": "cross",
-    "filter": "gaussian", "samplesPerPixel": 16,
+    "filter": "gaussian", "samplesPerPixel": 16, "filterSamples": 160,
     "hides": ["mirror", "lamp"], "bevel": {"fromRoughness": 1},
     "occlusion": {"multiplier": 2, "power": 3, "strength": 0.5} }])");
   ASSERT_EQ(scene.probes.size(), 1u);
@@ -58,6 +58,7 @@ TEST(SceneParse, ReadsEveryKeyOfAProbe) {
   expected.image = "folder/room.exr";
   expected.filter = FilterKind::Gaussian;
   expected.samplesPerPixel = 16;
+  expected.filterSamples = 160;
   expected.imageLayout = CubeLayout::Cross;
   expected.hides = {"mirror", "lamp"};
   expected.bevel = Bevel{0.0, 1.0};
