@@ -46,6 +46,7 @@ class DebugViewTest : public WindowTest {
   void TearDown() override {
     debug().setTool(false);
     debug().surfacePanel()->choose(0);
+    move({3.0, 3.0});
     waitUntilIdle();
   }
 
@@ -244,8 +245,13 @@ TEST_F(DebugViewTest, RaysAreSavedAsPolyDataThatReadsBack) {
   startTool();
   QTemporaryDir folder;
   const QString path = folder.filePath("rays.vtp");
+  QString failure;
+  const auto listening =
+      QObject::connect(&debug(), &DebugView::failed, [&failure](const QString& line) { failure = line; });
   answerFileDialog(path);
   debug().saveRays();
+  QObject::disconnect(listening);
+  EXPECT_EQ(failure.toStdString(), "");
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.toUtf8().constData());
   reader->Update();

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QPointer>
 #include <QTest>
 #include <QTimer>
 
@@ -18,7 +19,11 @@ constexpr int kPolls = 250;
 /// Calls `answer` with the modal dialog once there is one of that kind.
 template <typename Dialog, typename Answer>
 void whenShown(const Answer& answer) {
+  // An answer that no dialog came for must not be given to the dialog of a later test.
+  static QPointer<QTimer> pending;
+  delete pending.data();
   auto* timer = new QTimer(qApp);
+  pending = timer;
   timer->setInterval(kPollMilliseconds);
   QObject::connect(timer, &QTimer::timeout, [timer, answer, left = kPolls]() mutable {
     auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());

@@ -98,6 +98,8 @@ void WindowTest::dragOver(QWidget* widget, const QPointF& from, const QPointF& t
 }
 
 void WindowTest::key(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+  // Without a window manager nobody hands the focus back when a dialog has closed.
+  if (QApplication::activeWindow() == nullptr) QApplication::setActiveWindow(window_);
   QTest::keyClick(window_->windowHandle(), key, modifiers);
 }
 
