@@ -185,7 +185,7 @@ void readProbeCapture(const JsonCursor& entry, Probe& probe, const std::string& 
   if (const auto filter = entry.find("filter")) {
     probe.filter = static_cast<FilterKind>(filter->choice({"ggx", "gaussian"}));
   }
-  readInto(entry, "samplesPerPixel", "filterSamples", probe.samplesPerPixel, &JsonCursor::whole);
+  readInto(entry, "samplesPerPixel", probe.samplesPerPixel, &JsonCursor::whole);
   readInto(entry, "filterSamples", probe.filterSamples, &JsonCursor::whole);
   if (const auto hides = entry.find("hides")) {
     for (const JsonCursor& node : hides->elements()) probe.hides.push_back(node.text());
@@ -201,10 +201,10 @@ Probe readProbe(const JsonCursor& element, const std::string& folder) {
   // From here on by name, as people think of it; an empty one is left to validate(), which counts.
   const JsonCursor entry = probe.name.empty() ? element : element.at({"probes", probe.name});
   entry.requireObject(
-      {"name",     "origin",        "box",        "rotationDegrees", "influence",   "near",      "far",
-       "clear",    "blendDistance", "importance", "intensity",       "projection",  "technique", "parameters",
-       "faceSize", "bounces",       "mode",       "image",           "imageLayout", "filter",    "samplesPerPixel",
-       "hides",    "bevel",         "occlusion"});
+      {"name",          "origin",        "box",        "rotationDegrees", "influence",   "near",      "far",
+       "clear",         "blendDistance", "importance", "intensity",       "projection",  "technique", "parameters",
+       "faceSize",      "bounces",       "mode",       "image",           "imageLayout", "filter",    "samplesPerPixel",
+       "filterSamples", "hides",         "bevel",      "occlusion"});
   if (const auto box = entry.find("box")) probe.box = readBox(*box);
   readInto(entry, "rotationDegrees", probe.rotationDegrees, &JsonCursor::vector);
   if (const auto influence = entry.find("influence")) probe.influence = readBox(*influence);
