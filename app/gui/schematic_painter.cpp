@@ -3,7 +3,6 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
-#include <QPainterPath>
 #include <QPolygonF>
 #include <QStaticText>
 #include <algorithm>
@@ -13,12 +12,14 @@
 #include <vector>
 
 #include "app/gui/explanation_html.h"
+#include "app/gui/symbol_text.h"
 
 namespace boxprobe {
 
 namespace {
 
 const QColor kPaper(18, 20, 24, 232);
+const QColor kRim(18, 20, 24);  ///< the paper without what shines through
 const QColor kInk(236, 238, 240);
 const QColor kDim(150, 156, 165);
 const QColor kBox(176, 182, 192);
@@ -56,55 +57,6 @@ QPen pen(const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine) 
 double length(const QPointF& v) {
   return std::hypot(v.x(), v.y());
 }
-
-/// "t_x = 2.12" as letter, lowered subscript, rest: the pieces with their offsets.
-class Symbol {
- public:
-  Symbol(const QString& text, const QFont& base) {
-    symbolFont_ = base;
-    symbolFont_.setFamily("serif");
-    symbolFont_.setItalic(true);
-    symbolFont_.setPointSizeF(base.pointSizeF() * 1.15);
-    subscriptFont_ = symbolFont_;
-    subscriptFont_.setPointSizeF(base.pointSizeF() * 0.85);
-    plainFont_ = base;
-    const int underscore = text.indexOf('_');
-    const int space = text.indexOf(" = ");
-    const int symbolEnd = underscore >= 0 ? underscore : space >= 0 ? space : text.size();
-    letter_ = text.left(symbolEnd);
-    if (underscore >= 0) subscript_ = text.mid(underscore + 1, (space >= 0 ? space : text.size()) - underscore - 1);
-    if (space >= 0) rest_ = text.mid(space);
-    if (letter_.size() > 1 && letter_ == letter_.toLower()) symbolFont_ = base;  // a word, not a symbol
-    letter_.replace(" - ", QString::fromUtf8(" \u2212 "));
-  }
-
-  QSizeF size() const {
-    const QFontMetricsF letter(symbolFont_);
-    return {width(symbolFont_, letter_) + width(subscriptFont_, subscript_) + width(plainFont_, rest_),
-            letter.height()};
-  }
-
-  void paint(QPainter& painter, const QRectF& box, const QColor& color) const {
-    const double baseline = box.top() + QFontMetricsF(symbolFont_).ascent();
-    double x = box.left();
-    const auto piece = [&](const QFont& font, const QString& text, double drop) {
-      QPainterPath path;
-      path.addText(x, baseline + drop, font, text);
-      // A rim of paper keeps letters legible across lines.
-      painter.strokePath(path, pen(QColor(18, 20, 24), 3.0));
-      painter.fillPath(path, color);
-      x += width(font, text);
-    };
-    piece(symbolFont_, letter_, 0.0);
-    piece(subscriptFont_, subscript_, 0.3 * QFontMetricsF(subscriptFont_).ascent());
-    piece(plainFont_, rest_, 0.0);
-  }
-
- private:
-  static double width(const QFont& font, const QString& text) { return QFontMetricsF(font).horizontalAdvance(text); }
-  QFont symbolFont_, subscriptFont_, plainFont_;
-  QString letter_, subscript_, rest_;
-};
 
 class ViewPainter {
  public:
@@ -236,7 +188,7 @@ class ViewPainter {
         paintEye(pixel);
         continue;
       }
-      painter_.setPen(pen(QColor(18, 20, 24), 1.0));
+      painter_.setPen(pen(kRim, 1.0));
       painter_.setBrush(color);
       const double size = point.kind == SchematicPoint::SlabPlane ? 0.7 * kDotPixels : kDotPixels;
       painter_.drawEllipse(pixel, size, size);
@@ -288,7 +240,7 @@ class ViewPainter {
   /// Beside its anchor, towards its direction if that is free; else the nearest of the directions around that is.
   void place(const Label& label) {
     if (label.text.isEmpty()) return;
-    const Symbol symbol(label.text, painter_.font());
+    const SymbolText symbol(label.text, painter_.font());
     const QSizeF size = symbol.size();
     const double wanted = std::atan2(label.direction.y(), label.direction.x());
     constexpr double kGap = 7.0;
@@ -312,7 +264,7 @@ class ViewPainter {
     best.moveLeft(std::clamp(best.left(), area_.left(), std::max(area_.right() - size.width(), area_.left())));
     best.moveTop(std::clamp(best.top(), area_.top(), std::max(area_.bottom() - size.height(), area_.top())));
     occupied_.push_back(best.adjusted(0.0, 0.2 * size.height(), 0.0, -0.2 * size.height()));
-    symbol.paint(painter_, best, label.color);
+    symbol.paint(painter_, best, label.color, kRim);
   }
 
   void paintAxes() {
@@ -324,10 +276,10 @@ class ViewPainter {
       painter_.setPen(pen(kDim, 1.3));
       painter_.drawLine(corner, corner + kAxisPixels * direction);
       arrowHead(corner + kAxisPixels * direction, direction, kDim);
-      const Symbol symbol(name, painter_.font());
+      const SymbolText symbol(name, painter_.font());
       const QPointF middle = corner + QPointF((kAxisPixels + 9.0) * direction.x(), (kAxisPixels + 9.0) * direction.y());
       const QSizeF size = symbol.size();
-      symbol.paint(painter_, {middle.x() - 0.5 * size.width(), middle.y() - 0.5 * size.height(), 1.0, 1.0}, kDim);
+      symbol.paint(painter_, {middle.x() - 0.5 * size.width(), middle.y() - 0.5 * size.height(), 1.0, 1.0}, kDim, kRim);
     };
     const QString right = names[static_cast<std::size_t>(view_.right)];
     axis({1.0, 0.0}, view_.rightFlipped ? QString::fromUtf8("\u2212") + right : right);
