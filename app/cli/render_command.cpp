@@ -12,6 +12,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/offscreen_window.h"
 #include "app/cli/output_check.h"
+#include "app/cli/reference_picture.h"
 #include "app/cli/render_options.h"
 #include "app/cli/scene_work.h"
 #include "app/cli/stats_json.h"
@@ -67,6 +68,11 @@ void runRender(const RenderOptions& options) {
   requireWritable("-o", options.outputPath);
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
 
+  if (isReference(options.technique)) {
+    renderReference(options, linear);
+    return;
+  }
+  refuseReferenceOptions(options);
   const InterruptGuard interrupt;
   LoadedScene loaded = loadScene(options.scenePath, options.assignments);
   chooseTechnique(loaded.scene, options.technique);

@@ -29,11 +29,17 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->type_name("NAME");
   command
       .add_option("--technique", options.technique,
-                  "Technique of every probe (default: as in the scene): " + techniqueIdList())
+                  "Technique of every probe (default: as in the scene): " + techniqueIdList() +
+                      "; or a reference: reference-box (the lobe integrated over what the probe holds, at exact box "
+                      "hits), reference-scene (ray traced, one bounce; needs no display)")
       ->type_name("ID");
   command.add_option("--samples", options.samples, "Samples a pixel: 1, 4 or 16 (default 4)")
       ->check(CLI::IsMember({1, 4, 16}).description(""))
       ->type_name("N");
+  command.add_option("--rays", options.rays, "Reflection rays a pixel of a reference (default 256)")
+      ->check(CLI::Range(1, 65536).description(""))
+      ->type_name("N");
+  command.add_flag("--full", options.full, "reference-scene: reflections show what the probes do not see, too");
   command.add_option("--probes", options.probes, "off: no reflections of probes or sky, VTK's plain program")
       ->check(CLI::IsMember({"on", "off"}).description(""))
       ->type_name("on|off");
@@ -57,7 +63,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       "Examples:\n"
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png --size 1920x1080\n"
       "  boxprobe render data/scenes/room.boxprobe.json -o room.exr --technique infinite --set "
-      "materials.floor.roughness=0.25");
+      "materials.floor.roughness=0.25\n"
+      "  boxprobe render data/scenes/room.boxprobe.json -o truth.exr --technique reference-scene --rays 1024");
 }
 
 FrameSize parseFrameSize(const std::string& text) {

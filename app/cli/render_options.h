@@ -15,6 +15,9 @@ struct FrameSize {
   int height = 720;
 };
 
+/// Reflection rays a pixel of a reference, over all of its samples.
+inline constexpr int kDefaultReferenceRays = 256;
+
 struct RenderOptions {
   std::string scenePath;
   std::string outputPath;
@@ -24,8 +27,10 @@ struct RenderOptions {
   int samples = 4;
   std::string probes = "on";
   int frames = 0;
-  std::string view;   ///< id of a row of surfaceViews(); empty: the picture
-  std::string range;  ///< LOW,HIGH; empty: the view's own
+  int rays = kDefaultReferenceRays;  ///< of a reference: reflection rays a pixel
+  bool full = false;                 ///< of reference-scene: reflection rays see what the picture shows
+  std::string view;                  ///< id of a row of surfaceViews(); empty: the picture
+  std::string range;                 ///< LOW,HIGH; empty: the view's own
   std::vector<std::string> assignments;
   ReportOptions report;
 };

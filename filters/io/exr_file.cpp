@@ -15,10 +15,14 @@ ImageRgbaF loadExr(const std::string& path) {
   return image;
 }
 
-void saveExr(const std::string& path, const ImageRgbaF& image) {
+void saveExr(const std::string& path, const ImageRgbaF& image, const std::vector<ExtraChannel>& extra) {
   checkPixelCount(path, image.width, image.height, image.pixels.size());
   ExrPart part = exrPart(image.width, image.height);
   addRgba(part.levels.front(), image.pixels.data(), ExrPrecision::Float);
+  for (const ExtraChannel& channel : extra) {
+    checkPixelCount(path, image.width, image.height, 4 * channel.values.size());
+    addPlane(part.levels.front(), channel.name, channel.values.data(), 1, ExrPrecision::Float);
+  }
   part.header.compression() = Imf::ZIP_COMPRESSION;
   saveExrParts(path, {std::move(part)});
 }

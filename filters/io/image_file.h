@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "filters/core/model.h"
 
@@ -10,8 +11,14 @@ namespace boxprobe {
 
 void savePng(const std::string& path, const ImageRgba8& image);
 
+/// A channel beside a picture's own: one value a pixel, rows from the top.
+struct ExtraChannel {
+  std::string name;
+  std::vector<float> values;
+};
+
 /// Float RGBA, ZIP compressed, scan lines.
-void saveExr(const std::string& path, const ImageRgbaF& image);
+void saveExr(const std::string& path, const ImageRgbaF& image, const std::vector<ExtraChannel>& extra = {});
 
 /// By extension: .exr or .hdr. Non-finite texels are set to 0 and counted in `*notFinite` when given. Throws
 /// InputError.

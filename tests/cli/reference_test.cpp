@@ -1,0 +1,125 @@
+// `render --technique reference-box|reference-scene`: two truths that agree in the room, what their files hold, what
+// they refuse, and what Ctrl-C leaves.
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "filters/io/image_file.h"
+#include "filters/reference/metrics.h"
+#include "tests/cli/program.h"
+
+namespace boxprobe::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+
+class Reference : public ::testing::Test {
+ protected:
+  std::string render(const std::string& technique, const std::string& output, DisplayKind display,
+                     const std::vector<std::string>& more = {}) {
+    const std::string path = folder.path(output);
+    std::vector<std::string> arguments = {
+        "render", demoScene("room"), "-o",      path,    "--size",
+        "96x54",  "--technique",     technique, "--set", "materials.floor.roughness=0.25"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    outcome = runProgram(arguments, display);
+    EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return path;
+  }
+
+  void expectRefused(const std::vector<std::string>& more, const std::string& mentioned) {
+    std::vector<std::string> arguments = {"render", demoScene("room"), "-o", folder.path("refused.exr")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    outcome = runProgram(arguments, DisplayKind::Unset);
+    EXPECT_EQ(outcome.exitStatus, 2) << outcome.err;
+    ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(mentioned));
+    EXPECT_THAT(folder.names(), SizeIs(0));
+  }
+
+  TemporaryFolder folder;
+  Outcome outcome;
+};
+
+TEST_F(Reference, BoxAndSceneAgreeAndSayHowFarTheyAreOff) {
+  const std::string scene = render("reference-scene", "scene.exr", DisplayKind::Unset, {"--json"});
+  const auto json = nlohmann::json::parse(outcome.out)["reference"];
+  EXPECT_EQ(json["technique"], "reference-scene");
+  EXPECT_EQ(json["raysPerPixel"], 256);
+  EXPECT_GT(json["standardErrorRms"].get<double>(), 0.0);
+  EXPECT_GE(json["standardErrorMax"].get<double>(), json["standardErrorRms"].get<double>());
+  const Imf::InputFile file(scene.c_str());
+  for (const char* channel : {"R", "G", "B", "A", "standardError.R", "standardError.G", "standardError.B"}) {
+    EXPECT_NE(file.header().channels().findChannel(channel), nullptr) << channel;
+  }
+
+  const std::string box = render("reference-box", "box.exr", DisplayKind::Inherited);
+  const PictureError error = pictureError(loadHdrImage(box), loadHdrImage(scene));
+  std::printf("  box against scene: tone-mapped RMSE %.4f, brightness %.4f\n", error.toneMappedRmse,
+              error.brightnessRatio);
+  // What is left are edges, which the two sample at different places in a pixel this large, and noise.
+  EXPECT_LT(error.toneMappedRmse, 0.05);
+  EXPECT_NEAR(error.brightnessRatio, 1.0, 0.02);
+}
+
+TEST_F(Reference, FullShowsWhatProbesDoNotSee) {
+  const std::string probes = render("reference-scene", "probes.exr", DisplayKind::Unset, {"--rays", "64"});
+  const std::string full = render("reference-scene", "full.exr", DisplayKind::Unset, {"--rays", "64", "--full"});
+  // The mirror spheres, which the floor then reflects, are black on the second bounce.
+  EXPECT_LT(pictureError(loadHdrImage(full), loadHdrImage(probes)).brightnessRatio, 0.995);
+}
+
+TEST_F(Reference, WritesDisplayColoursToPng) {
+  const ImageRgba8 image = loadImage8(render("reference-scene", "out.png", DisplayKind::Unset, {"--rays", "16"}));
+  EXPECT_EQ(image.width, 96);
+  EXPECT_EQ(image.height, 54);
+  EXPECT_EQ(*std::max_element(image.pixels.begin(), image.pixels.end()), 255);
+}
+
+TEST_F(Reference, RefusesWhatItHasNoUseFor) {
+  expectRefused({"--rays", "64"}, "--rays 64 is for --technique");
+  expectRefused({"--full"}, "--full is for --technique");
+  expectRefused({"--technique", "reference-scene", "--rays", "0"}, "--rays");
+  expectRefused({"--technique", "reference-scene", "--rays", "65537"}, "--rays");
+  expectRefused({"--technique", "reference-box", "--full"}, "--full");
+  expectRefused({"--technique", "reference-scene", "--view", "distance"}, "--view");
+  expectRefused({"--technique", "reference-scene", "--probes", "off"}, "--probes");
+  expectRefused({"--technique", "reference-scene", "--frames", "3"}, "--frames");
+}
+
+// Before the first ray there is nothing to keep, and how long loading takes is not known: later and later.
+TEST_F(Reference, InterruptedLeavesWhatItHasUnderAnotherName) {
+  for (const int seconds : {1, 4, 16, 60}) {
+    RunningProgram program(
+        {"render", demoScene("room"), "-o", folder.path("out.exr"), "--size", "320x180", "--technique",
+         "reference-scene", "--rays", "65536", "--set", "materials.floor.roughness=0.5"},
+        DisplayKind::Unset);
+    ASSERT_TRUE(program.waitUntilHandling(SIGINT));
+    std::this_thread::sleep_for(std::chrono::seconds(seconds));
+    program.send(SIGINT);
+    outcome = program.finish();
+    EXPECT_EQ(outcome.exitStatus, 1) << outcome.err;
+    ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
+    if (!folder.names().empty()) break;
+  }
+  EXPECT_THAT(folder.names(), ElementsAre("out.exr.partial"));
+  EXPECT_THAT(outcome.err, HasSubstr("out.exr.partial"));
+  const std::string readable = folder.path("partial.exr");
+  std::filesystem::rename(folder.path("out.exr.partial"), readable);
+  EXPECT_EQ(loadHdrImage(readable).width, 320);
+}
+
+}  // namespace
+}  // namespace boxprobe::test
