@@ -26,6 +26,7 @@ using glm::log2;
 using glm::max;
 using glm::min;
 using glm::mix;
+using glm::normalize;
 using glm::pow;
 using glm::sin;
 using glm::sqrt;
@@ -54,7 +55,13 @@ static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {
 #include "shaders/shared/true_hit.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
+#include "shaders/shared/footprint.glsl"  // after roughness.glsl and lobe_frame.glsl, which it uses
 #include "shaders/technique/evaluation_approximate.glsl"
+#include "shaders/technique/evaluation_footprint1.glsl"
+#include "shaders/technique/evaluation_footprint16.glsl"
+#include "shaders/technique/evaluation_footprint2.glsl"
+#include "shaders/technique/evaluation_footprint4.glsl"
+#include "shaders/technique/evaluation_footprint8.glsl"
 #include "shaders/technique/evaluation_godot.glsl"
 #include "shaders/technique/evaluation_hdrp.glsl"
 #include "shaders/technique/evaluation_none.glsl"
@@ -88,6 +95,7 @@ const std::vector<ProjectionRow>& projectionRows() {
 }
 
 const std::vector<EvaluationRow>& evaluationRows() {
+  const std::vector<std::string_view> kFootprintFiles = {"shared/lobe_frame.glsl", "shared/footprint.glsl"};
   static const std::vector<EvaluationRow> rows = {
       {"none",
        "No contact hardening",
@@ -95,6 +103,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "technique/evaluation_none.glsl",
        "evaluateNone",
        shading::evaluateNone,
+       {},
        {"curve"}},
       {"approximate",
        "Approximate hardening",
@@ -102,6 +111,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "technique/evaluation_approximate.glsl",
        "evaluateApproximate",
        shading::evaluateApproximate,
+       {},
        {"hardeningLength", "curve"}},
       {"hdrp",
        "HDRP / Frostbite hardening",
@@ -109,6 +119,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "technique/evaluation_hdrp.glsl",
        "evaluateHdrp",
        shading::evaluateHdrp,
+       {},
        {"curve"}},
       {"godot",
        "Godot hardening",
@@ -116,7 +127,48 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "technique/evaluation_godot.glsl",
        "evaluateGodot",
        shading::evaluateGodot,
+       {},
        {"hardeningLength", "power", "curve"}},
+      {"footprint1",
+       "One footprint",
+       "One fetch that follows the size of the patch of wall the lobe covers.",
+       "technique/evaluation_footprint1.glsl",
+       "evaluateFootprint1",
+       shading::evaluateFootprint1,
+       kFootprintFiles,
+       {}},
+      {"footprint2",
+       "Two footprints",
+       "The lobe in 2 pieces, each looked up by the patch it covers: reflections stretch at grazing angles.",
+       "technique/evaluation_footprint2.glsl",
+       "evaluateFootprint2",
+       shading::evaluateFootprint2,
+       kFootprintFiles,
+       {}},
+      {"footprint4",
+       "Four footprints",
+       "The lobe in 4 pieces, each looked up by the patch it covers: reflections stretch at grazing angles.",
+       "technique/evaluation_footprint4.glsl",
+       "evaluateFootprint4",
+       shading::evaluateFootprint4,
+       kFootprintFiles,
+       {}},
+      {"footprint8",
+       "Eight footprints",
+       "The lobe in 8 pieces, each looked up by the patch it covers: reflections stretch at grazing angles.",
+       "technique/evaluation_footprint8.glsl",
+       "evaluateFootprint8",
+       shading::evaluateFootprint8,
+       kFootprintFiles,
+       {}},
+      {"footprint16",
+       "Sixteen footprints",
+       "The lobe in 16 pieces, each looked up by the patch it covers: reflections stretch at grazing angles.",
+       "technique/evaluation_footprint16.glsl",
+       "evaluateFootprint16",
+       shading::evaluateFootprint16,
+       kFootprintFiles,
+       {}},
   };
   return rows;
 }

@@ -44,6 +44,14 @@ float remainingAfter(float remaining, float weightSum);
 vec3 cubeDirection(int face, float s, float t);
 vec3 cubeTexelCentre(vec3 direction, float faceSize);
 float trueHitDistance(DistanceMap map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float reach);
+float footprintLevel(ProbeShape probe, float alphaSquared, float bias);
+vec4 footprintMean(ProbeMap map, ProbeShape probe, ShadingPoint point, float tilt, float size, float bias);
+FootprintLobe footprintLobe(ShadingPoint point, float points);
+FootprintSum footprintStart();
+FootprintSum footprintAdd(ProbeMap map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum,
+                          float x, float y, float weight);
+FootprintSum footprintAddPair(ProbeMap map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum,
+                              float x, float y, float weight);
 vec3 ggxHalfVector(vec2 u, float alpha);
 float ggxDistribution(vec3 h, float alpha);
 float ggxMasking(float c, float alpha);

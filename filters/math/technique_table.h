@@ -29,6 +29,8 @@ struct EvaluationRow {
   std::string_view shaderFile;
   std::string_view function;  ///< GLSL: vec4 function(PROBE_MAP, ProbeShape, ShadingPoint)
   glm::vec4 (*evaluate)(shading::ProbeMap, shading::ProbeShape, shading::ShadingPoint);
+  std::vector<std::string_view>
+      sharedFiles;                           ///< further files it needs, in the order in which they build on each other
   std::vector<std::string_view> parameters;  ///< names of the rows of parameterRows() it reads
 };
 

@@ -161,6 +161,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
       dispatch += "  if (probe.projection == " + std::to_string(t.projection) + ") { return " +
                   std::string(projection.function) + "(probe, position, normal, reflection); }\n";
     }
+    for (const std::string_view file : evaluation.sharedFiles) addOnce(evaluationFiles, file);
     addOnce(evaluationFiles, evaluation.shaderFile);
   }
   if (binding.probes.empty()) return {};

@@ -9,8 +9,14 @@ float roughnessForLevel(float level, float maxLevel)
   return maxLevel > 0.0f ? sqrt((exp2(clamp(level, 0.0f, maxLevel)) - 1.0f) / (exp2(maxLevel) - 1.0f)) : 0.0f;
 }
 
+// `alpha` in [0, 1].
+float levelForAlpha(float alpha, float maxLevel)
+{
+  return min(log2(1.0f + alpha * (exp2(maxLevel) - 1.0f)), maxLevel);
+}
+
 float levelForRoughness(float roughness, float maxLevel)
 {
   float p = clamp(roughness, 0.0f, 1.0f);
-  return min(log2(1.0f + p * p * (exp2(maxLevel) - 1.0f)), maxLevel);
+  return levelForAlpha(p * p, maxLevel);
 }

@@ -38,3 +38,24 @@ struct ShadingPoint
   vec3 reflection;  // R = reflect(-V, N), unit
   float roughness;  // perceptual
 };
+
+// A lobe in pieces (footprint.glsl): half vectors seen from V, as points (u, v) of the unit disk that the visible normals fill evenly.
+struct FootprintLobe
+{
+  vec3 tangent;    // of the normal, in the plane of N and V
+  vec3 bitangent;
+  vec3 view;       // V in the frame tangent, bitangent, normal
+  float alpha;
+  float maskView;  // sqrt(alpha² + (1 - alpha²) NV²)
+  vec3 stretched;  // V where the surface is stretched to roughness 1
+  float size;      // alpha² of a piece where the half vector is the normal
+  float bias;
+  float scale;     // of the points, u and v
+  float shift;     // of the points, v
+};
+
+struct FootprintSum
+{
+  vec4 value;
+  float weight;
+};

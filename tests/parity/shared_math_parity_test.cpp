@@ -114,6 +114,8 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
   const EchoMap map;
   const std::size_t curves = findParameter("curve")->choices.size();
   for (const EvaluationRow& row : evaluationRows()) {
+    std::string shared;
+    for (const std::string_view file : row.sharedFiles) shared += sources({file});
     const bool choosesCurve = std::find(row.parameters.begin(), row.parameters.end(), "curve") != row.parameters.end();
     for (std::size_t curve = 0; curve < (choosesCurve ? curves : 1); ++curve) {
       const auto gpu = test::evaluateOnGpu(
@@ -122,7 +124,7 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
               "ProbeHit projectRay(ProbeShape probe, vec3 p, vec3 n, vec3 r) { return " + std::string(box.function) +
               "(probe, p, n, r); }\n#define PROBE_MAP int\nvec4 fetchProbe(int map, ProbeShape probe, vec3 d, float "
               "level) { return vec4(d / max(max(abs(d.x), abs(d.y)), max(abs(d.z), 1e-37)), level); }\n" +
-              sources({"shared/level_curve.glsl", row.shaderFile}),
+              sources({"shared/level_curve.glsl"}) + shared + sources({row.shaderFile}),
           "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.slot = 0;\n"
           "  probe.parameters.hardeningLength = in6.x; probe.parameters.power = in6.y; probe.parameters.curve = " +
               std::to_string(curve) +
