@@ -63,9 +63,17 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   e.reflectionProbe = turned(reflection);
   e.influence = shading::influenceWeight(e.positionProbe, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
 
-  const shading::ProbeShape shape = probeShape(g, e.maxLevel);
-  const shading::ShadingPoint point{e.positionProbe, turned(s.normalWorld), turned(s.viewWorld), e.reflectionProbe,
-                                    roughness};
+  shading::ProbeShape shape = probeShape(g, e.maxLevel);
+  const bool seen = e.captured && !probe.maps->distance.empty();
+  const std::optional<DistanceCube> distances =
+      seen ? std::optional<DistanceCube>(std::in_place, probe.maps->distance) : std::nullopt;
+  const glm::mat3 worldFromProbe(g.worldFromProbe);
+  shading::ProbeData data;
+  data.distances = distances ? &*distances : nullptr;
+  data.worldFromProbe = g.rotated ? &worldFromProbe : nullptr;
+  shape.slot = &data;
+  const shading::ShadingPoint point{
+      e.positionProbe, turned(s.normalWorld), turned(s.viewWorld), e.reflectionProbe, roughness, s.pixel, s.frame};
   const shading::ProbeHit hit = shading::projectRay(shape, point.position, point.normal, point.reflection);
   e.lookupDirection = hit.direction;
   e.face = hit.face;
@@ -80,12 +88,11 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
     const RecordedLookups record = recordLookups(evaluate, probe.maps->radiance, g, shape, point);
     e.specular = glm::vec3(record.value);
     e.lookups = record.lookups;
-    if (!probe.maps->distance.empty()) {
+    if (distances) {
       const float reach = 2.0f * glm::length(g.boxMax - g.boxMin);
-      const DistanceCube distances(probe.maps->distance);
       const float faceSize = static_cast<float>(probe.maps->distance.faceSize());
       // Maps are captured along the world's axes, so the true hit is looked for in those.
-      const float t = shading::trueHitDistance(&distances, shape, faceSize, position - origin, reflection, reach);
+      const float t = shading::trueHitDistance(&*distances, shape, faceSize, position - origin, reflection, reach);
       if (t < kNoHit) e.trueDistance = t;
     }
   }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <glm/mat3x3.hpp>
+#include <glm/ext/vector_int2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -34,6 +35,8 @@ struct SurfacePoint {
   float coatRoughness = 0.0f;
   float coatF0 = 0.04f;
   glm::vec3 coatNormalWorld{0.0f};
+  glm::ivec2 pixel{0};  ///< of the picture, from its lower left: techniques that sample draw their rays by it
+  int frame = 0;        ///< of those that are averaged
 };
 
 /// One fetch from a probe's map.

@@ -39,6 +39,12 @@ static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {
   return map->fetchDistance(direction);
 }
 
+float fetchProbeDistance(const ProbeShape& probe, vec3 direction) {
+  if (probe.slot == nullptr || probe.slot->distances == nullptr) return 0.0f;
+  const glm::mat3* turn = probe.slot->worldFromProbe;
+  return probe.slot->distances->fetchDistance(turn != nullptr ? *turn * direction : direction);
+}
+
 // A projection need not use the normal, nor the box: parameters of one signature for all rows.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"

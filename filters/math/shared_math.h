@@ -3,6 +3,8 @@
 // translation unit that includes the shader files; the structs come from shaders/shared/types.glsl itself.
 #pragma once
 
+#include <glm/ext/vector_int2.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -27,11 +29,22 @@ class DistanceSampler {
 };
 using DistanceMap = const DistanceSampler*;
 
+/// What a technique may fetch from a probe beside its map; a null member gives nothing. Must outlive the call.
+struct ProbeData {
+  DistanceMap distances = nullptr;            ///< looked up in the world's axes relative to the capture origin
+  const glm::mat3* worldFromProbe = nullptr;  ///< null: not rotated
+};
+
+using glm::ivec2;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
+#define PROBE_SLOT const ProbeData*
 #include "shaders/shared/types.glsl"
+#undef PROBE_SLOT
 
+/// 0 where the probe saw nothing, or its distances are not known. `direction`: probe frame.
+float fetchProbeDistance(const ProbeShape& probe, vec3 direction);
 float slabFactor(float position, float direction, float boxMin, float boxMax);
 vec3 slabFactors(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax);
 float roughnessForLevel(float level, float maxLevel);

@@ -42,6 +42,9 @@ Technique withoutProjection(Technique technique) {
 
 std::vector<const ParameterRow*> parametersOf(Technique technique) {
   std::vector<const ParameterRow*> rows;
+  for (const std::string_view name : projectionRows()[static_cast<std::size_t>(technique.projection)].parameters) {
+    rows.push_back(findParameter(name));
+  }
   for (const std::string_view name : evaluationRows()[static_cast<std::size_t>(technique.evaluation)].parameters) {
     rows.push_back(findParameter(name));
   }

@@ -20,6 +20,9 @@ struct ProjectionRow {
   std::string_view shaderFile;  ///< in shaders/, defines `function`
   std::string_view function;  ///< GLSL: ProbeHit function(ProbeShape, vec3 positionProbe, vec3 normal, vec3 reflection)
   shading::ProbeHit (*project)(shading::ProbeShape, glm::vec3, glm::vec3, glm::vec3);  ///< the same, as C++
+  std::vector<std::string_view> sharedFiles = {};  ///< further files it needs, in order
+  std::vector<std::string_view> parameters = {};   ///< names of the rows of parameterRows() it reads
+  bool distances = false;                          ///< it fetches from the probe's distance cubemap
 };
 
 struct EvaluationRow {

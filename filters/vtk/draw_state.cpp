@@ -8,6 +8,12 @@ bool ProbeBinding::rotated() const {
   return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.rotated; });
 }
 
+bool ProbeBinding::distances() const {
+  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) {
+    return projectionRows()[static_cast<std::size_t>(probe->geometry.technique.projection)].distances;
+  });
+}
+
 std::vector<int> ProbeBinding::groups() const {
   std::vector<int> result;
   for (std::size_t i = 0; i < probes.size(); ++i) {

@@ -2,6 +2,7 @@
 // when they draw). Plain data.
 #pragma once
 
+#include <glm/ext/vector_int2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <set>
@@ -50,6 +51,8 @@ struct ProbeBinding {
   /// Equal keys share a program: techniques, importance groups, and what can be left out.
   std::string variantKey() const;
   bool rotated() const;
+  /// Does a technique of a probe fetch from its distance cubemap?
+  bool distances() const;
   /// Parameters that any of its techniques reads, each once.
   std::vector<const ParameterRow*> parameters() const;
   /// Group of equal importance of each probe, from 0.
@@ -72,6 +75,8 @@ struct DrawState {
   GLuint blackCube = 0;  ///< stands in for maps not captured yet
   Counters counters;
   DebugDraw debug;
+  glm::ivec2 pixelOrigin{0};  ///< where in the picture the framebuffer's lower left lies
+  int frame = 0;              ///< of those that are averaged
   bool countDraws = true;          ///< of the frame on the screen, not of captures
   std::set<const void*> programs;  ///< seen so far, to count compilations
   std::string error;               ///< first failure since the models were set

@@ -62,7 +62,15 @@ SurfaceRay surfaceRay(const glm::dvec3& positionWorld, const glm::dvec3& normalW
 ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
   const ProbeGeometry& g = probe.geometry;
   const glm::dmat3 probeFromWorld = glm::transpose(g.worldFromProbe);
-  const shading::ProbeShape shape = probeShape(g, probe.maxLevel);
+  shading::ProbeShape shape = probeShape(g, probe.maxLevel);
+  const bool seen = probe.distances && !probe.distances->empty();
+  const std::optional<DistanceCube> distances =
+      seen ? std::optional<DistanceCube>(std::in_place, *probe.distances) : std::nullopt;
+  const glm::mat3 worldFromProbe(g.worldFromProbe);
+  shading::ProbeData data;
+  data.distances = distances ? &*distances : nullptr;
+  data.worldFromProbe = g.rotated ? &worldFromProbe : nullptr;
+  shape.slot = &data;
   shading::ShadingPoint point{};
   point.position = inProbeFrame(g, ray.positionWorld);
   point.normal = glm::vec3(probeFromWorld * ray.normalWorld);
@@ -85,12 +93,11 @@ ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
   const EvaluationRow& evaluation = evaluationRows()[static_cast<std::size_t>(g.technique.evaluation)];
   result.lookups = recordLookups(evaluation.evaluate, shape, point).lookups;
   for (Lookup& lookup : result.lookups) lookup.level = std::clamp(lookup.level, 0.0f, probe.maxLevel);
-  if (probe.distances && !probe.distances->empty()) {
-    const DistanceCube distances(*probe.distances);
+  if (distances) {
     // Maps are laid out along the world's axes. As far as explanations and the shader look.
     const float reach = 2.0f * glm::length(g.boxMax - g.boxMin);
     const float t =
-        shading::trueHitDistance(&distances, shape, static_cast<float>(probe.distances->faceSize()),
+        shading::trueHitDistance(&*distances, shape, static_cast<float>(probe.distances->faceSize()),
                                  glm::vec3(ray.positionWorld - g.originWorld), glm::vec3(ray.reflectionWorld), reach);
     if (t < kFarthestHit) result.trueDistance = t;
   }

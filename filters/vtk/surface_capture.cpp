@@ -119,6 +119,7 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
       pixel.object = static_cast<int>(place.w + 0.5f);
       if (pixel.object == 0) continue;
       SurfacePoint& p = pixel.point;
+      p.pixel = glm::ivec2(rect.x + column, height - 1 - (rect.y + row));
       p.eyeWorld = eye;
       p.positionWorld = eye + glm::dvec3(place);
       p.viewWorld = camera->GetParallelProjection() != 0 ? glm::vec3(-towardsEye) : -glm::normalize(glm::vec3(place));

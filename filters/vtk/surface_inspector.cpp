@@ -87,10 +87,11 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
   state_->countDraws = false;
   const bool single = pixels.size() == 1;
   PixelRect rect{0, 0, width, height};
+  if (single) rect = {pixels[0].x, pixels[0].y, 1, 1};
+  state_->pixelOrigin = glm::ivec2(rect.x, height - rect.y - rect.height);
   std::vector<SurfacePixel> surfaces;
   const std::vector<vtkLight*> lights = content_->lightPointers();
   if (single) {
-    rect = {pixels[0].x, pixels[0].y, 1, 1};
     const glm::dvec2 halfSize(1.0 / width, 1.0 / height);
     const glm::dvec2 center((2.0 * pixels[0].x + 1.0) / width - 1.0, 1.0 - (2.0 * pixels[0].y + 1.0) / height);
     const auto props = twinsAt(camera, static_cast<double>(width) / height, center, halfSize);
@@ -111,6 +112,7 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
   if (anyBackground) sky = capture_.capture(camera, width, height, rect, {content_->sky}, lights);
   state_->debug = debug;
   state_->exposure = exposure;
+  state_->pixelOrigin = glm::ivec2(0);
   state_->countDraws = countDraws;
 
   std::vector<Explanation> result;
@@ -140,6 +142,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.surface = pixel.point;
   in.surface.object = object.node;
   in.surface.material = object.materialName;
+  in.surface.frame = state_->frame;
   in.lighting = binding.lighting == Lighting::Probes  ? ExplainInput::Lighting::Probes
                 : binding.lighting == Lighting::Unlit ? ExplainInput::Lighting::Unlit
                                                       : ExplainInput::Lighting::Plain;

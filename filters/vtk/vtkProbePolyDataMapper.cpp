@@ -142,9 +142,6 @@ void vtkProbePolyDataMapper::UploadDebug(vtkShaderProgram* program, vtkRenderer*
     color[i] = boxprobe::probeColor(probe.index);
     const bool known = probe.maps != nullptr && probe.maps->distance.allocated();
     faceSize[i] = known ? static_cast<float>(probe.maps->distance.faceSize()) : 0.0f;
-    program->SetUniformi(
-        ("bpDistanceMap" + std::to_string(i)).c_str(),
-        this->Bind(renderer, GL_TEXTURE_CUBE_MAP, known ? probe.maps->distance.handle() : this->State->blackCube));
   }
   if (count > 0) {
     program->SetUniform3fv("bpProbeColor", static_cast<int>(count), reinterpret_cast<const float(*)[3]>(&color[0].x));
@@ -195,6 +192,21 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
     program->SetUniformi(
         ("bpMap" + std::to_string(i)).c_str(),
         this->Bind(renderer, GL_TEXTURE_CUBE_MAP, maps != nullptr ? maps->radiance.handle() : this->State->blackCube));
+  }
+  if (this->Debug || this->Binding->distances()) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const boxprobe::ProbeMaps* maps = this->Binding->probes[i]->maps.get();
+      const bool known = maps != nullptr && maps->distance.allocated();
+      program->SetUniformi(
+          ("bpDistanceMap" + std::to_string(i)).c_str(),
+          this->Bind(renderer, GL_TEXTURE_CUBE_MAP, known ? maps->distance.handle() : this->State->blackCube));
+    }
+  }
+  if (program->IsUniformUsed("bpPixelOrigin")) {
+    program->SetUniform2i("bpPixelOrigin", &this->State->pixelOrigin.x);
+  }
+  if (program->IsUniformUsed("bpFrame")) {
+    program->SetUniformi("bpFrame", this->State->frame);
   }
   const int n = static_cast<int>(count);
   const auto upload = [program, n](const char* name, const std::array<glm::vec3, kMax>& values) {

@@ -157,6 +157,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
     const Technique& t = probe->geometry.technique;
     const ProjectionRow& projection = projectionRows()[static_cast<std::size_t>(t.projection)];
     const EvaluationRow& evaluation = evaluationRows()[static_cast<std::size_t>(t.evaluation)];
+    for (const std::string_view file : projection.sharedFiles) addOnce(projectionFiles, file);
     if (addOnce(projectionFiles, projection.shaderFile)) {
       dispatch += "  if (probe.projection == " + std::to_string(t.projection) + ") { return " +
                   std::string(projection.function) + "(probe, position, normal, reflection); }\n";
@@ -178,6 +179,13 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
 std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
   const std::vector<int> groups = binding.groups();
   std::string lighting(shaderSource("gpu/probe_lighting.glsl"));
+  const bool distances = debug || binding.distances();
+  std::string samplers;
+  for (std::size_t slot = 0; distances && slot < binding.probes.size(); ++slot) {
+    samplers += "uniform samplerCube bpDistanceMap" + std::to_string(slot) + ";\n";
+  }
+  if (!samplers.empty()) samplers += shaderSource("gpu/fetch_distance.glsl");
+  replaceOnce(lighting, "//BP::Distances", samplers);
   replaceOnce(lighting, "//BP::Slots",
               techniqueSources(binding, debug) + parameterDeclarations(binding) +
                   perSlot(shaderSource("gpu/probe_slot.glsl"), binding));

@@ -10,6 +10,8 @@
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
 
 uniform mat3 bpViewToWorld;
+uniform ivec2 bpPixelOrigin;    // where in the picture the framebuffer's lower left lies
+uniform int bpFrame;            // of those that are averaged, from 0
 uniform float bpParallel;       // 1 under parallel projection
 uniform float bpExposure;       // negative: linear output; else display colours at this exposure
 uniform sampler2D bpBrdf;       // split-sum table: N.V across, roughness up
@@ -43,6 +45,8 @@ struct BpLight
   vec3 specular;
   vec3 irradiance;
 };
+
+//BP::Distances
 
 //BP::Slots
 

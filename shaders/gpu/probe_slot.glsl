@@ -1,7 +1,4 @@
 uniform samplerCube bpMap@SLOT@;
-#if BP_DEBUG
-uniform samplerCube bpDistanceMap@SLOT@;
-#endif
 
 void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 normal, vec3 view, vec3 reflection, float roughness)
 {
@@ -10,6 +7,7 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   probe.boxMax = bpBoxMax[@SLOT@];
   probe.maxLevel = bpMaxLevel[@SLOT@];
   probe.projection = @PROJECTION@;
+  probe.bevel = 0.0f;
   probe.slot = @SLOT@;
 @PARAMETERS@
   ShadingPoint point;
@@ -18,6 +16,8 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   point.view = view;
   point.reflection = reflection;
   point.roughness = roughness;
+  point.pixel = ivec2(gl_FragCoord.xy) + bpPixelOrigin;
+  point.frame = bpFrame;
 #if BP_ROTATED
   mat3 probeFromWorld = transpose(bpWorldFromProbe[@SLOT@]);
   point.position = probeFromWorld * point.position;

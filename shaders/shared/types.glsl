@@ -10,7 +10,19 @@ struct TechniqueParameters
   int curve;              // row of the curves in level_curve.glsl
   float hardeningLength;  // scene units, > 0
   float power;            // > 0
+  int fresnel;            // 0: (1 - N.V)^power, 1: the surface's own
+  float samples;          // a whole number, >= 1
+  int pattern;            // row of the choices of parameter `pattern`
+  int levelOffset;        // 0 or 1
+  int filtered;           // 0 or 1
+  int sampling;           // 0: visible normals, 1: those and the probe's brightness, combined
+  float steps;            // a whole number, >= 1
 };
+
+// What the host knows a probe by where something has to be fetched from it: on the GPU its number among a draw's probes.
+#ifndef PROBE_SLOT
+#define PROBE_SLOT int
+#endif
 
 struct ProbeShape
 {
@@ -18,7 +30,8 @@ struct ProbeShape
   vec3 boxMax;
   float maxLevel;   // last level of the prefiltered chain, the one baked for roughness 1
   int projection;   // row of the projection table
-  int slot;         // which of a draw's probes this is: what the host needs to fetch from it
+  float bevel;      // radius of the box's edges, scene units; 0: sharp
+  PROBE_SLOT slot;
   TechniqueParameters parameters;
 };
 
@@ -37,6 +50,8 @@ struct ShadingPoint
   vec3 view;        // V, unit, towards the eye
   vec3 reflection;  // R = reflect(-V, N), unit
   float roughness;  // perceptual
+  ivec2 pixel;      // of the picture, from its lower left
+  int frame;        // of those that are averaged, from 0
 };
 
 // A lobe in pieces (footprint.glsl): half vectors seen from V, as points (u, v) of the unit disk that the visible normals fill evenly.

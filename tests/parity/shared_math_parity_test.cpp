@@ -139,8 +139,11 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
         probe.boxMax = in.boxMax[i];
         probe.maxLevel = 6.0f;
         probe.projection = parseTechnique("box")->projection;
-        probe.parameters = {static_cast<int>(curve), other[i].x, other[i].y};
-        const shading::ShadingPoint point{in.position[i], in.normal[i], view[i], in.reflection[i], view[i].w};
+        probe.parameters = standardParameters();
+        probe.parameters.curve = static_cast<int>(curve);
+        probe.parameters.hardeningLength = other[i].x;
+        probe.parameters.power = other[i].y;
+        const shading::ShadingPoint point{in.position[i], in.normal[i], view[i], in.reflection[i], view[i].w, glm::ivec2(0), 0};
         const vec4 cpu = row.evaluate(&map, probe, point);
         const vec4 d = glm::abs(gpu[0][i] - cpu);
         const double error = std::max({d.x, d.y, d.z, d.w});
