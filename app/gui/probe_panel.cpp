@@ -12,7 +12,7 @@
 #include "app/gui/panel_layout.h"
 #include "app/gui/probe_fields.h"
 #include "app/gui/probe_frame.h"
-#include "app/gui/technique_combo.h"
+#include "app/gui/technique_chooser.h"
 #include "app/gui/technique_parameters_panel.h"
 #include "app/gui/vector_row.h"
 
@@ -135,7 +135,7 @@ void ProbePanel::buildInfluence() {
 
 void ProbePanel::buildLook() {
   QFormLayout* form = addSection(this, tr("Reflection"));
-  technique_ = new TechniqueCombo(this);
+  technique_ = new TechniqueChooser(this);
   techniqueHelp_ = helpLabel(this);
   addRow(form, tr("Technique"), technique_);
   form->addRow(techniqueHelp_);
@@ -147,7 +147,7 @@ void ProbePanel::buildLook() {
   form->addRow(projection_);
   intensity_ = addProbeNumber(editor_, form, tr("Intensity"), kFactor, tr("Factor on the probe's light, 1 as captured"),
                               [](Probe& probe, double value) { probe.intensity = value; });
-  connect(technique_, &TechniqueCombo::chosen, this, [this](const std::string& id) {
+  connect(technique_, &TechniqueChooser::chosen, this, [this](const std::string& id) {
     editor_.commitProbe(label(tr("technique")), [id](Probe& probe) { probe.technique = id; });
   });
   connect(projection_, &QCheckBox::clicked, this, [this](bool on) {

@@ -17,7 +17,7 @@ class QLabel;
 namespace boxprobe {
 
 class BlendRow;
-class TechniqueCombo;
+class TechniqueChooser;
 class TechniqueParametersPanel;
 class VectorRow;
 
@@ -48,7 +48,7 @@ class ProbePanel : public QWidget {
   VectorRow *influenceMin_ = nullptr, *influenceMax_ = nullptr;
   BlendRow* blend_ = nullptr;
   ValueField *importance_ = nullptr, *intensity_ = nullptr;
-  TechniqueCombo* technique_ = nullptr;
+  TechniqueChooser* technique_ = nullptr;
   QLabel* techniqueHelp_ = nullptr;
   TechniqueParametersPanel* parameters_ = nullptr;
   QCheckBox* projection_ = nullptr;

@@ -23,10 +23,11 @@ QString text(std::string_view view) {
 }
 
 bool someTechniqueReads(const ParameterRow& parameter) {
-  const auto& rows = evaluationRows();
-  return std::any_of(rows.begin(), rows.end(), [&](const EvaluationRow& row) {
+  const auto reads = [&](const auto& row) {
     return std::find(row.parameters.begin(), row.parameters.end(), parameter.name) != row.parameters.end();
-  });
+  };
+  return std::any_of(evaluationRows().begin(), evaluationRows().end(), reads) ||
+         std::any_of(projectionRows().begin(), projectionRows().end(), reads);
 }
 
 QString defaultText(const ParameterRow& p) {

@@ -270,6 +270,11 @@ Explanation explainPixel(const ExplainInput& in) {
       e.dominant = static_cast<int>(i);
     }
     addNotes(e);
+    for (const ExplainedProbe& probe : in.probes) {
+      if (!probe.automatic) continue;
+      e.notes.push_back("Probe \"" + probe.name + "\": auto chose " + techniqueId(probe.geometry.technique) +
+                        " for this object's roughness.");
+    }
   }
   e.color = e.direct + e.diffuse + e.specular + e.coat + e.emissive;
   return e;

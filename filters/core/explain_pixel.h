@@ -17,10 +17,11 @@ namespace boxprobe {
 /// A probe of the draw, most important first.
 struct ExplainedProbe {
   std::string name;
-  int index = 0;  ///< in the scene's list
-  int group = 0;  ///< of equal importance, from 0
-  ProbeGeometry geometry;
+  int index = 0;                    ///< in the scene's list
+  int group = 0;                    ///< of equal importance, from 0
+  ProbeGeometry geometry;           ///< its technique is what draws it
   const BakedMaps* maps = nullptr;  ///< null: not captured yet
+  bool automatic = false;           ///< its technique was chosen for the object's roughness
 };
 
 struct ExplainInput {

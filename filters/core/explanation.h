@@ -3,8 +3,8 @@
 #pragma once
 
 #include <array>
-#include <glm/mat3x3.hpp>
 #include <glm/ext/vector_int2.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

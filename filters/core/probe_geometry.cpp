@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "filters/core/technique_parameters.h"
+#include "filters/math/automatic.h"
 
 namespace boxprobe {
 
@@ -63,6 +64,12 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
   g.importance = probe.importance;
   g.technique = probeTechnique(probe);
   g.parameters = techniqueParameters(probe);
+  if (isAutomatic(g.technique)) {
+    // It was measured with the defaults; what the scene keeps for other techniques does not reach what it chooses.
+    const float budget = g.parameters.budget;
+    g.parameters = standardParameters();
+    g.parameters.budget = budget;
+  }
   return g;
 }
 

@@ -6,9 +6,12 @@
 #include "filters/core/field_error.h"
 #include "filters/core/model.h"
 #include "filters/core/nearest_name.h"
+#include "filters/core/number_text.h"
 #include "filters/core/one_line.h"
 #include "filters/core/probe_geometry.h"
 #include "filters/core/scene.h"
+#include "filters/core/technique_parameters.h"
+#include "filters/math/automatic.h"
 
 namespace boxprobe {
 
@@ -36,6 +39,21 @@ void parameterRemarks(Remarks& remarks, const Probe& probe) {
   }
 }
 
+void budgetRemarks(Remarks& remarks, const Probe& probe) {
+  const Technique technique = probeTechnique(probe);
+  if (!isAutomatic(technique)) return;
+  const double budget = parameterNumber(probe, *findParameter("budget"));
+  for (const double roughness : measuredRoughness()) {
+    const AutomaticChoice choice = chooseAutomatic(roughness, roughness, budget);
+    if (choice.withinBudget) continue;
+    remark(remarks, {"probes", probe.name, "parameters", "budget"},
+           "no technique stays within " + numberText(budget) + " at every roughness; at roughness " +
+               numberText(roughness) + " the nearest is " + techniqueId(choice.technique) + " with " +
+               numberText(choice.error) + ", which is used.");
+    return;
+  }
+}
+
 void probeRemarks(Remarks& remarks, const Probe& probe) {
   const auto say = [&](const char* key, const std::string& sentence) {
     remark(remarks, {"probes", probe.name, key}, sentence);
@@ -44,6 +62,7 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe shows nowhere.");
   if (probe.mode != ProbeUpdate::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
   parameterRemarks(remarks, probe);
+  budgetRemarks(remarks, probe);
   if (probe.bevel) say("bevel", "is not supported yet; the box keeps its sharp edges.");
   if (probe.occlusion) say("occlusion", "is not supported yet; nothing is darkened.");
 }

@@ -99,7 +99,16 @@ const std::vector<ParameterRow>& parameterRows() {
        nullptr,
        &Values::curve},
       {"steps", "Steps", "", "Lookups that refine the hit.", Kind::WholeNumber, 1, 4, 3, {}, &Values::steps},
-      {"budget", "Error budget", "", "The largest error accepted.", Kind::Number, 0, 1, 0.04, {}},
+      {"budget",
+       "Error budget",
+       "",
+       "The largest error accepted, RMSE of (x/(1+x))^(1/2.2) as `boxprobe bench` measures it.",
+       Kind::Number,
+       0,
+       1,
+       0.04,
+       {},
+       &Values::budget},
   };
   return rows;
 }

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "filters/math/automatic.h"
 #include "filters/math/technique_table.h"
 
 #define PROBE_MAP ProbeMap
@@ -79,6 +80,13 @@ float fetchProbeDistance(const ProbeShape& probe, vec3 direction) {
 
 ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection) {
   return projectionRows()[static_cast<std::size_t>(probe.projection)].project(probe, position, normal, reflection);
+}
+
+// As the renderer resolves it for a draw, were all of the draw as rough as this point.
+static vec4 evaluateAutomatic(ProbeMap map, ProbeShape probe, ShadingPoint point) {
+  const double roughness = point.roughness;
+  const Technique chosen = chooseAutomatic(roughness, roughness, probe.parameters.budget).technique;
+  return evaluationRows()[static_cast<std::size_t>(chosen.evaluation)].evaluate(map, probe, point);
 }
 
 }  // namespace boxprobe::shading
@@ -175,6 +183,14 @@ const std::vector<EvaluationRow>& evaluationRows() {
        shading::evaluateFootprint16,
        kFootprintFiles,
        {}},
+      {"auto",
+       "Automatic",
+       "For each object the cheapest evaluation whose measured error stays within the budget at its roughness.",
+       "filters/math/automatic.cpp",
+       "",
+       shading::evaluateAutomatic,
+       {},
+       {"budget"}},
   };
   return rows;
 }

@@ -15,6 +15,7 @@ std::optional<int> rowOf(const Rows& rows, std::string_view id) {
 
 constexpr std::string_view kDefaultProjection = "box";
 constexpr std::string_view kUnprojected = "infinite";
+constexpr std::string_view kAutomatic = "auto";
 constexpr std::string_view kDefaultEvaluation = "none";
 
 }  // namespace
@@ -32,11 +33,16 @@ std::optional<Technique> parseTechnique(std::string_view id) {
   const auto p = rowOf(projectionRows(), projection);
   const auto e = rowOf(evaluationRows(), evaluation);
   if (!p || !e) return std::nullopt;
+  // It was measured with box projection, so it stands for that alone.
+  if (evaluation == kAutomatic && projection != kDefaultProjection) return std::nullopt;
   return Technique{*p, *e};
 }
 
 Technique withoutProjection(Technique technique) {
   technique.projection = *rowOf(projectionRows(), kUnprojected);
+  if (evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id == kAutomatic) {
+    technique.evaluation = *rowOf(evaluationRows(), kDefaultEvaluation);
+  }
   return technique;
 }
 
@@ -52,6 +58,7 @@ std::vector<const ParameterRow*> parametersOf(Technique technique) {
 }
 
 std::string techniqueId(const Technique& technique) {
+  if (evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id == kAutomatic) return std::string(kAutomatic);
   return std::string(projectionRows()[static_cast<std::size_t>(technique.projection)].id) + "+" +
          std::string(evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id);
 }

@@ -29,8 +29,8 @@ struct EvaluationRow {
   std::string_view id;
   std::string_view label;
   std::string_view help;
-  std::string_view shaderFile;
-  std::string_view function;  ///< GLSL: vec4 function(PROBE_MAP, ProbeShape, ShadingPoint)
+  std::string_view shaderFile;  ///< of `auto`, which chooses among the others, the C++ file that does
+  std::string_view function;    ///< GLSL: vec4 function(PROBE_MAP, ProbeShape, ShadingPoint); empty: no GLSL of its own
   glm::vec4 (*evaluate)(shading::ProbeMap, shading::ProbeShape, shading::ShadingPoint);
   std::vector<std::string_view>
       sharedFiles;                           ///< further files it needs, in the order in which they build on each other
@@ -53,7 +53,7 @@ std::optional<Technique> parseTechnique(std::string_view id);
 Technique withoutProjection(Technique technique);
 /// The parameters it reads, in the order of a form.
 std::vector<const ParameterRow*> parametersOf(Technique technique);
-/// The full id, `box+none`.
+/// The full id, `box+none`; `auto` stands alone.
 std::string techniqueId(const Technique& technique);
 /// The shortest id that parses back: `box` for `box+none`.
 std::string shortTechniqueId(const Technique& technique);

@@ -4,14 +4,19 @@
 
 namespace boxprobe {
 
+Technique ProbeBinding::technique(std::size_t slot) const {
+  return slot < techniques.size() ? techniques[slot] : probes[slot]->geometry.technique;
+}
+
 bool ProbeBinding::rotated() const {
   return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.rotated; });
 }
 
 bool ProbeBinding::distances() const {
-  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) {
-    return projectionRows()[static_cast<std::size_t>(probe->geometry.technique.projection)].distances;
-  });
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (projectionRows()[static_cast<std::size_t>(technique(i).projection)].distances) return true;
+  }
+  return false;
 }
 
 std::vector<int> ProbeBinding::groups() const {
@@ -25,8 +30,8 @@ std::vector<int> ProbeBinding::groups() const {
 
 std::vector<const ParameterRow*> ProbeBinding::parameters() const {
   std::vector<const ParameterRow*> rows;
-  for (const auto& probe : probes) {
-    for (const ParameterRow* row : parametersOf(probe->geometry.technique)) {
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    for (const ParameterRow* row : parametersOf(technique(i))) {
       if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
     }
   }
@@ -41,8 +46,8 @@ std::string ProbeBinding::variantKey() const {
   if (diffuse) key += 'd';
   const std::vector<int> group = groups();
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    key += " " + std::to_string(group[i]) + ":" + techniqueId(probes[i]->geometry.technique);
-    for (const ParameterRow* row : parametersOf(probes[i]->geometry.technique)) {
+    key += " " + std::to_string(group[i]) + ":" + techniqueId(technique(i));
+    for (const ParameterRow* row : parametersOf(technique(i))) {
       if (row->choice != nullptr) key += "/" + std::to_string(probes[i]->geometry.parameters.*row->choice);
     }
   }

@@ -48,6 +48,10 @@ struct ProbeBinding {
   bool sky = true;      ///< false: the probes leave nothing to it
   bool diffuse = true;  ///< false: the material is all metal
 
+  /// What draws each: the probe's own technique, or what `auto` chose for this object. Empty: their own.
+  std::vector<Technique> techniques;
+  Technique technique(std::size_t slot) const;
+
   /// Equal keys share a program: techniques, importance groups, and what can be left out.
   std::string variantKey() const;
   bool rotated() const;
@@ -75,8 +79,8 @@ struct DrawState {
   GLuint blackCube = 0;  ///< stands in for maps not captured yet
   Counters counters;
   DebugDraw debug;
-  glm::ivec2 pixelOrigin{0};  ///< where in the picture the framebuffer's lower left lies
-  int frame = 0;              ///< of those that are averaged
+  glm::ivec2 pixelOrigin{0};       ///< where in the picture the framebuffer's lower left lies
+  int frame = 0;                   ///< of those that are averaged
   bool countDraws = true;          ///< of the frame on the screen, not of captures
   std::set<const void*> programs;  ///< seen so far, to count compilations
   std::string error;               ///< first failure since the models were set

@@ -89,6 +89,16 @@ std::shared_ptr<const ImageRgba8> combineOcclusion(const ImageRgba8* roughMetal,
   return result;
 }
 
+// Smallest and largest roughness of a metallic-roughness texture, whose green channel it is.
+std::pair<double, double> roughnessRange(const ImageRgba8& image) {
+  std::uint8_t low = 255, high = 0;
+  for (std::size_t i = 1; i < image.pixels.size(); i += 4) {
+    low = std::min(low, image.pixels[i]);
+    high = std::max(high, image.pixels[i]);
+  }
+  return {low / 255.0, std::max(low, high) / 255.0};
+}
+
 class TextureCache {
  public:
   vtkSmartPointer<vtkTexture> get(const TextureUse& use, bool srgb) {
@@ -152,6 +162,7 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
   data.reserve(model.meshes.size());
   for (const Mesh& mesh : model.meshes) data.push_back(makePolyData(mesh));
   TextureCache textures;
+  std::map<const ImageRgba8*, std::pair<double, double>> roughnessOf;  // a texture may serve many objects
 
   std::vector<DrawnObject> objects;
   for (const Instance& instance : model.instances) {
@@ -160,6 +171,13 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
     object.node = instance.node;
     if (mesh.material >= 0) object.material = model.materials[static_cast<std::size_t>(mesh.material)];
     object.materialName = object.material.name;
+    if (const auto* image = object.material.metallicRoughnessTexture.image.get()) {
+      const auto known = roughnessOf.find(image);
+      const auto range = known != roughnessOf.end() ? known->second : roughnessRange(*image);
+      roughnessOf[image] = range;
+      object.textureRoughnessMin = range.first;
+      object.textureRoughnessMax = range.second;
+    }
     object.unlit = object.material.unlit;
     object.mapper = vtkSmartPointer<vtkProbePolyDataMapper>::New();
     object.mapper->SetInputData(data[static_cast<std::size_t>(instance.mesh)]);
@@ -216,6 +234,12 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
     property->SetColor(base.x, base.y, base.z);
     property->SetMetallic(material.metallic);
     property->SetEmissiveFactor(material.emissive.x, material.emissive.y, material.emissive.z);
+  }
+  object.roughnessMin = material.roughness * object.textureRoughnessMin;
+  object.roughnessMax = material.roughness * object.textureRoughnessMax;
+  if (material.coat > 0.0f) {
+    object.roughnessMin = std::min(object.roughnessMin, static_cast<double>(material.coatRoughness));
+    object.roughnessMax = std::max(object.roughnessMax, static_cast<double>(material.coatRoughness));
   }
   property->SetRoughness(material.roughness);
   property->SetNormalScale(material.normalScale);

@@ -22,6 +22,9 @@ struct DrawnObject {
   Material material;  ///< as the model has it, before overrides
   bool unlit = false;
   bool allMetal = false;  ///< after overrides: no diffuse reflection anywhere
+  /// Smallest and largest roughness of its surface, a clear coat's included, after overrides.
+  double roughnessMin = 0.0, roughnessMax = 1.0;
+  double textureRoughnessMin = 1.0, textureRoughnessMax = 1.0;  ///< what a texture multiplies the material's by
   glm::dmat4 worldFromModel{1.0};
   vtkSmartPointer<vtkActor> actor;
   vtkSmartPointer<vtkProbePolyDataMapper> mapper;

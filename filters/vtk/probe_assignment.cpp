@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "filters/math/automatic.h"
+
 namespace boxprobe {
 
 std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, const Scene& scene,
@@ -45,7 +47,15 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
     binding->sky = false;
     binding->weights = order.size() > 1;
   }
-  for (const std::size_t i : order) binding->probes.push_back(drawn[i]);
+  for (const std::size_t i : order) {
+    binding->probes.push_back(drawn[i]);
+    const ProbeGeometry& geometry = drawn[i]->geometry;
+    binding->techniques.push_back(
+        isAutomatic(geometry.technique)
+            ? chooseAutomatic(object.roughnessMin, object.roughnessMax, static_cast<double>(geometry.parameters.budget))
+                  .technique
+            : geometry.technique);
+  }
   return binding;
 }
 

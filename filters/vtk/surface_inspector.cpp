@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
-
+#include "filters/math/automatic.h"
 #include "filters/vtk/cube_transfer.h"
 
 namespace boxprobe {
@@ -154,6 +154,8 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     probe.name = content_->scene.probes[static_cast<std::size_t>(drawn.index)].name;
     probe.group = groups[i];
     probe.geometry = drawn.geometry;
+    probe.automatic = isAutomatic(probe.geometry.technique);
+    probe.geometry.technique = binding.technique(i);
     probe.maps = onCpu(drawn.maps).get();
     in.probes.push_back(std::move(probe));
   }

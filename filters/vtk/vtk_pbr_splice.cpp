@@ -115,9 +115,10 @@ std::string parameterDeclarations(const ProbeBinding& binding) {
 
 // What a slot's technique reads: numbers from uniforms, choices as constants, so that the compiler drops the code of
 // those not chosen.
-std::string parameterAssignments(const DrawnProbe& probe, std::size_t slot) {
+std::string parameterAssignments(const ProbeBinding& binding, std::size_t slot) {
+  const DrawnProbe& probe = *binding.probes[slot];
   std::string text;
-  for (const ParameterRow* row : parametersOf(probe.geometry.technique)) {
+  for (const ParameterRow* row : parametersOf(binding.technique(slot))) {
     const std::string value = row->choice != nullptr ? std::to_string(probe.geometry.parameters.*row->choice)
                                                      : parameterUniform(*row) + "[" + std::to_string(slot) + "]";
     text += "  probe.parameters." + std::string(row->name) + " = " + value + ";\n";
@@ -129,14 +130,14 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
   const std::vector<int> groups = binding.groups();
   std::string text;
   for (std::size_t slot = 0; slot < binding.probes.size(); ++slot) {
-    const Technique& technique = binding.probes[slot]->geometry.technique;
+    const Technique technique = binding.technique(slot);
     std::string piece(pattern);
     replaceAll(piece, "@SLOT@", std::to_string(slot));
     replaceAll(piece, "@GROUP@", std::to_string(groups[slot]));
     replaceAll(piece, "@PROJECTION@", std::to_string(technique.projection));
     replaceAll(piece, "@EVALUATE@",
                std::string(evaluationRows()[static_cast<std::size_t>(technique.evaluation)].function));
-    replaceAll(piece, "@PARAMETERS@", parameterAssignments(*binding.probes[slot], slot));
+    replaceAll(piece, "@PARAMETERS@", parameterAssignments(binding, slot));
     text += piece;
   }
   return text;
@@ -153,8 +154,8 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
     return true;
   };
   std::string dispatch;
-  for (const auto& probe : binding.probes) {
-    const Technique& t = probe->geometry.technique;
+  for (std::size_t slot = 0; slot < binding.probes.size(); ++slot) {
+    const Technique t = binding.technique(slot);
     const ProjectionRow& projection = projectionRows()[static_cast<std::size_t>(t.projection)];
     const EvaluationRow& evaluation = evaluationRows()[static_cast<std::size_t>(t.evaluation)];
     for (const std::string_view file : projection.sharedFiles) addOnce(projectionFiles, file);
@@ -166,7 +167,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
     addOnce(evaluationFiles, evaluation.shaderFile);
   }
   if (binding.probes.empty()) return {};
-  const auto& first = projectionRows()[static_cast<std::size_t>(binding.probes.front()->geometry.technique.projection)];
+  const auto& first = projectionRows()[static_cast<std::size_t>(binding.technique(0).projection)];
   return joinShaderSources(projectionFiles) +
          "ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)\n{\n" + dispatch +
          "  return " + std::string(first.function) +

@@ -17,6 +17,7 @@ struct TechniqueParameters
   int filtered;           // 0 or 1
   int sampling;           // 0: visible normals, 1: those and the probe's brightness, combined
   float steps;            // a whole number, >= 1
+  float budget;           // the host's alone: it chooses the technique
 };
 
 // What the host knows a probe by where something has to be fetched from it: on the GPU its number among a draw's probes.

@@ -10,7 +10,7 @@
 
 #include "app/gui/axis_colors.h"
 #include "app/gui/blend_row.h"
-#include "app/gui/technique_combo.h"
+#include "app/gui/technique_chooser.h"
 #include "app/gui/value_field.h"
 #include "app/gui/vector_row.h"
 #include "app/gui/viewport.h"
@@ -54,7 +54,9 @@ TEST_F(ProbePanelTest, ShowsTheSelectedProbe) {
   EXPECT_DOUBLE_EQ(row("boxMax")->field(0)->value(), 1.5);
   EXPECT_DOUBLE_EQ(row("origin")->field(1)->value(), 1.6);
   EXPECT_EQ(row("boxMax")->field(0)->suffix(), " m");
-  EXPECT_EQ(named<TechniqueCombo>("technique")->currentData().toString(), "box");
+  const Technique box = *parseTechnique("box");
+  EXPECT_EQ(named<TechniqueChooser>("technique")->projection()->currentData().toInt(), box.projection);
+  EXPECT_EQ(named<TechniqueChooser>("technique")->evaluation()->currentData().toInt(), box.evaluation);
 }
 
 TEST_F(ProbePanelTest, ATypedNumberIsOneStep) {
@@ -116,19 +118,27 @@ TEST_F(ProbePanelTest, BlendDistanceMovesTheInnerBox) {
 }
 
 TEST_F(ProbePanelTest, TheTechniquesAreThoseOfTheTable) {
-  auto* combo = named<TechniqueCombo>("technique");
-  std::size_t items = 0;
-  for (int i = 0; i < combo->count(); ++i) {
-    if (!combo->itemData(i).isValid()) continue;  // a separator
-    ++items;
-    EXPECT_TRUE(parseTechnique(combo->itemData(i).toString().toStdString())) << i;
-    EXPECT_FALSE(combo->itemData(i, Qt::ToolTipRole).toString().isEmpty()) << i;
+  auto* chooser = named<TechniqueChooser>("technique");
+  EXPECT_EQ(static_cast<std::size_t>(chooser->projection()->count()), projectionRows().size());
+  EXPECT_EQ(static_cast<std::size_t>(chooser->evaluation()->count()), evaluationRows().size());
+  for (const QComboBox* combo : {chooser->projection(), chooser->evaluation()}) {
+    for (int i = 0; i < combo->count(); ++i) {
+      EXPECT_FALSE(combo->itemText(i).isEmpty()) << i;
+      EXPECT_FALSE(combo->itemData(i, Qt::ToolTipRole).toString().isEmpty()) << i;
+    }
   }
-  EXPECT_EQ(items, projectionRows().size() * evaluationRows().size());
+}
+
+TEST_F(ProbePanelTest, AnEvaluationThatDoesNotCombineGivesWay) {
+  auto* chooser = named<TechniqueChooser>("technique");
+  choose(chooser->evaluation(), chooser->evaluation()->findData(parseTechnique("auto")->evaluation));
+  EXPECT_EQ(probe().technique, "auto");
+  choose(chooser->projection(), chooser->projection()->findData(parseTechnique("sphere")->projection));
+  EXPECT_EQ(probe().technique, "sphere");
 }
 
 TEST_F(ProbePanelTest, TheTechniqueChangesThePictureAtOnceAndItsHelp) {
-  auto* combo = named<TechniqueCombo>("technique");
+  auto* chooser = named<TechniqueChooser>("technique");
   auto* help = named<QLabel>("techniqueHelp");
   // Over the whole building, floor and all.
   window_->editor().commitProbe("Set box", [](Probe& edited) {
@@ -139,7 +149,7 @@ TEST_F(ProbePanelTest, TheTechniqueChangesThePictureAtOnceAndItsHelp) {
   const QImage box = shownPicture(window_->viewport());
   const QString boxHelp = help->text();
   const std::uint64_t faces = counters().facesCaptured;
-  choose(combo, combo->findData("infinite"));
+  choose(chooser->projection(), chooser->projection()->findData(parseTechnique("infinite")->projection));
   EXPECT_EQ(probe().technique, "infinite");
   EXPECT_GT(differingShare(box, shownPicture(window_->viewport())), 0.01);
   EXPECT_NE(help->text(), boxHelp);
@@ -151,16 +161,16 @@ TEST_F(ProbePanelTest, TheTechniqueChangesThePictureAtOnceAndItsHelp) {
 }
 
 TEST_F(ProbePanelTest, TheParametersAreThoseOfTheTechnique) {
-  auto* combo = named<TechniqueCombo>("technique");
+  QComboBox* evaluation = named<TechniqueChooser>("technique")->evaluation();
   auto* length = named<ValueField>("hardeningLength");
   auto* power = named<ValueField>("power");
   auto* curve = named<QComboBox>("curve");
   EXPECT_FALSE(length->isVisible());
   EXPECT_TRUE(curve->isVisible());
-  choose(combo, combo->findData("approximate"));
+  choose(evaluation, evaluation->findData(parseTechnique("approximate")->evaluation));
   EXPECT_TRUE(length->isVisible());
   EXPECT_FALSE(power->isVisible());
-  choose(combo, combo->findData("godot"));
+  choose(evaluation, evaluation->findData(parseTechnique("godot")->evaluation));
   EXPECT_TRUE(power->isVisible());
   EXPECT_DOUBLE_EQ(length->value(), 6.0) << "the default";
   const std::uint64_t faces = counters().facesCaptured;

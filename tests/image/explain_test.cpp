@@ -89,7 +89,10 @@ std::vector<std::string> allTechniques() {
   std::vector<std::string> ids;
   const std::string plain(evaluationRows().front().id), last(projectionRows().back().id);
   for (const ProjectionRow& row : projectionRows()) ids.push_back(std::string(row.id) + "+" + plain);
-  for (const EvaluationRow& row : evaluationRows()) ids.push_back(last + "+" + std::string(row.id));
+  for (const EvaluationRow& row : evaluationRows()) {
+    const std::string id = last + "+" + std::string(row.id);
+    ids.push_back(parseTechnique(id) ? id : std::string(row.id));  // what stands alone combines with none
+  }
   return ids;
 }
 

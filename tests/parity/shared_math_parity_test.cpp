@@ -114,6 +114,7 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
   const EchoMap map;
   const std::size_t curves = findParameter("curve")->choices.size();
   for (const EvaluationRow& row : evaluationRows()) {
+    if (row.function.empty()) continue;  // chosen on the host
     std::string shared;
     for (const std::string_view file : row.sharedFiles) shared += sources({file});
     const bool choosesCurve = std::find(row.parameters.begin(), row.parameters.end(), "curve") != row.parameters.end();

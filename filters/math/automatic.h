@@ -1,0 +1,42 @@
+// `auto`: the cheapest technique whose error stays within a budget for the roughness of what is drawn, from a table of
+// measured costs and errors. A mirror needs no contact hardening and a dull wall no sixteen lookups; a fixed choice
+// pays for both everywhere. Called by the renderer, which resolves it for each draw, and by explanations; knows no GL.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "filters/math/technique_table.h"
+
+namespace boxprobe {
+
+/// One technique as `boxprobe bench` measured it with the box exactly the room.
+struct MeasuredTechnique {
+  std::string_view id;
+  double cost = 1.0;  ///< CPU time of a frame over that of plain box projection
+  /// RMSE of (x/(1+x))^(1/2.2) against the box world's integral, the worst of scenes, cameras and surfaces measured, at
+  /// the roughnesses of measuredRoughness().
+  std::array<double, 6> error{};
+};
+
+/// 0, .1, .25, .5, .75, 1.
+const std::array<double, 6>& measuredRoughness();
+/// By rising cost.
+const std::vector<MeasuredTechnique>& measuredTechniques();
+
+struct AutomaticChoice {
+  Technique technique;
+  double error = 0.0;         ///< the largest over the range, interpolated
+  bool withinBudget = false;  ///< false: no technique is; this one is the nearest
+};
+
+/// For surfaces whose perceptual roughness lies between the two values. Never `auto` itself.
+AutomaticChoice chooseAutomatic(double roughnessMin, double roughnessMax, double budget);
+/// The smallest budget that some technique keeps at every roughness.
+double smallestBudget();
+
+/// Is it a technique of its own, or one that chooses?
+bool isAutomatic(Technique technique);
+
+}  // namespace boxprobe
