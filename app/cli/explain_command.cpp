@@ -63,6 +63,7 @@ void runExplain(const ExplainOptions& options) {
   const InterruptGuard interrupt;
   LoadedScene loaded = loadScene(options.scenePath, options.assignments);
   chooseTechnique(loaded.scene, options.technique);
+  loaded.warnings = sceneWarnings(loaded.scene, loaded.models);  // of the technique that is used
   const Camera camera = chooseCamera(loaded.scene, options.camera);
   if (!options.report.quiet) printWarnings(loaded.warnings);
   interrupt.check();

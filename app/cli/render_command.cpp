@@ -76,6 +76,7 @@ void runRender(const RenderOptions& options) {
   const InterruptGuard interrupt;
   LoadedScene loaded = loadScene(options.scenePath, options.assignments);
   chooseTechnique(loaded.scene, options.technique);
+  loaded.warnings = sceneWarnings(loaded.scene, loaded.models);  // of the technique that is used
   const Camera camera = chooseCamera(loaded.scene, options.camera);
   const SurfaceViewSettings view = parseView(options.view, options.range);
   if (!options.report.quiet) printWarnings(loaded.warnings);

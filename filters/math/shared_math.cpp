@@ -63,19 +63,7 @@ float fetchProbeDistance(const ProbeShape& probe, vec3 direction) {
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
 #include "shaders/shared/footprint.glsl"  // after roughness.glsl and lobe_frame.glsl, which it uses
-#include "shaders/technique/evaluation_approximate.glsl"
-#include "shaders/technique/evaluation_footprint1.glsl"
-#include "shaders/technique/evaluation_footprint16.glsl"
-#include "shaders/technique/evaluation_footprint2.glsl"
-#include "shaders/technique/evaluation_footprint4.glsl"
-#include "shaders/technique/evaluation_footprint8.glsl"
-#include "shaders/technique/evaluation_godot.glsl"
-#include "shaders/technique/evaluation_hdrp.glsl"
-#include "shaders/technique/evaluation_none.glsl"
-#include "shaders/technique/projection_box.glsl"
-#include "shaders/technique/projection_infinite.glsl"
-#include "shaders/technique/projection_normal.glsl"
-#include "shaders/technique/projection_sphere.glsl"
+#include "technique_files.inc"  // all of shaders/technique
 #pragma GCC diagnostic pop
 
 ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection) {
