@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "filters/math/automatic.h"
+#include "filters/math/blue_noise.h"
 #include "filters/math/technique_table.h"
 
 #define PROBE_MAP ProbeMap
@@ -31,6 +32,7 @@ using glm::normalize;
 using glm::pow;
 using glm::sin;
 using glm::sqrt;
+using glm::uint;
 
 static vec4 fetchProbe(ProbeMap map, const ProbeShape&, vec3 direction, float level) {
   return map->fetch(direction, level);
@@ -46,12 +48,17 @@ float fetchProbeDistance(const ProbeShape& probe, vec3 direction) {
   return probe.slot->distances->fetchDistance(turn != nullptr ? *turn * direction : direction);
 }
 
+static vec2 fetchBlueNoise(ivec2 pixel) {
+  return blueNoiseAt(pixel);
+}
+
 // A projection need not use the normal, nor the box: parameters of one signature for all rows.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #include "shaders/shared/cube.glsl"
 #include "shaders/shared/edge_fixup.glsl"  // after cube.glsl, which it uses
 #include "shaders/shared/ggx.glsl"
+#include "shaders/shared/hash.glsl"
 #include "shaders/shared/level_curve.glsl"  // after roughness.glsl, which it uses
 #include "shaders/shared/lobe_frame.glsl"
 #include "shaders/shared/roughness.glsl"
@@ -63,6 +70,8 @@ float fetchProbeDistance(const ProbeShape& probe, vec3 direction) {
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
 #include "shaders/shared/footprint.glsl"  // after roughness.glsl and lobe_frame.glsl, which it uses
+#include "shaders/shared/sample_pattern.glsl"  // after hash.glsl, which it uses
+#include "shaders/shared/visible_normal.glsl"
 #include "technique_files.inc"  // all of shaders/technique
 #pragma GCC diagnostic pop
 
@@ -171,6 +180,15 @@ const std::vector<EvaluationRow>& evaluationRows() {
        shading::evaluateFootprint16,
        kFootprintFiles,
        {}},
+      {"raytraced",
+       "Ray-traced",
+       "Rays of the surface's lobe, each followed to the proxy: what the others approximate, and noisy with few rays.",
+       "technique/evaluation_raytraced.glsl",
+       "evaluateRaytraced",
+       shading::evaluateRaytraced,
+       {"shared/lobe_frame.glsl", "shared/footprint.glsl", "shared/hash.glsl", "shared/sample_pattern.glsl",
+        "shared/visible_normal.glsl", "technique/evaluation_footprint1.glsl"},
+       {"samples", "pattern", "levelOffset", "filtered"}},
       {"auto",
        "Automatic",
        "For each object the cheapest evaluation whose measured error stays within the budget at its roughness.",

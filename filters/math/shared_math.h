@@ -36,6 +36,7 @@ struct ProbeData {
 };
 
 using glm::ivec2;
+using glm::uint;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
@@ -65,6 +66,12 @@ FootprintSum footprintAdd(ProbeMap map, ProbeShape probe, ShadingPoint point, Fo
                           float x, float y, float weight);
 FootprintSum footprintAddPair(ProbeMap map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum,
                               float x, float y, float weight);
+uint hashed(uint value);
+uint pixelHash(ivec2 pixel);
+SamplePattern samplePattern(ShadingPoint point, int pattern, int count);
+vec2 samplePoint(SamplePattern pattern, int i);
+LobeSample lobeSample(FootprintLobe lobe, vec2 u);
+float lobeAlbedo(FootprintLobe lobe);
 vec3 ggxHalfVector(vec2 u, float alpha);
 float ggxDistribution(vec3 h, float alpha);
 float ggxMasking(float c, float alpha);

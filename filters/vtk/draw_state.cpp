@@ -19,6 +19,16 @@ bool ProbeBinding::distances() const {
   return false;
 }
 
+bool ProbeBinding::blueNoise() const {
+  const ParameterRow* pattern = findParameter("pattern");
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const std::vector<const ParameterRow*> read = parametersOf(technique(i));
+    const auto chosen = static_cast<std::size_t>(probes[i]->geometry.parameters.*pattern->choice);
+    if (std::find(read.begin(), read.end(), pattern) != read.end() && pattern->choices.at(chosen) == "blue") return true;
+  }
+  return false;
+}
+
 std::vector<int> ProbeBinding::groups() const {
   std::vector<int> result;
   for (std::size_t i = 0; i < probes.size(); ++i) {

@@ -57,6 +57,8 @@ struct ProbeBinding {
   bool rotated() const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
+  /// Does a technique of a probe spread its samples by the blue-noise mask?
+  bool blueNoise() const;
   /// Parameters that any of its techniques reads, each once.
   std::vector<const ParameterRow*> parameters() const;
   /// Group of equal importance of each probe, from 0.
@@ -76,6 +78,7 @@ struct DrawState {
   bool firstBounce = false;  ///< of a capture: probes reflect nothing yet, and the sky lights in their place
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
+  GLuint blueNoise = 0;  ///< RG32F, filters/math/blue_noise; made when a draw first uses it
   GLuint blackCube = 0;  ///< stands in for maps not captured yet
   Counters counters;
   DebugDraw debug;

@@ -2,6 +2,7 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include "filters/math/blue_noise.h"
 #include "filters/math/brdf_table.h"
 
 namespace boxprobe {
@@ -30,10 +31,23 @@ void makeStaticTextures(vtkOpenGLRenderWindow* window, DrawState& state) {
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
+void makeBlueNoise(vtkOpenGLRenderWindow* window, DrawState& state) {
+  if (state.blueNoise != 0) return;
+  glGenTextures(1, &state.blueNoise);
+  const BoundTexture bound(window, GL_TEXTURE_2D, state.blueNoise);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, kBlueNoiseSize, kBlueNoiseSize, 0, GL_RG, GL_FLOAT, blueNoise().data());
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+    glTexParameteri(GL_TEXTURE_2D, name, GL_NEAREST);
+  }
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
 void releaseStaticTextures(DrawState& state) {
   glDeleteTextures(1, &state.brdfTable);
   glDeleteTextures(1, &state.blackCube);
-  state.brdfTable = state.blackCube = 0;
+  glDeleteTextures(1, &state.blueNoise);
+  state.brdfTable = state.blackCube = state.blueNoise = 0;
 }
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// The two textures every draw with probes reads whatever the scene: the split-sum table, and a black cube that stands
-// in for maps not captured yet.
+// The textures draws read whatever the scene: the split-sum table, a black cube that stands in for maps not captured yet,
+// and, for techniques that draw samples, the blue-noise mask.
 #pragma once
 
 #include "filters/vtk/draw_state.h"
@@ -10,6 +10,8 @@ namespace boxprobe {
 
 /// Once; the context must be current.
 void makeStaticTextures(vtkOpenGLRenderWindow* window, DrawState& state);
+/// Once, and only if a technique wants it; the context must be current.
+void makeBlueNoise(vtkOpenGLRenderWindow* window, DrawState& state);
 void releaseStaticTextures(DrawState& state);
 
 }  // namespace boxprobe

@@ -15,6 +15,7 @@
 
 #include "filters/core/probe_color.h"
 #include "filters/vtk/camera_uniforms.h"
+#include "filters/vtk/static_textures.h"
 #include "filters/vtk/vtk_pbr_splice.h"
 
 using boxprobe::Lighting;
@@ -201,6 +202,10 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
           ("bpDistanceMap" + std::to_string(i)).c_str(),
           this->Bind(renderer, GL_TEXTURE_CUBE_MAP, known ? maps->distance.handle() : this->State->blackCube));
     }
+  }
+  if (this->Binding->blueNoise()) {
+    boxprobe::makeBlueNoise(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), *this->State);
+    program->SetUniformi("bpBlueNoise", this->Bind(renderer, GL_TEXTURE_2D, this->State->blueNoise));
   }
   if (program->IsUniformUsed("bpPixelOrigin")) {
     program->SetUniform2i("bpPixelOrigin", &this->State->pixelOrigin.x);

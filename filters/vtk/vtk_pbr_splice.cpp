@@ -174,7 +174,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n#define DISTANCE_MAP "
          "samplerCube\n" +
          (debug ? joinShaderSources({"gpu/debug_distance.glsl", "shared/true_hit.glsl"}) : std::string()) +
-         joinShaderSources({"gpu/fetch_probe.glsl", "shared/level_curve.glsl"}) + joinShaderSources(evaluationFiles);
+         joinShaderSources({"gpu/fetch_probe.glsl", "gpu/fetch_blue_noise.glsl", "shared/level_curve.glsl"}) + joinShaderSources(evaluationFiles);
 }
 
 std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
@@ -197,6 +197,7 @@ std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
   };
   return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
          define("BP_SKY", binding.sky) + define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
+         define("BP_BLUE_NOISE", binding.blueNoise()) +
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
          std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", "shared/weights.glsl",

@@ -67,6 +67,7 @@ FootprintLobe footprintLobe(ShadingPoint point, float points)
   float s = length(side);
   lobe.tangent = s > 1.0e-4f ? side / s : lobeTangent(point.normal);  // V along N: any tangent
   lobe.bitangent = cross(point.normal, lobe.tangent);
+  lobe.normal = point.normal;
   lobe.alpha = p * p;
   lobe.view = vec3(sqrt(1.0f - nv * nv), 0.0f, nv);
   float a2 = lobe.alpha * lobe.alpha;

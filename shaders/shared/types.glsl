@@ -60,6 +60,7 @@ struct FootprintLobe
 {
   vec3 tangent;    // of the normal, in the plane of N and V
   vec3 bitangent;
+  vec3 normal;
   vec3 view;       // V in the frame tangent, bitangent, normal
   float alpha;
   float maskView;  // sqrt(alpha² + (1 - alpha²) NV²)
@@ -74,4 +75,22 @@ struct FootprintSum
 {
   vec4 value;
   float weight;
+};
+
+// A reflected ray (visible_normal.glsl).
+struct LobeSample
+{
+  vec3 direction;    // unit, probe frame
+  float weight;      // masking of the light over that of the view; 0: into the surface
+  float solidAngle;  // it stands for where it is the only sample: 1 / density, steradian
+};
+
+// Where a pixel's samples lie (sample_pattern.glsl).
+struct SamplePattern
+{
+  int pattern;
+  uint first;   // number of the frame's first sample in the sequence
+  uint step;    // 2^32 / samples
+  uint shiftX;  // fractions of 2^32; of white noise a seed
+  uint shiftY;
 };

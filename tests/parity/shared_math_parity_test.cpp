@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "filters/math/blue_noise.h"
 #include "filters/math/shader_source.h"
 #include "filters/math/shared_math.h"
 #include "filters/math/technique_table.h"
@@ -98,6 +99,52 @@ struct EchoMap : shading::CubeSampler {
   }
 };
 
+// Where evaluateOnGpu draws an input.
+glm::ivec2 pixelOf(std::size_t i) {
+  return {static_cast<int>(i % 512), static_cast<int>(i / 512)};
+}
+
+// Defaults, and each choice of an evaluation in turn; few samples, which show as much and take less time.
+std::vector<shading::TechniqueParameters> everyChoice(const EvaluationRow& row) {
+  shading::TechniqueParameters standard = standardParameters();
+  standard.samples = 12.0f;
+  std::vector<shading::TechniqueParameters> result = {standard};
+  for (const std::string_view name : row.parameters) {
+    const ParameterRow& parameter = *findParameter(name);
+    if (parameter.choice == nullptr) continue;
+    const int count = parameter.kind == ParameterKind::Switch ? 2 : static_cast<int>(parameter.choices.size());
+    for (int i = 0; i < count; ++i) {
+      if (i == standard.*parameter.choice) continue;
+      result.push_back(standard);
+      result.back().*parameter.choice = i;
+    }
+  }
+  if (std::find(row.parameters.begin(), row.parameters.end(), "samples") != row.parameters.end()) {
+    result.push_back(standard);
+    result.back().samples = 3.0f;
+  }
+  return result;
+}
+
+std::string assignments(const shading::TechniqueParameters& values) {
+  std::string text;
+  for (const ParameterRow& row : parameterRows()) {
+    const std::string field = "  probe.parameters." + std::string(row.name) + " = ";
+    if (row.choice != nullptr) text += field + std::to_string(values.*row.choice) + ";\n";
+    if (row.number != nullptr) text += field + std::to_string(values.*row.number) + ";\n";
+  }
+  return text;
+}
+
+std::string choicesText(const EvaluationRow& row, const shading::TechniqueParameters& values) {
+  std::string text;
+  for (const std::string_view name : row.parameters) {
+    const ParameterRow& parameter = *findParameter(name);
+    if (parameter.choice != nullptr) text += std::string(name) + " " + std::to_string(values.*parameter.choice) + " ";
+  }
+  return text;
+}
+
 TEST(Parity, EveryEvaluationLooksUpTheSame) {
   const auto window = test::makeWindow();
   const Inputs in = randomRays();
@@ -108,29 +155,30 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
     // V = reflect(-R, N), so that R = reflect(-V, N); roughness and parameters beside it.
     const vec3 n(in.normal[i]), r(in.reflection[i]);
     view[i] = vec4(2.0f * glm::dot(n, r) * n - r, unit(random));
-    other[i] = vec4(0.1f + 10.0f * unit(random), 1.0f + 5.0f * unit(random), 0.0f, 0.0f);
+    other[i] = vec4(0.1f + 10.0f * unit(random), 1.0f + 5.0f * unit(random), blueNoiseAt(pixelOf(i)));
   }
   const ProjectionRow& box = projectionRows()[static_cast<std::size_t>(parseTechnique("box")->projection)];
   const EchoMap map;
-  const std::size_t curves = findParameter("curve")->choices.size();
   for (const EvaluationRow& row : evaluationRows()) {
     if (row.function.empty()) continue;  // chosen on the host
     std::string shared;
     for (const std::string_view file : row.sharedFiles) shared += sources({file});
-    const bool choosesCurve = std::find(row.parameters.begin(), row.parameters.end(), "curve") != row.parameters.end();
-    for (std::size_t curve = 0; curve < (choosesCurve ? curves : 1); ++curve) {
+    for (const auto& parameters : everyChoice(row)) {
       const auto gpu = test::evaluateOnGpu(
           window,
           sources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", box.shaderFile}) +
               "ProbeHit projectRay(ProbeShape probe, vec3 p, vec3 n, vec3 r) { return " + std::string(box.function) +
               "(probe, p, n, r); }\n#define PROBE_MAP int\nvec4 fetchProbe(int map, ProbeShape probe, vec3 d, float "
-              "level) { return vec4(d / max(max(abs(d.x), abs(d.y)), max(abs(d.z), 1e-37)), level); }\n" +
+              "level) { return vec4(d / max(max(abs(d.x), abs(d.y)), max(abs(d.z), 1e-37)), level); }\n"
+              "vec2 mask;\nvec2 fetchBlueNoise(ivec2 pixel) { return mask; }\n" +
               sources({"shared/level_curve.glsl"}) + shared + sources({row.shaderFile}),
-          "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.slot = 0;\n"
-          "  probe.parameters.hardeningLength = in6.x; probe.parameters.power = in6.y; probe.parameters.curve = " +
-              std::to_string(curve) +
-              ";\n  ShadingPoint point; point.position = in0.xyz; point.normal = in1.xyz; point.view = in5.xyz; "
-              "point.reflection = in2.xyz; point.roughness = in5.w;\n  out0 = " +
+          "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.slot = "
+          "0;\n" +
+              assignments(parameters) +
+              "  probe.parameters.hardeningLength = in6.x; probe.parameters.power = in6.y; mask = in6.zw;\n"
+              "  ShadingPoint point; point.position = in0.xyz; point.normal = in1.xyz; point.view = in5.xyz; "
+              "point.reflection = in2.xyz; point.roughness = in5.w; point.pixel = ivec2(gl_FragCoord.xy); "
+              "point.frame = 3;\n  out0 = " +
               std::string(row.function) + "(0, probe, point);\n",
           {in.position, in.normal, in.reflection, in.boxMin, in.boxMax, view, other}, 1);
       double worst = 0.0;
@@ -140,19 +188,20 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
         probe.boxMax = in.boxMax[i];
         probe.maxLevel = 6.0f;
         probe.projection = parseTechnique("box")->projection;
-        probe.parameters = standardParameters();
-        probe.parameters.curve = static_cast<int>(curve);
+        probe.parameters = parameters;
         probe.parameters.hardeningLength = other[i].x;
         probe.parameters.power = other[i].y;
-        const shading::ShadingPoint point{in.position[i], in.normal[i], view[i], in.reflection[i], view[i].w, glm::ivec2(0), 0};
+        const shading::ShadingPoint point{in.position[i], in.normal[i], view[i], in.reflection[i],
+                                          view[i].w,      pixelOf(i),   3};
         const vec4 cpu = row.evaluate(&map, probe, point);
         const vec4 d = glm::abs(gpu[0][i] - cpu);
         const double error = std::max({d.x, d.y, d.z, d.w});
         if (!(error <= worst)) worst = error;
       }
-      std::printf("  %-12s curve %zu: worst difference %.2g\n", std::string(row.id).c_str(), curve, worst);
+      std::printf("  %-12s %s: worst difference %.2g\n", std::string(row.id).c_str(),
+                  choicesText(row, parameters).c_str(), worst);
       // Levels go through logarithms and powers, which a GPU has to a few digits.
-      EXPECT_LE(worst, 2.0e-4) << row.id << ", curve " << curve;
+      EXPECT_LE(worst, 2.0e-4) << row.id << choicesText(row, parameters);
     }
   }
 }

@@ -117,6 +117,8 @@ shading::ShadingPoint pointInRoom(const BoxRoom& room, float roughness, int inde
   point.view = vec3(v);
   point.reflection = glm::reflect(-point.view, point.normal);
   point.roughness = roughness;
+  point.pixel = glm::ivec2(index % 64, index / 64);
+  point.frame = 0;
   return point;
 }
 

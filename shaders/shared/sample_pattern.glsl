@@ -1,0 +1,62 @@
+// Where in the unit square the samples of a pixel lie, frame after frame, by one of the patterns of parameter `pattern`:
+//   0 white          nothing but chance: clumps and gaps, noise of every frequency
+//   1 blue           evenly spread within a pixel and, shifted by a blue-noise mask, unlike those of the pixels around it: what noise is left is
+//                    fine-grained, so that the eye and a small blur average it out
+//   2 r2             evenly spread within a pixel, shifted by a hash of the pixel
+//   3 deterministic  the same in every pixel: no noise, but ghost copies of small lamps where the samples are too few
+// Coordinates are 32-bit fractions of the unit square, so that adding wraps around by itself and nothing is lost after many frames.
+// Frames continue the sequence: 64 frames of one sample are the 64 samples of one frame. Needs shared/hash.glsl; the host supplies fetchBlueNoise.
+
+// The R2 sequence (Roberts 2018): multiples of the inverse powers 1 and 2 of the plastic number, as fractions of 2^32.
+const uint kR2X = 3242174889u;
+const uint kR2Y = 2447445413u;
+
+SamplePattern samplePattern(ShadingPoint point, int pattern, int count)
+{
+  SamplePattern result;
+  result.pattern = pattern;
+  result.first = uint(point.frame) * uint(count);
+  result.step = 0xffffffffu / uint(count);
+  result.shiftX = 0u;
+  result.shiftY = 0u;
+  if (pattern == 0) { result.shiftX = pixelHash(point.pixel); }
+  if (pattern == 1)
+  {
+    vec2 mask = fetchBlueNoise(point.pixel);
+    result.shiftX = uint(mask.x * 16777216.0f) << 8u;
+    result.shiftY = uint(mask.y * 16777216.0f) << 8u;
+  }
+  if (pattern == 2)
+  {
+    result.shiftX = pixelHash(point.pixel);
+    result.shiftY = hashed(result.shiftX);
+  }
+  if (pattern == 3)
+  {
+    result.shiftX = uint(point.frame) * kR2X;
+    result.shiftY = uint(point.frame) * kR2Y;
+  }
+  return result;
+}
+
+// Sample `i` of those of this frame, in [0, 1)².
+vec2 samplePoint(SamplePattern pattern, int i)
+{
+  uint index = uint(i);
+  if (pattern.pattern == 0)
+  {
+    uint x = hashed(pattern.shiftX + pattern.first + index);
+    return vec2(unitNumber(x), unitNumber(hashed(x)));
+  }
+  if (pattern.pattern == 3)  // Hammersley: evenly along one axis, the bits of the number reversed along the other
+  {
+    uint y = index;
+    y = ((y & 0x55555555u) << 1u) | ((y >> 1u) & 0x55555555u);
+    y = ((y & 0x33333333u) << 2u) | ((y >> 2u) & 0x33333333u);
+    y = ((y & 0x0f0f0f0fu) << 4u) | ((y >> 4u) & 0x0f0f0f0fu);
+    y = y << 24u;  // numbers below 256: their eight bits are all there is
+    return vec2(unitNumber(pattern.shiftX + index * pattern.step + (pattern.step >> 1u)), unitNumber(pattern.shiftY + y));
+  }
+  index = pattern.first + index;
+  return vec2(unitNumber(pattern.shiftX + index * kR2X), unitNumber(pattern.shiftY + index * kR2Y));
+}
