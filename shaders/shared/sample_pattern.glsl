@@ -1,15 +1,18 @@
 // Where in the unit square the samples of a pixel lie, frame after frame, by one of the patterns of parameter `pattern`:
 //   0 white          nothing but chance: clumps and gaps, noise of every frequency
-//   1 blue           evenly spread within a pixel and, shifted by a blue-noise mask, unlike those of the pixels around it: what noise is left is
-//                    fine-grained, so that the eye and a small blur average it out
-//   2 r2             evenly spread within a pixel, shifted by a hash of the pixel
+//   1 blue           a spiral of golden angles, as even as a disk can be filled, turned and shifted by a blue-noise mask: unlike those of the
+//                    pixels around, so that what noise is left is fine-grained and the eye or a small blur averages it out
+//   2 r2             evenly spread, shifted by a hash of the pixel
 //   3 deterministic  the same in every pixel: no noise, but ghost copies of small lamps where the samples are too few
-// Coordinates are 32-bit fractions of the unit square, so that adding wraps around by itself and nothing is lost after many frames.
-// Frames continue the sequence: 64 frames of one sample are the 64 samples of one frame. Needs shared/hash.glsl; the host supplies fetchBlueNoise.
+// x becomes the angle about the lobe's middle, y the area around it (visible_normal.glsl). Both are 32-bit fractions, so that adding
+// wraps around by itself and nothing is lost after many frames. Frames continue the sequence, or shift by it: 64 frames of one
+// sample fill the lobe as 64 samples of one frame do. Needs shared/hash.glsl; the host supplies fetchBlueNoise.
 
-// The R2 sequence (Roberts 2018): multiples of the inverse powers 1 and 2 of the plastic number, as fractions of 2^32.
-const uint kR2X = 3242174889u;
-const uint kR2Y = 2447445413u;
+// The R2 sequence (Roberts 2018): multiples of the inverse powers 2 and 1 of the plastic number, as fractions of 2^32.
+const uint kR2X = 2447445413u;
+const uint kR2Y = 3242174889u;
+// The golden ratio's, which turns a spiral's points such that none hides behind another.
+const uint kGolden = 2654435769u;
 
 SamplePattern samplePattern(ShadingPoint point, int pattern, int count)
 {
@@ -17,24 +20,19 @@ SamplePattern samplePattern(ShadingPoint point, int pattern, int count)
   result.pattern = pattern;
   result.first = uint(point.frame) * uint(count);
   result.step = 0xffffffffu / uint(count);
-  result.shiftX = 0u;
-  result.shiftY = 0u;
+  result.shiftX = uint(point.frame) * kR2X;
+  result.shiftY = uint(point.frame) * kR2Y;
   if (pattern == 0) { result.shiftX = pixelHash(point.pixel); }
   if (pattern == 1)
   {
     vec2 mask = fetchBlueNoise(point.pixel);
-    result.shiftX = uint(mask.x * 16777216.0f) << 8u;
-    result.shiftY = uint(mask.y * 16777216.0f) << 8u;
+    result.shiftX = result.shiftX + (uint(mask.x * 16777216.0f) << 8u);
+    result.shiftY = (result.shiftY + (uint(mask.y * 16777216.0f) << 8u)) / uint(count);
   }
   if (pattern == 2)
   {
     result.shiftX = pixelHash(point.pixel);
     result.shiftY = hashed(result.shiftX);
-  }
-  if (pattern == 3)
-  {
-    result.shiftX = uint(point.frame) * kR2X;
-    result.shiftY = uint(point.frame) * kR2Y;
   }
   return result;
 }
@@ -56,6 +54,10 @@ vec2 samplePoint(SamplePattern pattern, int i)
     y = ((y & 0x0f0f0f0fu) << 4u) | ((y >> 4u) & 0x0f0f0f0fu);
     y = y << 24u;  // numbers below 256: their eight bits are all there is
     return vec2(unitNumber(pattern.shiftX + index * pattern.step + (pattern.step >> 1u)), unitNumber(pattern.shiftY + y));
+  }
+  if (pattern.pattern == 1)
+  {
+    return vec2(unitNumber(pattern.shiftX + index * kGolden), unitNumber(pattern.shiftY + index * pattern.step));
   }
   index = pattern.first + index;
   return vec2(unitNumber(pattern.shiftX + index * kR2X), unitNumber(pattern.shiftY + index * kR2Y));

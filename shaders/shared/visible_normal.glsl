@@ -5,9 +5,9 @@
 LobeSample lobeSample(FootprintLobe lobe, vec2 u)
 {
   float phi = 6.2831853f * u.x;
-  float z = (1.0f - u.y) * (1.0f + lobe.stretched.z) - lobe.stretched.z;
-  float radius = sqrt(max(1.0f - z * z, 0.0f));
-  vec3 c = vec3(radius * cos(phi) + lobe.stretched.x, radius * sin(phi), max(z + lobe.stretched.z, 0.0f));
+  float height = u.y * (1.0f + lobe.stretched.z);  // from the cap's middle down to its rim
+  float radius = sqrt(height * max(2.0f - height, 0.0f));
+  vec3 c = vec3(radius * cos(phi) + lobe.stretched.x, radius * sin(phi), max(1.0f - height + lobe.stretched.z, 0.0f));
   vec3 h = vec3(lobe.alpha * c.x, lobe.alpha * c.y, c.z);
   float h2 = max(dot(h, h), 1.0e-18f);
   vec3 l = 2.0f * dot(lobe.view, h) / h2 * h - lobe.view;

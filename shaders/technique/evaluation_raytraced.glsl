@@ -16,8 +16,9 @@ float sampleLevel(ProbeShape probe, ProbeHit hit, LobeSample s, float alphaEach,
 {
   if (probe.parameters.filtered == 1)
   {
-    float size = 0.0795775f * s.solidAngle / count;  // of a lobe whose peak covers that: solid angle = 4 pi alpha²
-    return footprintLevel(probe, size * footprintScale(probe, hit, s.direction), -0.4f);
+    // A lobe of that solid angle at its peak has alpha² = solid angle / (4 pi); times a factor, fitted, as is the bias.
+    float size = 1.5f * 0.0795775f * s.solidAngle / count;
+    return footprintLevel(probe, size * footprintScale(probe, hit, s.direction), -0.5f);
   }
   if (probe.parameters.levelOffset == 1)
   {
@@ -40,7 +41,7 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   int count = int(clamp(probe.parameters.samples, 1.0f, 256.0f));
   float number = float(count);
   FootprintLobe lobe = footprintLobe(point, 1.0f);
-  float alphaEach = min(2.0f * lobe.alpha / sqrt(number), 1.0f);
+  float alphaEach = min(1.6f * lobe.alpha / sqrt(number), 1.0f);
   SamplePattern pattern = samplePattern(point, probe.parameters.pattern, count);
   vec4 sum = vec4(0.0f);
   float weights = 0.0f;
@@ -55,8 +56,8 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
     }
   }
   if (count >= kFewSamples && weights > 0.0f) { return sum / weights; }
-  // Divided by the mean of all weights there could be, so that frames average to the integral. What these samples' weights lack or have
-  // too much is made up for with the lobe's prefiltered mean: even light stays even, whatever the samples.
-  float norm = 1.0f / (number * lobeAlbedo(lobe));
+  // Divided by the mean of all weights there could be, so that frames average to the integral. What these samples' weights lack is
+  // made up for with the lobe's prefiltered mean; were it to be more than all, their own weights are the norm.
+  float norm = 1.0f / max(number * lobeAlbedo(lobe), weights);
   return norm * sum + (1.0f - norm * weights) * evaluateFootprint1(map, probe, point);
 }
