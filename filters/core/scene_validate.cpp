@@ -17,6 +17,9 @@ namespace boxprobe {
 namespace {
 
 constexpr std::size_t kMostProbes = 10000;
+/// Of lengths, in scene units, and of light. Shaders compute in single precision, which ends at 3.4e38: up to here the
+/// square of a distance, the product of two lights and the extent of a box are finite.
+constexpr double kLargest = 1e18;
 constexpr const char* kAxes[3] = {"x", "y", "z"};
 
 std::string indexKey(std::size_t index) {
@@ -48,6 +51,14 @@ class Fields {
   void atLeast(const std::string& key, Number value, Number least) const {
     finite(key, value);
     if (value < least) fail(key, "is " + numberText(value) + " and must be " + numberText(least) + " or more");
+    notHuge(key, value);
+  }
+  template <typename Number>
+  void notHuge(const std::string& key, Number value) const {
+    finite(key, value);
+    if (std::fabs(static_cast<double>(value)) > kLargest) {
+      fail(key, "is " + numberText(value) + "; numbers up to " + numberText(kLargest) + " are computed with");
+    }
   }
   template <typename Number>
   void above(const std::string& key, Number value, Number bound) const {
@@ -61,10 +72,23 @@ class Fields {
       fail(key, "is " + numberText(value) + " and must be from " + numberText(least) + " to " + numberText(most));
     }
   }
+  /// A place or an offset.
+  void lengths(const std::string& key, const glm::dvec3& value) const {
+    finiteVector(key, value);
+    for (int i = 0; i < 3; ++i) {
+      if (std::fabs(value[i]) > kLargest) {
+        fail(key, std::string(kAxes[i]) + " is " + numberText(value[i]) + "; numbers up to " + numberText(kLargest) +
+                      " are computed with");
+      }
+    }
+  }
   void notNegative(const std::string& key, const glm::vec3& color) const {
     finiteVector(key, color);
     for (int i = 0; i < 3; ++i) {
       if (color[i] < 0.0f) fail(key, "has a negative component, " + numberText(color[i]) + "; use 0 or more");
+      if (color[i] > static_cast<float>(kLargest)) {
+        fail(key, "has a component of " + numberText(color[i]) + "; use " + numberText(kLargest) + " or less");
+      }
     }
   }
   void direction(const std::string& key, const glm::dvec3& value) const {
@@ -74,8 +98,8 @@ class Fields {
   void box(const std::string& key, const Box& box) const {
     Fields inside(path_);
     inside.path_.push_back(key);
-    inside.finiteVector("min", box.min);
-    inside.finiteVector("max", box.max);
+    inside.lengths("min", box.min);
+    inside.lengths("max", box.max);
     for (int i = 0; i < 3; ++i) {
       if (box.min[i] > box.max[i]) {
         fail(key, std::string("min.") + kAxes[i] + " " + numberText(box.min[i]) + " is greater than max." + kAxes[i] +
@@ -110,9 +134,10 @@ void checkNames(const std::vector<Named>& entries, const std::string& key) {
 void checkModel(const ModelFile& model, std::size_t index) {
   const Fields fields({"models", indexKey(index)});
   if (model.file.empty()) fields.fail("file", "is empty; name a model file");
-  fields.finiteVector("translation", model.translation);
+  fields.lengths("translation", model.translation);
   fields.finiteVector("rotationDegrees", model.rotationDegrees);
   fields.above("scale", model.scale, 0.0);
+  fields.notHuge("scale", model.scale);
 }
 
 void checkSky(const Sky& sky) {
@@ -130,8 +155,8 @@ void checkSky(const Sky& sky) {
 
 void checkCamera(const Camera& camera) {
   const Fields fields({"cameras", camera.name});
-  fields.finiteVector("position", camera.position);
-  fields.finiteVector("target", camera.target);
+  fields.lengths("position", camera.position);
+  fields.lengths("target", camera.target);
   fields.direction("up", camera.up);
   if (camera.position == camera.target) {
     fields.fail("target", "is the camera's own position; move one of them");
@@ -153,7 +178,7 @@ void checkLight(const Light& light, std::size_t index) {
   if (light.type == LightType::Directional) {
     fields.direction("direction", light.direction);
   } else {
-    fields.finiteVector("position", light.position);
+    fields.lengths("position", light.position);
   }
   fields.notNegative("color", light.color);
   fields.atLeast("intensity", light.intensity, 0.0f);
@@ -166,7 +191,7 @@ void checkMaterial(const std::string& name, const MaterialOverride& material) {
   if (material.metallic) fields.within("metallic", *material.metallic, 0.0f, 1.0f);
   if (material.roughness) fields.within("roughness", *material.roughness, 0.0f, 1.0f);
   if (material.emissive) fields.notNegative("emissive", *material.emissive);
-  if (material.normalScale) fields.finite("normalScale", *material.normalScale);
+  if (material.normalScale) fields.notHuge("normalScale", *material.normalScale);
   if (material.coat) fields.within("coat", *material.coat, 0.0f, 1.0f);
   if (material.ior) fields.atLeast("ior", *material.ior, 1.0f);
   if (material.transmission) fields.within("transmission", *material.transmission, 0.0f, 1.0f);
@@ -196,9 +221,9 @@ void checkTechnique(const Fields& fields, const Probe& probe) {
 }
 
 void checkCapture(const Fields& fields, const Probe& probe) {
-  fields.finiteVector("origin", probe.origin);
+  fields.lengths("origin", probe.origin);
   fields.above("near", probe.nearDistance, 0.0);
-  fields.finite("far", probe.farDistance);
+  fields.notHuge("far", probe.farDistance);
   if (probe.farDistance <= probe.nearDistance) {
     fields.fail("far", "is " + numberText(probe.farDistance) + " and must be greater than near, " +
                            numberText(probe.nearDistance));
@@ -233,7 +258,7 @@ void checkProbe(const Probe& probe) {
     blend.atLeast("min", probe.blendDistance.min[i], 0.0);
     blend.atLeast("max", probe.blendDistance.max[i], 0.0);
   }
-  fields.finite("importance", probe.importance);
+  fields.notHuge("importance", probe.importance);
   fields.atLeast("intensity", probe.intensity, 0.0);
   checkCapture(fields, probe);
   checkTechnique(fields, probe);

@@ -98,7 +98,8 @@ float finiteOrZero(float value) {
   return std::isfinite(value) ? value : 0.0f;
 }
 
-void readLevel(Imf::MultiPartInputFile& file, CubeMap& cube, int level, const std::string& path) {
+/// Returns how many texels were not finite.
+std::size_t readLevel(Imf::MultiPartInputFile& file, CubeMap& cube, int level, const std::string& path) {
   const int part = partNamed(file, levelName(level));
   if (part < 0) throw InputError(path + ": has no part " + levelName(level) + "; bake it again");
   const int size = cube.levelSize(level);
@@ -108,10 +109,17 @@ void readLevel(Imf::MultiPartInputFile& file, CubeMap& cube, int level, const st
                      std::to_string(picture.image.height) + " pixels and must be " + std::to_string(size) + " x " +
                      std::to_string(6 * size) + "; bake it again");
   }
-  std::transform(picture.image.pixels.begin(), picture.image.pixels.end(), cube.face(level, 0), finiteOrZero);
+  const std::vector<float>& pixels = picture.image.pixels;
+  std::transform(pixels.begin(), pixels.end(), cube.face(level, 0), finiteOrZero);
+  std::size_t notFinite = 0;
+  for (std::size_t texel = 0; texel < pixels.size(); texel += 4) {
+    const auto start = pixels.begin() + static_cast<std::ptrdiff_t>(texel);
+    notFinite += std::all_of(start, start + 4, [](float v) { return std::isfinite(v); }) ? 0 : 1;
+  }
+  return notFinite;
 }
 
-BakedMaps readMaps(Imf::MultiPartInputFile& file, const std::string& path) {
+BakedMaps readMaps(Imf::MultiPartInputFile& file, const std::string& path, std::size_t& notFinite) {
   const Imf::Header& header = file.header(0);
   if (!isBakedProbe(file)) {
     throw InputError(path + ": attribute " + kVersionAttribute + " = 1 and a part " + levelName(0) +
@@ -135,7 +143,7 @@ BakedMaps readMaps(Imf::MultiPartInputFile& file, const std::string& path) {
     }
   }
   maps.radiance = CubeMap(static_cast<int>(size), levels->value());
-  for (int level = 0; level < maps.radiance.levels(); ++level) readLevel(file, maps.radiance, level, path);
+  for (int level = 0; level < maps.radiance.levels(); ++level) notFinite += readLevel(file, maps.radiance, level, path);
   if (const int part = partNamed(file, "distance"); part >= 0) {
     const Imath::Box2i distanceWindow = file.header(part).dataWindow();
     const long long side = static_cast<long long>(distanceWindow.max.x) - distanceWindow.min.x + 1;
@@ -193,7 +201,7 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
 BakedProbeFile loadBakedProbe(const std::string& path) {
   BakedProbeFile result;
   withExrFile(path, [&](Imf::MultiPartInputFile& file) {
-    result.maps = readMaps(file, path);
+    result.maps = readMaps(file, path, result.texelsNotFinite);
     result.info = readProbeAttributes(file.header(0), folderOf(path), path);
   });
   return result;

@@ -23,6 +23,7 @@ struct BakedProbeInfo {
 struct BakedProbeFile {
   BakedMaps maps;
   BakedProbeInfo info;
+  std::size_t texelsNotFinite = 0;  ///< radiance that was NaN or infinite in the file, replaced by 0
 };
 
 /// Our own file of a probe: every level with coverage, distance, irradiance and metadata, exact to half precision and

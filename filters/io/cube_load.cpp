@@ -100,13 +100,19 @@ void convertFaces(const Faces& faces, int faceSize, LoadedCube& result) {
               faces.openExr ? TexelPlacement::Edges : TexelPlacement::Centres, faceSize, result);
 }
 
-LoadedCube fromBaked(BakedMaps maps, int faceSize) {
-  CubeMap finest(maps.radiance.faceSize(), 1);
-  const int count = 6 * 4 * finest.faceSize() * finest.faceSize();
-  std::copy_n(maps.radiance.face(0, 0), count, finest.face(0, 0));
+LoadedCube fromBaked(BakedProbeFile file, int faceSize) {
+  CubeMap finest(file.maps.radiance.faceSize(), 1);
   LoadedCube result;
   result.layout = CubeLayout::Strip;
-  convertCube(std::move(finest), std::move(maps.distance), TexelPlacement::Centres, faceSize, result);
+  result.texelsNotFinite = file.texelsNotFinite;
+  const int count = 6 * finest.faceSize() * finest.faceSize();
+  for (int texel = 0; texel < count; ++texel) {
+    const float* from = file.maps.radiance.face(0, 0) + std::ptrdiff_t(4) * texel;
+    float* to = finest.face(0, 0) + std::ptrdiff_t(4) * texel;
+    std::transform(from, from + 4, to, [](float v) { return std::clamp(v, -kHalfMax, kHalfMax); });
+    if (!std::equal(from, from + 4, to)) ++result.texelsClamped;  // a file of floats; halves cannot exceed it
+  }
+  convertCube(std::move(finest), std::move(file.maps.distance), TexelPlacement::Centres, faceSize, result);
   return result;
 }
 
@@ -203,7 +209,7 @@ LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize) {
   if (layout == CubeLayout::SixFiles || pattern) return loadSixFiles(path, faceSize);
   // Of a probe of ours the exact level and its distances, which other readers' part does not have.
   const bool mayBeBaked = layout == CubeLayout::Automatic || layout == CubeLayout::Strip;
-  if (mayBeBaked && bakedProbeHash(path)) return fromBaked(loadBakedProbe(path).maps, faceSize);
+  if (mayBeBaked && bakedProbeHash(path)) return fromBaked(loadBakedProbe(path), faceSize);
   CubeSource source = readCubeSource(path);
   if (layout == CubeLayout::Automatic) layout = detectLayout(source);
   const ImageRgbaF& image = source.picture.image;

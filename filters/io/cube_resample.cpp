@@ -12,7 +12,10 @@ namespace {
 
 // Rows are independent, and there is a transcendental function or two in every sample.
 void forEachRow(int rows, const std::function<void(int row)>& work) {
-  const unsigned count = std::min(std::max(1u, std::thread::hardware_concurrency()), static_cast<unsigned>(rows));
+  // Starting a thread costs as much as some dozens of short rows.
+  constexpr unsigned kRowsWorthAThread = 48;
+  const unsigned most = std::max(1u, static_cast<unsigned>(rows) / kRowsWorthAThread);
+  const unsigned count = std::min(std::max(1u, std::thread::hardware_concurrency()), most);
   std::atomic<int> next{0};
   const auto run = [&] {
     for (int row = next++; row < rows; row = next++) work(row);

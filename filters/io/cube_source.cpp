@@ -13,7 +13,6 @@ namespace boxprobe {
 namespace {
 
 void cleanTexels(CubeSource& source) {
-  constexpr float kHalfMax = 65504.0f;
   std::vector<float>& pixels = source.picture.image.pixels;
   for (std::size_t texel = 0; texel < pixels.size(); texel += 4) {
     bool finite = true, inRange = true;

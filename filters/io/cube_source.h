@@ -10,6 +10,9 @@
 
 namespace boxprobe {
 
+/// Largest half float: what textures hold.
+constexpr float kHalfMax = 65504.0f;
+
 struct CubeSource {
   std::string path;
   ExrPicture picture;

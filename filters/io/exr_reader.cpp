@@ -11,6 +11,7 @@
 
 #include "filters/core/errors.h"
 #include "filters/core/one_line.h"
+#include "filters/io/exr_header_check.h"
 #include "filters/io/image_detail.h"
 
 namespace boxprobe {
@@ -88,6 +89,7 @@ void withExrFile(const std::string& path, const std::function<void(Imf::MultiPar
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw InputError(path + ": does not exist; check the path");
   if (std::filesystem::is_directory(status)) throw InputError(path + ": is not a file; name a file");
+  checkExrHeader(path);
   try {
     Imf::MultiPartInputFile file(path.c_str());
     if (file.parts() < 1) throw InputError(path + ": has no parts; save it again");

@@ -1,6 +1,7 @@
 // Materials, textures, samplers and images of a glTF file. Images are decoded when the first material asks for them and
 // shared by all that do.
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 #include "filters/core/one_line.h"
@@ -26,7 +27,7 @@ class MaterialReader {
     material.metallic = unit(pbr.metallicFactor);
     material.roughness = unit(pbr.roughnessFactor);
     material.emissive = factor<glm::vec3>(source.emissiveFactor, glm::vec3(0.0f));
-    material.normalScale = static_cast<float>(source.normalTexture.scale);
+    material.normalScale = bounded(source.normalTexture.scale);
     material.occlusionStrength = unit(source.occlusionTexture.strength);
     material.doubleSided = source.doubleSided;
     material.baseColorTexture = texture(pbr.baseColorTexture, "baseColorTexture");
@@ -42,14 +43,20 @@ class MaterialReader {
   }
 
  private:
+  /// Beyond 1e18 products with light would leave single precision.
+  float bounded(double value) {
+    if (std::fabs(value) > kLargestNumber)
+      file_.warn("has material numbers beyond 1e18, which were brought down to it");
+    return static_cast<float>(std::clamp(value, -kLargestNumber, kLargestNumber));
+  }
   static float unit(double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); }
 
   template <typename Vector>
-  static Vector factor(const std::vector<double>& values, const Vector& standard) {
+  Vector factor(const std::vector<double>& values, const Vector& standard) {
     if (values.size() != static_cast<std::size_t>(Vector::length())) return standard;
     Vector result;
     for (int i = 0; i < Vector::length(); ++i) {
-      result[i] = static_cast<float>(std::max(values[static_cast<std::size_t>(i)], 0.0));
+      result[i] = bounded(std::max(values[static_cast<std::size_t>(i)], 0.0));
     }
     return result;
   }
@@ -64,9 +71,11 @@ class MaterialReader {
       if (name == "KHR_materials_unlit") {
         material.unlit = true;
       } else if (name == "KHR_materials_emissive_strength") {
-        material.emissive *= static_cast<float>(std::max(extensionNumber(extension, "emissiveStrength", 1.0), 0.0));
+        const float strength = bounded(std::max(extensionNumber(extension, "emissiveStrength", 1.0), 0.0));
+        for (int i = 0; i < 3; ++i)
+          material.emissive[i] = bounded(static_cast<double>(material.emissive[i]) * strength);
       } else if (name == "KHR_materials_ior") {
-        material.ior = static_cast<float>(std::max(extensionNumber(extension, "ior", kDefaultIor), 1.0));
+        material.ior = bounded(std::max(extensionNumber(extension, "ior", kDefaultIor), 1.0));
       } else if (name == "KHR_materials_clearcoat") {
         material.coat = unit(extensionNumber(extension, "clearcoatFactor", 0.0));
         material.coatRoughness = unit(extensionNumber(extension, "clearcoatRoughnessFactor", 0.0));

@@ -1,4 +1,6 @@
 // Meshes of a glTF file: one Mesh for each primitive of triangles, whatever its mode and its number formats.
+#include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "filters/io/gltf_parts.h"
@@ -99,6 +101,11 @@ Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mod
   if (position == primitive.attributes.end()) file.fail(place, "has no POSITION attribute; export it again");
   mesh.positions = asVectors<glm::vec3>(readFloats(file, position->second, 3, place + ": POSITION"));
   const std::size_t count = mesh.positions.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec3 reach = glm::abs(mesh.positions[i]);
+    if (std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(kLargestNumber)) continue;
+    file.fail(place + ": POSITION", "entry " + std::to_string(i) + " lies beyond 1e18; repair the model");
+  }
   if (count > 0xffffffffu) file.fail(place, "has more than 2^32 positions; split it");
   mesh.normals = readAttribute<glm::vec3>(file, primitive, "NORMAL", count, place);
   mesh.tangents = readAttribute<glm::vec4>(file, primitive, "TANGENT", count, place);

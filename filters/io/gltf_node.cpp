@@ -95,6 +95,7 @@ class TreeWalk {
       stack_.pop_back();
       const tinygltf::Node& node = file_.gltf.nodes[index];
       const glm::dmat4 worldFromNode = worldFromParent * localTransform(file_, index);
+      checkReach(index, worldFromNode);
       if (node.mesh >= 0) place(index, worldFromNode);
       if (node.skin >= 0) file_.warn("has skins, which are not supported; the bind pose is used");
       push(node.children, worldFromNode, nodePlace(file_, index));
@@ -114,6 +115,16 @@ class TreeWalk {
         file_.fail(nodePlace(file_, index), "stands in the tree twice, or is its own ancestor; repair the model");
       seen_[index] = true;
       stack_.emplace_back(index, worldFromParent);
+    }
+  }
+
+  /// Parents multiply: every node may be sound and the product beyond any number.
+  void checkReach(std::size_t index, const glm::dmat4& worldFromNode) const {
+    for (int i = 0; i < 16; ++i) {
+      // Also false for NaN, which infinity times 0 leaves.
+      if (std::fabs(worldFromNode[i / 4][i % 4]) <= kLargestNumber) continue;
+      file_.fail(nodePlace(file_, index),
+                 "its transform, with those of its parents, reaches beyond 1e18; repair the model");
     }
   }
 

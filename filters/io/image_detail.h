@@ -17,6 +17,11 @@ constexpr std::size_t kLargestEncodedImage = 0x7fffffff;
 /// Throws InputError naming the picture and the figure that is too large, before anything is allocated for it.
 void checkImageSize(const std::string& name, long long width, long long height);
 
+/// Throws InputError if `bytes` of file cannot hold this many pixels at `mostPixelsAByte`: decoders ask for the memory
+/// first, and some fill up silently what a file lacks.
+void checkEncodedSize(const std::string& name, long long width, long long height, std::size_t bytes,
+                      long long mostPixelsAByte);
+
 /// Throws WorkError unless the array holds width * height RGBA texels: a mistake in the program, caught before a file
 /// is.
 void checkPixelCount(const std::string& path, int width, int height, std::size_t values);

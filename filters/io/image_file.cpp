@@ -39,6 +39,9 @@ ImageRgbaF loadRadiance(const std::string& path) {
     throw InputError(path + ": is damaged (" + stbi_failure_reason() + "); save it again");
   }
   checkImageSize(path, image.width, image.height);
+  // Its shortest runs: 127 values of one of the four channels in 2 bytes, so 16 pixels a byte at most.
+  constexpr long long kMostPixelsAByte = 16;
+  checkEncodedSize(path, image.width, image.height, bytes.size(), kMostPixelsAByte);
   const std::unique_ptr<float, StbFree> pixels(
       stbi_loadf_from_memory(asBytes(bytes), length, &image.width, &image.height, &channels, 4));
   if (!pixels) throw InputError(path + ": is damaged (" + stbi_failure_reason() + "); save it again");
@@ -60,6 +63,13 @@ void checkImageSize(const std::string& name, long long width, long long height) 
   }
 }
 
+void checkEncodedSize(const std::string& name, long long width, long long height, std::size_t bytes,
+                      long long mostPixelsAByte) {
+  if (width * height / mostPixelsAByte <= static_cast<long long>(bytes)) return;
+  throw InputError(name + ": is damaged: " + std::to_string(width) + " x " + std::to_string(height) +
+                   " pixels are promised in " + std::to_string(bytes) + " bytes; save it again");
+}
+
 ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name) {
   ImageRgba8 image;
   image.name = name;
@@ -70,6 +80,11 @@ ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std:
     throw InputError(name + ": is not a PNG or JPEG picture; save it as one of these");
   }
   checkImageSize(name, image.width, image.height);
+  // PNG: deflate makes 1032 bytes of one, each of 8 pixels at the lowest depth. JPEG: a bit for a block of 64 pixels.
+  const bool png = size >= 4 && std::equal(bytes, bytes + 4, "\x89PNG",
+                                           [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
+  constexpr long long kPngPixelsAByte = 8 * 1032, kJpegPixelsAByte = 8 * 64;
+  checkEncodedSize(name, image.width, image.height, size, png ? kPngPixelsAByte : kJpegPixelsAByte);
   const std::unique_ptr<unsigned char, StbFree> pixels(
       stbi_load_from_memory(bytes, length, &image.width, &image.height, &channels, 4));
   if (!pixels) throw InputError(name + ": is damaged (" + stbi_failure_reason() + "); save it again");

@@ -234,6 +234,10 @@ void checkJsonSyntax(const std::string& text, const std::string& name) {
 }
 
 JsonText parseJsonText(const std::string& text, const std::string& name) {
+  // The library takes a zero byte for the end of the text and is content; the scanner below would walk on.
+  if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+    throw InputError(at(name, placeOf(text, zero)) + "not valid JSON: there is a zero byte; save it as plain text");
+  }
   checkJsonSyntax(text, name);
   JsonText result;
   result.name = name;

@@ -1,0 +1,205 @@
+// Writes the inputs that fuzzing starts from: one small file of each kind the readers know. Run by hand when a reader
+// learns a new kind: fuzz_seeds FOLDER fills FOLDER/scene, FOLDER/cube and FOLDER/model; what fuzzing makes of them,
+// minimised, is what tests/fuzz/corpus holds.
+#include <OpenEXR/ImfArray.h>
+#include <OpenEXR/ImfRgbaFile.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "filters/core/errors.h"
+#include "filters/io/cube_file.h"
+#include "filters/io/image_file.h"
+#include "filters/io/scene_file.h"
+#include "tests/unit/io_glb_builder.h"
+
+namespace {
+
+using namespace boxprobe;
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+fs::path folder;
+
+void write(const std::string& name, const std::string& bytes) {
+  std::ofstream(folder / name, std::ios::binary) << bytes;
+}
+
+std::string bytesOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Scene fullScene() {
+  Scene scene;
+  scene.models = {{"a.glb", {1, 2, 3}, {0, 90, 0}, 0.5}, {"b/c.gltf", {}, {}, 1.0}};
+  scene.cameras = {Camera(), {"side", {1, 2, 3}, {0, 0, 0.5}, {0, 1, 0.1}, 50.0}};
+  Light point;
+  point.type = LightType::Point;
+  point.position = {0, 2, 0};
+  scene.lights = {Light(), point};
+  scene.materials["floor"] = {glm::vec3(0.5f), 1.0f, 0.25f, glm::vec3(0, 0, 1), 0.5f, 0.1f, 1.4f, 0.5f};
+  scene.objects["ball"] = {false, false, true, ProbeMode::Simple, WeightMode::Object};
+  Probe probe;
+  probe.name = "room";
+  probe.rotationDegrees = {0, 30, 0};
+  probe.influence = Box{{-3, -1, -2}, {2, 1, 2}};
+  probe.clear = ClearToNone();
+  probe.technique = "sphere+ray_sample";
+  probe.parameters = {{"samples", 16.0}, {"filtered", true}, {"pattern", std::string("blue")}};
+  probe.hides = {"ball", "a/b"};
+  probe.bevel = Bevel{0.1, 0.3};
+  probe.occlusion = BoxOcclusion{1, 2, 0.5};
+  scene.probes = {probe};
+  probe.name = "hall";
+  probe.clear = glm::vec3(1, 0.5f, 0);
+  probe.mode = ProbeUpdate::Custom;
+  probe.image = "sky.exr";
+  probe.imageLayout = CubeLayout::Cross;
+  probe.filter = FilterKind::Gaussian;
+  scene.probes.push_back(probe);
+  return scene;
+}
+
+void makeScenes() {
+  Scene scene = fullScene();
+  write("scene/full", sceneText(scene, ""));
+  scene.sky = SkyColor{glm::vec3(1, 2, 3)};
+  scene.models.resize(1);
+  scene.probes.clear();
+  write("scene/color", sceneText(scene, ""));
+  scene.sky = SkyImage{"/sky.hdr"};
+  write("scene/image", sceneText(scene, ""));
+}
+
+CubeMap gradientCube(int faceSize, int levels) {
+  CubeMap cube(faceSize, levels);
+  for (int level = 0; level < levels; ++level) {
+    const int count = 6 * 4 * cube.levelSize(level) * cube.levelSize(level);
+    for (int i = 0; i < count; ++i) cube.face(level, 0)[i] = 0.25f * static_cast<float>(i % 37) + 0.5f;
+  }
+  return cube;
+}
+
+void makeCubes() {
+  const CubeMap cube = gradientCube(8, 1);
+  BakedProbeFile baked;
+  baked.maps.radiance = gradientCube(8, 4);
+  baked.maps.distance = gradientCube(4, 1);
+  baked.info.probe = fullScene().probes.front();
+  baked.info.inputHash = "a b c";
+  baked.info.program = "Boxprobe";
+  saveBakedProbe((folder / "cube/baked.exr").string(), baked);
+  CubePictureOptions options;
+  options.distance = &baked.maps.distance;
+  saveCubePicture((folder / "cube/latlong.exr").string(), cube, CubeLayout::LatLong, options);
+  saveCubePicture((folder / "cube/strip.exr").string(), cube, CubeLayout::Strip);
+  saveCubePicture((folder / "cube/cross.exr").string(), cube, CubeLayout::Cross);
+  const Imf::Rgba* pixels = nullptr;
+  Imf::Array<Imf::Rgba> grey(12 * 6);
+  for (int i = 0; i < 12 * 6; ++i) grey[i] = Imf::Rgba(0.1f * static_cast<float>(i), 1.0f, 2.0f);
+  pixels = grey;
+  for (const auto& [name, compression] :
+       std::initializer_list<std::pair<const char*, Imf::Compression>>{{"none", Imf::NO_COMPRESSION},
+                                                                       {"rle", Imf::RLE_COMPRESSION},
+                                                                       {"zips", Imf::ZIPS_COMPRESSION},
+                                                                       {"piz", Imf::PIZ_COMPRESSION},
+                                                                       {"pxr24", Imf::PXR24_COMPRESSION},
+                                                                       {"b44", Imf::B44_COMPRESSION},
+                                                                       {"dwaa", Imf::DWAA_COMPRESSION}}) {
+    Imf::Header header(12, 6);
+    header.compression() = compression;
+    Imf::RgbaOutputFile file((folder / "cube" / (std::string(name) + ".exr")).string().c_str(), header,
+                             Imf::WRITE_RGBA);
+    file.setFrameBuffer(pixels, 1, 12);
+    file.writePixels(6);
+  }
+  write("cube/flat.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n" + std::string(32, '\x80'));
+}
+
+void makeModels() {
+  GlbBuilder plain;
+  plain.triangle();
+  write("model/triangle", plain.glb());
+
+  ImageRgba8 image;
+  image.width = image.height = 4;
+  image.pixels.assign(64, 200);
+  const std::string png = (folder / "model/picture.png").string();
+  savePng(png, image);
+  const std::string encoded = bytesOf(png);
+  fs::remove(png);
+
+  GlbBuilder rich;
+  const int picture = rich.view(std::vector<unsigned char>(encoded.begin(), encoded.end()));
+  const int indices = rich.accessor(rich.view(std::vector<std::uint8_t>{0, 1, 2, 3}), GlbBuilder::UByte, "SCALAR", 4);
+  const int normals =
+      rich.accessor(rich.view(std::vector<std::int8_t>{0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0, 0, 1, 0, 0}),
+                    GlbBuilder::Byte, "VEC3", 4);
+  rich.json["accessors"][normals]["normalized"] = true;
+  rich.json["bufferViews"][rich.json["accessors"][normals]["bufferView"].get<int>()]["byteStride"] = 4;
+  const int positions = rich.floats("VEC3", 3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+  const int sparseIndex = rich.view(std::vector<std::uint16_t>{1});
+  const int sparseValue = rich.view(std::vector<float>{2, 0, 0});
+  rich.json["accessors"][positions]["sparse"] = {{"count", 1},
+                                                 {"indices", {{"bufferView", sparseIndex}, {"componentType", 5123}}},
+                                                 {"values", {{"bufferView", sparseValue}}}};
+  const int uv = rich.floats("VEC2", 2, {0, 0, 1, 0, 0, 1, 1, 1});
+  const int tangents = rich.floats("VEC4", 4, {1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, -1});
+  rich.json["images"] = Json::array({{{"bufferView", picture}, {"mimeType", "image/png"}}});
+  rich.json["samplers"] = Json::array({{{"wrapS", 33071}, {"wrapT", 33648}}});
+  rich.json["textures"] = Json::array({{{"source", 0}, {"sampler", 0}}});
+  rich.json["materials"] = Json::array(
+      {{{"name", "paint"},
+        {"pbrMetallicRoughness",
+         {{"baseColorFactor", {1, 0.5, 0.25, 1}}, {"baseColorTexture", {{"index", 0}}}, {"roughnessFactor", 0.3}}},
+        {"normalTexture", {{"index", 0}, {"scale", 0.5}}},
+        {"occlusionTexture", {{"index", 0}, {"strength", 0.5}}},
+        {"emissiveFactor", {1, 0, 0}},
+        {"alphaMode", "BLEND"},
+        {"doubleSided", true},
+        {"extensions",
+         {{"KHR_materials_emissive_strength", {{"emissiveStrength", 3}}},
+          {"KHR_materials_ior", {{"ior", 1.4}}},
+          {"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
+          {"KHR_materials_unlit", Json::object()}}}}});
+  rich.json["extensionsUsed"] = {"KHR_materials_ior"};
+  const int mesh = rich.mesh(
+      {{"attributes", {{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", uv}, {"TANGENT", tangents}}},
+       {"indices", indices},
+       {"material", 0},
+       {"mode", 5}});
+  rich.node({{"name", "root"},
+             {"scale", {-1, 1, 1}},
+             {"rotation", {0, 0, 0, 1}},
+             {"translation", {0, 1, 0}},
+             {"children", {1}}});
+  rich.json["nodes"].push_back({{"mesh", mesh}, {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}});
+  write("model/rich", rich.glb());
+
+  Json text = plain.json;
+  // 36 bytes: three positions.
+  text["buffers"] = Json::array({{{"byteLength", 36},
+                                  {"uri",
+                                   "data:application/octet-stream;base64,"
+                                   "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}}});
+  write("model/text", text.dump());
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count != 2) return std::fprintf(stderr, "usage: fuzz_seeds FOLDER\n"), 2;
+  folder = arguments[1];
+  for (const char* kind : {"scene", "cube", "model"}) fs::create_directories(folder / kind);
+  try {
+    makeScenes();
+    makeCubes();
+    makeModels();
+  } catch (const std::exception& error) {
+    return std::fprintf(stderr, "fuzz_seeds: %s\n", error.what()), 1;
+  }
+  return 0;
+}
