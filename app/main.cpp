@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/bake_command.h"
+#include "app/cli/bench_command.h"
 #include "app/cli/display_check.h"
 #include "app/cli/explain_command.h"
 #include "app/cli/info_command.h"
@@ -39,7 +40,8 @@ int run(int& argc, char** argv) {
       "Each sub-command explains itself: boxprobe render --help");
   program.require_subcommand(0, 1);
   const std::vector<Subcommand> subcommands = {addRenderCommand(program), addBakeCommand(program),
-                                               addExplainCommand(program), addInfoCommand(program)};
+                                               addExplainCommand(program), addInfoCommand(program),
+                                               addBenchCommand(program)};
 
   try {
     program.parse(argc, argv);

@@ -60,6 +60,7 @@ ReferenceBoxMaps readMaps(SceneRenderer& renderer, const Scene& scene, bool quie
     }
   }
   maps.sky = renderer.mapsOnCpu("");
+  maps.findBright();
   return maps;
 }
 

@@ -23,6 +23,7 @@ struct ProjectionRow {
   std::vector<std::string_view> sharedFiles = {};  ///< further files it needs, in order
   std::vector<std::string_view> parameters = {};   ///< names of the rows of parameterRows() it reads
   bool distances = false;                          ///< it fetches from the probe's distance cubemap
+  bool ours = false;                               ///< this project's own; false: as published elsewhere
 };
 
 struct EvaluationRow {
@@ -35,6 +36,7 @@ struct EvaluationRow {
   std::vector<std::string_view>
       sharedFiles;                           ///< further files it needs, in the order in which they build on each other
   std::vector<std::string_view> parameters;  ///< names of the rows of parameterRows() it reads
+  bool ours = false;                         ///< this project's own; false: as published elsewhere
 };
 
 const std::vector<ProjectionRow>& projectionRows();

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 
 #include "filters/reference/reflecting_layers.h"
-#include "filters/reference/visible_normal_lobe.h"
 
 namespace boxprobe {
 
@@ -18,51 +18,161 @@ BoxWorld::BoxWorld(const ProbeExplanation& probe, const CubeMap& radiance)
       low_(probe.boxMin),
       high_(probe.boxMax) {}
 
-glm::dvec3 BoxWorld::hit(const glm::dvec3& directionWorld) const {
-  const glm::dvec3 l = glm::transpose(worldFromProbe_) * directionWorld;
+glm::dvec3 BoxWorld::exit(const glm::dvec3& from, const glm::dvec3& l, int* axis) const {
   double distance = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     if (l[i] == 0.0) continue;
-    const double room = l[i] > 0.0 ? high_[i] - position_[i] : position_[i] - low_[i];
-    distance = std::min(distance, std::max(room, 0.0) / std::abs(l[i]));
+    const double room = l[i] > 0.0 ? high_[i] - from[i] : from[i] - low_[i];
+    const double reached = std::max(room, 0.0) / std::abs(l[i]);
+    if (reached >= distance) continue;
+    distance = reached;
+    if (axis != nullptr) *axis = i;
   }
-  return worldFromProbe_ * glm::clamp(position_ + distance * l, low_, high_);
+  return glm::clamp(from + distance * l, low_, high_);
+}
+
+glm::dvec3 BoxWorld::hit(const glm::dvec3& directionWorld) const {
+  return worldFromProbe_ * exit(position_, glm::transpose(worldFromProbe_) * directionWorld, nullptr);
+}
+
+bool BoxWorld::convex() const {
+  const auto inside = [&](const glm::dvec3& p) {
+    return glm::all(glm::greaterThanEqual(p, low_)) && glm::all(glm::lessThanEqual(p, high_));
+  };
+  // A surface that lies in a wall of the box is off it by single precision's rounding: a millionth of its size.
+  return inside(glm::dvec3(0.0)) &&
+         glm::all(glm::lessThan(glm::abs(position_ - glm::clamp(position_, low_, high_)), 1.0e-6 * (high_ - low_)));
+}
+
+glm::dvec3 BoxWorld::towards(const BrightDirections& bright, const glm::dvec2& u) const {
+  const glm::dvec3 fromOrigin = glm::transpose(worldFromProbe_) * bright.sample(u);
+  const glm::dvec3 way = exit(glm::dvec3(0.0), fromOrigin, nullptr) - position_;
+  const double length = glm::length(way);
+  return length > 0.0 ? worldFromProbe_ * (way / length) : glm::dvec3(0.0);
+}
+
+double BoxWorld::density(const BrightDirections& bright, const glm::dvec3& directionWorld) const {
+  const glm::dvec3 l = glm::transpose(worldFromProbe_) * directionWorld;
+  int axis = 0;
+  const glm::dvec3 hit = exit(position_, l, &axis), way = hit - position_;
+  const double fromHere = glm::dot(way, way), fromOrigin = glm::dot(hit, hit);
+  const double cosineHere = std::abs(l[axis]), cosineOrigin = std::abs(hit[axis]) / std::sqrt(fromOrigin);
+  if (!(fromOrigin > 0.0) || !(cosineHere > 0.0)) return 0.0;
+  // The same patch of wall under two solid angles.
+  return bright.density(worldFromProbe_ * hit) * (cosineOrigin / fromOrigin) * (fromHere / cosineHere);
 }
 
 glm::dvec3 BoxWorld::radiance(const glm::dvec3& directionWorld) const {
   return glm::dvec3(map_.fetch(glm::vec3(hit(directionWorld)), 0.0f));
 }
 
-glm::dvec3 referenceBoxColor(const Explanation& pixel, const ReferenceBoxMaps& maps, const BrdfTable& brdf, int rays,
-                             std::uint64_t seed, bool* exact) {
-  if (exact != nullptr) *exact = true;
-  if (!pixel.hit) return glm::dvec3(pixel.color);
-  struct Part {
-    BoxWorld world;
-    double share;
-  };
-  std::vector<Part> parts;
+void ReferenceBoxMaps::findBright() {
+  bright.clear();
+  for (const auto& probe : probes) {
+    bright.push_back(probe ? std::make_shared<const BrightDirections>(probe->radiance) : nullptr);
+  }
+}
+
+BoxSurroundings::BoxSurroundings(const Explanation& pixel, const ReferenceBoxMaps& maps) {
   for (const ProbeExplanation& probe : pixel.probes) {
     const auto index = static_cast<std::size_t>(probe.index);
     const double share = static_cast<double>(probe.weight) * probe.intensity;
     if (share <= 0.0 || index >= maps.probes.size() || !maps.probes[index]) continue;
-    parts.push_back({BoxWorld(probe, maps.probes[index]->radiance), share});
+    Part part{BoxWorld(probe, maps.probes[index]->radiance), share, nullptr};
+    if (index < maps.bright.size() && maps.bright[index] && maps.bright[index]->any() && part.world.convex()) {
+      part.bright = maps.bright[index].get();
+      ++brightParts_;
+    }
+    parts_.push_back(part);
   }
-  const double skyShare = maps.sky ? pixel.skyWeight : 0.0;
-  const auto surroundings = [&](const glm::dvec3& direction) {
-    glm::dvec3 sum(0.0);
-    for (const Part& part : parts) sum += part.share * part.world.radiance(direction);
-    if (skyShare > 0.0) sum += skyShare * glm::dvec3(maps.sky->radiance.fetch(glm::vec3(direction), 0.0f));
-    return sum;
+  if (maps.sky) {
+    sky_ = &maps.sky->radiance;
+    skyShare_ = pixel.skyWeight;
+  }
+}
+
+glm::dvec3 BoxSurroundings::radiance(const glm::dvec3& direction) const {
+  glm::dvec3 sum(0.0);
+  for (const Part& part : parts_) sum += part.share * part.world.radiance(direction);
+  if (skyShare_ > 0.0) sum += skyShare_ * glm::dvec3(sky_->fetch(glm::vec3(direction), 0.0f));
+  return sum;
+}
+
+glm::dvec3 BoxSurroundings::excess(const glm::dvec3& direction) const {
+  glm::dvec3 sum(0.0);
+  for (const Part& part : parts_) {
+    if (part.bright != nullptr) sum += part.share * part.bright->excess(part.world.radiance(direction));
+  }
+  return sum;
+}
+
+double BoxSurroundings::brightDensity(const glm::dvec3& direction) const {
+  double sum = 0.0;
+  for (const Part& part : parts_) {
+    if (part.bright != nullptr) sum += part.world.density(*part.bright, direction);
+  }
+  return sum / static_cast<double>(brightParts_);
+}
+
+glm::dvec3 BoxSurroundings::mean(const VisibleNormalLobe& lobe, const glm::dvec3& f0, const glm::dvec3& f90, int rays,
+                                 std::uint64_t seed) const {
+  if (brightParts_ == 0 || lobe.mirror()) {
+    return lobeMean(lobe, f0, f90, rays, seed, [&](const glm::dvec3& l) { return radiance(l); });
+  }
+  // As many rays towards the light as by the lobe: either alone is at a loss where the other is good.
+  const int towardsLight = std::max(rays / 2, 1), byLobe = std::max(rays - towardsLight, 1);
+  const auto fresnel = [&](double hDotV) {
+    const double grazing = 1.0 - hDotV, square = grazing * grazing;
+    return f0 + (f90 - f0) * (square * square * grazing);
   };
+  glm::dvec3 bright(0.0), weights(0.0);
+  const auto addBright = [&](const glm::dvec3& l, const VisibleNormalLobe::Density& of, const glm::dvec3& light) {
+    if (light == glm::dvec3(0.0) || !(of.weight > 0.0)) return;
+    const double density = byLobe * of.density + towardsLight * brightDensity(l);
+    if (density > 0.0) bright += of.weight * of.density / density * fresnel(of.hDotV) * light;
+  };
+  const glm::dvec3 rest = lobeMean(lobe, f0, f90, byLobe, seed, [&](const glm::dvec3& l) {
+    const glm::dvec3 light = excess(l);
+    const VisibleNormalLobe::Density of = lobe.at(l);
+    addBright(l, of, light);
+    weights += of.weight * fresnel(of.hDotV);
+    return radiance(l) - light;
+  });
+  const ShiftedPoints points(stirred(seed ^ 0x5bd1e995u));
+  for (int i = 0; i < towardsLight; ++i) {
+    const Part* part = nullptr;
+    std::size_t wanted = static_cast<std::size_t>(i) % brightParts_;
+    for (const Part& candidate : parts_) {
+      if (candidate.bright != nullptr && wanted-- == 0) {
+        part = &candidate;
+        break;
+      }
+    }
+    const glm::dvec3 l = part->world.towards(*part->bright, points[i]);
+    const VisibleNormalLobe::Density of = lobe.at(l);
+    if (of.weight > 0.0) addBright(l, of, excess(l));
+  }
+  // The mean of the weights over all directions drawn, those below the surface counting 0.
+  glm::dvec3 result = rest;
+  for (int c = 0; c < 3; ++c) {
+    if (weights[c] > 0.0) result[c] += bright[c] * byLobe / weights[c];
+  }
+  return result;
+}
+
+glm::dvec3 referenceBoxColor(const Explanation& pixel, const ReferenceBoxMaps& maps, const BrdfTable& brdf, int rays,
+                             std::uint64_t seed, bool* exact) {
+  if (exact != nullptr) *exact = true;
+  if (!pixel.hit) return glm::dvec3(pixel.color);
+  const BoxSurroundings surroundings(pixel, maps);
   glm::dvec3 color(pixel.direct + pixel.emissive + pixel.diffuse);
-  if (parts.empty() && skyShare <= 0.0) return color;
+  if (surroundings.empty()) return color;
   for (const ReflectingLayer& layer : reflectingLayers(pixel.surface, brdf)) {
     const VisibleNormalLobe lobe(glm::normalize(layer.normalWorld), glm::normalize(glm::dvec3(pixel.surface.viewWorld)),
                                  layer.roughness * layer.roughness);
     if (exact != nullptr) *exact = *exact && lobe.mirror();
-    color += layer.factor *
-             lobeMean(lobe, glm::dvec3(layer.fresnel.f0), glm::dvec3(layer.fresnel.f90), rays, seed, surroundings);
+    color +=
+        layer.factor * surroundings.mean(lobe, glm::dvec3(layer.fresnel.f0), glm::dvec3(layer.fresnel.f90), rays, seed);
     seed = stirred(seed);
   }
   return color;

@@ -12,6 +12,8 @@
 #include "filters/core/baked_probe.h"
 #include "filters/core/explanation.h"
 #include "filters/math/brdf_table.h"
+#include "filters/reference/bright_directions.h"
+#include "filters/reference/visible_normal_lobe.h"
 
 namespace boxprobe {
 
@@ -27,7 +29,16 @@ class BoxWorld {
   /// That point, world axes, relative to the capture origin.
   glm::dvec3 hit(const glm::dvec3& directionWorld) const;
 
+  /// A direction, unit, world, towards the light that stands out in the capture; and how densely that draws a
+  /// direction. `bright` is the capture's.
+  glm::dvec3 towards(const BrightDirections& bright, const glm::dvec2& u) const;
+  double density(const BrightDirections& bright, const glm::dvec3& directionWorld) const;
+  /// Those two are each other's inverse only seen from inside the box, with the capture made inside of it.
+  bool convex() const;
+
  private:
+  glm::dvec3 exit(const glm::dvec3& from, const glm::dvec3& direction, int* axis) const;
+
   const CubeMap& map_;
   glm::dmat3 worldFromProbe_;
   glm::dvec3 position_, low_, high_;  ///< probe frame
@@ -36,6 +47,39 @@ class BoxWorld {
 struct ReferenceBoxMaps {
   std::vector<std::shared_ptr<const BakedMaps>> probes;  ///< in the scene's order; null: gives nothing
   std::shared_ptr<const BakedMaps> sky;                  ///< null: black
+  /// Of each probe, where its light stands out; empty: rays are drawn by the lobe alone, which needs far more of them
+  /// where lamps are small.
+  std::vector<std::shared_ptr<const BrightDirections>> bright;
+
+  void findBright();  ///< fills `bright` from `probes`
+};
+
+/// All that a pixel's probes and the sky show it, as one world.
+class BoxSurroundings {
+ public:
+  /// Both must outlive this.
+  BoxSurroundings(const Explanation& pixel, const ReferenceBoxMaps& maps);
+  bool empty() const { return parts_.empty() && skyShare_ <= 0.0; }
+  glm::dvec3 radiance(const glm::dvec3& directionWorld) const;
+
+  /// Its mean over the lobe as lobeMean() has it. What stands out in a capture is summed apart, over directions drawn
+  /// both by the lobe and towards it, each by the balance heuristic (Veach and Guibas 1995).
+  glm::dvec3 mean(const VisibleNormalLobe& lobe, const glm::dvec3& f0, const glm::dvec3& f90, int rays,
+                  std::uint64_t seed) const;
+
+ private:
+  struct Part {
+    BoxWorld world;
+    double share;
+    const BrightDirections* bright;  ///< null: none, or not to be drawn towards from here
+  };
+  glm::dvec3 excess(const glm::dvec3& directionWorld) const;
+  double brightDensity(const glm::dvec3& directionWorld) const;
+
+  std::vector<Part> parts_;
+  std::size_t brightParts_ = 0;
+  const CubeMap* sky_ = nullptr;
+  double skyShare_ = 0.0;
 };
 
 /// One estimate of the colour of an explained pixel, all of whose probes are taken as box worlds whatever their

@@ -79,4 +79,21 @@ VisibleNormalLobe::Sample VisibleNormalLobe::sample(const glm::dvec2& u) const {
   return {l.x * tangent_ + l.y * bitangent_ + l.z * normal_, weight, hDotV};
 }
 
+VisibleNormalLobe::Density VisibleNormalLobe::at(const glm::dvec3& direction) const {
+  const glm::dvec3 l(glm::dot(direction, tangent_), glm::dot(direction, bitangent_), glm::dot(direction, normal_));
+  const glm::dvec3 v(sine_, 0.0, cosine_), sum = l + v;
+  const double length = glm::length(sum);
+  if (!(l.z > 0.0) || length < 1.0e-12 || mirror()) return {};
+  const glm::dvec3 h = sum / length;
+  const double hDotV = std::min(glm::dot(h, v), 1.0);
+  if (!(hDotV > 0.0) || !(h.z > 0.0)) return {};
+  // D_v(h) / (4 h.v) = G1(v) D(h) / (4 n.v); G1 by Smith, D by Trowbridge and Reitz.
+  const double a2 = alpha_ * alpha_, d = h.z * h.z * (a2 - 1.0) + 1.0;
+  const double distribution = a2 / (0.5 * kTwoPi * d * d);
+  const double masking = 2.0 * cosine_ / (cosine_ + viewRoot_);
+  const double lightRoot = std::sqrt(a2 + (1.0 - a2) * l.z * l.z);
+  const double weight = l.z * (cosine_ + viewRoot_) / (cosine_ * lightRoot + l.z * viewRoot_);
+  return {masking * distribution / (4.0 * cosine_), weight, hDotV};
+}
+
 }  // namespace boxprobe

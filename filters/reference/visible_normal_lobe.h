@@ -39,6 +39,15 @@ class VisibleNormalLobe {
   /// Heitz 2018, "Sampling the GGX Distribution of Visible Normals"; height-correlated Smith masking. `u` in [0, 1)².
   Sample sample(const glm::dvec2& u) const;
 
+  /// The same of a given direction (unit), for estimates that draw directions otherwise; `density`: how densely
+  /// sample() draws it, per solid angle, 0 below the surface. Not for a mirror, whose density is no number.
+  struct Density {
+    double density = 0.0;
+    double weight = 0.0;
+    double hDotV = 0.0;
+  };
+  Density at(const glm::dvec3& direction) const;
+
   /// So narrow that every sample is the mirrored view.
   bool mirror() const { return alpha_ < 1.0e-6; }
 

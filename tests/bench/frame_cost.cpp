@@ -19,7 +19,7 @@
 #include "filters/io/image_file.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
-#include "tests/bench/interleaved.h"
+#include "filters/reference/interleaved.h"
 #include "tests/bench/stock_renderer.h"
 
 namespace {

@@ -19,7 +19,7 @@
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/prefilter.h"
-#include "tests/bench/interleaved.h"
+#include "filters/reference/interleaved.h"
 #include "tests/bench/prefilter_cubes.h"
 #include "tests/bench/stock_prefilter.h"
 

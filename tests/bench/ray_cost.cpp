@@ -21,7 +21,7 @@
 #include "filters/vtk/ray_sources.h"
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/vtkProjectionRays.h"
-#include "tests/bench/interleaved.h"
+#include "filters/reference/interleaved.h"
 
 namespace {
 

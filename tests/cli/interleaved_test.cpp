@@ -1,5 +1,5 @@
 // The statistics the benchmarks judge by, on samples whose answer is known.
-#include "tests/bench/interleaved.h"
+#include "filters/reference/interleaved.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// Two costs measured in turn and compared: the statistics of the benchmarks. Knows nothing of what is measured.
+// Two costs measured in turn and compared: the statistics of `boxprobe bench` and of the benchmark programs. Knows
+// nothing of what is measured.
 #pragma once
 
 #include <cstdint>
@@ -23,5 +24,9 @@ struct Ratio {
 };
 
 Ratio ratioOfMedians(const Samples& samples, int resamples = 10000, std::uint32_t seed = 1);
+
+/// Mean over several kinds of work, in equal parts, of the ratio of medians of each; pairs are drawn within each kind.
+/// Kinds without samples do not count; 0 without any.
+Ratio meanRatioOfMedians(const std::vector<Samples>& kinds, int resamples = 2000, std::uint32_t seed = 1);
 
 }  // namespace boxprobe::bench

@@ -1,0 +1,125 @@
+// See bench_command.h.
+#include "app/cli/bench_command.h"
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "app/cli/bench_host.h"
+#include "app/cli/bench_options.h"
+#include "app/cli/display_check.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/load_scene.h"
+#include "app/cli/messages.h"
+#include "app/cli/output_check.h"
+#include "app/cli/progress_line.h"
+#include "app/cli/stats_json.h"
+#include "app/cli/vtk_messages.h"
+#include "filters/core/errors.h"
+#include "filters/io/atomic_file.h"
+#include "filters/io/image_file.h"
+#include "filters/reference/bench_text.h"
+#include "filters/vtk/cpu_time.h"
+
+namespace boxprobe {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string processorName() {
+  std::ifstream stream("/proc/cpuinfo");
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
+  }
+  return "unknown";
+}
+
+/// A folder that can be written into, before minutes of work.
+void requireFolder(const std::string& folder) {
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+    throw InputError("-o " + folder + ": this is a file; -o names a folder");
+  }
+  fs::create_directories(folder, error);
+  if (error) throw InputError("-o " + folder + ": cannot create this folder: " + error.message());
+  requireWritable("-o", folder + "/bench.json");
+}
+
+std::shared_ptr<const ImageRgbaF> skyImage(const Scene& scene) {
+  const auto* image = std::get_if<SkyImage>(&scene.sky);
+  return image != nullptr ? std::make_shared<ImageRgbaF>(loadHdrImage(image->file)) : nullptr;
+}
+
+void printSummary(const BenchResult& result, const std::string& folder) {
+  std::printf("%-34s %8s %8s %7s %8s %7s\n", "technique", "lookups", "frame", "error", "/ hdrp", "light");
+  for (const BenchSummary& s : summaries(result, Truth::Box)) {
+    std::printf("%-34s %8.1f %8.2f %7.4f %8.2f %7.3f%s\n", result.techniques[s.technique].label().c_str(), s.lookups,
+                s.cpuRatioToBox.value, s.error, s.errorRatioToHdrp, s.brightnessRatio, s.onFront ? "  front" : "");
+  }
+  std::printf("%s: bench.json, bench.csv, report.md\n", folder.c_str());
+}
+
+void runBench(const BenchOptions& options) {
+  if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  const InterruptGuard interrupt;
+  const std::string scenePath =
+      options.scenePath.empty() ? BOXPROBE_DATA_DIR "/scenes/gallery.boxprobe.json" : options.scenePath;
+  const LoadedScene loaded = loadScene(scenePath, options.assignments);
+  const BenchPlan plan = benchPlan(options, loaded.scene);
+  if (!options.report.quiet) printWarnings(loaded.warnings);
+  requireDisplay("boxprobe bench");
+  requireFolder(options.folder);
+  installVtkMessages(options.report.quiet, false);
+  interrupt.check();
+
+  const FrameSize timed = timedFrameSize(options);
+  VtkBenchHost host(loaded.models, skyImage(loaded.scene), timed.width, timed.height, [] {});
+  BenchResult result = [&] {
+    ProgressLine line("measuring", !options.report.quiet);
+    const auto progress = [&](double done) {
+      line.show(done);
+      return !interrupt.interrupted();
+    };
+    return runBenchmark(plan, loaded.scene, loaded.models, host, progress);
+  }();
+  const RunStats stats = collectStats(host.renderer(), host.window());
+  result.scene = fs::path(scenePath).filename().string();
+  result.machine = processorName();
+  result.glRenderer = stats.glRenderer;
+  result.glVersion = stats.glVersion;
+  result.timedWidth = timed.width;
+  result.timedHeight = timed.height;
+  const std::string json = benchJson(result);
+  if (!result.complete) {
+    const std::string partial = options.folder + "/bench.json.partial";
+    writeTextAtomically(partial, json);
+    throw WorkError("interrupted: what there was of the benchmark is in " + partial);
+  }
+  writeTextAtomically(options.folder + "/bench.json", json);
+  writeTextAtomically(options.folder + "/bench.csv", benchCsv(result));
+  writeTextAtomically(options.folder + "/report.md", benchReport(result));
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
+  if (!options.report.quiet) {
+    for (const std::string& remark : result.remarks) printWarnings({remark});
+  }
+  if (options.report.json) {
+    std::fputs(json.c_str(), stdout);
+  } else if (!options.report.quiet) {
+    printSummary(result, options.folder);
+  }
+}
+
+}  // namespace
+
+Subcommand addBenchCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("bench", "Measure run time against error of every technique");
+  const auto options = std::make_shared<BenchOptions>();
+  addBenchOptions(*command, *options);
+  return {command, [options] { runBench(*options); }};
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,25 @@
+// Run time against error: a technique as a point, and which points no other beats in both. Called by the benchmark, its
+// chart, and whoever shows an earlier run's bench.json; knows no renderer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace boxprobe {
+
+struct FrontPoint {
+  std::string id;      ///< full technique id
+  std::string label;   ///< with the parameters that differ from their defaults
+  double cost = 0.0;   ///< frame time over plain box projection's
+  double error = 0.0;  ///< tone-mapped RMSE
+  bool onFront = false;
+  bool ours = false;  ///< false: as published elsewhere
+};
+
+/// Sets `onFront` of each: no other is at most as costly and at most as wrong, and better in one of the two.
+void markFront(std::vector<FrontPoint>& points);
+
+/// Of a bench.json: against `truth`, "box" or "scene". Throws InputError naming the file and what it lacks.
+std::vector<FrontPoint> loadFront(const std::string& path, const std::string& truth = "box");
+
+}  // namespace boxprobe
