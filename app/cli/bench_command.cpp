@@ -3,6 +3,7 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +11,7 @@
 
 #include "app/cli/bench_host.h"
 #include "app/cli/bench_options.h"
+#include "app/cli/contact_sheet.h"
 #include "app/cli/display_check.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/load_scene.h"
@@ -19,10 +21,13 @@
 #include "app/cli/stats_json.h"
 #include "app/cli/vtk_messages.h"
 #include "filters/core/errors.h"
+#include "filters/core/number_text.h"
 #include "filters/io/atomic_file.h"
 #include "filters/io/image_file.h"
 #include "filters/reference/bench_text.h"
+#include "filters/reference/metrics.h"
 #include "filters/vtk/cpu_time.h"
+#include "filters/vtk/front_chart.h"
 
 namespace boxprobe {
 
@@ -60,7 +65,65 @@ void printSummary(const BenchResult& result, const std::string& folder) {
     std::printf("%-34s %8.1f %8.2f %7.4f %8.2f %7.3f%s\n", result.techniques[s.technique].label().c_str(), s.lookups,
                 s.cpuRatioToBox.value, s.error, s.errorRatioToHdrp, s.brightnessRatio, s.onFront ? "  front" : "");
   }
-  std::printf("%s: bench.json, bench.csv, report.md\n", folder.c_str());
+  std::printf("%s: bench.json, bench.csv, report.md, front.png, front-scene.png, contact.png\n", folder.c_str());
+}
+
+/// The pictures of one view, kept while they pass by.
+class Contacts {
+ public:
+  explicit Contacts(const BenchPlan& plan) : camera_(plan.cameras.front().name) {
+    // A roughness at which techniques differ the most, or the nearest there is.
+    constexpr double kWanted = 0.5;
+    for (const double r : plan.roughnesses) {
+      if (std::abs(r - kWanted) < std::abs(roughness_ - kWanted)) roughness_ = r;
+    }
+  }
+  void take(const BenchPictures& seen) {
+    if (seen.camera->name != camera_ || seen.roughness != roughness_) return;
+    ContactPicture picture{seen.technique->label(), *seen.picture, {}};
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < seen.mask->size(); ++i) {
+      if (!(*seen.mask)[i]) {
+        picture.error.push_back(-1.0f);
+        continue;
+      }
+      double sum = 0.0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double d = toneMapped(seen.picture->pixels[4 * i + c]) - toneMapped(seen.truth->pixels[4 * i + c]);
+        sum += d * d;
+      }
+      squares += sum;
+      ++count;
+      picture.error.push_back(static_cast<float>(std::sqrt(sum / 3.0)));
+    }
+    char error[32];
+    std::snprintf(error, sizeof(error), ": %.4f", std::sqrt(squares / (3.0 * static_cast<double>(count))));
+    picture.label += error;
+    pictures_.push_back(std::move(picture));
+    truth_ = *seen.truth;
+  }
+  /// Nothing if that view was left out.
+  void save(const std::string& path, const std::string& scene, double exposure) const {
+    if (pictures_.empty()) return;
+    const std::string title = scene + ", camera " + camera_ + ", roughness " + numberText(roughness_);
+    savePng(path, contactSheet(title, truth_, pictures_, exposure, 0.15));
+  }
+
+ private:
+  std::string camera_;
+  double roughness_ = 1.0e3;
+  ImageRgbaF truth_;
+  std::vector<ContactPicture> pictures_;
+};
+
+void saveChart(const std::string& path, const BenchResult& result, Truth truth) {
+  FrontChartText text;
+  text.title = std::string("Run time against error: ") + result.scene + ", against the " +
+               (truth == Truth::Box ? "integral over the box" : "traced scene");
+  text.costAxis = "CPU time of a frame over plain box projection's, " + std::to_string(result.timedWidth) + " x " +
+                  std::to_string(result.timedHeight);
+  savePng(path, frontChartPicture(frontPoints(result, truth), text, 1400, 900));
 }
 
 void runBench(const BenchOptions& options) {
@@ -78,13 +141,15 @@ void runBench(const BenchOptions& options) {
 
   const FrameSize timed = timedFrameSize(options);
   VtkBenchHost host(loaded.models, skyImage(loaded.scene), timed.width, timed.height, [] {});
+  Contacts contacts(plan);
   BenchResult result = [&] {
     ProgressLine line("measuring", !options.report.quiet);
     const auto progress = [&](double done) {
       line.show(done);
       return !interrupt.interrupted();
     };
-    return runBenchmark(plan, loaded.scene, loaded.models, host, progress);
+    return runBenchmark(plan, loaded.scene, loaded.models, host, progress,
+                        [&](const BenchPictures& seen) { contacts.take(seen); });
   }();
   const RunStats stats = collectStats(host.renderer(), host.window());
   result.scene = fs::path(scenePath).filename().string();
@@ -102,6 +167,9 @@ void runBench(const BenchOptions& options) {
   writeTextAtomically(options.folder + "/bench.json", json);
   writeTextAtomically(options.folder + "/bench.csv", benchCsv(result));
   writeTextAtomically(options.folder + "/report.md", benchReport(result));
+  saveChart(options.folder + "/front.png", result, Truth::Box);
+  saveChart(options.folder + "/front-scene.png", result, Truth::Scene);
+  contacts.save(options.folder + "/contact.png", result.scene, loaded.scene.exposure);
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
   if (!options.report.quiet) {
     for (const std::string& remark : result.remarks) printWarnings({remark});

@@ -92,12 +92,16 @@ BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
   plan.height = size.height;
   plan.seed = options.seed;
   plan.boxTruth.seed = stirred(options.seed);
-  plan.sceneTruth.seed = stirred(plan.boxTruth.seed);
+  // Few large passes: points that are spread evenly gain by being many.
+  plan.boxTruth.raysPerPass = options.quick ? 128 : 256;
   plan.boxTruth.standardError = options.quick ? 0.002 : 0.0012;
-  plan.boxTruth.mostPasses = options.quick ? 24 : 64;
-  plan.sceneTruth.raysPerPass = 16;
-  plan.sceneTruth.standardError = options.quick ? 0.004 : 0.002;
-  plan.sceneTruth.mostPasses = options.quick ? 16 : 32;
+  plan.boxTruth.leastPasses = 3;
+  plan.boxTruth.mostPasses = 16;
+  plan.sceneTruth = plan.boxTruth;
+  plan.sceneTruth.seed = stirred(plan.boxTruth.seed);
+  plan.sceneTruth.raysPerPass = options.quick ? 32 : 48;
+  plan.sceneTruth.standardError = 2.0 * plan.boxTruth.standardError;
+  plan.sceneTruth.mostPasses = 8;
   plan.lookupPixels = options.quick ? 8 : 16;
   plan.mostPairs = options.quick ? 3 : 9;
   plan.pairSeconds = options.quick ? 0.1 : 0.6;

@@ -20,7 +20,11 @@ int Composer::material(Material material) {
 }
 
 int Composer::mesh(MeshBuilder builder, const std::string& name, int material) {
-  model_.meshes.push_back(std::move(builder).finish(name, material));
+  return mesh(std::move(builder).finish(name, material));
+}
+
+int Composer::mesh(Mesh mesh) {
+  model_.meshes.push_back(std::move(mesh));
   return static_cast<int>(model_.meshes.size()) - 1;
 }
 

@@ -16,6 +16,7 @@ class Composer {
  public:
   int material(Material material);
   int mesh(MeshBuilder builder, const std::string& name, int material);
+  int mesh(Mesh mesh);
   void place(const std::string& node, int mesh, glm::dvec3 position = glm::dvec3(0.0), double scale = 1.0);
   /// A mesh that stands in one place, named as its node.
   void add(const std::string& node, MeshBuilder builder, int material);

@@ -79,7 +79,8 @@ class Writer {
 
   void addMesh(const Mesh& mesh) {
     const std::size_t count = mesh.positions.size();
-    if (mesh.normals.size() != count || mesh.uv.size() != count || mesh.indices.empty())
+    if (mesh.normals.size() != count || mesh.uv.size() != count || mesh.indices.empty() ||
+        (!mesh.tangents.empty() && mesh.tangents.size() != count))
       throw WorkError("mesh " + mesh.name + ": needs a normal and a texture coordinate for each position, and indices");
     Json attributes;
     glm::vec3 low = mesh.positions.front(), high = low;
@@ -89,6 +90,9 @@ class Writer {
     gltf_["accessors"].back()["max"] = jsonArray(high);
     attributes["NORMAL"] = addAccessor(mesh.normals.data(), count, "VEC3", kFloat, kArrayBuffer);
     attributes["TEXCOORD_0"] = addAccessor(mesh.uv.data(), count, "VEC2", kFloat, kArrayBuffer);
+    if (!mesh.tangents.empty()) {
+      attributes["TANGENT"] = addAccessor(mesh.tangents.data(), count, "VEC4", kFloat, kArrayBuffer);
+    }
     int indices = 0;
     if (count <= 65535) {
       const std::vector<std::uint16_t> narrow(mesh.indices.begin(), mesh.indices.end());
@@ -108,6 +112,9 @@ class Writer {
     if (material.baseColorTexture.image) pbr["baseColorTexture"] = {{"index", texture(material.baseColorTexture)}};
     Json json = {{"name", material.name}, {"pbrMetallicRoughness", pbr}};
     if (material.emissiveTexture.image) json["emissiveTexture"] = {{"index", texture(material.emissiveTexture)}};
+    if (material.normalTexture.image) {
+      json["normalTexture"] = {{"index", texture(material.normalTexture)}, {"scale", material.normalScale}};
+    }
     const float brightest = std::max({material.emissive.r, material.emissive.g, material.emissive.b});
     if (brightest > 1.0f) {  // the factor itself may not exceed 1
       json["emissiveFactor"] = jsonArray(material.emissive / brightest);

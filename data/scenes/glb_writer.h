@@ -9,7 +9,7 @@
 namespace boxprobe::scenes {
 
 /// Throws WorkError for a mesh without normals or texture coordinates, since every scene here promises both. Textures
-/// other than base colour and emissive are not written: no scene here has them.
+/// other than base colour, emissive and normal are not written: no scene here has them.
 std::string glbBytes(const Model& model);
 
 }  // namespace boxprobe::scenes

@@ -17,6 +17,9 @@ Model room();
 /// A closed 4 x 4 x 4 m room, one colour a wall, that shows a swapped, mirrored or turned cube-map face at a glance.
 Model sixFaces();
 
+/// A closed 10 x 3.5 x 7 m room with textures and small bright lamps, and things to reflect them: for measuring.
+Model gallery();
+
 /// The sky of `building` as a Radiance HDR file, latitude-longitude, for programs that want an image.
 std::string skyHdr();
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/front.h"
 #include "filters/reference/bench_technique.h"
-#include "filters/reference/front.h"
 #include "filters/reference/interleaved.h"
 
 namespace boxprobe {

@@ -111,10 +111,13 @@ TruthColors sceneTruth(const std::vector<BenchPixel>& pixels, const TruthColors&
                                    layer.roughness * layer.roughness);
       *exact = *exact && lobe.mirror();
       const auto difference = [&](const glm::dvec3& l) {
-        return scene.seenFrom(away, l, RaySees::Probes) - surroundings.radiance(l);
+        // Largest about the outlines of lamps, which the capture holds by its texels: found by rays towards them.
+        BoxSurroundings::Light light;
+        light.bright = scene.seenFrom(away, l, RaySees::Probes) - surroundings.radiance(l);
+        return light;
       };
-      sum += layer.factor * lobeMean(lobe, glm::dvec3(layer.fresnel.f0), glm::dvec3(layer.fresnel.f90),
-                                     settings.raysPerPass, seed, difference);
+      sum += layer.factor * surroundings.meanOf(difference, lobe, glm::dvec3(layer.fresnel.f0),
+                                                glm::dvec3(layer.fresnel.f90), settings.raysPerPass, seed);
       seed = stirred(seed);
     }
     return sum;

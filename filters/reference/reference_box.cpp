@@ -98,15 +98,27 @@ glm::dvec3 BoxSurroundings::radiance(const glm::dvec3& direction) const {
   return sum;
 }
 
-glm::dvec3 BoxSurroundings::excess(const glm::dvec3& direction) const {
-  glm::dvec3 sum(0.0);
+BoxSurroundings::Light BoxSurroundings::light(const glm::dvec3& direction) const {
+  Light sum;
   for (const Part& part : parts_) {
-    if (part.bright != nullptr) sum += part.share * part.bright->excess(part.world.radiance(direction));
+    const glm::dvec3 all = part.world.radiance(direction);
+    const glm::dvec3 bright = part.bright != nullptr ? part.bright->excess(all) : glm::dvec3(0.0);
+    sum.even += part.share * (all - bright);
+    sum.bright += part.share * bright;
   }
+  if (skyShare_ > 0.0) sum.even += skyShare_ * glm::dvec3(sky_->fetch(glm::vec3(direction), 0.0f));
   return sum;
 }
 
-double BoxSurroundings::brightDensity(const glm::dvec3& direction) const {
+glm::dvec3 BoxSurroundings::towardsLamp(int ray, const glm::dvec2& u) const {
+  std::size_t wanted = static_cast<std::size_t>(ray) % brightParts_;
+  for (const Part& part : parts_) {
+    if (part.bright != nullptr && wanted-- == 0) return part.world.towards(*part.bright, u);
+  }
+  return glm::dvec3(0.0);
+}
+
+double BoxSurroundings::lampDensity(const glm::dvec3& direction) const {
   double sum = 0.0;
   for (const Part& part : parts_) {
     if (part.bright != nullptr) sum += part.world.density(*part.bright, direction);
@@ -116,44 +128,44 @@ double BoxSurroundings::brightDensity(const glm::dvec3& direction) const {
 
 glm::dvec3 BoxSurroundings::mean(const VisibleNormalLobe& lobe, const glm::dvec3& f0, const glm::dvec3& f90, int rays,
                                  std::uint64_t seed) const {
+  return meanOf([&](const glm::dvec3& l) { return light(l); }, lobe, f0, f90, rays, seed);
+}
+
+glm::dvec3 BoxSurroundings::meanOf(const std::function<Light(const glm::dvec3&)>& light, const VisibleNormalLobe& lobe,
+                                   const glm::dvec3& f0, const glm::dvec3& f90, int rays, std::uint64_t seed) const {
   if (brightParts_ == 0 || lobe.mirror()) {
-    return lobeMean(lobe, f0, f90, rays, seed, [&](const glm::dvec3& l) { return radiance(l); });
+    return lobeMean(lobe, f0, f90, rays, seed, [&](const glm::dvec3& l) {
+      const Light of = light(l);
+      return of.even + of.bright;
+    });
   }
-  // As many rays towards the light as by the lobe: either alone is at a loss where the other is good.
-  const int towardsLight = std::max(rays / 2, 1), byLobe = std::max(rays - towardsLight, 1);
+  // As many rays towards lamps as by the lobe: either alone is at a loss where the other is good.
+  const int towardsLamps = std::max(rays / 2, 1), byLobe = std::max(rays - towardsLamps, 1);
   const auto fresnel = [&](double hDotV) {
     const double grazing = 1.0 - hDotV, square = grazing * grazing;
     return f0 + (f90 - f0) * (square * square * grazing);
   };
   glm::dvec3 bright(0.0), weights(0.0);
-  const auto addBright = [&](const glm::dvec3& l, const VisibleNormalLobe::Density& of, const glm::dvec3& light) {
-    if (light == glm::dvec3(0.0) || !(of.weight > 0.0)) return;
-    const double density = byLobe * of.density + towardsLight * brightDensity(l);
-    if (density > 0.0) bright += of.weight * of.density / density * fresnel(of.hDotV) * light;
+  const auto addBright = [&](const glm::dvec3& l, const VisibleNormalLobe::Density& of, const glm::dvec3& value) {
+    if (value == glm::dvec3(0.0)) return;
+    const double density = byLobe * of.density + towardsLamps * lampDensity(l);
+    if (density > 0.0) bright += of.weight * of.density / density * fresnel(of.hDotV) * value;
   };
-  const glm::dvec3 rest = lobeMean(lobe, f0, f90, byLobe, seed, [&](const glm::dvec3& l) {
-    const glm::dvec3 light = excess(l);
+  const glm::dvec3 even = lobeMean(lobe, f0, f90, byLobe, seed, [&](const glm::dvec3& l) {
+    const Light seen = light(l);
     const VisibleNormalLobe::Density of = lobe.at(l);
-    addBright(l, of, light);
     weights += of.weight * fresnel(of.hDotV);
-    return radiance(l) - light;
+    addBright(l, of, seen.bright);
+    return seen.even;
   });
   const ShiftedPoints points(stirred(seed ^ 0x5bd1e995u));
-  for (int i = 0; i < towardsLight; ++i) {
-    const Part* part = nullptr;
-    std::size_t wanted = static_cast<std::size_t>(i) % brightParts_;
-    for (const Part& candidate : parts_) {
-      if (candidate.bright != nullptr && wanted-- == 0) {
-        part = &candidate;
-        break;
-      }
-    }
-    const glm::dvec3 l = part->world.towards(*part->bright, points[i]);
+  for (int i = 0; i < towardsLamps; ++i) {
+    const glm::dvec3 l = towardsLamp(i, points[i]);
     const VisibleNormalLobe::Density of = lobe.at(l);
-    if (of.weight > 0.0) addBright(l, of, excess(l));
+    if (of.weight > 0.0) addBright(l, of, light(l).bright);
   }
-  // The mean of the weights over all directions drawn, those below the surface counting 0.
-  glm::dvec3 result = rest;
+  // Over the mean of the weights of all the lobe's rays, those below the surface counting 0.
+  glm::dvec3 result = even;
   for (int c = 0; c < 3; ++c) {
     if (weights[c] > 0.0) result[c] += bright[c] * byLobe / weights[c];
   }

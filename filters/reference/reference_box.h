@@ -63,9 +63,19 @@ class BoxSurroundings {
   glm::dvec3 radiance(const glm::dvec3& directionWorld) const;
 
   /// Its mean over the lobe as lobeMean() has it. What stands out in a capture is summed apart, over directions drawn
-  /// both by the lobe and towards it, each by the balance heuristic (Veach and Guibas 1995).
+  /// both by the lobe and towards it.
   glm::dvec3 mean(const VisibleNormalLobe& lobe, const glm::dvec3& f0, const glm::dvec3& f90, int rays,
                   std::uint64_t seed) const;
+
+  /// What a direction shows, in two parts.
+  struct Light {
+    glm::dvec3 even{0.0};    ///< found by the lobe's own rays: exact for a constant
+    glm::dvec3 bright{0.0};  ///< found by those and by rays towards lamps, weighed by the balance heuristic (Veach and
+                             ///< Guibas 1995); all of it must lie where lamps are for that to be of use
+  };
+  /// The same of any light.
+  glm::dvec3 meanOf(const std::function<Light(const glm::dvec3& directionWorld)>& light, const VisibleNormalLobe& lobe,
+                    const glm::dvec3& f0, const glm::dvec3& f90, int rays, std::uint64_t seed) const;
 
  private:
   struct Part {
@@ -73,8 +83,9 @@ class BoxSurroundings {
     double share;
     const BrightDirections* bright;  ///< null: none, or not to be drawn towards from here
   };
-  glm::dvec3 excess(const glm::dvec3& directionWorld) const;
-  double brightDensity(const glm::dvec3& directionWorld) const;
+  Light light(const glm::dvec3& directionWorld) const;
+  glm::dvec3 towardsLamp(int ray, const glm::dvec2& u) const;
+  double lampDensity(const glm::dvec3& directionWorld) const;
 
   std::vector<Part> parts_;
   std::size_t brightParts_ = 0;

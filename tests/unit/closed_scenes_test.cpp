@@ -1,4 +1,4 @@
-// The closed scenes, `room` and `six-faces`: that their walls are the probe's box, without a gap, and what is painted
+// The closed scenes, `room`, `gallery` and `six-faces`: that their walls are the probe's box, without a gap, and what is painted
 // there.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,13 +23,17 @@ namespace {
 
 const std::string kFolder = scenesFolder();
 
-/// A closed room: exactly on the box, seen from inside, without a gap.
-void expectClosedRoom(const Model& model, const Box& box) {
-  const auto notBall = [](const Triangle& t) { return !startsWith(t.node, "sphere") && t.node != "ball"; };
+/// What a scene's probe sees is a closed room: exactly on the box, seen from inside, without a gap.
+void expectClosedRoom(const Model& model, const Scene& scene) {
+  const Box& box = scene.probes.front().box;
+  const auto seen = [&](const Triangle& t) {
+    const auto object = scene.objects.find(t.node);
+    return object == scene.objects.end() || object->second.seenByProbes;
+  };
   double area = 0.0;
   std::map<std::array<double, 6>, int> edges;  // directed; a closed surface has each one once and its reverse once
   for (const Triangle& t : triangles(model)) {
-    if (!notBall(t)) continue;
+    if (!seen(t)) continue;
     area += glm::length(t.areaVector());
     EXPECT_GT(glm::dot(t.areaVector(), box.center() - t.middle()), 0.0) << t.node << " is seen from outside";
     EXPECT_FALSE(t.surface->doubleSided) << t.node;
@@ -61,7 +65,14 @@ TEST(Room, WallsAreTheBoxAndLeaveNoGap) {
   EXPECT_EQ(probe.blendDistance, (BlendDistance{glm::dvec3(0.0), glm::dvec3(0.0)}));
   EXPECT_EQ(probe.bounces, 1);
   EXPECT_THAT(scene.lights, testing::IsEmpty());
-  expectClosedRoom(loadModelFile(kFolder + "room.glb"), probe.box);
+  expectClosedRoom(loadModelFile(kFolder + "room.glb"), scene);
+}
+
+TEST(Gallery, WhatTheProbeSeesIsTheBoxAndNothingElse) {
+  const Scene scene = loadSceneFile(kFolder + "gallery.boxprobe.json");
+  EXPECT_EQ(scene.probes.front().box.size(), glm::dvec3(10, 3.5, 7));
+  EXPECT_EQ(scene.probes.front().blendDistance, (BlendDistance{glm::dvec3(0.0), glm::dvec3(0.0)}));
+  expectClosedRoom(loadModelFile(kFolder + "gallery.glb"), scene);
 }
 
 TEST(Room, LampLiesInTheCeilingAndFloorIsPureMetal) {
@@ -140,7 +151,7 @@ TEST(SixFaces, WallsAreTheBoxAndLeaveNoGap) {
   const Scene scene = loadSceneFile(kFolder + "six-faces.boxprobe.json");
   EXPECT_EQ(scene.probes.front().origin, glm::dvec3(0.0));
   EXPECT_EQ(scene.probes.front().box, (Box{glm::dvec3(-2.0), glm::dvec3(2.0)}));
-  expectClosedRoom(loadModelFile(kFolder + "six-faces.glb"), scene.probes.front().box);
+  expectClosedRoom(loadModelFile(kFolder + "six-faces.glb"), scene);
 }
 
 TEST(SixFaces, EachWallShowsItsCubeMapFace) {

@@ -1,5 +1,5 @@
 // Run time against error: a technique as a point, and which points no other beats in both. Called by the benchmark, its
-// chart, and whoever shows an earlier run's bench.json; knows no renderer.
+// chart, and whoever shows an earlier run's results; knows no renderer and no file.
 #pragma once
 
 #include <string>
@@ -18,8 +18,5 @@ struct FrontPoint {
 
 /// Sets `onFront` of each: no other is at most as costly and at most as wrong, and better in one of the two.
 void markFront(std::vector<FrontPoint>& points);
-
-/// Of a bench.json: against `truth`, "box" or "scene". Throws InputError naming the file and what it lacks.
-std::vector<FrontPoint> loadFront(const std::string& path, const std::string& truth = "box");
 
 }  // namespace boxprobe

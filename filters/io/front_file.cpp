@@ -1,6 +1,5 @@
-#include "filters/reference/front.h"
+#include "filters/io/front_file.h"
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -8,23 +7,14 @@
 
 namespace boxprobe {
 
-void markFront(std::vector<FrontPoint>& points) {
-  for (FrontPoint& point : points) {
-    point.onFront = std::none_of(points.begin(), points.end(), [&](const FrontPoint& other) {
-      return other.cost <= point.cost && other.error <= point.error &&
-             (other.cost < point.cost || other.error < point.error);
-    });
-  }
-}
-
-std::vector<FrontPoint> loadFront(const std::string& path, const std::string& truth) {
+std::vector<FrontPoint> loadFront(const std::string& path, const std::string& reference) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path + ": cannot be read; write it with boxprobe bench");
   std::vector<FrontPoint> points;
   try {
     const nlohmann::json json = nlohmann::json::parse(stream);
     for (const auto& entry : json.at("summary")) {
-      if (entry.at("reference") != truth) continue;
+      if (entry.at("reference") != reference) continue;
       FrontPoint point;
       point.id = entry.at("technique").get<std::string>();
       point.label = entry.at("label").get<std::string>();
@@ -34,7 +24,7 @@ std::vector<FrontPoint> loadFront(const std::string& path, const std::string& tr
       point.ours = entry.at("ours").get<bool>();
       points.push_back(point);
     }
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const nlohmann::json::exception&) {
     throw InputError(path + ": not a bench.json of this version; write it anew with boxprobe bench");
   }
   return points;

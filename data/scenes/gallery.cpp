@@ -1,0 +1,217 @@
+// The scene that techniques are measured in: a closed room of 10 x 3.5 x 7 m that is exactly its probe's box, with
+// textured walls, small bright lamps in their planes, and four things to reflect them: a floor, half of it bumpy, a
+// panel on a wall and a sphere. Box projection has no geometric error here, so what differs from a ray-traced picture
+// is how a technique evaluates the lobe.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "data/scenes/composer.h"
+#include "data/scenes/picture.h"
+#include "data/scenes/scenes.h"
+
+namespace boxprobe::scenes {
+namespace {
+
+const glm::dvec3 kLow(-5.0, 0.0, -3.5), kSize(10.0, 3.5, 7.0);
+// Where lamps and floors begin and end, metres from kLow. Every surface is cut there, so that neighbours meet in the
+// same vertices.
+const std::vector<double> kCutsX = {0.0, 1.0, 1.8, 2.0, 2.3, 3.6, 5.8, 6.8, 7.1, 8.2, 8.4, 10.0};
+const std::vector<double> kCutsY = {0.0, 1.2, 2.0, 2.4, 3.5};
+const std::vector<double> kCutsZ = {0.0, 1.5, 1.8, 2.4, 2.6, 3.3, 3.4, 5.0, 5.3, 7.0};
+constexpr double kFloorEnd = 5.8;  ///< the bumpy part begins
+constexpr double kBumpTile = 1.2;  ///< its picture repeats
+constexpr double kSoft = 0.05;     ///< edges in pictures, metres
+
+/// A rectangle of a wall's own grid, in metres along it.
+struct Patch {
+  double left, right, low, high;
+  bool holds(double x, double y) const { return x > left && x < right && y > low && y < high; }
+};
+
+glm::dvec3 bricks(double x, double y) {  // north: courses of 12 cm, every other one shifted
+  const double course = y / 0.12, row = std::floor(course);
+  const double shifted = x / 0.36 + (static_cast<int>(row) % 2 != 0 ? 0.5 : 0.0), column = std::floor(shifted);
+  const double tint = hash(static_cast<int>(column), static_cast<int>(row), 61);
+  const glm::dvec3 brick = blend({0.42, 0.13, 0.07}, {0.66, 0.33, 0.18}, tint);
+  const double joint = std::max(softLines(shifted, 1.0, 0.03, 0.06), softLines(course, 1.0, 0.08, 0.15));
+  return blend(brick, {0.62, 0.58, 0.52}, 0.85 * joint);
+}
+
+glm::dvec3 pictures(double x, double y) {  // south: a pale wall with framed pictures
+  glm::dvec3 color = glm::dvec3(0.55, 0.53, 0.46) * (0.85 + 0.3 * noise(1.5 * x, 1.5 * y, 15, 6, 62));
+  struct Frame {
+    double x, y, halfWidth, halfHeight;
+    glm::dvec3 a, b;
+  };
+  const Frame frames[] = {{1.6, 1.7, 0.7, 0.5, {0.05, 0.15, 0.45}, {0.95, 0.75, 0.15}},
+                          {3.9, 1.6, 0.6, 0.8, {0.75, 0.06, 0.05}, {0.95, 0.9, 0.8}},
+                          {6.3, 1.7, 0.9, 0.6, {0.03, 0.28, 0.12}, {0.65, 0.85, 0.95}}};
+  for (const Frame& f : frames) {
+    const double outside = std::max(std::abs(x - f.x) - f.halfWidth, std::abs(y - f.y) - f.halfHeight);
+    const double u = (x - f.x) / f.halfWidth, v = (y - f.y) / f.halfHeight;
+    const double waves = softStep(0.0, 0.5, std::sin(5.0 * u + 2.0 * std::sin(4.0 * v)) + 0.6 * v);
+    color = blend(color, {0.03, 0.02, 0.015}, softStep(0.0, kSoft, 0.09 - outside));
+    color = blend(color, blend(f.a, f.b, waves), softStep(0.0, kSoft, -outside));
+  }
+  return color;
+}
+
+glm::dvec3 tiles(double x, double y) {  // east: glazed tiles of 20 cm
+  const int column = static_cast<int>(x / 0.2), row = static_cast<int>(y / 0.2);
+  const glm::dvec3 tile = blend({0.03, 0.22, 0.30}, {0.20, 0.62, 0.60}, hash(column, row, 63));
+  const double grout = std::max(softLines(x, 0.2, 0.008, 0.02), softLines(y, 0.2, 0.008, 0.02));
+  return blend(tile, {0.75, 0.75, 0.70}, grout);
+}
+
+glm::dvec3 boards(double x, double y) {  // west: upright boards of 25 cm, grain along them
+  const double board = x / 0.25;
+  const int number = static_cast<int>(board);
+  const double grain = noise(8.0 * x, 0.8 * y + 3.0 * hash(number, 0, 64), 80, 40, 65);
+  const glm::dvec3 wood =
+      blend({0.18, 0.09, 0.04}, {0.50, 0.31, 0.15}, 0.3 * hash(number, 1, 64) + 0.7 * softStep(0.2, 0.6, grain));
+  return blend(wood, {0.02, 0.012, 0.008}, softLines(board, 1.0, 0.03, 0.06));
+}
+
+glm::dvec3 plaster(double x, double y) {  // the ceiling: pale, with two dark beams
+  const glm::dvec3 white = glm::dvec3(0.62, 0.61, 0.58) * (0.9 + 0.2 * noise(1.0 * x, 1.0 * y, 10, 7, 66));
+  const double beam = std::min(std::abs(x - 2.9), std::abs(x - 7.6)) - 0.15;
+  return blend(white, {0.10, 0.055, 0.025}, softStep(0.0, kSoft, -beam));
+}
+
+glm::dvec3 carpet(double x, double y) {  // what probes see of the floor
+  const double a = softLines(x - 0.25, 1.0, 0.25, kSoft), b = softLines(y - 0.25, 1.0, 0.25, kSoft);
+  const glm::dvec3 weave = blend({0.30, 0.24, 0.20}, {0.52, 0.45, 0.36}, 0.5 * (a + b));
+  const double rug = std::max(std::abs(x - 5.2) - 2.2, std::abs(y - 3.4) - 1.3);
+  const glm::dvec3 pattern = blend({0.45, 0.05, 0.06}, {0.80, 0.62, 0.30}, softLines(x + y, 0.6, 0.1, kSoft));
+  return blend(weave, pattern, softStep(0.0, kSoft, -rug));
+}
+
+/// Bumps with slopes of about 0.1, that repeat with the picture. Linear values, as a normal texture holds them.
+Picture bumps() {
+  constexpr int kTexels = 256;
+  struct Wave {
+    int across, down;
+    double slope, phase;
+  };
+  const Wave waves[] = {
+      {3, 1, 0.06, 0.3}, {-2, 4, 0.06, 1.9}, {5, -3, 0.05, 4.0}, {1, 6, 0.04, 2.7}, {7, 5, 0.03, 5.1}};
+  auto image = std::make_shared<ImageRgba8>();
+  image->name = "bumps";
+  image->width = image->height = kTexels;
+  for (int y = 0; y < kTexels; ++y) {
+    for (int x = 0; x < kTexels; ++x) {
+      glm::dvec2 slope(0.0);  // of the height, along the picture's right and its top
+      for (const Wave& w : waves) {
+        const double angle = 6.283185307179586 * (w.across * (x + 0.5) + w.down * (y + 0.5)) / kTexels + w.phase;
+        const double length = std::hypot(w.across, w.down);
+        slope += w.slope * std::cos(angle) * glm::dvec2(w.across, -w.down) / length;
+      }
+      const double scale = 1.0 / std::sqrt(1.0 + slope.x * slope.x + slope.y * slope.y);
+      for (const double n : {-slope.x * scale, -slope.y * scale, scale})
+        image->pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0 * (0.5 + 0.5 * n))));
+      image->pixels.push_back(255);
+    }
+  }
+  return image;
+}
+
+std::vector<double> reversed(std::vector<double> cuts) {
+  std::reverse(cuts.begin(), cuts.end());
+  for (double& cut : cuts) cut = 1.0 - cut;
+  return cuts;
+}
+
+std::vector<double> fractions(std::vector<double> metres) {
+  const double whole = metres.back();
+  for (double& cut : metres) cut /= whole;
+  return metres;
+}
+
+/// A wall, its picture, and the lamps cut out of it.
+class Wall {
+ public:
+  Wall(glm::dvec3 corner, glm::dvec3 right, glm::dvec3 up, std::vector<double> rightCuts, std::vector<double> upCuts)
+      : corner_(corner), right_(right), up_(up), rightCuts_(std::move(rightCuts)), upCuts_(std::move(upCuts)) {}
+
+  MeshBuilder part(const std::function<bool(double x, double y)>& keep, UvRectangle uv = {}) const {
+    MeshBuilder mesh;
+    const glm::dvec2 metres = size();
+    mesh.quadGrid(corner_, right_, up_, rightCuts_, upCuts_, uv, [&](int column, int row) {
+      const auto c = static_cast<std::size_t>(column), r = static_cast<std::size_t>(row);
+      return keep(metres.x * 0.5 * (rightCuts_[c] + rightCuts_[c + 1]), metres.y * 0.5 * (upCuts_[r] + upCuts_[r + 1]));
+    });
+    return mesh;
+  }
+  glm::dvec2 size() const { return {glm::length(right_), glm::length(up_)}; }
+
+ private:
+  glm::dvec3 corner_, right_, up_;
+  std::vector<double> rightCuts_, upCuts_;
+};
+
+struct Lamp {
+  const char* name;
+  Patch patch;
+  glm::vec3 radiance;
+};
+
+using Mural = glm::dvec3 (*)(double x, double y);
+
+void addWall(Composer& scene, const std::string& name, const Wall& wall, Mural mural, const std::vector<Lamp>& lamps) {
+  const glm::dvec2 metres = wall.size();
+  constexpr double kTexels = 64.0;  // a metre: as fine as a probe of 256² faces sees the nearest wall
+  const Picture picture =
+      paint(name, static_cast<int>(kTexels * metres.x), static_cast<int>(kTexels * metres.y),
+            [mural, metres](double u, double v) { return mural(metres.x * u, metres.y * (1.0 - v)); });
+  const auto lampAt = [&](double x, double y) {
+    return std::any_of(lamps.begin(), lamps.end(), [&](const Lamp& l) { return l.patch.holds(x, y); });
+  };
+  scene.add(name, wall.part([&](double x, double y) { return !lampAt(x, y); }), scene.material(unlit(name, picture)));
+  for (const Lamp& l : lamps) {
+    scene.add(l.name, wall.part([&](double x, double y) { return l.patch.holds(x, y); }),
+              scene.material(lamp(l.name, l.radiance)));
+  }
+}
+
+}  // namespace
+
+Model gallery() {
+  Composer scene;
+  const glm::dvec3 x(kSize.x, 0, 0), y(0, kSize.y, 0), z(0, 0, kSize.z);
+  const std::vector<double> cutsX = fractions(kCutsX), cutsY = fractions(kCutsY), cutsZ = fractions(kCutsZ);
+
+  const Wall floor(kLow + z, x, -z, cutsX, reversed(cutsZ));
+  scene.add("floor", floor.part([](double across, double) { return across < kFloorEnd; }),
+            scene.material(perfectMirror("floor")));
+  Material bumpy = perfectMirror("bumpy floor");
+  bumpy.normalTexture = {bumps(), Wrap::Repeat, Wrap::Repeat};
+  Mesh bumpyFloor = floor
+                        .part([](double across, double) { return across > kFloorEnd; },
+                              {0.0, 0.0, kSize.x / kBumpTile, kSize.z / kBumpTile})
+                        .finish("bumpy floor", scene.material(bumpy));
+  bumpyFloor.tangents.assign(bumpyFloor.positions.size(), glm::vec4(1, 0, 0, 1));
+  scene.place("bumpy floor", scene.mesh(std::move(bumpyFloor)));
+  addWall(scene, "carpet", floor, carpet, {});
+
+  addWall(scene, "wall north", Wall(kLow, x, y, cutsX, cutsY), bricks,
+          {{"sconce north", {8.2, 8.4, 2.0, 2.4}, {18.0f, 14.0f, 9.0f}}});
+  addWall(scene, "wall south", Wall(kLow + x + z, -x, y, reversed(cutsX), cutsY), pictures,
+          {{"window", {8.2, 9.0, 1.2, 2.4}, {2.6f, 3.4f, 4.6f}}});  // x runs west here: 1 m to 1.8 m from the west wall
+  addWall(scene, "wall east", Wall(kLow + x, z, y, cutsZ, cutsY), tiles,
+          {{"sconce east", {2.4, 2.6, 2.0, 2.4}, {18.0f, 14.0f, 9.0f}}});
+  addWall(scene, "wall west", Wall(kLow + z, -z, y, reversed(cutsZ), cutsY), boards, {});
+  addWall(scene, "ceiling", Wall(kLow + y, x, z, cutsX, cutsZ), plaster,
+          {{"spot 1", {2.0, 2.3, 1.5, 1.8}, {60.0f, 50.0f, 36.0f}},
+           {"spot 2", {6.8, 7.1, 5.0, 5.3}, {60.0f, 50.0f, 36.0f}},
+           {"tube", {3.6, 5.8, 3.3, 3.4}, {22.0f, 25.0f, 28.0f}}});
+
+  MeshBuilder panel;  // in front of the boards, so that it reflects the room from near its west end
+  panel.quad(kLow + glm::dvec3(0.02, 0.6, 5.0), glm::dvec3(0, 0, -3.0), glm::dvec3(0, 2.0, 0));
+  scene.add("panel", std::move(panel), scene.material(perfectMirror("panel")));
+  const int ball = scene.mesh(sphere(0.55, 64), "sphere", scene.material(perfectMirror("sphere")));
+  scene.place("sphere", ball, {0.4, 0.55, -1.0});
+  return std::move(scene).finish();
+}
+
+}  // namespace boxprobe::scenes

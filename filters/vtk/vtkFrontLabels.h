@@ -1,0 +1,43 @@
+/**
+ * @class   vtkFrontLabels
+ * @brief   names beside the points of a chart, none over another
+ *
+ * Painted after its chart, whose axes say where a point lies on the screen. Each name goes to the nearest of some
+ * places around its point that is free; where that is not beside the point, a line leads to it.
+ */
+#pragma once
+
+#include <vtkContextItem.h>
+#include <vtkWeakPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkChartXY;
+
+class vtkFrontLabels : public vtkContextItem {
+ public:
+  static vtkFrontLabels* New();
+  vtkTypeMacro(vtkFrontLabels, vtkContextItem)
+
+      struct Label {
+    double X = 0.0, Y = 0.0;  ///< in the chart's units
+    std::string Text;
+    bool Important = false;  ///< placed before others, and bold
+  };
+  void SetChart(vtkChartXY* chart);
+  void SetLabels(std::vector<Label> labels);
+
+  bool Paint(vtkContext2D* painter) override;
+
+ protected:
+  vtkFrontLabels() = default;
+  ~vtkFrontLabels() override = default;
+
+ private:
+  vtkFrontLabels(const vtkFrontLabels&) = delete;
+  void operator=(const vtkFrontLabels&) = delete;
+
+  vtkWeakPointer<vtkChartXY> Chart;
+  std::vector<Label> Labels;
+};
