@@ -90,7 +90,11 @@ ImageRgba8 contactSheet(const std::string& title, const ImageRgbaF& truth, const
   colors->AddRGBPoint(0.6, 0.85, 0.28, 0.33);
   colors->AddRGBPoint(0.85, 0.99, 0.67, 0.27);
   colors->AddRGBPoint(1.0, 0.99, 0.98, 0.75);
-  const int w = truth.width, h = truth.height;
+  // Labels want room: small pictures are shown in whole multiples of their pixels.
+  constexpr int kLeastWidth = 300;
+  const int zoom = (kLeastWidth + truth.width - 1) / truth.width;
+  const int w = zoom * truth.width, h = zoom * truth.height;
+  const auto pixelOf = [&](int x, int y) { return static_cast<std::size_t>(y / zoom * truth.width + x / zoom); };
   const int cellWidth = w + kGap, cellHeight = kTextHeight + 2 * h + 2 + kGap;
   const int cells = static_cast<int>(pictures.size()) + 1, rows = (cells + kColumns - 1) / kColumns;
   Sheet sheet(kColumns * cellWidth + kGap, kTitleHeight + rows * cellHeight + kGap);
@@ -98,7 +102,7 @@ ImageRgba8 contactSheet(const std::string& title, const ImageRgbaF& truth, const
   const auto drawPicture = [&](const ImageRgbaF& picture, int left, int top) {
     for (int y = 0; y < h; ++y) {
       for (int x = 0; x < w; ++x) {
-        sheet.set(left + x, top + y, displayed(&picture.pixels[4 * static_cast<std::size_t>(y * w + x)], exposure));
+        sheet.set(left + x, top + y, displayed(&picture.pixels[4 * pixelOf(x, y)], exposure));
       }
     }
   };
@@ -123,7 +127,7 @@ ImageRgba8 contactSheet(const std::string& title, const ImageRgbaF& truth, const
     drawPicture(picture.picture, left, top + kTextHeight);
     for (int y = 0; y < h; ++y) {
       for (int x = 0; x < w; ++x) {
-        const float error = picture.error[static_cast<std::size_t>(y * w + x)];
+        const float error = picture.error[pixelOf(x, y)];
         sheet.set(left + x, under + y, error < 0.0f ? Rgb{205, 205, 208} : mapped(colors, error / range));
       }
     }

@@ -33,13 +33,13 @@ glm::dvec3 bricks(double x, double y) {  // north: courses of 12 cm, every other
   const double course = y / 0.12, row = std::floor(course);
   const double shifted = x / 0.36 + (static_cast<int>(row) % 2 != 0 ? 0.5 : 0.0), column = std::floor(shifted);
   const double tint = hash(static_cast<int>(column), static_cast<int>(row), 61);
-  const glm::dvec3 brick = blend({0.42, 0.13, 0.07}, {0.66, 0.33, 0.18}, tint);
+  const glm::dvec3 brick = blend({0.14, 0.035, 0.02}, {0.34, 0.13, 0.06}, tint);
   const double joint = std::max(softLines(shifted, 1.0, 0.03, 0.06), softLines(course, 1.0, 0.08, 0.15));
-  return blend(brick, {0.62, 0.58, 0.52}, 0.85 * joint);
+  return blend(brick, {0.30, 0.27, 0.23}, 0.85 * joint);
 }
 
 glm::dvec3 pictures(double x, double y) {  // south: a pale wall with framed pictures
-  glm::dvec3 color = glm::dvec3(0.55, 0.53, 0.46) * (0.85 + 0.3 * noise(1.5 * x, 1.5 * y, 15, 6, 62));
+  glm::dvec3 color = glm::dvec3(0.40, 0.38, 0.33) * (0.85 + 0.3 * noise(1.5 * x, 1.5 * y, 15, 6, 62));
   struct Frame {
     double x, y, halfWidth, halfHeight;
     glm::dvec3 a, b;
@@ -59,9 +59,9 @@ glm::dvec3 pictures(double x, double y) {  // south: a pale wall with framed pic
 
 glm::dvec3 tiles(double x, double y) {  // east: glazed tiles of 20 cm
   const int column = static_cast<int>(x / 0.2), row = static_cast<int>(y / 0.2);
-  const glm::dvec3 tile = blend({0.03, 0.22, 0.30}, {0.20, 0.62, 0.60}, hash(column, row, 63));
+  const glm::dvec3 tile = blend({0.01, 0.07, 0.11}, {0.06, 0.30, 0.30}, hash(column, row, 63));
   const double grout = std::max(softLines(x, 0.2, 0.008, 0.02), softLines(y, 0.2, 0.008, 0.02));
-  return blend(tile, {0.75, 0.75, 0.70}, grout);
+  return blend(tile, {0.35, 0.35, 0.32}, grout);
 }
 
 glm::dvec3 boards(double x, double y) {  // west: upright boards of 25 cm, grain along them
@@ -69,21 +69,21 @@ glm::dvec3 boards(double x, double y) {  // west: upright boards of 25 cm, grain
   const int number = static_cast<int>(board);
   const double grain = noise(8.0 * x, 0.8 * y + 3.0 * hash(number, 0, 64), 80, 40, 65);
   const glm::dvec3 wood =
-      blend({0.18, 0.09, 0.04}, {0.50, 0.31, 0.15}, 0.3 * hash(number, 1, 64) + 0.7 * softStep(0.2, 0.6, grain));
+      blend({0.05, 0.022, 0.01}, {0.20, 0.11, 0.05}, 0.3 * hash(number, 1, 64) + 0.7 * softStep(0.2, 0.6, grain));
   return blend(wood, {0.02, 0.012, 0.008}, softLines(board, 1.0, 0.03, 0.06));
 }
 
 glm::dvec3 plaster(double x, double y) {  // the ceiling: pale, with two dark beams
-  const glm::dvec3 white = glm::dvec3(0.62, 0.61, 0.58) * (0.9 + 0.2 * noise(1.0 * x, 1.0 * y, 10, 7, 66));
+  const glm::dvec3 white = glm::dvec3(0.26, 0.255, 0.24) * (0.9 + 0.2 * noise(1.0 * x, 1.0 * y, 10, 7, 66));
   const double beam = std::min(std::abs(x - 2.9), std::abs(x - 7.6)) - 0.15;
   return blend(white, {0.10, 0.055, 0.025}, softStep(0.0, kSoft, -beam));
 }
 
 glm::dvec3 carpet(double x, double y) {  // what probes see of the floor
   const double a = softLines(x - 0.25, 1.0, 0.25, kSoft), b = softLines(y - 0.25, 1.0, 0.25, kSoft);
-  const glm::dvec3 weave = blend({0.30, 0.24, 0.20}, {0.52, 0.45, 0.36}, 0.5 * (a + b));
+  const glm::dvec3 weave = blend({0.08, 0.06, 0.05}, {0.19, 0.16, 0.12}, 0.5 * (a + b));
   const double rug = std::max(std::abs(x - 5.2) - 2.2, std::abs(y - 3.4) - 1.3);
-  const glm::dvec3 pattern = blend({0.45, 0.05, 0.06}, {0.80, 0.62, 0.30}, softLines(x + y, 0.6, 0.1, kSoft));
+  const glm::dvec3 pattern = blend({0.30, 0.02, 0.03}, {0.60, 0.42, 0.16}, softLines(x + y, 0.6, 0.1, kSoft));
   return blend(weave, pattern, softStep(0.0, kSoft, -rug));
 }
 
@@ -197,7 +197,7 @@ Model gallery() {
   addWall(scene, "wall north", Wall(kLow, x, y, cutsX, cutsY), bricks,
           {{"sconce north", {8.2, 8.4, 2.0, 2.4}, {18.0f, 14.0f, 9.0f}}});
   addWall(scene, "wall south", Wall(kLow + x + z, -x, y, reversed(cutsX), cutsY), pictures,
-          {{"window", {8.2, 9.0, 1.2, 2.4}, {2.6f, 3.4f, 4.6f}}});  // x runs west here: 1 m to 1.8 m from the west wall
+          {{"window", {8.2, 9.0, 1.2, 2.4}, {5.0f, 6.4f, 8.0f}}});  // x runs west here: 1 m to 1.8 m from the west wall
   addWall(scene, "wall east", Wall(kLow + x, z, y, cutsZ, cutsY), tiles,
           {{"sconce east", {2.4, 2.6, 2.0, 2.4}, {18.0f, 14.0f, 9.0f}}});
   addWall(scene, "wall west", Wall(kLow + z, -z, y, reversed(cutsZ), cutsY), boards, {});

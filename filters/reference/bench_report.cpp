@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "filters/core/number_text.h"
+#include "filters/math/parameter_table.h"
 #include "filters/reference/bench_text.h"
 
 namespace boxprobe {
@@ -178,6 +179,72 @@ std::string noiseTable(const BenchResult& result) {
   return text + "\n";
 }
 
+/// Is it one that chooses among the others?
+bool chooses(const BenchTechnique& technique) {
+  return technique.id.find('+') == std::string::npos;
+}
+
+/// What choosing by roughness saves: `auto` against the cheapest technique that keeps the same budget everywhere.
+std::string automaticText(const BenchResult& result) {
+  std::string text;
+  const std::vector<BenchSummary> list = summaries(result, Truth::Box);
+  for (const BenchSummary& s : list) {
+    const BenchTechnique& t = result.techniques[s.technique];
+    if (!chooses(t)) continue;
+    const auto given = t.parameters.find("budget");
+    const double budget =
+        given != t.parameters.end() ? std::get<double>(given->second) : findParameter("budget")->standard;
+    const auto keeps = [budget](const BenchSummary& of) {
+      return std::all_of(of.errorByRoughness.begin(), of.errorByRoughness.end(),
+                         [budget](const auto& entry) { return entry.second <= budget; });
+    };
+    const BenchSummary* single = nullptr;
+    for (const BenchSummary& other : list) {
+      if (chooses(result.techniques[other.technique]) || !keeps(other)) continue;
+      if (single == nullptr || other.cpuRatioToBox.value < single->cpuRatioToBox.value) single = &other;
+    }
+    text += "`" + t.label() + "`, budget " + numberText(budget) + ": " +
+            (keeps(s) ? "kept at every roughness" : "not kept at every roughness") +
+            formatted(", frame %.2f of plain box's.", s.cpuRatioToBox.value);
+    if (single == nullptr) {
+      text += " No single technique keeps it.\n\n";
+    } else {
+      text += " The cheapest single technique that keeps it is `" + result.techniques[single->technique].label() +
+              formatted("` at %.2f: `%s` costs %.2f of that.\n\n", single->cpuRatioToBox.value, t.label().c_str(),
+                        s.cpuRatioToBox.value / single->cpuRatioToBox.value);
+    }
+  }
+  return text.empty() ? text : "## Choosing by roughness\n\n" + text;
+}
+
+/// As filters/math/measured_techniques.cpp holds them: techniques at their defaults that are worth choosing, with the
+/// worst error of any camera and surface at each roughness.
+std::string measuredRows(const BenchResult& result) {
+  std::vector<BenchSummary> list = summaries(result, Truth::Box);
+  std::stable_sort(list.begin(), list.end(),
+                   [](const auto& a, const auto& b) { return a.cpuRatioToBox.value < b.cpuRatioToBox.value; });
+  std::string text = "## Rows for `auto`\n\nCost, and the worst error of any camera and surface at roughness";
+  for (const double r : result.roughnesses) text += " " + numberText(r);
+  text += ".\n\n```cpp\n";
+  for (const BenchSummary& s : list) {
+    const BenchTechnique& t = result.techniques[s.technique];
+    const auto technique = parseTechnique(t.id);
+    if (!technique || !t.parameters.empty() || t.sampled() || (!t.ours && t.id != kCostBaseline)) continue;
+    if (chooses(t)) continue;
+    text += formatted("{\"%s\", %.2f, {", shortTechniqueId(*technique).c_str(), s.cpuRatioToBox.value);
+    for (std::size_t i = 0; i < result.roughnesses.size(); ++i) {
+      double worst = 0.0;
+      for (const BenchRow& row : result.rows) {
+        if (row.technique == s.technique && row.truth == Truth::Box && row.roughness == result.roughnesses[i])
+          worst = std::max(worst, row.error);
+      }
+      text += formatted(i == 0 ? "%.4f" : ", %.4f", worst);
+    }
+    text += "}},\n";
+  }
+  return text + "```\n";
+}
+
 }  // namespace
 
 std::string benchReport(const BenchResult& result) {
@@ -188,7 +255,7 @@ std::string benchReport(const BenchResult& result) {
     text += "Error by roughness, and by surface:\n\n" + roughnessTable(result, list);
   }
   text += "## Light against the box reference, by roughness and view angle\n\n" + energyTable(result, Truth::Box);
-  return text + noiseTable(result);
+  return text + noiseTable(result) + automaticText(result) + measuredRows(result);
 }
 
 }  // namespace boxprobe

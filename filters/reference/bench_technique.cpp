@@ -17,9 +17,7 @@ namespace {
 using Parameters = std::map<std::string, ParameterValue>;
 
 bool reads(const std::vector<const ParameterRow*>& rows, const std::string& name) {
-  return std::any_of(rows.begin(), rows.end(), [&](const ParameterRow* row) {
-    return row->name == name && (row->number != nullptr || row->choice != nullptr);
-  });
+  return std::any_of(rows.begin(), rows.end(), [&](const ParameterRow* row) { return row->name == name; });
 }
 
 /// Leaves out what is at its default anyway.
@@ -57,6 +55,24 @@ std::vector<Parameters> variants(const std::vector<const ParameterRow*>& rows) {
         all.back()[name] = true;
       }
     }
+    // What the rays' pattern and what they are drawn from do to the noise, each by itself.
+    Parameters few = all[0];
+    few["samples"] = 4.0;
+    if (reads(rows, "pattern")) {
+      for (const std::string_view pattern : findParameter("pattern")->choices) {
+        all.push_back(few);
+        all.back()["pattern"] = std::string(pattern);
+      }
+    }
+    if (reads(rows, "sampling")) {
+      all.push_back(few);
+      all.back()["samples"] = 16.0;
+      all.back()["sampling"] = std::string("luminance");
+    }
+    if (reads(rows, "blur")) {
+      all.push_back(few);
+      all.back()["blur"] = true;
+    }
     return all;
   }
   all.push_back({});
@@ -72,7 +88,9 @@ void addRows(std::vector<BenchTechnique>& list, const Technique& technique) {
   const auto& evaluation = evaluationRows()[static_cast<std::size_t>(technique.evaluation)];
   for (const Parameters& parameters : variants(parametersOf(technique))) {
     const bool filters = reads(parametersOf(technique), "filtered") && number(parameters, "filtered") != 0.0;
-    list.push_back({techniqueId(technique), differing(parameters), projection.ours || evaluation.ours || filters});
+    const BenchTechnique row{techniqueId(technique), differing(parameters),
+                             projection.ours || evaluation.ours || filters};
+    if (std::find(list.begin(), list.end(), row) == list.end()) list.push_back(row);
   }
 }
 

@@ -14,8 +14,9 @@ double largest(const glm::dvec3& v) {
 }  // namespace
 
 BrightDirections::BrightDirections(const CubeMap& radiance) {
-  const int size = radiance.faceSize(), cells = std::min(kCells, size), block = size / cells;
-  if (cells < kCells) return;
+  const int size = radiance.faceSize();
+  cells_ = std::min(kMostCells, size);
+  const int block = size / cells_;
   const auto brightness = [&](int face, int column, int row) {
     return largest(glm::dvec3(radiance.texel(0, face, column, row)));
   };
@@ -30,8 +31,8 @@ BrightDirections::BrightDirections(const CubeMap& radiance) {
   std::vector<double> shares;
   double whole = 0.0;
   for (int face = 0; face < 6; ++face) {
-    for (int row = 0; row < kCells; ++row) {
-      for (int column = 0; column < kCells; ++column) {
+    for (int row = 0; row < cells_; ++row) {
+      for (int column = 0; column < cells_; ++column) {
         double cell = 0.0;
         // One texel beyond the cell on each side: interpolation carries its light in.
         for (int y = row * block - 1; y <= (row + 1) * block; ++y) {
@@ -40,7 +41,7 @@ BrightDirections::BrightDirections(const CubeMap& radiance) {
             cell += std::max(b - cap_, 0.0);
           }
         }
-        const double s0 = 2.0 * column / kCells - 1.0, t0 = 2.0 * row / kCells - 1.0, side = 2.0 / kCells;
+        const double s0 = 2.0 * column / cells_ - 1.0, t0 = 2.0 * row / cells_ - 1.0, side = 2.0 / cells_;
         shares.push_back(cell * cubeSolidAngle(s0, t0, s0 + side, t0 + side));
         whole += shares.back();
       }
@@ -67,19 +68,21 @@ glm::dvec3 BrightDirections::sample(const glm::dvec2& u) const {
   auto cell = static_cast<std::size_t>(after - cumulated_.begin()) - 1;
   while (cell > 0 && shares_[cell] <= 0.0) --cell;
   const double across = std::clamp((u.x - cumulated_[cell]) / std::max(shares_[cell], 1e-300), 0.0, 1.0);
-  const auto index = static_cast<int>(cell), face = index / (kCells * kCells);
-  const int row = index / kCells % kCells, column = index % kCells;
-  const double s = 2.0 * (column + across) / kCells - 1.0, t = 2.0 * (row + u.y) / kCells - 1.0;
+  const auto index = static_cast<int>(cell), face = index / (cells_ * cells_);
+  const int row = index / cells_ % cells_, column = index % cells_;
+  const double s = 2.0 * (column + across) / cells_ - 1.0, t = 2.0 * (row + u.y) / cells_ - 1.0;
   return glm::dvec3(shading::cubeDirection(face, static_cast<float>(s), static_cast<float>(t)));
 }
 
 double BrightDirections::density(const glm::dvec3& direction) const {
   const CubePoint p = cubePoint(glm::vec3(direction));
-  const auto cell = [](float x) { return std::clamp(static_cast<int>((x + 1.0f) * 0.5f * kCells), 0, kCells - 1); };
-  const auto index = static_cast<std::size_t>((p.face * kCells + cell(p.t)) * kCells + cell(p.s));
+  const auto cell = [this](float x) {
+    return std::clamp(static_cast<int>((x + 1.0f) * 0.5f * static_cast<float>(cells_)), 0, cells_ - 1);
+  };
+  const auto index = static_cast<std::size_t>((p.face * cells_ + cell(p.t)) * cells_ + cell(p.s));
   // Even over the cell's square of side 2 / cells at distance 1: a solid angle there is smaller by the cube of the
   // distance.
-  const double side = 2.0 / kCells, s = p.s, t = p.t, square = 1.0 + s * s + t * t;
+  const double side = 2.0 / cells_, s = p.s, t = p.t, square = 1.0 + s * s + t * t;
   return shares_[index] / (side * side) * square * std::sqrt(square);
 }
 

@@ -26,7 +26,9 @@ class BrightDirections {
   double density(const glm::dvec3& direction) const;
 
  private:
-  static constexpr int kCells = 32;  ///< a side of each face
+  static constexpr int kMostCells = 128;  ///< a side of each face
+
+  int cells_ = 0;
 
   double cap_ = 0.0;
   std::vector<double> shares_;     ///< of each cell, face by face, row by row; sums to 1

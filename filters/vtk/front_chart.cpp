@@ -68,13 +68,17 @@ void addPoints(vtkChartXY* chart, const std::vector<FrontPoint>& points, const L
   chart->AddPlot(plot);
 }
 
-void addFrontLine(vtkChartXY* chart, const std::vector<FrontPoint>& points) {
+std::vector<FrontPoint> frontOf(const std::vector<FrontPoint>& points) {
   std::vector<FrontPoint> front;
   for (const FrontPoint& p : points) {
     if (p.onFront) front.push_back(p);
   }
-  if (front.size() < 2) return;
   std::sort(front.begin(), front.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  return front;
+}
+
+void addFrontLine(vtkChartXY* chart, const std::vector<FrontPoint>& front) {
+  if (front.size() < 2) return;
   vtkNew<vtkPlotLine> line;
   line->SetInputData(tableOf(front), 0, 1);
   line->SetLabel("front: none both cheaper and better");
@@ -84,7 +88,7 @@ void addFrontLine(vtkChartXY* chart, const std::vector<FrontPoint>& points) {
   chart->AddPlot(line);
 }
 
-/// Ticks at 1, 2 and 5 times the powers of ten within a range of logarithms, which is rounded outwards to include them.
+/// Ticks at round numbers within a range of logarithms: the fewer decades it spans, the more of them.
 void setAxis(vtkAxis* axis, double low, double high, const std::string& title) {
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> labels;
@@ -92,9 +96,10 @@ void setAxis(vtkAxis* axis, double low, double high, const std::string& title) {
   low -= air;
   high += air;
   for (int power = static_cast<int>(std::floor(low)) - 1; power <= static_cast<int>(std::ceil(high)); ++power) {
-    for (const int digit : {1, 2, 5}) {
+    for (const double digit : {1.0, 1.2, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0}) {
+      const bool coarse = digit == 1.0 || digit == 2.0 || digit == 5.0;
       const double at = std::log10(digit) + power;
-      if (at < low || at > high) continue;
+      if (at < low || at > high || (!coarse && high - low > 1.2)) continue;
       positions->InsertNextValue(at);
       char text[32];
       std::snprintf(text, sizeof(text), "%g", digit * std::pow(10.0, power));
@@ -129,6 +134,7 @@ void showFrontChart(vtkContextScene* scene, const std::vector<FrontPoint>& all, 
   chart->GetTitleProperties()->SetFontSize(17);
   double low[2] = {0.0, -1.0}, high[2] = {0.0, -1.0};
   std::vector<FrontPoint> ours, published, current;
+  const std::vector<FrontPoint> front = frontOf(points);
   std::vector<vtkFrontLabels::Label> labels;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const FrontPoint& p = points[i];
@@ -141,9 +147,16 @@ void showFrontChart(vtkContextScene* scene, const std::vector<FrontPoint>& all, 
     if (!text.current.empty() && p.label == text.current) current.push_back(p);
     labels.push_back({at[0], at[1], p.label, p.onFront || p.label == text.current});
   }
+  // The line between two neighbours of the front is no place for a name.
+  for (std::size_t i = 1; i < front.size(); ++i) {
+    for (int k = 1; k < 40; ++k) {
+      const auto between = [&](double a, double b) { return std::log10(a) + k / 40.0 * std::log10(b / a); };
+      labels.push_back({between(front[i - 1].cost, front[i].cost), between(front[i - 1].error, front[i].error), {}});
+    }
+  }
   setAxis(chart->GetAxis(vtkAxis::BOTTOM), low[0], high[0], text.costAxis);
   setAxis(chart->GetAxis(vtkAxis::LEFT), low[1], high[1], text.errorAxis);
-  addFrontLine(chart, points);
+  addFrontLine(chart, front);
   addPoints(chart, current, {"current choice", vtkPlotPoints::CIRCLE, 22.0f, {250, 205, 60}});
   addPoints(chart, published, {"published", vtkPlotPoints::CIRCLE, 10.0f, {90, 98, 112}});
   addPoints(chart, ours, {"this project's own", vtkPlotPoints::DIAMOND, 12.0f, {30, 110, 190}});

@@ -56,7 +56,8 @@ bool vtkFrontLabels::Paint(vtkContext2D* painter) {
   std::vector<Rectangle> taken;
   for (const Label& label : this->Labels) {
     const double x = along(bottom, 0, label.X), y = along(left, 1, label.Y);
-    taken.push_back({x - kMark, y - kMark, 2.0 * kMark, 2.0 * kMark});
+    const double half = label.Text.empty() ? 2.0 : kMark;
+    taken.push_back({x - half, y - half, 2.0 * half, 2.0 * half});
   }
   vtkTextProperty* font = painter->GetTextProp();
   font->SetFontFamilyToArial();
@@ -65,6 +66,7 @@ bool vtkFrontLabels::Paint(vtkContext2D* painter) {
   font->SetJustificationToLeft();
   font->SetVerticalJustificationToBottom();
   for (const Label& label : this->Labels) {
+    if (label.Text.empty()) continue;
     const double x = along(bottom, 0, label.X), y = along(left, 1, label.Y);
     font->SetBold(label.Important ? 1 : 0);
     float bounds[4];

@@ -20,9 +20,10 @@ class vtkFrontLabels : public vtkContextItem {
   static vtkFrontLabels* New();
   vtkTypeMacro(vtkFrontLabels, vtkContextItem)
 
+      /// Without a text: a place to keep clear.
       struct Label {
     double X = 0.0, Y = 0.0;  ///< in the chart's units
-    std::string Text;
+    std::string Text = {};
     bool Important = false;  ///< placed before others, and bold
   };
   void SetChart(vtkChartXY* chart);

@@ -28,7 +28,7 @@ TEST(BenchTechniques, EveryRowOfTheTablesIsMeasured) {
     return std::any_of(all.begin(), all.end(), [&](const BenchTechnique& t) { return t.id == id; });
   };
   for (const ProjectionRow& row : projectionRows()) EXPECT_TRUE(measured(std::string(row.id) + "+none")) << row.id;
-  for (const EvaluationRow& row : evaluationRows()) EXPECT_TRUE(measured("box+" + std::string(row.id))) << row.id;
+  for (const EvaluationRow& row : evaluationRows()) EXPECT_TRUE(measured(techniqueId(*parseTechnique(row.id)))) << row.id;
   for (const BenchTechnique& t : all) {
     EXPECT_TRUE(parseTechnique(t.id)) << t.id;
     EXPECT_EQ(std::count(all.begin(), all.end(), t), 1) << t.label();
