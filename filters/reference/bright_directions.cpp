@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace boxprobe {
 
@@ -15,7 +16,9 @@ double largest(const glm::dvec3& v) {
 
 BrightDirections::BrightDirections(const CubeMap& radiance) {
   const int size = radiance.faceSize();
+  if (size < kGroupsAcross) return;
   cells_ = std::min(kMostCells, size);
+  across_ = cells_ / kGroupsAcross;
   const int block = size / cells_;
   const auto brightness = [&](int face, int column, int row) {
     return largest(glm::dvec3(radiance.texel(0, face, column, row)));
@@ -28,33 +31,40 @@ BrightDirections::BrightDirections(const CubeMap& radiance) {
   }
   // Twice the mean: walls stay below it, a lamp or a sunlit patch does not.
   cap_ = 2.0 * sum / (6.0 * size * size);
-  std::vector<double> shares;
-  double whole = 0.0;
-  for (int face = 0; face < 6; ++face) {
-    for (int row = 0; row < cells_; ++row) {
-      for (int column = 0; column < cells_; ++column) {
-        double cell = 0.0;
-        // One texel beyond the cell on each side: interpolation carries its light in.
-        for (int y = row * block - 1; y <= (row + 1) * block; ++y) {
-          for (int x = column * block - 1; x <= (column + 1) * block; ++x) {
-            const double b = brightness(face, std::clamp(x, 0, size - 1), std::clamp(y, 0, size - 1));
-            cell += std::max(b - cap_, 0.0);
-          }
-        }
-        const double s0 = 2.0 * column / cells_ - 1.0, t0 = 2.0 * row / cells_ - 1.0, side = 2.0 / cells_;
-        shares.push_back(cell * cubeSolidAngle(s0, t0, s0 + side, t0 + side));
-        whole += shares.back();
+  const auto cellLight = [&](int face, int column, int row) {
+    double light = 0.0;
+    // One texel beyond the cell on each side: interpolation carries its light in.
+    for (int y = row * block - 1; y <= (row + 1) * block; ++y) {
+      for (int x = column * block - 1; x <= (column + 1) * block; ++x) {
+        const double b = brightness(face, std::clamp(x, 0, size - 1), std::clamp(y, 0, size - 1));
+        light += std::max(b - cap_, 0.0);
       }
     }
+    const double s = 2.0 * column / cells_ - 1.0, t = 2.0 * row / cells_ - 1.0, side = 2.0 / cells_;
+    return light * cubeSolidAngle(s, t, s + side, t + side);
+  };
+  double whole = 0.0;
+  for (int square = 0; square < 6 * kGroupsAcross * kGroupsAcross; ++square) {
+    const int face = square / (kGroupsAcross * kGroupsAcross);
+    const int top = square / kGroupsAcross % kGroupsAcross * across_, left = square % kGroupsAcross * across_;
+    Group group;
+    for (int k = 0; k < across_ * across_; ++k) {
+      const int column = left + k % across_, row = top + k / across_;
+      const double light = cellLight(face, column, row);
+      const double s = (2.0 * column + 1.0) / cells_ - 1.0, t = (2.0 * row + 1.0) / cells_ - 1.0;
+      const glm::vec3 towards = shading::cubeDirection(face, static_cast<float>(s), static_cast<float>(t));
+      group.share += light;
+      group.middle += light * glm::normalize(glm::dvec3(towards));
+      group.cumulated.push_back(group.share);
+    }
+    groupOf_.push_back(group.share > 0.0 ? static_cast<int>(groups_.size()) : -1);
+    if (!(group.share > 0.0)) continue;
+    for (double& c : group.cumulated) c /= group.share;
+    group.square = static_cast<std::size_t>(square);
+    whole += group.share;
+    groups_.push_back(std::move(group));
   }
-  if (!(whole > 0.0)) return;
-  double before = 0.0;
-  for (double& share : shares) {
-    share /= whole;
-    cumulated_.push_back(before);
-    before += share;
-  }
-  shares_ = std::move(shares);
+  for (Group& group : groups_) group.share /= whole;
 }
 
 glm::dvec3 BrightDirections::excess(const glm::dvec3& radiance) const {
@@ -62,28 +72,38 @@ glm::dvec3 BrightDirections::excess(const glm::dvec3& radiance) const {
   return most > cap_ ? radiance * (1.0 - cap_ / most) : glm::dvec3(0.0);
 }
 
-glm::dvec3 BrightDirections::sample(const glm::dvec2& u) const {
-  // The last cell that begins at or before u; of cells without a share, which begin where the next does, the next.
-  const auto after = std::upper_bound(cumulated_.begin(), cumulated_.end(), u.x);
-  auto cell = static_cast<std::size_t>(after - cumulated_.begin()) - 1;
-  while (cell > 0 && shares_[cell] <= 0.0) --cell;
-  const double across = std::clamp((u.x - cumulated_[cell]) / std::max(shares_[cell], 1e-300), 0.0, 1.0);
-  const auto index = static_cast<int>(cell), face = index / (cells_ * cells_);
-  const int row = index / cells_ % cells_, column = index % cells_;
+glm::dvec3 BrightDirections::sample(std::size_t index, const glm::dvec2& u) const {
+  const Group& group = groups_[index];
+  const auto cell =
+      std::min(static_cast<std::size_t>(std::upper_bound(group.cumulated.begin(), group.cumulated.end(), u.x) -
+                                        group.cumulated.begin()),
+               group.cumulated.size() - 1);
+  const double before = cell > 0 ? group.cumulated[cell - 1] : 0.0, part = group.cumulated[cell] - before;
+  const double across = part > 0.0 ? std::clamp((u.x - before) / part, 0.0, 1.0) : 0.5;
+  const auto square = static_cast<int>(group.square);
+  const int face = square / (kGroupsAcross * kGroupsAcross);
+  const int row = square / kGroupsAcross % kGroupsAcross * across_ + static_cast<int>(cell) / across_;
+  const int column = square % kGroupsAcross * across_ + static_cast<int>(cell) % across_;
   const double s = 2.0 * (column + across) / cells_ - 1.0, t = 2.0 * (row + u.y) / cells_ - 1.0;
   return glm::dvec3(shading::cubeDirection(face, static_cast<float>(s), static_cast<float>(t)));
 }
 
-double BrightDirections::density(const glm::dvec3& direction) const {
+BrightDirections::Place BrightDirections::at(const glm::dvec3& direction) const {
   const CubePoint p = cubePoint(glm::vec3(direction));
   const auto cell = [this](float x) {
     return std::clamp(static_cast<int>((x + 1.0f) * 0.5f * static_cast<float>(cells_)), 0, cells_ - 1);
   };
-  const auto index = static_cast<std::size_t>((p.face * cells_ + cell(p.t)) * cells_ + cell(p.s));
+  const int column = cell(p.s), row = cell(p.t);
+  const int square = (p.face * kGroupsAcross + row / across_) * kGroupsAcross + column / across_;
+  const int index = groupOf_[static_cast<std::size_t>(square)];
+  if (index < 0) return {};
+  const Group& group = groups_[static_cast<std::size_t>(index)];
+  const auto k = static_cast<std::size_t>(row % across_ * across_ + column % across_);
+  const double share = group.cumulated[k] - (k > 0 ? group.cumulated[k - 1] : 0.0);
   // Even over the cell's square of side 2 / cells at distance 1: a solid angle there is smaller by the cube of the
   // distance.
-  const double side = 2.0 / cells_, s = p.s, t = p.t, square = 1.0 + s * s + t * t;
-  return shares_[index] / (side * side) * square * std::sqrt(square);
+  const double side = 2.0 / cells_, s = p.s, t = p.t, squared = 1.0 + s * s + t * t;
+  return {static_cast<std::size_t>(index), share / (side * side) * squared * std::sqrt(squared)};
 }
 
 }  // namespace boxprobe

@@ -44,22 +44,22 @@ bool BoxWorld::convex() const {
          glm::all(glm::lessThan(glm::abs(position_ - glm::clamp(position_, low_, high_)), 1.0e-6 * (high_ - low_)));
 }
 
-glm::dvec3 BoxWorld::towards(const BrightDirections& bright, const glm::dvec2& u) const {
-  const glm::dvec3 fromOrigin = glm::transpose(worldFromProbe_) * bright.sample(u);
+glm::dvec3 BoxWorld::towards(const glm::dvec3& fromOriginWorld) const {
+  const glm::dvec3 fromOrigin = glm::transpose(worldFromProbe_) * fromOriginWorld;
   const glm::dvec3 way = exit(glm::dvec3(0.0), fromOrigin, nullptr) - position_;
   const double length = glm::length(way);
   return length > 0.0 ? worldFromProbe_ * (way / length) : glm::dvec3(0.0);
 }
 
-double BoxWorld::density(const BrightDirections& bright, const glm::dvec3& directionWorld) const {
+double BoxWorld::magnification(const glm::dvec3& directionWorld, glm::dvec3* fromOriginWorld) const {
   const glm::dvec3 l = glm::transpose(worldFromProbe_) * directionWorld;
   int axis = 0;
   const glm::dvec3 hit = exit(position_, l, &axis), way = hit - position_;
+  *fromOriginWorld = worldFromProbe_ * hit;
   const double fromHere = glm::dot(way, way), fromOrigin = glm::dot(hit, hit);
   const double cosineHere = std::abs(l[axis]), cosineOrigin = std::abs(hit[axis]) / std::sqrt(fromOrigin);
   if (!(fromOrigin > 0.0) || !(cosineHere > 0.0)) return 0.0;
-  // The same patch of wall under two solid angles.
-  return bright.density(worldFromProbe_ * hit) * (cosineOrigin / fromOrigin) * (fromHere / cosineHere);
+  return cosineOrigin / fromOrigin * (fromHere / cosineHere);
 }
 
 glm::dvec3 BoxWorld::radiance(const glm::dvec3& directionWorld) const {
@@ -79,9 +79,9 @@ BoxSurroundings::BoxSurroundings(const Explanation& pixel, const ReferenceBoxMap
     const double share = static_cast<double>(probe.weight) * probe.intensity;
     if (share <= 0.0 || index >= maps.probes.size() || !maps.probes[index]) continue;
     Part part{BoxWorld(probe, maps.probes[index]->radiance), share, nullptr};
-    if (index < maps.bright.size() && maps.bright[index] && maps.bright[index]->any() && part.world.convex()) {
+    if (index < maps.bright.size() && maps.bright[index] && maps.bright[index]->groups() > 0 && part.world.convex()) {
       part.bright = maps.bright[index].get();
-      ++brightParts_;
+      groups_ += part.bright->groups();
     }
     parts_.push_back(part);
   }
@@ -110,20 +110,65 @@ BoxSurroundings::Light BoxSurroundings::light(const glm::dvec3& direction) const
   return sum;
 }
 
-glm::dvec3 BoxSurroundings::towardsLamp(int ray, const glm::dvec2& u) const {
-  std::size_t wanted = static_cast<std::size_t>(ray) % brightParts_;
+std::vector<double> BoxSurroundings::lampChances(const VisibleNormalLobe& lobe) const {
+  // Of a lobe narrower than a group its middle says nothing.
+  constexpr double kLeastAlpha = 0.1;
+  const VisibleNormalLobe wide = lobe.widened(kLeastAlpha);
+  std::vector<double> reflected, shares;
+  double all = 0.0, light = 0.0;
   for (const Part& part : parts_) {
-    if (part.bright != nullptr && wanted-- == 0) return part.world.towards(*part.bright, u);
+    if (part.bright == nullptr) continue;
+    for (std::size_t g = 0; g < part.bright->groups(); ++g) {
+      const glm::dvec3 l = part.world.towards(part.bright->middle(g));
+      const VisibleNormalLobe::Density of = wide.at(l);
+      glm::dvec3 fromOrigin;
+      const double larger = part.world.magnification(l, &fromOrigin);
+      shares.push_back(part.share * part.bright->share(g));
+      reflected.push_back(larger > 0.0 ? shares.back() * of.weight * of.density / larger : 0.0);
+      light += shares.back();
+      all += reflected.back();
+    }
+  }
+  // A fifth by light alone: what the middle of a group misses is not lost.
+  std::vector<double> chances;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double byLight = shares[i] / light;
+    sum += all > 0.0 ? 0.2 * byLight + 0.8 * reflected[i] / all : byLight;
+    chances.push_back(sum);
+  }
+  for (double& c : chances) c /= sum;
+  return chances;
+}
+
+glm::dvec3 BoxSurroundings::towardsLamp(const std::vector<double>& chances, const glm::dvec2& u) const {
+  auto at = static_cast<std::size_t>(std::upper_bound(chances.begin(), chances.end(), u.x) - chances.begin());
+  at = std::min(at, chances.size() - 1);
+  const double before = at > 0 ? chances[at - 1] : 0.0, chance = chances[at] - before;
+  const glm::dvec2 within(chance > 0.0 ? std::clamp((u.x - before) / chance, 0.0, 1.0) : 0.5, u.y);
+  for (const Part& part : parts_) {
+    if (part.bright == nullptr) continue;
+    if (at < part.bright->groups()) return part.world.towards(part.bright->sample(at, within));
+    at -= part.bright->groups();
   }
   return glm::dvec3(0.0);
 }
 
-double BoxSurroundings::lampDensity(const glm::dvec3& direction) const {
+double BoxSurroundings::lampDensity(const std::vector<double>& chances, const glm::dvec3& direction) const {
   double sum = 0.0;
+  std::size_t first = 0;
   for (const Part& part : parts_) {
-    if (part.bright != nullptr) sum += part.world.density(*part.bright, direction);
+    if (part.bright == nullptr) continue;
+    glm::dvec3 fromOrigin;
+    const double larger = part.world.magnification(direction, &fromOrigin);
+    if (larger > 0.0) {
+      const BrightDirections::Place place = part.bright->at(fromOrigin);
+      const std::size_t at = first + place.group;
+      sum += place.density * larger * (chances[at] - (at > 0 ? chances[at - 1] : 0.0));
+    }
+    first += part.bright->groups();
   }
-  return sum / static_cast<double>(brightParts_);
+  return sum;
 }
 
 glm::dvec3 BoxSurroundings::mean(const VisibleNormalLobe& lobe, const glm::dvec3& f0, const glm::dvec3& f90, int rays,
@@ -133,7 +178,7 @@ glm::dvec3 BoxSurroundings::mean(const VisibleNormalLobe& lobe, const glm::dvec3
 
 glm::dvec3 BoxSurroundings::meanOf(const std::function<Light(const glm::dvec3&)>& light, const VisibleNormalLobe& lobe,
                                    const glm::dvec3& f0, const glm::dvec3& f90, int rays, std::uint64_t seed) const {
-  if (brightParts_ == 0 || lobe.mirror()) {
+  if (groups_ == 0 || lobe.mirror()) {
     return lobeMean(lobe, f0, f90, rays, seed, [&](const glm::dvec3& l) {
       const Light of = light(l);
       return of.even + of.bright;
@@ -145,10 +190,11 @@ glm::dvec3 BoxSurroundings::meanOf(const std::function<Light(const glm::dvec3&)>
     const double grazing = 1.0 - hDotV, square = grazing * grazing;
     return f0 + (f90 - f0) * (square * square * grazing);
   };
+  const std::vector<double> chances = lampChances(lobe);
   glm::dvec3 bright(0.0), weights(0.0);
   const auto addBright = [&](const glm::dvec3& l, const VisibleNormalLobe::Density& of, const glm::dvec3& value) {
     if (value == glm::dvec3(0.0)) return;
-    const double density = byLobe * of.density + towardsLamps * lampDensity(l);
+    const double density = byLobe * of.density + towardsLamps * lampDensity(chances, l);
     if (density > 0.0) bright += of.weight * of.density / density * fresnel(of.hDotV) * value;
   };
   const glm::dvec3 even = lobeMean(lobe, f0, f90, byLobe, seed, [&](const glm::dvec3& l) {
@@ -160,7 +206,7 @@ glm::dvec3 BoxSurroundings::meanOf(const std::function<Light(const glm::dvec3&)>
   });
   const ShiftedPoints points(stirred(seed ^ 0x5bd1e995u));
   for (int i = 0; i < towardsLamps; ++i) {
-    const glm::dvec3 l = towardsLamp(i, points[i]);
+    const glm::dvec3 l = towardsLamp(chances, points[i]);
     const VisibleNormalLobe::Density of = lobe.at(l);
     if (of.weight > 0.0) addBright(l, of, light(l).bright);
   }

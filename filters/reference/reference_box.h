@@ -29,10 +29,11 @@ class BoxWorld {
   /// That point, world axes, relative to the capture origin.
   glm::dvec3 hit(const glm::dvec3& directionWorld) const;
 
-  /// A direction, unit, world, towards the light that stands out in the capture; and how densely that draws a
-  /// direction. `bright` is the capture's.
-  glm::dvec3 towards(const BrightDirections& bright, const glm::dvec2& u) const;
-  double density(const BrightDirections& bright, const glm::dvec3& directionWorld) const;
+  /// The unit direction, world, from here to where the box is met by a direction (not unit) from the capture origin.
+  glm::dvec3 towards(const glm::dvec3& fromOriginWorld) const;
+  /// Solid angle about the capture origin of the patch of wall in that direction, over that about here: carries a
+  /// density over. `fromOriginWorld`: the patch as the origin sees it.
+  double magnification(const glm::dvec3& directionWorld, glm::dvec3* fromOriginWorld) const;
   /// Those two are each other's inverse only seen from inside the box, with the capture made inside of it.
   bool convex() const;
 
@@ -84,11 +85,14 @@ class BoxSurroundings {
     const BrightDirections* bright;  ///< null: none, or not to be drawn towards from here
   };
   Light light(const glm::dvec3& directionWorld) const;
-  glm::dvec3 towardsLamp(int ray, const glm::dvec2& u) const;
-  double lampDensity(const glm::dvec3& directionWorld) const;
+  /// How likely rays are drawn towards each group of each part, one after the other, summed up: by the light that the
+  /// surface reflects of its middle.
+  std::vector<double> lampChances(const VisibleNormalLobe& lobe) const;
+  glm::dvec3 towardsLamp(const std::vector<double>& chances, const glm::dvec2& u) const;
+  double lampDensity(const std::vector<double>& chances, const glm::dvec3& directionWorld) const;
 
   std::vector<Part> parts_;
-  std::size_t brightParts_ = 0;
+  std::size_t groups_ = 0;  ///< of all parts
   const CubeMap* sky_ = nullptr;
   double skyShare_ = 0.0;
 };

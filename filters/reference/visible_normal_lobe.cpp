@@ -79,6 +79,10 @@ VisibleNormalLobe::Sample VisibleNormalLobe::sample(const glm::dvec2& u) const {
   return {l.x * tangent_ + l.y * bitangent_ + l.z * normal_, weight, hDotV};
 }
 
+VisibleNormalLobe VisibleNormalLobe::widened(double alpha) const {
+  return {normal_, sine_ * tangent_ + cosine_ * normal_, std::max(alpha_, alpha)};
+}
+
 VisibleNormalLobe::Density VisibleNormalLobe::at(const glm::dvec3& direction) const {
   const glm::dvec3 l(glm::dot(direction, tangent_), glm::dot(direction, bitangent_), glm::dot(direction, normal_));
   const glm::dvec3 v(sine_, 0.0, cosine_), sum = l + v;

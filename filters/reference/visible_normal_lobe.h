@@ -48,6 +48,9 @@ class VisibleNormalLobe {
   };
   Density at(const glm::dvec3& direction) const;
 
+  /// The same surface and view, no narrower than `alpha`.
+  VisibleNormalLobe widened(double alpha) const;
+
   /// So narrow that every sample is the mirrored view.
   bool mirror() const { return alpha_ < 1.0e-6; }
 
