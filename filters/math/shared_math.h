@@ -59,13 +59,16 @@ vec3 cubeDirection(int face, float s, float t);
 vec3 cubeTexelCentre(vec3 direction, float faceSize);
 float trueHitDistance(DistanceMap map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float reach);
 float footprintLevel(ProbeShape probe, float alphaSquared, float bias);
-vec4 footprintMean(ProbeMap map, ProbeShape probe, ShadingPoint point, float tilt, float size, float bias);
 FootprintLobe footprintLobe(ShadingPoint point, float points);
 FootprintSum footprintStart();
 FootprintSum footprintAdd(ProbeMap map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum,
-                          float x, float y, float weight);
+                          float u, float v, float weight, float size);
 FootprintSum footprintAddPair(ProbeMap map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum,
-                              float x, float y, float weight);
+                              float u, float v, float weight, float size);
+FootprintPatch footprintPatch(ProbeShape probe, ShadingPoint point, FootprintLobe lobe, float u, float v, float weight);
+FootprintPatch footprintExtend(ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintPatch seen, float u,
+                               float v, float weight);
+vec4 footprintMean(ProbeMap map, ProbeShape probe, FootprintPatch seen, float narrow, float wide, float bias);
 uint hashed(uint value);
 uint pixelHash(ivec2 pixel);
 SamplePattern samplePattern(ShadingPoint point, int pattern, int count);

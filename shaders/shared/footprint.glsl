@@ -1,23 +1,33 @@
-// Footprints: how large a patch of the captured cube a piece of a lobe covers. A piece of solid angle w leaves P, meets the wall at
-// distance t and covers there a patch that, seen from the capture origin C, subtends J w,
+// Footprints: how large a patch of the captured cube a lobe, or a piece of it, covers; that, and not the distance alone, says
+// which level holds the patch's mean. Two ways to find it:
+//
+// From one ray. A piece of solid angle w leaves P, meets the wall at distance t and covers there a patch that, seen from the
+// capture origin C, subtends J w,
 //   J = (t / |d|)² cos_C / cos_P,   d from C to the hit, cosines between the wall's normal and the directions from C and from P.
-// That, and not the distance alone, says which level holds the patch's mean. Needs slab.glsl, roughness.glsl and lobe_frame.glsl; the host supplies PROBE_MAP, fetchProbe and projectRay.
+// A level's lobe is round and the patch is not: the longer it is, the more of it a round lobe of the same area leaves out. So the
+// longer axis, which grows with (t / |d|) / cos_P, counts by half a power more than in the area: the power the fit preferred.
+//
+// From several rays: the mean and the spread of their hits, seen from C. Sees what one ray cannot: that a wide lobe meets several
+// walls, and that its nearer side covers more of the cube. One lookup is worth three rays; many pieces are small enough for one each.
+//
+// Needs slab.glsl, roughness.glsl and lobe_frame.glsl; the host supplies PROBE_MAP, fetchProbe and projectRay. Called by
+// technique/evaluation_footprint*.glsl, whose constants tests/bench/fit_footprints finds.
 
-float footprintScale(ProbeShape probe, ProbeHit hit, vec3 direction)
+// x: t / |d|, y: cos_C, z: cos_P; all 1 for a direction that meets nothing, which is seen from C as from P.
+vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
 {
-  if (hit.distance >= kNoHit) { return 1.0f; }  // nothing to hit: seen from C as from P
+  if (hit.distance >= kNoHit) { return vec3(1.0f); }
   vec3 a = abs(hit.direction);
   float largest = max(max(a.x, a.y), a.z);
   // In units of t: no square under- or overflows. At the wall itself (t = 0) the patch is a point; the least t keeps 1 / t finite.
   float t = max(hit.distance, max(1.0e-9f * largest, 1.0e-37f));
   vec3 d = hit.direction / t;
-  float distanceC = 0.0f;  // of C from the wall's plane, in units of t; over |d| it is cos_C
+  float distanceC = 0.0f;  // of C from the wall's plane, in units of t
   float cosineP = 1.0f;
   if (hit.face >= 0)
   {
     // A soft choice of wall, by how nearly the ray meets each: a hard one draws lines along the edges.
-    vec3 f = hit.slabFactors;
-    vec3 w = vec3(f.x > t ? t / f.x : 1.0f, f.y > t ? t / f.y : 1.0f, f.z > t ? t / f.z : 1.0f);
+    vec3 w = vec3(t) / max(hit.slabFactors, vec3(t));
     w = w * w;
     w = w * w;
     vec3 plane = vec3(direction.x < 0.0f ? -probe.boxMin.x : probe.boxMax.x,
@@ -35,9 +45,15 @@ float footprintScale(ProbeShape probe, ProbeHit hit, vec3 direction)
   }
   // C behind the wall (outside the box) sees nothing of it: 0, the capture's own sharpness. The bounds are far beyond what a
   // level can express.
-  float lengthD = max(length(d), 1.0e-4f);
-  float cosineRatio = max(distanceC, 0.0f) / (lengthD * max(cosineP, 1.0e-3f));
-  return min(cosineRatio / (lengthD * lengthD), 1.0e9f);
+  float ratio = 1.0f / max(length(d), 1.0e-4f);
+  return vec3(ratio, min(max(distanceC, 0.0f) * ratio, 1.0e6f), max(cosineP, 1.0e-3f));
+}
+
+// J.
+float footprintScale(ProbeShape probe, ProbeHit hit, vec3 direction)
+{
+  vec3 c = footprintCosines(probe, hit, direction);
+  return c.x * c.x * c.y / c.z;
 }
 
 // Level for a footprint as large as a lobe of `alphaSquared`, and by `bias` levels sharper (below 0) or blurrier.
@@ -46,17 +62,14 @@ float footprintLevel(ProbeShape probe, float alphaSquared, float bias)
   return clamp(levelForAlpha(sqrt(clamp(alphaSquared, 0.0f, 1.0f)), probe.maxLevel) + bias, 0.0f, probe.maxLevel);
 }
 
-// The lobe as one piece, along its mean direction, which for rough surfaces leans towards the normal by `tilt`. `size`: alpha² of
-// the piece.
-vec4 footprintMean(PROBE_MAP map, ProbeShape probe, ShadingPoint point, float tilt, float size, float bias)
+// The same with less of the bias below level 1 and none at level 0, so that a mirror stays one.
+float footprintEasedLevel(ProbeShape probe, float alphaSquared, float bias)
 {
-  float nv = clamp(dot(point.normal, point.view), 0.0f, 1.0f);
-  vec3 l = normalize(point.normal * (2.0f * nv + tilt) - point.view);
-  ProbeHit hit = projectRay(probe, point.position, point.normal, l);
-  return fetchProbe(map, probe, hit.direction, footprintLevel(probe, size * footprintScale(probe, hit, l), bias));
+  float level = footprintLevel(probe, alphaSquared, 0.0f);
+  return clamp(level + bias * min(level, 1.0f), 0.0f, probe.maxLevel);
 }
 
-// The lobe in pieces; see types.glsl.
+// The lobe, in `points` pieces of the same size, as it stands before a technique sets its constants; see types.glsl.
 FootprintLobe footprintLobe(ShadingPoint point, float points)
 {
   FootprintLobe lobe;
@@ -75,9 +88,33 @@ FootprintLobe footprintLobe(ShadingPoint point, float points)
   lobe.stretched = normalize(vec3(lobe.alpha * lobe.view.x, 0.0f, nv));
   lobe.size = 0.5f * (nv + lobe.maskView) * a2 / points;
   lobe.bias = 0.0f;
-  lobe.scale = 1.0f;
+  lobe.scaleU = 1.0f;
+  lobe.scaleV = 1.0f;
   lobe.shift = 0.0f;
   return lobe;
+}
+
+// The ray that the point (u, v) of the disk stands for (Heitz 2018).
+FootprintRay footprintRay(ShadingPoint point, FootprintLobe lobe, float pointU, float pointV)
+{
+  float a = lobe.alpha;
+  float middle = 0.5f * (1.0f + lobe.stretched.z);
+  float u = pointU * lobe.scaleU;
+  float v = pointV * lobe.scaleV + lobe.shift;
+  float t2 = (1.0f - middle) * sqrt(max(1.0f - u * u, 0.0f)) + middle * v;
+  float t3 = sqrt(max(1.0f - u * u - t2 * t2, 0.0f));
+  vec3 h = vec3(a * (lobe.stretched.x * t3 - lobe.stretched.z * t2), a * u,
+                max(lobe.stretched.x * t2 + lobe.stretched.z * t3, 0.0f));
+  FootprintRay ray;
+  ray.halfSquared = max(dot(h, h), 1.0e-18f);
+  vec3 l = 2.0f * dot(lobe.view, h) / ray.halfSquared * h - lobe.view;
+  // Below the surface a piece has no light: next to no weight along the horizon, so that the weights never sum to 0. Only there is
+  // the direction not of unit length.
+  float lz = max(l.z, 1.0e-3f);
+  ray.direction = point.normal * lz + lobe.tangent * l.x + lobe.bitangent * l.y;
+  float maskLight = sqrt(a * a + (1.0f - a * a) * lz * lz);
+  ray.share = lz * (lobe.view.z + lobe.maskView) / (lobe.view.z * maskLight + lz * lobe.maskView);
+  return ray;
 }
 
 FootprintSum footprintStart()
@@ -88,37 +125,73 @@ FootprintSum footprintStart()
   return sum;
 }
 
-FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float x,
-                          float y, float weight)
+// A piece around one ray, looked up. `size`: its part of the lobe's.
+FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
+                          float v, float weight, float size)
 {
-  float a = lobe.alpha;
-  float middle = 0.5f * (1.0f + lobe.stretched.z);
-  float u = x * lobe.scale;
-  float v = y * lobe.scale + lobe.shift;
-  float t2 = (1.0f - middle) * sqrt(max(1.0f - u * u, 0.0f)) + middle * v;
-  float t3 = sqrt(max(1.0f - u * u - t2 * t2, 0.0f));
-  vec3 h = vec3(a * (lobe.stretched.x * t3 - lobe.stretched.z * t2), a * u,
-                max(lobe.stretched.x * t2 + lobe.stretched.z * t3, 0.0f));
-  float h2 = max(dot(h, h), 1.0e-18f);
-  vec3 l = 2.0f * dot(lobe.view, h) / h2 * h - lobe.view;
-  // Below the surface a piece has no light: next to no weight along the horizon, so that the weights never sum to 0.
-  float lz = max(l.z, 1.0e-3f);
-  vec3 direction = normalize(point.normal * lz + lobe.tangent * l.x + lobe.bitangent * l.y);
-  float maskLight = sqrt(a * a + (1.0f - a * a) * lz * lz);
-  float share = weight * lz * (lobe.view.z + lobe.maskView) / (lobe.view.z * maskLight + lz * lobe.maskView);  // G2 / G1
-
-  ProbeHit hit = projectRay(probe, point.position, point.normal, direction);
-  float size = lobe.size / (h2 * h2) * footprintScale(probe, hit, direction);
+  FootprintRay ray = footprintRay(point, lobe, u, v);
+  ProbeHit hit = projectRay(probe, point.position, point.normal, ray.direction);
+  vec3 c = footprintCosines(probe, hit, ray.direction);
+  float along = c.x / (c.z * ray.halfSquared);  // the longer axis, in units of the piece's width
+  float area = lobe.size * size * along * c.x * c.y / ray.halfSquared;
   FootprintSum result;
-  result.value = sum.value + share * fetchProbe(map, probe, hit.direction, footprintLevel(probe, size, lobe.bias));
-  result.weight = sum.weight + share;
+  float level = footprintEasedLevel(probe, area * sqrt(along), lobe.bias);
+  result.value = sum.value + weight * ray.share * fetchProbe(map, probe, hit.direction, level);
+  result.weight = sum.weight + weight * ray.share;
   return result;
 }
 
-// Two points, mirrored in the plane of N and V.
-FootprintSum footprintAddPair(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float x,
-                              float y, float weight)
+// Two pieces, mirrored in the plane of N and V.
+FootprintSum footprintAddPair(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
+                              float v, float weight, float size)
 {
-  FootprintSum one = footprintAdd(map, probe, point, lobe, sum, x, y, weight);
-  return footprintAdd(map, probe, point, lobe, one, -x, y, weight);
+  FootprintSum one = footprintAdd(map, probe, point, lobe, sum, u, v, weight, size);
+  return footprintAdd(map, probe, point, lobe, one, -u, v, weight, size);
+}
+
+// A ray's hit, seen from C.
+vec3 footprintSeen(ProbeHit hit)
+{
+  vec3 a = abs(hit.direction);
+  vec3 d = hit.direction / max(max(max(a.x, a.y), a.z), 1.0e-37f);  // no square under- or overflows
+  return d / sqrt(max(dot(d, d), 1.0e-30f));
+}
+
+FootprintPatch footprintPatch(ProbeShape probe, ShadingPoint point, FootprintLobe lobe, float u, float v, float weight)
+{
+  FootprintRay ray = footprintRay(point, lobe, u, v);
+  ProbeHit hit = projectRay(probe, point.position, point.normal, ray.direction);
+  FootprintPatch seen;
+  seen.first = footprintSeen(hit);
+  seen.offset = vec3(0.0f);
+  seen.squares = 0.0f;
+  seen.weight = weight * ray.share;
+  seen.alpha = hit.distance >= kNoHit ? lobe.alpha : -1.0f;
+  return seen;
+}
+
+FootprintPatch footprintExtend(ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintPatch seen, float u, float v,
+                               float weight)
+{
+  FootprintRay ray = footprintRay(point, lobe, u, v);
+  ProbeHit hit = projectRay(probe, point.position, point.normal, ray.direction);
+  vec3 offset = footprintSeen(hit) - seen.first;  // differences first: the spread of a narrow lobe would cancel
+  float w = weight * ray.share;
+  FootprintPatch result;
+  result.first = seen.first;
+  result.offset = seen.offset + w * offset;
+  result.squares = seen.squares + w * dot(offset, offset);
+  result.weight = seen.weight + w;
+  result.alpha = seen.alpha;
+  return result;
+}
+
+// The patch's mean. Its alpha² is `narrow` of the rays' variance, and for wide patches, which bend around C, more: `wide` of its
+// square. Where there is nothing to hit the surface's own.
+vec4 footprintMean(PROBE_MAP map, ProbeShape probe, FootprintPatch seen, float narrow, float wide, float bias)
+{
+  vec3 mean = seen.offset / seen.weight;
+  float variance = max(seen.squares / seen.weight - dot(mean, mean), 0.0f);
+  float size = seen.alpha < 0.0f ? variance * (narrow + wide * variance) : seen.alpha * seen.alpha;
+  return fetchProbe(map, probe, seen.first + mean, footprintEasedLevel(probe, size, bias));
 }

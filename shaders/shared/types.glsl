@@ -65,16 +65,36 @@ struct FootprintLobe
   float alpha;
   float maskView;  // sqrt(alpha² + (1 - alpha²) NV²)
   vec3 stretched;  // V where the surface is stretched to roughness 1
-  float size;      // alpha² of a piece where the half vector is the normal
-  float bias;
-  float scale;     // of the points, u and v
-  float shift;     // of the points, v
+  float size;      // alpha² of a piece whose half vector is the normal
+  float bias;      // levels added to every piece's
+  float scaleU;    // of the points
+  float scaleV;
+  float shift;     // of the points, along v
 };
 
+// A ray of a lobe.
+struct FootprintRay
+{
+  vec3 direction;     // probe frame
+  float halfSquared;  // the half vector's square before it is normalised: a piece covers 1 / its square of what it would along N
+  float share;        // of the light, G2 / G1
+};
+
+// The lookups so far.
 struct FootprintSum
 {
   vec4 value;
   float weight;
+};
+
+// Rays that share one lookup: the directions of their hits, seen from C.
+struct FootprintPatch
+{
+  vec3 first;
+  vec3 offset;    // of the others from the first, and its square, weighted sums
+  float squares;
+  float weight;
+  float alpha;    // of the surface where the first ray has nothing to hit; else negative
 };
 
 // A reflected ray (visible_normal.glsl).

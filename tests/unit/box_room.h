@@ -1,40 +1,70 @@
-// Rooms that are boxes, and what surfaces in them reflect: a lobe's mean by integration, in double precision and
-// independent of the shader's mathematics, to judge and to fit techniques by.
+// Rooms that are boxes, made up by chance: patterned walls from dark to bright, lamps small and large in the ceiling,
+// windows; every fourth is long and low. With the points of their surfaces that techniques are judged and fitted by.
 #pragma once
 
+#include <memory>
 #include <random>
 #include <vector>
 
 #include "filters/math/cube_map.h"
+#include "tests/unit/padded_cube.h"
 
 namespace boxprobe::test {
 
-/// Walls with a pattern of their own, a lamp and a window: small bright things are the hard case.
-struct BoxRoom {
-  glm::dvec3 low, high;  ///< the box, relative to the capture origin
-  double checks;         ///< along a wall
-  double lampRadius;     ///< of the ceiling
-  double lampRadiance;
+/// A pattern in two colours, brighter towards one end.
+struct RoomWall {
+  enum class Pattern { Checks, Stripes, Blocks, Grid, Waves };
+  Pattern pattern = Pattern::Checks;
+  glm::dvec3 light, dark;
+  glm::dvec2 period;  ///< metres
+  glm::dvec2 slope;   ///< of the brightness from end to end
 };
+
+/// In a wall: a disk or a rectangle.
+struct RoomLamp {
+  int wall;
+  bool round;
+  glm::dvec2 middle;  ///< fraction of the wall
+  glm::dvec2 half;    ///< metres
+  glm::dvec3 radiance;
+};
+
+/// Walls -x +x -y +y -z +z; metres, relative to the capture origin.
+struct BoxRoom {
+  glm::dvec3 low, high;
+  RoomWall walls[6];
+  std::vector<RoomLamp> lamps;
+};
+
+BoxRoom randomRoom(unsigned seed, bool longAndLow);
 
 /// A capture of the room, prefiltered.
 CubeMap prefilteredRoom(const BoxRoom& room, int faceSize);
 
-/// What `point` reflects of level 0 of the chain at the box: the mean over visible normals that the split sum takes.
-/// Level 0 and not the room itself, so that the capture's texels are not counted as a technique's error.
-glm::dvec3 reflectedMean(const BoxRoom& room, const CubeMap& chain, const shading::ShadingPoint& point, int rays);
+/// What `point` reflects of level 0 of the chain at the box: the mean over visible normals that the split sum takes, by
+/// integration in double precision and independent of the shader's mathematics. Level 0 and not the room itself, so
+/// that the capture's texels are not counted as a technique's error.
+glm::dvec3 reflectedMean(const BoxRoom& room, const PaddedCube& chain, const shading::ShadingPoint& point, int rays);
 
-/// A point on the floor, on a wall or inside, seen from up to 85 degrees; `index` says where.
-shading::ShadingPoint pointInRoom(const BoxRoom& room, float roughness, int index, std::mt19937& random);
-
-/// Errors of a technique: x/(1+x) to the 1/2.2, linear, and of the light in all.
-struct ErrorTally {
-  double squares = 0.0, linearSquares = 0.0, truthSquares = 0.0, light = 0.0, truthLight = 0.0;
-  std::size_t count = 0;
-  void add(const glm::dvec3& value, const glm::dvec3& truth);
-  double rmse() const;
-  double relativeRmse() const;
-  double lightRatio() const { return light / truthLight; }
+/// A point of a surface and what it reflects.
+struct RoomPoint {
+  shading::ShadingPoint point;
+  shading::ProbeShape probe;
+  const PaddedCube* chain;
+  glm::dvec3 truth;
+  int roughness;  ///< one of kRoughnesses, or near it
+  int angle;      ///< from above, oblique, grazing
 };
+
+constexpr int kRoughnesses = 6, kAngles = 3;
+
+struct RoomPoints {
+  std::vector<std::unique_ptr<PaddedCube>> chains;
+  std::vector<RoomPoint> points;
+};
+
+/// Floors and walls, smooth and tilted as by a normal map, and things in the room; seen from up to 85 degrees, and one
+/// in eight from 60 to 87 towards a lamp's mirror image.
+RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, int rays);
 
 }  // namespace boxprobe::test

@@ -1,0 +1,25 @@
+// The form of the footprint techniques with its constants open: what the fit varies. The constants of a form, in the
+// order of its comments, become a technique to judge and the text of its file in shaders/technique.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/unit/technique_tally.h"
+
+namespace boxprobe::bench {
+
+struct FootprintForm {
+  std::vector<double> start;
+  std::function<test::Technique(const std::vector<double>& constants)> technique;
+  /// Residuals that keep the constants plain: pieces of much the same size (one far sharper than the others would show
+  /// as a ghost in a blurred reflection), and what the data does not decide at 0.
+  std::function<std::vector<double>(const std::vector<double>& constants)> plain;
+  /// The lines between `{` and `}` of its evaluation function.
+  std::function<std::string(const std::vector<double>& constants)> shader;
+};
+
+/// For 1, 2, 4, 8 or 16 lookups.
+FootprintForm footprintForm(int lookups);
+
+}  // namespace boxprobe::bench

@@ -1,0 +1,72 @@
+#include "tests/unit/technique_tally.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "filters/math/technique_table.h"
+
+namespace boxprobe::test {
+
+using glm::dvec3;
+
+double displayValue(double radiance) {
+  const double x = std::max(radiance, 0.0);
+  return std::pow(x / (1.0 + x), 1.0 / 2.2);
+}
+
+Technique techniqueOf(const char* id) {
+  const boxprobe::Technique technique = parseTechnique(id).value();
+  const auto evaluate = evaluationRows()[static_cast<std::size_t>(technique.evaluation)].evaluate;
+  return [=](const RoomPoint& p) {
+    shading::ProbeShape probe = p.probe;
+    probe.projection = technique.projection;
+    return dvec3(evaluate(p.chain, probe, p.point));
+  };
+}
+
+std::vector<dvec3> valuesOf(const Technique& technique, const std::vector<RoomPoint>& points) {
+  std::vector<dvec3> values(points.size());
+  tbb::parallel_for(std::size_t(0), points.size(), [&](std::size_t i) { values[i] = technique(points[i]); });
+  return values;
+}
+
+double TechniqueTally::worstLight() const {
+  double worst = 0.0;
+  for (const double l : light) worst = std::max(worst, std::abs(l - 1.0));
+  return worst;
+}
+
+TechniqueTally tally(const std::vector<dvec3>& values, const std::vector<RoomPoint>& points) {
+  std::array<double, kRoughnesses> squares{}, counts{};
+  std::array<double, kBuckets> truthLight{};
+  double linearSquares = 0.0, truthSquares = 0.0;
+  TechniqueTally result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto r = static_cast<std::size_t>(points[i].roughness);
+    const std::size_t bucket = r * kAngles + static_cast<std::size_t>(points[i].angle);
+    for (int c = 0; c < 3; ++c) {
+      const double value = values[i][c], truth = points[i].truth[c];
+      squares[r] += std::pow(displayValue(value) - displayValue(truth), 2.0);
+      counts[r] += 1.0;
+      linearSquares += (value - truth) * (value - truth);
+      truthSquares += truth * truth;
+      result.light[bucket] += value;
+      truthLight[bucket] += truth;
+    }
+  }
+  double allSquares = 0.0, all = 0.0;
+  for (std::size_t r = 0; r < kRoughnesses; ++r) {
+    result.rmseByRoughness[r] = std::sqrt(squares[r] / std::max(counts[r], 1.0));
+    allSquares += squares[r];
+    all += counts[r];
+  }
+  for (std::size_t b = 0; b < kBuckets; ++b)
+    result.light[b] = truthLight[b] > 0.0 ? result.light[b] / truthLight[b] : 1;
+  result.rmse = std::sqrt(allSquares / all);
+  result.relativeRmse = std::sqrt(linearSquares / truthSquares);
+  return result;
+}
+
+}  // namespace boxprobe::test
