@@ -159,7 +159,9 @@ std::string benchCsv(const BenchResult& result) {
       "errorRatioToHdrp,lookups,lowFrequencyShare,errorAfterBlur,frameCpuRatioToBox\n";
   for (const BenchRow& row : result.rows) {
     const BenchTechnique& t = result.techniques[row.technique];
-    const auto add = [&text](double value) { text += "," + numberText(value); };
+    const auto add = [&text](double value) {
+      text += "," + (std::isfinite(value) ? numberText(value) : std::string());
+    };
     // A camera may be named anything: quoted, quotes doubled.
     std::string camera;
     for (const char c : row.camera) camera += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -49,8 +49,8 @@ struct BenchRow {
   double meanTruthSquare = 0.0;  ///< what relativeRmse is relative to: rows are weighed by it when put together
   double flip = 0.0;
   double brightnessRatio = 1.0;
-  double errorRatioToHdrp = 0.0;
-  double lookups = 0.0;  ///< fetches from cube maps a pixel
+  double errorRatioToHdrp = 0.0;  ///< not a number where hdrp is exact and this is not
+  double lookups = 0.0;           ///< fetches from cube maps a pixel
   std::optional<NoiseFigures> noise;
 };
 

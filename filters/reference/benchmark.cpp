@@ -153,7 +153,8 @@ void Run::measureView(const Camera& camera, double roughness) {
       if (plan_.techniques[other.technique].id != kErrorBaseline || other.surface != row.surface ||
           other.truth != row.truth || !plan_.techniques[other.technique].parameters.empty())
         continue;
-      row.errorRatioToHdrp = other.error > 0.0 ? row.error / other.error : row.error > 0.0 ? 0.0 : 1.0;
+      // In a mirror the baseline may be exact.
+      row.errorRatioToHdrp = other.error > 0.0 ? row.error / other.error : row.error > 0.0 ? std::nan("") : 1.0;
     }
   }
 }

@@ -33,6 +33,14 @@ TEST(Help, RenderNamesItsOptions) {
   }
 }
 
+TEST(Help, BenchNamesItsOptions) {
+  const Outcome outcome = help({"bench", "--help"});
+  for (const char* text : {"--output", "--quick", "--techniques", "--roughness", "--camera", "--size", "--seed",
+                           "--set", "--stats", "--json", "--quiet", "Example", "boxprobe bench "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+}
+
 TEST(Help, InfoNamesItsOptions) {
   const Outcome outcome = help({"info", "--help"});
   for (const char* text : {"SCENE", "--set", "--stats", "--json", "--quiet", "Example", "boxprobe info "}) {
