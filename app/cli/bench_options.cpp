@@ -99,9 +99,9 @@ BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
   plan.boxTruth.mostPasses = 16;
   plan.sceneTruth = plan.boxTruth;
   plan.sceneTruth.seed = stirred(plan.boxTruth.seed);
-  plan.sceneTruth.raysPerPass = options.quick ? 32 : 48;
-  plan.sceneTruth.standardError = 2.0 * plan.boxTruth.standardError;
-  plan.sceneTruth.mostPasses = 8;
+  plan.sceneTruth.raysPerPass = options.quick ? 48 : 64;
+  plan.sceneTruth.standardError = 1.5 * plan.boxTruth.standardError;
+  plan.sceneTruth.mostPasses = 12;
   plan.lookupPixels = options.quick ? 8 : 16;
   plan.mostPairs = options.quick ? 3 : 9;
   plan.pairSeconds = options.quick ? 0.1 : 0.6;

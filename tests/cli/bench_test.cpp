@@ -91,7 +91,10 @@ TEST(Bench, FilesOfASmallRunAgreeWithEachOther) {
     EXPECT_EQ(loaded[i].onFront, points[i].onFront) << points[i].id;
   }
   // The references know their colours far better than any technique, and agree in a room that is the box.
-  for (const auto& reference : json["references"]) EXPECT_LT(reference["standardError"].get<double>(), 0.3 * smallest);
+  for (const auto& reference : json["references"]) {
+    const double share = reference["reference"] == "box" ? 0.25 : 0.4;
+    EXPECT_LT(reference["standardError"].get<double>(), share * smallest) << reference;
+  }
   for (const auto& [key, byTechnique] : errors)
     EXPECT_LT(byTechnique.at("box+footprint8"), byTechnique.at("infinite+none"));
 
