@@ -5,15 +5,15 @@ vec4 evaluateFootprint4(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   FootprintLobe lobe = footprintLobe(point, 1.0f);
   float a = lobe.alpha;
   float n = lobe.view.z;
-  lobe.bias = 0.030f + 0.010f * a - 0.150f * n;
-  lobe.scaleU = 1.0f - 0.370f * a - 0.350f * n;
-  lobe.scaleV = 1.0f - 0.760f * a + 0.110f * n;
-  lobe.shift = lobe.view.x * (0.010f + 0.060f * a + 0.120f * n);
-  lobe.shift = lobe.shift - lobe.scaleV * a * (1.862f - 1.175f * a) / (1.0f - 0.553f * a);
-  lobe.size = lobe.size * 0.133f * max(1.0f - 0.000f * a + 0.670f * n, 0.1f);
+  lobe.bias = 0.183f - 0.255f * a + 0.008f * n;
+  lobe.scaleU = 1.0f - 0.350f * a - 0.322f * n;
+  lobe.scaleV = 1.0f - 0.662f * a + 0.135f * n;
+  lobe.shift = lobe.view.x * (-0.088f + 0.167f * a + 0.204f * n);
+  lobe.shift = lobe.shift - lobe.scaleV * a * (2.023f - 0.565f * a) / (1.0f - 0.242f * a);
+  lobe.size = lobe.size * 0.081f * max(1.0f + 1.997f * a + 0.802f * n, 0.1f);
   FootprintSum sum = footprintStart();
-  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, -0.701f + 0.920f * a, 0.181f - 0.073f * a, 0.631f);
-  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, 0.469f + 2.490f * a, 0.411f - 0.342f * a, 1.537f);
-  sum = footprintAddPair(map, probe, point, lobe, sum, 0.390f + 0.800f * a, -0.161f + 1.860f * a, 0.204f - 0.069f * a, 1.041f);
+  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, -0.680f + 1.616f * a, 0.190f - 0.014f * a, 0.561f);
+  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, 0.505f + 2.417f * a, 0.375f - 0.202f * a, 1.373f);
+  sum = footprintAddPair(map, probe, point, lobe, sum, 0.462f + 0.576f * a, -0.140f + 2.069f * a, 0.217f - 0.013f * a, 0.797f);
   return sum.value / sum.weight;
 }
