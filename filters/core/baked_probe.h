@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "filters/math/cube_map.h"
+#include "filters/math/light_table.h"
 #include "filters/math/spherical_harmonics.h"
 
 namespace boxprobe {
@@ -17,6 +18,7 @@ struct BakedMaps {
   /// for a map without distances (the sky, an imported picture).
   CubeMap distance;
   ShCoefficients irradiance{};
+  LazyLightTable light;  ///< of radiance, for techniques that aim rays at what is bright
   glm::dvec3 capturedAt{0.0};  ///< capture origin, world
 };
 

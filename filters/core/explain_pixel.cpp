@@ -71,6 +71,9 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   shading::ProbeData data;
   data.distances = distances ? &*distances : nullptr;
   data.worldFromProbe = g.rotated ? &worldFromProbe : nullptr;
+  std::shared_ptr<const LightTable> light;
+  if (e.captured && chooses(g.technique, g.parameters, "sampling", "luminance")) light = probe.maps->light.of(probe.maps->radiance);
+  data.light = light.get();
   shape.slot = &data;
   const shading::ShadingPoint point{
       e.positionProbe, turned(s.normalWorld), turned(s.viewWorld), e.reflectionProbe, roughness, s.pixel, s.frame};

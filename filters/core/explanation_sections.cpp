@@ -172,10 +172,38 @@ std::string levelText(const Lookup& lookup, float maxLevel) {
          fixedText(lookup.roughness, 3);
 }
 
+/// What the fetches that are not shown bring together.
+ExplanationRow restRow(const ProbeExplanation& p, const std::vector<std::size_t>& rest) {
+  glm::vec3 sum(0.0f);
+  float share = 0.0f, low = p.maxLevel, high = 0.0f;
+  for (const std::size_t i : rest) {
+    const Lookup& lookup = p.lookups[i];
+    sum += lookup.weight * lookup.value;
+    share += lookup.weight;
+    low = std::min(low, lookup.level);
+    high = std::max(high, lookup.level);
+  }
+  return light("...", share > 0.0f ? sum / share : sum,
+               std::to_string(rest.size()) + " more fetches, which bring less light: " + percent(share) +
+                   " together, their mean; levels " + fixedText(low, 2) + " to " + fixedText(high, 2));
+}
+
 void addLookups(const Explanation& e, const ProbeExplanation& p, const ExplanationDetail& detail,
                 std::vector<ExplanationRow>& rows) {
-  const std::size_t shown = std::min(p.lookups.size(), detail.lookupsPerProbe);
-  for (std::size_t i = 0; i < shown; ++i) {
+  std::vector<std::size_t> order(p.lookups.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::size_t shown = order.size();
+  if (order.size() > detail.lookupsPerProbe) {
+    // Too many to read: those that bring most of the light.
+    const auto brings = [&p](std::size_t i) {
+      const glm::vec3& v = p.lookups[i].value;
+      return p.lookups[i].weight * std::max({v.x, v.y, v.z});
+    };
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return brings(a) > brings(b); });
+    shown = detail.lookupsOfMany;
+  }
+  for (std::size_t k = 0; k < shown; ++k) {
+    const std::size_t i = order[k];
     const Lookup& lookup = p.lookups[i];
     std::string meaning = levelText(lookup, p.maxLevel);
     const float change = lookup.roughness - e.surface.roughness;
@@ -189,9 +217,7 @@ void addLookups(const Explanation& e, const ProbeExplanation& p, const Explanati
     rows.push_back(light(symbol, lookup.value, meaning));
     addTexels(p, lookup, detail, rows);
   }
-  if (p.lookups.size() > shown) {
-    rows.push_back(row("...", {}, "", std::to_string(p.lookups.size() - shown) + " more fetches"));
-  }
+  if (shown < order.size()) rows.push_back(restRow(p, {order.begin() + static_cast<long>(shown), order.end()}));
   rows.push_back(light("L_spec", p.specular, "the probe's reflected light: its fetches by their shares"));
   rows.push_back(light("E/pi", p.irradiance, "its light from all around N, for the diffuse part"));
 }

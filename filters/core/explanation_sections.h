@@ -33,7 +33,9 @@ struct ExplanationSection {
 struct ExplanationDetail {
   /// Of each lookup, the texels with the largest shares; the rest is summed up in one line.
   std::size_t texelsPerLookup = 8;
+  /// A probe's lookups are all shown up to this many; of more, the brightest few, and the rest in one line.
   std::size_t lookupsPerProbe = 16;
+  std::size_t lookupsOfMany = 4;
   /// Light of a texel, where the caller holds the probe's map; may be empty.
   std::function<std::optional<glm::vec3>(const ProbeExplanation&, const TexelShare&)> texelValue;
 };

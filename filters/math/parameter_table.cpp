@@ -6,11 +6,22 @@ const std::vector<ParameterRow>& parameterRows() {
   using Kind = ParameterKind;
   using Values = shading::TechniqueParameters;
   static const std::vector<ParameterRow> rows = {
-      {"samples", "Samples", "", "Reflected rays a pixel.", Kind::WholeNumber, 1, 256, 64, {}, &Values::samples},
+      {"samples",
+       "Samples",
+       "",
+       "Reflected rays a pixel, each one lookup.",
+       Kind::WholeNumber,
+       1,
+       256,
+       64,
+       {},
+       &Values::samples},
       {"pattern",
        "Pattern",
        "",
-       "How the sampled rays are spread from pixel to pixel.",
+       "How rays are spread: at random, evenly with fine-grained noise (blue), evenly with a shift by pixel (r2), or "
+       "the same in "
+       "every pixel, which shows ghosts in place of noise.",
        Kind::Choice,
        0,
        0,
@@ -22,7 +33,7 @@ const std::vector<ParameterRow>& parameterRows() {
       {"levelOffset",
        "Level offset",
        "",
-       "Blurs each sample by its distance.",
+       "Blurs each ray's lookup by its share of the lobe and the distance to what it hits.",
        Kind::Switch,
        0,
        0,
@@ -33,7 +44,7 @@ const std::vector<ParameterRow>& parameterRows() {
       {"filtered",
        "Filtered",
        "",
-       "Filters each sample by its footprint on the wall.",
+       "Blurs each ray's lookup by the patch of wall it stands for: far less noise and error.",
        Kind::Switch,
        0,
        0,
@@ -44,7 +55,9 @@ const std::vector<ParameterRow>& parameterRows() {
       {"sampling",
        "Sampling",
        "",
-       "What the rays are drawn from: the surface's lobe, or that and the probe's brightness, combined.",
+       "What rays are drawn from: the surface's lobe, or half of them from the probe's brightness, for small lamps. "
+       "Rays that "
+       "are blurred find lamps by themselves and come from the lobe alone.",
        Kind::Choice,
        0,
        0,

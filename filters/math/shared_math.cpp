@@ -5,10 +5,12 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "filters/math/automatic.h"
 #include "filters/math/blue_noise.h"
+#include "filters/math/light_table.h"
 #include "filters/math/technique_table.h"
 
 #define PROBE_MAP ProbeMap
@@ -48,6 +50,24 @@ float fetchProbeDistance(const ProbeShape& probe, vec3 direction) {
   return probe.slot->distances->fetchDistance(turn != nullptr ? *turn * direction : direction);
 }
 
+static int probeLightSize(const ProbeShape& probe) {
+  return probe.slot != nullptr && probe.slot->light != nullptr ? probe.slot->light->faceSize : 0;
+}
+
+static vec4 fetchProbeLight(const ProbeShape& probe, int cell) {
+  return probe.slot->light->cells[static_cast<std::size_t>(cell)];
+}
+
+static vec3 mapFromProbe(const ProbeShape& probe, vec3 direction) {
+  const glm::mat3* turn = probe.slot->worldFromProbe;
+  return turn != nullptr ? *turn * direction : direction;
+}
+
+static vec3 probeFromMap(const ProbeShape& probe, vec3 direction) {
+  const glm::mat3* turn = probe.slot->worldFromProbe;
+  return turn != nullptr ? glm::transpose(*turn) * direction : direction;
+}
+
 static vec2 fetchBlueNoise(ivec2 pixel) {
   return blueNoiseAt(pixel);
 }
@@ -70,6 +90,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
 #include "shaders/shared/footprint.glsl"  // after roughness.glsl and lobe_frame.glsl, which it uses
+#include "shaders/shared/light_sampling.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/sample_pattern.glsl"  // after hash.glsl, which it uses
 #include "shaders/shared/visible_normal.glsl"
 #include "technique_files.inc"  // all of shaders/technique
@@ -192,8 +213,8 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "evaluateRaytraced",
        shading::evaluateRaytraced,
        {"shared/lobe_frame.glsl", "shared/footprint.glsl", "shared/hash.glsl", "shared/sample_pattern.glsl",
-        "shared/visible_normal.glsl", "technique/evaluation_footprint1.glsl"},
-       {"samples", "pattern", "levelOffset", "filtered"}},
+        "shared/visible_normal.glsl", "shared/cube.glsl", "shared/light_sampling.glsl", "technique/evaluation_footprint1.glsl"},
+       {"samples", "pattern", "levelOffset", "filtered", "sampling"}},
       {"auto",
        "Automatic",
        "For each object the cheapest evaluation whose measured error stays within the budget at its roughness.",

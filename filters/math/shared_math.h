@@ -9,6 +9,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+namespace boxprobe {
+struct LightTable;
+}
+
 namespace boxprobe::shading {
 
 /// A prefiltered cubemap as the mathematics sees it: what `fetchProbe` is on this side.
@@ -33,6 +37,7 @@ using DistanceMap = const DistanceSampler*;
 struct ProbeData {
   DistanceMap distances = nullptr;            ///< looked up in the world's axes relative to the capture origin
   const glm::mat3* worldFromProbe = nullptr;  ///< null: not rotated
+  const LightTable* light = nullptr;          ///< what rays can be aimed at, by brightness
 };
 
 using glm::ivec2;
@@ -57,6 +62,7 @@ float groupScale(float weightSum);
 float remainingAfter(float remaining, float weightSum);
 vec3 cubeDirection(int face, float s, float t);
 vec3 cubeTexelCentre(vec3 direction, float faceSize);
+int cubeCell(vec3 direction, int faceSize);
 float trueHitDistance(DistanceMap map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float reach);
 float footprintLevel(ProbeShape probe, float alphaSquared, float bias);
 FootprintLobe footprintLobe(ShadingPoint point, float points);
@@ -71,9 +77,10 @@ FootprintPatch footprintExtend(ProbeShape probe, ShadingPoint point, FootprintLo
 vec4 footprintMean(ProbeMap map, ProbeShape probe, FootprintPatch seen, float narrow, float wide, float bias);
 uint hashed(uint value);
 uint pixelHash(ivec2 pixel);
-SamplePattern samplePattern(ShadingPoint point, int pattern, int count);
+SamplePattern samplePattern(ShadingPoint point, int pattern, int samples);
 vec2 samplePoint(SamplePattern pattern, int i);
 LobeSample lobeSample(FootprintLobe lobe, vec2 u);
+LobeSample lobeTowards(FootprintLobe lobe, vec3 direction);
 float lobeAlbedo(FootprintLobe lobe);
 vec3 ggxHalfVector(vec2 u, float alpha);
 float ggxDistribution(vec3 h, float alpha);

@@ -57,6 +57,14 @@ std::vector<const ParameterRow*> parametersOf(Technique technique) {
   return rows;
 }
 
+bool chooses(Technique technique, const shading::TechniqueParameters& values, std::string_view parameter,
+             std::string_view choice) {
+  for (const ParameterRow* row : parametersOf(technique)) {
+    if (row->name == parameter) return row->choices.at(static_cast<std::size_t>(values.*row->choice)) == choice;
+  }
+  return false;
+}
+
 std::string techniqueId(const Technique& technique) {
   if (evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id == kAutomatic) return std::string(kAutomatic);
   return std::string(projectionRows()[static_cast<std::size_t>(technique.projection)].id) + "+" +

@@ -55,6 +55,9 @@ std::optional<Technique> parseTechnique(std::string_view id);
 Technique withoutProjection(Technique technique);
 /// The parameters it reads, in the order of a form.
 std::vector<const ParameterRow*> parametersOf(Technique technique);
+/// Does it read the parameter of that name, set to that choice?
+bool chooses(Technique technique, const shading::TechniqueParameters& values, std::string_view parameter,
+             std::string_view choice);
 /// The full id, `box+none`; `auto` stands alone.
 std::string techniqueId(const Technique& technique);
 /// The shortest id that parses back: `box` for `box+none`.

@@ -19,12 +19,9 @@ bool ProbeBinding::distances() const {
   return false;
 }
 
-bool ProbeBinding::blueNoise() const {
-  const ParameterRow* pattern = findParameter("pattern");
+bool ProbeBinding::chooses(std::string_view parameter, std::string_view choice) const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    const std::vector<const ParameterRow*> read = parametersOf(technique(i));
-    const auto chosen = static_cast<std::size_t>(probes[i]->geometry.parameters.*pattern->choice);
-    if (std::find(read.begin(), read.end(), pattern) != read.end() && pattern->choices.at(chosen) == "blue") return true;
+    if (boxprobe::chooses(technique(i), probes[i]->geometry.parameters, parameter, choice)) return true;
   }
   return false;
 }

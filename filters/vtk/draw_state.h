@@ -7,12 +7,14 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "filters/core/counters.h"
 #include "filters/core/probe_geometry.h"
 #include "filters/math/spherical_harmonics.h"
 #include "filters/vtk/gl_objects.h"
+#include "filters/vtk/light_texture.h"
 
 namespace boxprobe {
 
@@ -23,7 +25,9 @@ struct ProbeMaps {
   ShCoefficients irradiance{};
   glm::dvec3 capturedAt{0.0};
   float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
-  std::size_t bytes() const { return radiance.bytes() + distance.bytes(); }
+  /// Made when a draw first aims rays at what is bright (light_texture.h).
+  mutable LightTexture light;
+  std::size_t bytes() const { return radiance.bytes() + distance.bytes() + light.bytes(); }
 };
 
 /// A probe as draws see it. `maps` is null until the first capture is complete; it then gives nothing.
@@ -57,8 +61,8 @@ struct ProbeBinding {
   bool rotated() const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
-  /// Does a technique of a probe spread its samples by the blue-noise mask?
-  bool blueNoise() const;
+  /// Does a technique of a probe read the parameter, set to that choice?
+  bool chooses(std::string_view parameter, std::string_view choice) const;
   /// Parameters that any of its techniques reads, each once.
   std::vector<const ParameterRow*> parameters() const;
   /// Group of equal importance of each probe, from 0.

@@ -203,7 +203,20 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
           this->Bind(renderer, GL_TEXTURE_CUBE_MAP, known ? maps->distance.handle() : this->State->blackCube));
     }
   }
-  if (this->Binding->blueNoise()) {
+  if (this->Binding->chooses("sampling", "luminance")) {
+    std::array<int, kMax> size{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const boxprobe::ProbeMaps* maps = this->State->firstBounce ? nullptr : this->Binding->probes[i]->maps.get();
+      if (maps != nullptr) {
+        maps->light.make(maps->radiance);
+        size[i] = maps->light.faceSize();
+      }
+      const unsigned int handle = size[i] > 0 ? maps->light.handle() : this->State->brdfTable;  // not read
+      program->SetUniformi(("bpLight" + std::to_string(i)).c_str(), this->Bind(renderer, GL_TEXTURE_2D, handle));
+    }
+    program->SetUniform1iv("bpLightSize", static_cast<int>(count), size.data());
+  }
+  if (this->Binding->chooses("pattern", "blue")) {
     boxprobe::makeBlueNoise(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), *this->State);
     program->SetUniformi("bpBlueNoise", this->Bind(renderer, GL_TEXTURE_2D, this->State->blueNoise));
   }

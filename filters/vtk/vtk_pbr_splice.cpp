@@ -146,10 +146,11 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
 // The files and the dispatch that this draw's techniques need, and no other.
 std::string techniqueSources(const ProbeBinding& binding, bool debug) {
   std::vector<std::string> projectionFiles, evaluationFiles;
-  const auto addOnce = [](std::vector<std::string>& files, std::string_view file) {
-    for (const std::string& present : files) {
-      if (present == file) return false;
-    }
+  // Two may build on the same file, and the debug view's own code on it, too.
+  std::set<std::string_view> present;
+  if (debug) present.insert("shared/cube.glsl");
+  const auto addOnce = [&present](std::vector<std::string>& files, std::string_view file) {
+    if (!present.insert(file).second) return false;
     files.emplace_back(file);
     return true;
   };
@@ -174,7 +175,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n#define DISTANCE_MAP "
          "samplerCube\n" +
          (debug ? joinShaderSources({"gpu/debug_distance.glsl", "shared/true_hit.glsl"}) : std::string()) +
-         joinShaderSources({"gpu/fetch_probe.glsl", "gpu/fetch_blue_noise.glsl", "shared/level_curve.glsl"}) + joinShaderSources(evaluationFiles);
+         joinShaderSources({"gpu/fetch_probe.glsl", "gpu/fetch_blue_noise.glsl", "gpu/fetch_light.glsl", "shared/level_curve.glsl"}) + joinShaderSources(evaluationFiles);
 }
 
 std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
@@ -197,7 +198,8 @@ std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
   };
   return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
          define("BP_SKY", binding.sky) + define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
-         define("BP_BLUE_NOISE", binding.blueNoise()) +
+         define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
+         define("BP_LIGHT", binding.chooses("sampling", "luminance")) +
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
          std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", "shared/weights.glsl",

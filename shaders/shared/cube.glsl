@@ -27,3 +27,29 @@ vec3 cubeTexelCentre(vec3 direction, float faceSize)
   else { centre.z = direction.z < 0.0f ? -1.0f : 1.0f; }
   return centre;
 }
+
+// Number of the cell of `faceSize`² a face that a direction falls into: faces in order, row by row.
+int cubeCell(vec3 direction, int faceSize)
+{
+  vec3 a = abs(direction);
+  float largest = max(max(a.x, a.y), max(a.z, 1.0e-37f));
+  vec3 d = direction / largest;
+  int face = d.z < 0.0f ? 5 : 4;
+  float s = d.z < 0.0f ? -d.x : d.x;
+  float t = -d.y;
+  if (a.x >= a.y && a.x >= a.z)
+  {
+    face = d.x < 0.0f ? 1 : 0;
+    s = d.x < 0.0f ? d.z : -d.z;
+  }
+  else if (a.y >= a.z)
+  {
+    face = d.y < 0.0f ? 3 : 2;
+    s = d.x;
+    t = d.y < 0.0f ? -d.z : d.z;
+  }
+  float size = float(faceSize);
+  int column = int(clamp((0.5f * s + 0.5f) * size, 0.0f, size - 1.0f));
+  int row = int(clamp((0.5f * t + 0.5f) * size, 0.0f, size - 1.0f));
+  return (face * faceSize + row) * faceSize + column;
+}

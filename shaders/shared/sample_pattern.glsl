@@ -14,12 +14,14 @@ const uint kR2Y = 3242174889u;
 // The golden ratio's, which turns a spiral's points such that none hides behind another.
 const uint kGolden = 2654435769u;
 
-SamplePattern samplePattern(ShadingPoint point, int pattern, int count)
+// `samples` of a frame.
+SamplePattern samplePattern(ShadingPoint point, int pattern, int samples)
 {
+  uint count = uint(max(samples, 1));
   SamplePattern result;
   result.pattern = pattern;
-  result.first = uint(point.frame) * uint(count);
-  result.step = 0xffffffffu / uint(count);
+  result.first = uint(point.frame) * count;
+  result.step = 0xffffffffu / count;
   result.shiftX = uint(point.frame) * kR2X;
   result.shiftY = uint(point.frame) * kR2Y;
   if (pattern == 0) { result.shiftX = pixelHash(point.pixel); }
@@ -27,7 +29,7 @@ SamplePattern samplePattern(ShadingPoint point, int pattern, int count)
   {
     vec2 mask = fetchBlueNoise(point.pixel);
     result.shiftX = result.shiftX + (uint(mask.x * 16777216.0f) << 8u);
-    result.shiftY = (result.shiftY + (uint(mask.y * 16777216.0f) << 8u)) / uint(count);
+    result.shiftY = (result.shiftY + (uint(mask.y * 16777216.0f) << 8u)) / count;
   }
   if (pattern == 2)
   {

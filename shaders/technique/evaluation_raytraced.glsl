@@ -5,20 +5,24 @@
 //   levelOffset       a level that grows with the distance d of the hit as HDRP's form has it: that of a lobe of d / |H - C| times
 //                     the share of alpha that falls to one sample
 //   filtered          the level of the patch of wall that the sample stands for, by its own solid angle
-// The factors in front are fits (tests/bench/fit_raytraced).
+// With sampling `luminance` half of the rays are drawn from the lobe and half from the probe's brightness; each counts by how likely
+// both ways together were to draw it (the balance heuristic, Veach and Guibas 1995). At level 0 only: a blurred sample finds lamps
+// beside it by itself, and would count their light a second time.
+// The factors in front are fits.
 
 // So narrow a lobe that it lies within one texel of any capture: one lookup, exact.
 const float kMirrorRoughness = 1.0e-3f;
 // From here on the samples' own weights are their norm. Fewer scatter too much for that, and with one the weight would cancel.
 const int kFewSamples = 8;
 
-float sampleLevel(ProbeShape probe, ProbeHit hit, LobeSample s, float alphaEach, float count)
+// `solidAngle`: what one sample stands for.
+float sampleLevel(ProbeShape probe, ProbeHit hit, vec3 direction, float alphaEach, float solidAngle)
 {
   if (probe.parameters.filtered == 1)
   {
     // A lobe of that solid angle at its peak has alpha² = solid angle / (4 pi); times a factor, fitted, as is the bias.
-    float size = 1.5f * 0.0795775f * s.solidAngle / count;
-    return footprintLevel(probe, size * footprintScale(probe, hit, s.direction), -0.5f);
+    float size = 1.5f * 0.0795775f * solidAngle;
+    return footprintLevel(probe, size * footprintScale(probe, hit, direction), -0.5f);
   }
   if (probe.parameters.levelOffset == 1)
   {
@@ -33,31 +37,60 @@ float sampleLevel(ProbeShape probe, ProbeHit hit, LobeSample s, float alphaEach,
 
 vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
 {
-  if (point.roughness < kMirrorRoughness)
-  {
-    ProbeHit mirrored = projectRay(probe, point.position, point.normal, point.reflection);
-    return fetchProbe(map, probe, mirrored.direction, 0.0f);
-  }
-  int count = int(clamp(probe.parameters.samples, 1.0f, 256.0f));
+  ProbeHit mirrored = projectRay(probe, point.position, point.normal, point.reflection);
+  if (point.roughness < kMirrorRoughness) { return fetchProbe(map, probe, mirrored.direction, 0.0f); }
+  bool sharp = probe.parameters.filtered == 0 && probe.parameters.levelOffset == 0;
+  int lightSize = 0;
+  if (probe.parameters.sampling == 1 && sharp && lightAimable(probe, point, mirrored)) { lightSize = probeLightSize(probe); }
+  int count = int(clamp(probe.parameters.samples, lightSize > 0 ? 2.0f : 1.0f, 256.0f));  // at least one ray each way
   float number = float(count);
   FootprintLobe lobe = footprintLobe(point, 1.0f);
   float alphaEach = min(1.6f * lobe.alpha / sqrt(number), 1.0f);
-  SamplePattern pattern = samplePattern(point, probe.parameters.pattern, count);
+
+  // Of an odd number of rays the last goes one way or the other; on average each way has half.
+  uint seed = probe.parameters.pattern == 3 ? 0u : pixelHash(point.pixel);
+  int fromLobe = lightSize > 0 ? (count + int((seed + uint(point.frame)) & 1u)) / 2 : count;
+  float lobeNumber = lightSize > 0 ? 0.5f * number : number;
+  float lightNumber = number - lobeNumber;
+  SamplePattern lobePattern = samplePattern(point, probe.parameters.pattern, fromLobe);
+  SamplePattern lightPattern = lobePattern;
+  if (lightSize > 0) { lightPattern = samplePattern(point, probe.parameters.pattern, count - fromLobe); }
+
   vec4 sum = vec4(0.0f);
   float weights = 0.0f;
   for (int i = 0; i < count; ++i)
   {
-    LobeSample s = lobeSample(lobe, samplePoint(pattern, i));
+    bool aimed = i >= fromLobe;
+    vec3 fromC = vec3(0.0f);
+    LobeSample s;
+    if (aimed)
+    {
+      uint place = hashed(seed + lightPattern.first + uint(i));
+      fromC = lightDirection(probe, samplePoint(lightPattern, i - fromLobe), vec2(unitNumber(place), unitNumber(hashed(place))), lightSize);
+      s = lobeTowards(lobe, towardsLight(probe, point.position, fromC, mirrored.face < 0));
+    }
+    else { s = lobeSample(lobe, samplePoint(lobePattern, i)); }
     if (s.weight > 0.0f)
     {
       ProbeHit hit = projectRay(probe, point.position, point.normal, s.direction);
-      sum = sum + s.weight * fetchProbe(map, probe, hit.direction, sampleLevel(probe, hit, s, alphaEach, number));
-      weights = weights + s.weight;
+      float density = lightSize > 0 ? lightDensity(probe, hit, s.direction, lightSize) : 0.0f;
+      if (!aimed || (density > 0.0f && lightReached(hit, fromC)))
+      {
+        // Rays expected per weight of the lobe's own density: of both ways.
+        float expected = lobeNumber + lightNumber * density * s.solidAngle;
+        float share = s.weight / expected;
+        float level = sharp ? 0.0f : sampleLevel(probe, hit, s.direction, alphaEach, s.solidAngle / expected);
+        sum = sum + share * fetchProbe(map, probe, hit.direction, level);
+        weights = weights + share;
+      }
     }
   }
   if (count >= kFewSamples && weights > 0.0f) { return sum / weights; }
-  // Divided by the mean of all weights there could be, so that frames average to the integral. What these samples' weights lack is
-  // made up for with the lobe's prefiltered mean; were it to be more than all, their own weights are the norm.
-  float norm = 1.0f / max(number * lobeAlbedo(lobe), weights);
+  // Divided by the mean of all weights there could be, so that frames average to the integral.
+  float albedo = lobeAlbedo(lobe);
+  if (lightSize > 0) { return sum / albedo; }
+  // What these samples' weights lack is made up for with the lobe's prefiltered mean, so that even light stays even; were it to be
+  // more than all, their own weights are the norm.
+  float norm = 1.0f / max(albedo, weights);
   return norm * sum + (1.0f - norm * weights) * evaluateFootprint1(map, probe, point);
 }
