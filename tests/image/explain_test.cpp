@@ -84,14 +84,34 @@ std::vector<Case> cases() {
   return result;
 }
 
-/// Every projection with the plainest evaluation, and every evaluation with the last projection.
-std::vector<std::string> allTechniques() {
-  std::vector<std::string> ids;
+struct Chosen {
+  std::string technique;
+  bool lastChoices;  // of its parameters; else the defaults
+};
+
+void choose(Probe& probe, const Chosen& chosen) {
+  probe.technique = chosen.technique;
+  probe.parameters.clear();
+  if (!chosen.lastChoices) return;
+  for (const ParameterRow* row : parametersOf(*parseTechnique(chosen.technique))) {
+    if (row->kind == ParameterKind::Choice) probe.parameters[std::string(row->name)] = std::string(row->choices.back());
+  }
+}
+
+/// Every projection with the plainest evaluation, and every evaluation with the last projection, by its defaults and
+/// its other choices.
+std::vector<Chosen> allTechniques() {
+  std::vector<Chosen> ids;
   const std::string plain(evaluationRows().front().id), last(projectionRows().back().id);
-  for (const ProjectionRow& row : projectionRows()) ids.push_back(std::string(row.id) + "+" + plain);
+  for (const ProjectionRow& row : projectionRows()) ids.push_back({std::string(row.id) + "+" + plain, false});
   for (const EvaluationRow& row : evaluationRows()) {
     const std::string id = last + "+" + std::string(row.id);
-    ids.push_back(parseTechnique(id) ? id : std::string(row.id));  // what stands alone combines with none
+    const std::string known = parseTechnique(id) ? id : std::string(row.id);  // what stands alone combines with none
+    ids.push_back({known, false});
+    const auto read = parametersOf(*parseTechnique(known));
+    const bool choices =
+        std::any_of(read.begin(), read.end(), [](const auto* p) { return p->kind == ParameterKind::Choice; });
+    if (choices) ids.push_back({known, true});
   }
   return ids;
 }
@@ -109,7 +129,7 @@ TEST(Explain, AgreesWithThePicture) {
     Camera camera;
     std::size_t techniques;  // where in the list the probes' techniques start; past its end: the scene's own
   };
-  const std::vector<std::string> techniques = allTechniques();
+  const std::vector<Chosen> techniques = allTechniques();
   std::vector<Work> work;
   for (const Case& c : all) {
     for (const Camera& camera : c.scene.cameras) work.push_back({&c, camera, techniques.size()});
@@ -129,7 +149,7 @@ TEST(Explain, AgreesWithThePicture) {
     }
     picture->scene = w.of->scene;
     for (std::size_t i = 0; i < picture->scene.probes.size() && w.techniques < techniques.size(); ++i) {
-      picture->scene.probes[i].technique = techniques[(w.techniques + i) % techniques.size()];
+      choose(picture->scene.probes[i], techniques[(w.techniques + i) % techniques.size()]);
     }
     picture->show(w.camera);
     const ImageRgbaF image = picture->linear(1);

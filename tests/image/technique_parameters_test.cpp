@@ -65,6 +65,28 @@ TEST(TechniqueParameters, AChoiceIsCompiledInOnceAndKept) {
   EXPECT_EQ(world.faces(), 6u);
 }
 
+// Ways to the same mean: every pattern, either filter, rays of the lobe alone or towards the lamp, too.
+TEST(TechniqueParameters, RaysAgreeHoweverTheyAreDrawn) {
+  QuadWorld world = roughFloor("raytraced");
+  world.scene.probes[0].parameters["samples"] = 256.0;
+  world.show();
+  const glm::vec3 plain = nearTheLamp(world);
+  ASSERT_GT(plain.x, 0.05f);
+  for (const auto& [name, value] : {std::pair<const char*, ParameterValue>("pattern", std::string("white")),
+                                    {"pattern", std::string("r2")},
+                                    {"pattern", std::string("deterministic")},
+                                    {"levelOffset", true},
+                                    {"filtered", true},
+                                    {"sampling", std::string("luminance")}}) {
+    world.editAndFinish([n = name, v = value](Scene& s) { s.probes[0].parameters[n] = v; });
+    const glm::vec3 drawn = nearTheLamp(world);
+    EXPECT_LT(glm::length(drawn - plain), 0.12f * glm::length(plain)) << name << " " << drawn.x << " " << plain.x;
+    EXPECT_NE(drawn, plain) << name;
+    world.editAndFinish([n = name](Scene& s) { s.probes[0].parameters.erase(n); });
+  }
+  EXPECT_EQ(world.renderer->error(), "");
+}
+
 TEST(TechniqueParameters, EachProbeOfADrawHasItsOwn) {
   QuadWorld world = roughFloor("godot");
   Probe second = world.scene.probes[0];

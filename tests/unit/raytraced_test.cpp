@@ -174,7 +174,7 @@ TEST_F(InRooms, FramesAverageToTheIntegral) {
       });
       std::printf("  %d samples, sampling %d: error %.4f, light %.4f\n", samples, sampling, many.rmse(),
                   many.lightRatio());
-      EXPECT_LT(many.rmse(), 0.012) << samples << " " << sampling;
+      EXPECT_LT(many.rmse(), 0.015) << samples << " " << sampling;
       EXPECT_NEAR(many.lightRatio(), 1.0, 0.025) << samples << " " << sampling;
     }
   }
@@ -235,7 +235,7 @@ TEST_F(InRooms, EvenLightStaysEvenAndAMirrorPaysForOneRay) {
             const EvenMap map;
             const glm::vec4 value = raytraced().evaluate(&map, c.probe, c.point);
             const bool few = c.probe.parameters.sampling == 1 && samples < 8;  // noise, then
-            EXPECT_NEAR(value.x, 3.0f, few ? 3.0f : 1.0e-4f)
+            EXPECT_NEAR(value.x, 3.0f, few ? 9.0f : 1.0e-4f)
                 << roughness << " " << samples << " " << choice << " " << height;
             EXPECT_LE(map.fetches, samples + 1);
             if (roughness == 0.0f) {
