@@ -79,6 +79,8 @@ Json probeJson(const ProbeExplanation& p) {
                {"slabFactors", orNull(p.slabFactors)},
                {"hitDistance", orNull(p.hitDistance)},
                {"hitWorld", p.hitDistance ? vector(p.hitWorld) : Json(nullptr)}};
+  json["boxDistance"] = orNull(p.boxDistance);
+  json["distanceLookups"] = p.distanceLookups;
   json["face"] = p.face >= 0 ? Json(boxFaceName(p.face)) : Json(nullptr);
   json["influence"] = number(p.influence);
   json["intensity"] = number(p.intensity);

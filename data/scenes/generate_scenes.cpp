@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
     const std::filesystem::path folder = argv[1];
     std::filesystem::create_directories(folder);
     write(folder / "building.glb", glbBytes(building()));
+    write(folder / "furnished.glb", glbBytes(furnished()));
     write(folder / "gallery.glb", glbBytes(gallery()));
     write(folder / "room.glb", glbBytes(room()));
     write(folder / "six-faces.glb", glbBytes(sixFaces()));

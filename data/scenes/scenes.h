@@ -14,6 +14,10 @@ Model building();
 /// A closed 8 x 3 x 6 m room whose walls lie exactly in the planes of its box: box projection is exact in it.
 Model room();
 
+/// A closed 7 x 2.8 x 5 m room whose walls lie in the planes of its box and whose furniture does not: box projection
+/// paints that on the walls.
+Model furnished();
+
 /// A closed 4 x 4 x 4 m room, one colour a wall, that shows a swapped, mirrored or turned cube-map face at a glance.
 Model sixFaces();
 

@@ -18,6 +18,21 @@ glm::vec3 irradianceAt(const glm::vec3& n, const ShCoefficients& c) {
   return shading::shIrradiance(n, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]);
 }
 
+/// Counts a technique's fetches from the distances.
+class CountedDistances : public shading::DistanceSampler {
+ public:
+  explicit CountedDistances(const shading::DistanceSampler* distances) : distances_(distances) {}
+  float fetchDistance(const glm::vec3& direction) const override {
+    ++count_;
+    return distances_->fetchDistance(direction);
+  }
+  int count() const { return count_; }
+
+ private:
+  const shading::DistanceSampler* distances_;
+  mutable int count_ = 0;
+};
+
 bool inside(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high, float slack) {
   for (int i = 0; i < 3; ++i) {
     if (p[i] < low[i] - slack || p[i] > high[i] + slack) return false;
@@ -81,7 +96,12 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   e.lookupDirection = hit.direction;
   e.face = hit.face;
   constexpr float kNoHit = 1.0e38f;
-  if (hit.face >= 0) e.slabFactors = hit.slabFactors;
+  if (hit.face >= 0) {
+    // Of the box itself, whatever was made of it.
+    e.slabFactors = shading::slabFactors(point.position, point.reflection, g.boxMin, g.boxMax);
+    const float box = std::min({e.slabFactors->x, e.slabFactors->y, e.slabFactors->z});
+    if (hit.distance != box) e.boxDistance = box;
+  }
   if (hit.distance < kNoHit) {
     e.hitDistance = hit.distance;
     e.hitWorld = g.originWorld + g.worldFromProbe * glm::dvec3(hit.direction);
@@ -89,6 +109,13 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   if (e.captured) {
     const auto evaluate = evaluationRows()[static_cast<std::size_t>(g.technique.evaluation)].evaluate;
     const RecordedLookups record = recordLookups(evaluate, probe.maps->radiance, g, shape, point);
+    if (distances) {
+      const CountedDistances counted(&*distances);
+      data.distances = &counted;
+      evaluate(&probe.maps->radiance, shape, point);
+      e.distanceLookups = counted.count();
+      data.distances = &*distances;
+    }
     e.specular = glm::vec3(record.value);
     e.lookups = record.lookups;
     if (distances) {
@@ -139,12 +166,13 @@ Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness
     // Less cannot show and is not fetched.
     if (in.weights && share <= 1.0e-5f) {
       p.lookups.clear();
+      p.distanceLookups = 0;
       p.weight = 0.0f;
       continue;
     }
     out.specular += share * p.specular;
     out.irradiance += share * p.irradiance;
-    out.lookups += static_cast<int>(p.lookups.size());
+    out.lookups += static_cast<int>(p.lookups.size()) + p.distanceLookups;
     if (p.captured)
       out.brightestTexel = std::max(out.brightestTexel, brightest(p.lookups, in.probes[i].maps->radiance));
   }

@@ -65,6 +65,8 @@ struct ProbeExplanation {
   glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame
   std::optional<glm::vec3> slabFactors;  ///< techniques with a box only
   std::optional<float> hitDistance;      ///< d, if the technique has a proxy to hit
+  std::optional<float> boxDistance;      ///< to the box, where the technique has refined it to another d
+  int distanceLookups = 0;               ///< fetches from the probe's distance cubemap
   glm::vec3 lookupDirection{0.0f};       ///< H - C (or what the technique looks up in its place), probe frame
   int face = -1;                         ///< 0..5 -x +x -y +y -z +z of the box
   float maxLevel = 0.0f;                 ///< last level of its chain

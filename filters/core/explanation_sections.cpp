@@ -128,6 +128,13 @@ void addProjection(const ProbeExplanation& p, std::vector<ExplanationRow>& rows)
   if (p.hitDistance) {
     std::string meaning = p.slabFactors ? "min(t_x, t_y, t_z)" : "along R to the proxy";
     if (p.face >= 0) meaning += ": the ray leaves through the face " + boxFaceName(p.face);
+    if (p.boxDistance) {
+      rows.push_back(scalar("d_box", *p.boxDistance, kLength, meaning));
+      meaning = "along R to where the technique takes the hit to be";
+      if (p.distanceLookups > 0) {
+        meaning += ", by " + std::to_string(p.distanceLookups) + " lookups of the distances the probe saw";
+      }
+    }
     rows.push_back(scalar("d", *p.hitDistance, kLength, meaning));
     rows.push_back(vector("H", p.hitWorld, kLength, "hit point, P + d R"));
     rows.push_back(vector("H - C", p.lookupDirection, kLength, "what the cubemap is looked up with"));

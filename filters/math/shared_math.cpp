@@ -15,6 +15,7 @@
 
 #define PROBE_MAP ProbeMap
 #define DISTANCE_MAP DistanceMap
+#define BP_BEVEL
 
 namespace boxprobe::shading {
 
@@ -81,6 +82,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/hash.glsl"
 #include "shaders/shared/level_curve.glsl"  // after roughness.glsl, which it uses
 #include "shaders/shared/lobe_frame.glsl"
+#include "shaders/shared/rounded_box.glsl"
 #include "shaders/shared/roughness.glsl"
 #include "shaders/shared/sh.glsl"
 #include "shaders/shared/sky.glsl"
@@ -122,6 +124,15 @@ const std::vector<ProjectionRow>& projectionRows() {
        "technique/projection_sphere.glsl", "projectSphere", shading::projectSphere},
       {"box", "Box projection", "The ray is intersected with the probe's box: exact where the room is the box.",
        "technique/projection_box.glsl", "projectBox", shading::projectBox},
+      {"impostor",
+       "Impostor (box refined)",
+       "The box's hit refined against the distances the probe saw: for rooms that are not boxes.",
+       "technique/projection_impostor.glsl",
+       "projectImpostor",
+       shading::projectImpostor,
+       {"technique/projection_box.glsl"},
+       {"steps"},
+       true},
   };
   return rows;
 }

@@ -145,7 +145,7 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
 
 // The files and the dispatch that this draw's techniques need, and no other.
 std::string techniqueSources(const ProbeBinding& binding, bool debug) {
-  std::vector<std::string> projectionFiles, evaluationFiles;
+  std::vector<std::string> projectionFiles, evaluationFiles, dispatched;
   // Two may build on the same file, and the debug view's own code on it, too.
   std::set<std::string_view> present;
   if (debug) present.insert("shared/cube.glsl");
@@ -160,7 +160,8 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
     const ProjectionRow& projection = projectionRows()[static_cast<std::size_t>(t.projection)];
     const EvaluationRow& evaluation = evaluationRows()[static_cast<std::size_t>(t.evaluation)];
     for (const std::string_view file : projection.sharedFiles) addOnce(projectionFiles, file);
-    if (addOnce(projectionFiles, projection.shaderFile)) {
+    addOnce(projectionFiles, projection.shaderFile);
+    if (addOnce(dispatched, projection.id)) {
       dispatch += "  if (probe.projection == " + std::to_string(t.projection) + ") { return " +
                   std::string(projection.function) + "(probe, position, normal, reflection); }\n";
     }

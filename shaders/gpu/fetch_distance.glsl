@@ -2,6 +2,9 @@
 // no arrays of samplers to choose from, so the slot is chosen by comparisons, which the compiler decides: it is a constant.
 float fetchProbeDistance(ProbeShape probe, vec3 direction)
 {
+#if BP_DEBUG
+  bpLookups += 1.0f;
+#endif
 #if BP_ROTATED
   vec3 world = bpWorldFromProbe[probe.slot] * direction;
 #else

@@ -43,7 +43,9 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   {
     vec3 offset = position - bpOrigin[@SLOT@];
     bpBest.share = share;
+    float lookups = bpLookups;  // what the view itself looks up does not count
     bpBest.hit = projectRay(probe, point.position, point.normal, point.reflection);
+    bpLookups = lookups;
     bpBest.lookup = bpBest.hit.direction;
 #if BP_ROTATED
     bpBest.lookup = bpWorldFromProbe[@SLOT@] * bpBest.lookup;

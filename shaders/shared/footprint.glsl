@@ -30,9 +30,9 @@ vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
     vec3 w = vec3(t) / max(hit.slabFactors, vec3(t));
     w = w * w;
     w = w * w;
-    vec3 plane = vec3(direction.x < 0.0f ? -probe.boxMin.x : probe.boxMax.x,
-                      direction.y < 0.0f ? -probe.boxMin.y : probe.boxMax.y,
-                      direction.z < 0.0f ? -probe.boxMin.z : probe.boxMax.z);
+    // Of the faces from C, where the ray reaches each: a refined hit has others than the box.
+    vec3 at = hit.direction + (min(f, vec3(1.0e30f)) - vec3(hit.distance)) * direction;
+    vec3 plane = vec3(direction.x < 0.0f ? -at.x : at.x, direction.y < 0.0f ? -at.y : at.y, direction.z < 0.0f ? -at.z : at.z);
     distanceC = dot(w, min(plane / t, vec3(1.0e9f)));
     cosineP = dot(w, abs(direction));
   }

@@ -1,5 +1,6 @@
 // Box projection: the ray from P along R leaves the box at the hit point; the cubemap is looked up with the direction
-// from the capture origin (0 in the probe frame) to it. Exact where the scene is the box.
+// from the capture origin (0 in the probe frame) to it. Exact where the scene is the box. Hosts that round its edges define BP_BEVEL
+// and supply shared/rounded_box.glsl.
 ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)
 {
   vec3 factors = slabFactors(position, reflection, probe.boxMin, probe.boxMax);
@@ -7,6 +8,15 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
 
   ProbeHit hit;
   hit.slabFactors = factors;
+#ifdef BP_BEVEL
+  if (probe.bevel > 0.0f)
+  {
+    float rounded = roundedBoxExit(position, reflection, probe.boxMin, probe.boxMax, probe.bevel, t);
+    // The box scaled about P until its face goes through the hit; see ProbeHit.
+    if (rounded < t) { hit.slabFactors = min(factors, vec3(1.0e30f)) * (rounded / t); }
+    t = rounded;
+  }
+#endif
   hit.distance = t;
   // The clamp puts the hit on the box to the last bit and pulls in a start from outside.
   hit.direction = clamp(position + t * reflection, probe.boxMin, probe.boxMax);

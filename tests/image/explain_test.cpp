@@ -98,20 +98,22 @@ void choose(Probe& probe, const Chosen& chosen) {
   }
 }
 
-/// Every projection with the plainest evaluation, and every evaluation with the last projection, by its defaults and
-/// its other choices.
+/// Every projection with the plainest evaluation, and every evaluation with the box and with the last projection, by
+/// its defaults and its other choices.
 std::vector<Chosen> allTechniques() {
   std::vector<Chosen> ids;
   const std::string plain(evaluationRows().front().id), last(projectionRows().back().id);
   for (const ProjectionRow& row : projectionRows()) ids.push_back({std::string(row.id) + "+" + plain, false});
   for (const EvaluationRow& row : evaluationRows()) {
-    const std::string id = last + "+" + std::string(row.id);
-    const std::string known = parseTechnique(id) ? id : std::string(row.id);  // what stands alone combines with none
-    ids.push_back({known, false});
-    const auto read = parametersOf(*parseTechnique(known));
+    // What stands alone combines with none.
+    const std::string id(row.id);
+    const std::string refined = last + "+" + id;
+    ids.push_back({id, false});
+    if (parseTechnique(refined)) ids.push_back({refined, false});
+    const auto read = parametersOf(*parseTechnique(id));
     const bool choices =
         std::any_of(read.begin(), read.end(), [](const auto* p) { return p->kind == ParameterKind::Choice; });
-    if (choices) ids.push_back({known, true});
+    if (choices) ids.push_back({id, true});
   }
   return ids;
 }
@@ -173,7 +175,7 @@ TEST(Explain, AgreesWithThePicture) {
         worstCase = w.of->name + ", camera " + w.camera.name;
       }
       for (const ProbeExplanation& probe : e.probes) {
-        if (!probe.slabFactors || !probe.hitDistance) continue;
+        if (!probe.slabFactors || !probe.hitDistance || probe.boxDistance) continue;
         const glm::vec3 size = probe.boxMax - probe.boxMin;
         const glm::vec3 low = glm::abs(probe.lookupDirection - probe.boxMin);
         const glm::vec3 high = glm::abs(probe.lookupDirection - probe.boxMax);

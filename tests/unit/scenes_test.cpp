@@ -68,7 +68,8 @@ TEST_P(CheckedInScene, MirrorBallsAreSmoothWhiteMetalThatProbesDoNotSee) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
       ASSERT_NEAR(glm::dot(glm::normalize(mesh.positions[i]), mesh.normals[i]), 1.0f, 1e-5f);
   }
-  EXPECT_EQ(balls, std::string(GetParam()) == "building" ? 9 : std::string(GetParam()) == "room" ? 3 : 1);
+  const std::map<std::string, int> expected = {{"building", 9}, {"room", 3}, {"furnished", 2}, {"six-faces", 1}};
+  EXPECT_EQ(balls, expected.at(GetParam()));
 }
 
 /// Whether two triangles of one plane overlap by more than a line: no edge of either has the other on its far side.
@@ -104,11 +105,12 @@ TEST_P(CheckedInScene, NoTwoFacesFlickerInOnePlane) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CheckedInScene, testing::Values("building", "gallery", "room", "six-faces"),
+INSTANTIATE_TEST_SUITE_P(All, CheckedInScene, testing::Values("building", "furnished", "gallery", "room", "six-faces"),
                          [](const auto& scene) { return std::string(scene.param).substr(0, 3); });
 
 TEST(SceneGenerator, WritesTheCheckedInFiles) {
   const std::map<std::string, std::string> made = {{"building.glb", scenes::glbBytes(scenes::building())},
+                                                   {"furnished.glb", scenes::glbBytes(scenes::furnished())},
                                                    {"gallery.glb", scenes::glbBytes(scenes::gallery())},
                                                    {"room.glb", scenes::glbBytes(scenes::room())},
                                                    {"six-faces.glb", scenes::glbBytes(scenes::sixFaces())},
