@@ -80,6 +80,8 @@ Json probeJson(const ProbeExplanation& p) {
                {"hitDistance", orNull(p.hitDistance)},
                {"hitWorld", p.hitDistance ? vector(p.hitWorld) : Json(nullptr)}};
   json["boxDistance"] = orNull(p.boxDistance);
+  json["bevel"] = number(p.bevel);
+  json["occlusion"] = orNull(p.occlusion);
   json["distanceLookups"] = p.distanceLookups;
   json["face"] = p.face >= 0 ? Json(boxFaceName(p.face)) : Json(nullptr);
   json["influence"] = number(p.influence);

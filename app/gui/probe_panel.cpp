@@ -21,6 +21,7 @@ namespace boxprobe {
 namespace {
 
 const ValueField::Format kMetres{-1e7, 1e7, 0.1, 3, " m"};
+const ValueField::Format kLength{0.0, 1e7, 0.05, 3, " m"};
 const ValueField::Format kDegrees{-360.0, 360.0, 5.0, 1, "°"};
 const ValueField::Format kFactor{0.0, 1000.0, 0.05, 2, ""};
 const ValueField::Format kLevel{0.0, 1000.0, 1.0, 2, ""};
@@ -49,11 +50,23 @@ ProbePanel::ProbePanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
   buildInfluence();
   buildLook();
   // What a field is called from outside: by style sheets and tests.
-  const std::pair<QWidget*, const char*> names[] = {
-      {origin_, "origin"},         {boxMin_, "boxMin"},         {boxMax_, "boxMax"},
-      {rotation_, "rotation"},     {blend_, "blendDistance"},   {importance_, "importance"},
-      {intensity_, "intensity"},   {technique_, "technique"},   {techniqueHelp_, "techniqueHelp"},
-      {projection_, "projection"}, {ownInfluence_, "influence"}};
+  const std::pair<QWidget*, const char*> names[] = {{origin_, "origin"},
+                                                    {boxMin_, "boxMin"},
+                                                    {boxMax_, "boxMax"},
+                                                    {rotation_, "rotation"},
+                                                    {blend_, "blendDistance"},
+                                                    {importance_, "importance"},
+                                                    {intensity_, "intensity"},
+                                                    {technique_, "technique"},
+                                                    {techniqueHelp_, "techniqueHelp"},
+                                                    {projection_, "projection"},
+                                                    {ownInfluence_, "influence"},
+                                                    {bevelRadius_, "bevel"},
+                                                    {bevelFromRoughness_, "bevelFromRoughness"},
+                                                    {occluded_, "occlusion"},
+                                                    {occlusionMultiplier_, "occlusionMultiplier"},
+                                                    {occlusionPower_, "occlusionPower"},
+                                                    {occlusionStrength_, "occlusionStrength"}};
   for (const auto& [widget, name] : names) widget->setObjectName(name);
   update();
 }
@@ -147,12 +160,59 @@ void ProbePanel::buildLook() {
   form->addRow(projection_);
   intensity_ = addProbeNumber(editor_, form, tr("Intensity"), kFactor, tr("Factor on the probe's light, 1 as captured"),
                               [](Probe& probe, double value) { probe.intensity = value; });
+  buildEdges(form);
   connect(technique_, &TechniqueChooser::chosen, this, [this](const std::string& id) {
     editor_.commitProbe(label(tr("technique")), [id](Probe& probe) { probe.technique = id; });
   });
   connect(projection_, &QCheckBox::clicked, this, [this](bool on) {
     editor_.commitProbe(label(tr("projection")), [on](Probe& probe) { probe.projection = on; });
   });
+}
+
+void ProbePanel::buildEdges(QFormLayout* form) {
+  const auto edit = [](double Bevel::*member) {
+    return [member](Probe& probe, double value) {
+      Bevel bevel = probe.bevel.value_or(Bevel());
+      bevel.*member = value;
+      probe.bevel = bevel == Bevel() ? std::nullopt : std::optional<Bevel>(bevel);
+    };
+  };
+  bevelRadius_ = addProbeNumber(editor_, form, tr("Bevel"), kLength,
+                                tr("Radius of the projection box's edges, metres: reflections turn a corner instead of "
+                                   "breaking at it. 0: sharp"),
+                                edit(&Bevel::radius));
+  bevelFromRoughness_ =
+      addProbeNumber(editor_, form, tr("Bevel by roughness"), kLength,
+                     tr("Metres of radius added at roughness 1, in proportion to the roughness: rough "
+                        "surfaces, which show no edge, have none"),
+                     edit(&Bevel::fromRoughness));
+  occluded_ = new QCheckBox(tr("Box occlusion"), this);
+  occluded_->setToolTip(
+      tr("Darkens what lies near in the reflection: by mix(1, o, strength) with o = multiplier x d^power, d in metres "
+         "along the reflected ray. A look; it makes no picture truer"));
+  form->addRow(occluded_);
+  connect(occluded_, &QCheckBox::clicked, this, [this](bool on) {
+    editor_.commitProbe(label(tr("box occlusion")), [on](Probe& probe) {
+      probe.occlusion = on ? std::optional<BoxOcclusion>(BoxOcclusion()) : std::nullopt;
+    });
+  });
+  const auto set = [](double BoxOcclusion::*member) {
+    return [member](Probe& probe, double value) {
+      if (probe.occlusion) (*probe.occlusion).*member = value;
+    };
+  };
+  occlusionFields_ = new QWidget(this);
+  auto* fields = new QFormLayout(occlusionFields_);
+  fields->setContentsMargins(0, 0, 0, 0);
+  form->addRow(occlusionFields_);
+  occlusionMultiplier_ = addProbeNumber(editor_, fields, tr("Multiplier"), kFactor,
+                                        tr("Openness at a distance of 1 m: 1 is fully open there, 0.2 a fifth"),
+                                        set(&BoxOcclusion::multiplier));
+  occlusionPower_ =
+      addProbeNumber(editor_, fields, tr("Distance power"), {0.0, 16.0, 0.1, 2, ""},
+                     tr("How fast it opens with distance: 1 in proportion, 0 not at all"), set(&BoxOcclusion::power));
+  occlusionStrength_ = addProbeNumber(editor_, fields, tr("Strength"), {0.0, 1.0, 0.05, 2, ""},
+                                      tr("Share of the darkening that is applied"), set(&BoxOcclusion::strength));
 }
 
 void ProbePanel::updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box) {
@@ -190,6 +250,15 @@ void ProbePanel::update() {
   parameters_->show(*probe);
   projection_->setChecked(probe->projection);
   intensity_->show(probe->intensity);
+  const Bevel bevel = probe->bevel.value_or(Bevel());
+  bevelRadius_->show(bevel.radius);
+  bevelFromRoughness_->show(bevel.fromRoughness);
+  occluded_->setChecked(probe->occlusion.has_value());
+  occlusionFields_->setVisible(probe->occlusion.has_value());
+  const BoxOcclusion occlusion = probe->occlusion.value_or(BoxOcclusion());
+  occlusionMultiplier_->show(occlusion.multiplier);
+  occlusionPower_->show(occlusion.power);
+  occlusionStrength_->show(occlusion.strength);
 }
 
 }  // namespace boxprobe

@@ -36,6 +36,7 @@ class ProbePanel : public QWidget {
   void buildPlace();
   void buildInfluence();
   void buildLook();
+  void buildEdges(QFormLayout* form);
   void connectVector(VectorRow* row, const QString& what, const VectorEdit& edit);
   void updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box);
   QString label(const QString& what) const;
@@ -52,6 +53,10 @@ class ProbePanel : public QWidget {
   QLabel* techniqueHelp_ = nullptr;
   TechniqueParametersPanel* parameters_ = nullptr;
   QCheckBox* projection_ = nullptr;
+  ValueField *bevelRadius_ = nullptr, *bevelFromRoughness_ = nullptr;
+  QCheckBox* occluded_ = nullptr;
+  QWidget* occlusionFields_ = nullptr;
+  ValueField *occlusionMultiplier_ = nullptr, *occlusionPower_ = nullptr, *occlusionStrength_ = nullptr;
 };
 
 }  // namespace boxprobe

@@ -56,7 +56,7 @@ float brightest(const std::vector<Lookup>& lookups, const CubeMap& map) {
 
 /// What one probe gives: the technique run once more with every fetch recorded.
 ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s, const glm::vec3& reflection,
-                              float roughness, const BakedMaps* sky) {
+                              float roughness, float fresnel, const BakedMaps* sky) {
   const ProbeGeometry& g = probe.geometry;
   ProbeExplanation e;
   e.name = probe.name;
@@ -78,7 +78,8 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   e.reflectionProbe = turned(reflection);
   e.influence = shading::influenceWeight(e.positionProbe, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
 
-  shading::ProbeShape shape = probeShape(g, e.maxLevel);
+  shading::ProbeShape shape = probeShape(g, e.maxLevel, roughness);
+  e.bevel = g.bevelled ? shape.bevel : 0.0f;
   const bool seen = e.captured && !probe.maps->distance.empty();
   const std::optional<DistanceCube> distances =
       seen ? std::optional<DistanceCube>(std::in_place, probe.maps->distance) : std::nullopt;
@@ -91,8 +92,12 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   data.light = light.get();
   shape.slot = &data;
   const shading::ShadingPoint point{
-      e.positionProbe, turned(s.normalWorld), turned(s.viewWorld), e.reflectionProbe, roughness, s.pixel, s.frame};
+      e.positionProbe, turned(s.normalWorld), turned(s.viewWorld), e.reflectionProbe, roughness, s.pixel, s.frame,
+      fresnel};
   const shading::ProbeHit hit = shading::projectRay(shape, point.position, point.normal, point.reflection);
+  if (g.occluded) {
+    e.occlusion = shading::boxOcclusion(hit.distance, g.occlusion.x, g.occlusion.y, g.occlusion.z);
+  }
   e.lookupDirection = hit.direction;
   e.face = hit.face;
   constexpr float kNoHit = 1.0e38f;
@@ -141,15 +146,21 @@ struct Gathered {
   float brightestTexel = 0.0f;
 };
 
+/// The surface's Fresnel reflectance at N.V, mean of its colours: Schlick between F0 and F90.
+float meanFresnel(const glm::vec3& f0, const glm::vec3& f90, float nDotV) {
+  const glm::vec3 f = f0 + (f90 - f0) * std::pow(1.0f - nDotV, 5.0f);
+  return glm::dot(f, glm::vec3(1.0f / 3.0f));
+}
+
 // The same order of steps as bpGatherLight in shaders/gpu/probe_lighting.glsl.
-Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness) {
+Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness, float fresnel) {
   SurfacePoint s = in.surface;
   s.normalWorld = normal;
   const glm::vec3 reflection = glm::reflect(-s.viewWorld, normal);
   Gathered out;
   std::vector<float> groupSum;
   for (const ExplainedProbe& probe : in.probes) {
-    out.probes.push_back(explainProbe(probe, s, reflection, roughness, in.skyMaps));
+    out.probes.push_back(explainProbe(probe, s, reflection, roughness, fresnel, in.skyMaps));
     groupSum.resize(std::max(groupSum.size(), static_cast<std::size_t>(probe.group) + 1));
     groupSum[static_cast<std::size_t>(probe.group)] += out.probes.back().influence;
   }
@@ -170,7 +181,7 @@ Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness
       p.weight = 0.0f;
       continue;
     }
-    out.specular += share * p.specular;
+    out.specular += share * p.occlusion.value_or(1.0f) * p.specular;
     out.irradiance += share * p.irradiance;
     out.lookups += static_cast<int>(p.lookups.size()) + p.distanceLookups;
     if (p.captured)
@@ -275,7 +286,7 @@ Explanation explainPixel(const ExplainInput& in) {
   e.direct = s.occlusion * directLight(s, e.f0, edge, in.lights);
 
   if (in.lighting == ExplainInput::Lighting::Probes) {
-    Gathered light = gather(in, s.normalWorld, s.roughness);
+    Gathered light = gather(in, s.normalWorld, s.roughness, meanFresnel(e.f0, edge, e.nDotV));
     e.brdf = sampleBrdf(*in.brdf, e.nDotV, s.roughness);
     e.specular = s.occlusion * light.specular * (e.f0 * e.brdf.x + edge * e.brdf.y);
     e.diffuse = s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo;
@@ -286,8 +297,9 @@ Explanation explainPixel(const ExplainInput& in) {
     e.lookupCount = light.lookups;
     e.brightestTexel = light.brightestTexel;
     if (s.coatStrength > 0.0f) {
-      const Gathered coat = gather(in, s.coatNormalWorld, s.coatRoughness);
       const float coatNDotV = std::clamp(glm::dot(s.coatNormalWorld, s.viewWorld), 1.0e-5f, 1.0f);
+      const Gathered coat =
+          gather(in, s.coatNormalWorld, s.coatRoughness, meanFresnel(glm::vec3(s.coatF0), glm::vec3(1.0f), coatNDotV));
       const glm::vec2 brdf = sampleBrdf(*in.brdf, coatNDotV, s.coatRoughness);
       const float fresnel = s.coatF0 + (1.0f - s.coatF0) * std::pow(1.0f - coatNDotV, 5.0f);
       e.coat = s.occlusion * coat.specular * (s.coatF0 * brdf.x + brdf.y) * fresnel * s.coatStrength;

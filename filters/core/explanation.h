@@ -71,7 +71,9 @@ struct ProbeExplanation {
   int face = -1;                         ///< 0..5 -x +x -y +y -z +z of the box
   float maxLevel = 0.0f;                 ///< last level of its chain
   std::optional<float> trueDistance;     ///< along R to what the probe's distance cubemap holds there
-  glm::vec3 specular{0.0f};              ///< the technique's value, before weight and intensity
+  float bevel = 0.0f;                    ///< radius of the box's edges here, scene units; 0: sharp
+  std::optional<float> occlusion;        ///< factor of `specular` by the hit's distance, if the probe has one
+  glm::vec3 specular{0.0f};              ///< the technique's value, before weight, intensity and occlusion
   glm::vec3 irradiance{0.0f};            ///< over pi, before weight and intensity
   std::vector<Lookup> lookups;
 };

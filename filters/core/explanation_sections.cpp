@@ -128,9 +128,13 @@ void addProjection(const ProbeExplanation& p, std::vector<ExplanationRow>& rows)
   if (p.hitDistance) {
     std::string meaning = p.slabFactors ? "min(t_x, t_y, t_z)" : "along R to the proxy";
     if (p.face >= 0) meaning += ": the ray leaves through the face " + boxFaceName(p.face);
+    if (p.bevel > 0.0f && p.slabFactors) {
+      rows.push_back(scalar("r", p.bevel, kLength, "radius of the box's rounded edges at this roughness"));
+    }
     if (p.boxDistance) {
       rows.push_back(scalar("d_box", *p.boxDistance, kLength, meaning));
-      meaning = "along R to where the technique takes the hit to be";
+      meaning =
+          p.distanceLookups > 0 ? "along R to where the technique takes the hit to be" : "along R to the rounded edge";
       if (p.distanceLookups > 0) {
         meaning += ", by " + std::to_string(p.distanceLookups) + " lookups of the distances the probe saw";
       }
@@ -226,6 +230,7 @@ void addLookups(const Explanation& e, const ProbeExplanation& p, const Explanati
   }
   if (shown < order.size()) rows.push_back(restRow(p, {order.begin() + static_cast<long>(shown), order.end()}));
   rows.push_back(light("L_spec", p.specular, "the probe's reflected light: its fetches by their shares"));
+  if (p.occlusion) rows.push_back(scalar("o", *p.occlusion, "", "factor of L_spec: box occlusion by the distance d"));
   rows.push_back(light("E/pi", p.irradiance, "its light from all around N, for the diffuse part"));
 }
 

@@ -62,6 +62,15 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
   g.rateMax = glm::vec3(1.0 / glm::max(probe.blendDistance.max, glm::dvec3(shortest)));
   g.intensity = static_cast<float>(probe.intensity);
   g.importance = probe.importance;
+  if (probe.bevel) {
+    g.bevelled = true;
+    g.bevelRadius = static_cast<float>(probe.bevel->radius);
+    g.bevelFromRoughness = static_cast<float>(probe.bevel->fromRoughness);
+  }
+  if (probe.occlusion) {
+    g.occluded = true;
+    g.occlusion = glm::vec3(probe.occlusion->multiplier, probe.occlusion->power, probe.occlusion->strength);
+  }
   g.technique = probeTechnique(probe);
   g.parameters = techniqueParameters(probe);
   if (isAutomatic(g.technique)) {
@@ -73,12 +82,13 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
   return g;
 }
 
-shading::ProbeShape probeShape(const ProbeGeometry& geometry, float maxLevel) {
+shading::ProbeShape probeShape(const ProbeGeometry& geometry, float maxLevel, float roughness) {
   shading::ProbeShape shape{};
   shape.boxMin = geometry.boxMin;
   shape.boxMax = geometry.boxMax;
   shape.maxLevel = maxLevel;
   shape.projection = geometry.technique.projection;
+  shape.bevel = geometry.bevelled ? geometry.bevelRadius + geometry.bevelFromRoughness * roughness : 0.0f;
   shape.parameters = geometry.parameters;
   return shape;
 }

@@ -18,13 +18,17 @@ struct ProbeGeometry {
   glm::vec3 influenceMin{0.0f}, influenceMax{0.0f};
   glm::vec3 rateMin{0.0f}, rateMax{0.0f};  ///< 1 / blend distance, by face
   float intensity = 1.0f;
+  bool bevelled = false;  ///< edges rounded by bevelRadius + bevelFromRoughness * roughness, scene units
+  float bevelRadius = 0.0f, bevelFromRoughness = 0.0f;
+  bool occluded = false;      ///< darkened by hit distance; see shared/box_occlusion.glsl
+  glm::vec3 occlusion{1.0f};  ///< multiplier, power, strength
   double importance = 1.0;
   Technique technique;
   shading::TechniqueParameters parameters = standardParameters();
 };
 
-/// What the mathematics takes. `maxLevel`: last level of the probe's maps.
-shading::ProbeShape probeShape(const ProbeGeometry& geometry, float maxLevel);
+/// What the mathematics takes. `maxLevel`: last level of the probe's maps; `roughness`: of the surface, perceptual.
+shading::ProbeShape probeShape(const ProbeGeometry& geometry, float maxLevel, float roughness);
 
 /// The technique that draws it: with projection off, looked up with the bare reflection vector.
 Technique probeTechnique(const Probe& probe);

@@ -63,8 +63,6 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   if (probe.mode != ProbeUpdate::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
   parameterRemarks(remarks, probe);
   budgetRemarks(remarks, probe);
-  if (probe.bevel) say("bevel", "is not supported yet; the box keeps its sharp edges.");
-  if (probe.occlusion) say("occlusion", "is not supported yet; nothing is darkened.");
 }
 
 }  // namespace

@@ -76,14 +76,15 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 // A projection need not use the normal, nor the box: parameters of one signature for all rows.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
+#include "shaders/shared/box_occlusion.glsl"
 #include "shaders/shared/cube.glsl"
 #include "shaders/shared/edge_fixup.glsl"  // after cube.glsl, which it uses
 #include "shaders/shared/ggx.glsl"
 #include "shaders/shared/hash.glsl"
 #include "shaders/shared/level_curve.glsl"  // after roughness.glsl, which it uses
 #include "shaders/shared/lobe_frame.glsl"
-#include "shaders/shared/rounded_box.glsl"
 #include "shaders/shared/roughness.glsl"
+#include "shaders/shared/rounded_box.glsl"
 #include "shaders/shared/sh.glsl"
 #include "shaders/shared/sky.glsl"
 #include "shaders/shared/slab.glsl"
@@ -91,7 +92,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/true_hit.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
-#include "shaders/shared/footprint.glsl"  // after roughness.glsl and lobe_frame.glsl, which it uses
+#include "shaders/shared/footprint.glsl"       // after roughness.glsl and lobe_frame.glsl, which it uses
 #include "shaders/shared/light_sampling.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/sample_pattern.glsl"  // after hash.glsl, which it uses
 #include "shaders/shared/visible_normal.glsl"
@@ -171,7 +172,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "evaluateGodot",
        shading::evaluateGodot,
        {},
-       {"hardeningLength", "power", "curve"}},
+       {"hardeningLength", "fresnel", "power", "curve"}},
       {"footprint1",
        "One footprint",
        "One fetch that follows the size of the patch of wall the lobe covers.",
@@ -224,7 +225,8 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "evaluateRaytraced",
        shading::evaluateRaytraced,
        {"shared/lobe_frame.glsl", "shared/footprint.glsl", "shared/hash.glsl", "shared/sample_pattern.glsl",
-        "shared/visible_normal.glsl", "shared/cube.glsl", "shared/light_sampling.glsl", "technique/evaluation_footprint1.glsl"},
+        "shared/visible_normal.glsl", "shared/cube.glsl", "shared/light_sampling.glsl",
+        "technique/evaluation_footprint1.glsl"},
        {"samples", "pattern", "levelOffset", "filtered", "sampling"}},
       {"auto",
        "Automatic",

@@ -53,6 +53,7 @@ using glm::vec4;
 float fetchProbeDistance(const ProbeShape& probe, vec3 direction);
 float slabFactor(float position, float direction, float boxMin, float boxMax);
 vec3 slabFactors(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax);
+float boxOcclusion(float hitDistance, float multiplier, float power, float strength);
 float roundedBoxExit(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax, float bevel, float exit);
 float roughnessForLevel(float level, float maxLevel);
 float levelForRoughness(float roughness, float maxLevel);

@@ -12,6 +12,14 @@ bool ProbeBinding::rotated() const {
   return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.rotated; });
 }
 
+bool ProbeBinding::bevelled() const {
+  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.bevelled; });
+}
+
+bool ProbeBinding::occluded() const {
+  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.occluded; });
+}
+
 bool ProbeBinding::distances() const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (projectionRows()[static_cast<std::size_t>(technique(i).projection)].distances) return true;
@@ -57,6 +65,8 @@ std::string ProbeBinding::variantKey() const {
     for (const ParameterRow* row : parametersOf(technique(i))) {
       if (row->choice != nullptr) key += "/" + std::to_string(probes[i]->geometry.parameters.*row->choice);
     }
+    if (probes[i]->geometry.bevelled) key += 'b';
+    if (probes[i]->geometry.occluded) key += 'o';
   }
   return key;
 }

@@ -59,6 +59,8 @@ struct ProbeBinding {
   /// Equal keys share a program: techniques, importance groups, and what can be left out.
   std::string variantKey() const;
   bool rotated() const;
+  bool bevelled() const;
+  bool occluded() const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
   /// Does a technique of a probe read the parameter, set to that choice?

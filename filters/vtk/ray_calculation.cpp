@@ -37,6 +37,12 @@ bool outside(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high) {
   return glm::any(glm::lessThan(p, low - skin)) || glm::any(glm::greaterThan(p, high + skin));
 }
 
+/// Rays know no material: that of a non-metal of index 1.5, Schlick's F0 = 0.04.
+float meanReflectance(const SurfaceRay& ray) {
+  const double facing = std::clamp(glm::dot(ray.normalWorld, ray.viewWorld), 0.0, 1.0);
+  return static_cast<float>(0.04 + 0.96 * std::pow(1.0 - facing, 5.0));
+}
+
 glm::vec3 inProbeFrame(const ProbeGeometry& g, const glm::dvec3& positionWorld) {
   return glm::vec3(glm::transpose(g.worldFromProbe) * (positionWorld - g.originWorld));
 }
@@ -62,7 +68,7 @@ SurfaceRay surfaceRay(const glm::dvec3& positionWorld, const glm::dvec3& normalW
 ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
   const ProbeGeometry& g = probe.geometry;
   const glm::dmat3 probeFromWorld = glm::transpose(g.worldFromProbe);
-  shading::ProbeShape shape = probeShape(g, probe.maxLevel);
+  shading::ProbeShape shape = probeShape(g, probe.maxLevel, ray.roughness);
   const bool seen = probe.distances && !probe.distances->empty();
   const std::optional<DistanceCube> distances =
       seen ? std::optional<DistanceCube>(std::in_place, *probe.distances) : std::nullopt;
@@ -77,6 +83,7 @@ ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
   point.view = glm::vec3(probeFromWorld * ray.viewWorld);
   point.reflection = glm::vec3(probeFromWorld * ray.reflectionWorld);
   point.roughness = ray.roughness;
+  point.fresnel = meanReflectance(ray);
 
   ProbeRay result;
   const shading::ProbeHit hit = shading::projectRay(shape, point.position, point.normal, point.reflection);

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 
 #include "filters/core/probe_color.h"
 #include "filters/vtk/camera_uniforms.h"
@@ -249,6 +250,21 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
       values[i] = this->Binding->probes[i]->geometry.parameters.*row->number;
     }
     program->SetUniform1fv(boxprobe::parameterUniform(*row).c_str(), n, values.data());
+  }
+  if (this->Binding->bevelled()) {
+    std::array<glm::vec2, kMax> bevel{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const boxprobe::ProbeGeometry& g = this->Binding->probes[i]->geometry;
+      bevel[i] = glm::vec2(g.bevelRadius, g.bevelFromRoughness);
+    }
+    program->SetUniform2fv("bpBevel", n, reinterpret_cast<const float(*)[2]>(&bevel[0].x));
+  }
+  if (this->Binding->occluded()) {
+    std::array<glm::vec3, kMax> occlusion{};
+    for (std::size_t i = 0; i < count; ++i) {
+      occlusion[i] = this->Binding->probes[i]->geometry.occlusion;
+    }
+    upload("bpOcclusion", occlusion);
   }
   if (this->Binding->rotated()) {
     program->SetUniformMatrix3x3("bpWorldFromProbe", &worldFromProbe[0][0].x);

@@ -50,7 +50,10 @@ const std::vector<Anchor>& lightingAnchors() {
       {"diffuse irradiance",
        {"vec3 irradiance = vec3(0.0);", "vec3 irradiance = texture(irradianceTex, envMatrix*N).rgb;",
         "vec3 irradiance = vec3(ComputeSH(rotN, shRed), ComputeSH(rotN, shGreen), ComputeSH(rotN, shBlue));"},
-       {"BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness);\n  vec3 irradiance = bpLight.irradiance;"},
+       {"vec3 bpF0 = mix(vec3(baseF0Uniform), albedo, metallic);\n"
+        "  vec3 bpF90 = mix(vec3(clamp(dot(bpF0, vec3(50.0 * 0.33)), 0.0, 1.0)), edgeTintUniform, metallic);\n"
+        "  BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness, bpMeanFresnel(bpF0, bpF90, NdV));\n  vec3 "
+        "irradiance = bpLight.irradiance;"},
        false},
       {"specular reflection",
        {"vec3 prefilteredSpecularColor = vec3(0.0);",
@@ -65,7 +68,8 @@ const std::vector<Anchor>& lightingAnchors() {
        {"vec3 prefilteredSpecularCoatColor = vec3(0.0);",
         "vec3 prefilteredSpecularCoatColor = textureLod(prefilterTex, coatWorldReflect, coatRoughness * "
         "prefilterMaxLevel).rgb;"},
-       {"vec3 prefilteredSpecularCoatColor = bpGatherLight(vertexVC.xyz, coatN, V, coatRoughness).specular;"},
+       {"vec3 prefilteredSpecularCoatColor = bpGatherLight(vertexVC.xyz, coatN, V, coatRoughness,\n"
+        "    bpMeanFresnel(vec3(coatF0Uniform), vec3(1.0), coatNdV)).specular;"},
        true},
       {"clear-coat split-sum table",
        {"vec2 coatBrdf = vec2(0.0);", "vec2 coatBrdf = texture(brdfTex, vec2(coatNdV, coatRoughness)).rg;"},
@@ -134,6 +138,11 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
     std::string piece(pattern);
     replaceAll(piece, "@SLOT@", std::to_string(slot));
     replaceAll(piece, "@GROUP@", std::to_string(groups[slot]));
+    const ProbeGeometry& geometry = binding.probes[slot]->geometry;
+    const std::string index = "[" + std::to_string(slot) + "]";
+    replaceAll(piece, "@BEVEL@",
+               geometry.bevelled ? "bpBevel" + index + ".x + bpBevel" + index + ".y * roughness" : "0.0f");
+    replaceAll(piece, "@OCCLUDED@", geometry.occluded ? "1" : "0");
     replaceAll(piece, "@PROJECTION@", std::to_string(technique.projection));
     replaceAll(piece, "@EVALUATE@",
                std::string(evaluationRows()[static_cast<std::size_t>(technique.evaluation)].function));
@@ -170,13 +179,17 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
   }
   if (binding.probes.empty()) return {};
   const auto& first = projectionRows()[static_cast<std::size_t>(binding.technique(0).projection)];
-  return joinShaderSources(projectionFiles) +
+  return (binding.bevelled() ? joinShaderSources({"shared/rounded_box.glsl"}) : std::string()) +
+         (binding.occluded() ? joinShaderSources({"shared/box_occlusion.glsl"}) : std::string()) +
+         joinShaderSources(projectionFiles) +
          "ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)\n{\n" + dispatch +
          "  return " + std::string(first.function) +
          "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n#define DISTANCE_MAP "
          "samplerCube\n" +
          (debug ? joinShaderSources({"gpu/debug_distance.glsl", "shared/true_hit.glsl"}) : std::string()) +
-         joinShaderSources({"gpu/fetch_probe.glsl", "gpu/fetch_blue_noise.glsl", "gpu/fetch_light.glsl", "shared/level_curve.glsl"}) + joinShaderSources(evaluationFiles);
+         joinShaderSources(
+             {"gpu/fetch_probe.glsl", "gpu/fetch_blue_noise.glsl", "gpu/fetch_light.glsl", "shared/level_curve.glsl"}) +
+         joinShaderSources(evaluationFiles);
 }
 
 std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
@@ -201,6 +214,7 @@ std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
          define("BP_SKY", binding.sky) + define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) +
+         (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
          std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", "shared/weights.glsl",

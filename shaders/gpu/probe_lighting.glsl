@@ -1,6 +1,8 @@
 // What the probes and the sky add to a pixel of VTK's PBR shader. Spliced in by filters/vtk/vtk_pbr_splice.cpp, which defines
 //   BP_SLOTS     probes this draw may use (0 to 4), most important first
 //   BP_GROUPS    runs of equal importance among them
+//   BP_BEVEL     defined if any of their boxes has rounded edges
+//   BP_OCCLUSION 1 if any of them is darkened by distance
 //   BP_ROTATED   1 if any of their boxes is rotated
 //   BP_WEIGHTS   0 if the draw lies where its one probe has full weight
 //   BP_SKY       0 if the probes leave nothing to the sky anywhere in the draw
@@ -31,6 +33,12 @@ uniform vec3 bpRateMax[BP_SLOTS];
 uniform float bpIntensity[BP_SLOTS];
 uniform float bpMaxLevel[BP_SLOTS];
 uniform vec3 bpSh[9 * BP_SLOTS];
+#ifdef BP_BEVEL
+uniform vec2 bpBevel[BP_SLOTS];          // radius of the box's edges, scene units: x + y * roughness
+#endif
+#if BP_OCCLUSION
+uniform vec3 bpOcclusion[BP_SLOTS];      // multiplier, power, strength
+#endif
 #if BP_ROTATED
 uniform mat3 bpWorldFromProbe[BP_SLOTS];
 #endif
@@ -50,7 +58,14 @@ struct BpLight
 
 //BP::Slots
 
-BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness)
+// The surface's Fresnel reflectance, mean of its colours: Schlick between F0 and F90, as VTK's shader has it.
+float bpMeanFresnel(vec3 f0, vec3 f90, float nDotV)
+{
+  vec3 f = f0 + (f90 - f0) * pow(1.0 - nDotV, 5.0);
+  return dot(f, vec3(1.0 / 3.0));
+}
+
+BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness, float fresnel)
 {
   vec3 position = bpViewToWorld * positionView;
   vec3 normal = bpViewToWorld * normalView;
@@ -70,7 +85,7 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 #endif
 
 #if BP_SLOTS > 0 && !BP_WEIGHTS
-  bpAddSlot0(light, bpIntensity[0], position, normal, view, reflection, roughness);
+  bpAddSlot0(light, bpIntensity[0], position, normal, view, reflection, roughness, fresnel);
   remaining = 0.0f;
 #elif BP_SLOTS > 0
   float weight[BP_SLOTS];

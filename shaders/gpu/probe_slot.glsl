@@ -1,13 +1,14 @@
 uniform samplerCube bpMap@SLOT@;
 
-void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 normal, vec3 view, vec3 reflection, float roughness)
+void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 normal, vec3 view, vec3 reflection, float roughness,
+                       float fresnel)
 {
   ProbeShape probe;
   probe.boxMin = bpBoxMin[@SLOT@];
   probe.boxMax = bpBoxMax[@SLOT@];
   probe.maxLevel = bpMaxLevel[@SLOT@];
   probe.projection = @PROJECTION@;
-  probe.bevel = 0.0f;
+  probe.bevel = @BEVEL@;
   probe.slot = @SLOT@;
 @PARAMETERS@
   ShadingPoint point;
@@ -18,6 +19,7 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   point.roughness = roughness;
   point.pixel = ivec2(gl_FragCoord.xy) + bpPixelOrigin;
   point.frame = bpFrame;
+  point.fresnel = fresnel;
 #if BP_ROTATED
   mat3 probeFromWorld = transpose(bpWorldFromProbe[@SLOT@]);
   point.position = probeFromWorld * point.position;
@@ -30,7 +32,18 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   bpLevelSum = 0.0f;
   bpFetches = 0.0f;
 #endif
-  light.specular += weight * @EVALUATE@(bpMap@SLOT@, probe, point).rgb;
+  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;
+#if @OCCLUDED@
+#if BP_DEBUG
+  float evaluated = bpLookups;  // the same hit once more, which the compiler has already
+#endif
+  specular *= boxOcclusion(projectRay(probe, point.position, point.normal, point.reflection).distance, bpOcclusion[@SLOT@].x,
+                           bpOcclusion[@SLOT@].y, bpOcclusion[@SLOT@].z);
+#if BP_DEBUG
+  bpLookups = evaluated;
+#endif
+#endif
+  light.specular += weight * specular;
 #if BP_DIFFUSE
   light.irradiance += weight * shIrradiance(normal, bpSh[9 * @SLOT@], bpSh[9 * @SLOT@ + 1], bpSh[9 * @SLOT@ + 2],
                                             bpSh[9 * @SLOT@ + 3], bpSh[9 * @SLOT@ + 4], bpSh[9 * @SLOT@ + 5],

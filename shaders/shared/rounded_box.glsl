@@ -46,5 +46,5 @@ float roundedBoxExit(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax, fl
     if (!(divisor > 1.0e-12f)) { break; }
     t = clamp(t - constant / divisor, 0.0f, tBox);
   }
-  return t * size;
+  return min(t * size, exit);
 }

@@ -54,6 +54,7 @@ struct ShadingPoint
   float roughness;  // perceptual
   ivec2 pixel;      // of the picture, from its lower left
   int frame;        // of those that are averaged, from 0
+  float fresnel;    // the surface's own reflectance at N.V, mean of its colours
 };
 
 // A lobe in pieces (footprint.glsl): half vectors seen from V, as points (u, v) of the unit disk that the visible normals fill evenly.

@@ -80,6 +80,14 @@ std::vector<Case> cases() {
   rough.sky = SkyImage{std::string(BOXPROBE_DATA_DIR) + "/scenes/sky.hdr"};
   rough.probes.front().box.max.y *= 0.8;
   rough.probes.front().influence.reset();
+  Scene rounded = manyProbes();
+  rounded.materials["mirror"].roughness = 0.3f;
+  for (Probe& probe : rounded.probes) probe.parameters["fresnel"] = std::string("surface");
+  rounded.probes[0].bevel = Bevel{0.4, 0.5};
+  rounded.probes[1].bevel = Bevel{0.0, 3.0};
+  rounded.probes[1].occlusion = BoxOcclusion{0.3, 0.7, 0.8};
+  rounded.probes[2].occlusion = BoxOcclusion{0.8, 1.5, 1.0};
+  result.push_back({"several probes with rounded edges and box occlusion", rounded});
   result.push_back({"room, rough under a clear coat, sky from a picture", rough});
   return result;
 }

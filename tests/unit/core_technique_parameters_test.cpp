@@ -17,7 +17,7 @@ TEST(TechniqueParameters, LeftOutTheyAreTheDefaults) {
 TEST(TechniqueParameters, ReachTheMathematics) {
   Probe probe;
   probe.parameters = {{"curve", std::string("marmoset")}, {"hardeningLength", 2.5}, {"power", 3.0}};
-  const auto shape = probeShape(probeGeometry(probe, glm::dvec3(0.0)), 6.0f);
+  const auto shape = probeShape(probeGeometry(probe, glm::dvec3(0.0)), 6.0f, 0.5f);
   EXPECT_EQ(shape.parameters.curve, 4);
   EXPECT_EQ(shape.parameters.hardeningLength, 2.5f);
   EXPECT_EQ(shape.parameters.power, 3.0f);
