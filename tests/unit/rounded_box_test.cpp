@@ -76,7 +76,7 @@ Ray randomRay(Class kind, std::mt19937& random) {
 }
 
 TEST(RoundedBox, IsTheDefinitionWithin2e4OfTheBox) {
-  constexpr std::size_t kCount = 100000;
+  constexpr std::size_t kCount = 20000;
   std::mt19937 random(5);
   const char* names[] = {"inside", "on a face", "axis zero", "near an edge", "far origin", "tiny", "huge", "thin"};
   for (int kind = 0; kind < 8; ++kind) {
