@@ -59,6 +59,13 @@ void vtkProbePolyDataMapper::UpdateDrawn() {
   }
 }
 
+void vtkProbePolyDataMapper::SetApart(bool apart) {
+  if (apart != this->Apart) {
+    this->Apart = apart;
+    this->Modified();
+  }
+}
+
 void vtkProbePolyDataMapper::SetDebug(bool debug) {
   if (debug != this->Debug) {
     this->Debug = debug;
@@ -73,7 +80,13 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
     return;
   }
   std::string source = shaders[vtkShader::Fragment]->GetSource();
-  const std::string failure = boxprobe::splicePbr(source, *this->Drawn, this->Debug);
+  using boxprobe::SurfaceOutput;
+  const bool samples = this->Drawn->blurredSamples() > 0 && !actor->HasTranslucentPolygonalGeometry();
+  const SurfaceOutput output = this->Debug    ? SurfaceOutput::Debug
+                               : !this->Apart ? SurfaceOutput::Picture
+                               : samples      ? SurfaceOutput::ReflectionApart
+                                              : SurfaceOutput::NothingApart;
+  const std::string failure = boxprobe::splicePbr(source, *this->Drawn, output);
   if (!failure.empty() && this->State->error.empty()) {
     this->State->error = failure;
   }
@@ -219,10 +232,10 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
           this->Bind(renderer, GL_TEXTURE_CUBE_MAP, known ? maps->distance.handle() : this->State->blackCube));
     }
   }
-  if (this->Binding->chooses("sampling", "luminance")) {
+  if (this->Drawn->chooses("sampling", "luminance")) {
     std::array<int, kMax> size{};
     for (std::size_t i = 0; i < count; ++i) {
-      const boxprobe::ProbeMaps* maps = this->State->firstBounce ? nullptr : this->Binding->probes[i]->maps.get();
+      const boxprobe::ProbeMaps* maps = this->State->firstBounce ? nullptr : this->Drawn->probes[i]->maps.get();
       if (maps != nullptr) {
         maps->light.make(maps->radiance);
         size[i] = maps->light.faceSize();
@@ -232,7 +245,7 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
     }
     program->SetUniform1iv("bpLightSize", static_cast<int>(count), size.data());
   }
-  if (this->Binding->chooses("pattern", "blue")) {
+  if (this->Drawn->chooses("pattern", "blue")) {
     boxprobe::makeBlueNoise(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), *this->State);
     program->SetUniformi("bpBlueNoise", this->Bind(renderer, GL_TEXTURE_2D, this->State->blueNoise));
   }

@@ -43,7 +43,11 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   bpLookups = evaluated;
 #endif
 #endif
-  light.specular += weight * specular;
+  vec3 reflected = weight * specular;
+  light.specular += reflected;
+#if BP_SAMPLED
+  light.sampled += @SMOOTHED@ * reflected;
+#endif
 #if BP_DIFFUSE
   light.irradiance += weight * shIrradiance(normal, bpSh[9 * @SLOT@], bpSh[9 * @SLOT@ + 1], bpSh[9 * @SLOT@ + 2],
                                             bpSh[9 * @SLOT@ + 3], bpSh[9 * @SLOT@ + 4], bpSh[9 * @SLOT@ + 5],
