@@ -1,5 +1,5 @@
 // A single line on stderr that says how far long work is and about how long it will go on; nothing where stderr is not
-// a terminal.
+// a terminal, unless BOXPROBE_PROGRESS=lines asks for lines a program can read ("progress 12").
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@ namespace boxprobe {
 
 class ProgressLine {
  public:
-  /// `enabled` false (--quiet) or stderr not a terminal: draws nothing.
+  /// `enabled` false (--quiet) or nobody who could read it: draws nothing.
   ProgressLine(std::string label, bool enabled);
   ~ProgressLine();  ///< wipes the line, so that what is printed next starts on a clean one
   ProgressLine(const ProgressLine&) = delete;
@@ -21,6 +21,7 @@ class ProgressLine {
   std::string timeLeft(double fraction) const;
 
   std::string label_;
+  bool lines_;
   bool enabled_;
   int shownPercent_ = -1;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -19,6 +19,7 @@
 #include "app/gui/about_dialog.h"
 #include "app/gui/bake_panel.h"
 #include "app/gui/capture_panel.h"
+#include "app/gui/cost_panel.h"
 #include "app/gui/debug_view.h"
 #include "app/gui/explain_card.h"
 #include "app/gui/file_commands.h"
@@ -142,6 +143,7 @@ void MainWindow::buildPanels() {
   menu_->addDockToggle(dock->toggleViewAction());
   buildPreviewDock(dock);
   buildDebugDocks(dock);
+  buildCostDock(dock);
 }
 
 void MainWindow::buildDebugDocks(QDockWidget* beside) {
@@ -166,6 +168,19 @@ void MainWindow::buildDebugDocks(QDockWidget* beside) {
     card->raise();
   });
   beside->raise();
+}
+
+void MainWindow::buildCostDock(QDockWidget* beside) {
+  costPanel_ = new CostPanel(*editor_);
+  auto* dock = new QDockWidget(tr("Run time against error"), this);
+  dock->setObjectName("cost");
+  dock->setWidget(costPanel_);
+  tabifyDockWidget(beside, dock);
+  connect(dock, &QDockWidget::visibilityChanged, costPanel_, &CostPanel::setWatched);
+  connect(costPanel_, &CostPanel::message, status_, &StatusLine::showMessage);
+  connect(costPanel_, &CostPanel::failed, status_, &StatusLine::showError);
+  beside->raise();
+  menu_->addDockToggle(dock->toggleViewAction());
 }
 
 void MainWindow::connectDebugView() {
@@ -300,6 +315,7 @@ void MainWindow::documentChanged(const Changes& changes) {
   materialPanel_->update();
   picturePanel_->update();
   preview_->update();
+  costPanel_->update();
   menu_->update(document_);
   debugView_->documentChanged(changes);
   updateTitle();

@@ -28,6 +28,7 @@ class ProbePreview;
 class ProbeWidget;
 class RenderScheduler;
 class SceneRenderer;
+class CostPanel;
 class StatusLine;
 class Viewport;
 
@@ -66,6 +67,7 @@ class MainWindow : public QMainWindow {
   void buildPanels();
   void buildPreviewDock(QDockWidget* beside);
   void buildDebugDocks(class QDockWidget* beside);
+  void buildCostDock(QDockWidget* beside);
   void connectViews();
   void connectMenu();
   void connectDebugView();
@@ -100,6 +102,7 @@ class MainWindow : public QMainWindow {
   MaterialPanel* materialPanel_ = nullptr;
   PicturePanel* picturePanel_ = nullptr;
   ProbePreview* preview_ = nullptr;
+  CostPanel* costPanel_ = nullptr;
   bool firstPictureDone_ = false;
   std::string shownError_;
 };

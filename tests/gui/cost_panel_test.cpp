@@ -1,0 +1,122 @@
+// The dock of run time against error: an earlier benchmark's points, the current choice among them, and measuring from
+// the window as a process that can be stopped.
+#include "app/gui/cost_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+#include <cstdlib>
+
+#include "filters/io/scene_file.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+constexpr const char* kResults = R"({"summary": [
+  {"reference": "box", "technique": "box+none", "label": "box", "frameCpuRatioToBox": 1.0, "error": 0.09, "onFront": true, "ours": false},
+  {"reference": "box", "technique": "box+hdrp", "label": "hdrp", "frameCpuRatioToBox": 1.2, "error": 0.095, "onFront": false, "ours": false},
+  {"reference": "box", "technique": "box+footprint4", "label": "footprint4", "frameCpuRatioToBox": 2.5, "error": 0.03, "onFront": true, "ours": true},
+  {"reference": "scene", "technique": "box+none", "label": "box", "frameCpuRatioToBox": 1.0, "error": 0.2, "onFront": true, "ours": false}]})";
+
+class CostPanelTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    panel_ = window_->findChild<CostPanel*>();
+    dock_ = window_->findChild<QDockWidget*>("cost");
+    ASSERT_NE(panel_, nullptr);
+    dock_->show();
+    dock_->raise();
+    waitUntilIdle();
+  }
+  void TearDown() override {
+    window_->findChild<QDockWidget*>("probes")->raise();
+    WindowTest::TearDown();
+  }
+  /// The open scene under a name of its own, with results beside it if wanted.
+  std::string openCopy(bool withResults) {
+    const std::string path = folder_.filePath("copy.boxprobe.json").toStdString();
+    saveSceneFile(window_->document().scene(), path);
+    if (withResults) {
+      const QString bench = QString::fromStdString(CostPanel::folderBeside(path));
+      QDir().mkpath(bench);
+      QFile file(bench + "/bench.json");
+      EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+      file.write(kResults);
+    }
+    window_->showScene(loadScene(path, {}));
+    waitUntilIdle();
+    return path;
+  }
+  template <typename T>
+  T* named(const char* name) {
+    return panel_->findChild<T*>(name);
+  }
+
+  CostPanel* panel_ = nullptr;
+  QDockWidget* dock_ = nullptr;
+  QTemporaryDir folder_;
+};
+
+TEST_F(CostPanelTest, ShowsAnEarlierBenchmarkAndTheCurrentChoice) {
+  openCopy(true);
+  auto* table = named<QTreeWidget>("costTable");
+  ASSERT_EQ(table->topLevelItemCount(), 3) << "against the box alone";
+  EXPECT_EQ(table->topLevelItem(0)->text(0), "footprint4") << "the least error first";
+  const auto selected = table->selectedItems();
+  ASSERT_EQ(selected.size(), 1);
+  EXPECT_EQ(selected.front()->text(0), "box");
+  QTest::qWait(400);
+  waitUntilIdle();
+  const QPixmap* chart = panel_->findChild<QLabel*>("costChart")->pixmap();
+  ASSERT_NE(chart, nullptr);
+  EXPECT_FALSE(chart->isNull());
+  if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT"))
+    window_->grab().save(QString(folder) + "/cost_panel.png");
+
+  // A row's double click chooses it, as one step.
+  const QRect row = table->visualItemRect(table->topLevelItem(0));
+  QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, row.center());
+  EXPECT_EQ(probe().technique, "footprint4");
+  ASSERT_EQ(table->selectedItems().size(), 1);
+  EXPECT_EQ(table->selectedItems().front()->text(0), "footprint4");
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(probe().technique, "box");
+}
+
+TEST_F(CostPanelTest, MeasuresBesideTheWindowAndStops) {
+  const std::string path = openCopy(false);
+  EXPECT_EQ(named<QTreeWidget>("costTable")->topLevelItemCount(), 0);
+  panel_->setProgram(BOXPROBE_PROGRAM);
+  auto* quick = named<QPushButton>("measureQuickly");
+  ASSERT_TRUE(quick->isEnabled());
+  QTest::mouseClick(quick, Qt::LeftButton);
+  EXPECT_TRUE(panel_->measuring());
+  EXPECT_FALSE(quick->isEnabled());
+  QElapsedTimer timer;
+  timer.start();
+  while (panel_->measuring() && named<QProgressBar>("costProgress")->value() < 1 && timer.elapsed() < 120000) {
+    QTest::qWait(50);
+  }
+  EXPECT_TRUE(panel_->measuring()) << "it says how far it is before it is done";
+  EXPECT_GE(named<QProgressBar>("costProgress")->value(), 1);
+  QTest::mouseClick(named<QPushButton>("stopMeasuring"), Qt::LeftButton);
+  timer.restart();
+  while (panel_->measuring() && timer.elapsed() < 60000) QTest::qWait(50);
+  EXPECT_FALSE(panel_->measuring());
+  EXPECT_TRUE(quick->isEnabled());
+  EXPECT_FALSE(QFile::exists(QString::fromStdString(CostPanel::folderBeside(path)) + "/bench.json"));
+}
+
+}  // namespace
+}  // namespace boxprobe
