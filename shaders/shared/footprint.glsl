@@ -31,7 +31,7 @@ vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
     w = w * w;
     w = w * w;
     // Of the faces from C, where the ray reaches each: a refined hit has others than the box.
-    vec3 at = hit.direction + (min(f, vec3(1.0e30f)) - vec3(hit.distance)) * direction;
+    vec3 at = hit.direction + (min(hit.slabFactors, vec3(1.0e30f)) - vec3(hit.distance)) * direction;
     vec3 plane = vec3(direction.x < 0.0f ? -at.x : at.x, direction.y < 0.0f ? -at.y : at.y, direction.z < 0.0f ? -at.z : at.z);
     distanceC = dot(w, min(plane / t, vec3(1.0e9f)));
     cosineP = dot(w, abs(direction));

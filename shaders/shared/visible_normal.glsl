@@ -40,12 +40,14 @@ LobeSample lobeTowards(FootprintLobe lobe, vec3 direction)
   return result;
 }
 
-// Mean of the weights above: what single scattering keeps of white light. A fit, off by 0.012 in the root mean square and by 0.04 at
-// most, which is for uses that do not depend on it to first order.
+// Mean of the weights above: what single scattering keeps of white light. A fit over cosines and roughnesses from 0.02 to 1, off by 1.4 %
+// in the root mean square and by 4 % at most.
 float lobeAlbedo(FootprintLobe lobe)
 {
+  float a = lobe.alpha;
   float nv = lobe.view.z;
-  float q = lobe.alpha / (nv + lobe.alpha);
-  float lost = q * (0.350f - 0.807f * nv + q * (2.107f * nv - 0.400f)) + lobe.alpha * (0.078f + 0.465f * nv);
+  float q = a / (nv + a);
+  float lost = q * (0.4344f - 1.2513f * nv + q * (2.4276f * nv - 0.4910f)) +
+               a * (0.0375f + 0.8749f * nv + a * (0.0501f - 0.3300f * nv));
   return 1.0f - lost;
 }
