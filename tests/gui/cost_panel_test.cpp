@@ -78,9 +78,8 @@ TEST_F(CostPanelTest, ShowsAnEarlierBenchmarkAndTheCurrentChoice) {
   EXPECT_EQ(selected.front()->text(0), "box");
   QTest::qWait(400);
   waitUntilIdle();
-  const QPixmap* chart = panel_->findChild<QLabel*>("costChart")->pixmap();
-  ASSERT_NE(chart, nullptr);
-  EXPECT_FALSE(chart->isNull());
+  const QPixmap chart = panel_->findChild<QLabel*>("costChart")->pixmap(Qt::ReturnByValue);
+  EXPECT_FALSE(chart.isNull());
   if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT"))
     window_->grab().save(QString(folder) + "/cost_panel.png");
 
