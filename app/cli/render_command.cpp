@@ -2,8 +2,10 @@
 #include "app/cli/render_command.h"
 
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 
 #include "app/cli/display_check.h"
@@ -29,16 +31,31 @@ namespace boxprobe {
 
 namespace {
 
-/// Draws and writes the picture: nothing is written if the drawing failed or was interrupted.
-void writePicture(SceneRenderer& renderer, const RenderOptions& options, bool linear, const InterruptGuard& interrupt) {
+/// Draws and writes the picture: nothing is written if the drawing failed or was interrupted. Of an animated technique,
+/// the mean of --frames; those are told to `beforeFrame` as they begin.
+void writePicture(SceneRenderer& renderer, const RenderOptions& options, bool linear, const InterruptGuard& interrupt,
+                  const std::function<void()>& beforeFrame) {
+  const bool picture = renderer.view().view == 0 && options.view != kAllViews;
+  const bool mean = options.frames > 1 && picture && renderer.averagesFrames();
+  const auto before = [&](int) {
+    interrupt.check();
+    beforeFrame();
+  };
   if (linear) {
     const FrameSize size = parseFrameSize(options.size);
-    const ImageRgbaF image = renderer.renderLinear(size.width, size.height, options.samples);
+    const ImageRgbaF image =
+        renderer.renderLinear(size.width, size.height, options.samples, mean ? options.frames : 1, before);
     requireHealthy(renderer);
     interrupt.check();
     saveExr(options.outputPath, image);
   } else {
     const bool sheet = options.view == kAllViews;
+    // The last one is drawn by renderDisplay.
+    if (mean) renderer.setFrameLimit(options.frames);
+    for (int i = 0; mean && i < options.frames; ++i) {
+      before(i);
+      if (i + 1 < options.frames) renderer.renderer()->GetRenderWindow()->Render();
+    }
     const ImageRgba8 image = sheet ? renderViewSheet(renderer, [&] { interrupt.check(); }) : renderer.renderDisplay();
     requireHealthy(renderer);
     interrupt.check();
@@ -101,15 +118,25 @@ void runRender(const RenderOptions& options) {
   interrupt.check();
 
   const double beforeFrame = processCpuSeconds();
-  writePicture(renderer, options, linear, interrupt);
-  const double firstFrame = processCpuSeconds();
+  std::vector<double> begun;  // frames of a mean
+  writePicture(renderer, options, linear, interrupt, [&] {
+    window->WaitForCompletion();
+    begun.push_back(processCpuSeconds());
+  });
+  const double written = processCpuSeconds();
+  const double firstFrame = begun.size() > 1 ? begun[1] : written;
 
-  // Without --frames the one frame there is is timed, the compilation of its programs included.
   std::vector<double> frames;
-  for (int i = 0; i < options.frames; ++i) {
-    interrupt.check();
-    frames.push_back(timedFrame(renderer, window, options, linear));
+  if (begun.size() > 1) {
+    for (std::size_t i = 0; i + 1 < begun.size(); ++i) frames.push_back(begun[i + 1] - begun[i]);
+    frames.push_back(written - begun.back());
+  } else {
+    for (int i = 0; i < options.frames; ++i) {
+      interrupt.check();
+      frames.push_back(timedFrame(renderer, window, options, linear));
+    }
   }
+  // Without --frames the one frame there is is timed, the compilation of its programs included.
   if (frames.empty()) frames.push_back(firstFrame - beforeFrame);
   requireHealthy(renderer);
 

@@ -70,6 +70,10 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
     g.parameters = standardParameters();
     g.parameters.budget = budget;
   }
+  for (const ParameterRow* row : parametersOf(g.technique)) {
+    if (row->name == "animated") g.animated = parameterNumber(probe, *row) != 0.0;
+    if (row->name == "blur") g.blurred = parameterNumber(probe, *row) != 0.0;
+  }
   return g;
 }
 

@@ -21,6 +21,8 @@ struct ProbeGeometry {
   double importance = 1.0;
   Technique technique;
   shading::TechniqueParameters parameters = standardParameters();
+  bool animated = false;  ///< the technique draws another pattern every frame: the picture is a mean of frames
+  bool blurred = false;   ///< what it samples is smoothed afterwards
 };
 
 /// What the mathematics takes. `maxLevel`: last level of the probe's maps.

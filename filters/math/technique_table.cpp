@@ -46,6 +46,12 @@ Technique withoutProjection(Technique technique) {
   return technique;
 }
 
+Technique standInFor(Technique technique) {
+  const std::string_view id = evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn;
+  if (!id.empty()) technique.evaluation = *rowOf(evaluationRows(), id);
+  return technique;
+}
+
 std::vector<const ParameterRow*> parametersOf(Technique technique) {
   std::vector<const ParameterRow*> rows;
   for (const std::string_view name : projectionRows()[static_cast<std::size_t>(technique.projection)].parameters) {

@@ -37,6 +37,9 @@ struct EvaluationRow {
       sharedFiles;                           ///< further files it needs, in the order in which they build on each other
   std::vector<std::string_view> parameters;  ///< names of the rows of parameterRows() it reads
   bool ours = false;                         ///< this project's own; false: as published elsewhere
+  /// Id of the row that may be drawn in its place while the camera or a handle moves: cheap, and as near to it as cheap
+  /// rows come, so that little jumps when the picture comes to rest. Empty: it is cheap itself.
+  std::string_view standIn = {};
 };
 
 const std::vector<ProjectionRow>& projectionRows();
@@ -53,6 +56,8 @@ struct Technique {
 std::optional<Technique> parseTechnique(std::string_view id);
 /// The same evaluation looked up with the bare reflection vector: what "projection off" means.
 Technique withoutProjection(Technique technique);
+/// The same projection, cheaply evaluated; the technique itself where its row names no stand-in.
+Technique standInFor(Technique technique);
 /// The parameters it reads, in the order of a form.
 std::vector<const ParameterRow*> parametersOf(Technique technique);
 /// The full id, `box+none`; `auto` stands alone.

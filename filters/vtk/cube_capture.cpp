@@ -12,6 +12,7 @@
 
 #include "filters/core/errors.h"
 #include "filters/math/shared_math.h"
+#include "filters/vtk/vtkPicturePass.h"
 #include "filters/vtk/vtkTargetPass.h"
 
 namespace boxprobe {
@@ -33,6 +34,7 @@ CubeCapture::CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawStat
     : window_(window),
       state_(std::move(state)),
       renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      pass_(vtkSmartPointer<vtkTargetPass>::New()),
       faceCamera_(vtkSmartPointer<vtkCamera>::New()),
       resolve_({"shared/cube.glsl", "gpu/resolve_capture.glsl"}, &state_->counters) {
   // Cullers judge by the window's shape, not the face's.
@@ -40,8 +42,7 @@ CubeCapture::CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawStat
   renderer_->AutomaticLightCreationOff();
   renderer_->SetLightFollowCamera(false);
   renderer_->SetBackgroundAlpha(0.0);
-  vtkNew<vtkTargetPass> pass;
-  renderer_->SetPass(pass);
+  renderer_->SetPass(pass_);
   faceCamera_->SetViewAngle(90.0);
   faceCamera_->UseExplicitAspectRatioOn();
   faceCamera_->SetExplicitAspectRatio(1.0);
@@ -49,8 +50,8 @@ CubeCapture::CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawStat
 
 CubeCapture::~CubeCapture() = default;
 
-void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
-                             const std::vector<vtkLight*>& lights, const glm::vec3& clearColor) {
+void CubeCapture::prepare(vtkCamera* camera, int width, int height, const std::vector<vtkLight*>& lights,
+                          const glm::vec3& clearColor) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (std::max(width, height) > largest) {
@@ -59,11 +60,6 @@ void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std
                      " a side; ask for a smaller size or fewer samples");
   }
   target_.allocate(width, height);
-  auto* pass = vtkTargetPass::SafeDownCast(renderer_->GetPass());
-  pass->Framebuffer = target_.framebuffer();
-  pass->Viewport[2] = width;
-  pass->Viewport[3] = height;
-  pass->Props = props;
   renderer_->SetRenderWindow(window_);
   renderer_->SetBackground(clearColor.x, clearColor.y, clearColor.z);
   renderer_->SetActiveCamera(camera);
@@ -72,7 +68,9 @@ void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std
   // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload, whoever made
   // that.
   camera->Modified();
+}
 
+void CubeCapture::draw() {
   const float exposure = state_->exposure;
   const bool countDraws = state_->countDraws;
   state_->exposure = -1.0f;
@@ -81,6 +79,17 @@ void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std
   renderer_->Render();
   state_->exposure = exposure;
   state_->countDraws = countDraws;
+}
+
+void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
+                             const std::vector<vtkLight*>& lights, const glm::vec3& clearColor) {
+  prepare(camera, width, height, lights, clearColor);
+  renderer_->SetPass(pass_);
+  pass_->Framebuffer = target_.framebuffer();
+  pass_->Viewport[2] = width;
+  pass_->Viewport[3] = height;
+  pass_->Props = props;
+  draw();
 }
 
 void CubeCapture::captureFace(const CaptureSettings& settings, int face, const std::vector<vtkProp*>& props,
@@ -148,13 +157,27 @@ void CubeCapture::drawOnce(const CaptureSettings& settings, const std::vector<vt
 }
 
 ImageRgbaF CubeCapture::renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide,
-                                    const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights) {
+                                    const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights,
+                                    vtkPicturePass* picture, const std::function<void(int)>& beforeFrame) {
   vtkNew<vtkCamera> shaped;
   shaped->DeepCopy(camera);
   shaped->UseExplicitAspectRatioOn();
   shaped->SetExplicitAspectRatio(static_cast<double>(width) / height);
   const int w = width * samplesPerSide, h = height * samplesPerSide;
-  renderInto(shaped, w, h, props, lights, glm::vec3(0.0f));
+  if (picture == nullptr) {
+    renderInto(shaped, w, h, props, lights, glm::vec3(0.0f));
+  } else {
+    prepare(shaped, w, h, lights, glm::vec3(0.0f));
+    picture->Framebuffer = target_.framebuffer();
+    picture->Width = w;
+    picture->Height = h;
+    picture->Props = props;
+    renderer_->SetPass(picture);
+    for (int frame = 0; frame < picture->Limit; ++frame) {
+      if (beforeFrame) beforeFrame(frame);
+      draw();
+    }
+  }
 
   std::vector<float> samples(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4);
   {

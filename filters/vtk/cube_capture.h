@@ -5,6 +5,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <vector>
@@ -17,8 +18,10 @@
 class vtkCamera;
 class vtkLight;
 class vtkOpenGLRenderWindow;
+class vtkPicturePass;
 class vtkProp;
 class vtkRenderer;
+class vtkTargetPass;
 
 namespace boxprobe {
 
@@ -50,19 +53,25 @@ class CubeCapture {
   void drawOnce(const CaptureSettings& settings, const std::vector<vtkProp*>& props,
                 const std::vector<vtkLight*>& lights);
 
-  /// A whole frame in linear units through any camera: RGBA, `samplesPerSide`² samples a pixel, rows from the top.
+  /// A whole frame in linear units through any camera: RGBA, `samplesPerSide`² samples a pixel, rows from the top. By
+  /// way of `picture` if given: as many frames as its limit; `beforeFrame` is called before each with its number.
   ImageRgbaF renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide,
-                         const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights);
+                         const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights,
+                         vtkPicturePass* picture = nullptr, const std::function<void(int)>& beforeFrame = {});
 
   void release();
 
  private:
   void renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
                   const std::vector<vtkLight*>& lights, const glm::vec3& clearColor);
+  void prepare(vtkCamera* camera, int width, int height, const std::vector<vtkLight*>& lights,
+               const glm::vec3& clearColor);
+  void draw();
 
   vtkOpenGLRenderWindow* window_;
   std::shared_ptr<DrawState> state_;
   vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkTargetPass> pass_;
   vtkSmartPointer<vtkCamera> faceCamera_;
   FloatTarget target_;
   CubeFramebuffer faces_;

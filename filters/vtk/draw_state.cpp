@@ -29,6 +29,34 @@ bool ProbeBinding::blueNoise() const {
   return false;
 }
 
+std::shared_ptr<const ProbeBinding> ProbeBinding::standIn() const {
+  auto cheap = std::make_shared<ProbeBinding>(*this);
+  cheap->techniques.clear();
+  bool differs = false;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    cheap->techniques.push_back(standInFor(technique(i)));
+    differs |= !(cheap->techniques[i] == technique(i));
+  }
+  return differs ? cheap : nullptr;
+}
+
+int ProbeBinding::animatedSamples() const {
+  int samples = 0;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const ProbeGeometry& g = probes[i]->geometry;
+    if (!g.animated || !(technique(i) == g.technique)) continue;
+    samples = std::max(samples, static_cast<int>(g.parameters.samples));
+  }
+  return samples;
+}
+
+bool ProbeBinding::blurred() const {
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (probes[i]->geometry.blurred && technique(i) == probes[i]->geometry.technique) return true;
+  }
+  return false;
+}
+
 std::vector<int> ProbeBinding::groups() const {
   std::vector<int> result;
   for (std::size_t i = 0; i < probes.size(); ++i) {

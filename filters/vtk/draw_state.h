@@ -54,6 +54,12 @@ struct ProbeBinding {
 
   /// Equal keys share a program: techniques, importance groups, and what can be left out.
   std::string variantKey() const;
+  /// The same by what stands in for its techniques while something moves; null if nothing does.
+  std::shared_ptr<const ProbeBinding> standIn() const;
+  /// Is a technique that is drawn one whose picture is a mean of frames, and of how many rays a pixel and frame? 0: no.
+  int animatedSamples() const;
+  /// Is what a technique samples smoothed afterwards?
+  bool blurred() const;
   bool rotated() const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;

@@ -12,6 +12,7 @@
 
 #include "filters/vtk/cube_capture.h"
 #include "filters/vtk/cube_transfer.h"
+#include "filters/vtk/picture_frames.h"
 #include "filters/vtk/preview_sphere.h"
 #include "filters/vtk/probe_set.h"
 #include "filters/vtk/scene_content.h"
@@ -28,6 +29,7 @@ struct SceneRenderer::Impl {
         capture(w, state),
         probes(w, state, &capture, &content, &times),
         inspector(w, state, &content),
+        frames(w, renderer, state, &content),
         sphere(w, renderer, state) {}
 
   vtkOpenGLRenderWindow* window;
@@ -39,6 +41,7 @@ struct SceneRenderer::Impl {
   CubeCapture capture;
   ProbeSet probes;
   SurfaceInspector inspector;
+  PictureFrames frames;
   PreviewSphere sphere;
   ViewLegend legend;
   SurfaceViewSettings view;
@@ -97,6 +100,7 @@ void SceneRenderer::Impl::beginFrame() {
   state->exposure = static_cast<float>(content.scene.exposure);
   state->counters.drawsByProbeCount = {};
   renderer->ResetCameraClippingRange();
+  frames.beginFrame(view.view != 0);
   if (sphere.shown()) {
     const auto index = findProbe(content.scene, sphere.settings().probe);
     sphere.follow(index ? &content.scene.probes[*index] : nullptr, probes.maps(sphere.settings().probe));
@@ -158,6 +162,7 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   }
   if (objects || probes || changes.lights || changes.sky) d.probes.updateCaptures();
   if (d.view.view != 0) d.applyView();
+  if (objects || probes || changes.lights || changes.sky || changes.exposure) d.frames.sceneChanged();
 }
 
 void SceneRenderer::setView(const SurfaceViewSettings& settings) {
@@ -277,7 +282,20 @@ ImageRgba8 SceneRenderer::renderDisplay() {
   return image;
 }
 
-ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixel) {
+bool SceneRenderer::averagesFrames() const {
+  return impl_->frames.averages();
+}
+
+FrameCount SceneRenderer::frameCount() const {
+  return impl_->frames.count();
+}
+
+void SceneRenderer::setFrameLimit(std::optional<int> frames) {
+  impl_->frames.setLimit(frames);
+}
+
+ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixel, int frames,
+                                       const std::function<void(int)>& beforeFrame) {
   Impl& d = *impl_;
   d.window->MakeCurrent();
   makeStaticTextures(d.window, *d.state);
@@ -289,8 +307,10 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
   // The sky has no value in the debug view: it stays transparent.
   if (d.view.view == 0) props.push_back(d.content.sky);
   vtkCamera* camera = d.renderer->GetActiveCamera();
-  ImageRgbaF image =
-      d.capture.renderFrame(camera, width, height, samplesPerSide(samplesPerPixel), props, d.content.lightPointers());
+  vtkPicturePass* pass = d.view.view == 0 ? d.frames.linearPass(frames) : nullptr;
+  ImageRgbaF image = d.capture.renderFrame(camera, width, height, samplesPerSide(samplesPerPixel), props,
+                                           d.content.lightPointers(), pass, beforeFrame);
+  d.frames.releaseLinear();
   camera->Modified();
   return image;
 }
@@ -372,6 +392,7 @@ void SceneRenderer::releaseGraphics() {
   Impl& d = *impl_;
   if (d.window == nullptr || d.state->brdfTable == 0) return;
   d.window->MakeCurrent();
+  d.frames.release();
   d.sphere.release();
   d.probes.release();
   d.capture.release();

@@ -27,6 +27,7 @@
 #include "filters/core/model.h"
 #include "filters/core/scene.h"
 #include "filters/core/surface_view.h"
+#include "filters/vtk/frame_count.h"
 #include "filters/vtk/preview_settings.h"
 
 class vtkOpenGLRenderWindow;
@@ -98,11 +99,21 @@ class SceneRenderer {
   /// Bounds of all visible objects: min, max. A unit box when there is none.
   Box bounds() const;
 
-  /// Renders one frame with VTK's own path into the window's frame buffer and reads it back: display colours.
+  /// Renders one frame with VTK's own path into the window's frame buffer and reads it back: display colours. Where
+  /// techniques average frames, that is the mean of this frame and those before it.
   ImageRgba8 renderDisplay();
-  /// One frame in linear scene units (exposure not applied), RGBA float, alpha = coverage; `samplesPerPixel` 1, 4
-  /// or 16.
-  ImageRgbaF renderLinear(int width, int height, int samplesPerPixel);
+  /// In linear scene units (exposure not applied), RGBA float, alpha = coverage; `samplesPerPixel` 1, 4 or 16. One
+  /// frame, or the mean of `frames` of an animated technique; `beforeFrame` is called before each and may throw.
+  ImageRgbaF renderLinear(int width, int height, int samplesPerPixel, int frames = 1,
+                          const std::function<void(int)>& beforeFrame = {});
+
+  /// Does a visible object's technique draw another pattern every frame? Its picture is then the mean of the frames
+  /// since anything that shows was last changed.
+  bool averagesFrames() const;
+  /// How far the picture in the window is; nothing is drawn unasked.
+  FrameCount frameCount() const;
+  /// The mean is of so many frames; nothing: of as many as the technique's rays ask for (see framesWanted).
+  void setFrameLimit(std::optional<int> frames);
 
   /// What the surfaces are coloured by: a row of surfaceViews(). Row 0, the picture, costs nothing; any other compiles
   /// further programs when it is first drawn.

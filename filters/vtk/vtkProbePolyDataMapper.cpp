@@ -35,8 +35,23 @@ void vtkProbePolyDataMapper::SetDrawState(std::shared_ptr<boxprobe::DrawState> s
 }
 
 void vtkProbePolyDataMapper::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding) {
-  const std::string key = binding ? binding->variantKey() : std::string();
   this->Binding = std::move(binding);
+  this->UpdateDrawn();
+}
+
+void vtkProbePolyDataMapper::SetStandIn(bool standIn) {
+  if (standIn != this->StandIn) {
+    this->StandIn = standIn;
+    this->UpdateDrawn();
+  }
+}
+
+void vtkProbePolyDataMapper::UpdateDrawn() {
+  this->Drawn = this->StandIn && this->Binding ? this->Binding->standIn() : nullptr;
+  if (!this->Drawn) {
+    this->Drawn = this->Binding;
+  }
+  const std::string key = this->Drawn ? this->Drawn->variantKey() : std::string();
   if (key != this->VariantKey) {
     this->VariantKey = key;
     this->Modified();
@@ -53,11 +68,11 @@ void vtkProbePolyDataMapper::SetDebug(bool debug) {
 void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                                                  vtkActor* actor) {
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
-  if (!this->State || !this->Binding) {
+  if (!this->State || !this->Drawn) {
     return;
   }
   std::string source = shaders[vtkShader::Fragment]->GetSource();
-  const std::string failure = boxprobe::splicePbr(source, *this->Binding, this->Debug);
+  const std::string failure = boxprobe::splicePbr(source, *this->Drawn, this->Debug);
   if (!failure.empty() && this->State->error.empty()) {
     this->State->error = failure;
   }
@@ -81,12 +96,12 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
                                                        vtkActor* actor) {
   this->Superclass::SetCameraShaderParameters(cellBO, renderer, actor);
   vtkShaderProgram* program = cellBO.Program;
-  if (!this->State || !this->Binding || !program->IsUniformUsed("bpExposure")) {
+  if (!this->State || !this->Drawn || !program->IsUniformUsed("bpExposure")) {
     return;
   }
   program->SetUniformf("bpExposure", this->State->exposure);
   program->SetUniformf("bpParallel", renderer->GetActiveCamera()->GetParallelProjection() ? 1.0f : 0.0f);
-  const bool probes = this->Binding->lighting == Lighting::Probes;
+  const bool probes = this->Drawn->lighting == Lighting::Probes;
   if (probes) {
     this->UploadProbes(program, renderer);
   }
@@ -94,7 +109,7 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
     this->UploadDebug(program, renderer);
   }
   if (this->State->countDraws) {
-    ++this->State->counters.drawsByProbeCount[probes ? this->Binding->probes.size() : 0];
+    ++this->State->counters.drawsByProbeCount[probes ? this->Drawn->probes.size() : 0];
   }
 }
 
@@ -109,10 +124,10 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToWorldRotation(renderer->GetActiveCamera()).data());
   program->SetUniformi("bpBrdf", this->Bind(renderer, GL_TEXTURE_2D, this->State->brdfTable));
 
-  if (this->Binding->sky) {
+  if (this->Drawn->sky) {
     this->UploadSky(program, renderer);
   }
-  if (!this->Binding->probes.empty()) {
+  if (!this->Drawn->probes.empty()) {
     this->UploadSlots(program, renderer);
   }
 }
@@ -128,7 +143,7 @@ void vtkProbePolyDataMapper::UploadDebug(vtkShaderProgram* program, vtkRenderer*
   const auto& faces = boxprobe::faceColors();
   program->SetUniform3fv("bpFaceColors", 6, reinterpret_cast<const float(*)[3]>(&faces[0].x));
   program->SetUniformf("bpObject", static_cast<float>(this->ObjectNumber));
-  if (this->Binding->lighting != Lighting::Probes) {
+  if (this->Drawn->lighting != Lighting::Probes) {
     program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToWorldRotation(renderer->GetActiveCamera()).data());
     return;
   }
@@ -137,9 +152,9 @@ void vtkProbePolyDataMapper::UploadDebug(vtkShaderProgram* program, vtkRenderer*
   constexpr std::size_t kMax = boxprobe::ProbeBinding::kMaxProbesPerDraw;
   std::array<glm::vec3, kMax> color;
   std::array<float, kMax> faceSize{};
-  const std::size_t count = this->Binding->probes.size();
+  const std::size_t count = this->Drawn->probes.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const boxprobe::DrawnProbe& probe = *this->Binding->probes[i];
+    const boxprobe::DrawnProbe& probe = *this->Drawn->probes[i];
     color[i] = boxprobe::probeColor(probe.index);
     const bool known = probe.maps != nullptr && probe.maps->distance.allocated();
     faceSize[i] = known ? static_cast<float>(probe.maps->distance.faceSize()) : 0.0f;
@@ -164,7 +179,7 @@ void vtkProbePolyDataMapper::UploadSky(vtkShaderProgram* program, vtkRenderer* r
 }
 
 void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer) {
-  const std::size_t count = this->Binding->probes.size();
+  const std::size_t count = this->Drawn->probes.size();
   constexpr std::size_t kMax = boxprobe::ProbeBinding::kMaxProbesPerDraw;
   std::array<glm::vec3, kMax> origin, boxMin, boxMax, influenceMin, influenceMax, rateMin, rateMax;
   std::array<float, kMax> intensity{}, maxLevel{};
@@ -172,7 +187,7 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
   std::array<glm::vec3, 9 * kMax> sh{};
   const double* eye = renderer->GetActiveCamera()->GetPosition();
   for (std::size_t i = 0; i < count; ++i) {
-    const boxprobe::DrawnProbe& probe = *this->Binding->probes[i];
+    const boxprobe::DrawnProbe& probe = *this->Drawn->probes[i];
     const boxprobe::ProbeGeometry& g = probe.geometry;
     origin[i] = glm::vec3(g.originWorld - glm::dvec3(eye[0], eye[1], eye[2]));
     boxMin[i] = g.boxMin;
@@ -194,9 +209,9 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
         ("bpMap" + std::to_string(i)).c_str(),
         this->Bind(renderer, GL_TEXTURE_CUBE_MAP, maps != nullptr ? maps->radiance.handle() : this->State->blackCube));
   }
-  if (this->Debug || this->Binding->distances()) {
+  if (this->Debug || this->Drawn->distances()) {
     for (std::size_t i = 0; i < count; ++i) {
-      const boxprobe::ProbeMaps* maps = this->Binding->probes[i]->maps.get();
+      const boxprobe::ProbeMaps* maps = this->Drawn->probes[i]->maps.get();
       const bool known = maps != nullptr && maps->distance.allocated();
       program->SetUniformi(
           ("bpDistanceMap" + std::to_string(i)).c_str(),
@@ -227,17 +242,17 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
   program->SetUniform1fv("bpIntensity", n, intensity.data());
   program->SetUniform1fv("bpMaxLevel", n, maxLevel.data());
   program->SetUniform3fv("bpSh", 9 * n, reinterpret_cast<const float(*)[3]>(&sh[0].x));
-  for (const boxprobe::ParameterRow* row : this->Binding->parameters()) {
+  for (const boxprobe::ParameterRow* row : this->Drawn->parameters()) {
     if (row->number == nullptr) {
       continue;
     }
     std::array<float, kMax> values{};
     for (std::size_t i = 0; i < count; ++i) {
-      values[i] = this->Binding->probes[i]->geometry.parameters.*row->number;
+      values[i] = this->Drawn->probes[i]->geometry.parameters.*row->number;
     }
     program->SetUniform1fv(boxprobe::parameterUniform(*row).c_str(), n, values.data());
   }
-  if (this->Binding->rotated()) {
+  if (this->Drawn->rotated()) {
     program->SetUniformMatrix3x3("bpWorldFromProbe", &worldFromProbe[0][0].x);
     // VTK sets one matrix a call; array elements have names of their own.
     for (std::size_t i = 1; i < count; ++i) {

@@ -24,6 +24,10 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
   /** Another variant key means another program, built at the next draw; otherwise only uniforms change. */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
+  /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */
+  void SetStandIn(bool standIn);
+  /** The binding as it is drawn. */
+  const boxprobe::ProbeBinding* GetDrawnBinding() const { return this->Drawn.get(); }
   const boxprobe::ProbeBinding* GetBinding() const { return this->Binding.get(); }
   std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Binding; }
   /** Draws with the debug view's program (see vtk_pbr_splice.h) instead of the picture's. */
@@ -52,7 +56,11 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   int Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle);
 
   std::shared_ptr<boxprobe::DrawState> State;
+  void UpdateDrawn();
+
   std::shared_ptr<const boxprobe::ProbeBinding> Binding;
+  std::shared_ptr<const boxprobe::ProbeBinding> Drawn;
+  bool StandIn = false;
   std::string VariantKey;
   bool Debug = false;
   int ObjectNumber = 0;

@@ -219,7 +219,7 @@ std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, 
 
   std::string text = fragmentSource;
   std::string declarations =
-      probes ? probeDeclarations(binding, debug) : "uniform float bpParallel;\nuniform float bpExposure;\n";
+      probes ? probeDeclarations(binding, debug) : std::string(shaderSource("gpu/output_uniforms.glsl"));
   declarations += shaderSource("gpu/output.glsl");
   if (debug) {
     if (!probes) declarations += "uniform mat3 bpViewToWorld;\nuniform int bpView;\n";
