@@ -11,6 +11,7 @@
 #include <QScrollArea>
 #include <QStatusBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -23,6 +24,7 @@
 #include "app/gui/file_commands.h"
 #include "app/gui/material_panel.h"
 #include "app/gui/menu_bar.h"
+#include "app/gui/motion_preview.h"
 #include "app/gui/picture_panel.h"
 #include "app/gui/probe_list.h"
 #include "app/gui/probe_overlay.h"
@@ -60,8 +62,11 @@ MainWindow::MainWindow()
                renderer_->step();
              });
            },
-           [this] { return renderer_->workProgress(); }},
+           [this] { return renderer_->workProgress(); }, [this] { return renderer_->frameCount().more() && renderer_->error().empty(); }},
           this)),
+      motion_(new MotionPreview({[this](bool allowed) { renderer_->allowStandIns(allowed); },
+                                 [this](bool moving) { return renderer_->setMoving(moving); }},
+                                this)),
       files_(new FileCommands(document_, *editor_,
                               {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
                                [this](const std::string& path) { exportPicture(path); }},
@@ -81,6 +86,7 @@ MainWindow::MainWindow()
   connectWork();
   connectBaking();
   connectDebugView();
+  connectMotion();
   documentChanged(Changes::all());
 }
 
@@ -196,6 +202,7 @@ void MainWindow::connectViews() {
   document_.addObserver([this](const Changes& changes) { documentChanged(changes); });
   connect(editor_.get(), &Editor::failed, status_, &StatusLine::showError);
   connect(editor_.get(), &Editor::settled, this, [this] {
+    motion_->rest();
     renderer_->setInteractive(document_.previewing());
     menu_->update(document_);
     updateTitle();
@@ -243,6 +250,7 @@ void MainWindow::connectWork() {
   });
   connect(scheduler_, &RenderScheduler::rendered, this, [this] {
     status_->showCounters(renderer_->counters());
+    status_->showPicture(renderer_->frameCount(), motion_->active());
     if (renderer_->error() == shownError_) return;
     shownError_ = renderer_->error();
     if (!shownError_.empty()) status_->showError(QString::fromStdString(shownError_));
@@ -265,9 +273,23 @@ void MainWindow::connectBaking() {
   menu_->showRecent(recentFiles());
 }
 
+void MainWindow::connectMotion() {
+  connect(menu_, &MenuBar::motionPreviewSwitched, motion_, &MotionPreview::setEnabled);
+  connect(motion_, &MotionPreview::enabledChanged, menu_, &MenuBar::showMotionPreview);
+  connect(motion_, &MotionPreview::enabledChanged, scheduler_, &RenderScheduler::sceneChanged);
+  connect(motion_, &MotionPreview::cameToRest, scheduler_, &RenderScheduler::requestRender);
+  connect(viewport_, &Viewport::cameraMoved, motion_, &MotionPreview::moved);
+  connect(viewport_, &Viewport::becameReady, this, [this] {
+    if (viewport_->readyToDraw()) motion_->setDefault(viewport_->softwareRenderer());
+  });
+}
+
 void MainWindow::documentChanged(const Changes& changes) {
   // While something is dragged the renderer puts off what only the final value needs: programs, further bounces.
-  if (document_.previewing()) renderer_->setInteractive(true);
+  if (document_.previewing()) {
+    motion_->moved();
+    renderer_->setInteractive(true);
+  }
   renderer_->sync(document_.scene(), changes);
   if (!document_.previewing()) renderer_->setInteractive(false);
   probeWidget_->update();
@@ -339,12 +361,19 @@ void MainWindow::drawPicture() {
 
 void MainWindow::exportPicture(const std::string& path) {
   viewport_->window3d()->MakeCurrent();
+  motion_->rest();
   const bool linear = QString::fromStdString(path).endsWith(".exr", Qt::CaseInsensitive);
   constexpr int kExportSamples = 4;
   if (linear) {
     const int* size = viewport_->window3d()->GetSize();
-    saveExr(path, renderer_->renderLinear(size[0], size[1], kExportSamples));
+    // Several samples a pixel have as many rays in as many frames fewer.
+    const int frames = (renderer_->frameCount().wanted + kExportSamples - 1) / kExportSamples;
+    saveExr(path, renderer_->renderLinear(size[0], size[1], kExportSamples, std::max(frames, 1)));
   } else {
+    // What is saved is what is on the screen once it is at rest.
+    for (int left = renderer_->frameCount().wanted; left > 0 && renderer_->frameCount().more(); --left) {
+      viewport_->window3d()->Render();
+    }
     const PreviewSphereSettings sphere = renderer_->previewSphere();
     renderer_->showPreviewSphere({});
     overlay_->setSuspended(true);

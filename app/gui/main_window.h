@@ -19,6 +19,7 @@ class DebugView;
 class FileCommands;
 class MaterialPanel;
 class MenuBar;
+class MotionPreview;
 class PicturePanel;
 class ProbeList;
 class ProbeOverlay;
@@ -47,6 +48,7 @@ class MainWindow : public QMainWindow {
   RenderScheduler& scheduler() { return *scheduler_; }
   FileCommands& files() { return *files_; }
   DebugView& debugView() { return *debugView_; }
+  MotionPreview& motionPreview() { return *motion_; }
   const SceneRenderer& renderer() const { return *renderer_; }
 
  signals:
@@ -69,6 +71,7 @@ class MainWindow : public QMainWindow {
   void connectDebugView();
   void connectWork();
   void connectBaking();
+  void connectMotion();
   void documentChanged(const Changes& changes);
   void resetView();
   void applyCamera(int index);
@@ -85,6 +88,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<ProbeOverlay> overlay_;
   ProbeWidget* probeWidget_;
   RenderScheduler* scheduler_;
+  MotionPreview* motion_;
   FileCommands* files_;
   std::unique_ptr<DebugView> debugView_;
   MenuBar* menu_;

@@ -42,6 +42,10 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   view_->addSeparator();
   addToggle(view_, tr("Probe &boxes and handles"), QKeySequence("Ctrl+B"), &MenuBar::boxesShown);
   addToggle(view_, tr("Re&flections from probes"), QKeySequence("Ctrl+R"), &MenuBar::reflectionsShown);
+  motionPreview_ = addToggle(view_, tr("C&heaper techniques while moving"), {}, &MenuBar::motionPreviewSwitched);
+  motionPreview_->setToolTip(
+      tr("While the camera or a handle moves, costly techniques are drawn by what their rows name as a stand-in"));
+  motionPreview_->setChecked(false);
 
   QMenu* debug = window->menuBar()->addMenu(tr("&Debug"));
   explain_ = addToggle(debug, tr("&Explain pixels"), QKeySequence("E"), &MenuBar::explainToolSwitched);
@@ -73,6 +77,10 @@ QAction* MenuBar::addToggle(QMenu* menu, const QString& text, const QKeySequence
 
 void MenuBar::showExplainTool(bool on) {
   explain_->setChecked(on);
+}
+
+void MenuBar::showMotionPreview(bool on) {
+  motionPreview_->setChecked(on);
 }
 
 void MenuBar::addDockToggle(QAction* action) {

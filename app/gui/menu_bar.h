@@ -25,6 +25,7 @@ class MenuBar : public QObject {
   void update(const Document& document);
   void addDockToggle(QAction* action);
   void showRecent(const QStringList& paths);
+  void showMotionPreview(bool on);
   /// The tool was switched elsewhere.
   void showExplainTool(bool on);
 
@@ -48,6 +49,7 @@ class MenuBar : public QObject {
   void resetViewRequested();
   void boxesShown(bool shown);
   void reflectionsShown(bool shown);
+  void motionPreviewSwitched(bool on);
   void explainToolSwitched(bool on);
   void copyTextRequested();
   void copyJsonRequested();
@@ -63,7 +65,7 @@ class MenuBar : public QObject {
   QMenu* cameras_;
   QMenu* recent_;
   std::vector<std::string> cameraNames_;
-  QAction *undo_, *redo_, *duplicate_, *delete_, *bake_, *export_, *explain_;
+  QAction *undo_, *redo_, *duplicate_, *delete_, *bake_, *export_, *explain_, *motionPreview_;
 };
 
 }  // namespace boxprobe

@@ -68,6 +68,8 @@ void RenderScheduler::turn() {
     ++renders_;
     sinceRender_.restart();
     emit rendered();
+    // Captures come first: what they change begins the picture anew.
+    if (!more && hooks_.refinable()) requestRender();
   }
   if (ended) emit workEnded();
   if (more) wake();

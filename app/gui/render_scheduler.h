@@ -21,6 +21,7 @@ class RenderScheduler : public QObject {
     std::function<bool()> workPending;
     std::function<void()> step;        ///< one unit of work
     std::function<double()> progress;  ///< 0..1
+    std::function<bool()> refinable;   ///< a further picture would be a better one
   };
 
   explicit RenderScheduler(Hooks hooks, QObject* parent = nullptr);

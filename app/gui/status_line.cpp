@@ -17,6 +17,7 @@ constexpr int kMessageMilliseconds = 8000;
 StatusLine::StatusLine(QStatusBar* bar)
     : QObject(bar),
       bar_(bar),
+      picture_(new QLabel(bar)),
       counters_(new QLabel(bar)),
       progress_(new QProgressBar(bar)),
       stop_(new QToolButton(bar)),
@@ -34,11 +35,25 @@ StatusLine::StatusLine(QStatusBar* bar)
   bar_->addPermanentWidget(progress_);
   bar_->addPermanentWidget(stop_);
   bar_->addPermanentWidget(resume_);
+  picture_->setObjectName("pictureState");
+  bar_->addPermanentWidget(picture_);
   bar_->addPermanentWidget(counters_);
   connect(stop_, &QToolButton::clicked, this, &StatusLine::stopRequested);
   connect(resume_, &QToolButton::clicked, this, &StatusLine::resumeRequested);
   hideProgress(false);
   showCounters({});
+  showPicture({}, false);
+}
+
+void StatusLine::showPicture(const FrameCount& frames, bool preview) {
+  picture_->setVisible(preview || frames.wanted > 0);
+  if (preview) {
+    picture_->setText(tr("preview while moving"));
+    picture_->setToolTip(tr("A cheaper technique is shown until things come to rest (View menu)"));
+  } else if (frames.wanted > 0) {
+    picture_->setText(tr("%1 of %2 frames averaged").arg(frames.averaged).arg(frames.wanted));
+    picture_->setToolTip(tr("The mean since anything that shows was last changed"));
+  }
 }
 
 void StatusLine::showCounters(const Counters& c) {

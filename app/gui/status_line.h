@@ -7,6 +7,7 @@
 
 #include "app/gui/time_left.h"
 #include "filters/core/counters.h"
+#include "filters/vtk/frame_count.h"
 
 class QLabel;
 class QProgressBar;
@@ -24,6 +25,8 @@ class StatusLine : public QObject {
   void showCounters(const Counters& counters);
   void showProgress(double fraction);
   void hideProgress(bool stopped);
+  /// Of the picture on the screen: how many frames it is the mean of, or that it stands in for a better one.
+  void showPicture(const FrameCount& frames, bool preview);
   void showMessage(const QString& text);
   void showError(const QString& text);
 
@@ -33,6 +36,7 @@ class StatusLine : public QObject {
 
  private:
   QStatusBar* bar_;
+  QLabel* picture_;
   QLabel* counters_;
   QProgressBar* progress_;
   QToolButton* stop_;

@@ -121,9 +121,9 @@ void Viewport::initializeGL() {
   // first there.
   const auto* name = reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
   const QString renderer = QString::fromLatin1(name != nullptr ? name : "");
-  const bool software = renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("SWR");
+  softwareRenderer_ = renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("SWR");
   constexpr int kSamples = 4;
-  window_->SetMultiSamples(software ? 0 : kSamples);
+  window_->SetMultiSamples(softwareRenderer_ ? 0 : kSamples);
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {

@@ -33,6 +33,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   ViewProjection view() const;
   /// A GL context exists and the widget is on a screen.
   bool readyToDraw() const;
+  /// The processor draws, not a graphics card. Known once there is a context.
+  bool softwareRenderer() const { return softwareRenderer_; }
   /// Numbers beside the pointer; an empty text hides them.
   void showReadout(const QString& text, const QPointF& atPixel);
   /// While on, a click without a drag is told by `clicked`, and the camera waits until a drag is one.
@@ -70,6 +72,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   std::function<vtkCamera*()> camera_;
   ProbeWidget* probeWidget_ = nullptr;
   bool picking_ = false;
+  bool softwareRenderer_ = false;
   std::optional<QPointF> pressed_;  ///< while what began there may still become a click
   QLabel* readout_;
   QLabel* invitation_;

@@ -55,7 +55,7 @@ int PictureFrames::wanted() const {
 
 FrameCount PictureFrames::count() const {
   FrameCount count;
-  count.wanted = wanted();
+  count.wanted = plain_ ? 0 : wanted();
   if (count.wanted > 0 && active_) count.averaged = std::min(screen_->GetFrames(), count.wanted);
   return count;
 }
@@ -92,6 +92,7 @@ vtkSmartPointer<vtkPicturePass> PictureFrames::makePass() const {
 
 void PictureFrames::beginFrame(bool plain) {
   const int frames = wanted();
+  plain_ = plain;
   active_ = !plain && (frames > 0 || blurs());
   if (!active_) {
     if (screen_) renderer_->SetPass(nullptr);

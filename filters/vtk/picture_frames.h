@@ -59,7 +59,7 @@ class PictureFrames {
   std::shared_ptr<DrawState> state_;
   const SceneContent* content_;
   vtkSmartPointer<vtkPicturePass> screen_, linear_;
-  bool active_ = false;
+  bool active_ = false, plain_ = false;
   int generation_ = 0;
   std::optional<int> limit_;
   Key shown_;

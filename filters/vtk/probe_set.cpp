@@ -89,10 +89,48 @@ void ProbeSet::assign(bool newProgramsAllowed) {
       continue;
     variantsUsed_.insert(key);
     object.mapper->SetBinding(std::move(binding));
-    if (editable_ && !interactive_) {
-      auto general = assignProbes(object, content_->scene, drawn, enabled_, true);
-      if (general->variantKey() != key) toPrepare_.emplace_back(i, std::move(general));
-    }
+    if (interactive_) continue;
+    const auto general = assignProbes(object, content_->scene, drawn, enabled_, true);
+    if (editable_ && general->variantKey() != key) prepare(i, general);
+    if (!standInsAllowed_) continue;
+    prepare(i, object.mapper->GetBinding()->standIn());
+    if (editable_) prepare(i, general->standIn());
+  }
+  updateStandIns();
+}
+
+void ProbeSet::prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding) {
+  if (binding) toPrepare_.emplace_back(object, std::move(binding));
+}
+
+void ProbeSet::allowStandIns(bool allowed) {
+  if (standInsAllowed_ == allowed) return;
+  standInsAllowed_ = allowed;
+  assignToObjects();
+}
+
+bool ProbeSet::setMoving(bool moving) {
+  moving_ = moving && standInsAllowed_;
+  updateStandIns();
+  const auto& objects = content_->objects;
+  const bool any = std::any_of(objects.begin(), objects.end(), [](const DrawnObject& object) {
+    return object.settings.visible && object.mapper->GetDrawnBinding() != object.mapper->GetBinding();
+  });
+  moving_ = moving_ && any;
+  return any;
+}
+
+// Is anything under way that will be kept? What a drag captures is replaced at its end.
+bool ProbeSet::capturesLast() const {
+  const auto lasts = [](const Job& job) { return job.kind != JobKind::Drag && job.kind != JobKind::File; };
+  return std::any_of(jobs_.begin(), jobs_.end(), lasts) || (runner_.pending() && current_ && lasts(*current_));
+}
+
+void ProbeSet::updateStandIns() {
+  const bool show = moving_ && !capturesLast();
+  for (DrawnObject& object : content_->objects) {
+    const auto cheap = show && object.mapper->GetBinding() ? object.mapper->GetBinding()->standIn() : nullptr;
+    object.mapper->SetStandIn(cheap && prepared_.count(cheap->variantKey() + object.materialName) > 0);
   }
 }
 
@@ -299,6 +337,7 @@ void ProbeSet::replan() {
     runner_.abort();
     current_.reset();
   }
+  if (moving_) updateStandIns();
 }
 
 void ProbeSet::planBounces() {

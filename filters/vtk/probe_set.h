@@ -43,6 +43,11 @@ class ProbeSet {
   void setEnabled(bool enabled);
   /// Someone may start to drag a box: the programs that takes are compiled ahead, as work of the lowest priority.
   void setEditable(bool editable) { editable_ = editable; }
+  /// The camera or a handle may be moved with cheaper techniques on the screen: their programs are compiled ahead, too.
+  void allowStandIns(bool allowed);
+  /// Draws by them, as far as they are compiled and unless a capture that lasts is under way, which must not see them.
+  /// Returns whether any object is.
+  bool setMoving(bool moving);
   /// See the scene renderer's functions of these names.
   void setBakeTargets(const std::vector<std::string>& names);
   void useBakedFiles(const std::string& folder);
@@ -86,8 +91,11 @@ class ProbeSet {
 
   void matchEntries();
   void assign(bool newProgramsAllowed);
-  bool preparationPending() const { return !interactive_ && !toPrepare_.empty(); }
+  bool preparationPending() const { return !interactive_ && !moving_ && !toPrepare_.empty(); }
+  void prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding);
   void prepareOne();
+  void updateStandIns();
+  bool capturesLast() const;
 
   std::optional<std::size_t> find(const std::string& name) const;
   const Probe& probe(std::size_t index) const { return content_->scene.probes[index]; }
@@ -125,6 +133,8 @@ class ProbeSet {
   bool enabled_ = true;
   bool interactive_ = false;
   bool editable_ = false;
+  bool standInsAllowed_ = false;
+  bool moving_ = false;
   std::set<std::string> targets_;
 
   std::vector<Entry> entries_;  ///< in the order of scene.probes
@@ -153,7 +163,7 @@ class ProbeSet {
 
   std::set<std::string> variantsUsed_;  ///< program variants objects have had so far
   std::vector<std::pair<std::size_t, std::shared_ptr<const ProbeBinding>>>
-      toPrepare_;  ///< object, its binding in a drag
+      toPrepare_;  ///< object, its binding in a drag or while the camera moves
   std::set<std::string> prepared_;
 };
 

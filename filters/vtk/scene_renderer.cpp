@@ -168,6 +168,7 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
 void SceneRenderer::setView(const SurfaceViewSettings& settings) {
   if (impl_->view == settings) return;
   impl_->view = settings;
+  impl_->probes.setMoving(false);
   impl_->applyView();
 }
 
@@ -202,6 +203,15 @@ void SceneRenderer::setInteractive(bool interactive) {
 
 void SceneRenderer::setEditable(bool editable) {
   impl_->probes.setEditable(editable);
+}
+
+void SceneRenderer::allowStandIns(bool allowed) {
+  impl_->makeCurrent();
+  impl_->probes.allowStandIns(allowed);
+}
+
+bool SceneRenderer::setMoving(bool moving) {
+  return impl_->probes.setMoving(moving && impl_->view.view == 0);
 }
 
 bool SceneRenderer::workPending() const {
@@ -298,6 +308,7 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
                                        const std::function<void(int)>& beforeFrame) {
   Impl& d = *impl_;
   d.window->MakeCurrent();
+  d.probes.setMoving(false);
   makeStaticTextures(d.window, *d.state);
   d.renderer->ResetCameraClippingRange();
   std::vector<vtkProp*> props;

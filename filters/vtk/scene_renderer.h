@@ -80,6 +80,13 @@ class SceneRenderer {
   /// For a window whose probes can be dragged: programs a drag needs are compiled ahead, as part of the work.
   void setEditable(bool editable);
 
+  /// For a window that shows cheaper techniques while something moves (see EvaluationRow::standIn): their programs are
+  /// compiled ahead, as part of the work.
+  void allowStandIns(bool allowed);
+  /// The camera or a handle moves: surfaces are drawn by what stands in for their techniques, those whose programs are
+  /// ready; the debug view's colours, explanations and linear pictures never are. Returns whether any surface is.
+  bool setMoving(bool moving);
+
   bool workPending() const;
   /// One unit of work; the GL context must be current (call window->MakeCurrent() first). Returns workPending().
   bool step();

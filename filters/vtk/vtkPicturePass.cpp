@@ -16,6 +16,7 @@
 
 #include <algorithm>
 
+#include "filters/core/errors.h"
 #include "filters/vtk/vtkTargetPass.h"
 
 vtkStandardNewMacro(vtkPicturePass);
@@ -44,6 +45,17 @@ void vtkPicturePass::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
 }
 
 void vtkPicturePass::Render(const vtkRenderState* s) {
+  try {
+    this->RenderPicture(s);
+  } catch (const boxprobe::Error& error) {
+    // An exception must not pass through VTK's renderer, which would stay in the middle of a frame.
+    if (this->State->error.empty()) {
+      this->State->error = error.what();
+    }
+  }
+}
+
+void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
   vtkRenderer* renderer = s->GetRenderer();
   std::vector<vtkProp*> pictured = this->Props, others;
   if (this->Framebuffer == 0) {

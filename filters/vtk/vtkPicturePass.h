@@ -8,6 +8,7 @@
  */
 #pragma once
 
+#include <vtkNew.h>
 #include <vtkRenderPass.h>
 
 #include <memory>
@@ -48,6 +49,7 @@ class vtkPicturePass : public vtkRenderPass {
   ~vtkPicturePass() override;
 
  private:
+  void RenderPicture(const vtkRenderState* s);
   void DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
   void Present(vtkRenderer* renderer);
 

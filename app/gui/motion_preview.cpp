@@ -1,0 +1,54 @@
+// See motion_preview.h.
+#include "app/gui/motion_preview.h"
+
+#include <utility>
+
+#include "app/gui/preferences.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kRestMilliseconds = 200;  ///< shorter, and a hand that slows down would see two pictures take turns
+
+}  // namespace
+
+MotionPreview::MotionPreview(Hooks hooks, QObject* parent)
+    : QObject(parent), hooks_(std::move(hooks)), chosen_(cheaperWhileMoving()) {
+  resting_.setSingleShot(true);
+  resting_.setInterval(kRestMilliseconds);
+  connect(&resting_, &QTimer::timeout, this, &MotionPreview::rest);
+}
+
+void MotionPreview::apply(bool enabled) {
+  if (enabled == enabled_) return;
+  enabled_ = enabled;
+  hooks_.allow(enabled);
+  if (!enabled) rest();
+  emit enabledChanged(enabled);
+}
+
+void MotionPreview::setEnabled(bool enabled) {
+  if (enabled == enabled_) return;
+  chosen_ = enabled;
+  keepCheaperWhileMoving(enabled);
+  apply(enabled);
+}
+
+void MotionPreview::setDefault(bool softwareRenderer) {
+  apply(chosen_.value_or(softwareRenderer));
+}
+
+void MotionPreview::moved() {
+  // Where nothing stands in for anything, there is nothing to come back from.
+  if (enabled_ && hooks_.setMoving(true)) resting_.start();
+}
+
+void MotionPreview::rest() {
+  if (!active()) return;
+  resting_.stop();
+  hooks_.setMoving(false);
+  emit cameToRest();
+}
+
+}  // namespace boxprobe
