@@ -43,7 +43,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--probes", options.probes, "off: no reflections of probes or sky, VTK's plain program")
       ->check(CLI::IsMember({"on", "off"}).description(""))
       ->type_name("on|off");
-  command.add_option("--frames", options.frames, "Of an animated technique: the mean of N frames. Of any other: draw N more. --stats holds their CPU times")
+  command
+      .add_option(
+          "--frames", options.frames,
+          "Of an animated technique: the mean of N frames. Of any other: draw N more. --stats holds their CPU times")
       ->check(CLI::Range(0, 100000).description(""))
       ->type_name("N");
   command

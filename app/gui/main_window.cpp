@@ -62,7 +62,8 @@ MainWindow::MainWindow()
                renderer_->step();
              });
            },
-           [this] { return renderer_->workProgress(); }, [this] { return renderer_->frameCount().more() && renderer_->error().empty(); }},
+           [this] { return renderer_->workProgress(); },
+           [this] { return renderer_->frameCount().more() && renderer_->error().empty(); }},
           this)),
       motion_(new MotionPreview({[this](bool allowed) { renderer_->allowStandIns(allowed); },
                                  [this](bool moving) { return renderer_->setMoving(moving); }},
@@ -118,10 +119,9 @@ void MainWindow::buildPanels() {
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(6);
-  for (QWidget* panel :
-       {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(bakePanel_), static_cast<QWidget*>(probePanel_),
-        static_cast<QWidget*>(capturePanel_), static_cast<QWidget*>(materialPanel_),
-        static_cast<QWidget*>(picturePanel_)}) {
+  for (QWidget* panel : {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(bakePanel_),
+                         static_cast<QWidget*>(probePanel_), static_cast<QWidget*>(capturePanel_),
+                         static_cast<QWidget*>(materialPanel_), static_cast<QWidget*>(picturePanel_)}) {
     layout->addWidget(panel);
   }
   layout->addStretch(1);

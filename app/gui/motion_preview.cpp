@@ -41,11 +41,13 @@ void MotionPreview::setDefault(bool softwareRenderer) {
 
 void MotionPreview::moved() {
   // Where nothing stands in for anything, there is nothing to come back from.
-  if (enabled_ && hooks_.setMoving(true)) resting_.start();
+  active_ = enabled_ && hooks_.setMoving(true);
+  if (active_) resting_.start();
 }
 
 void MotionPreview::rest() {
-  if (!active()) return;
+  if (!active_) return;
+  active_ = false;
   resting_.stop();
   hooks_.setMoving(false);
   emit cameToRest();

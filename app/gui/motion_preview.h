@@ -1,5 +1,5 @@
-// Cheaper techniques while something moves: says when the picture is in motion and when it has come to rest, as a setting
-// that is kept. Called by the main window; draws nothing itself.
+// Cheaper techniques while something moves: says when the picture is in motion and when it has come to rest, as a
+// setting that is kept. Called by the main window; draws nothing itself.
 #pragma once
 
 #include <QObject>
@@ -32,7 +32,7 @@ class MotionPreview : public QObject {
   /// Whatever moved was let go.
   void rest();
   /// A cheaper picture is shown until things come to rest.
-  bool active() const { return resting_.isActive(); }
+  bool active() const { return active_; }
 
  signals:
   void enabledChanged(bool enabled);
@@ -45,6 +45,7 @@ class MotionPreview : public QObject {
   Hooks hooks_;
   QTimer resting_;
   bool enabled_ = false;
+  bool active_ = false;
   std::optional<bool> chosen_;
 };
 

@@ -22,8 +22,8 @@ struct ParameterRow {
   std::vector<std::string_view> choices;  ///< Choice only
 
   /// Where it goes. A number is a uniform: a new value costs nothing. A choice selects code, so it is compiled in: the
-  /// first time a value is chosen a program is built, and nobody pays for what is not chosen. Both null: no technique
-  /// of this version reads it.
+  /// first time a value is chosen a program is built, and nobody pays for what is not chosen. Both null: it is about
+  /// the picture as a whole (`animated`, `blur`) or read by no technique of this version.
   float shading::TechniqueParameters::*number = nullptr;
   int shading::TechniqueParameters::*choice = nullptr;
 };

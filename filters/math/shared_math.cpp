@@ -69,7 +69,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/true_hit.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
-#include "shaders/shared/footprint.glsl"  // after roughness.glsl and lobe_frame.glsl, which it uses
+#include "shaders/shared/footprint.glsl"       // after roughness.glsl and lobe_frame.glsl, which it uses
 #include "shaders/shared/sample_pattern.glsl"  // after hash.glsl, which it uses
 #include "shaders/shared/visible_normal.glsl"
 #include "technique_files.inc"  // all of shaders/technique

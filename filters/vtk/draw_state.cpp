@@ -24,7 +24,8 @@ bool ProbeBinding::blueNoise() const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const std::vector<const ParameterRow*> read = parametersOf(technique(i));
     const auto chosen = static_cast<std::size_t>(probes[i]->geometry.parameters.*pattern->choice);
-    if (std::find(read.begin(), read.end(), pattern) != read.end() && pattern->choices.at(chosen) == "blue") return true;
+    if (std::find(read.begin(), read.end(), pattern) != read.end() && pattern->choices.at(chosen) == "blue")
+      return true;
   }
   return false;
 }
@@ -50,11 +51,16 @@ int ProbeBinding::animatedSamples() const {
   return samples;
 }
 
-bool ProbeBinding::blurred() const {
+bool ProbeBinding::blurred(std::size_t slot) const {
+  return probes[slot]->geometry.blurred && technique(slot) == probes[slot]->geometry.technique;
+}
+
+int ProbeBinding::blurredSamples() const {
+  int samples = 0;
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    if (probes[i]->geometry.blurred && technique(i) == probes[i]->geometry.technique) return true;
+    if (blurred(i)) samples = std::max(samples, static_cast<int>(probes[i]->geometry.parameters.samples));
   }
-  return false;
+  return samples;
 }
 
 std::vector<int> ProbeBinding::groups() const {
@@ -84,7 +90,7 @@ std::string ProbeBinding::variantKey() const {
   if (diffuse) key += 'd';
   const std::vector<int> group = groups();
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    key += " " + std::to_string(group[i]) + ":" + techniqueId(technique(i));
+    key += " " + std::to_string(group[i]) + ":" + techniqueId(technique(i)) + (blurred(i) ? "~" : "");
     for (const ParameterRow* row : parametersOf(technique(i))) {
       if (row->choice != nullptr) key += "/" + std::to_string(probes[i]->geometry.parameters.*row->choice);
     }

@@ -58,8 +58,10 @@ struct ProbeBinding {
   std::shared_ptr<const ProbeBinding> standIn() const;
   /// Is a technique that is drawn one whose picture is a mean of frames, and of how many rays a pixel and frame? 0: no.
   int animatedSamples() const;
-  /// Is what a technique samples smoothed afterwards?
-  bool blurred() const;
+  /// Is what a technique samples here smoothed afterwards?
+  bool blurred(std::size_t slot) const;
+  /// Rays a pixel and frame of those that are; 0: none is.
+  int blurredSamples() const;
   bool rotated() const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;

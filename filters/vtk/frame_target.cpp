@@ -60,13 +60,10 @@ void FrameTarget::allocate(int width, int height, int samples, int attachments) 
   if (samples > 1) {
     glGenFramebuffers(1, &sampled_);
     glBindFramebuffer(GL_FRAMEBUFFER, sampled_);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(attachments); ++i) {
-      buffers_[i] = makeBuffer(width, height, samples, GL_RGBA32F);
-      glFramebufferRenderbuffer(GL_FRAMEBUFFER, kBuffers[i], GL_RENDERBUFFER, buffers_[i]);
-    }
+    sampledColor_ = makeBuffer(width, height, samples, GL_RGBA32F);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, sampledColor_);
     sampledDepth_ = makeBuffer(width, height, samples, GL_DEPTH_COMPONENT32F);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sampledDepth_);
-    drawTo(true);
     complete = complete && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   }
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture));
@@ -89,13 +86,8 @@ void FrameTarget::resolve(vtkOpenGLRenderWindow* window) const {
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(attachments_); ++i) {
-    glReadBuffer(kBuffers[i]);
-    glDrawBuffer(kBuffers[i]);
-    const GLbitfield depth = i == 0 ? GL_DEPTH_BUFFER_BIT : 0;
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT | depth, GL_NEAREST);
-  }
-  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  const GLbitfield both = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, both, GL_NEAREST);
   state->PopFramebufferBindings();
 }
 
@@ -103,16 +95,13 @@ void FrameTarget::release() {
   if (resolved_ != 0) glDeleteFramebuffers(1, &resolved_);
   if (sampled_ != 0) glDeleteFramebuffers(1, &sampled_);
   if (depth_ != 0) glDeleteTextures(1, &depth_);
+  if (sampledColor_ != 0) glDeleteRenderbuffers(1, &sampledColor_);
   if (sampledDepth_ != 0) glDeleteRenderbuffers(1, &sampledDepth_);
   for (GLuint& texture : textures_) {
     if (texture != 0) glDeleteTextures(1, &texture);
     texture = 0;
   }
-  for (GLuint& buffer : buffers_) {
-    if (buffer != 0) glDeleteRenderbuffers(1, &buffer);
-    buffer = 0;
-  }
-  resolved_ = sampled_ = depth_ = sampledDepth_ = 0;
+  resolved_ = sampled_ = depth_ = sampledColor_ = sampledDepth_ = 0;
 }
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// One frame in linear light: float colour, further attachments if asked for, and depth, drawn at one or several samples a
-// pixel and resolved to textures. Called by vtkPicturePass; knows no scene. Every function needs the window's context
+// One frame in linear light: float colour, further attachments if asked for, and depth, drawn at one or several samples
+// a pixel and resolved to textures. Called by vtkPicturePass; knows no scene. Every function needs the window's context
 // current.
 #pragma once
 
@@ -21,7 +21,8 @@ class FrameTarget {
   FrameTarget(const FrameTarget&) = delete;
   FrameTarget& operator=(const FrameTarget&) = delete;
 
-  /// `samples`: 0 or 1 for one a pixel. Keeps what it has when nothing differs. Throws WorkError if the driver refuses.
+  /// `samples`: 0 or 1 for one a pixel; several for colour alone. Keeps what it has when nothing differs. Throws
+  /// WorkError if the driver refuses.
   void allocate(int width, int height, int samples, int attachments);
   void release();
 
@@ -42,8 +43,7 @@ class FrameTarget {
   int width_ = 0, height_ = 0, samples_ = 0, attachments_ = 0;
   GLuint resolved_ = 0, depth_ = 0;
   std::array<GLuint, kMostAttachments> textures_{};
-  GLuint sampled_ = 0, sampledDepth_ = 0;  // several samples a pixel: render buffers
-  std::array<GLuint, kMostAttachments> buffers_{};
+  GLuint sampled_ = 0, sampledColor_ = 0, sampledDepth_ = 0;  // several samples a pixel: render buffers
 };
 
 }  // namespace boxprobe

@@ -21,8 +21,8 @@ std::string joinShaderSources(const std::vector<std::string>& files) {
 FullScreenPass::FullScreenPass(const std::vector<std::string>& files, Counters* counters)
     : name_(files.back()), source_(joinShaderSources(files)), counters_(counters) {}
 
-FullScreenPass::FullScreenPass(std::string name, std::string source)
-    : name_(std::move(name)), source_(std::move(source)) {}
+FullScreenPass::FullScreenPass(std::string name, std::string source, Counters* counters)
+    : name_(std::move(name)), source_(std::move(source)), counters_(counters) {}
 
 FullScreenPass::~FullScreenPass() = default;
 

@@ -22,7 +22,7 @@ class FullScreenPass {
   /// `files` below shaders/, in order; the last one holds main(). `counters` (may be null) learns of the compilation.
   FullScreenPass(const std::vector<std::string>& files, Counters* counters);
   /// A fragment shader as text; `name` stands for it in messages.
-  FullScreenPass(std::string name, std::string source);
+  FullScreenPass(std::string name, std::string source, Counters* counters = nullptr);
   ~FullScreenPass();
   FullScreenPass(const FullScreenPass&) = delete;
   FullScreenPass& operator=(const FullScreenPass&) = delete;

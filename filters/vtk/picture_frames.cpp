@@ -41,11 +41,12 @@ int PictureFrames::raysAFrame() const {
   return rays;
 }
 
-bool PictureFrames::blurs() const {
-  return std::any_of(content_->objects.begin(), content_->objects.end(), [this](const DrawnObject& object) {
-    const ProbeBinding* binding = drawn(object);
-    return binding != nullptr && binding->blurred();
-  });
+int PictureFrames::blurredRays() const {
+  int rays = 0;
+  for (const DrawnObject& object : content_->objects) {
+    if (const ProbeBinding* binding = drawn(object)) rays = std::max(rays, binding->blurredSamples());
+  }
+  return rays;
 }
 
 int PictureFrames::wanted() const {
@@ -93,7 +94,9 @@ vtkSmartPointer<vtkPicturePass> PictureFrames::makePass() const {
 void PictureFrames::beginFrame(bool plain) {
   const int frames = wanted();
   plain_ = plain;
-  active_ = !plain && (frames > 0 || blurs());
+  const int rays = plain ? 0 : blurredRays();
+  active_ = !plain && (frames > 0 || rays > 0);
+  for (const DrawnObject& object : content_->objects) object.mapper->SetApart(rays > 0);
   if (!active_) {
     if (screen_) renderer_->SetPass(nullptr);
     return;
@@ -109,6 +112,8 @@ void PictureFrames::beginFrame(bool plain) {
     if (object.settings.visible) screen_->Props.push_back(object.actor);
   }
   screen_->Props.push_back(content_->sky);
+  screen_->Sky = content_->sky;
+  screen_->BlurredRays = rays;
   screen_->Width = shown_.size[0];
   screen_->Height = shown_.size[1];
   screen_->Samples = shown_.size[2];
@@ -117,10 +122,14 @@ void PictureFrames::beginFrame(bool plain) {
 }
 
 vtkPicturePass* PictureFrames::linearPass(int frames) {
-  if (!blurs() && (frames <= 1 || !averages())) return nullptr;
+  const int rays = blurredRays();
+  for (const DrawnObject& object : content_->objects) object.mapper->SetApart(rays > 0);
+  if (rays == 0 && (frames <= 1 || !averages())) return nullptr;
   if (!linear_) linear_ = makePass();
   linear_->Restart();
-  linear_->Limit = frames;
+  linear_->Limit = averages() ? frames : 1;
+  linear_->BlurredRays = rays;
+  linear_->Sky = content_->sky;
   return linear_;
 }
 

@@ -1,5 +1,5 @@
-// Pictures that are means of frames, or whose reflections are smoothed: says when a frame continues the picture before it
-// and when it begins another, so that nothing of an earlier moment is ever left in it. Owned by the scene renderer;
+// Pictures that are means of frames, or whose reflections are smoothed: says when a frame continues the picture before
+// it and when it begins another, so that nothing of an earlier moment is ever left in it. Owned by the scene renderer;
 // while no technique asks for it, nothing of it exists on the graphics side.
 #pragma once
 
@@ -25,7 +25,8 @@ class PictureFrames {
 
   /// The scene is another one than in the frame before.
   void sceneChanged() { ++generation_; }
-  /// Before each frame of the window. `plain`: no surface shows a picture of a technique (a debug view).
+  /// Before each frame of the window, whose surfaces are then as they will be drawn. `plain`: no surface shows a
+  /// picture of a technique (a debug view).
   void beginFrame(bool plain);
   /// Does a technique that is drawn ask for a mean of frames?
   bool averages() const { return raysAFrame() > 0; }
@@ -50,7 +51,7 @@ class PictureFrames {
   Key key() const;
   const ProbeBinding* drawn(const DrawnObject& object) const;
   int raysAFrame() const;
-  bool blurs() const;
+  int blurredRays() const;
   int wanted() const;
   vtkSmartPointer<vtkPicturePass> makePass() const;
 

@@ -7,6 +7,7 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkOverlayPass.h>
+#include <vtkProp.h>
 #include <vtkRenderPassCollection.h>
 #include <vtkRenderState.h>
 #include <vtkRenderer.h>
@@ -39,6 +40,7 @@ vtkPicturePass::~vtkPicturePass() = default;
 void vtkPicturePass::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
   this->State = std::move(state);
   this->Average = std::make_unique<boxprobe::FrameAverage>(&this->State->counters);
+  this->Blur = std::make_unique<boxprobe::ReflectionBlur>(&this->State->counters);
   this->Presented = std::make_unique<boxprobe::FullScreenPass>(
       std::vector<std::string>{"gpu/output_uniforms.glsl", "gpu/output.glsl", "gpu/present_picture.glsl"},
       &this->State->counters);
@@ -75,7 +77,13 @@ void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
     this->DrawFrame(renderer, pictured);
     std::copy(range, range + 2, this->DepthRange);
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    if (!complete) this->Average->add(window, this->Frame);
+    if (!complete) {
+      this->Average->add(window, this->Frame);
+    }
+    if (this->BlurredRays > 0) {
+      this->Blur->draw(window, renderer->GetActiveCamera(), this->Average->sums(), this->Average->frames(), this->Frame,
+                       this->BlurredRays * this->Average->frames());
+    }
   }
   this->Present(renderer);
   if (this->Framebuffer != 0) return;
@@ -84,21 +92,56 @@ void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
   this->OnTop->Render(&onTop);
 }
 
+// Several samples a pixel resolved first would mix the surfaces at an edge, which smoothing has to tell apart: it is
+// done on a finer picture instead.
+int vtkPicturePass::Finer() const {
+  return this->BlurredRays > 0 && this->Samples > 1 ? 2 : 1;
+}
+
 void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*>& props) {
   boxprobe::DrawState& state = *this->State;
-  this->Frame.allocate(this->Width, this->Height, this->Samples, 1);
+  const bool apart = this->BlurredRays > 0;
+  const int finer = this->Finer();
+  this->Frame.allocate(finer * this->Width, finer * this->Height, finer > 1 ? 0 : this->Samples,
+                       apart ? boxprobe::FrameTarget::kMostAttachments : 1);
   this->Target->Framebuffer = this->Frame.framebuffer();
-  this->Target->Viewport[2] = this->Width;
-  this->Target->Viewport[3] = this->Height;
-  this->Target->Props = props;
-  vtkRenderState content(renderer);
+  this->Target->Viewport[2] = this->Frame.width();
+  this->Target->Viewport[3] = this->Frame.height();
   const float exposure = state.exposure;
   state.exposure = -1.0f;
   state.frame = this->Average->frames();
-  this->Target->Render(&content);
+  if (!apart) {
+    this->DrawProps(renderer, props, true, true);
+  } else {
+    // Opaque surfaces overwrite every attachment; the sky knows of the first alone; what is translucent is blended over
+    // both.
+    std::vector<vtkProp*> opaque, sky, translucent;
+    for (vtkProp* prop : props) {
+      const bool blended = prop != this->Sky && prop->HasTranslucentPolygonalGeometry() != 0;
+      (prop == this->Sky ? sky : blended ? translucent : opaque).push_back(prop);
+    }
+    this->DrawProps(renderer, opaque, true, false);
+    this->DrawProps(renderer, sky, false, false);
+    this->DrawProps(renderer, translucent, false, true);
+  }
   state.frame = 0;
   state.exposure = exposure;
   this->Frame.resolve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+}
+
+void vtkPicturePass::DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool clear, bool blend) {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const bool every = props.empty() || props.front() != this->Sky;
+  {
+    const boxprobe::PassState saved(window);
+    window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Frame.framebuffer());
+    this->Frame.drawTo(every);
+  }
+  this->Target->Clear = clear;
+  this->Target->Blend = blend;
+  this->Target->Props = props;
+  vtkRenderState content(renderer);
+  this->Target->Render(&content);
 }
 
 void vtkPicturePass::Present(vtkRenderer* renderer) {
@@ -123,12 +166,14 @@ void vtkPicturePass::Present(vtkRenderer* renderer) {
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_ALWAYS);
   state->vtkglDepthMask(GL_TRUE);
-  const boxprobe::BoundTexture color(window, GL_TEXTURE_2D, sums.texture(0));
+  const bool blurred = this->BlurredRays > 0;
+  const boxprobe::BoundTexture color(window, GL_TEXTURE_2D, blurred ? this->Blur->color() : sums.texture(0));
   const boxprobe::BoundTexture depth(window, GL_TEXTURE_2D, this->Frame.depth());
   this->Presented->draw(window, [&](vtkShaderProgram* program) {
     program->SetUniformi("bpColor", color.unit());
     program->SetUniformi("bpDepth", depth.unit());
-    program->SetUniformf("bpScale", 1.0f / static_cast<float>(std::max(this->Average->frames(), 1)));
+    program->SetUniformi("bpFiner", this->Finer());
+    program->SetUniformf("bpScale", blurred ? 1.0f : 1.0f / static_cast<float>(std::max(this->Average->frames(), 1)));
     program->SetUniformf("bpExposure", this->Framebuffer == 0 ? this->State->exposure : -1.0f);
   });
 }
@@ -136,6 +181,7 @@ void vtkPicturePass::Present(vtkRenderer* renderer) {
 void vtkPicturePass::ReleaseTargets() {
   this->Frame.release();
   if (this->Average) this->Average->releaseSums();
+  if (this->Blur) this->Blur->releaseTargets();
 }
 
 void vtkPicturePass::ReleaseGraphicsResources(vtkWindow* window) {
@@ -144,5 +190,6 @@ void vtkPicturePass::ReleaseGraphicsResources(vtkWindow* window) {
   this->OnTop->ReleaseGraphicsResources(window);
   this->Frame.release();
   if (this->Average) this->Average->release();
+  if (this->Blur) this->Blur->release();
   if (this->Presented) this->Presented->release();
 }

@@ -16,6 +16,7 @@
 
 #include "filters/vtk/draw_state.h"
 #include "filters/vtk/frame_average.h"
+#include "filters/vtk/reflection_blur.h"
 
 class vtkProp;
 class vtkSequencePass;
@@ -33,6 +34,8 @@ class vtkPicturePass : public vtkRenderPass {
   unsigned int Framebuffer = 0;
   int Width = 1, Height = 1;  ///< pixels
   int Samples = 0;            ///< a pixel, of every frame
+  int BlurredRays = 0;        ///< a pixel and frame, where what is sampled is smoothed; 0: it is not
+  vtkProp* Sky = nullptr;     ///< of Props: what has no reflection to keep apart and is drawn behind all others
   int Limit = 1;              ///< frames; once there are as many, further renders show what there is
 
   /** What is shown changed: the next frame is the first. */
@@ -49,13 +52,16 @@ class vtkPicturePass : public vtkRenderPass {
   ~vtkPicturePass() override;
 
  private:
+  int Finer() const;
   void RenderPicture(const vtkRenderState* s);
   void DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
+  void DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool clear, bool blend);
   void Present(vtkRenderer* renderer);
 
   std::shared_ptr<boxprobe::DrawState> State;
   std::unique_ptr<boxprobe::FrameAverage> Average;
   std::unique_ptr<boxprobe::FullScreenPass> Presented;
+  std::unique_ptr<boxprobe::ReflectionBlur> Blur;
   boxprobe::FrameTarget Frame;
   vtkNew<vtkTargetPass> Target;
   vtkNew<vtkSequencePass> OnTop;

@@ -58,6 +58,13 @@ void vtkProbePolyDataMapper::UpdateDrawn() {
   }
 }
 
+void vtkProbePolyDataMapper::SetApart(bool apart) {
+  if (apart != this->Apart) {
+    this->Apart = apart;
+    this->Modified();
+  }
+}
+
 void vtkProbePolyDataMapper::SetDebug(bool debug) {
   if (debug != this->Debug) {
     this->Debug = debug;
@@ -72,7 +79,13 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
     return;
   }
   std::string source = shaders[vtkShader::Fragment]->GetSource();
-  const std::string failure = boxprobe::splicePbr(source, *this->Drawn, this->Debug);
+  using boxprobe::SurfaceOutput;
+  const bool samples = this->Drawn->blurredSamples() > 0 && !actor->HasTranslucentPolygonalGeometry();
+  const SurfaceOutput output = this->Debug    ? SurfaceOutput::Debug
+                               : !this->Apart ? SurfaceOutput::Picture
+                               : samples      ? SurfaceOutput::ReflectionApart
+                                              : SurfaceOutput::NothingApart;
+  const std::string failure = boxprobe::splicePbr(source, *this->Drawn, output);
   if (!failure.empty() && this->State->error.empty()) {
     this->State->error = failure;
   }
@@ -218,7 +231,7 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
           this->Bind(renderer, GL_TEXTURE_CUBE_MAP, known ? maps->distance.handle() : this->State->blackCube));
     }
   }
-  if (this->Binding->blueNoise()) {
+  if (this->Drawn->blueNoise()) {
     boxprobe::makeBlueNoise(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), *this->State);
     program->SetUniformi("bpBlueNoise", this->Bind(renderer, GL_TEXTURE_2D, this->State->blueNoise));
   }

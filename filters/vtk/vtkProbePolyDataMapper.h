@@ -26,6 +26,9 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */
   void SetStandIn(bool standIn);
+  /** Keeps what techniques sample apart from the rest, in further attachments (see reflection_apart.glsl). */
+  void SetApart(bool apart);
+  bool GetApart() const { return this->Apart; }
   /** The binding as it is drawn. */
   const boxprobe::ProbeBinding* GetDrawnBinding() const { return this->Drawn.get(); }
   const boxprobe::ProbeBinding* GetBinding() const { return this->Binding.get(); }
@@ -61,6 +64,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<const boxprobe::ProbeBinding> Binding;
   std::shared_ptr<const boxprobe::ProbeBinding> Drawn;
   bool StandIn = false;
+  bool Apart = false;
   std::string VariantKey;
   bool Debug = false;
   int ObjectNumber = 0;

@@ -41,7 +41,9 @@ void vtkTargetPass::Render(const vtkRenderState* s) {
   } else {
     state->vtkglDisable(GL_BLEND);
   }
-  renderer->Clear();
+  if (this->Clear) {
+    renderer->Clear();
+  }
   vtkRenderState content(renderer);
   content.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
   this->Content->Render(&content);

@@ -26,6 +26,7 @@ class vtkTargetPass : public vtkRenderPass {
   /// x, y, width, height in pixels of the framebuffer; may reach beyond it, to draw a part of a larger picture.
   int Viewport[4] = {0, 0, 1, 1};
   bool Blend = true;
+  bool Clear = true;  ///< before it draws
   std::vector<vtkProp*> Props;
 
   void Render(const vtkRenderState* s) override;

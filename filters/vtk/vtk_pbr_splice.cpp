@@ -119,6 +119,7 @@ std::string parameterAssignments(const ProbeBinding& binding, std::size_t slot) 
   const DrawnProbe& probe = *binding.probes[slot];
   std::string text;
   for (const ParameterRow* row : parametersOf(binding.technique(slot))) {
+    if (row->number == nullptr && row->choice == nullptr) continue;  // of the picture, not of the lookup
     const std::string value = row->choice != nullptr ? std::to_string(probe.geometry.parameters.*row->choice)
                                                      : parameterUniform(*row) + "[" + std::to_string(slot) + "]";
     text += "  probe.parameters." + std::string(row->name) + " = " + value + ";\n";
@@ -137,6 +138,7 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
     replaceAll(piece, "@PROJECTION@", std::to_string(technique.projection));
     replaceAll(piece, "@EVALUATE@",
                std::string(evaluationRows()[static_cast<std::size_t>(technique.evaluation)].function));
+    replaceAll(piece, "@SMOOTHED@", binding.blurred(slot) ? "1.0f" : "0.0f");
     replaceAll(piece, "@PARAMETERS@", parameterAssignments(binding, slot));
     text += piece;
   }
@@ -174,10 +176,12 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n#define DISTANCE_MAP "
          "samplerCube\n" +
          (debug ? joinShaderSources({"gpu/debug_distance.glsl", "shared/true_hit.glsl"}) : std::string()) +
-         joinShaderSources({"gpu/fetch_probe.glsl", "gpu/fetch_blue_noise.glsl", "shared/level_curve.glsl"}) + joinShaderSources(evaluationFiles);
+         joinShaderSources({"gpu/fetch_probe.glsl", "gpu/fetch_blue_noise.glsl", "shared/level_curve.glsl"}) +
+         joinShaderSources(evaluationFiles);
 }
 
-std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
+std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output) {
+  const bool debug = output == SurfaceOutput::Debug;
   const std::vector<int> groups = binding.groups();
   std::string lighting(shaderSource("gpu/probe_lighting.glsl"));
   const bool distances = debug || binding.distances();
@@ -197,7 +201,7 @@ std::string probeDeclarations(const ProbeBinding& binding, bool debug) {
   };
   return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
          define("BP_SKY", binding.sky) + define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
-         define("BP_BLUE_NOISE", binding.blueNoise()) +
+         define("BP_SAMPLED", output == SurfaceOutput::ReflectionApart) + define("BP_BLUE_NOISE", binding.blueNoise()) +
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
          std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", "shared/weights.glsl",
@@ -211,15 +215,16 @@ std::string parameterUniform(const ParameterRow& row) {
   return "bp_" + std::string(row.name);
 }
 
-std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, bool debug) {
+std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, SurfaceOutput writes) {
   if (fragmentSource.find(kPbrMark) == std::string::npos) return {};
   const bool coat = fragmentSource.find(kCoatMark) != std::string::npos;
   const bool probes = binding.lighting == Lighting::Probes;
   const bool unlit = binding.lighting == Lighting::Unlit;
+  const bool debug = writes == SurfaceOutput::Debug;
 
   std::string text = fragmentSource;
   std::string declarations =
-      probes ? probeDeclarations(binding, debug) : std::string(shaderSource("gpu/output_uniforms.glsl"));
+      probes ? probeDeclarations(binding, writes) : std::string(shaderSource("gpu/output_uniforms.glsl"));
   declarations += shaderSource("gpu/output.glsl");
   if (debug) {
     if (!probes) declarations += "uniform mat3 bpViewToWorld;\nuniform int bpView;\n";
@@ -237,6 +242,12 @@ std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, 
   std::string output = unlit ? "color = emissiveColor;\n" : "";
   output += debug ? "color = bpViewColor(color);\n" : "color = bpOutput(color);\n";
   if (debug) output += shaderSource("gpu/surface_output.glsl");
+  if (writes == SurfaceOutput::ReflectionApart || writes == SurfaceOutput::NothingApart) {
+    // A surface without probes has nothing to keep apart, whatever it was asked.
+    const bool sampled = probes && writes == SurfaceOutput::ReflectionApart;
+    output += std::string("#define BP_APART ") + (sampled ? "1\n" : "2\n");
+    output += shaderSource("gpu/reflection_apart.glsl");
+  }
   if (!replaceOnce(text, kOutput, output)) {
     return missing("output", kOutput);
   }

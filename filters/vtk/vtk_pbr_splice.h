@@ -9,12 +9,19 @@
 
 namespace boxprobe {
 
+/// What a program writes.
+enum class SurfaceOutput {
+  Picture,          ///< the colour
+  Debug,            ///< any row of surfaceViews(), and what the surface is into further attachments
+  ReflectionApart,  ///< the colour, and what its techniques sample into further attachments
+  NothingApart,     ///< the same of a surface that keeps nothing apart
+};
+
 /// Edits `fragmentSource` in place. Returns an empty string, or one line naming VTK's version and the anchor that is
 /// not there (the source is then unchanged). A shader without physically based shading (no light, lines, points) has
 /// nothing to splice and is left as it is.
-/// With `debug` the program is one of the debug view: it can show any row of surfaceViews() and writes what the surface
-/// is into further attachments.
-std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, bool debug = false);
+std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding,
+                      SurfaceOutput output = SurfaceOutput::Picture);
 
 /// Name of the uniform array that holds a number of `row` for each of a draw's probes.
 std::string parameterUniform(const ParameterRow& row);

@@ -3,11 +3,17 @@
 uniform sampler2D bpColor;
 uniform sampler2D bpDepth;
 uniform float bpScale;    // 1 / frames
+uniform int bpFiner;      // texels along each side of a pixel
 
 void main()
 {
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  vec4 mean = texelFetch(bpColor, at, 0) * bpScale;
+  ivec2 at = ivec2(gl_FragCoord.xy) * bpFiner;
+  vec4 sum = vec4(0.0f);
+  for (int y = 0; y < bpFiner; ++y)
+  {
+    for (int x = 0; x < bpFiner; ++x) { sum += texelFetch(bpColor, at + ivec2(x, y), 0); }
+  }
+  vec4 mean = sum * (bpScale / float(bpFiner * bpFiner));
   gl_FragData[0] = vec4(bpOutput(mean.rgb), mean.a);
   gl_FragDepth = texelFetch(bpDepth, at, 0).r;
 }

@@ -5,6 +5,7 @@
 //   BP_WEIGHTS   0 if the draw lies where its one probe has full weight
 //   BP_SKY       0 if the probes leave nothing to the sky anywhere in the draw
 //   BP_DEBUG     1 in the debug view's programs, which note what the lookups were
+//   BP_SAMPLED   1 if what techniques sample is kept apart, to be smoothed
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
@@ -44,6 +45,9 @@ struct BpLight
 {
   vec3 specular;
   vec3 irradiance;
+#if BP_SAMPLED
+  vec3 sampled;  // of `specular`: what is to be smoothed
+#endif
 };
 
 //BP::Distances
@@ -60,6 +64,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   BpLight light;
   light.specular = vec3(0.0f);
   light.irradiance = vec3(0.0f);
+#if BP_SAMPLED
+  light.sampled = vec3(0.0f);
+#endif
   float remaining = 1.0f;
 #if BP_DEBUG
   if (!bpCoat)

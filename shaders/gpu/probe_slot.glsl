@@ -30,7 +30,11 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   bpLevelSum = 0.0f;
   bpFetches = 0.0f;
 #endif
-  light.specular += weight * @EVALUATE@(bpMap@SLOT@, probe, point).rgb;
+  vec3 reflected = weight * @EVALUATE@(bpMap@SLOT@, probe, point).rgb;
+  light.specular += reflected;
+#if BP_SAMPLED
+  light.sampled += @SMOOTHED@ * reflected;
+#endif
 #if BP_DIFFUSE
   light.irradiance += weight * shIrradiance(normal, bpSh[9 * @SLOT@], bpSh[9 * @SLOT@ + 1], bpSh[9 * @SLOT@ + 2],
                                             bpSh[9 * @SLOT@ + 3], bpSh[9 * @SLOT@ + 4], bpSh[9 * @SLOT@ + 5],

@@ -214,5 +214,33 @@ TEST_F(Render, SceneWithoutProbesShowsTheSky) {
   EXPECT_NEAR(image.pixels[2], 0.75, 2e-3);
 }
 
+TEST_F(Render, FramesOfAnAnimatedTechniqueAreAveraged) {
+  const std::string probe = "probes." + firstProbe("room") + ".";
+  const std::vector<std::string> noisy = {
+      "--technique", "raytraced",           "--samples", "1",
+      "--set",       probe + "faceSize=32", "--set",     probe + "parameters={\"samples\":1,\"animated\":true}"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), noisy.begin(), noisy.end());
+    return more;
+  };
+  const ImageRgbaF one = loadHdrImage(render("room", "one.exr", with({})));
+  const ImageRgbaF mean = loadHdrImage(render("room", "mean.exr", with({"--frames", "64"})));
+  const json stats = renderStats("room", with({"--frames", "64"}));
+  EXPECT_EQ(stats["times"]["frames"], 64);
+  EXPECT_EQ(stats["counters"]["renders"], 64);
+  const ImageRgba8 shown = loadImage8(folder.path("stats.png"));
+  double noise = 0.0, difference = 0.0;
+  for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
+    if (i % 4 == 3) continue;
+    const auto display = [](float x) {
+      return std::min(255.0, 255.0 * std::pow(std::max(0.0, static_cast<double>(x)), 1.0 / 2.2));
+    };
+    noise = std::max(noise, std::abs(display(one.pixels[i]) - display(mean.pixels[i])));
+    difference = std::max(difference, std::abs(display(mean.pixels[i]) - shown.pixels[i]));
+  }
+  EXPECT_GT(noise, 30.0) << "a frame of one ray is far from the mean";
+  EXPECT_LE(difference, 1.0) << "PNG and EXR show the same mean";
+}
+
 }  // namespace
 }  // namespace boxprobe::test

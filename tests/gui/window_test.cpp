@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QWindow>
 
+#include "app/gui/motion_preview.h"
 #include "app/gui/probe_widget.h"
 #include "app/gui/render_scheduler.h"
 #include "app/gui/viewport.h"
@@ -48,7 +49,7 @@ void WindowTest::waitUntilIdle() {
   constexpr int kMilliseconds = 120000;
   const bool done = QTest::qWaitFor(
       [this] {
-        return window_->scheduler().idle() &&
+        return window_->scheduler().idle() && !window_->motionPreview().active() &&
                (!window_->renderer().workPending() || window_->scheduler().workStopped());
       },
       kMilliseconds);

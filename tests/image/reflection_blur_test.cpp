@@ -1,0 +1,76 @@
+// Smoothing of sampled reflections: nearer to the integral with few rays, at edges too, and nothing else touched.
+#include <gtest/gtest.h>
+
+#include "filters/reference/metrics.h"
+#include "tests/image/noisy_room.h"
+
+namespace {
+
+using namespace boxprobe;
+using namespace boxprobe::test;
+
+ImageRgbaF drawn(ScenePicture& picture, double samples, bool blur, int frames = 1) {
+  setParameters(picture, {{"samples", samples}, {"blur", blur}, {"animated", frames > 1}});
+  return picture.renderer->renderLinear(kWidth, kHeight, 1, frames);
+}
+
+TEST(ReflectionBlur, LowersTheErrorOfFewRays) {
+  for (const float roughness : {0.2f, 0.35f, 0.5f, 0.75f}) {
+    ScenePicture picture(noisyRoom(4), kWidth, kHeight);
+    picture.scene.materials["floor"].roughness = roughness;
+    picture.show(mainCamera(picture.scene));
+    const NoisyRoomTruth truth = truthOf(picture);
+    for (const double samples : {1.0, 4.0, 16.0, 64.0}) {
+      const ImageRgbaF sharp = drawn(picture, samples, false), smooth = drawn(picture, samples, true);
+      const double before = pictureError(sharp, truth.picture, truth.rough).toneMappedRmse;
+      const double after = pictureError(smooth, truth.picture, truth.rough).toneMappedRmse;
+      const double edgesBefore = pictureError(sharp, truth.picture, truth.edges).toneMappedRmse;
+      const double edgesAfter = pictureError(smooth, truth.picture, truth.edges).toneMappedRmse;
+      std::printf("  roughness %.2f, %2.0f rays: %.4f -> %.4f, at edges %.4f -> %.4f\n", static_cast<double>(roughness),
+                  samples, before, after, edgesBefore, edgesAfter);
+      if (samples == 1.0 || samples == 64.0) continue;
+      EXPECT_LT(after, before) << roughness << ", " << samples;
+      EXPECT_LT(edgesAfter, 1.05 * edgesBefore) << roughness << ", " << samples;
+    }
+    const double plain = pictureError(drawn(picture, 1.0, false, 16), truth.picture, truth.rough).toneMappedRmse;
+    const double both = pictureError(drawn(picture, 1.0, true, 16), truth.picture, truth.rough).toneMappedRmse;
+    std::printf("  roughness %.2f, 16 frames of one ray: %.4f -> %.4f\n", static_cast<double>(roughness), plain, both);
+    EXPECT_LT(both, plain) << roughness;
+  }
+}
+
+TEST(ReflectionBlur, TouchesNothingElse) {
+  ScenePicture picture(noisyRoom(4), kWidth, kHeight);
+  picture.show(mainCamera(picture.scene));
+  const NoisyRoomTruth truth = truthOf(picture);
+  const ImageRgbaF sharp = drawn(picture, 4.0, false), smooth = drawn(picture, 4.0, true);
+  int unlit = 0;
+  for (std::size_t i = 0; i < truth.rough.size(); ++i) {
+    if (truth.reflecting[i]) continue;
+    ++unlit;
+    for (std::size_t c = 0; c < 4; ++c) ASSERT_EQ(smooth.pixels[4 * i + c], sharp.pixels[4 * i + c]) << i;
+  }
+  EXPECT_GT(unlit, 500);
+  // A mirror's picture is all detail.
+  picture.scene.materials["floor"].roughness = 0.0f;
+  const ImageRgbaF mirror = drawn(picture, 4.0, false), same = drawn(picture, 4.0, true);
+  EXPECT_LT(pictureError(same, mirror).toneMappedRmse, 1e-6);
+}
+
+// The window shows what the linear picture holds; switched off, its programs and its picture are those of before.
+TEST(ReflectionBlur, IsTheSameInTheWindowAndLeavesNothingBehind) {
+  ScenePicture picture(noisyRoom(4), kWidth, kHeight);
+  setParameters(picture, {{"samples", 4.0}});
+  const ImageRgba8 before = picture.display();
+  const ImageRgbaF smooth = drawn(picture, 4.0, true);
+  const ImageRgba8 shown = picture.display();
+  const std::uint64_t programs = picture.renderer->counters().programsCompiled;
+  EXPECT_FALSE(shown.pixels == before.pixels);
+  EXPECT_LE(largestDifference(shown, smooth, picture.scene.exposure), 0.6);
+  EXPECT_TRUE(picture.display().pixels == shown.pixels);
+  setParameters(picture, {{"samples", 4.0}});
+  EXPECT_TRUE(picture.display().pixels == before.pixels);
+  EXPECT_EQ(picture.renderer->counters().programsCompiled, programs);
+}
+
+}  // namespace
