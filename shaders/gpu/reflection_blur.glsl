@@ -18,7 +18,7 @@ uniform float bpColorScale;     // 1 / frames
 #endif
 
 const float kWidest = 9.0f;      // variance in pixels²: beyond, what is smoothed is no longer noise
-const float kOfLobe = 0.5f;      // standard deviation over alpha, in heights of the picture: a lobe's own detail on the screen
+const float kOfLobe = 0.35f;     // standard deviation over alpha, in heights of the picture: a lobe's own detail on the screen
 const float kQuietRays = 24.0f;  // with so many rays half the variance will do
 
 vec3 place(ivec2 pixel, float depth)
