@@ -2,6 +2,7 @@
 #include "filters/io/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -28,12 +29,47 @@ std::string temporaryName(const std::filesystem::path& target) {
   return (target.parent_path() / ("." + target.stem().string() + "." + unique + target.extension().string())).string();
 }
 
-/// Owns the name until the rename: removes the file if that never happens.
+/// One that a process which was killed left behind for the same target? (".room.1234-0.exr" for "room.exr")
+bool isTemporaryOf(const std::filesystem::path& target, const std::string& name) {
+  const std::string start = "." + target.stem().string() + ".", end = target.extension().string();
+  if (name.size() <= start.size() + end.size() || name.compare(0, start.size(), start) != 0) return false;
+  if (name.compare(name.size() - end.size(), end.size(), end) != 0) return false;
+  const std::string unique = name.substr(start.size(), name.size() - start.size() - end.size());
+  const std::size_t dash = unique.find('-');
+  return dash != std::string::npos && dash > 0 && dash + 1 < unique.size() &&
+         unique.find_first_not_of("0123456789-") == std::string::npos &&
+         unique.find('-', dash + 1) == std::string::npos;
+}
+
+/// Whoever writes one holds a lock on it, which ends with its process: one that can be locked has no writer any more.
+void removeLeftovers(const std::filesystem::path& target, const std::filesystem::path& folder) {
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (!isTemporaryOf(target, it->path().filename().string())) continue;
+    const int descriptor = ::open(it->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0) continue;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(it->path().c_str());
+    ::close(descriptor);
+  }
+}
+
+/// Owns the name, and a lock on the file, until the rename: removes the file if that never happens.
 class Temporary {
  public:
   explicit Temporary(std::string name) : name_(std::move(name)) {}
   ~Temporary() {
     if (!released_) ::unlink(name_.c_str());
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  /// Exclusively; false if that is not possible here.
+  bool create() {
+    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      released_ = true;  // it is not ours to remove
+      return false;
+    }
+    ::flock(descriptor_, LOCK_EX | LOCK_NB);  // a file system without locks has no leftovers removed, that is all
+    return true;
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
@@ -43,6 +79,7 @@ class Temporary {
  private:
   std::string name_;
   bool released_ = false;
+  int descriptor_ = -1;
 };
 
 void flush(const std::string& file, int flags, const std::string& path) {
@@ -77,11 +114,10 @@ void writeAtomically(const std::string& path, const std::function<void(const std
     throw WorkError(path + ": the folder " + folder.string() + " does not exist; make it first");
   }
 
+  removeLeftovers(target, folder);
   Temporary temporary(temporaryName(target));
   // Made here, exclusively, so that a folder one may not write to is named as such, not by whatever library writes.
-  const int descriptor = ::open(temporary.name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) failed(path, "cannot write in its folder");
-  ::close(descriptor);
+  if (!temporary.create()) failed(path, "cannot write in its folder");
   write(temporary.name());
 
   struct stat old = {};

@@ -24,7 +24,7 @@ constexpr Promise kPromises[] = {{"footprint1", 0.80, 0.30, 0.11},
                                  {"footprint2", 0.65, 0.25, 0.11},
                                  {"footprint4", 0.50, 0.18, 0.06},
                                  {"footprint8", 0.42, 0.12, 0.06},
-                                 {"footprint16", 0.34, 0.09, 0.06}};
+                                 {"footprint16", 0.33, 0.09, 0.06}};
 
 TEST(TechniqueErrors, InRoomsThatAreBoxes) {
   const test::RoomPoints rooms = test::randomPoints(300, 24, 48, 64, 1024);

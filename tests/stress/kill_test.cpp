@@ -1,0 +1,121 @@
+// kill -9 at random moments while scenes and baked probes are saved: the old or the new file is there, whole, and what
+// a killed process left behind is gone after the next save. Two hundred times.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <random>
+
+#include "filters/io/bake_folder.h"
+#include "filters/io/scene_file.h"
+#include "tests/unit/temporary_folder.h"
+
+namespace boxprobe {
+namespace {
+
+constexpr int kKills = 100;  // of each kind
+
+class Kill : public TemporaryFolder {
+ protected:
+  /// Starts the saver, lets it save once, and kills it at a random moment of the next two saves or so.
+  void saveAndKill(const char* kind, const std::string& target) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      ::dup2(ends[1], STDOUT_FILENO);
+      ::execl(BOXPROBE_SAVER, BOXPROBE_SAVER, kind, target.c_str(), nullptr);
+      ::_exit(127);
+    }
+    ::close(ends[1]);
+    const auto start = std::chrono::steady_clock::now();
+    char line[8];
+    const auto said = ::read(ends[0], line, sizeof(line));
+    const std::chrono::duration<double, std::micro> oneSave = std::chrono::steady_clock::now() - start;
+    ::usleep(static_cast<useconds_t>(oneSave.count() * 2.0 * (random_() % 1000) / 1000.0));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ::close(ends[0]);
+    ASSERT_GT(said, 0) << "the saver ended by itself";
+    ASSERT_TRUE(WIFSIGNALED(status));
+  }
+
+  /// The three probes as version 0 of the saver would have them.
+  static void saveZero(const std::filesystem::path& folder) {
+    BakedMaps maps;
+    maps.radiance = CubeMap(8, 3);
+    for (int i = 0; i < 3; ++i) {
+      Probe probe;
+      probe.name = "probe " + std::to_string(i);
+      BakeFolder::save(folder.string(), probe, {"v0", "v0", {}, {}}, maps, "test");
+    }
+  }
+
+  /// Entries of a folder that are not `expected`: temporary files.
+  std::size_t leftovers(const std::filesystem::path& folder, const std::string& extension) {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      EXPECT_EQ(entry.path().extension(), extension);
+      count += name.front() == '.' ? 1 : 0;
+    }
+    return count;
+  }
+
+  std::minstd_rand random_{1};
+};
+
+TEST_F(Kill, AScene) {
+  const std::string path = file("scene.boxprobe.json");
+  int cutOff = 0;
+  double last = 0.0;
+  for (int i = 0; i < kKills; ++i) {
+    saveAndKill("scene", path);
+    ASSERT_FALSE(HasFatalFailure());
+    const Scene scene = loadSceneFile(path);
+    ASSERT_EQ(scene.probes.size(), std::fmod(scene.exposure, 2.0) == 0.0 ? 40u : 80u);
+    ASSERT_EQ(scene.probes.back().intensity, scene.exposure) << "half of one version, half of another";
+    last = std::max(last, scene.exposure);
+    const std::size_t left = leftovers(folder_, ".json");
+    ASSERT_LE(left, 1u) << "they pile up";
+    cutOff += static_cast<int>(left);
+  }
+  std::cout << kKills << " kills, " << cutOff << " in the middle of a save, up to " << last << " saves before one\n";
+  EXPECT_GT(cutOff, kKills / 20) << "the kills hit nothing";
+  saveSceneFile(Scene(), path);
+  EXPECT_EQ(entryCount(), 1u);
+}
+
+TEST_F(Kill, ABakeFolder) {
+  const std::filesystem::path folder = folder_ / "scene.probes";
+  saveZero(folder);
+  int cutOff = 0;
+  for (int i = 0; i < kKills; ++i) {
+    saveAndKill("bake", folder.string());
+    ASSERT_FALSE(HasFatalFailure());
+    for (const char* name : {"probe 0.exr", "probe 1.exr", "probe 2.exr"}) {
+      const BakedProbeFile baked = loadBakedProbe((folder / name).string());
+      const float value = baked.maps.radiance.texel(0, 0, 0, 0).x;
+      ASSERT_EQ(BakeRecord::parse(baked.info.inputHash)->key, "v" + std::to_string(static_cast<int>(value)));
+      const CubeMap& maps = baked.maps.radiance;
+      ASSERT_EQ(maps.texel(maps.levels() - 1, 5, 0, 0).x, value);
+      ASSERT_EQ(maps.texel(0, 5, 7, 7).w, value);
+    }
+    const std::size_t left = leftovers(folder, ".exr");
+    ASSERT_LE(left, 3u) << "they pile up";
+    cutOff += left > 0 ? 1 : 0;
+  }
+  std::cout << kKills << " kills, " << cutOff << " with a save cut off\n";
+  EXPECT_GT(cutOff, kKills / 20) << "the kills hit nothing";
+  saveZero(folder);
+  EXPECT_EQ(leftovers(folder, ".exr"), 0u);
+}
+
+}  // namespace
+}  // namespace boxprobe
