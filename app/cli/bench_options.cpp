@@ -58,7 +58,7 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
       ->type_name("LIST");
   command.add_option("--camera", options.cameras, "Only these cameras; frames are timed through the first")
       ->type_name("NAMES");
-  command.add_option("--size", options.size, "Pixels of the pictures that errors are measured in (default 256x144)")
+  command.add_option("--size", options.size, "Pixels of the pictures that errors are measured in (default 320x180)")
       ->type_name("WxH");
   command.add_option("--seed", options.seed, "Of the references' rays")->capture_default_str();
   command.add_option("--set", options.assignments, "Change a field of the scene first (repeatable)")
@@ -87,14 +87,14 @@ BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
   if (plan.roughnesses.empty()) throw InputError("--roughness: no number in it");
   const FrameSize size = !options.size.empty() ? parseFrameSize(options.size)
                          : options.quick       ? FrameSize{160, 90}
-                                               : FrameSize{256, 144};
+                                               : FrameSize{320, 180};
   plan.width = size.width;
   plan.height = size.height;
   plan.seed = options.seed;
   plan.boxTruth.seed = stirred(options.seed);
   // Few large passes: points that are spread evenly gain by being many.
   plan.boxTruth.raysPerPass = options.quick ? 128 : 256;
-  plan.boxTruth.standardError = options.quick ? 0.002 : 0.0015;
+  plan.boxTruth.standardError = options.quick ? 0.002 : 0.0012;
   plan.boxTruth.leastPasses = 3;
   plan.boxTruth.mostPasses = 16;
   plan.sceneTruth = plan.boxTruth;
