@@ -14,6 +14,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/output_check.h"
 #include "app/cli/render_command.h"
+#include "app/cli/stress_command.h"
 #include "app/gui/window_app.h"
 #include "filters/core/errors.h"
 
@@ -41,7 +42,7 @@ int run(int& argc, char** argv) {
   program.require_subcommand(0, 1);
   const std::vector<Subcommand> subcommands = {addRenderCommand(program), addBakeCommand(program),
                                                addExplainCommand(program), addInfoCommand(program),
-                                               addBenchCommand(program)};
+                                               addBenchCommand(program), addStressCommand(program)};
 
   try {
     program.parse(argc, argv);

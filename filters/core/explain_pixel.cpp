@@ -156,7 +156,7 @@ float meanFresnel(const glm::vec3& f0, const glm::vec3& f90, float nDotV) {
 Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness, float fresnel) {
   SurfacePoint s = in.surface;
   s.normalWorld = normal;
-  const glm::vec3 reflection = glm::reflect(-s.viewWorld, normal);
+  const glm::vec3 reflection = shading::reflectedView(normal, s.viewWorld);
   Gathered out;
   std::vector<float> groupSum;
   for (const ExplainedProbe& probe : in.probes) {
@@ -274,10 +274,12 @@ Explanation explainPixel(const ExplainInput& in) {
     e.notes.emplace_back("The surface has no normal here, so there is no reflected ray to project.");
     return e;
   }
-  e.reflectionWorld = glm::reflect(-s.viewWorld, s.normalWorld);
+  e.reflectionWorld = shading::reflectedView(s.normalWorld, s.viewWorld);
   const float facing = glm::dot(s.normalWorld, s.viewWorld);
   if (facing <= 0.0f) {
-    e.notes.emplace_back("The shading normal points away from the eye: the reflected ray starts below the surface.");
+    e.notes.emplace_back(
+        "The shading normal points away from the eye: mirrored in it the ray would start below the surface, so it goes "
+        "straight on.");
   }
   e.nDotV = std::clamp(facing, 1.0e-5f, 1.0f);
   e.f0 = glm::mix(glm::vec3(s.baseF0), s.albedo, s.metallic);

@@ -75,7 +75,7 @@ ExplanationSection surfaceSection(const Explanation& e) {
   }
   rows.push_back(vector("V", s.viewWorld, "", "towards the eye, unit"));
   if (normal) {
-    rows.push_back(vector("R", e.reflectionWorld, "", "reflected direction, reflect(-V, N)"));
+    rows.push_back(vector("R", e.reflectionWorld, "", "reflected direction, 2 max(N.V, 0) N - V"));
     rows.push_back(scalar("N.V", e.nDotV, "", "cosine of the angle of view"));
   }
   rows.push_back(

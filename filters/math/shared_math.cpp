@@ -37,8 +37,10 @@ using glm::sin;
 using glm::sqrt;
 using glm::uint;
 
+#include "shaders/shared/finite.glsl"  // what both fetches use
+
 static vec4 fetchProbe(ProbeMap map, const ProbeShape&, vec3 direction, float level) {
-  return map->fetch(direction, level);
+  return map->fetch(lookupDirection(direction), level);
 }
 
 static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {

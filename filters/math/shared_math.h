@@ -51,6 +51,11 @@ using glm::vec4;
 
 /// 0 where the probe saw nothing, or its distances are not known. `direction`: probe frame.
 float fetchProbeDistance(const ProbeShape& probe, vec3 direction);
+vec3 finiteOr(vec3 v, vec3 instead);
+vec3 directionOr(vec3 v, vec3 instead);
+float roughnessWithin(float roughness);
+vec3 reflectedView(vec3 normal, vec3 view);
+vec3 lookupDirection(vec3 direction);
 float slabFactor(float position, float direction, float boxMin, float boxMax);
 vec3 slabFactors(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax);
 float boxOcclusion(float hitDistance, float multiplier, float power, float strength);
@@ -66,6 +71,7 @@ vec3 cubeDirection(int face, float s, float t);
 vec3 cubeTexelCentre(vec3 direction, float faceSize);
 int cubeCell(vec3 direction, int faceSize);
 float trueHitDistance(DistanceMap map, ProbeShape probe, float faceSize, vec3 position, vec3 reflection, float reach);
+float footprintScale(ProbeShape probe, ProbeHit hit, vec3 direction);
 float footprintLevel(ProbeShape probe, float alphaSquared, float bias);
 FootprintLobe footprintLobe(ShadingPoint point, float points);
 FootprintSum footprintStart();

@@ -55,7 +55,7 @@ glm::vec3 CaptureLight::captured(const SurfacePoint& s, bool unlit) const {
   const float share = shares(s.positionWorld).sky;
   if (share <= 1.0e-5f) return sum;
   for (const ReflectingLayer& layer : reflectingLayers(s, brdf_)) {
-    const glm::vec3 direction = glm::reflect(-s.viewWorld, glm::vec3(layer.normalWorld));
+    const glm::vec3 direction = shading::reflectedView(glm::vec3(layer.normalWorld), s.viewWorld);
     sum += share * glm::vec3(layer.factor) * sky_.reflection(direction, static_cast<float>(layer.roughness));
   }
   return sum;

@@ -47,7 +47,7 @@ glm::dvec2 ShiftedPoints::operator[](int index) const {
 }
 
 VisibleNormalLobe::VisibleNormalLobe(const glm::dvec3& normal, const glm::dvec3& view, double alpha)
-    : normal_(normal), mirrored_(glm::reflect(-view, normal)), alpha_(alpha) {
+    : normal_(normal), mirrored_(2.0 * std::max(glm::dot(normal, view), 0.0) * normal - view), alpha_(alpha) {
   const double facing = glm::dot(normal, view);
   cosine_ = std::clamp(facing, kLeastCosine, 1.0);
   sine_ = std::sqrt(1.0 - cosine_ * cosine_);

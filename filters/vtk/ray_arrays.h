@@ -24,7 +24,7 @@ inline constexpr std::string_view kRayKindNames[kRayKinds] = {"eye ray", "normal
 enum RayStatus : int {
   kRayNoNormal = 1,        ///< normal missing, zero or not finite: only the eye ray is drawn
   kRayEyeOnPoint = 2,      ///< no direction to the eye: only the normal is drawn
-  kRayFromBehind = 4,      ///< N.V <= 0: the eye is behind the surface, and so is R
+  kRayFromBehind = 4,      ///< N.V <= 0: the eye is behind the surface, and R goes straight on
   kRayNoProxy = 8,         ///< the technique meets nothing (infinite, normal, projection off): no hit, no error
   kRayPointOutside = 16,   ///< P outside the projection box: H is clamped on to it
   kRayOriginOutside = 32,  ///< C outside the projection box: one direction stands for two places of it

@@ -27,8 +27,7 @@ glm::dvec3 unit(const glm::vec3& v) {
 std::optional<double> RayBuilder::sceneDistance(const SurfaceRay& ray) const {
   if (settings_.scene == nullptr) return std::nullopt;
   const double skin = kStartSkin * settings_.scene->diagonal();
-  const double side = (ray.status & kRayFromBehind) != 0 ? -1.0 : 1.0;
-  const glm::dvec3 start = ray.positionWorld + (side * skin) * ray.normalWorld;
+  const glm::dvec3 start = ray.positionWorld + skin * ray.normalWorld;
   const auto hit = settings_.scene->firstHit(start, ray.reflectionWorld, skin, settings_.scene->reachFrom(start));
   if (!hit) return std::nullopt;
   // Where the ray itself, not the raised one, meets the plane that was found.

@@ -61,7 +61,7 @@ SurfaceRay surfaceRay(const glm::dvec3& positionWorld, const glm::dvec3& normalW
   if (!ray.reflects()) return ray;
   const double nDotV = glm::dot(ray.normalWorld, ray.viewWorld);
   if (nDotV <= 0.0) ray.status |= kRayFromBehind;
-  ray.reflectionWorld = glm::normalize(2.0 * nDotV * ray.normalWorld - ray.viewWorld);
+  ray.reflectionWorld = glm::normalize(2.0 * std::max(nDotV, 0.0) * ray.normalWorld - ray.viewWorld);
   return ray;
 }
 

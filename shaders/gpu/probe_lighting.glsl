@@ -71,10 +71,11 @@ float bpMeanFresnel(vec3 f0, vec3 f90, float nDotV)
 
 BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness, float fresnel)
 {
-  vec3 position = bpViewToWorld * positionView;
-  vec3 normal = bpViewToWorld * normalView;
-  vec3 view = bpViewToWorld * viewView;
-  vec3 reflection = bpViewToWorld * reflect(-viewView, normalView);
+  vec3 position = finiteOr(bpViewToWorld * positionView, vec3(0.0f));
+  vec3 view = directionOr(bpViewToWorld * viewView, vec3(0.0f, 0.0f, 1.0f));
+  vec3 normal = directionOr(bpViewToWorld * normalView, view);
+  vec3 reflection = reflectedView(normal, view);
+  roughness = roughnessWithin(roughness);
 
   BpLight light;
   light.specular = vec3(0.0f);

@@ -11,11 +11,12 @@ vec3 ggxHalfVector(vec2 u, float alpha)
 }
 
 // Normal distribution D(h) for a unit half vector in the frame of the normal. Written with dot(h', h') of the stretched
-// vector instead of NH²(alpha²-1)+1, which cancels at small alpha.
+// vector instead of NH²(alpha²-1)+1, which cancels at small alpha. A unit vector has q >= alpha²: that bound, and 1e-30 for a mirror,
+// keep D below 1e30 for vectors that are shorter.
 float ggxDistribution(vec3 h, float alpha)
 {
   float q = h.x * h.x + h.y * h.y + alpha * alpha * h.z * h.z;
-  float r = alpha / max(q, 1.0e-30f);
+  float r = alpha / max(q, max(alpha * alpha, 1.0e-30f));
   return r * r * 0.31830989f;
 }
 

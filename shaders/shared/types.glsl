@@ -50,7 +50,7 @@ struct ShadingPoint
   vec3 position;    // P, probe frame
   vec3 normal;      // N, unit
   vec3 view;        // V, unit, towards the eye
-  vec3 reflection;  // R = reflect(-V, N), unit
+  vec3 reflection;  // R, unit; see reflectedView in finite.glsl
   float roughness;  // perceptual
   ivec2 pixel;      // of the picture, from its lower left
   int frame;        // of those that are averaged, from 0

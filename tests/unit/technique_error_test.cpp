@@ -18,12 +18,12 @@ struct Promise {
   double light;     ///< by which a bucket of roughness and view angle may be off
 };
 
-// Over rooms of 256 texels a face and 27,648 points (fit_footprints judge): see README. Here fewer points, of which a
-// few near lamps weigh much, so a little more is allowed for relative error and light.
+// Over 27,648 points, fit_footprints judge has light off by at most .083 .047 .034 .025 .021. Here fewer points, of
+// which a few near lamps weigh much, so a little more is allowed for relative error and light.
 constexpr Promise kPromises[] = {{"footprint1", 0.80, 0.30, 0.11},
-                                 {"footprint2", 0.65, 0.25, 0.11},
-                                 {"footprint4", 0.50, 0.18, 0.06},
-                                 {"footprint8", 0.42, 0.12, 0.06},
+                                 {"footprint2", 0.64, 0.22, 0.08},
+                                 {"footprint4", 0.48, 0.16, 0.06},
+                                 {"footprint8", 0.40, 0.10, 0.06},
                                  {"footprint16", 0.33, 0.09, 0.06}};
 
 TEST(TechniqueErrors, InRoomsThatAreBoxes) {

@@ -1,0 +1,15 @@
+// For comparison and teaching only: exit from the sphere around the box by the quadratic formula as textbooks print it. Cancels
+// where P lies near the sphere, squares lengths as they come, and has no root where the ray misses.
+ProbeHit publishedSphere(ProbeShape probe, vec3 position, vec3 reflection)
+{
+  vec3 o = position - 0.5f * (probe.boxMin + probe.boxMax);
+  float radius = 0.5f * length(probe.boxMax - probe.boxMin);
+  float b = dot(o, reflection);
+  float c = dot(o, o) - radius * radius;
+  ProbeHit hit;
+  hit.distance = -b + sqrt(b * b - c);
+  hit.direction = position + hit.distance * reflection;
+  hit.face = -1;
+  hit.slabFactors = vec3(0.0f);
+  return hit;
+}

@@ -1,0 +1,34 @@
+// The stress test's maps on the GPU: a lookup gives back its own direction and level, so that whatever is wrong with either shows in
+// the result; distances are those of filters/stress/stress_map.h. Needs shared/types.glsl, finite.glsl and slab.glsl.
+#define PROBE_MAP int
+#define DISTANCE_MAP int
+
+vec3 stressLargestOne(vec3 d)
+{
+  return d / max(max(abs(d.x), abs(d.y)), max(abs(d.z), 1.0e-37f));
+}
+
+vec4 fetchProbe(int map, ProbeShape probe, vec3 direction, float level)
+{
+  return vec4(stressLargestOne(lookupDirection(direction)), level);
+}
+
+vec2 stressBlueNoise;  // of the input's pixel, set by main()
+
+vec2 fetchBlueNoise(ivec2 pixel)
+{
+  return stressBlueNoise;
+}
+
+float fetchProbeDistance(ProbeShape probe, vec3 direction)
+{
+  vec3 q = stressLargestOne(direction);
+  vec3 walls = slabFactors(vec3(0.0f), q, probe.boxMin, probe.boxMax);
+  float t = min(min(walls.x, walls.y), walls.z);
+  return q.z > 0.9f ? 0.0f : min(t, 1.0e30f) * length(q) * (0.8f + 0.2f * q.x * q.y);
+}
+
+float fetchDistance(int map, ProbeShape probe, vec3 direction)
+{
+  return fetchProbeDistance(probe, direction);
+}

@@ -1,0 +1,177 @@
+// bench_robust: what it costs that nothing can go wrong. CPU time of frames, and of full-screen passes that do nothing
+// but project, with the program's own forms over the same with the published ones, drawn in turn in one process and
+// window.
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkOpenGLState.h>
+#include <vtk_glew.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+
+#include "app/cli/display_check.h"
+#include "app/cli/load_scene.h"
+#include "app/cli/messages.h"
+#include "app/cli/offscreen_window.h"
+#include "app/cli/render_options.h"
+#include "app/cli/vtk_messages.h"
+#include "filters/core/errors.h"
+#include "filters/math/shader_source.h"
+#include "filters/math/technique_table.h"
+#include "filters/reference/interleaved.h"
+#include "filters/vtk/cpu_time.h"
+#include "filters/vtk/full_screen_pass.h"
+#include "filters/vtk/gl_objects.h"
+#include "filters/vtk/scene_renderer.h"
+#include "tests/bench/published_sources.h"
+
+namespace {
+
+using namespace boxprobe;
+
+struct BenchOptions {
+  std::string scene = BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json";
+  std::string size = "1280x720";
+  std::vector<std::string> techniques = {"box", "hdrp", "sphere"};
+  int pairs = 60;
+};
+
+void print(const std::string& what, const bench::Samples& samples) {
+  const bench::Ratio ratio = bench::ratioOfMedians(samples);
+  std::printf("  %-28s own %8.2f ms   published %8.2f ms   ratio %.3f, 95 %% interval %.3f to %.3f\n", what.c_str(),
+              1e3 * bench::median(samples.a), 1e3 * bench::median(samples.b), ratio.value, ratio.low, ratio.high);
+}
+
+// Rays of a pixel's own, so that nothing is constant.
+std::string passSource(const Technique& technique) {
+  const ProjectionRow& projection = projectionRows()[static_cast<std::size_t>(technique.projection)];
+  const EvaluationRow& evaluation = evaluationRows()[static_cast<std::size_t>(technique.evaluation)];
+  std::string text = joinShaderSources({"shared/types.glsl", "shared/finite.glsl", "shared/slab.glsl",
+                                        "shared/roughness.glsl", std::string(projection.shaderFile)});
+  text +=
+      "ProbeHit projectRay(ProbeShape probe, vec3 p, vec3 n, vec3 r) { return " + std::string(projection.function) +
+      "(probe, p, n, r); }\n#define PROBE_MAP int\nvec4 fetchProbe(int map, ProbeShape probe, vec3 d, float level) { "
+      "return vec4(lookupDirection(d), level); }\n";
+  text += joinShaderSources({"shared/level_curve.glsl", std::string(evaluation.shaderFile)});
+  text +=
+      "uniform vec3 benchMin;\nuniform vec3 benchMax;\nin vec2 texCoord;\nvoid main()\n{\n"
+      "  vec3 sum = vec3(0.0);\n  ProbeShape probe;\n  probe.boxMin = benchMin;\n  probe.boxMax = benchMax;\n"
+      "  probe.maxLevel = 6.0;\n  probe.projection = 0;\n  probe.bevel = 0.0;\n  probe.slot = 0;\n"
+      "  probe.parameters.curve = 0;\n  for (int i = 0; i < 16; ++i)\n  {\n    float turn = 0.39 * float(i) + "
+      "texCoord.x;\n"
+      "    ShadingPoint point;\n    point.position = vec3(texCoord - 0.5, 0.05 * float(i) - 0.4);\n"
+      "    point.normal = finiteOr(vec3(0.0, 1.0, 0.0), vec3(0.0));\n    point.view = normalize(vec3(cos(turn), "
+      "texCoord.y + "
+      "0.1, sin(turn)));\n    point.view = directionOr(point.view, vec3(0.0, 0.0, 1.0));\n    point.position = "
+      "finiteOr(point.position, vec3(0.0));\n    point.reflection = reflectedView(point.normal, point.view);\n"
+      "    point.roughness = roughnessWithin(texCoord.y);\n    vec4 value = " +
+      std::string(evaluation.function) +
+      "(0, probe, point);\n    sum += value.xyz + value.www;\n  }\n  gl_FragData[0] = vec4(sum, 1.0);\n}\n";
+  return text;
+}
+
+void measurePass(vtkOpenGLRenderWindow* window, const std::string& id, int pairs) {
+  FloatTarget target;
+  target.allocate(512, 512);
+  bench::usePublishedShaders(true);
+  FullScreenPass published("published", passSource(*parseTechnique(id)));
+  bench::usePublishedShaders(false);
+  FullScreenPass own("own", passSource(*parseTechnique(id)));
+  const auto draw = [&](FullScreenPass& pass, bool isPublished) {
+    bench::usePublishedShaders(isPublished);
+    const PassState saved(window);
+    window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+    window->GetState()->vtkglViewport(0, 0, target.width(), target.height());
+    const double start = processCpuSeconds();
+    pass.draw(window, [](vtkShaderProgram* program) {
+      const float low[3] = {-2.0f, -1.0f, -1.5f}, high[3] = {1.0f, 2.0f, 1.5f};
+      program->SetUniform3f("benchMin", low);
+      program->SetUniform3f("benchMax", high);
+    });
+    glFinish();
+    const double seconds = processCpuSeconds() - start;
+    bench::usePublishedShaders(false);
+    return seconds;
+  };
+  for (int i = 0; i < 3; ++i) {
+    draw(own, false);
+    draw(published, true);
+  }
+  print(id, bench::interleave(
+                4 * pairs, [&] { return draw(own, false); }, [&] { return draw(published, true); }));
+  own.release();
+  published.release();
+}
+
+void measureFrame(const BenchOptions& options, const std::string& id) {
+  const FrameSize size = parseFrameSize(options.size);
+  LoadedScene loaded = loadScene(options.scene);
+  chooseTechnique(loaded.scene, id);
+  const auto window = makeOffscreenWindow(size.width, size.height, 4);
+  SceneRenderer own(window), published(window);
+  for (SceneRenderer* renderer : {&own, &published}) {
+    bench::usePublishedShaders(renderer == &published);
+    renderer->setModels(loaded.models);
+    renderer->sync(loaded.scene, Changes::all());
+    renderer->applyCamera(chooseCamera(loaded.scene, ""));
+    own.renderer()->SetDraw(renderer == &own ? 1 : 0);
+    published.renderer()->SetDraw(renderer == &published ? 1 : 0);
+    renderer->finishWork();
+  }
+  const auto frame = [&](bool drawOwn) {
+    bench::usePublishedShaders(!drawOwn);
+    own.renderer()->SetDraw(drawOwn ? 1 : 0);
+    published.renderer()->SetDraw(drawOwn ? 0 : 1);
+    const double start = processCpuSeconds();
+    window->Render();
+    window->WaitForCompletion();
+    return processCpuSeconds() - start;
+  };
+  for (const bool drawOwn : {true, false, true, false}) frame(drawOwn);  // compiles
+  print(id, bench::interleave(
+                options.pairs, [&] { return frame(true); }, [&] { return frame(false); }));
+  for (const SceneRenderer* renderer : {&own, &published}) {
+    if (!renderer->error().empty()) throw WorkError(renderer->error());
+  }
+  own.releaseGraphics();
+  published.releaseGraphics();
+  bench::usePublishedShaders(false);
+}
+
+void run(const BenchOptions& options) {
+  requireDisplay("bench_robust");
+  installVtkMessages(false, true);
+  {
+    const auto window = makeOffscreenWindow(16, 16, 1);
+    std::printf("full-screen pass of 512 x 512 pixels, 16 lookups each, fetching nothing: %d pairs, CPU time\n",
+                4 * options.pairs);
+    for (const std::string& id : options.techniques) measurePass(window, id, options.pairs);
+  }
+  std::printf("%s, %s, 4 samples a pixel: %d pairs of frames, CPU time\n", options.scene.c_str(), options.size.c_str(),
+              options.pairs);
+  for (const std::string& id : options.techniques) measureFrame(options, id);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program("CPU time with the program's own projection mathematics over the published forms", "bench_robust");
+  BenchOptions options;
+  program.add_option("SCENE", options.scene, "Scene file")->capture_default_str();
+  program.add_option("--size", options.size, "Pixels")->capture_default_str();
+  program.add_option("--technique", options.techniques, "Techniques with published counterparts")
+      ->capture_default_str();
+  program.add_option("--pairs", options.pairs, "Pairs of frames")->check(CLI::Range(2, 100000))->capture_default_str();
+  CLI11_PARSE(program, argc, argv);
+  try {
+    run(options);
+    return 0;
+  } catch (const Error& error) {
+    printError(error.what());
+    return error.exitStatus();
+  } catch (const std::exception& error) {
+    printError(error.what());
+    return 1;
+  }
+}
