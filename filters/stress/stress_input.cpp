@@ -59,8 +59,14 @@ LocalInput unguardedInput(const StressInput& in) {
   local.probe.maxLevel = in.maxLevel;
   local.probe.bevel = in.bevel;
   local.probe.parameters = in.parameters;
-  local.point = {
-      in.positionWorld - in.originWorld, in.normal, in.view, in.reflection, in.roughness, in.pixel, in.frame};
+  local.point = {in.positionWorld - in.originWorld,
+                 in.normal,
+                 in.view,
+                 in.reflection,
+                 in.roughness,
+                 in.pixel,
+                 in.frame,
+                 in.roughness};  // any number will do for the reflectance
   if (in.turn != glm::vec3(0.0f)) {
     const glm::mat3 probeFromWorld = glm::transpose(worldFromProbe(in.turn));
     for (glm::vec3* v : {&local.point.position, &local.point.normal, &local.point.view, &local.point.reflection}) {
@@ -78,6 +84,7 @@ LocalInput localInput(const StressInput& in) {
   p.view = shading::directionOr(p.view, glm::vec3(0.0f, 0.0f, 1.0f));
   p.normal = shading::directionOr(p.normal, p.view);
   p.roughness = shading::roughnessWithin(p.roughness);
+  p.fresnel = shading::roughnessWithin(p.fresnel);
   // Inputs name R itself, so that its components can be exactly what a class asks for; R is what N and V make of it as
   // soon as one of the three is broken.
   p.reflection = shading::directionOr(given, shading::reflectedView(p.normal, p.view));
