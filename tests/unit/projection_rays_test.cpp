@@ -192,8 +192,10 @@ TEST_F(Rays, HitsLieOnTheBoxTurnedAndFarAway) {
         worstOff = std::max(worstOff, offBox(probe, row.hitPoint));
         // The same distance by other means: the first of six planes in double.
         const Input& in = inputs[static_cast<std::size_t>(row.point)];
+        // Seen from behind, a surface is seen edge-on: nothing is reflected from below it.
+        const glm::dvec3 view = glm::normalize(eye - in.position), normal = glm::normalize(in.normal);
         const glm::dvec3 reflection =
-            glm::transpose(r) * glm::reflect(glm::normalize(in.position - eye), glm::normalize(in.normal));
+            glm::transpose(r) * glm::normalize(2.0 * std::max(glm::dot(view, normal), 0.0) * normal - view);
         const glm::dvec3 p = glm::transpose(r) * (in.position - probe.box.center());
         double nearest = 1.0e30;
         for (int axis = 0; axis < 3; ++axis) {
