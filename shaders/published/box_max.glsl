@@ -9,5 +9,6 @@ ProbeHit publishedBoxMax(ProbeShape probe, vec3 position, vec3 reflection)
   hit.distance = min(min(hit.slabFactors.x, hit.slabFactors.y), hit.slabFactors.z);
   hit.direction = position + reflection * hit.distance;
   hit.face = 0;
+  hit.refined = 0.0f;
   return hit;
 }

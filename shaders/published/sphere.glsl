@@ -10,6 +10,7 @@ ProbeHit publishedSphere(ProbeShape probe, vec3 position, vec3 reflection)
   hit.distance = -b + sqrt(b * b - c);
   hit.direction = position + hit.distance * reflection;
   hit.face = -1;
+  hit.refined = 0.0f;
   hit.slabFactors = vec3(0.0f);
   return hit;
 }

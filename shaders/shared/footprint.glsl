@@ -30,9 +30,17 @@ vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
     vec3 w = vec3(t) / max(hit.slabFactors, vec3(t));
     w = w * w;
     w = w * w;
-    // Of the faces from C, where the ray reaches each: a refined hit has others than the box.
-    vec3 at = hit.direction + (min(hit.slabFactors, vec3(1.0e30f)) - vec3(hit.distance)) * direction;
-    vec3 plane = vec3(direction.x < 0.0f ? -at.x : at.x, direction.y < 0.0f ? -at.y : at.y, direction.z < 0.0f ? -at.z : at.z);
+    vec3 faces = vec3(direction.x < 0.0f ? -probe.boxMin.x : probe.boxMax.x,
+                      direction.y < 0.0f ? -probe.boxMin.y : probe.boxMax.y,
+                      direction.z < 0.0f ? -probe.boxMin.z : probe.boxMax.z);
+    // A refined hit is not on the box: its planes lie where the ray reaches each. For hits on the box that would cancel.
+    vec3 plane = faces;
+    if (hit.refined > 0.5f)
+    {
+      plane = vec3(direction.x < 0.0f ? -hit.direction.x : hit.direction.x, direction.y < 0.0f ? -hit.direction.y : hit.direction.y,
+                   direction.z < 0.0f ? -hit.direction.z : hit.direction.z) +
+              (min(hit.slabFactors, vec3(1.0e30f)) - vec3(hit.distance)) * abs(direction);
+    }
     distanceC = dot(w, min(plane / t, vec3(1.0e9f)));
     cosineP = dot(w, abs(direction));
   }

@@ -23,5 +23,6 @@ ProbeHit projectBox(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
   int axis = factors.x <= factors.y ? (factors.x <= factors.z ? 0 : 2) : (factors.y <= factors.z ? 1 : 2);
   float along = axis == 0 ? reflection.x : (axis == 1 ? reflection.y : reflection.z);
   hit.face = 2 * axis + (along < 0.0f ? 0 : 1);
+  hit.refined = 0.0f;
   return hit;
 }

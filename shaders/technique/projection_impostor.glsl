@@ -106,6 +106,7 @@ ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 refl
   }
   // The box scaled about P until its face goes through the hit: so evaluations have a wall's normal and distance to work with.
   hit.slabFactors = min(hit.slabFactors, vec3(1.0e30f)) * (tBox > 0.0f ? t / tBox : 1.0f);
+  hit.refined = 1.0f;
   hit.distance = t;
   hit.direction = position + t * reflection;
   return hit;

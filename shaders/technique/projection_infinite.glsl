@@ -5,6 +5,7 @@ ProbeHit projectInfinite(ProbeShape probe, vec3 position, vec3 normal, vec3 refl
   hit.direction = reflection;
   hit.distance = kNoHit;
   hit.face = -1;
+  hit.refined = 0.0f;
   hit.slabFactors = vec3(kNoHit);
   return hit;
 }

@@ -5,6 +5,7 @@ ProbeHit projectNormal(ProbeShape probe, vec3 position, vec3 normal, vec3 reflec
   hit.direction = normal;
   hit.distance = kNoHit;
   hit.face = -1;
+  hit.refined = 0.0f;
   hit.slabFactors = vec3(kNoHit);
   return hit;
 }

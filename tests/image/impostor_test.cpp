@@ -16,7 +16,7 @@ namespace {
 using namespace boxprobe;
 using namespace boxprobe::test;
 
-constexpr int kWidth = 192, kHeight = 108;
+constexpr int kWidth = 64, kHeight = 36;
 
 struct Case {
   const char* scene;
