@@ -6,6 +6,26 @@
 // quadratic, whose root is taken exactly; a few such steps from the sharp box's exit land on the right piece. Each step works with
 // offsets from the point reached so far and takes the root as -C / (B + sqrt(B² - A C)): nothing cancels, and A = 0 needs no guard.
 
+// One step, in units of the box: from t to the root of the piece there; t itself once that lies on the surface.
+float roundedBoxStep(vec3 p, vec3 direction, vec3 b, float r, float t, float tBox)
+{
+  vec3 x = p + t * direction;
+  vec3 o = max(abs(x) - b, vec3(0.0f));
+  vec3 v = vec3(o.x > 0.0f ? (x.x < 0.0f ? -direction.x : direction.x) : 0.0f,
+                o.y > 0.0f ? (x.y < 0.0f ? -direction.y : direction.y) : 0.0f,
+                o.z > 0.0f ? (x.z < 0.0f ? -direction.z : direction.z) : 0.0f);
+  float quadratic = dot(v, v);
+  float linear = dot(v, o);
+  float distance = length(o);
+  // On the surface to the rounding of x, which is of size 1: a ray that slides along it must not be thrown off by that.
+  if (abs(distance - r) < 1.5e-7f) { return t; }
+  float constant = (distance - r) * (distance + r);
+  float root = sqrt(max(linear * linear - quadratic * constant, 0.0f));
+  float divisor = linear + root;
+  if (!(divisor > 1.0e-12f)) { return t; }
+  return clamp(t - constant / divisor, 0.0f, tBox);
+}
+
 // `exit`: distance to the sharp box's exit (slab.glsl).
 float roundedBoxExit(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax, float bevel, float exit)
 {
@@ -28,23 +48,11 @@ float roundedBoxExit(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax, fl
   vec3 b = h - vec3(r);
   float tBox = exit / size;
   float t = tBox;
-  for (int i = 0; i < 5; ++i)
-  {
-    vec3 x = p + t * direction;
-    vec3 o = max(abs(x) - b, vec3(0.0f));
-    vec3 v = vec3(o.x > 0.0f ? (x.x < 0.0f ? -direction.x : direction.x) : 0.0f,
-                  o.y > 0.0f ? (x.y < 0.0f ? -direction.y : direction.y) : 0.0f,
-                  o.z > 0.0f ? (x.z < 0.0f ? -direction.z : direction.z) : 0.0f);
-    float quadratic = dot(v, v);
-    float linear = dot(v, o);
-    float distance = length(o);
-    // On the surface to the rounding of x, which is of size 1: a ray that slides along it must not be thrown off by that.
-    if (abs(distance - r) < 1.5e-7f) { break; }
-    float constant = (distance - r) * (distance + r);
-    float root = sqrt(max(linear * linear - quadratic * constant, 0.0f));
-    float divisor = linear + root;
-    if (!(divisor > 1.0e-12f)) { break; }
-    t = clamp(t - constant / divisor, 0.0f, tBox);
-  }
+  // No loop: llvmpipe's compiler needs time exponential in a program's loops, and a technique may project many rays.
+  t = roundedBoxStep(p, direction, b, r, t, tBox);
+  t = roundedBoxStep(p, direction, b, r, t, tBox);
+  t = roundedBoxStep(p, direction, b, r, t, tBox);
+  t = roundedBoxStep(p, direction, b, r, t, tBox);
+  t = roundedBoxStep(p, direction, b, r, t, tBox);
   return min(t * size, exit);
 }

@@ -76,14 +76,18 @@ ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 refl
     // In between: first by a plane along the box's face, then by secants.
     t = impostorPlane(position, reflection, position + high * reflection, pHigh, hit.face);
     if (!(t > low && t < high)) { t = impostorSecant(low, pLow, high, pHigh, low, high, 0.5f * (low + high)); }
-    for (int i = 2; i < 4; ++i)
+    // No loops: llvmpipe's compiler needs time exponential in a program's loops, and a technique may project many rays.
+    float p = steps > 2.0f ? impostorDepth(probe, position + t * reflection) : kNoHit;
+    if (p < kNoHit)
     {
-      if (float(i) >= steps) { break; }
-      float p = impostorDepth(probe, position + t * reflection);
-      if (p >= kNoHit) { break; }
       float tNext = p > 0.0f ? impostorSecant(low, pLow, t, p, low, t, t) : impostorSecant(t, p, high, pHigh, t, high, t);
       if (p > 0.0f) { high = t; pHigh = p; } else { low = t; pLow = p; }
       t = tNext;
+      p = steps > 3.0f ? impostorDepth(probe, position + t * reflection) : kNoHit;
+      if (p < kNoHit)
+      {
+        t = p > 0.0f ? impostorSecant(low, pLow, t, p, low, t, t) : impostorSecant(t, p, high, pHigh, t, high, t);
+      }
     }
   }
   else
@@ -92,16 +96,19 @@ ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 refl
     float tLast = tBox;
     float pLast = pBox;
     t = min(tBox / max(1.0f + pBox, 1.0e-6f), kFarthest * tBox);
-    for (int i = 2; i < 4; ++i)
+    float p = steps > 2.0f ? impostorDepth(probe, position + t * reflection) : kNoHit;
+    // What does not come nearer has met another surface: the first guess is the better one.
+    if (p < kNoHit && abs(p) <= 0.5f * abs(pLast))
     {
-      if (float(i) >= steps) { break; }
-      float p = impostorDepth(probe, position + t * reflection);
-      // What does not come nearer has met another surface: the first guess is the better one.
-      if (p >= kNoHit || abs(p) > 0.5f * abs(pLast)) { break; }
       float tNext = impostorSecant(tLast, pLast, t, p, 0.3f * tBox, kFarthest * tBox, t);
       tLast = t;
       pLast = p;
       t = tNext;
+      p = steps > 3.0f ? impostorDepth(probe, position + t * reflection) : kNoHit;
+      if (p < kNoHit && abs(p) <= 0.5f * abs(pLast))
+      {
+        t = impostorSecant(tLast, pLast, t, p, 0.3f * tBox, kFarthest * tBox, t);
+      }
     }
   }
   // The box scaled about P until its face goes through the hit: so evaluations have a wall's normal and distance to work with.
