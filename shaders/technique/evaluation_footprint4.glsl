@@ -5,15 +5,15 @@ vec4 evaluateFootprint4(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   FootprintLobe lobe = footprintLobe(point, 1.0f);
   float a = lobe.alpha;
   float n = lobe.view.z;
-  lobe.bias = 0.183f - 0.255f * a + 0.008f * n;
-  lobe.scaleU = 1.0f - 0.350f * a - 0.322f * n;
-  lobe.scaleV = 1.0f - 0.662f * a + 0.135f * n;
-  lobe.shift = lobe.view.x * (-0.088f + 0.167f * a + 0.204f * n);
-  lobe.shift = lobe.shift - lobe.scaleV * a * (2.023f - 0.565f * a) / (1.0f - 0.242f * a);
-  lobe.size = lobe.size * 0.081f * max(1.0f + 1.997f * a + 0.802f * n, 0.1f);
+  lobe.bias = 0.136f - 0.266f * a - 0.020f * n;
+  lobe.scaleU = 1.0f - 0.308f * a - 0.303f * n;
+  lobe.scaleV = 1.0f - 0.657f * a + 0.149f * n;
+  lobe.shift = lobe.view.x * (-0.120f + 0.152f * a + 0.299f * n);
+  lobe.shift = lobe.shift - lobe.scaleV * a * (2.219f - 1.355f * a) / (1.0f - 0.583f * a);
+  lobe.size = lobe.size * 0.045f * max(1.0f + 4.066f * a + 2.662f * n, 0.1f);
   FootprintSum sum = footprintStart();
-  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, -0.680f + 1.616f * a, 0.190f - 0.014f * a, 0.561f);
-  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, 0.505f + 2.417f * a, 0.375f - 0.202f * a, 1.373f);
-  sum = footprintAddPair(map, probe, point, lobe, sum, 0.462f + 0.576f * a, -0.140f + 2.069f * a, 0.217f - 0.013f * a, 0.797f);
+  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, -0.653f + 1.728f * a, 0.202f - 0.113f * a, 0.675f);
+  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, 0.479f + 2.645f * a, 0.376f - 0.290f * a, 1.515f);
+  sum = footprintAddPair(map, probe, point, lobe, sum, 0.514f + 0.377f * a, -0.114f + 2.180f * a, 0.211f - 0.090f * a, 0.833f);
   return sum.value / sum.weight;
 }

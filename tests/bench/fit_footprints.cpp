@@ -23,7 +23,7 @@ constexpr unsigned kTrainingSeed = 1, kJudgementSeed = 77;
 constexpr int kRays = 4096;
 
 constexpr double kLinearWeight = 1.0;
-constexpr double kLightWeight = 6.0;
+constexpr double kLightWeight = 14.0;
 constexpr double kLightFreely = 0.004;  // what the rays of the reference leave open
 
 using Values = std::vector<glm::dvec3>;
@@ -95,7 +95,7 @@ void judge(int faceSize) {
 }
 
 void fit(int lookups, int rounds, int restarts) {
-  const test::RoomPoints rooms = test::randomPoints(kTrainingSeed, 64, 32, 128, kRays);
+  const test::RoomPoints rooms = test::randomPoints(kTrainingSeed, 96, 32, 128, kRays);
   const double hdrp = test::tally(test::valuesOf(test::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
   const Errors errors(rooms.points);
   const bench::FootprintForm form = bench::footprintForm(lookups);
