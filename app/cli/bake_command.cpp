@@ -123,6 +123,7 @@ void runBake(const BakeOptions& options) {
     files = bakeProbes(renderer, probes, folder, interrupt, options.report.quiet);
   }
   requireHealthy(renderer);
+  if (!options.report.quiet) printWarnings(renderer.remarks());
   if (interrupt.interrupted()) {
     throw WorkError("interrupted: " + std::to_string(files.size()) + " files are complete in " + folder +
                     "; the same command goes on from there");

@@ -103,8 +103,13 @@ Json probeReport(const Probe& probe) {
 Json skyReport(const Sky& sky) {
   if (const auto* color = std::get_if<SkyColor>(&sky)) return {{"kind", "color"}, {"color", vector3(color->color)}};
   if (const auto* image = std::get_if<SkyImage>(&sky)) {
-    const ImageRgbaF pixels = loadHdrImage(image->file);  // a sky that cannot be read is found out here, too
-    return {{"kind", "image"}, {"file", image->file}, {"width", pixels.width}, {"height", pixels.height}};
+    std::size_t notFinite = 0;
+    const ImageRgbaF pixels = loadHdrImage(image->file, &notFinite);  // one that cannot be read is found out here, too
+    return {{"kind", "image"},
+            {"file", image->file},
+            {"width", pixels.width},
+            {"height", pixels.height},
+            {"texelsNotFinite", notFinite}};
   }
   const SkyGradient& gradient = std::get<SkyGradient>(sky);
   return {{"kind", "gradient"},
@@ -144,6 +149,10 @@ Json sceneReport(const LoadedScene& loaded) {
   for (const Camera& camera : scene.cameras) report["cameras"].push_back(cameraReport(camera));
   for (const Light& light : scene.lights) report["lights"].push_back(lightReport(light));
   report["warnings"] = loaded.warnings;
+  if (report["sky"].value("texelsNotFinite", 0) > 0) {
+    report["warnings"].push_back("sky.image: " + std::to_string(report["sky"]["texelsNotFinite"].get<std::size_t>()) +
+                                 " texels are NaN or infinite and count as 0");
+  }
   return report;
 }
 

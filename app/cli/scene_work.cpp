@@ -2,6 +2,7 @@
 #include "app/cli/scene_work.h"
 
 #include "app/cli/interrupt.h"
+#include "app/cli/messages.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/vtk_messages.h"
 #include "filters/core/errors.h"
@@ -21,6 +22,7 @@ void captureProbes(SceneRenderer& renderer, const InterruptGuard& interrupt, boo
     line.show(fraction);
     return !interrupt.interrupted();
   });
+  if (!quiet) printWarnings(renderer.remarks());
 }
 
 }  // namespace boxprobe

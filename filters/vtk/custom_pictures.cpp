@@ -19,7 +19,10 @@ void CustomPictures::update(const Scene& scene) {
       picture.error.clear();
       try {
         if (probe.image.empty()) throw InputError("mode custom needs the path of an EXR or HDR picture");
-        picture.cube = std::make_shared<const CubeMap>(loadCube(probe.image, probe.imageLayout).radiance);
+        LoadedCube loaded = loadCube(probe.image, probe.imageLayout);
+        picture.notFinite = loaded.texelsNotFinite;
+        picture.clamped = loaded.texelsClamped;
+        picture.cube = std::make_shared<const CubeMap>(std::move(loaded.radiance));
         picture.key.clear();
       } catch (const InputError& error) {
         picture.error = place + error.what();
@@ -32,6 +35,20 @@ void CustomPictures::update(const Scene& scene) {
 std::shared_ptr<const CubeMap> CustomPictures::picture(const std::string& probeName) const {
   const auto it = pictures_.find(probeName);
   return it != pictures_.end() ? it->second.cube : nullptr;
+}
+
+std::vector<std::string> CustomPictures::remarks() const {
+  std::vector<std::string> texts;
+  for (const auto& [name, picture] : pictures_) {
+    const std::string place = "probes." + name + ".image: " + picture.file + ": ";
+    if (picture.notFinite > 0) {
+      texts.push_back(place + std::to_string(picture.notFinite) + " texels are NaN or infinite and were set to 0");
+    }
+    if (picture.clamped > 0) {
+      texts.push_back(place + std::to_string(picture.clamped) + " texels are beyond 65504 and were brought down to it");
+    }
+  }
+  return texts;
 }
 
 std::string CustomPictures::key(const Probe& probe) const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "filters/core/scene.h"
 #include "filters/math/cube_map.h"
@@ -24,6 +25,8 @@ class CustomPictures {
   std::string key(const Probe& probe) const;
   /// One line that names the scene's key and the file; empty while every picture is there.
   const std::string& error() const { return error_; }
+  /// What was wrong with texels that were put right, one line for each picture that had some.
+  std::vector<std::string> remarks() const;
 
  private:
   struct Picture {
@@ -31,6 +34,7 @@ class CustomPictures {
     CubeLayout layout = CubeLayout::Automatic;
     std::shared_ptr<const CubeMap> cube;
     std::string error;
+    std::size_t notFinite = 0, clamped = 0;  ///< texels
     std::string key;
     FilterKind keyFilter = FilterKind::Ggx;
   };

@@ -6,6 +6,7 @@
 
 #include "filters/core/errors.h"
 #include "filters/math/shader_source.h"
+#include "filters/vtk/broken_shader.h"
 
 namespace boxprobe {
 
@@ -30,7 +31,8 @@ void FullScreenPass::draw(vtkOpenGLRenderWindow* window, const std::function<voi
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   if (program_ == nullptr) {
     // VTK's own placeholders: the version line and the mapping of gl_FragData.
-    const std::string fragment = "//VTK::System::Dec\n//VTK::Output::Dec\n" + source_;
+    std::string fragment = "//VTK::System::Dec\n//VTK::Output::Dec\n" + source_;
+    breakShaderIfAsked(fragment, name_);
     const std::string vertex = "//VTK::System::Dec\n" + std::string(shaderSource("gpu/full_screen_vertex.glsl"));
     program_ = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
     if (counters_ != nullptr) ++counters_->programsCompiled;

@@ -4,9 +4,8 @@
 #include <vtkOpenGLState.h>
 #include <vtkTextureUnitManager.h>
 
-#include <string>
-
 #include "filters/core/errors.h"
+#include "filters/vtk/texture_memory.h"
 
 namespace boxprobe {
 
@@ -42,6 +41,15 @@ void requireComplete(const char* what) {
 
 }  // namespace
 
+std::string seamlessCubesProblem() {
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  if (glIsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS) == GL_TRUE) return {};
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  return "this OpenGL driver does not filter across the edges of cube maps (OpenGL 3.2 or ARB_seamless_cube_map is "
+         "needed); reflections show seams";
+}
+
 void CubeTexture::allocate(int faceSize, int levels, GLenum internalFormat) {
   if (handle_ != 0 && faceSize == faceSize_ && levels == levels_ && internalFormat == internalFormat_) return;
   release();
@@ -51,11 +59,19 @@ void CubeTexture::allocate(int faceSize, int levels, GLenum internalFormat) {
   glGenTextures(1, &handle_);
   const CubeBinding binding(handle_);
   const bool distance = internalFormat == GL_R32F;
+  while (glGetError() != GL_NO_ERROR) {  // errors of others are not this allocation's
+  }
   for (int level = 0; level < levels; ++level) {
     for (int face = 0; face < 6; ++face) {
       glTexImage2D(faceTarget(face), level, static_cast<GLint>(internalFormat), faceSize >> level, faceSize >> level, 0,
                    distance ? GL_RED : GL_RGBA, GL_FLOAT, nullptr);
     }
+  }
+  if (glGetError() == GL_OUT_OF_MEMORY) {
+    const std::size_t wanted = bytes();
+    release();
+    throw WorkError("OpenGL has no memory for a cube map of " + std::to_string(faceSize) + " texels a side, " +
+                    memoryText(wanted) + "; lower the probes' faceSize");
   }
   // A mean of two distances is a surface that is not there, so distances are not interpolated.
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, distance ? GL_NEAREST : GL_LINEAR_MIPMAP_LINEAR);

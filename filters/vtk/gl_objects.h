@@ -4,11 +4,15 @@
 
 #include <vtk_glew.h>
 
+#include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
+
+/// Empty if the driver filters across the edges of cubes, else why reflections would show seams. Switches it on.
+std::string seamlessCubesProblem();
 
 /// A cube map in RGBA16F (colour) or R32F (distance) with its own mip levels.
 class CubeTexture {
@@ -18,7 +22,8 @@ class CubeTexture {
   CubeTexture(const CubeTexture&) = delete;
   CubeTexture& operator=(const CubeTexture&) = delete;
 
-  /// Levels 0..levels-1, of `faceSize >> level` texels. Texels are undefined until written.
+  /// Levels 0..levels-1, of `faceSize >> level` texels. Texels are undefined until written. Throws WorkError if the
+  /// driver has no memory for it.
   void allocate(int faceSize, int levels, GLenum internalFormat);
   void release();
 

@@ -7,6 +7,7 @@
 #include "filters/vtk/prefilter.h"
 #include "filters/vtk/probe_assignment.h"
 #include "filters/vtk/scene_renderer.h"
+#include "filters/vtk/texture_memory.h"
 
 namespace boxprobe {
 
@@ -312,6 +313,8 @@ std::optional<BakeRecord> ProbeSet::record(const std::string& probeName) const {
 void ProbeSet::replan() {
   showCached();
   jobs_.clear();
+  memoryChecked_ = false;
+  memoryError_.clear();
   if (enabled_) {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       if (!stale(i)) continue;
@@ -391,7 +394,45 @@ double ProbeSet::progress() const {
   return static_cast<double>(unitsDone_) / std::max(unitsDone_ + left, 1);
 }
 
+// What all probes in use will hold in the end, those that are there already included, and what making them needs.
+std::string ProbeSet::memoryProblem() const {
+  std::size_t need = 0, scratch = 0, count = 0;
+  int largest = 0;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const bool wanted = targets_.empty() ? entries_[i].used : targets_.count(entries_[i].name) != 0;
+    if (!wanted || entries_[i].wanted.empty()) continue;
+    const bool custom = probe(i).mode == ProbeUpdate::Custom;
+    const auto picture = custom ? pictures_.picture(probe(i).name) : nullptr;
+    const int size = picture ? picture->faceSize() : probe(i).faceSize;
+    const std::size_t bytes = probeMapsBytes(size, !custom);
+    // A further bounce is captured while the one before it lights the scene.
+    need += bytes * (probe(i).bounces > 1 && !custom ? 2 : 1);
+    scratch = std::max(scratch, captureScratchBytes(size));
+    largest = std::max(largest, size);
+    ++count;
+  }
+  const std::size_t limit = textureMemoryLimit();
+  if (need + scratch <= limit) return {};
+  return "the maps of " + std::to_string(count) + " probes with faces of up to " + std::to_string(largest) +
+         " texels need " + memoryText(need + scratch) + " of texture memory, and there are " + memoryText(limit) +
+         " (BOXPROBE_TEXTURE_MEMORY, in MB, sets another limit); lower faceSize or bounces";
+}
+
+void ProbeSet::giveUp() {
+  runner_.abort();
+  current_.reset();
+  jobs_.clear();
+  toPrepare_.clear();
+  kept_.clear();
+  unitsDone_ = 0;
+}
+
 void ProbeSet::step() {
+  if (!memoryChecked_ && !jobs_.empty()) {
+    memoryChecked_ = true;
+    memoryError_ = memoryProblem();
+    if (!memoryError_.empty()) return giveUp();
+  }
   if (!runner_.pending() && !jobs_.empty()) {
     const Job job = jobs_.front();
     begin(job);

@@ -54,6 +54,11 @@ class ProbeSet {
   void requestBake(const std::vector<std::string>& names);
   BakeState bakeState(const std::string& probeName) const;
   const std::string& pictureError() const { return pictures_.error(); }
+  std::vector<std::string> pictureRemarks() const { return pictures_.remarks(); }
+  /// Empty, or why nothing is made: the maps would not fit into the graphics memory.
+  const std::string& memoryError() const { return memoryError_; }
+  /// Drops all work until something changes.
+  void giveUp();
   /// What the maps a baked probe shows were made from; nothing while they are not the final ones. Empty: the sky.
   std::optional<BakeRecord> record(const std::string& probeName) const;
 
@@ -111,6 +116,7 @@ class ProbeSet {
 
   void replan();
   void planBounces();
+  std::string memoryProblem() const;
   bool keepsCurrent() const;
   void begin(const Job& job);
   void loadFile(const Job& job);
@@ -151,6 +157,8 @@ class ProbeSet {
   MapCache cache_;
 
   std::vector<Job> jobs_;
+  bool memoryChecked_ = false;  ///< since the jobs were planned
+  std::string memoryError_;
   std::optional<Job> current_;                          ///< what the runner is at
   std::vector<std::shared_ptr<const ProbeMaps>> kept_;  ///< of earlier bounces, while later ones are to be made
   int unitsDone_ = 0;

@@ -49,9 +49,10 @@ void SceneContent::rebuildSky() {
   const auto* image = std::get_if<SkyImage>(&scene.sky);
   if (image == nullptr) {
     skyImage.reset();
+    skyTexelsNotFinite = 0;
     skyImageFile_.clear();
   } else if (image->file != skyImageFile_) {
-    skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file));
+    skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file, &skyTexelsNotFinite));
     skyImageFile_ = image->file;
   }
   sky->SetSky(scene.sky, skyImage);

@@ -26,6 +26,7 @@ struct SceneContent {
   std::vector<vtkSmartPointer<vtkLight>> lights;
   vtkNew<vtkSkyProp> sky;
   std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
+  std::size_t skyTexelsNotFinite = 0;          ///< of that image; they were set to 0
 
   /// Bounds of all visible objects; a box around the origin when there is none.
   Box bounds() const;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "filters/core/errors.h"
 #include "filters/vtk/cube_capture.h"
 #include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/picture_frames.h"
@@ -221,7 +222,13 @@ bool SceneRenderer::workPending() const {
 bool SceneRenderer::step() {
   Impl& d = *impl_;
   makeStaticTextures(d.window, *d.state);
-  d.probes.step();
+  try {
+    d.probes.step();
+  } catch (const WorkError& error) {
+    // Not thrown on: a window goes on without what could not be made, and says so.
+    if (d.state->error.empty()) d.state->error = error.what();
+    d.probes.giveUp();
+  }
   // The captures left their camera's lighting uniforms behind in shared programs; see CubeCapture::renderInto.
   d.renderer->GetActiveCamera()->Modified();
   return workPending();
@@ -365,6 +372,27 @@ const std::string& SceneRenderer::pictureError() const {
   return impl_->probes.pictureError();
 }
 
+std::vector<std::string> SceneRenderer::remarks() const {
+  const Impl& d = *impl_;
+  std::vector<std::string> texts = d.probes.pictureRemarks();
+  const auto* image = std::get_if<SkyImage>(&d.content.scene.sky);
+  if (image != nullptr && d.content.skyTexelsNotFinite > 0) {
+    texts.push_back("sky.image: " + image->file + ": " + std::to_string(d.content.skyTexelsNotFinite) +
+                    " texels are NaN or infinite and were set to 0");
+  }
+  const Counters& counters = d.state->counters;
+  if (counters.texelsNotFinite > 0) {
+    texts.push_back(std::to_string(counters.texelsNotFinite) +
+                    " captured samples were NaN or infinite and were set to 0");
+  }
+  if (counters.texelsClamped > 0) {
+    texts.push_back(
+        std::to_string(counters.texelsClamped) +
+        " captured samples were brighter than 65504, the most a half float holds, and were brought down to it");
+  }
+  return texts;
+}
+
 std::optional<BakedMaps> SceneRenderer::readMaps(const std::string& probeName) const {
   const auto maps = probeName.empty() ? impl_->state->sky : impl_->probes.maps(probeName);
   if (!maps) return std::nullopt;
@@ -396,7 +424,7 @@ std::size_t SceneRenderer::probeMemoryBytes() const {
 }
 
 std::string SceneRenderer::error() const {
-  return impl_->state->error;
+  return impl_->state->error.empty() ? impl_->probes.memoryError() : impl_->state->error;
 }
 
 void SceneRenderer::releaseGraphics() {

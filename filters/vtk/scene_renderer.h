@@ -150,6 +150,10 @@ class SceneRenderer {
   /// Empty while every custom probe's picture could be read; else one line. Such a probe keeps the maps it had.
   const std::string& pictureError() const;
 
+  /// Light that was put right on its way into the maps, counted: NaN and infinite texels of pictures and captures,
+  /// samples beyond what a half float holds. One sentence each, for warnings.
+  std::vector<std::string> remarks() const;
+
   /// The maps a probe shows now, read back; nothing while it has none. An empty name stands for the sky.
   std::optional<BakedMaps> readMaps(const std::string& probeName) const;
   /// The same copy that explain() looks up, read back once for each capture; null while it has none.

@@ -9,6 +9,7 @@ namespace boxprobe {
 
 void makeStaticTextures(vtkOpenGLRenderWindow* window, DrawState& state) {
   if (state.brdfTable != 0) return;
+  if (state.error.empty()) state.error = seamlessCubesProblem();
   const BrdfTable table = makeBrdfTable();
   glGenTextures(1, &state.brdfTable);
   {

@@ -6,15 +6,18 @@
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLHelper.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
 #include <vtkRenderer.h>
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
+#include <vtkSmartPointer.h>
 
 #include <array>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 
 #include "filters/core/probe_color.h"
+#include "filters/vtk/broken_shader.h"
 #include "filters/vtk/camera_uniforms.h"
 #include "filters/vtk/static_textures.h"
 #include "filters/vtk/vtk_pbr_splice.h"
@@ -55,6 +58,7 @@ void vtkProbePolyDataMapper::UpdateDrawn() {
   const std::string key = this->Drawn ? this->Drawn->variantKey() : std::string();
   if (key != this->VariantKey) {
     this->VariantKey = key;
+    this->Refused = false;
     this->Modified();
   }
 }
@@ -69,14 +73,47 @@ void vtkProbePolyDataMapper::SetApart(bool apart) {
 void vtkProbePolyDataMapper::SetDebug(bool debug) {
   if (debug != this->Debug) {
     this->Debug = debug;
+    this->Refused = false;
     this->Modified();
   }
+}
+
+// A program that does not compile takes VTK 9.1 down where it is used next, so it is tried here: the cache then has it
+// ready, at no further cost. In place of one that the driver refuses comes VTK's own: an object without reflections is
+// better than none.
+void vtkProbePolyDataMapper::BuildShaders(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+                                          vtkActor* actor) {
+  this->Superclass::BuildShaders(shaders, renderer, actor);
+  if (!this->State || !this->Drawn || this->Refused) {
+    return;
+  }
+  // Copies: the cache finishes the sources it is given.
+  std::map<vtkShader::Type, vtkSmartPointer<vtkShader>> copies;
+  std::map<vtkShader::Type, vtkShader*> tried;
+  for (const auto& entry : shaders) {
+    auto copy = vtkSmartPointer<vtkShader>::New();
+    copy->SetType(entry.first);
+    copy->SetSource(entry.second->GetSource());
+    tried[entry.first] = copy;
+    copies[entry.first] = copy;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(tried);
+  if (program != nullptr && program->GetCompiled()) {
+    return;
+  }
+  if (this->State->error.empty()) {
+    this->State->error =
+        "this OpenGL driver refuses the shader of a surface with probes; it is drawn without reflections";
+  }
+  this->Refused = true;
+  this->Superclass::BuildShaders(shaders, renderer, actor);
 }
 
 void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                                                  vtkActor* actor) {
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
-  if (!this->State || !this->Drawn) {
+  if (!this->State || !this->Drawn || this->Refused) {
     return;
   }
   std::string source = shaders[vtkShader::Fragment]->GetSource();
@@ -90,6 +127,7 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
   if (!failure.empty() && this->State->error.empty()) {
     this->State->error = failure;
   }
+  boxprobe::breakShaderIfAsked(source, "surface");
   shaders[vtkShader::Fragment]->SetSource(source);
 }
 
@@ -100,9 +138,6 @@ void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer*
   }
   if (cellBO.Program != nullptr && this->State->programs.insert(cellBO.Program).second) {
     ++this->State->counters.programsCompiled;
-    if (!cellBO.Program->GetCompiled() && this->State->error.empty()) {
-      this->State->error = "a physically based shader with probes does not compile on this driver";
-    }
   }
 }
 

@@ -42,6 +42,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   vtkProbePolyDataMapper();
   ~vtkProbePolyDataMapper() override;
 
+  void BuildShaders(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                            vtkActor* actor) override;
   void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
@@ -67,6 +68,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   bool Apart = false;
   std::string VariantKey;
   bool Debug = false;
+  bool Refused = false;  // the driver did not compile the spliced program: VTK's own is drawn
   int ObjectNumber = 0;
   std::vector<std::unique_ptr<boxprobe::BoundTexture>> Bound;  // for the piece being drawn
 };

@@ -1,0 +1,122 @@
+// OpenGL that is short of memory, refuses shaders or is too old: one line and exit status 1, never a crash; a program
+// that goes on drawing goes on without reflections.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "filters/math/filter_lobe.h"
+#include "filters/vtk/gl_objects.h"
+#include "filters/vtk/texture_memory.h"
+#include "tests/cli/program.h"
+#include "tests/support/gpu_window.h"
+#include "tests/support/scene_picture.h"
+
+namespace boxprobe::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+/// Set for this process and those it starts.
+class Setting {
+ public:
+  Setting(const char* name, const char* value) : name_(name) { ::setenv(name, value, 1); }
+  ~Setting() { ::unsetenv(name_); }
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
+
+ private:
+  const char* name_;
+};
+
+class GlTrouble : public ::testing::Test {
+ protected:
+  /// Exit status 1, one line that says all of `mentioned`, no picture.
+  void expectFailure(const std::vector<std::string>& sets, const std::vector<std::string>& mentioned) {
+    std::vector<std::string> arguments = {"render", demoScene("room"), "-o", folder.path("out.png"), "--size", "64x36"};
+    for (const std::string& set : sets) arguments.insert(arguments.end(), {"--set", set});
+    const Outcome outcome = runProgram(arguments);
+    EXPECT_EQ(outcome.exitStatus, 1) << outcome.err;
+    ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+    EXPECT_THAT(outcome.err, StartsWith("boxprobe: "));
+    for (const std::string& text : mentioned) EXPECT_THAT(outcome.err, HasSubstr(text));
+    EXPECT_THAT(folder.names(), SizeIs(0));
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(GlTrouble, MapsThatDoNotFitAreRefusedWithTheFigureBeforeTheyAreAllocated) {
+  const Setting limit("BOXPROBE_TEXTURE_MEMORY", "100");
+  expectFailure({"probes.room.faceSize=2048"}, {"the maps of 1 probes", "2048 texels", "608 MB", "100 MB", "faceSize"});
+}
+
+TEST_F(GlTrouble, ASceneRendererWithoutMemoryDrawsOnAndRecoversWithSmallerFaces) {
+  const Setting limit("BOXPROBE_TEXTURE_MEMORY", "1");
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.scene.probes[0].faceSize = 256;
+  EXPECT_THROW(picture.show(cameraNamed(picture.scene, "main")), std::runtime_error);
+  EXPECT_THAT(picture.renderer->error(), HasSubstr("of texture memory, and there are 1.0 MB"));
+  EXPECT_EQ(picture.renderer->probeMemoryBytes(), 0u);
+  EXPECT_FALSE(picture.renderer->workPending());
+  EXPECT_EQ(picture.display().width, 64);
+  picture.scene.probes[0].faceSize = 64;
+  picture.show(cameraNamed(picture.scene, "main"));
+  EXPECT_EQ(picture.renderer->error(), "");
+  EXPECT_GT(picture.renderer->probeMemoryBytes(), 0u);
+}
+
+TEST_F(GlTrouble, WhatIsCountedIsWhatIsAllocated) {
+  const auto window = makeWindow();
+  for (const int size : {16, 64, 256}) {
+    CubeTexture chain, distances, source;
+    int levels = 1;
+    while (size >> levels > 0) ++levels;
+    chain.allocate(size, prefilterLevels(size), GL_RGBA16F);
+    distances.allocate(size, 1, GL_R32F);
+    source.allocate(size, levels, GL_RGBA16F);
+    EXPECT_EQ(probeMapsBytes(size, true), chain.bytes() + distances.bytes());
+    EXPECT_EQ(captureScratchBytes(size), source.bytes());
+  }
+}
+
+TEST_F(GlTrouble, AShaderThatDoesNotCompileIsAMessage) {
+  for (const char* name : {"surface", "gpu/resolve_capture.glsl"}) {
+    SCOPED_TRACE(name);
+    const Setting broken("BOXPROBE_BREAK_SHADER", name);
+    expectFailure({}, {"shader"});
+  }
+}
+
+TEST_F(GlTrouble, ASceneRendererWithABrokenSurfaceShaderDrawsWithoutReflections) {
+  ScenePicture plain = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  plain.renderer->setProbesEnabled(false);
+  plain.show(cameraNamed(plain.scene, "main"));
+  const ImageRgba8 expected = plain.display();
+
+  const Setting broken("BOXPROBE_BREAK_SHADER", "surface");
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  EXPECT_THROW(picture.show(cameraNamed(picture.scene, "main")), std::runtime_error);
+  EXPECT_THAT(picture.renderer->error(), HasSubstr("refuses the shader of a surface"));
+  const ImageRgba8 image = picture.display();
+  // VTK's own program where the other has VTK's own with our output: the same light, differently encoded at most.
+  int lit = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) lit += image.pixels[i] > 8 ? 1 : 0;
+  int litPlain = 0;
+  for (std::size_t i = 0; i < expected.pixels.size(); i += 4) litPlain += expected.pixels[i] > 8 ? 1 : 0;
+  EXPECT_GT(lit, litPlain / 2);
+}
+
+TEST_F(GlTrouble, ADriverThatIsTooOldIsAMessage) {
+  const Setting old("MESA_GL_VERSION_OVERRIDE", "2.1");
+  const Outcome outcome =
+      runProgram({"render", demoScene("room"), "-o", folder.path("out.png"), "--size", "64x36", "--quiet"});
+  EXPECT_EQ(outcome.exitStatus, 1) << outcome.err;
+  EXPECT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("OpenGL"));
+}
+
+}  // namespace
+}  // namespace boxprobe::test
