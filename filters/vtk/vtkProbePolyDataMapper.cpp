@@ -66,6 +66,7 @@ void vtkProbePolyDataMapper::UpdateDrawn() {
 void vtkProbePolyDataMapper::SetApart(bool apart) {
   if (apart != this->Apart) {
     this->Apart = apart;
+    this->Refused = false;
     this->Modified();
   }
 }
