@@ -123,16 +123,16 @@ void report(const StressOptions& options, const StressPlan& plan, const std::vec
 
 /// Throws if an input breaks what is promised; published forms promise nothing.
 void requirePromise(const StressPlan& plan, const std::vector<StressCell>& cells) {
-  std::uint64_t broken = 0;
+  std::size_t broken = 0;
   const StressCell* first = nullptr;
   for (const StressCell& cell : cells) {
-    if (cell.subject->counterpart != nullptr || cell.tally.broken == 0) continue;
-    broken += cell.tally.broken;
+    if (!cell.broken()) continue;
+    ++broken;
     if (first == nullptr || cell.tally.worstSeverity > first->tally.worstSeverity) first = &cell;
   }
   if (first == nullptr) return;
-  throw WorkError(std::to_string(broken) + " input(s) break the promise; the worst: boxprobe stress --replay '" +
-                  replayText(*first, plan.seed) + "'");
+  throw WorkError("the promise is broken in " + std::to_string(broken) + " of " + std::to_string(cells.size()) +
+                  " classes and techniques; the worst: boxprobe stress --replay '" + replayText(*first, plan.seed) + "'");
 }
 
 std::vector<StressCell> results(const StressOptions& options, const StressPlan& plan, const InterruptGuard& interrupt) {

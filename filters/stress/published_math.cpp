@@ -23,6 +23,7 @@ using glm::sqrt;
 #include "shaders/published/distance_ratio.glsl"
 #include "shaders/published/footprint_scale.glsl"
 #include "shaders/published/ggx.glsl"
+#include "shaders/published/rounded_box.glsl"  // as well
 #include "shaders/published/sphere.glsl"
 
 }  // namespace boxprobe::shading

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "filters/math/shared_math.h"
+#include "filters/stress/stress_light.h"
 #include "filters/stress/stress_trial.h"
 
 namespace boxprobe::stress {
@@ -39,6 +40,7 @@ class StressMap : public shading::CubeSampler, public shading::DistanceSampler {
   shading::ProbeData probeData() const {
     shading::ProbeData data;
     data.distances = this;
+    data.light = &stressLightTable();
     return data;
   }
   int lookups() const { return lookups_; }

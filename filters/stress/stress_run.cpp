@@ -25,6 +25,14 @@ StressInput StressCell::worstInput(std::uint64_t seed) const {
   return makeInput(*inputs, subject->id, seed, tally.worstIndex, subject->parameters);
 }
 
+bool StressCell::broken() const {
+  if (subject->counterpart != nullptr) return false;
+  const bool held = inputs->held == Held::All || inputs->held == Held::ByReach;
+  const ErrorHistogram& hit = tally.errors[kBoxSizes];
+  const bool tooMany = subject->mostBoxSizes > 0.0 && held && hit.measured() && hit.quantile(0.9999) > subject->mostBoxSizes;
+  return tally.broken > 0 || tooMany;
+}
+
 std::vector<StressCell> stressCells(const StressPlan& plan) {
   std::vector<StressCell> cells;
   for (const StressClass* inputs : plan.classes) {

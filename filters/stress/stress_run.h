@@ -15,6 +15,8 @@ struct StressCell {
   StressTally tally;
   /// The input that came nearest to, or furthest over, a bound.
   StressInput worstInput(std::uint64_t seed) const;
+  /// An input broke the promise, or too many came too near. Published forms promise nothing.
+  bool broken() const;
 };
 
 struct StressPlan {

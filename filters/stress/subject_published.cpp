@@ -64,6 +64,15 @@ Trial tryBoxWorld(const StressInput& input, const StressClass& c, TrialLog* log)
       input, c, log);
 }
 
+Trial tryRoundedBox(const StressInput& input, const StressClass& c, TrialLog* log) {
+  const LocalInput in = published(input, log);
+  const ProbeHit hit = shading::publishedRoundedBox(in.probe, in.point.position, in.point.reflection);
+  Trial trial;
+  trial.require(finite(hit.direction) && std::isfinite(hit.distance));
+  measureRoundedBox(in, c, hit.distance, boxHit(in).distance, trial, log);
+  return trial;
+}
+
 Trial trySphere(const StressInput& input, const StressClass& c, TrialLog* log) {
   const LocalInput in = published(input, log);
   const ProbeHit hit = shading::publishedSphere(in.probe, in.point.position, in.point.reflection);
@@ -151,16 +160,17 @@ Trial tryReflection(const StressInput& input, const StressClass& c, TrialLog* lo
 
 const std::vector<StressSubject>& publishedSubjects() {
   static const std::vector<StressSubject> subjects = {
-      {"published:box-select", {}, tryBoxSelect, "box+none", {}},
-      {"published:box-max", {}, tryBoxMax, "box+none", {}},
-      {"published:box-world", {}, tryBoxWorld, "box+none", {}},
-      {"published:sphere", {}, trySphere, "sphere+none", {}},
-      {"published:distance-ratio", {}, tryDistanceRatio, "box+hdrp", {}},
-      {"published:footprint-scale", {}, tryFootprintScale, "term:footprint-scale", {}},
-      {"published:ggx-distribution", {}, tryDistribution, "term:ggx-distribution", {}},
-      {"published:ggx-masking", {}, tryMasking, "term:ggx-masking", {}},
-      {"published:blend-weight", {}, tryWeight, "term:blend-weight", {}},
-      {"published:reflection", {}, tryReflection, "term:reflection", {}},
+      {"published:box-select", {}, tryBoxSelect, "box+none", 0.0, {}},
+      {"published:box-max", {}, tryBoxMax, "box+none", 0.0, {}},
+      {"published:box-world", {}, tryBoxWorld, "box+none", 0.0, {}},
+      {"published:rounded-box", {}, tryRoundedBox, "term:rounded-box", 0.0, {}},
+      {"published:sphere", {}, trySphere, "sphere+none", 0.0, {}},
+      {"published:distance-ratio", {}, tryDistanceRatio, "box+hdrp", 0.0, {}},
+      {"published:footprint-scale", {}, tryFootprintScale, "term:footprint-scale", 0.0, {}},
+      {"published:ggx-distribution", {}, tryDistribution, "term:ggx-distribution", 0.0, {}},
+      {"published:ggx-masking", {}, tryMasking, "term:ggx-masking", 0.0, {}},
+      {"published:blend-weight", {}, tryWeight, "term:blend-weight", 0.0, {}},
+      {"published:reflection", {}, tryReflection, "term:reflection", 0.0, {}},
   };
   return subjects;
 }

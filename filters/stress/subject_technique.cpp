@@ -146,7 +146,7 @@ const std::vector<StressSubject>& techniqueSubjects() {
                        [technique](const StressInput& in, const StressClass& c, TrialLog* log) {
                          return tryTechnique(technique, in, c, log);
                        },
-                       nullptr, technique});
+                       nullptr, 0.0, technique});
       }
     }
     return all;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "filters/stress/exact.h"
 #include "filters/stress/stress_map.h"
@@ -29,6 +30,18 @@ Trial tryFootprintScale(const char* projection, const StressInput& input, const 
   const float scale = shading::footprintScale(in.probe, hit, in.point.reflection);
   trial.require(std::isfinite(scale));
   measureFootprintScale(in, c, hit, scale, trial, log);
+  return trial;
+}
+
+Trial tryRoundedBox(const StressInput& input, const StressClass& c, TrialLog* log) {
+  const LocalInput in = localInput(input);
+  Trial trial;
+  if (log != nullptr) logLocal(in, *log);
+  const float exit = boxHit(in).distance;
+  const float t = shading::roundedBoxExit(in.point.position, in.point.reflection, in.probe.boxMin, in.probe.boxMax,
+                                          in.probe.bevel, exit);
+  trial.require(std::isfinite(t), t >= 0.0f && t <= exit);
+  measureRoundedBox(in, c, t, exit, trial, log);
   return trial;
 }
 
@@ -183,6 +196,25 @@ void measureFootprintScale(const LocalInput& in, const StressClass& c, const Pro
   log->add("solid-angle scale", static_cast<double>(scale), definition);
 }
 
+void measureRoundedBox(const LocalInput& in, const StressClass& c, float t, float exit, Trial& trial, TrialLog* log) {
+  using exact::vec;
+  const glm::vec3 p = in.point.position;
+  const bool inside = glm::all(glm::greaterThanEqual(p, in.probe.boxMin)) &&
+                      glm::all(glm::lessThanEqual(p, in.probe.boxMax));
+  // What leaves a start outside has no definition, only bounds.
+  if (!inside) return;
+  const Real definition = exact::roundedBoxExit(vec(p), vec(in.point.reflection), vec(in.probe.boxMin),
+                                                vec(in.probe.boxMax), in.probe.bevel, exit);
+  const Real reach = std::abs(t - definition) * exact::length(vec(in.point.reflection));
+  const bool held = c.held != Held::Finite && c.held != Held::Sliding;
+  trial.measure(kBoxSizes, definition < 1.0e30L ? static_cast<double>(reach) / lengthScale(in, c) : 0.0,
+                kRoundedBoxSizes, held);
+  if (log == nullptr) return;
+  log->add("bevel", static_cast<double>(in.probe.bevel));
+  log->add("sharp exit", static_cast<double>(exit));
+  log->add("rounded exit", static_cast<double>(t), definition);
+}
+
 void measureReflection(const LocalInput& in, const StressClass& c, const glm::vec3& r, Trial& trial, TrialLog* log) {
   const exact::Vec n = exact::vec(in.point.normal), v = exact::vec(in.point.view), e = exact::vec(r);
   // Mirrored at the normal's own length, and not below the surface, whichever way the normal faces.
@@ -213,16 +245,17 @@ const std::vector<StressSubject>& termSubjects() {
   using std::placeholders::_2;
   using std::placeholders::_3;
   static const std::vector<StressSubject> subjects = {
-      {"term:footprint-scale", {}, std::bind(tryFootprintScale, "box", _1, _2, _3), nullptr, {}},
-      {"term:footprint-scale-sphere", {}, std::bind(tryFootprintScale, "sphere", _1, _2, _3), nullptr, {}},
-      {"term:ggx-distribution", {}, tryDistribution, nullptr, {}},
-      {"term:ggx-masking", {}, tryMasking, nullptr, {}},
-      {"term:blend-weight", {}, tryWeight, nullptr, {}},
-      {"term:reflection", {}, tryReflection, nullptr, {}},
-      {"term:level", {}, tryLevel, nullptr, {}},
-      {"term:lobe-frame", {}, tryFrame, nullptr, {}},
-      {"term:texel-centre", {}, tryTexelCentre, nullptr, {}},
-      {"term:true-hit", {}, tryTrueHit, nullptr, {}},
+      {"term:footprint-scale", {}, std::bind(tryFootprintScale, "box", _1, _2, _3), nullptr, 0.0, {}},
+      {"term:footprint-scale-sphere", {}, std::bind(tryFootprintScale, "sphere", _1, _2, _3), nullptr, 0.0, {}},
+      {"term:rounded-box", {}, tryRoundedBox, nullptr, kRoundedMostBoxSizes, {}},
+      {"term:ggx-distribution", {}, tryDistribution, nullptr, 0.0, {}},
+      {"term:ggx-masking", {}, tryMasking, nullptr, 0.0, {}},
+      {"term:blend-weight", {}, tryWeight, nullptr, 0.0, {}},
+      {"term:reflection", {}, tryReflection, nullptr, 0.0, {}},
+      {"term:level", {}, tryLevel, nullptr, 0.0, {}},
+      {"term:lobe-frame", {}, tryFrame, nullptr, 0.0, {}},
+      {"term:texel-centre", {}, tryTexelCentre, nullptr, 0.0, {}},
+      {"term:true-hit", {}, tryTrueHit, nullptr, 0.0, {}},
   };
   return subjects;
 }

@@ -1,6 +1,7 @@
 // See stress_gpu.h.
 #include "filters/vtk/stress_gpu.h"
 
+#include <tbb/parallel_for.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
@@ -12,6 +13,7 @@
 #include <memory>
 
 #include "filters/math/blue_noise.h"
+#include "filters/stress/stress_light.h"
 #include "filters/stress/stress_subjects.h"
 #include "filters/vtk/full_screen_pass.h"
 #include "filters/vtk/gl_objects.h"
@@ -88,19 +90,22 @@ class Textures {
  public:
   Textures(vtkOpenGLRenderWindow* window, int count) : window_(window), handles_(static_cast<std::size_t>(count)) {
     glGenTextures(count, handles_.data());
-    for (std::size_t i = 0; i < handles_.size(); ++i) upload(i, nullptr);
+    for (const GLuint handle : handles_) {
+      const BoundTexture bound(window_, GL_TEXTURE_2D, handle);
+      glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kWidth, kHeight, 0, GL_RGBA, GL_FLOAT, nullptr);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    }
   }
   ~Textures() { glDeleteTextures(static_cast<GLsizei>(handles_.size()), handles_.data()); }
   Textures(const Textures&) = delete;
   Textures& operator=(const Textures&) = delete;
 
-  void upload(std::size_t i, const Texels* texels) {
+  /// The lowest `rows`.
+  void upload(std::size_t i, const Texels& texels, int rows) {
     const BoundTexture bound(window_, GL_TEXTURE_2D, handles_[i]);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kWidth, kHeight, 0, GL_RGBA, GL_FLOAT,
-                 texels != nullptr ? texels->data() : nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kWidth, rows, GL_RGBA, GL_FLOAT, texels.data());
   }
   GLuint operator[](std::size_t i) const { return handles_[i]; }
 
@@ -119,7 +124,8 @@ class Targets {
   Targets(const Targets&) = delete;
   Targets& operator=(const Targets&) = delete;
 
-  std::array<Texels, 2> draw(FullScreenPass& pass, const Textures& inputs, int count) {
+  /// Of the lowest `rows` alone.
+  std::array<Texels, 2> draw(FullScreenPass& pass, const Textures& inputs, int count, int rows) {
     const PassState saved(window_);
     window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     constexpr GLenum kBuffers[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
@@ -127,9 +133,14 @@ class Targets {
       glFramebufferTexture2D(GL_FRAMEBUFFER, kBuffers[i], GL_TEXTURE_2D, textures_[i], 0);
     }
     glDrawBuffers(2, kBuffers);
-    window_->GetState()->vtkglViewport(0, 0, kWidth, kHeight);
+    window_->GetState()->vtkglViewport(0, 0, kWidth, rows);
     std::vector<std::unique_ptr<BoundTexture>> bound;
     pass.draw(window_, [&](vtkShaderProgram* program) {
+      if (program->IsUniformUsed("stressLight")) {
+        const std::vector<glm::vec4>& cells = stressLightTable().cells;
+        program->SetUniform4fv("stressLight", static_cast<int>(cells.size()),
+                               reinterpret_cast<const float(*)[4]>(cells.data()));
+      }
       for (int i = 0; i < count; ++i) {
         bound.push_back(std::make_unique<BoundTexture>(window_, GL_TEXTURE_2D, inputs[static_cast<std::size_t>(i)]));
         const std::string name = "stressIn" + std::to_string(i);
@@ -138,9 +149,9 @@ class Targets {
     });
     std::array<Texels, 2> results;
     for (std::size_t i = 0; i < 2; ++i) {
-      results[i].resize(kBatch);
+      results[i].resize(static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(rows));
       glReadBuffer(kBuffers[i]);
-      glReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_FLOAT, results[i].data());
+      glReadPixels(0, 0, kWidth, rows, GL_RGBA, GL_FLOAT, results[i].data());
     }
     return results;
   }
@@ -209,18 +220,21 @@ std::vector<StressCell> runStressGpu(vtkOpenGLRenderWindow* window, const Stress
 
     std::vector<Place> batch;
     const auto flush = [&] {
-      for (std::size_t i = 0; i < batch.size(); ++i) {
-        const StressCell& cell = cells[batch[i].cell];
-        pack(makeInput(*cell.inputs, subject.id, plan.seed, batch[i].index, subject.parameters), subject.parameters, i,
-             texels);
-      }
-      for (std::size_t t = 0; t < texels.size(); ++t) inputs.upload(t, &texels[t]);
-      const std::array<Texels, 2> results = targets.draw(pass, inputs, count);
-      for (std::size_t i = 0; i < batch.size(); ++i) {
-        StressCell& cell = cells[batch[i].cell];
-        const StressInput in = makeInput(*cell.inputs, subject.id, plan.seed, batch[i].index, subject.parameters);
-        cell.tally.add(compare(program, *cell.inputs, in, results[0][i], results[1][i]), batch[i].index);
-      }
+      // Few inputs draw few rows: a short run does not wait for a whole target.
+      const int rows = static_cast<int>((batch.size() + kWidth - 1) / kWidth);
+      std::vector<StressInput> made(batch.size());
+      const auto each = [&batch](const auto& work) { tbb::parallel_for(std::size_t{0}, batch.size(), work); };
+      each([&](std::size_t i) {
+        made[i] = makeInput(*cells[batch[i].cell].inputs, subject.id, plan.seed, batch[i].index, subject.parameters);
+        pack(made[i], subject.parameters, i, texels);
+      });
+      for (std::size_t t = 0; t < texels.size(); ++t) inputs.upload(t, texels[t], rows);
+      const std::array<Texels, 2> results = targets.draw(pass, inputs, count, rows);
+      std::vector<Trial> trials(batch.size());
+      each([&](std::size_t i) {
+        trials[i] = compare(program, *cells[batch[i].cell].inputs, made[i], results[0][i], results[1][i]);
+      });
+      for (std::size_t i = 0; i < batch.size(); ++i) cells[batch[i].cell].tally.add(trials[i], batch[i].index);
       done += batch.size();
       batch.clear();
       return progress(static_cast<double>(done) / static_cast<double>(plan.count));

@@ -83,6 +83,16 @@ const std::vector<Term>& terms() {
        [](const LocalInput& in, const StressInput&) {
          return glm::vec4(shading::footprintScale(in.probe, boxHit(in), in.point.reflection), 0.0f, 0.0f, 0.0f);
        }},
+      {"term:rounded-box",
+       {"shared/rounded_box.glsl"},
+       "  vec3 f = slabFactors(point.position, point.reflection, probe.boxMin, probe.boxMax);\n"
+       "  float exit = min(min(f.x, f.y), f.z);\n"
+       "  out0.x = roundedBoxExit(point.position, point.reflection, probe.boxMin, probe.boxMax, in3.w, exit);\n",
+       [](const LocalInput& in, const StressInput&) {
+         return glm::vec4(shading::roundedBoxExit(in.point.position, in.point.reflection, in.probe.boxMin,
+                                                  in.probe.boxMax, in.probe.bevel, boxHit(in).distance),
+                          0.0f, 0.0f, 0.0f);
+       }},
       {"term:ggx-distribution",
        {"shared/ggx.glsl"},
        "  float alpha = point.roughness * point.roughness;\n"
@@ -133,7 +143,14 @@ const std::vector<Term>& terms() {
        "  vec3 sides = probe.boxMax - probe.boxMin;\n"
        "  float reach = 2.0 * max(max(sides.x, sides.y), max(sides.z, 1.0e-30));\n"
        "  out0.x = trueHitDistance(0, probe, 256.0, point.position, point.reflection, reach);\n",
-       nullptr},
+       [](const LocalInput& in, const StressInput&) {
+         const glm::vec3 sides = in.probe.boxMax - in.probe.boxMin;
+         const float reach = 2.0f * std::max({sides.x, sides.y, sides.z, 1.0e-30f});
+         const StressMap map(in.probe);
+         return glm::vec4(
+             shading::trueHitDistance(&map, in.probe, 256.0f, in.point.position, in.point.reflection, reach), 0.0f,
+             0.0f, 0.0f);
+       }},
   };
   return rows;
 }

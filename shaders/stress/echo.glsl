@@ -20,6 +20,14 @@ vec2 fetchBlueNoise(ivec2 pixel)
   return stressBlueNoise;
 }
 
+// Of the light table of filters/stress/stress_light.h; the box is not turned against the map.
+#define STRESS_LIGHT_CELLS 96
+uniform vec4 stressLight[STRESS_LIGHT_CELLS];
+vec3 mapFromProbe(ProbeShape probe, vec3 direction) { return direction; }
+vec3 probeFromMap(ProbeShape probe, vec3 direction) { return direction; }
+int probeLightSize(ProbeShape probe) { return 4; }
+vec4 fetchProbeLight(ProbeShape probe, int cell) { return stressLight[clamp(cell, 0, STRESS_LIGHT_CELLS - 1)]; }
+
 float fetchProbeDistance(ProbeShape probe, vec3 direction)
 {
   vec3 q = stressLargestOne(direction);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace stress;
 
-TEST(StressGpu, DISABLED_AMillionInputsGiveNumbersAndCppAgrees) {
+TEST(StressGpu, AMillionInputsGiveNumbersAndCppAgrees) {
   const auto window = test::makeWindow();
   StressPlan plan;
   plan.count = 1000000;
