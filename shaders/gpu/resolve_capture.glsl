@@ -15,6 +15,22 @@ const float kFloatMax = 3.4e38f;
 
 bool bpFinite(vec4 c) { return all(lessThanEqual(abs(c), vec4(kFloatMax))); }
 
+// How far window depth may be from linear on a plane: rounding, and a share of what is left to the far end.
+float bpFlat(float depth) { return 1.0e-6f + 0.02f * (1.0f - depth); }
+
+// Does the step in depth between the two samples at the centre, along `side`, go on to at least one of its ends? A plane's does; an
+// edge that runs along the samples' rows does not, though opposite corners of the four have the same sum there.
+bool bpGoesOn(ivec2 middle, ivec2 side, float farthest)
+{
+  ivec2 last = ivec2(int(bpFaceSize) * bpScale - 1);
+  float here = texelFetch(bpDepth, middle, 0).r;
+  float before = texelFetch(bpDepth, middle - side, 0).r;
+  float after = texelFetch(bpDepth, min(middle + side, last), 0).r;
+  float earlier = texelFetch(bpDepth, max(middle - 2 * side, ivec2(0)), 0).r;
+  float step = here - before;
+  return min(abs(after - here - step), abs(before - earlier - step)) <= bpFlat(farthest);
+}
+
 void main()
 {
   ivec2 corner = ivec2(gl_FragCoord.xy) * bpScale;
@@ -36,9 +52,9 @@ void main()
   if (bpCount == 1 && finite && inRange) { discard; }
   if (bpCount == 2 && finite) { discard; }
 
-  // Distance at the texel's centre, which lies between samples where their number is even. Window depth is linear across
-  // a plane on the screen, so the mean of the samples around the centre is exact on one; across an edge it would be a surface
-  // that is not there, and the nearest sample stands alone.
+  // Distance at the texel's centre, which lies between samples where their number is even. Window depth is linear across a plane on
+  // the screen, so the mean of the samples around the centre is exact on one; across an edge it would be a surface that is not there,
+  // and the nearest sample stands alone.
   ivec2 middle = corner + ivec2(bpScale / 2);
   float depth = texelFetch(bpDepth, middle, 0).r;
   if (bpScale % 2 == 0)
@@ -47,9 +63,9 @@ void main()
     float b = texelFetch(bpDepth, middle - ivec2(1, 0), 0).r;
     float c = texelFetch(bpDepth, middle - ivec2(0, 1), 0).r;
     float farthest = max(max(a, b), max(c, depth));
-    // The sum of opposite corners is the same on a plane; the allowance is for rounding.
-    bool plane = abs(a + depth - b - c) <= 1.0e-6f + 0.02f * (1.0f - farthest);
-    if (farthest < 1.0f && plane) { depth = 0.25f * (a + b + c + depth); }
+    bool plane = farthest < 1.0f && bpGoesOn(middle, ivec2(1, 0), farthest) && bpGoesOn(middle, ivec2(0, 1), farthest) &&
+                 abs(a + depth - b - c) <= bpFlat(farthest);
+    if (plane) { depth = 0.25f * (a + b + c + depth); }
     else { depth = min(min(a, b), min(c, depth)); }
   }
   float viewDepth = 2.0f * bpNear * bpFar / (bpFar + bpNear - (2.0f * depth - 1.0f) * (bpFar - bpNear));
