@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "filters/core/errors.h"
+#include "filters/core/one_line.h"
 #include "filters/io/atomic_file.h"
 #include "filters/io/image_detail.h"
 #include "filters/io/read_file.h"
@@ -27,6 +28,11 @@ const unsigned char* asBytes(const std::string& text) {
   return reinterpret_cast<const unsigned char*>(text.data());
 }
 
+// The decoder's reason may quote the file: the name of a chunk is any four bytes.
+InputError damaged(const std::string& name) {
+  return InputError(oneLine(name + ": is damaged (" + stbi_failure_reason() + "); save it again"));
+}
+
 ImageRgbaF loadRadiance(const std::string& path) {
   const std::string bytes = readWholeFile(path);
   const int length = static_cast<int>(bytes.size());
@@ -36,7 +42,7 @@ ImageRgbaF loadRadiance(const std::string& path) {
   ImageRgbaF image;
   int channels = 0;
   if (stbi_info_from_memory(asBytes(bytes), length, &image.width, &image.height, &channels) == 0) {
-    throw InputError(path + ": is damaged (" + stbi_failure_reason() + "); save it again");
+    throw damaged(path);
   }
   checkImageSize(path, image.width, image.height);
   // Its shortest runs: 127 values of one of the four channels in 2 bytes, so 16 pixels a byte at most.
@@ -44,7 +50,7 @@ ImageRgbaF loadRadiance(const std::string& path) {
   checkEncodedSize(path, image.width, image.height, bytes.size(), kMostPixelsAByte);
   const std::unique_ptr<float, StbFree> pixels(
       stbi_loadf_from_memory(asBytes(bytes), length, &image.width, &image.height, &channels, 4));
-  if (!pixels) throw InputError(path + ": is damaged (" + stbi_failure_reason() + "); save it again");
+  if (!pixels) throw damaged(path);
   image.pixels.assign(pixels.get(), pixels.get() + std::size_t(4) * image.width * image.height);
   return image;
 }
@@ -87,7 +93,7 @@ ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std:
   checkEncodedSize(name, image.width, image.height, size, png ? kPngPixelsAByte : kJpegPixelsAByte);
   const std::unique_ptr<unsigned char, StbFree> pixels(
       stbi_load_from_memory(bytes, length, &image.width, &image.height, &channels, 4));
-  if (!pixels) throw InputError(name + ": is damaged (" + stbi_failure_reason() + "); save it again");
+  if (!pixels) throw damaged(name);
   image.pixels.assign(pixels.get(), pixels.get() + std::size_t(4) * image.width * image.height);
   return image;
 }

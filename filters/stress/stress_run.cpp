@@ -29,7 +29,8 @@ bool StressCell::broken() const {
   if (subject->counterpart != nullptr) return false;
   const bool held = inputs->held == Held::All || inputs->held == Held::ByReach;
   const ErrorHistogram& hit = tally.errors[kBoxSizes];
-  const bool tooMany = subject->mostBoxSizes > 0.0 && held && hit.measured() && hit.quantile(0.9999) > subject->mostBoxSizes;
+  const bool tooMany =
+      subject->mostBoxSizes > 0.0 && held && hit.measured() && hit.quantile(0.9999) > subject->mostBoxSizes;
   return tally.broken > 0 || tooMany;
 }
 

@@ -9,13 +9,14 @@
 namespace boxprobe::stress {
 
 /// The promise. Boxes below the smallest normal float and input that is no number are held to no error bound.
-constexpr double kSlabUlp = 2.0;            ///< slab factors, in units of the last place of the exact value
-constexpr double kHitBoxSizes = 6.0e-7;     ///< of the hit, longest sides of the box
-constexpr double kRoundedBoxSizes = 1.0e-3; ///< of the hit on a box with rounded edges, where no ray slides along a face
+constexpr double kSlabUlp = 2.0;         ///< slab factors, in units of the last place of the exact value
+constexpr double kHitBoxSizes = 6.0e-7;  ///< of the hit, longest sides of the box
+constexpr double kRoundedBoxSizes =
+    1.0e-3;  ///< of the hit on a box with rounded edges, where no ray slides along a face
 constexpr double kRoundedMostBoxSizes = 2.0e-4;  ///< the same for 99.99 % of the inputs of a class
-constexpr double kSphereBoxSizes = 1.0e-6;  ///< the same of the sphere, times the cosine at which the ray meets it
-constexpr double kTermRelative = 1.0e-6;    ///< solid-angle scale, GGX terms, weights
-constexpr double kLevelError = 1.0e-3;      ///< levels of the chain: a hundredth of what can be seen
+constexpr double kSphereBoxSizes = 1.0e-6;       ///< the same of the sphere, times the cosine at which the ray meets it
+constexpr double kTermRelative = 1.0e-6;         ///< solid-angle scale, GGX terms, weights
+constexpr double kLevelError = 1.0e-3;           ///< levels of the chain: a hundredth of what can be seen
 
 /// Every projection with every evaluation.
 const std::vector<StressSubject>& techniqueSubjects();

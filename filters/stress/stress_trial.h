@@ -52,7 +52,7 @@ struct StressSubject {
   std::vector<const ParameterRow*> parameters;
   std::function<Trial(const StressInput&, const StressClass&, TrialLog*)> run;  ///< from any thread
   const char* counterpart = nullptr;   ///< of a published form: the own subject that does the same
-  double mostBoxSizes = 0.0;          ///< bound of the hit's error for 99.99 % of the inputs of a class; 0: none
+  double mostBoxSizes = 0.0;           ///< bound of the hit's error for 99.99 % of the inputs of a class; 0: none
   std::optional<Technique> technique;  ///< of the first kind
 };
 

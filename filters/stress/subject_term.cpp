@@ -199,8 +199,8 @@ void measureFootprintScale(const LocalInput& in, const StressClass& c, const Pro
 void measureRoundedBox(const LocalInput& in, const StressClass& c, float t, float exit, Trial& trial, TrialLog* log) {
   using exact::vec;
   const glm::vec3 p = in.point.position;
-  const bool inside = glm::all(glm::greaterThanEqual(p, in.probe.boxMin)) &&
-                      glm::all(glm::lessThanEqual(p, in.probe.boxMax));
+  const bool inside =
+      glm::all(glm::greaterThanEqual(p, in.probe.boxMin)) && glm::all(glm::lessThanEqual(p, in.probe.boxMax));
   // What leaves a start outside has no definition, only bounds.
   if (!inside) return;
   const Real definition = exact::roundedBoxExit(vec(p), vec(in.point.reflection), vec(in.probe.boxMin),
