@@ -41,6 +41,7 @@ struct Shown {
     const Changes changes = scene ? difference(*scene, wanted) : Changes::all();
     if (!scene || changes.any()) renderer.sync(wanted, changes);
     scene = wanted;
+    renderer.setProbesEnabled(true);
     camera = view;
     renderer.applyCamera(view);
     if (!renderer.pictureError().empty()) throw InputError(renderer.pictureError());
@@ -136,7 +137,20 @@ void VtkBenchHost::prepareFrames(const Scene& technique, const Scene& baseline, 
   if (!d.second) d.second = std::make_unique<Shown>(d.window);
   d.first->show(technique, camera, d.models, d.check);
   d.second->show(baseline, camera, d.models, d.check);
-  // The first frames compile programs and fill caches.
+  warmUp();
+}
+
+void VtkBenchHost::preparePlainFrames(const Scene& baseline, const Camera& camera) {
+  Impl& d = *impl_;
+  if (!d.second) d.second = std::make_unique<Shown>(d.window);
+  d.first->show(baseline, camera, d.models, d.check);
+  d.second->show(baseline, camera, d.models, d.check);
+  d.first->renderer.setProbesEnabled(false);
+  warmUp();
+}
+
+// The first frames compile programs and fill caches.
+void VtkBenchHost::warmUp() {
   for (int i = 0; i < 2; ++i) {
     frame(true);
     frame(false);
@@ -148,6 +162,8 @@ FrameSeconds VtkBenchHost::frame(bool technique) {
   d.check();
   d.first->renderer.renderer()->SetDraw(technique ? 1 : 0);
   d.second->renderer.renderer()->SetDraw(technique ? 0 : 1);
+  // Where the picture is put together from frames, what there is would only be shown again.
+  (technique ? d.first : d.second)->renderer.restartPicture();
   FrameSeconds seconds;
   const bool timer = !d.onCpu && d.query != 0;
   if (timer) glBeginQuery(GL_TIME_ELAPSED, d.query);

@@ -31,6 +31,7 @@ class VtkBenchHost : public BenchHost {
   double lookups(const Scene& scene, const Camera& camera, int width, int height,
                  const std::vector<glm::ivec2>& places) override;
   void prepareFrames(const Scene& technique, const Scene& baseline, const Camera& camera) override;
+  void preparePlainFrames(const Scene& baseline, const Camera& camera) override;
   FrameSeconds frame(bool technique) override;
   const ReferenceScene& tracedScene(const Scene& scene) override;
 
@@ -38,6 +39,7 @@ class VtkBenchHost : public BenchHost {
   const SceneRenderer& renderer() const;
 
  private:
+  void warmUp();
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -1,6 +1,7 @@
 // The command line of `bench` as values, and the plan they make of a scene.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct BenchOptions {
   std::string roughnesses;
   std::string cameras;
   std::string size;
+  std::optional<int> rooms;  ///< of the study; none: as the plan has it
   std::uint64_t seed = 1;
   std::vector<std::string> assignments;
   ReportOptions report;

@@ -110,6 +110,7 @@ Json summaryJson(const BenchResult& result, const BenchSummary& s) {
     json["frameGpuRatioToBox"] = rounded(s.gpuRatioToBox->value, 4);
     json["frameGpuRatioInterval"] = ratioJson(*s.gpuRatioToBox);
   }
+  json["ownCpuRatioToBox"] = rounded(s.ownCpuRatioToBox, 3);
   json["onFront"] = s.onFront;
   for (const auto& [roughness, error] : s.errorByRoughness) {
     json["errorByRoughness"].push_back({{"roughness", roughness}, {"error", rounded(error, 6)}});
@@ -119,6 +120,22 @@ Json summaryJson(const BenchResult& result, const BenchSummary& s) {
     json["worstEnergy"] = {{"roughness", s.worstEnergy.roughness},
                            {"nDotV", {s.worstEnergy.nDotVLow, s.worstEnergy.nDotVHigh}},
                            {"brightnessRatio", rounded(s.worstEnergy.brightnessRatio, 5)}};
+  }
+  return json;
+}
+
+Json studyJson(const BenchResult& result) {
+  const StudyPlan& plan = result.study.plan;
+  Json json = {
+      {"rooms", plan.rooms}, {"points", result.study.points}, {"faceSize", plan.faceSize}, {"seed", plan.seed}};
+  json["rows"] = Json::array();
+  for (const StudyRow& row : result.study.rows) {
+    Json entry = identity(result, row.technique);
+    entry["error"] = rounded(row.tally.rmse, 6);
+    entry["relativeRmse"] = rounded(row.tally.relativeRmse, 6);
+    for (const double e : row.tally.rmseByRoughness) entry["errorByRoughness"].push_back(rounded(e, 6));
+    for (const double l : row.tally.light) entry["brightnessRatios"].push_back(rounded(l, 4));
+    json["rows"].push_back(entry);
   }
   return json;
 }
@@ -150,6 +167,7 @@ std::string benchJson(const BenchResult& result) {
   for (const BenchRow& row : result.rows) json["rows"].push_back(rowJson(result, row));
   json["energy"] = Json::array();
   for (const EnergyBucket& bucket : result.energy) json["energy"].push_back(bucketJson(result, bucket));
+  if (!result.study.rows.empty()) json["study"] = studyJson(result);
   return formatJson(json);
 }
 

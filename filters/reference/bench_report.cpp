@@ -57,7 +57,8 @@ std::string measuredText(const BenchResult& result) {
       "- Reference *box*: the integral of the lobe over the probe's box, of the probe's unfiltered capture. Reference "
       "*scene*: the traced scene, one bounce.\n"
       "- **frame**: CPU time of all threads over that of plain box projection, drawn in turn, ratio of medians, mean "
-      "over the roughnesses, its 95 % interval in brackets.\n"
+      "over the roughnesses, its 95 % interval in brackets. **own**: what it adds to a frame without any reflection of "
+      "probes, over what plain box projection adds.\n"
       "- **light**: mean over the reference's; **worst**: in the bucket of roughness and N.V that is most off.\n"
       "- Bold: on the front, no other technique is both cheaper and better. \\*: this project's own.\n\n";
   text += formatted("Frames of %d x %d through camera %s. OpenGL: %s, %s. Processor: %s.\n", result.timedWidth,
@@ -80,13 +81,13 @@ std::string nameText(const BenchResult& result, const BenchSummary& s) {
 
 std::string mainTable(const BenchResult& result, const std::vector<BenchSummary>& list) {
   const bool gpu = std::any_of(list.begin(), list.end(), [](const auto& s) { return s.gpuRatioToBox.has_value(); });
-  std::string text = std::string("| technique | lookups | frame |") + (gpu ? " GPU |" : "") +
-                     " error | / hdrp | relative | FLIP | light | worst (roughness, N.V) |\n|---|---|---|" +
+  std::string text = std::string("| technique | lookups | frame | own |") + (gpu ? " GPU |" : "") +
+                     " error | / hdrp | relative | FLIP | light | worst (roughness, N.V) |\n|---|---|---|---|" +
                      (gpu ? "---|" : "") + "---|---|---|---|---|---|\n";
   for (const BenchSummary& s : list) {
     text += "| " + nameText(result, s) +
-            formatted(" | %.1f | %.2f (%.2f to %.2f) |", s.lookups, s.cpuRatioToBox.value, s.cpuRatioToBox.low,
-                      s.cpuRatioToBox.high);
+            formatted(" | %.1f | %.2f (%.2f to %.2f) | %.2f |", s.lookups, s.cpuRatioToBox.value, s.cpuRatioToBox.low,
+                      s.cpuRatioToBox.high, s.ownCpuRatioToBox);
     if (gpu) text += s.gpuRatioToBox ? formatted(" %.2f |", s.gpuRatioToBox->value) : " |";
     text += formatted(" %.4f | %.2f | %.3f | %.4f | %.3f |", s.error, s.errorRatioToHdrp, s.relativeRmse, s.flip,
                       s.brightnessRatio);
@@ -179,6 +180,53 @@ std::string noiseTable(const BenchResult& result) {
   return text + "\n";
 }
 
+/// In random rooms: error, linear error and light, by roughness and view.
+std::string studyTables(const BenchResult& result) {
+  const StudyResult& study = result.study;
+  double hdrp = 0.0;
+  for (const StudyRow& row : study.rows) {
+    const BenchTechnique& t = result.techniques[row.technique];
+    if (t.id == kErrorBaseline && t.parameters.empty()) hdrp = row.tally.rmse;
+  }
+  if (!(hdrp > 0.0)) return {};
+  std::vector<const StudyRow*> rows;
+  for (const StudyRow& row : study.rows) rows.push_back(&row);
+  std::stable_sort(rows.begin(), rows.end(), [](auto a, auto b) { return a->tally.rmse < b->tally.rmse; });
+  std::string text = "## In random rooms\n\n" +
+                     formatted(
+                         "%zu points of floors, walls and things in %d rooms that are boxes, faces of %d texels, "
+                         "against the integral over the box (%d rays); none of them used for fitting. Columns: "
+                         "error at a roughness near that; **light**: the bucket most off.\n\n",
+                         study.points, study.plan.rooms, study.plan.faceSize, study.plan.rays) +
+                     "| technique | error | / hdrp | relative | 0.07 | 0.2 | 0.4 | 0.6 | 0.8 | 1 | light |\n"
+                     "|---|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const StudyRow* row : rows) {
+    const BenchTechnique& t = result.techniques[row->technique];
+    text += "| " + t.label() + (t.ours ? " \\*" : "") +
+            formatted(" | %.4f | %.3f | %.3f |", row->tally.rmse, row->tally.rmse / hdrp, row->tally.relativeRmse);
+    for (const double e : row->tally.rmseByRoughness) text += formatted(" %.4f |", e);
+    text += formatted(" %.3f |\n", row->tally.mostOff());
+  }
+  text +=
+      "\nLight over the reference's, seen from above (N.V above 0.7), obliquely and at grazing angles (below 0.35):\n\n"
+      "| technique |";
+  std::string line = "|---|";
+  for (const char* roughness : {"0.07", "0.2", "0.4", "0.6", "0.8", "1"}) {
+    text += std::string(" ") + roughness + " |";
+    line += "---|";
+  }
+  text += "\n" + line + "\n";
+  for (const StudyRow* row : rows) {
+    const BenchTechnique& t = result.techniques[row->technique];
+    if (!t.ours && t.id != kErrorBaseline && t.id != kCostBaseline) continue;
+    text += "| " + t.label() + " |";
+    for (std::size_t b = 0; b < row->tally.light.size(); b += study::kAngles)
+      text += formatted(" %.3f %.3f %.3f |", row->tally.light[b], row->tally.light[b + 1], row->tally.light[b + 2]);
+    text += "\n";
+  }
+  return text + "\n";
+}
+
 /// Is it one that chooses among the others?
 bool chooses(const BenchTechnique& technique) {
   return technique.id.find('+') == std::string::npos;
@@ -200,21 +248,29 @@ std::string automaticText(const BenchResult& result) {
     };
     const BenchSummary* single = nullptr;
     for (const BenchSummary& other : list) {
-      if (chooses(result.techniques[other.technique]) || !keeps(other)) continue;
+      const BenchTechnique& o = result.techniques[other.technique];
+      if (chooses(o) || (o.sampled() && o.parameters.count("blur") != 0) || !keeps(other)) continue;
       if (single == nullptr || other.cpuRatioToBox.value < single->cpuRatioToBox.value) single = &other;
     }
-    text += "`" + t.label() + "`, budget " + numberText(budget) + ": " +
-            (keeps(s) ? "kept at every roughness" : "not kept at every roughness") +
-            formatted(", frame %.2f of plain box's.", s.cpuRatioToBox.value);
+    double worst = 0.0;
+    for (const auto& [roughness, error] : s.errorByRoughness) worst = std::max(worst, error);
+    text += formatted("| %s | %.4f, %s | %.2f, %.2f |", numberText(budget).c_str(), worst,
+                      worst <= budget ? "kept" : "exceeded", s.cpuRatioToBox.value, s.ownCpuRatioToBox);
     if (single == nullptr) {
-      text += " No single technique keeps it.\n\n";
+      text += " none keeps it | | |\n";
     } else {
-      text += " The cheapest single technique that keeps it is `" + result.techniques[single->technique].label() +
-              formatted("` at %.2f: `%s` costs %.2f of that.\n\n", single->cpuRatioToBox.value, t.label().c_str(),
-                        s.cpuRatioToBox.value / single->cpuRatioToBox.value);
+      text +=
+          " " + result.techniques[single->technique].label() +
+          formatted(" | %.2f, %.2f | %.2f, %.2f |\n", single->cpuRatioToBox.value, single->ownCpuRatioToBox,
+                    s.cpuRatioToBox.value / single->cpuRatioToBox.value, s.ownCpuRatioToBox / single->ownCpuRatioToBox);
     }
   }
-  return text.empty() ? text : "## Choosing by roughness\n\n" + text;
+  if (text.empty()) return text;
+  return "## Choosing by roughness\n\n`auto` against the cheapest single technique that keeps the same budget at every "
+         "roughness, all roughnesses in equal parts; costs of the frame and own.\n\n"
+         "| budget | worst error at a roughness | cost of `auto` | cheapest single | its cost | ratio |\n"
+         "|---|---|---|---|---|---|\n" +
+         text + "\n";
 }
 
 /// As filters/math/measured_techniques.cpp holds them: techniques at their defaults that are worth choosing, with the
@@ -255,7 +311,7 @@ std::string benchReport(const BenchResult& result) {
     text += "Error by roughness, and by surface:\n\n" + roughnessTable(result, list);
   }
   text += "## Light against the box reference, by roughness and view angle\n\n" + energyTable(result, Truth::Box);
-  return text + noiseTable(result) + automaticText(result) + measuredRows(result);
+  return text + studyTables(result) + noiseTable(result) + automaticText(result) + measuredRows(result);
 }
 
 }  // namespace boxprobe

@@ -64,6 +64,10 @@ BenchSummary summary(const BenchResult& result, Truth truth, std::size_t techniq
     if (!cost.gpuSeconds.a.empty()) gpu.push_back(cost.gpuSeconds);
   }
   s.cpuRatioToBox = bench::meanRatioOfMedians(cpu);
+  std::vector<bench::Samples> plain;
+  for (const PlainFrameCost& cost : result.plainCosts) plain.push_back(cost.cpuSeconds);
+  const double without = plain.empty() ? std::nan("") : bench::meanRatioOfMedians(plain).value;
+  s.ownCpuRatioToBox = (s.cpuRatioToBox.value - without) / (1.0 - without);
   if (!gpu.empty()) s.gpuRatioToBox = bench::meanRatioOfMedians(gpu);
   return s;
 }

@@ -12,6 +12,7 @@
 #include "filters/core/front.h"
 #include "filters/reference/bench_technique.h"
 #include "filters/reference/interleaved.h"
+#include "filters/reference/study.h"
 
 namespace boxprobe {
 
@@ -72,6 +73,12 @@ struct FrameCost {
   bench::Samples gpuSeconds;  ///< empty where the driver draws on the CPU
 };
 
+/// Of a frame without any reflection of probes at one roughness: what of a frame's time no technique has a part in.
+struct PlainFrameCost {
+  double roughness = 0.0;
+  bench::Samples cpuSeconds;  ///< a: without, b: plain box's
+};
+
 /// How far a truth itself is off.
 struct TruthNoise {
   std::string camera;
@@ -93,7 +100,10 @@ struct BenchSummary {
   std::map<double, double> errorByRoughness;
   std::map<SurfaceKind, double> errorBySurface;
   double lookups = 0.0;
-  bench::Ratio cpuRatioToBox;                 ///< mean over the roughnesses, each in equal part
+  bench::Ratio cpuRatioToBox;  ///< mean over the roughnesses, each in equal part
+  /// What it adds to a frame without reflections, over what plain box projection adds; not a number where that was not
+  /// measured.
+  double ownCpuRatioToBox = 0.0;
   std::optional<bench::Ratio> gpuRatioToBox;  ///< the same by the driver's clock
   EnergyBucket worstEnergy;                   ///< of the buckets with enough pixels to judge
   bool onFront = false;
@@ -112,6 +122,8 @@ struct BenchResult {
   std::vector<BenchRow> rows;
   std::vector<EnergyBucket> energy;
   std::vector<FrameCost> costs;
+  std::vector<PlainFrameCost> plainCosts;
+  StudyResult study;
   std::vector<TruthNoise> truthNoise;
   std::vector<std::string> remarks;  ///< what was left out, and why
   bool complete = false;

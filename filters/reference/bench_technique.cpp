@@ -76,6 +76,9 @@ std::vector<Parameters> variants(const std::vector<const ParameterRow*>& rows) {
     return all;
   }
   all.push_back({});
+  if (reads(rows, "budget")) {
+    for (const double budget : {0.03, 0.02, 0.015}) all.push_back({{"budget", budget}});
+  }
   if (reads(rows, "power")) {
     all.push_back({{"power", 2.0}});
     all.push_back({{"power", 3.0}});

@@ -16,7 +16,7 @@ namespace {
 constexpr int kAngleBuckets = 4;  ///< of N.V, equal parts
 
 /// Shares of a run's time, for the line that says how long it will go on: measured on two cores.
-constexpr double kTruthSteps = 12.0, kPictureSteps = 0.5, kFrameSteps = 2.0;
+constexpr double kTruthSteps = 12.0, kPictureSteps = 0.5, kFrameSteps = 2.0, kStudySteps = 40.0;
 
 struct Stopped {};
 
@@ -34,7 +34,7 @@ class Run {
     const auto views = static_cast<double>(plan.cameras.size() * plan.roughnesses.size());
     const auto techniques = static_cast<double>(plan.techniques.size());
     steps_ = views * (kTruthSteps + kPictureSteps * techniques) +
-             static_cast<double>(plan.roughnesses.size()) * techniques * kFrameSteps;
+             static_cast<double>(plan.roughnesses.size()) * (techniques + 1.0) * kFrameSteps + kStudySteps;
     result_.width = plan.width;
     result_.height = plan.height;
     result_.seed = plan.seed;
@@ -59,6 +59,9 @@ class Run {
         throw InputError("no camera sees a reflecting surface within a probe's influence: nothing can be measured");
       }
       for (const double roughness : plan_.roughnesses) timeFrames(roughness);
+      result_.study =
+          runStudy(plan_.study, plan_.techniques, [&](double share) { return report(kStudySteps * share); });
+      check();
       result_.complete = true;
     } catch (const Stopped&) {
     }
@@ -79,6 +82,7 @@ class Run {
   void measureView(const Camera& camera, double roughness);
   void measureTechnique(std::size_t index, const Camera& camera, double roughness, const Scene& base);
   void timeFrames(double roughness);
+  void timePairs(bench::Samples& cpu, bench::Samples& gpu);
   void addEnergy();
   std::vector<glm::ivec2> lookupPlaces() const;
 
@@ -238,20 +242,32 @@ void Run::timeFrames(double roughness) {
     cost.technique = i;
     cost.roughness = roughness;
     host_.prepareFrames(withTechnique(base, plan_.techniques[i]), base, plan_.cameras.front());
-    double spent = 0.0;
-    for (int pair = 0; pair < plan_.mostPairs && (pair < plan_.leastPairs || spent < plan_.pairSeconds); ++pair) {
-      FrameSeconds of[2];
-      for (const bool technique : {pair % 2 == 0, pair % 2 != 0}) of[technique ? 0 : 1] = host_.frame(technique);
-      cost.cpuSeconds.a.push_back(of[0].cpu);
-      cost.cpuSeconds.b.push_back(of[1].cpu);
-      if (of[0].gpu && of[1].gpu) {
-        cost.gpuSeconds.a.push_back(*of[0].gpu);
-        cost.gpuSeconds.b.push_back(*of[1].gpu);
-      }
-      spent += of[0].cpu + of[1].cpu;
-    }
+    timePairs(cost.cpuSeconds, cost.gpuSeconds);
     result_.costs.push_back(std::move(cost));
     step(kFrameSteps);
+  }
+  check();
+  PlainFrameCost plain;
+  plain.roughness = roughness;
+  bench::Samples gpu;
+  host_.preparePlainFrames(base, plan_.cameras.front());
+  timePairs(plain.cpuSeconds, gpu);
+  result_.plainCosts.push_back(std::move(plain));
+  step(kFrameSteps);
+}
+
+void Run::timePairs(bench::Samples& cpu, bench::Samples& gpu) {
+  double spent = 0.0;
+  for (int pair = 0; pair < plan_.mostPairs && (pair < plan_.leastPairs || spent < plan_.pairSeconds); ++pair) {
+    FrameSeconds of[2];
+    for (const bool technique : {pair % 2 == 0, pair % 2 != 0}) of[technique ? 0 : 1] = host_.frame(technique);
+    cpu.a.push_back(of[0].cpu);
+    cpu.b.push_back(of[1].cpu);
+    if (of[0].gpu && of[1].gpu) {
+      gpu.a.push_back(*of[0].gpu);
+      gpu.b.push_back(*of[1].gpu);
+    }
+    spent += of[0].cpu + of[1].cpu;
   }
 }
 

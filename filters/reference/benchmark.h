@@ -21,6 +21,7 @@ struct BenchPlan {
   int mostPairs = 9;
   double pairSeconds = 0.6;  ///< CPU time after which a technique has had enough pairs
   std::uint64_t seed = 1;
+  StudyPlan study;
 };
 
 /// Seconds of one frame; gpu is empty where the driver does not draw on a device of its own.
@@ -44,6 +45,8 @@ class BenchHost {
                          const std::vector<glm::ivec2>& places) = 0;
   /// Both scenes ready to be timed in turn by frame(), which draws the first or the second.
   virtual void prepareFrames(const Scene& technique, const Scene& baseline, const Camera& camera) = 0;
+  /// The same with a frame without any reflection of probes in place of the technique's.
+  virtual void preparePlainFrames(const Scene& baseline, const Camera& camera) = 0;
   virtual FrameSeconds frame(bool technique) = 0;
   /// The scene as the tracer sees it.
   virtual const ReferenceScene& tracedScene(const Scene& scene) = 0;

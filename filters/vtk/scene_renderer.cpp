@@ -307,6 +307,10 @@ FrameCount SceneRenderer::frameCount() const {
   return impl_->frames.count();
 }
 
+void SceneRenderer::restartPicture() {
+  impl_->frames.sceneChanged();
+}
+
 void SceneRenderer::setFrameLimit(std::optional<int> frames) {
   impl_->frames.setLimit(frames);
 }

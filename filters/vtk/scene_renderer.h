@@ -120,6 +120,8 @@ class SceneRenderer {
   /// How far the picture in the window is; nothing is drawn unasked.
   FrameCount frameCount() const;
   /// The mean is of so many frames; nothing: of as many as the technique's rays ask for (see framesWanted).
+  /// The next frame begins the picture anew, although nothing has changed: to time it.
+  void restartPicture();
   void setFrameLimit(std::optional<int> frames);
 
   /// What the surfaces are coloured by: a row of surfaceViews(). Row 0, the picture, costs nothing; any other compiles

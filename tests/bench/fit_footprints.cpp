@@ -30,16 +30,16 @@ using Values = std::vector<glm::dvec3>;
 
 class Errors {
  public:
-  explicit Errors(const std::vector<test::RoomPoint>& points) : points_(points) {
+  explicit Errors(const std::vector<study::RoomPoint>& points) : points_(points) {
     for (const auto& p : points) {
-      for (int c = 0; c < 3; ++c) display_.push_back(test::displayValue(p.truth[c]));
+      for (int c = 0; c < 3; ++c) display_.push_back(study::displayValue(p.truth[c]));
       light_[bucketOf(p)] += p.truth.x + p.truth.y + p.truth.z;
     }
-    const Values hdrp = test::valuesOf(test::techniqueOf("hdrp"), points);
+    const Values hdrp = study::valuesOf(study::techniqueOf("hdrp"), points);
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
         displaySquares_ +=
-            std::pow(test::displayValue(hdrp[i][c]) - display_[3 * i + static_cast<std::size_t>(c)], 2.0);
+            std::pow(study::displayValue(hdrp[i][c]) - display_[3 * i + static_cast<std::size_t>(c)], 2.0);
         linearSquares_ += std::pow(hdrp[i][c] - points[i].truth[c], 2.0);
       }
     }
@@ -47,10 +47,10 @@ class Errors {
   std::vector<double> residuals(const Values& values) const {
     const double display = 1.0 / std::sqrt(displaySquares_), linear = std::sqrt(kLinearWeight / linearSquares_);
     std::vector<double> result;
-    std::array<double, test::kBuckets> light{};
+    std::array<double, study::kBuckets> light{};
     for (std::size_t i = 0; i < values.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
-        result.push_back(display * (test::displayValue(values[i][c]) - display_[3 * i + static_cast<std::size_t>(c)]));
+        result.push_back(display * (study::displayValue(values[i][c]) - display_[3 * i + static_cast<std::size_t>(c)]));
         result.push_back(linear * (values[i][c] - points_[i].truth[c]));
       }
       light[bucketOf(points_[i])] += values[i].x + values[i].y + values[i].z;
@@ -63,44 +63,44 @@ class Errors {
   }
 
  private:
-  static std::size_t bucketOf(const test::RoomPoint& p) {
-    return static_cast<std::size_t>(p.roughness * test::kAngles + p.angle);
+  static std::size_t bucketOf(const study::RoomPoint& p) {
+    return static_cast<std::size_t>(p.roughness * study::kAngles + p.angle);
   }
-  const std::vector<test::RoomPoint>& points_;
+  const std::vector<study::RoomPoint>& points_;
   std::vector<double> display_;
-  std::array<double, test::kBuckets> light_{};
+  std::array<double, study::kBuckets> light_{};
   double displaySquares_ = 0.0, linearSquares_ = 0.0;
 };
 
-void print(const std::string& name, const test::TechniqueTally& t, double hdrp) {
+void print(const std::string& name, const study::TechniqueTally& t, double hdrp) {
   std::printf("%-12s %.4f  %.3f  %.3f  %.3f |", name.c_str(), t.rmse, t.rmse / hdrp, t.relativeRmse, t.worstLight());
   for (const double e : t.rmseByRoughness) std::printf(" %.4f", e);
   std::printf(" |");
   for (std::size_t b = 0; b < t.light.size(); ++b)
-    std::printf("%s%.3f", b % test::kAngles == 0 ? "  " : " ", t.light[b]);
+    std::printf("%s%.3f", b % study::kAngles == 0 ? "  " : " ", t.light[b]);
   std::printf("\n");
 }
 
 void judge(int faceSize) {
-  const test::RoomPoints rooms = test::randomPoints(kJudgementSeed, 48, 96, faceSize, kRays);
-  const double hdrp = test::tally(test::valuesOf(test::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
+  const study::RoomPoints rooms = study::randomPoints(kJudgementSeed, 48, 96, faceSize, kRays);
+  const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
   std::printf(
       "%zu points, faces of %d\n%-12s error   /hdrp  linear light | error by roughness | light by roughness: from "
       "above, oblique, grazing\n",
       rooms.points.size(), faceSize, "");
   for (const char* id : {"infinite+none", "none", "approximate", "godot", "hdrp", "footprint1", "footprint2",
                          "footprint4", "footprint8", "footprint16"}) {
-    print(id, test::tally(test::valuesOf(test::techniqueOf(id), rooms.points), rooms.points), hdrp);
+    print(id, study::tally(study::valuesOf(study::techniqueOf(id), rooms.points), rooms.points), hdrp);
   }
 }
 
 void fit(int lookups, int rounds, int restarts) {
-  const test::RoomPoints rooms = test::randomPoints(kTrainingSeed, 96, 32, 128, kRays);
-  const double hdrp = test::tally(test::valuesOf(test::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
+  const study::RoomPoints rooms = study::randomPoints(kTrainingSeed, 96, 32, 128, kRays);
+  const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
   const Errors errors(rooms.points);
   const bench::FootprintForm form = bench::footprintForm(lookups);
   const bench::Residuals residuals = [&](const std::vector<double>& c) {
-    std::vector<double> all = errors.residuals(test::valuesOf(form.technique(c), rooms.points));
+    std::vector<double> all = errors.residuals(study::valuesOf(form.technique(c), rooms.points));
     const std::vector<double> plain = form.plain(c);
     all.insert(all.end(), plain.begin(), plain.end());
     return all;
@@ -116,7 +116,7 @@ void fit(int lookups, int rounds, int restarts) {
     std::fprintf(stderr, "restart %d: %.5f, least %.5f\n", i + 1, there, least);
     if (there < least) least = there, best = c;
   }
-  print("fitted", test::tally(test::valuesOf(form.technique(best), rooms.points), rooms.points), hdrp);
+  print("fitted", study::tally(study::valuesOf(form.technique(best), rooms.points), rooms.points), hdrp);
   std::printf("%s", form.shader(best).c_str());
 }
 

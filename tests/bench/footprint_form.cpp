@@ -75,7 +75,7 @@ struct OneLookup {
     wide = rounded(p[4]), u = rounded(p[5]), v = rounded(p[6]), weight = rounded(std::exp(p[7]));
   }
   float pairV() const { return rounded(-0.5 * d(weight) * d(v)); }  // the mean v is 0
-  glm::dvec3 operator()(const test::RoomPoint& p) const {
+  glm::dvec3 operator()(const study::RoomPoint& p) const {
     shading::FootprintLobe lobe = shading::footprintLobe(p.point, 1.0f);
     common.set(lobe);
     const float a = lobe.alpha, n = lobe.view.z;
@@ -151,7 +151,7 @@ struct ManyLookups {
     }
     centreA = rounded(a), centreA2 = rounded(a2), weightA = rounded(w);
   }
-  glm::dvec3 operator()(const test::RoomPoint& p) const {
+  glm::dvec3 operator()(const study::RoomPoint& p) const {
     shading::FootprintLobe lobe = shading::footprintLobe(p.point, 1.0f);
     common.set(lobe);
     const float a = lobe.alpha, n = lobe.view.z;
@@ -224,11 +224,11 @@ Constants plainOf(int lookups, const Constants& c) {
 FootprintForm footprintForm(int lookups) {
   if (lookups == 1) {
     return {{0, 0.2, -0.2, -0.1, -0.3, -1.2, 1.0, -0.15, 0, 0, 0.14, 0.16, 0.1, -0.5, 1.25, 0.95, -0.4, 0},
-            [](const Constants& c) { return test::Technique(OneLookup(c)); },
+            [](const Constants& c) { return study::Technique(OneLookup(c)); },
             [](const Constants&) { return Constants(); },
             [](const Constants& c) { return OneLookup(c).shader(); }};
   }
-  return {startOf(lookups), [lookups](const Constants& c) { return test::Technique(ManyLookups(lookups, c)); },
+  return {startOf(lookups), [lookups](const Constants& c) { return study::Technique(ManyLookups(lookups, c)); },
           [lookups](const Constants& c) { return plainOf(lookups, c); },
           [lookups](const Constants& c) { return ManyLookups(lookups, c).shader(); }};
 }

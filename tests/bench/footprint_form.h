@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/technique_tally.h"
+#include "filters/reference/study_tally.h"
 
 namespace boxprobe::bench {
 
 struct FootprintForm {
   std::vector<double> start;
-  std::function<test::Technique(const std::vector<double>& constants)> technique;
+  std::function<study::Technique(const std::vector<double>& constants)> technique;
   /// Residuals that keep the constants plain: pieces of much the same size (one far sharper than the others would show
   /// as a ghost in a blurred reflection), and what the data does not decide at 0.
   std::function<std::vector<double>(const std::vector<double>& constants)> plain;

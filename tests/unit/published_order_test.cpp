@@ -9,7 +9,7 @@
 #include <string>
 
 #include "filters/math/technique_table.h"
-#include "tests/unit/technique_tally.h"
+#include "filters/reference/study_tally.h"
 
 namespace boxprobe {
 namespace {
@@ -23,7 +23,7 @@ struct Form {
   }
 };
 
-glm::dvec3 valueOf(const Form& form, const test::RoomPoint& at) {
+glm::dvec3 valueOf(const Form& form, const study::RoomPoint& at) {
   const Technique technique = parseTechnique(form.id).value();
   shading::ProbeShape probe = at.probe;
   probe.projection = technique.projection;
@@ -44,11 +44,11 @@ TEST(PublishedTechniques, StandInTheOrderTheyAreKnownBy) {
                                    {"raytraced"},
                                    {"raytraced", 64.0f, 1, 0},
                                    {"raytraced", 64.0f, 0, 1}};
-  const test::RoomPoints rooms = test::randomPoints(23, 6, 16, 128, 4096);
+  const study::RoomPoints rooms = study::randomPoints(23, 6, 16, 128, 4096);
   std::map<std::string, double> errors;
   for (const Form& form : forms) {
-    const auto technique = [&form](const test::RoomPoint& at) { return valueOf(form, at); };
-    errors[form.name()] = test::tally(test::valuesOf(technique, rooms.points), rooms.points).rmse;
+    const auto technique = [&form](const study::RoomPoint& at) { return valueOf(form, at); };
+    errors[form.name()] = study::tally(study::valuesOf(technique, rooms.points), rooms.points).rmse;
   }
   const auto ratio = [&](const std::string& name) { return errors[name] / errors["hdrp"]; };
   for (const Form& form : forms) {
@@ -65,8 +65,8 @@ TEST(PublishedTechniques, StandInTheOrderTheyAreKnownBy) {
 
 // Rays without any filter, over many pixels: what they average to is the integral itself.
 TEST(PublishedTechniques, RaysAverageToTheIntegral) {
-  const test::RoomPoints room = test::randomPoints(4, 1, 3, 64, 1 << 17);
-  for (test::RoomPoint at : room.points) {
+  const study::RoomPoints room = study::randomPoints(4, 1, 3, 64, 1 << 17);
+  for (study::RoomPoint at : room.points) {
     if (at.point.roughness < 0.3f) continue;
     glm::dvec3 sum(0.0), squares(0.0);
     constexpr int kPixels = 32;

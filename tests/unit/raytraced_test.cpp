@@ -12,7 +12,7 @@
 #include "filters/math/light_table.h"
 #include "filters/math/technique_table.h"
 #include "filters/math/void_and_cluster.h"
-#include "tests/unit/technique_tally.h"
+#include "filters/reference/study_tally.h"
 
 namespace boxprobe {
 namespace {
@@ -110,15 +110,15 @@ class InRooms : public testing::Test {
  protected:
   // Made once for all tests.
   static void SetUpTestSuite() {
-    rooms_ = new test::RoomPoints(test::randomPoints(410, 8, 20, 64, 4096));
-    lights_ = new std::map<const test::PaddedCube*, LightTable>;
-    data_ = new std::map<const test::PaddedCube*, shading::ProbeData>;
+    rooms_ = new study::RoomPoints(study::randomPoints(410, 8, 20, 64, 4096));
+    lights_ = new std::map<const study::PaddedCube*, LightTable>;
+    data_ = new std::map<const study::PaddedCube*, shading::ProbeData>;
     for (const auto& chain : rooms_->chains) {
       (*lights_)[chain.get()] = makeLightTable(captureOf(*chain));
       (*data_)[chain.get()].light = &lights_->at(chain.get());
     }
     int count = 0;
-    for (test::RoomPoint& p : rooms_->points) {
+    for (study::RoomPoint& p : rooms_->points) {
       p.probe.slot = &data_->at(p.chain);
       p.point.pixel = {count % 64, count / 64};
       ++count;
@@ -130,7 +130,7 @@ class InRooms : public testing::Test {
     delete data_;
   }
 
-  static CubeMap captureOf(const test::PaddedCube& chain) {
+  static CubeMap captureOf(const study::PaddedCube& chain) {
     constexpr int kSize = 64;
     CubeMap capture(kSize, 1);
     for (int face = 0; face < 6; ++face) {
@@ -147,10 +147,10 @@ class InRooms : public testing::Test {
 
   // The mean of `frames` frames against the integral.
   template <typename Set>
-  test::TechniqueTally judge(int frames, const Set& set) const {
+  study::TechniqueTally judge(int frames, const Set& set) const {
     shading::TechniqueParameters parameters = standardParameters();
     set(parameters);
-    const auto mean = [&](test::RoomPoint p) {
+    const auto mean = [&](study::RoomPoint p) {
       p.probe.parameters = parameters;
       glm::dvec3 sum(0.0);
       for (p.point.frame = 0; p.point.frame < frames; ++p.point.frame) {
@@ -158,21 +158,21 @@ class InRooms : public testing::Test {
       }
       return sum / static_cast<double>(frames);
     };
-    return test::tally(test::valuesOf(mean, rooms_->points), rooms_->points);
+    return study::tally(study::valuesOf(mean, rooms_->points), rooms_->points);
   }
 
-  static test::RoomPoints* rooms_;
-  static std::map<const test::PaddedCube*, LightTable>* lights_;
-  static std::map<const test::PaddedCube*, shading::ProbeData>* data_;
+  static study::RoomPoints* rooms_;
+  static std::map<const study::PaddedCube*, LightTable>* lights_;
+  static std::map<const study::PaddedCube*, shading::ProbeData>* data_;
 };
-test::RoomPoints* InRooms::rooms_ = nullptr;
-std::map<const test::PaddedCube*, LightTable>* InRooms::lights_ = nullptr;
-std::map<const test::PaddedCube*, shading::ProbeData>* InRooms::data_ = nullptr;
+study::RoomPoints* InRooms::rooms_ = nullptr;
+std::map<const study::PaddedCube*, LightTable>* InRooms::lights_ = nullptr;
+std::map<const study::PaddedCube*, shading::ProbeData>* InRooms::data_ = nullptr;
 
 TEST_F(InRooms, FramesAverageToTheIntegral) {
   for (const int samples : {1, 16}) {
     for (const int sampling : {0, 1}) {
-      const test::TechniqueTally many = judge(2048 / samples, [=](auto& p) {
+      const study::TechniqueTally many = judge(2048 / samples, [=](auto& p) {
         p.samples = static_cast<float>(samples);
         p.sampling = sampling;
       });
@@ -193,7 +193,7 @@ TEST_F(InRooms, FiltersAndBrightnessEachBuyError) {
                  })
         .rmse;
   };
-  const double hdrp = test::tally(test::valuesOf(test::techniqueOf("hdrp"), rooms_->points), rooms_->points).rmse;
+  const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), rooms_->points), rooms_->points).rmse;
   for (const int samples : {16, 64}) {
     const double white = error(samples, [](auto& p) { p.pattern = kWhite; });
     const double plain = error(samples, [](auto& p) { p.pattern = kBlue; });
@@ -232,7 +232,7 @@ TEST_F(InRooms, EvenLightStaysEvenAndAMirrorPaysForOneRay) {
       for (const int choice : {0, 1, 2, 3}) {
         for (const glm::vec3& view : directions) {
           for (const float height : {-1.0f, 0.0f, 3.0f, 5.0f}) {  // on the wall, inside, on the ceiling, outside
-            test::RoomPoint c = rooms_->points.back();
+            study::RoomPoint c = rooms_->points.back();
             c.point.position = {0.1f, height, 0.0f};
             c.point.normal = {0, 1, 0};
             c.point.view = view;

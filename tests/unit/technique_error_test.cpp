@@ -6,7 +6,7 @@
 #include <string>
 
 #include "filters/math/technique_table.h"
-#include "tests/unit/technique_tally.h"
+#include "filters/reference/study_tally.h"
 
 namespace boxprobe {
 namespace {
@@ -27,10 +27,10 @@ constexpr Promise kPromises[] = {{"footprint1", 0.80, 0.30, 0.11},
                                  {"footprint16", 0.33, 0.09, 0.06}};
 
 TEST(TechniqueErrors, InRoomsThatAreBoxes) {
-  const test::RoomPoints rooms = test::randomPoints(300, 24, 48, 64, 1024);
-  std::map<std::string, test::TechniqueTally> tallies;
+  const study::RoomPoints rooms = study::randomPoints(300, 24, 48, 64, 1024);
+  std::map<std::string, study::TechniqueTally> tallies;
   const auto tallyOf = [&](const char* id) {
-    return test::tally(test::valuesOf(test::techniqueOf(id), rooms.points), rooms.points);
+    return study::tally(study::valuesOf(study::techniqueOf(id), rooms.points), rooms.points);
   };
   for (const char* id : {"infinite+none", "none", "approximate", "godot", "hdrp"}) tallies[id] = tallyOf(id);
   const double hdrp = tallies["hdrp"].rmse;
@@ -40,7 +40,7 @@ TEST(TechniqueErrors, InRoomsThatAreBoxes) {
   EXPECT_LT(tallies["approximate"].rmse, tallies["infinite+none"].rmse);
   double before = hdrp;
   for (const Promise& promise : kPromises) {
-    const test::TechniqueTally t = tallyOf(promise.id);
+    const study::TechniqueTally t = tallyOf(promise.id);
     std::printf("  %-12s %.4f  /hdrp %.3f  relative %.3f  light off by at most %.3f\n", promise.id, t.rmse,
                 t.rmse / hdrp, t.relativeRmse, t.worstLight());
     EXPECT_LE(t.rmse, promise.overHdrp * hdrp) << promise.id;
@@ -48,15 +48,15 @@ TEST(TechniqueErrors, InRoomsThatAreBoxes) {
     EXPECT_LE(t.relativeRmse, promise.relative) << promise.id;
     for (std::size_t b = 0; b < t.light.size(); ++b) {
       EXPECT_NEAR(t.light[b], 1.0, promise.light)
-          << promise.id << ": roughness " << b / test::kAngles << ", angle " << b % test::kAngles;
+          << promise.id << ": roughness " << b / study::kAngles << ", angle " << b % study::kAngles;
     }
     before = t.rmse;
   }
 }
 
 TEST(TechniqueErrors, ThePaddedCubeIsTheCubemap) {
-  const CubeMap cube = test::prefilteredRoom(test::randomRoom(5, false), 16);
-  const test::PaddedCube padded(cube);
+  const CubeMap cube = study::prefilteredRoom(study::randomRoom(5, false), 16);
+  const study::PaddedCube padded(cube);
   std::mt19937 random(1);
   std::normal_distribution<float> gauss;
   std::uniform_real_distribution<float> level(-0.5f, cube.maxLevel() + 0.5f);

@@ -6,7 +6,7 @@
 
 #include "filters/math/cube_map.h"
 
-namespace boxprobe::test {
+namespace boxprobe::study {
 
 class PaddedCube : public shading::CubeSampler {
  public:
@@ -21,4 +21,4 @@ class PaddedCube : public shading::CubeSampler {
   std::vector<std::vector<glm::vec4>> levels_;
 };
 
-}  // namespace boxprobe::test
+}  // namespace boxprobe::study

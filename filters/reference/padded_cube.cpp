@@ -1,9 +1,9 @@
-#include "tests/unit/padded_cube.h"
+#include "filters/reference/padded_cube.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace boxprobe::test {
+namespace boxprobe::study {
 
 namespace {
 
@@ -68,4 +68,4 @@ glm::vec4 PaddedCube::fetch(const glm::vec3& direction, float level) const {
   return fraction > 0.0f ? (1.0f - fraction) * value + fraction * tap(point, lower + 1) : value;
 }
 
-}  // namespace boxprobe::test
+}  // namespace boxprobe::study

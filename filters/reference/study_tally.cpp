@@ -1,4 +1,4 @@
-#include "tests/unit/technique_tally.h"
+#include "filters/reference/study_tally.h"
 
 #include <tbb/parallel_for.h>
 
@@ -7,7 +7,7 @@
 
 #include "filters/math/technique_table.h"
 
-namespace boxprobe::test {
+namespace boxprobe::study {
 
 using glm::dvec3;
 
@@ -36,6 +36,14 @@ double TechniqueTally::worstLight() const {
   double worst = 0.0;
   for (const double l : light) worst = std::max(worst, std::abs(l - 1.0));
   return worst;
+}
+
+double TechniqueTally::mostOff() const {
+  double off = 1.0;
+  for (const double l : light) {
+    if (std::abs(l - 1.0) > std::abs(off - 1.0)) off = l;
+  }
+  return off;
 }
 
 TechniqueTally tally(const std::vector<dvec3>& values, const std::vector<RoomPoint>& points) {
@@ -69,4 +77,4 @@ TechniqueTally tally(const std::vector<dvec3>& values, const std::vector<RoomPoi
   return result;
 }
 
-}  // namespace boxprobe::test
+}  // namespace boxprobe::study

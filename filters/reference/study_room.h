@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "filters/math/cube_map.h"
-#include "tests/unit/padded_cube.h"
+#include "filters/reference/padded_cube.h"
 
-namespace boxprobe::test {
+namespace boxprobe::study {
 
 /// A pattern in two colours, brighter towards one end.
 struct RoomWall {
@@ -67,4 +67,4 @@ struct RoomPoints {
 /// in eight from 60 to 87 towards a lamp's mirror image.
 RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, int rays);
 
-}  // namespace boxprobe::test
+}  // namespace boxprobe::study

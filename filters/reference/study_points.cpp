@@ -1,4 +1,4 @@
-// The points of box_room.h and what they reflect.
+// The points of study_room.h and what they reflect.
 #include <tbb/parallel_for.h>
 
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "filters/math/technique_table.h"
-#include "tests/unit/box_room.h"
+#include "filters/reference/study_room.h"
 
-namespace boxprobe::test {
+namespace boxprobe::study {
 
 using glm::dvec3;
 using glm::vec3;
@@ -135,4 +135,4 @@ RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, 
   return result;
 }
 
-}  // namespace boxprobe::test
+}  // namespace boxprobe::study

@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
-#include "tests/unit/box_room.h"
+#include "filters/reference/study_room.h"
 
-namespace boxprobe::test {
+namespace boxprobe::study {
 
 /// x / (1 + x) to the 1/2.2.
 double displayValue(double radiance);
@@ -27,8 +27,9 @@ struct TechniqueTally {
   std::array<double, kRoughnesses> rmseByRoughness{};
   std::array<double, kBuckets> light{};  ///< over the reference's; bucket: kAngles * roughness + angle
   double worstLight() const;             ///< largest |light - 1|
+  double mostOff() const;                ///< the light that is farthest from 1
 };
 
 TechniqueTally tally(const std::vector<glm::dvec3>& values, const std::vector<RoomPoint>& points);
 
-}  // namespace boxprobe::test
+}  // namespace boxprobe::study

@@ -1,4 +1,4 @@
-#include "tests/unit/box_room.h"
+#include "filters/reference/study_room.h"
 
 #include <cmath>
 #include <glm/common.hpp>
@@ -6,7 +6,7 @@
 
 #include "filters/math/cube_filter.h"
 
-namespace boxprobe::test {
+namespace boxprobe::study {
 
 using glm::dvec2;
 using glm::dvec3;
@@ -153,4 +153,4 @@ CubeMap prefilteredRoom(const BoxRoom& room, int faceSize) {
   return prefilterCube(capture, PrefilterSettings{});
 }
 
-}  // namespace boxprobe::test
+}  // namespace boxprobe::study
