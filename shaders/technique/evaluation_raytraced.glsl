@@ -21,7 +21,7 @@ float sampleLevel(ProbeShape probe, ProbeHit hit, vec3 direction, float alphaEac
   if (probe.parameters.filtered == 1)
   {
     // A lobe of that solid angle at its peak has alpha² = solid angle / (4 pi); times a factor, fitted, as is the bias.
-    float size = 2.3f * 0.0795775f * solidAngle;
+    float size = 3.0f * 0.0795775f * solidAngle;
     return footprintLevel(probe, size * footprintScale(probe, hit, direction), -0.5f);
   }
   if (probe.parameters.levelOffset == 1)
