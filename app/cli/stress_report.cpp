@@ -41,7 +41,7 @@ std::string padded(std::string text, std::size_t width, bool left = false) {
 std::string percent(std::uint64_t part, std::uint64_t whole) {
   if (part == 0) return "0";
   const double share = 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
-  return (share < 0.01 ? "<0.01" : shortNumber(share)) + " %";
+  return (share < 0.01 ? "<0.01" : (share > 99.5 ? "100" : shortNumber(share))) + " %";
 }
 
 bool isPublished(const StressSubject& subject) {
@@ -132,9 +132,18 @@ std::string publishedTable(const std::vector<StressCell>& cells) {
   }
   std::string text;
   for (const StressSubject* form : forms) {
-    text += form->id + ", visibly wrong (own: " + form->counterpart + ")\n";
     const auto theirs = byClass(cells, [form](const StressSubject& s) { return &s == form; });
     const auto own = byClass(cells, [form](const StressSubject& s) { return s.id == form->counterpart; });
+    // Of all that is a number when it comes in.
+    StressTally sum, ownSum;
+    for (std::size_t i = 0; i < theirs.size(); ++i) {
+      if (theirs[i].first->held == Held::Finite) continue;
+      sum.merge(theirs[i].second);
+      ownSum.merge(own[i].second);
+    }
+    text += form->id + ": visibly wrong " + std::to_string(sum.wrong) + " of " + std::to_string(sum.count) + " (" +
+            percent(sum.wrong, sum.count) + "), of that no number " + percent(sum.nonFinite, sum.count) + "; own, " +
+            form->counterpart + ": " + std::to_string(ownSum.wrong) + " of " + std::to_string(ownSum.count) + "\n";
     for (std::size_t i = 0; i < theirs.size(); ++i) {
       const StressTally& a = theirs[i].second;
       const StressTally& b = own[i].second;

@@ -14,6 +14,7 @@
 #include "filters/core/one_line.h"
 #include "filters/io/atomic_file.h"
 #include "filters/io/image_detail.h"
+#include "filters/io/radiance_check.h"
 #include "filters/io/read_file.h"
 
 namespace boxprobe {
@@ -48,6 +49,9 @@ ImageRgbaF loadRadiance(const std::string& path) {
   // Its shortest runs: 127 values of one of the four channels in 2 bytes, so 16 pixels a byte at most.
   constexpr long long kMostPixelsAByte = 16;
   checkEncodedSize(path, image.width, image.height, bytes.size(), kMostPixelsAByte);
+  if (!radianceRunsAreWhole(bytes, image.width, image.height)) {
+    throw InputError(path + ": is damaged (a row's runs end early or run over); save it again");
+  }
   const std::unique_ptr<float, StbFree> pixels(
       stbi_loadf_from_memory(asBytes(bytes), length, &image.width, &image.height, &channels, 4));
   if (!pixels) throw damaged(path);
