@@ -43,16 +43,17 @@ void print(const std::string& what, const bench::Samples& samples) {
               1e3 * bench::median(samples.a), 1e3 * bench::median(samples.b), ratio.value, ratio.low, ratio.high);
 }
 
-// Rays of a pixel's own, so that nothing is constant.
-std::string passSource(const Technique& technique) {
+// Rays of a pixel's own, so that nothing is constant. `lookup`: with the texture lookup that every technique ends in;
+// without it nothing but arithmetic is timed.
+std::string passSource(const Technique& technique, bool lookup) {
   const ProjectionRow& projection = projectionRows()[static_cast<std::size_t>(technique.projection)];
   const EvaluationRow& evaluation = evaluationRows()[static_cast<std::size_t>(technique.evaluation)];
   std::string text = joinShaderSources({"shared/types.glsl", "shared/finite.glsl", "shared/slab.glsl",
                                         "shared/roughness.glsl", std::string(projection.shaderFile)});
-  text +=
-      "ProbeHit projectRay(ProbeShape probe, vec3 p, vec3 n, vec3 r) { return " + std::string(projection.function) +
-      "(probe, p, n, r); }\n#define PROBE_MAP int\nvec4 fetchProbe(int map, ProbeShape probe, vec3 d, float level) { "
-      "return vec4(lookupDirection(d), level); }\n";
+  text += "ProbeHit projectRay(ProbeShape probe, vec3 p, vec3 n, vec3 r) { return " + std::string(projection.function) +
+          "(probe, p, n, r); }\n#define PROBE_MAP int\nuniform samplerCube benchMap;\n"
+          "vec4 fetchProbe(int map, ProbeShape probe, vec3 d, float level) { return " +
+          (lookup ? "textureLod(benchMap, lookupDirection(d), level)" : "vec4(lookupDirection(d), level)") + "; }\n";
   text += joinShaderSources({"shared/level_curve.glsl", std::string(evaluation.shaderFile)});
   text +=
       "uniform vec3 benchMin;\nuniform vec3 benchMax;\nin vec2 texCoord;\nvoid main()\n{\n"
@@ -71,23 +72,30 @@ std::string passSource(const Technique& technique) {
   return text;
 }
 
-void measurePass(vtkOpenGLRenderWindow* window, const std::string& id, int pairs) {
+void measurePass(vtkOpenGLRenderWindow* window, const std::string& id, int pairs, bool lookup) {
+  CubeTexture map;
+  map.allocate(64, 7, GL_RGBA16F);
+  for (int level = 0; level < 7; ++level) {
+    for (int face = 0; face < 6; ++face) map.writeFace(face, level, std::vector<float>(4u << (12 - 2 * level), 0.5f));
+  }
   FloatTarget target;
   target.allocate(512, 512);
   bench::usePublishedShaders(true);
-  FullScreenPass published("published", passSource(*parseTechnique(id)));
+  FullScreenPass published("published", passSource(*parseTechnique(id), lookup));
   bench::usePublishedShaders(false);
-  FullScreenPass own("own", passSource(*parseTechnique(id)));
+  FullScreenPass own("own", passSource(*parseTechnique(id), lookup));
   const auto draw = [&](FullScreenPass& pass, bool isPublished) {
     bench::usePublishedShaders(isPublished);
     const PassState saved(window);
     window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
     window->GetState()->vtkglViewport(0, 0, target.width(), target.height());
+    const BoundTexture bound(window, GL_TEXTURE_CUBE_MAP, map.handle());
     const double start = processCpuSeconds();
-    pass.draw(window, [](vtkShaderProgram* program) {
+    pass.draw(window, [&bound](vtkShaderProgram* program) {
       const float low[3] = {-2.0f, -1.0f, -1.5f}, high[3] = {1.0f, 2.0f, 1.5f};
       program->SetUniform3f("benchMin", low);
       program->SetUniform3f("benchMax", high);
+      if (program->IsUniformUsed("benchMap")) program->SetUniformi("benchMap", bound.unit());
     });
     glFinish();
     const double seconds = processCpuSeconds() - start;
@@ -144,9 +152,11 @@ void run(const BenchOptions& options) {
   installVtkMessages(false, true);
   {
     const auto window = makeOffscreenWindow(16, 16, 1);
-    std::printf("full-screen pass of 512 x 512 pixels, 16 lookups each, fetching nothing: %d pairs, CPU time\n",
-                4 * options.pairs);
-    for (const std::string& id : options.techniques) measurePass(window, id, options.pairs);
+    for (const bool lookup : {true, false}) {
+      std::printf("full-screen pass of 512 x 512 pixels, 16 rays each, %s: %d pairs, CPU time\n",
+                  lookup ? "each looked up" : "arithmetic alone", 4 * options.pairs);
+      for (const std::string& id : options.techniques) measurePass(window, id, options.pairs, lookup);
+    }
   }
   std::printf("%s, %s, 4 samples a pixel: %d pairs of frames, CPU time\n", options.scene.c_str(), options.size.c_str(),
               options.pairs);
