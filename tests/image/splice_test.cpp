@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "filters/vtk/vtk_pbr_splice.h"
+#include "tests/image/quad_world.h"
 #include "tests/support/scene_picture.h"
 
 namespace {
@@ -118,6 +119,56 @@ TEST(Splice, ParallelProjectionHasOneViewVector) {
   scene.sky = SkyGradient{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const glm::vec3 c = centreOf(quadModel(mirror, false), scene, true);
   EXPECT_NEAR(c.y, 1.0f, 0.03f);  // reflects the horizon behind the camera
+}
+
+// Squares whose normals face the eye, run along it, face away, have no length, or all of these at their corners: as
+// interpolation and normal maps make them. From both sides, at the ends of roughness, with coat and with lights.
+TEST(Splice, EveryPixelIsANumberWhateverItsNormal) {
+  constexpr int kSquares = 6;
+  const glm::vec3 normals[kSquares][2] = {
+      {{0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 1.0f}},   {{1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}},
+      {{0.0f, 0.0f, -1.0f}, {0.0f, 0.0f, -1.0f}}, {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}},
+      {{0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, -1.0f}},  {{1.0f, 0.0f, 1.0e-7f}, {0.0f, 1.0f, -1.0e-7f}}};
+  Model model;
+  for (int kind = 0; kind < 8; ++kind) {
+    Material material;
+    material.metallic = (kind & 1) != 0 ? 1.0f : 0.0f;
+    material.roughness = (kind & 2) != 0 ? 1.0f : 0.0f;
+    material.coat = (kind & 4) != 0 ? 1.0f : 0.0f;
+    material.doubleSided = true;
+    for (int i = 0; i < kSquares; ++i) {
+      addSquare(model, "square " + std::to_string(kSquares * kind + i), {-1.0f + 0.4f * i, -0.7f + 0.2f * kind, 0.0f},
+                {0.18f, 0.0f, 0.0f}, {0.0f, 0.09f, 0.0f}, material);
+      std::vector<glm::vec3>& corner = model.meshes.back().normals;
+      for (std::size_t c = 0; c < corner.size(); ++c) corner[c] = normals[i][c % 2];
+    }
+  }
+  for (const char* technique : {"box", "box+hdrp", "sphere+footprint1", "box+raytraced"}) {
+    Scene scene = quadScene(2);
+    for (Light& light : scene.lights) light.intensity = 3.0f;
+    scene.probes.push_back(cubeProbe("probe", {0.0, 0.0, 0.5}, 1.5, 16));
+    scene.probes.back().technique = technique;
+    ScenePicture picture(std::move(scene), 96, 64);
+    picture.renderer->setModels({std::make_shared<Model>(model)});
+    picture.renderer->sync(picture.scene, Changes::all());
+    picture.renderer->finishWork();
+    ASSERT_EQ(picture.renderer->error(), "");
+    // In front, behind, and along the squares.
+    for (const glm::dvec3& eye : {glm::dvec3(0, 0, 1.4), glm::dvec3(0, 0, -0.9), glm::dvec3(1.4, 0, 0.05)}) {
+      Camera camera;
+      camera.position = eye;
+      camera.target = {0, 0, 0};
+      picture.renderer->applyCamera(camera);
+      const ImageRgbaF image = picture.linear(1);
+      std::size_t notFinite = 0, drawn = 0;
+      for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        notFinite += std::isfinite(image.pixels[i]) ? 0 : 1;
+        drawn += i % 4 == 0 && image.pixels[i] != 0.25f ? 1 : 0;  // unlike the sky
+      }
+      EXPECT_EQ(notFinite, 0u) << technique << " from " << eye.x << " " << eye.z;
+      EXPECT_GT(drawn, 100u) << technique << " from " << eye.x << " " << eye.z;
+    }
+  }
 }
 
 TEST(Splice, MissingAnchorIsNamedAndNothingIsChanged) {
