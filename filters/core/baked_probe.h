@@ -7,6 +7,7 @@
 
 #include "filters/math/cube_map.h"
 #include "filters/math/light_table.h"
+#include "filters/math/relief.h"
 #include "filters/math/spherical_harmonics.h"
 
 namespace boxprobe {
@@ -18,6 +19,7 @@ struct BakedMaps {
   /// for a map without distances (the sky, an imported picture).
   CubeMap distance;
   ShCoefficients irradiance{};
+  LazyRelief relief;     ///< of distance, for projections that follow rays
   LazyLightTable light;  ///< of radiance, for techniques that aim rays at what is bright
   glm::dvec3 capturedAt{0.0};  ///< capture origin, world
 };

@@ -19,17 +19,17 @@ glm::vec3 irradianceAt(const glm::vec3& n, const ShCoefficients& c) {
 }
 
 /// Counts a technique's fetches from the distances.
-class CountedDistances : public shading::DistanceSampler {
+class CountedRelief : public shading::ReliefSampler {
  public:
-  explicit CountedDistances(const shading::DistanceSampler* distances) : distances_(distances) {}
-  float fetchDistance(const glm::vec3& direction) const override {
+  explicit CountedRelief(const shading::ReliefSampler* relief) : relief_(relief) {}
+  glm::vec4 fetchRelief(const glm::vec3& direction) const override {
     ++count_;
-    return distances_->fetchDistance(direction);
+    return relief_->fetchRelief(direction);
   }
   int count() const { return count_; }
 
  private:
-  const shading::DistanceSampler* distances_;
+  const shading::ReliefSampler* relief_;
   mutable int count_ = 0;
 };
 
@@ -85,7 +85,14 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
       seen ? std::optional<DistanceCube>(std::in_place, probe.maps->distance) : std::nullopt;
   const glm::mat3 worldFromProbe(g.worldFromProbe);
   shading::ProbeData data;
-  data.distances = distances ? &*distances : nullptr;
+  std::shared_ptr<const Relief> relief;
+  std::shared_ptr<const ReliefBlocks> blocks;
+  if (seen && projectionRows()[static_cast<std::size_t>(g.technique.projection)].distances) {
+    relief = probe.maps->relief.of(probe.maps->distance);
+    blocks = probe.maps->relief.blocks(*relief, g.boxMin, g.boxMax, worldFromProbe);
+  }
+  data.relief = relief.get();
+  data.blocks = blocks.get();
   data.worldFromProbe = g.rotated ? &worldFromProbe : nullptr;
   std::shared_ptr<const LightTable> light;
   if (e.captured && chooses(g.technique, g.parameters, "sampling", "luminance")) light = probe.maps->light.of(probe.maps->radiance);
@@ -114,12 +121,12 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   if (e.captured) {
     const auto evaluate = evaluationRows()[static_cast<std::size_t>(g.technique.evaluation)].evaluate;
     const RecordedLookups record = recordLookups(evaluate, probe.maps->radiance, g, shape, point);
-    if (distances) {
-      const CountedDistances counted(&*distances);
-      data.distances = &counted;
+    if (relief) {
+      const CountedRelief counted(relief.get());
+      data.relief = &counted;
       evaluate(&probe.maps->radiance, shape, point);
       e.distanceLookups = counted.count();
-      data.distances = &*distances;
+      data.relief = relief.get();
     }
     e.specular = glm::vec3(record.value);
     e.lookups = record.lookups;

@@ -11,6 +11,7 @@
 #include "filters/math/automatic.h"
 #include "filters/math/blue_noise.h"
 #include "filters/math/light_table.h"
+#include "filters/math/relief.h"
 #include "filters/math/technique_table.h"
 
 #define PROBE_MAP ProbeMap
@@ -47,10 +48,33 @@ static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {
   return map->fetchDistance(direction);
 }
 
-float fetchProbeDistance(const ProbeShape& probe, vec3 direction) {
-  if (probe.slot == nullptr || probe.slot->distances == nullptr) return 0.0f;
+#include "shaders/shared/relief.glsl"
+
+vec3 fetchProbePlane(const ProbeShape& probe, vec3 direction) {
+  if (probe.slot == nullptr || probe.slot->relief == nullptr) return vec3(0.0f);
   const glm::mat3* turn = probe.slot->worldFromProbe;
-  return probe.slot->distances->fetchDistance(turn != nullptr ? *turn * direction : direction);
+  const vec3 plane(probe.slot->relief->fetchRelief(turn != nullptr ? *turn * direction : direction));
+  return turn != nullptr ? glm::transpose(*turn) * plane : plane;
+}
+
+vec3 fetchProbeFar(const ProbeShape& probe, vec3 direction) {
+  if (probe.slot == nullptr || probe.slot->relief == nullptr) return vec3(0.0f);
+  const glm::mat3* turn = probe.slot->worldFromProbe;
+  const vec3 world = turn != nullptr ? *turn * direction : direction;
+  const vec3 away = reliefFar(probe.slot->relief->fetchRelief(world).w, world);
+  return turn != nullptr ? glm::transpose(*turn) * away : away;
+}
+
+static int probeBlockCount(const ProbeShape& probe) {
+  return probe.slot != nullptr && probe.slot->blocks != nullptr ? probe.slot->blocks->count : 0;
+}
+
+static vec3 probeBlockLow(const ProbeShape& probe, int i) {
+  return probe.slot->blocks->low[static_cast<std::size_t>(i)];
+}
+
+static vec3 probeBlockHigh(const ProbeShape& probe, int i) {
+  return probe.slot->blocks->high[static_cast<std::size_t>(i)];
 }
 
 static int probeLightSize(const ProbeShape& probe) {

@@ -11,6 +11,7 @@
 
 namespace boxprobe {
 struct LightTable;
+struct ReliefBlocks;
 }
 
 namespace boxprobe::shading {
@@ -33,9 +34,18 @@ class DistanceSampler {
 };
 using DistanceMap = const DistanceSampler*;
 
+/// A probe's relief (relief.h) as the mathematics sees it.
+class ReliefSampler {
+ public:
+  virtual ~ReliefSampler() = default;
+  /// Of the nearest texel: see Relief::fetchRelief. `direction` need not be unit.
+  virtual glm::vec4 fetchRelief(const glm::vec3& direction) const = 0;
+};
+
 /// What a technique may fetch from a probe beside its map; a null member gives nothing. Must outlive the call.
 struct ProbeData {
-  DistanceMap distances = nullptr;            ///< looked up in the world's axes relative to the capture origin
+  const ReliefSampler* relief = nullptr;      ///< looked up in the world's axes relative to the capture origin
+  const ReliefBlocks* blocks = nullptr;       ///< probe frame
   const glm::mat3* worldFromProbe = nullptr;  ///< null: not rotated
   const LightTable* light = nullptr;          ///< what rays can be aimed at, by brightness
 };
@@ -49,8 +59,12 @@ using glm::vec4;
 #include "shaders/shared/types.glsl"
 #undef PROBE_SLOT
 
-/// 0 where the probe saw nothing, or its distances are not known. `direction`: probe frame.
-float fetchProbeDistance(const ProbeShape& probe, vec3 direction);
+/// Plane of what the probe saw, both in its frame: see Relief. 0 where it saw nothing, or its distances are not known.
+vec3 fetchProbePlane(const ProbeShape& probe, vec3 direction);
+/// Where to look for what is far away; 0 where nothing far was seen.
+vec3 fetchProbeFar(const ProbeShape& probe, vec3 direction);
+vec3 reliefDirection(float code);
+vec3 reliefFar(float code, vec3 direction);
 vec3 finiteOr(vec3 v, vec3 instead);
 vec3 directionOr(vec3 v, vec3 instead);
 float roughnessWithin(float roughness);

@@ -37,6 +37,34 @@ CaptureLight::Shares CaptureLight::shares(const glm::dvec3& position) const {
   return result;
 }
 
+std::optional<glm::dvec3> CaptureLight::capturedFrom(const glm::dvec3& position) const {
+  const ProbeGeometry* best = nullptr;
+  float most = 0.0f, left = 1.0f;
+  for (std::size_t first = 0; first < probes_.size() && left > most;) {
+    std::size_t end = first;
+    float sum = 0.0f, largest = 0.0f;
+    const ProbeGeometry* of = nullptr;
+    for (; end < probes_.size() && probes_[end].importance == probes_[first].importance; ++end) {
+      const ProbeGeometry& g = probes_[end];
+      const glm::vec3 p(glm::transpose(g.worldFromProbe) * (position - g.originWorld));
+      const float weight = shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
+      sum += weight;
+      if (weight <= largest) continue;
+      largest = weight;
+      of = &g;
+    }
+    const float share = left * shading::groupScale(sum) * largest;
+    if (share > most) {
+      most = share;
+      best = of;
+    }
+    left = shading::remainingAfter(left, sum);
+    first = end;
+  }
+  if (best == nullptr) return std::nullopt;
+  return best->originWorld;
+}
+
 glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit) const {
   if (unlit) return s.emissive;
   const FresnelEnds ends = fresnelEnds(s);

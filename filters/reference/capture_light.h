@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "filters/core/explanation.h"
@@ -26,6 +27,9 @@ class CaptureLight {
   glm::vec3 unreflected(const SurfacePoint& surface, bool unlit) const;
   /// That and the sky's reflection: what a capture shows.
   glm::vec3 captured(const SurfacePoint& surface, bool unlit) const;
+
+  /// Where the probe was captured that has the largest share of a point's reflection; nothing where none reaches.
+  std::optional<glm::dvec3> capturedFrom(const glm::dvec3& positionWorld) const;
 
  private:
   /// Shares of a point's diffuse light and reflection, as probes and sky divide it.

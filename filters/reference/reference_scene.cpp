@@ -51,7 +51,9 @@ ReferenceScene::ReferenceScene(const Scene& scene, const std::vector<std::shared
 glm::dvec3 ReferenceScene::seenFrom(const glm::dvec3& origin, const glm::dvec3& direction, RaySees sees) const {
   const auto hit = tracer_.firstHit(origin, direction, sees);
   if (!hit) return glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
-  return glm::dvec3(light_.captured(tracer_.surface(*hit, origin), tracer_.object(*hit).material.unlit));
+  // Highlights and other gloss move with the eye; a probe has them as they are from its origin.
+  const glm::dvec3 eye = sees == RaySees::Probes ? light_.capturedFrom(origin).value_or(origin) : origin;
+  return glm::dvec3(light_.captured(tracer_.surface(*hit, eye), tracer_.object(*hit).material.unlit));
 }
 
 glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,

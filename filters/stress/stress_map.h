@@ -8,15 +8,23 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "filters/math/relief.h"
 #include "filters/math/shared_math.h"
 #include "filters/stress/stress_light.h"
 #include "filters/stress/stress_trial.h"
 
 namespace boxprobe::stress {
 
-class StressMap : public shading::CubeSampler, public shading::DistanceSampler {
+class StressMap : public shading::CubeSampler, public shading::DistanceSampler, public shading::ReliefSampler {
  public:
-  explicit StressMap(const shading::ProbeShape& probe) : probe_(probe) {}
+  explicit StressMap(const shading::ProbeShape& probe) : probe_(probe) {
+    blocks_.count = 2;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const glm::vec3 size = probe.boxMax - probe.boxMin;
+      blocks_.low[i] = probe.boxMin + (i == 0 ? 0.1f : 0.6f) * size;
+      blocks_.high[i] = blocks_.low[i] + (i == 0 ? 0.2f : 0.4f) * size;
+    }
+  }
 
   glm::vec4 fetch(const glm::vec3& direction, float level) const override {
     ++lookups_;
@@ -37,9 +45,18 @@ class StressMap : public shading::CubeSampler, public shading::DistanceSampler {
     return std::min(t, 1.0e30f) * glm::length(q) * (0.8f + 0.2f * q.x * q.y);
   }
 
+  /// Planes across the directions of those distances; what is far lies upwards, where nothing else does.
+  glm::vec4 fetchRelief(const glm::vec3& direction) const override {
+    const glm::vec3 q = direction / largest(direction);
+    const float seen = fetchDistance(direction);
+    const glm::vec3 plane = seen > 1.0e-30f ? q / (glm::length(q) * seen) : glm::vec3(0.0f);
+    return glm::vec4(plane, q.z > 0.9f ? Relief::kHere : q.x > 0.9f ? Relief::kNowhere : 4096.0f * 2048.0f + 2048.0f);
+  }
+
   shading::ProbeData probeData() const {
     shading::ProbeData data;
-    data.distances = this;
+    data.relief = this;
+    data.blocks = &blocks_;
     data.light = &stressLightTable();
     return data;
   }
@@ -54,6 +71,7 @@ class StressMap : public shading::CubeSampler, public shading::DistanceSampler {
   }
 
   const shading::ProbeShape& probe_;
+  ReliefBlocks blocks_;
   mutable int lookups_ = 0, unusable_ = 0;
   mutable float level_ = 0.0f;
 };

@@ -15,6 +15,7 @@
 #include "filters/math/spherical_harmonics.h"
 #include "filters/vtk/gl_objects.h"
 #include "filters/vtk/light_texture.h"
+#include "filters/vtk/relief_texture.h"
 
 namespace boxprobe {
 
@@ -27,7 +28,9 @@ struct ProbeMaps {
   float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
   /// Made when a draw first aims rays at what is bright (light_texture.h).
   mutable LightTexture light;
-  std::size_t bytes() const { return radiance.bytes() + distance.bytes() + light.bytes(); }
+  /// Made when a draw first follows rays by the distances (relief_texture.h).
+  mutable ReliefTexture relief;
+  std::size_t bytes() const { return radiance.bytes() + distance.bytes() + light.bytes() + relief.bytes(); }
 };
 
 /// A probe as draws see it. `maps` is null until the first capture is complete; it then gives nothing.

@@ -58,7 +58,7 @@ void CubeTexture::allocate(int faceSize, int levels, GLenum internalFormat) {
   internalFormat_ = internalFormat;
   glGenTextures(1, &handle_);
   const CubeBinding binding(handle_);
-  const bool distance = internalFormat == GL_R32F;
+  const bool distance = internalFormat == GL_R32F, nearest = distance || internalFormat == GL_RGBA32F;
   while (glGetError() != GL_NO_ERROR) {  // errors of others are not this allocation's
   }
   for (int level = 0; level < levels; ++level) {
@@ -74,8 +74,8 @@ void CubeTexture::allocate(int faceSize, int levels, GLenum internalFormat) {
                     memoryText(wanted) + "; lower the probes' faceSize");
   }
   // A mean of two distances is a surface that is not there, so distances are not interpolated.
-  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, distance ? GL_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
-  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, distance ? GL_NEAREST : GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, nearest ? GL_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, levels - 1);
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -93,7 +93,7 @@ std::size_t CubeTexture::bytes() const {
     const auto size = static_cast<std::size_t>(faceSize_ >> level);
     texels += 6 * size * size;
   }
-  return handle_ == 0 ? 0 : texels * (internalFormat_ == GL_R32F ? 4 : 8);
+  return handle_ == 0 ? 0 : texels * (internalFormat_ == GL_R32F ? 4 : internalFormat_ == GL_RGBA32F ? 16 : 8);
 }
 
 std::vector<float> CubeTexture::readFace(int face, int level) const {

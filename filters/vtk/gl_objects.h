@@ -14,7 +14,7 @@ namespace boxprobe {
 /// Empty if the driver filters across the edges of cubes, else why reflections would show seams. Switches it on.
 std::string seamlessCubesProblem();
 
-/// A cube map in RGBA16F (colour) or R32F (distance) with its own mip levels.
+/// A cube map in RGBA16F (colour), R32F (distance) or RGBA32F (relief) with its own mip levels.
 class CubeTexture {
  public:
   CubeTexture() = default;

@@ -74,7 +74,14 @@ ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
       seen ? std::optional<DistanceCube>(std::in_place, *probe.distances) : std::nullopt;
   const glm::mat3 worldFromProbe(g.worldFromProbe);
   shading::ProbeData data;
-  data.distances = distances ? &*distances : nullptr;
+  std::shared_ptr<const Relief> relief;
+  std::shared_ptr<const ReliefBlocks> blocks;
+  if (seen && projectionRows()[static_cast<std::size_t>(g.technique.projection)].distances) {
+    relief = probe.relief.of(*probe.distances);
+    blocks = probe.relief.blocks(*relief, g.boxMin, g.boxMax, worldFromProbe);
+  }
+  data.relief = relief.get();
+  data.blocks = blocks.get();
   data.worldFromProbe = g.rotated ? &worldFromProbe : nullptr;
   shape.slot = &data;
   shading::ShadingPoint point{};

@@ -11,6 +11,7 @@
 
 #include "filters/core/explanation.h"
 #include "filters/core/probe_geometry.h"
+#include "filters/math/relief.h"
 #include "filters/math/cube_map.h"
 #include "filters/vtk/ray_arrays.h"
 
@@ -27,6 +28,7 @@ struct RayProbe {
   ProbeGeometry geometry;
   float maxLevel = 0.0f;                     ///< last level of its chain
   std::shared_ptr<const CubeMap> distances;  ///< null or empty: not known
+  LazyRelief relief;                         ///< of them
 };
 
 /// What there is before any probe.

@@ -228,6 +228,31 @@ void vtkProbePolyDataMapper::UploadSky(vtkShaderProgram* program, vtkRenderer* r
   program->SetUniform3fv("bpSkySh", 9, reinterpret_cast<const float(*)[3]>(&skySh[0].x));
 }
 
+void vtkProbePolyDataMapper::UploadRelief(vtkShaderProgram* program, vtkRenderer* renderer) {
+  const std::size_t count = this->Drawn->probes.size();
+  constexpr std::size_t kMax = boxprobe::ProbeBinding::kMaxProbesPerDraw, kMost = boxprobe::ReliefBlocks::kMost;
+  std::array<int, kMax> blocks{};
+  std::array<glm::vec3, kMax * kMost> low{}, high{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const boxprobe::DrawnProbe& probe = *this->Drawn->probes[i];
+    const boxprobe::ProbeMaps* maps = this->State->firstBounce ? nullptr : probe.maps.get();
+    const bool known = maps != nullptr && maps->distance.allocated();
+    if (known) {
+      const auto found = maps->relief.blocks(maps->distance, probe.geometry);
+      blocks[i] = found->count;
+      std::copy(found->low.begin(), found->low.end(), low.begin() + static_cast<long>(i * kMost));
+      std::copy(found->high.begin(), found->high.end(), high.begin() + static_cast<long>(i * kMost));
+    }
+    program->SetUniformi(
+        ("bpRelief" + std::to_string(i)).c_str(),
+        this->Bind(renderer, GL_TEXTURE_CUBE_MAP, known ? maps->relief.handle() : this->State->blackCube));
+  }
+  program->SetUniform1iv("bpBlockCount", static_cast<int>(count), blocks.data());
+  const int most = static_cast<int>(count * kMost);
+  program->SetUniform3fv("bpBlockLow", most, reinterpret_cast<const float(*)[3]>(&low[0].x));
+  program->SetUniform3fv("bpBlockHigh", most, reinterpret_cast<const float(*)[3]>(&high[0].x));
+}
+
 void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer) {
   const std::size_t count = this->Drawn->probes.size();
   constexpr std::size_t kMax = boxprobe::ProbeBinding::kMaxProbesPerDraw;
@@ -259,7 +284,7 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
         ("bpMap" + std::to_string(i)).c_str(),
         this->Bind(renderer, GL_TEXTURE_CUBE_MAP, maps != nullptr ? maps->radiance.handle() : this->State->blackCube));
   }
-  if (this->Debug || this->Drawn->distances()) {
+  if (this->Debug) {
     for (std::size_t i = 0; i < count; ++i) {
       const boxprobe::ProbeMaps* maps = this->Drawn->probes[i]->maps.get();
       const bool known = maps != nullptr && maps->distance.allocated();
@@ -267,6 +292,9 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
           ("bpDistanceMap" + std::to_string(i)).c_str(),
           this->Bind(renderer, GL_TEXTURE_CUBE_MAP, known ? maps->distance.handle() : this->State->blackCube));
     }
+  }
+  if (this->Drawn->distances()) {
+    this->UploadRelief(program, renderer);
   }
   if (this->Drawn->chooses("sampling", "luminance")) {
     std::array<int, kMax> size{};

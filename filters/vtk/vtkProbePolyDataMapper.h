@@ -57,6 +57,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadSky(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadRelief(vtkShaderProgram* program, vtkRenderer* renderer);
   int Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle);
 
   std::shared_ptr<boxprobe::DrawState> State;

@@ -30,6 +30,7 @@ struct FilterProbe {
   std::optional<double> maximumLevel;
   std::optional<glm::dvec3> capturedAt;
   std::shared_ptr<const CubeMap> distances;
+  LazyRelief relief;  // of them
 };
 
 RayProbe rayProbe(const FilterProbe& p) {
@@ -38,6 +39,7 @@ RayProbe rayProbe(const FilterProbe& p) {
   result.geometry = probeGeometry(p.probe, p.capturedAt.value_or(p.probe.origin));
   result.maxLevel = static_cast<float>(p.maximumLevel.value_or(prefilterLevels(p.probe.faceSize) - 1));
   result.distances = p.distances;
+  result.relief = p.relief;
   return result;
 }
 
@@ -245,6 +247,7 @@ void vtkProjectionRays::SetProbeCapturedAt(int index, double x, double y, double
 void vtkProjectionRays::SetProbeDistances(int index, std::shared_ptr<const CubeMap> distances) {
   if (this->EditProbe(index, true) == nullptr) return;
   this->Internal->probes[static_cast<std::size_t>(index)].distances = std::move(distances);
+  this->Internal->probes[static_cast<std::size_t>(index)].relief = {};
 }
 
 void vtkProjectionRays::PrintSelf(ostream& os, vtkIndent indent) {

@@ -198,12 +198,11 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output)
   const bool debug = output == SurfaceOutput::Debug;
   const std::vector<int> groups = binding.groups();
   std::string lighting(shaderSource("gpu/probe_lighting.glsl"));
-  const bool distances = debug || binding.distances();
   std::string samplers;
-  for (std::size_t slot = 0; distances && slot < binding.probes.size(); ++slot) {
+  for (std::size_t slot = 0; debug && slot < binding.probes.size(); ++slot) {
     samplers += "uniform samplerCube bpDistanceMap" + std::to_string(slot) + ";\n";
   }
-  if (!samplers.empty()) samplers += shaderSource("gpu/fetch_distance.glsl");
+  if (binding.distances()) samplers += joinShaderSources({"shared/relief.glsl", "gpu/fetch_relief.glsl"});
   replaceOnce(lighting, "//BP::Distances", samplers);
   replaceOnce(lighting, "//BP::Slots",
               techniqueSources(binding, debug) + parameterDeclarations(binding) +

@@ -1,5 +1,6 @@
 // The stress test's maps on the GPU: a lookup gives back its own direction and level, so that whatever is wrong with either shows in
-// the result; distances are those of filters/stress/stress_map.h. Needs shared/types.glsl, finite.glsl and slab.glsl.
+// the result; distances are those of filters/stress/stress_map.h. Needs shared/types.glsl, finite.glsl,
+// slab.glsl and relief.glsl.
 #define PROBE_MAP int
 #define DISTANCE_MAP int
 
@@ -28,7 +29,7 @@ vec3 probeFromMap(ProbeShape probe, vec3 direction) { return direction; }
 int probeLightSize(ProbeShape probe) { return 4; }
 vec4 fetchProbeLight(ProbeShape probe, int cell) { return stressLight[clamp(cell, 0, STRESS_LIGHT_CELLS - 1)]; }
 
-float fetchProbeDistance(ProbeShape probe, vec3 direction)
+float stressDistance(ProbeShape probe, vec3 direction)
 {
   vec3 q = stressLargestOne(direction);
   vec3 walls = slabFactors(vec3(0.0f), q, probe.boxMin, probe.boxMax);
@@ -38,5 +39,25 @@ float fetchProbeDistance(ProbeShape probe, vec3 direction)
 
 float fetchDistance(int map, ProbeShape probe, vec3 direction)
 {
-  return fetchProbeDistance(probe, direction);
+  return stressDistance(probe, direction);
+}
+
+vec3 fetchProbePlane(ProbeShape probe, vec3 direction)
+{
+  vec3 q = stressLargestOne(direction);
+  float seen = stressDistance(probe, direction);
+  return seen > 1.0e-30f ? q / (length(q) * seen) : vec3(0.0f);
+}
+
+vec3 fetchProbeFar(ProbeShape probe, vec3 direction)
+{
+  vec3 q = stressLargestOne(direction);
+  return reliefFar(q.z > 0.9f ? -2.0f : (q.x > 0.9f ? -1.0f : 4096.0f * 2048.0f + 2048.0f), direction);
+}
+
+int probeBlockCount(ProbeShape probe) { return 2; }
+vec3 probeBlockLow(ProbeShape probe, int i) { return probe.boxMin + (i == 0 ? 0.1f : 0.6f) * (probe.boxMax - probe.boxMin); }
+vec3 probeBlockHigh(ProbeShape probe, int i)
+{
+  return probeBlockLow(probe, i) + (i == 0 ? 0.2f : 0.4f) * (probe.boxMax - probe.boxMin);
 }

@@ -1,120 +1,161 @@
-// The box's hit, refined against what the probe saw: its distance cubemap stands in for the scene (a distance impostor). For rooms
-// that are not boxes. At most `steps` fetches, from the nearest texel:
-//   1 at the box's hit: what the probe saw there may lie on the box (done), before it or behind it;
-//   2 at seven tenths of the way: something may stand in between although the end of the ray is clear;
-//   3 and more: secant steps.
-// In p(t) = |X| / D - 1, X = P + t R - C and D the distance seen in that direction, a plane is a straight line: where two fetches see
-// the same flat surface, the secant meets it exactly. The box's hit is kept where the probe saw nothing. What is hidden from the
-// capture origin cannot be found. Needs technique/projection_box.glsl; the host supplies fetchProbeDistance.
+// The box's hit, refined by what the probe saw (a distance impostor), for rooms that are not boxes. The distance cubemap has been
+// prepared (filters/math/relief.h): a lookup gives the plane q of the surface seen in a direction, {x : dot(q, x) = 1}, so that a
+// point X lies behind what was seen where s = dot(q, X) is above 1, in front of it below 1, and a flat surface is met exactly
+// in one step. Blocks are boxes around what stands in the room. With at most `steps` lookups:
+//   a block the ray meets is looked at just behind where the ray enters, then where it leaves;
+//   else the box's hit: on the box it stays. Beyond it the ray goes on to the plane seen there, or far away;
+//   what is hidden from the capture origin cannot be found: the ray is then looked up where it was seen last.
+// Needs technique/projection_box.glsl; the host supplies fetchProbePlane, fetchProbeFar (the direction to look in for what is
+// far away) and the blocks.
 
-// p(t): how far behind what the probe saw X lies, relative to its distance; below 0 in free space. kNoHit where nothing was seen.
-float impostorDepth(ProbeShape probe, vec3 x)
+// How far along the ray its plane is met; -1 if it is not, or farther than `farthest`.
+float impostorMeets(vec3 plane, vec3 position, vec3 reflection, float farthest)
 {
-  float seen = fetchProbeDistance(probe, x);
-  // Compared before dividing: a quotient beyond any room's is only "far behind".
-  float size = length(x);
-  return seen > 0.0f ? (size < 1.0e6f * seen ? size / seen - 1.0f : 1.0e6f) : kNoHit;
+  float gap = 1.0f - dot(plane, position);
+  float speed = dot(plane, reflection);
+  return gap * speed > 0.0f && abs(gap) < farthest * abs(speed) ? gap / speed : -1.0f;
 }
 
-// Where the ray meets the plane, parallel to the face it leaves the box by, through the point seen in the direction of x.
-float impostorPlane(vec3 position, vec3 reflection, vec3 x, float depth, int face)
+// Where the ray is in a block.
+struct ImpostorSpan
 {
-  vec3 seen = x / max(1.0f + depth, 1.0e-6f);
-  float gap = face < 2 ? seen.x - position.x : (face < 4 ? seen.y - position.y : seen.z - position.z);
-  float speed = face < 2 ? reflection.x : (face < 4 ? reflection.y : reflection.z);
-  return abs(speed) > 1.0e-6f ? gap / speed : 0.0f;
+  float enter; // 0 if it starts inside; kNoHit: no block
+  float leave;
+};
+
+// Of the first block that is entered later than `after` and left later than `least`.
+ImpostorSpan impostorSpan(ProbeShape probe, vec3 position, vec3 reflection, float after, float least)
+{
+  ImpostorSpan span;
+  span.enter = kNoHit;
+  span.leave = kNoHit;
+  // Divided by next to nothing rather than by 0: beyond any block all the same.
+  vec3 inverse = vec3(1.0f) / vec3(abs(reflection.x) > 1.0e-18f ? reflection.x : 1.0e-18f,
+                                   abs(reflection.y) > 1.0e-18f ? reflection.y : 1.0e-18f,
+                                   abs(reflection.z) > 1.0e-18f ? reflection.z : 1.0e-18f);
+  int count = probeBlockCount(probe);
+  for (int i = 0; i < count; ++i)
+  {
+    vec3 a = (probeBlockLow(probe, i) - position) * inverse;
+    vec3 b = (probeBlockHigh(probe, i) - position) * inverse;
+    vec3 first = min(a, b);
+    vec3 last = max(a, b);
+    float enter = max(max(max(first.x, first.y), first.z), 0.0f);
+    float leave = min(min(last.x, last.y), last.z);
+    if (leave > enter && leave > least && enter > after && enter < span.enter)
+    {
+      span.enter = enter;
+      span.leave = leave;
+    }
+  }
+  return span;
 }
 
-// Where the line through two values of p crosses 0; `otherwise` if that is not between low and high.
-float impostorSecant(float t0, float p0, float t1, float p1, float low, float high, float otherwise)
+// The hit moved along the ray, seen from C in `direction`: the box scaled about P until its face goes through it, so that evaluations
+// have a wall's normal and distance to work with.
+ProbeHit impostorAt(ProbeHit box, float t, vec3 direction)
 {
-  float rise = p1 - p0;
-  float t = abs(rise) > 1.0e-6f ? t1 - p1 * ((t1 - t0) / rise) : otherwise;
-  return t > low && t < high ? t : otherwise;
+  ProbeHit hit = box;
+  hit.slabFactors = min(box.slabFactors, vec3(1.0e30f)) * (t / box.distance);
+  hit.refined = 1.0f;
+  hit.distance = t;
+  hit.direction = direction;
+  return hit;
 }
 
 ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)
 {
-  // Relative depth that still counts as on the surface: half a texel of a 256² face on a wall seen at 80 degrees.
-  const float kOn = 0.02f;
-  const float kFarthest = 100.0f; // times the box's distance
-  const float kBetween = 0.7f;    // of the way to the box's hit
-  ProbeHit hit = projectBox(probe, position, normal, reflection);
-  float tBox = hit.distance;
-  float steps = probe.parameters.steps;
-  float pBox = impostorDepth(probe, hit.direction);
-  bool onBox = abs(pBox) < kOn;
-  if (pBox >= kNoHit || tBox > 1.0e30f || (onBox && steps < 2.0f)) { return hit; }
+  const float kOn = 0.015f;      // s this near to 1 lies on the surface: half a texel of a 256² face on a wall seen at 75 degrees
+  const float kBehind = 1.01f;   // s of a point behind what was seen: less is rounding, and blocks are larger than what is in them
+  const float kMet = 0.03f;      // s this near to 1 where a plane is met: the surface goes on to there
+  const float kInto = 0.02f;     // of the way through a block: just behind its front
+  const float kSlack = 0.01f;    // of the box's distance: by how much what is in a block may stand out of it
+  const float kFarthest = 100.0f;  // times the box's distance
+  ProbeHit box = projectBox(probe, position, normal, reflection);
+  float tBox = box.distance;
+  if (!(tBox > 1.0e-30f) || tBox > 1.0e30f) { return box; }
+  float left = probe.parameters.steps;
+  float farthest = kFarthest * tBox;
 
-  // Between low and high lies the surface, as far as is known; `high` may be beyond the box.
-  float low = 0.0f;
-  float pLow = -1.0f;
-  float high = tBox;
-  float pHigh = pBox;
-  if (steps >= 2.0f)
+  float after = -1.0f;
+  for (int k = 0; k < 2; ++k)
   {
-    float t = kBetween * tBox;
-    float p = impostorDepth(probe, position + t * reflection);
-    if (p >= kNoHit) { p = -1.0f; }
-    if (p > kOn)
+    if (left < 2.0f) { break; }
+    ImpostorSpan span = impostorSpan(probe, position, reflection, after, kSlack * tBox);
+    if (span.enter > 0.999f * tBox) { break; }
+    after = span.enter;
+    float leave = min(span.leave, tBox);
+    float low = max(span.enter - kSlack * tBox, kSlack * tBox);
+    float high = leave + kSlack * tBox;
+    for (int end = 0; end < 2; ++end)
     {
-      high = t;
-      pHigh = p;
-      onBox = false;
-    }
-    else
-    {
-      low = t;
-      pLow = p;
+      if (left < 2.0f || (end == 0 && span.enter < 2.0f * kSlack * tBox)) { continue; }
+      float t = end == 0 ? mix(span.enter, leave, kInto) : leave;
+      vec3 x = position + t * reflection;
+      vec3 plane = fetchProbePlane(probe, x);
+      left = left - 1.0f;
+      bool behind = dot(plane, x) > kBehind;
+      float met = impostorMeets(plane, position, reflection, farthest);
+      if (met > low && met < high && (behind ? met <= t : met >= t - kSlack * tBox))
+      {
+        return impostorAt(box, met, position + met * reflection);
+      }
+      // Hidden by something else: of this block only its box is known.
+      if (behind && end == 0) { return impostorAt(box, t, x); }
     }
   }
-  if (onBox) { return hit; }
 
-  float t = tBox;
-  if (pHigh > 0.0f)
+  if (left < 1.0f) { return box; }
+  vec3 plane = fetchProbePlane(probe, box.direction);
+  left = left - 1.0f;
+  float s = dot(plane, box.direction);
+  float met = impostorMeets(plane, position, reflection, farthest);
+  if (abs(s - 1.0f) < kOn) { return box; }
+  if (s < 1.0f)
   {
-    // In between: first by a plane along the box's face, then by secants.
-    t = impostorPlane(position, reflection, position + high * reflection, pHigh, hit.face);
-    if (!(t > low && t < high)) { t = impostorSecant(low, pLow, high, pHigh, low, high, 0.5f * (low + high)); }
-    // No loops: llvmpipe's compiler needs time exponential in a program's loops, and a technique may project many rays.
-    float p = steps > 2.0f ? impostorDepth(probe, position + t * reflection) : kNoHit;
-    if (p < kNoHit)
+    if (met > tBox)
     {
-      float tNext = p > 0.0f ? impostorSecant(low, pLow, t, p, low, t, t) : impostorSecant(t, p, high, pHigh, t, high, t);
-      if (p > 0.0f) { high = t; pHigh = p; } else { low = t; pLow = p; }
-      t = tNext;
-      p = steps > 3.0f ? impostorDepth(probe, position + t * reflection) : kNoHit;
-      if (p < kNoHit)
+      if (left < 1.0f) { return impostorAt(box, met, position + met * reflection); }
+      vec3 x = position + met * reflection;
+      vec3 next = fetchProbePlane(probe, x);
+      left = left - 1.0f;
+      float there = dot(next, x);
+      if (abs(there - 1.0f) < kMet) { return impostorAt(box, met, x); }
+      float nearer = impostorMeets(next, position, reflection, farthest);
+      if (there > 1.0f && nearer > tBox && nearer < met) { return impostorAt(box, nearer, position + nearer * reflection); }
+    }
+    // What stands outside is seen through the opening.
+    after = 0.999f * tBox;
+    for (int k = 0; k < 2; ++k)
+    {
+      if (left < 2.0f) { break; }
+      ImpostorSpan span = impostorSpan(probe, position, reflection, after, kSlack * tBox);
+      if (span.enter > farthest) { break; }
+      after = span.enter;
+      float t = 0.5f * (span.enter + min(span.leave, farthest));
+      vec3 x = position + t * reflection;
+      vec3 next = fetchProbePlane(probe, x);
+      left = left - 1.0f;
+      float there = impostorMeets(next, position, reflection, farthest);
+      if (there > span.enter - kSlack * tBox && there < span.leave + kSlack * tBox && (dot(next, x) > kBehind ? there <= t : there >= t))
       {
-        t = p > 0.0f ? impostorSecant(low, pLow, t, p, low, t, t) : impostorSecant(t, p, high, pHigh, t, high, t);
+        return impostorAt(box, there, position + there * reflection);
       }
     }
-  }
-  else
-  {
-    // Behind the box.
-    float tLast = tBox;
-    float pLast = pBox;
-    t = min(tBox / max(1.0f + pBox, 1.0e-6f), kFarthest * tBox);
-    float p = steps > 2.0f ? impostorDepth(probe, position + t * reflection) : kNoHit;
-    // What does not come nearer has met another surface: the first guess is the better one.
-    if (p < kNoHit && abs(p) <= 0.5f * abs(pLast))
+    if (left >= 1.0f)
     {
-      float tNext = impostorSecant(tLast, pLast, t, p, 0.3f * tBox, kFarthest * tBox, t);
-      tLast = t;
-      pLast = p;
-      t = tNext;
-      p = steps > 3.0f ? impostorDepth(probe, position + t * reflection) : kNoHit;
-      if (p < kNoHit && abs(p) <= 0.5f * abs(pLast))
-      {
-        t = impostorSecant(tLast, pLast, t, p, 0.3f * tBox, kFarthest * tBox, t);
-      }
+      vec3 away = fetchProbeFar(probe, reflection);
+      if (dot(away, away) > 0.0f) { return impostorAt(box, farthest, farthest * away); }
     }
+    return met > tBox ? impostorAt(box, met, position + met * reflection) : box;
   }
-  // The box scaled about P until its face goes through the hit: so evaluations have a wall's normal and distance to work with.
-  hit.slabFactors = min(hit.slabFactors, vec3(1.0e30f)) * (tBox > 0.0f ? t / tBox : 1.0f);
-  hit.refined = 1.0f;
-  hit.distance = t;
-  hit.direction = position + t * reflection;
-  return hit;
+  if (met > 0.0f && met < tBox)
+  {
+    vec3 x = position + met * reflection;
+    if (left < 1.0f) { return impostorAt(box, met, x); }
+    float there = dot(fetchProbePlane(probe, x), x);
+    // There, or passing it on its near side: the last that was seen of the ray.
+    if (there < 1.0f + kMet) { return impostorAt(box, met, x); }
+  }
+  return box;
 }

@@ -34,7 +34,7 @@ struct Case {
 Scene fileScene(const std::string& name) {
   Scene scene = ScenePicture::fromFile("scenes/" + name + ".boxprobe.json", 8, 8).scene;
   for (Probe& probe : scene.probes) {
-    probe.faceSize = 128;
+    probe.faceSize = 64;
     probe.bounces = 1;
   }
   return scene;
@@ -131,9 +131,9 @@ std::vector<Chosen> allTechniques() {
   return ids;
 }
 
-TEST(Explain, DISABLED_AgreesWithThePicture) {
-  constexpr int kWidth = 480, kHeight = 270;
-  constexpr std::size_t kPixels = 30000;
+TEST(Explain, AgreesWithThePicture) {
+  constexpr int kWidth = 160, kHeight = 90;
+  constexpr std::size_t kPixels = 10000;
   const std::vector<Case> all = cases();
   std::mt19937 random(7);
   std::size_t compared = 0, beyond = 0, onBox = 0, offBox = 0;
@@ -208,7 +208,7 @@ TEST(Explain, DISABLED_AgreesWithThePicture) {
   std::printf("  %zu hits within 1e-5 of the box's size from it, %zu not\n", onBox, offBox);
   EXPECT_GT(compared, kPixels / 2);
   EXPECT_LE(static_cast<double>(beyond), 1.0e-3 * static_cast<double>(compared));
-  EXPECT_GT(onBox, 10000u);
+  EXPECT_GT(onBox, 1000u);
   EXPECT_EQ(offBox, 0u);
 }
 

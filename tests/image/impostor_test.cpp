@@ -27,7 +27,7 @@ struct Case {
 
 class Impostor : public testing::TestWithParam<Case> {};
 
-TEST_P(Impostor, DISABLED_ErrorAgainstTheTracedScene) {
+TEST_P(Impostor, ErrorAgainstTheTracedScene) {
   const Case& c = GetParam();
   ScenePicture picture = ScenePicture::fromFile("scenes/" + std::string(c.scene) + ".boxprobe.json", kWidth, kHeight);
   Probe& probe = picture.scene.probes.front();

@@ -8,6 +8,7 @@
 
 #include "filters/math/blue_noise.h"
 #include "filters/math/light_table.h"
+#include "filters/math/relief.h"
 #include "filters/math/shader_source.h"
 #include "filters/math/shared_math.h"
 #include "filters/math/technique_table.h"
@@ -57,19 +58,23 @@ std::string sources(std::initializer_list<std::string_view> files) {
 // Distances that a probe might have seen, the same formula on both sides: smooth, so that only the projection is
 // compared.
 constexpr const char* kDistances =
-    "float fetchProbeDistance(ProbeShape probe, vec3 d)\n{\n  vec3 u = d / max(length(d), 1e-30);\n"
-    "  return 4.0 + 1.5 * u.x - 2.0 * u.y * u.z;\n}\n";
-struct SmoothDistances : shading::DistanceSampler {
-  float fetchDistance(const vec3& d) const override {
+    "vec3 fetchProbePlane(ProbeShape probe, vec3 d)\n{\n  vec3 u = d / max(length(d), 1e-30);\n"
+    "  return u / (4.0 + 1.5 * u.x - 2.0 * u.y * u.z);\n}\n"
+    "vec3 fetchProbeFar(ProbeShape probe, vec3 d)\n{\n  return reliefFar(d.x > 0.0 ? -2.0 : 5000000.0, d);\n}\n"
+    "int probeBlockCount(ProbeShape probe) { return 1; }\n"
+    "vec3 probeBlockLow(ProbeShape probe, int i) { return mix(probe.boxMin, probe.boxMax, 0.2); }\n"
+    "vec3 probeBlockHigh(ProbeShape probe, int i) { return mix(probe.boxMin, probe.boxMax, 0.5); }\n";
+struct SmoothRelief : shading::ReliefSampler {
+  vec4 fetchRelief(const vec3& d) const override {
     const vec3 u = d / std::max(glm::length(d), 1e-30f);
-    return 4.0f + 1.5f * u.x - 2.0f * u.y * u.z;
+    return vec4(u / (4.0f + 1.5f * u.x - 2.0f * u.y * u.z), d.x > 0.0f ? Relief::kHere : 5000000.0f);
   }
 };
 
 void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const ProjectionRow& row, bool bevelled) {
   std::string shared;
   if (bevelled) shared += "#define BP_BEVEL\n" + sources({"shared/rounded_box.glsl"});
-  if (row.distances) shared += kDistances;
+  if (row.distances) shared += sources({"shared/relief.glsl"}) + kDistances;
   for (const std::string_view file : row.sharedFiles) shared += sources({file});
   const auto gpu = test::evaluateOnGpu(
       window, sources({"shared/types.glsl", "shared/slab.glsl"}) + shared + sources({row.shaderFile}),
@@ -80,8 +85,12 @@ void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const Proje
           "(probe, in0.xyz, in1.xyz, in2.xyz);\n  out0 = vec4(hit.direction, hit.distance);\n  out1 = "
           "vec4(hit.slabFactors, float(hit.face));\n",
       {in.position, in.normal, in.reflection, in.boxMin, in.boxMax}, 2);
-  const SmoothDistances distances;
-  const shading::ProbeData data{&distances, nullptr};
+  const SmoothRelief relief;
+  ReliefBlocks blocks;
+  blocks.count = 1;
+  shading::ProbeData data;
+  data.relief = &relief;
+  data.blocks = &blocks;
   std::size_t identical = 0, differentFace = 0, beyond = 0;
   float worst = 0.0f;
   for (std::size_t i = 0; i < kCount; ++i) {
@@ -92,6 +101,8 @@ void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const Proje
     probe.boxMin = in.boxMin[i];
     probe.boxMax = in.boxMax[i];
     probe.maxLevel = 6.0f;
+    blocks.low[0] = glm::mix(probe.boxMin, probe.boxMax, 0.2f);
+    blocks.high[0] = glm::mix(probe.boxMin, probe.boxMax, 0.5f);
     const shading::ProbeHit hit = row.project(probe, in.position[i], in.normal[i], in.reflection[i]);
     const vec4 g = gpu[0][i];
     const vec3 size = probe.boxMax - probe.boxMin;
