@@ -36,9 +36,11 @@ namespace {
 #include "shaders/published/box_select.glsl"
 #include "shaders/published/distance_ratio.glsl"
 #include "shaders/published/ggx.glsl"
+#include "shaders/published/rounded_box.glsl"
 #include "shaders/published/sphere.glsl"
 #include "shaders/shared/finite.glsl"
 #include "shaders/shared/ggx.glsl"
+#include "shaders/shared/rounded_box.glsl"
 #include "shaders/shared/slab.glsl"
 #include "shaders/shared/weights.glsl"
 #include "shaders/technique/projection_box.glsl"
@@ -93,6 +95,14 @@ void addForms() {
   });
   add("box/published select", [](const LocalInput& in) {
     return hitOf(forms::publishedBoxSelect(in.probe, in.point.position, in.point.reflection));
+  });
+  add("rounded box/own", [](const LocalInput& in) {
+    const glm::vec3 f = forms::slabFactors(in.point.position, in.point.reflection, in.probe.boxMin, in.probe.boxMax);
+    return forms::roundedBoxExit(in.point.position, in.point.reflection, in.probe.boxMin, in.probe.boxMax,
+                                 in.probe.bevel, glm::min(glm::min(f.x, f.y), f.z));
+  });
+  add("rounded box/published", [](const LocalInput& in) {
+    return hitOf(forms::publishedRoundedBox(in.probe, in.point.position, in.point.reflection));
   });
   add("sphere/own", [](const LocalInput& in) {
     return hitOf(forms::projectSphere(in.probe, in.point.position, in.point.normal, in.point.reflection));
