@@ -9,6 +9,27 @@
 //     g = Σ' max(r - gap_i, 0)² - gap (2 r - gap)
 //   each step works from the point reached so far and takes the root as -C / (B + sqrt(B² - A C)): A = 0 needs no guard.
 
+// One step, in units of the box: from t to the root of the piece there. `low` and `high`: the start's gaps from the faces.
+float roundedBoxStep(vec3 low, vec3 high, vec3 direction, float r, float t, float tBox)
+{
+  vec3 toLow = low + t * direction;
+  vec3 toHigh = high - t * direction;
+  vec3 g = max(min(toLow, toHigh), vec3(0.0f));
+  vec3 o = max(vec3(r) - g, vec3(0.0f));
+  vec3 v = vec3(o.x > 0.0f ? (toLow.x < toHigh.x ? -direction.x : direction.x) : 0.0f,
+                o.y > 0.0f ? (toLow.y < toHigh.y ? -direction.y : direction.y) : 0.0f,
+                o.z > 0.0f ? (toLow.z < toHigh.z ? -direction.z : direction.z) : 0.0f);
+  float nearest = min(min(g.x, g.y), g.z);
+  vec3 others = vec3(g.x == nearest ? 0.0f : o.x, g.x != nearest && g.y == nearest ? 0.0f : o.y,
+                     g.x != nearest && g.y != nearest ? 0.0f : o.z);
+  float quadratic = dot(v, v);
+  float linear = dot(v, o);
+  float constant = dot(others, others) - nearest * (2.0f * r - nearest);
+  float divisor = linear + sqrt(max(linear * linear - quadratic * constant, 0.0f));
+  // Nothing set in, or nowhere to go; else on from there.
+  return divisor > 1.0e-12f ? clamp(t - constant / divisor, 0.0f, tBox) : t;
+}
+
 // `exit`: distance to the sharp box's exit (slab.glsl).
 float roundedBoxExit(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax, float bevel, float exit)
 {
@@ -28,24 +49,11 @@ float roundedBoxExit(vec3 position, vec3 direction, vec3 boxMin, vec3 boxMax, fl
 
   float tBox = exit / size;
   float t = tBox;
-  for (int i = 0; i < 5; ++i)
-  {
-    vec3 toLow = low + t * direction;
-    vec3 toHigh = high - t * direction;
-    vec3 g = max(min(toLow, toHigh), vec3(0.0f));
-    vec3 o = max(vec3(r) - g, vec3(0.0f));
-    vec3 v = vec3(o.x > 0.0f ? (toLow.x < toHigh.x ? -direction.x : direction.x) : 0.0f,
-                  o.y > 0.0f ? (toLow.y < toHigh.y ? -direction.y : direction.y) : 0.0f,
-                  o.z > 0.0f ? (toLow.z < toHigh.z ? -direction.z : direction.z) : 0.0f);
-    float nearest = min(min(g.x, g.y), g.z);
-    vec3 others = vec3(g.x == nearest ? 0.0f : o.x, g.x != nearest && g.y == nearest ? 0.0f : o.y,
-                       g.x != nearest && g.y != nearest ? 0.0f : o.z);
-    float quadratic = dot(v, v);
-    float linear = dot(v, o);
-    float constant = dot(others, others) - nearest * (2.0f * r - nearest);
-    float divisor = linear + sqrt(max(linear * linear - quadratic * constant, 0.0f));
-    if (!(divisor > 1.0e-12f)) { break; }
-    t = clamp(t - constant / divisor, 0.0f, tBox);
-  }
+  // No loop: llvmpipe's compiler needs time exponential in a program's loops, and a technique may project many rays.
+  t = roundedBoxStep(low, high, direction, r, t, tBox);
+  t = roundedBoxStep(low, high, direction, r, t, tBox);
+  t = roundedBoxStep(low, high, direction, r, t, tBox);
+  t = roundedBoxStep(low, high, direction, r, t, tBox);
+  t = roundedBoxStep(low, high, direction, r, t, tBox);
   return min(t * size, exit);
 }
