@@ -170,7 +170,7 @@ Model furnished() {
   scene.add("lamp", std::move(lampPanel), scene.material(lamp("lamp", glm::vec3(kLampRadiance))));
 
   const int ball = scene.mesh(sphere(0.3, 64), "sphere", scene.material(perfectMirror("sphere")));
-  scene.place("sphere 1", ball, {0.2, 1.1, -2.0});
+  scene.place("sphere 1", ball, {1.9, 0.3, 0.4});
   scene.place("sphere 2", ball, {-0.9, 0.3, 0.2});
   return std::move(scene).finish();
 }
