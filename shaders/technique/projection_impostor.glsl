@@ -70,6 +70,7 @@ ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 refl
   const float kMet = 0.03f;      // s this near to 1 where a plane is met: the surface goes on to there
   const float kInto = 0.02f;     // of the way through a block: just behind its front
   const float kSlack = 0.01f;    // of the box's distance: by how much what is in a block may stand out of it
+  const float kReveal = 1.15f;   // times the box's distance: as far into an opening as its sides are looked for
   const float kFarthest = 100.0f;  // times the box's distance
   ProbeHit box = projectBox(probe, position, normal, reflection);
   float tBox = box.distance;
@@ -137,10 +138,19 @@ ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 refl
       vec3 next = fetchProbePlane(probe, x);
       left = left - 1.0f;
       float there = impostorMeets(next, position, reflection, farthest);
-      if (there > span.enter - kSlack * tBox && there < span.leave + kSlack * tBox && (dot(next, x) > kBehind ? there <= t : there >= t))
+      // Behind what is seen there and met before, or the other way round.
+      if (there > span.enter - kSlack * tBox && there < span.leave + kSlack * tBox && (dot(next, x) > 1.0f ? there <= t : there >= t))
       {
         return impostorAt(box, there, position + there * reflection);
       }
+    }
+    // The sides of what the opening is in.
+    if (left >= 2.0f && met <= tBox)
+    {
+      vec3 x = position + kReveal * tBox * reflection;
+      float there = impostorMeets(fetchProbePlane(probe, x), position, reflection, farthest);
+      left = left - 1.0f;
+      if (there > tBox && there < kReveal * kReveal * tBox) { return impostorAt(box, there, position + there * reflection); }
     }
     if (left >= 1.0f)
     {
