@@ -187,8 +187,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"room", {"floor", "sphere"}, {"main"}, 0.25f, 1.02, 1.02},
                     Case{"furnished", {"floor", "sphere"}, {"main", "low", "steep"}, 0.0f, 0.45, 0.45},
                     Case{"furnished", {"floor", "sphere"}, {"main", "low", "steep"}, 0.25f, 0.86, 0.59},
-                    Case{"building", {"mirror", "sphere"}, {"main", "low", "top", "corner"}, 0.0f, 0.57, 0.57},
-                    Case{"building", {"mirror", "sphere"}, {"main", "low", "top", "corner"}, 0.25f, 0.9, 0.55}),
+                    Case{"building", {"mirror", "sphere"}, {"main", "low", "top", "corner"}, 0.0f, 0.49, 0.49},
+                    Case{"building", {"mirror", "sphere"}, {"main", "low", "top", "corner"}, 0.25f, 0.89, 0.52}),
     [](const auto& test) {
       return std::string(test.param.scene) + (test.param.roughness > 0.0f ? "Rough" : "Mirror");
     });
