@@ -150,8 +150,9 @@ void CostPanel::useScene(const std::string& scenePath) {
 
 void CostPanel::measure(bool quick) {
   if (measuring() || scenePath_.empty()) return;
-  QStringList arguments = {"bench", QString::fromStdString(scenePath_), "-o",
-                           QString::fromStdString(folderBeside(scenePath_))};
+  QStringList arguments = {"bench",   QString::fromStdString(scenePath_),
+                           "-o",      QString::fromStdString(folderBeside(scenePath_)),
+                           "--rooms", "0"};
   if (quick) arguments << "--quick";
   output_.clear();
   auto environment = QProcessEnvironment::systemEnvironment();

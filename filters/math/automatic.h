@@ -14,7 +14,7 @@ namespace boxprobe {
 /// One technique as `boxprobe bench` measured it with the box exactly the room.
 struct MeasuredTechnique {
   std::string_view id;
-  double cost = 1.0;  ///< CPU time of a frame over that of plain box projection
+  double cost = 1.0;  ///< what it adds to a frame without reflections, over what plain box projection adds
   /// RMSE of (x/(1+x))^(1/2.2) against the box world's integral, the worst of scenes, cameras and surfaces measured, at
   /// the roughnesses of measuredRoughness().
   std::array<double, 6> error{};

@@ -12,15 +12,6 @@ namespace boxprobe {
 
 namespace {
 
-__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
-  char buffer[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(buffer, sizeof(buffer), format, arguments);
-  va_end(arguments);
-  return buffer;
-}
-
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -227,81 +218,16 @@ std::string studyTables(const BenchResult& result) {
   return text + "\n";
 }
 
-/// Is it one that chooses among the others?
-bool chooses(const BenchTechnique& technique) {
-  return technique.id.find('+') == std::string::npos;
-}
-
-/// What choosing by roughness saves: `auto` against the cheapest technique that keeps the same budget everywhere.
-std::string automaticText(const BenchResult& result) {
-  std::string text;
-  const std::vector<BenchSummary> list = summaries(result, Truth::Box);
-  for (const BenchSummary& s : list) {
-    const BenchTechnique& t = result.techniques[s.technique];
-    if (!chooses(t)) continue;
-    const auto given = t.parameters.find("budget");
-    const double budget =
-        given != t.parameters.end() ? std::get<double>(given->second) : findParameter("budget")->standard;
-    const auto keeps = [budget](const BenchSummary& of) {
-      return std::all_of(of.errorByRoughness.begin(), of.errorByRoughness.end(),
-                         [budget](const auto& entry) { return entry.second <= budget; });
-    };
-    const BenchSummary* single = nullptr;
-    for (const BenchSummary& other : list) {
-      const BenchTechnique& o = result.techniques[other.technique];
-      if (chooses(o) || (o.sampled() && o.parameters.count("blur") != 0) || !keeps(other)) continue;
-      if (single == nullptr || other.cpuRatioToBox.value < single->cpuRatioToBox.value) single = &other;
-    }
-    double worst = 0.0;
-    for (const auto& [roughness, error] : s.errorByRoughness) worst = std::max(worst, error);
-    text += formatted("| %s | %.4f, %s | %.2f, %.2f |", numberText(budget).c_str(), worst,
-                      worst <= budget ? "kept" : "exceeded", s.cpuRatioToBox.value, s.ownCpuRatioToBox);
-    if (single == nullptr) {
-      text += " none keeps it | | |\n";
-    } else {
-      text +=
-          " " + result.techniques[single->technique].label() +
-          formatted(" | %.2f, %.2f | %.2f, %.2f |\n", single->cpuRatioToBox.value, single->ownCpuRatioToBox,
-                    s.cpuRatioToBox.value / single->cpuRatioToBox.value, s.ownCpuRatioToBox / single->ownCpuRatioToBox);
-    }
-  }
-  if (text.empty()) return text;
-  return "## Choosing by roughness\n\n`auto` against the cheapest single technique that keeps the same budget at every "
-         "roughness, all roughnesses in equal parts; costs of the frame and own.\n\n"
-         "| budget | worst error at a roughness | cost of `auto` | cheapest single | its cost | ratio |\n"
-         "|---|---|---|---|---|---|\n" +
-         text + "\n";
-}
-
-/// As filters/math/measured_techniques.cpp holds them: techniques at their defaults that are worth choosing, with the
-/// worst error of any camera and surface at each roughness.
-std::string measuredRows(const BenchResult& result) {
-  std::vector<BenchSummary> list = summaries(result, Truth::Box);
-  std::stable_sort(list.begin(), list.end(),
-                   [](const auto& a, const auto& b) { return a.cpuRatioToBox.value < b.cpuRatioToBox.value; });
-  std::string text = "## Rows for `auto`\n\nCost, and the worst error of any camera and surface at roughness";
-  for (const double r : result.roughnesses) text += " " + numberText(r);
-  text += ".\n\n```cpp\n";
-  for (const BenchSummary& s : list) {
-    const BenchTechnique& t = result.techniques[s.technique];
-    const auto technique = parseTechnique(t.id);
-    if (!technique || !t.parameters.empty() || t.sampled() || (!t.ours && t.id != kCostBaseline)) continue;
-    if (chooses(t)) continue;
-    text += formatted("{\"%s\", %.2f, {", shortTechniqueId(*technique).c_str(), s.cpuRatioToBox.value);
-    for (std::size_t i = 0; i < result.roughnesses.size(); ++i) {
-      double worst = 0.0;
-      for (const BenchRow& row : result.rows) {
-        if (row.technique == s.technique && row.truth == Truth::Box && row.roughness == result.roughnesses[i])
-          worst = std::max(worst, row.error);
-      }
-      text += formatted(i == 0 ? "%.4f" : ", %.4f", worst);
-    }
-    text += "}},\n";
-  }
-  return text + "```\n";
-}
-
 }  // namespace
+
+std::string formatted(const char* format, ...) {
+  char buffer[512];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(buffer, sizeof(buffer), format, arguments);
+  va_end(arguments);
+  return buffer;
+}
 
 std::string benchReport(const BenchResult& result) {
   std::string text = measuredText(result);
@@ -311,7 +237,7 @@ std::string benchReport(const BenchResult& result) {
     text += "Error by roughness, and by surface:\n\n" + roughnessTable(result, list);
   }
   text += "## Light against the box reference, by roughness and view angle\n\n" + energyTable(result, Truth::Box);
-  return text + studyTables(result) + noiseTable(result) + automaticText(result) + measuredRows(result);
+  return text + studyTables(result) + noiseTable(result) + benchAutomaticText(result) + benchMeasuredRows(result);
 }
 
 }  // namespace boxprobe

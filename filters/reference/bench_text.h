@@ -14,4 +14,11 @@ std::string benchJson(const BenchResult& result);
 std::string benchCsv(const BenchResult& result);
 std::string benchReport(const BenchResult& result);
 
+/// Of report.md: what `auto` saves against single techniques, and the rows it chooses by as C++.
+std::string benchAutomaticText(const BenchResult& result);
+std::string benchMeasuredRows(const BenchResult& result);
+
+/// As printf writes it, up to 511 characters.
+__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...);
+
 }  // namespace boxprobe

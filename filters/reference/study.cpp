@@ -40,7 +40,10 @@ StudyResult runStudy(const StudyPlan& plan, const std::vector<BenchTechnique>& t
   StudyResult result;
   result.plan = plan;
   if (plan.rooms <= 0) return result;
-  const study::RoomPoints rooms = study::randomPoints(plan.seed, plan.rooms, plan.pointsEach, plan.faceSize, plan.rays);
+  const auto goOn = [&](int done) { return !progress || progress(0.5 * done / plan.rooms); };
+  const study::RoomPoints rooms =
+      study::randomPoints(plan.seed, plan.rooms, plan.pointsEach, plan.faceSize, plan.rays, goOn);
+  if (!goOn(plan.rooms)) return result;
   result.points = rooms.points.size();
   for (std::size_t i = 0; i < techniques.size(); ++i) {
     if (progress && !progress(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(techniques.size()))) break;

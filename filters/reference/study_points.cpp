@@ -103,11 +103,13 @@ shading::ShadingPoint randomPoint(const BoxRoom& room, float roughness, int inde
 
 }  // namespace
 
-RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, int rays) {
+RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, int rays,
+                        const std::function<bool(int)>& goOn) {
   constexpr float kMiddles[kRoughnesses] = {0.07f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f};
   std::mt19937 random(seed);
   RoomPoints result;
   for (int i = 0; i < rooms; ++i) {
+    if (goOn && !goOn(i)) break;
     const BoxRoom room = randomRoom(1000 * seed + static_cast<unsigned>(i), i % 4 == 3);
     result.chains.push_back(std::make_unique<PaddedCube>(prefilteredRoom(room, faceSize)));
     RoomPoint p{};

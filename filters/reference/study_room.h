@@ -2,6 +2,7 @@
 // windows; every fourth is long and low. With the points of their surfaces that techniques are judged and fitted by.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <random>
 #include <vector>
@@ -65,6 +66,8 @@ struct RoomPoints {
 
 /// Floors and walls, smooth and tilted as by a normal map, and things in the room; seen from up to 85 degrees, and one
 /// in eight from 60 to 87 towards a lamp's mirror image.
-RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, int rays);
+/// `goOn(rooms done)` returning false leaves out the rest.
+RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, int rays,
+                        const std::function<bool(int)>& goOn = {});
 
 }  // namespace boxprobe::study

@@ -82,6 +82,18 @@ TEST(Bench, FilesOfASmallRunAgreeWithEachOther) {
                 summary["technique"].get<std::string>().find("footprint") != std::string::npos);
     }
   }
+  // In random rooms as in the scene.
+  std::map<std::string, double> inRooms;
+  for (const auto& row : json["study"]["rows"]) {
+    inRooms[row["technique"]] = row["error"];
+    EXPECT_THAT(row["brightnessRatios"], SizeIs(18));
+  }
+  ASSERT_EQ(inRooms.size(), ids.size());
+  EXPECT_LT(inRooms["box+footprint8"], 0.6 * inRooms["box+hdrp"]);
+  EXPECT_GT(inRooms["infinite+none"], 1.5 * inRooms["box+hdrp"]);
+  for (const auto& summary : json["summary"]) {
+    EXPECT_TRUE(summary["ownCpuRatioToBox"].is_number()) << summary;
+  }
   // The front is what it says, and what a window reads from the file.
   markFront(points);
   const std::vector<FrontPoint> loaded = loadFront(folder.path("out/bench.json"));
