@@ -60,7 +60,7 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
       ->type_name("NAMES");
   command.add_option("--size", options.size, "Pixels of the pictures that errors are measured in (default 320x180)")
       ->type_name("WxH");
-  command.add_option("--rooms", options.rooms, "Random rooms beside the scene (default 24, with --quick 4; 0: none)")
+  command.add_option("--rooms", options.rooms, "Random rooms beside the scene (default 192, with --quick 8; 0: none)")
       ->check(CLI::Range(0, 1000));
   command.add_option("--seed", options.seed, "Of the references' rays")->capture_default_str();
   command.add_option("--set", options.assignments, "Change a field of the scene first (repeatable)")
@@ -107,8 +107,8 @@ BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
   plan.lookupPixels = options.quick ? 8 : 16;
   plan.mostPairs = options.quick ? 3 : 9;
   plan.pairSeconds = options.quick ? 0.1 : 0.6;
-  plan.study.rooms = options.rooms.value_or(options.quick ? 4 : 24);
-  if (options.quick) plan.study.faceSize = 128, plan.study.rays = 1024;
+  plan.study.rooms = options.rooms.value_or(options.quick ? 8 : 192);
+  if (options.quick) plan.study.faceSize = 64, plan.study.rays = 1024;
   return plan;
 }
 

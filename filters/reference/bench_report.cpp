@@ -187,7 +187,9 @@ std::string studyTables(const BenchResult& result) {
                      formatted(
                          "%zu points of floors, walls and things in %d rooms that are boxes, faces of %d texels, "
                          "against the integral over the box (%d rays); none of them used for fitting. Columns: "
-                         "error at a roughness near that; **light**: the bucket most off.\n\n",
+                         "error at a roughness near that; **light**: in the bucket most off, in brackets its standard "
+                         "error by the rooms' "
+                         "scatter.\n\n",
                          study.points, study.plan.rooms, study.plan.faceSize, study.plan.rays) +
                      "| technique | error | / hdrp | relative | 0.07 | 0.2 | 0.4 | 0.6 | 0.8 | 1 | light |\n"
                      "|---|---|---|---|---|---|---|---|---|---|---|\n";
@@ -196,7 +198,8 @@ std::string studyTables(const BenchResult& result) {
     text += "| " + t.label() + (t.ours ? " \\*" : "") +
             formatted(" | %.4f | %.3f | %.3f |", row->tally.rmse, row->tally.rmse / hdrp, row->tally.relativeRmse);
     for (const double e : row->tally.rmseByRoughness) text += formatted(" %.4f |", e);
-    text += formatted(" %.3f |\n", row->tally.mostOff());
+    const std::size_t off = row->tally.mostOff();
+    text += formatted(" %.3f (%.3f) |\n", row->tally.light[off], row->tally.lightError[off]);
   }
   text +=
       "\nLight over the reference's, seen from above (N.V above 0.7), obliquely and at grazing angles (below 0.35):\n\n"

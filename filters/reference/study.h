@@ -13,9 +13,9 @@
 namespace boxprobe {
 
 struct StudyPlan {
-  int rooms = 24;       ///< 0: no study
-  int pointsEach = 96;  ///< a room and roughness
-  int faceSize = 256;   ///< texels
+  int rooms = 192;      ///< 0: no study; many, since a few lamps decide on a room's light
+  int pointsEach = 16;  ///< a room and roughness
+  int faceSize = 128;   ///< texels
   int rays = 4096;      ///< a point, of the integral
   unsigned seed = 77;
 };

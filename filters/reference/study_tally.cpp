@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "filters/math/technique_table.h"
 
@@ -38,18 +39,19 @@ double TechniqueTally::worstLight() const {
   return worst;
 }
 
-double TechniqueTally::mostOff() const {
-  double off = 1.0;
-  for (const double l : light) {
-    if (std::abs(l - 1.0) > std::abs(off - 1.0)) off = l;
-  }
-  return off;
+std::size_t TechniqueTally::mostOff() const {
+  const auto off = [](double a, double b) { return std::abs(a - 1.0) < std::abs(b - 1.0); };
+  return static_cast<std::size_t>(std::max_element(light.begin(), light.end(), off) - light.begin());
 }
 
 TechniqueTally tally(const std::vector<dvec3>& values, const std::vector<RoomPoint>& points) {
   std::array<double, kRoughnesses> squares{}, counts{};
   std::array<double, kBuckets> truthLight{};
   double linearSquares = 0.0, truthSquares = 0.0;
+  struct Light {
+    double value = 0.0, truth = 0.0;
+  };
+  std::map<const PaddedCube*, std::array<Light, kBuckets>> rooms;
   TechniqueTally result;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto r = static_cast<std::size_t>(points[i].roughness);
@@ -62,6 +64,9 @@ TechniqueTally tally(const std::vector<dvec3>& values, const std::vector<RoomPoi
       truthSquares += truth * truth;
       result.light[bucket] += value;
       truthLight[bucket] += truth;
+      Light& light = rooms[points[i].chain][bucket];
+      light.value += value;
+      light.truth += truth;
     }
   }
   double allSquares = 0.0, all = 0.0;
@@ -72,6 +77,15 @@ TechniqueTally tally(const std::vector<dvec3>& values, const std::vector<RoomPoi
   }
   for (std::size_t b = 0; b < kBuckets; ++b)
     result.light[b] = truthLight[b] > 0.0 ? result.light[b] / truthLight[b] : 1;
+  // Of a ratio of two sums over rooms.
+  for (const auto& [room, lights] : rooms) {
+    for (std::size_t b = 0; b < kBuckets; ++b) {
+      if (truthLight[b] > 0.0)
+        result.lightError[b] += std::pow((lights[b].value - result.light[b] * lights[b].truth) / truthLight[b], 2.0);
+    }
+  }
+  const auto count = static_cast<double>(rooms.size());
+  for (double& error : result.lightError) error = std::sqrt(error * count / std::max(count - 1.0, 1.0));
   result.rmse = std::sqrt(allSquares / all);
   result.relativeRmse = std::sqrt(linearSquares / truthSquares);
   return result;

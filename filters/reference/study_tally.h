@@ -26,8 +26,10 @@ struct TechniqueTally {
   double relativeRmse = 0.0;  ///< root of: squared errors of linear light over squared light
   std::array<double, kRoughnesses> rmseByRoughness{};
   std::array<double, kBuckets> light{};  ///< over the reference's; bucket: kAngles * roughness + angle
-  double worstLight() const;             ///< largest |light - 1|
-  double mostOff() const;                ///< the light that is farthest from 1
+  /// Of light, from the rooms' scatter about it: what other rooms made by the same chance would leave open.
+  std::array<double, kBuckets> lightError{};
+  double worstLight() const;    ///< largest |light - 1|
+  std::size_t mostOff() const;  ///< the bucket whose light is farthest from 1
 };
 
 TechniqueTally tally(const std::vector<glm::dvec3>& values, const std::vector<RoomPoint>& points);

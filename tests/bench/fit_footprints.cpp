@@ -95,7 +95,7 @@ void judge(int faceSize) {
 }
 
 void fit(int lookups, int rounds, int restarts) {
-  const study::RoomPoints rooms = study::randomPoints(kTrainingSeed, 96, 32, 128, kRays);
+  const study::RoomPoints rooms = study::randomPoints(kTrainingSeed, 256, 12, 128, kRays);
   const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
   const Errors errors(rooms.points);
   const bench::FootprintForm form = bench::footprintForm(lookups);
