@@ -15,7 +15,7 @@ namespace boxprobe {
 struct MeasuredTechnique {
   std::string_view id;
   double cost = 1.0;  ///< what it adds to a frame without reflections, over what plain box projection adds
-  /// RMSE of (x/(1+x))^(1/2.2) against the box world's integral, the worst of scenes, cameras and surfaces measured, at
+  /// RMSE of (x/(1+x))^(1/2.2) against the box world's integral, the larger of the gallery's and of random rooms, at
   /// the roughnesses of measuredRoughness().
   std::array<double, 6> error{};
 };

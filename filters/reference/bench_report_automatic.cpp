@@ -86,13 +86,13 @@ std::string benchAutomaticText(const BenchResult& result) {
 }
 
 // As filters/math/measured_techniques.cpp holds them: techniques at their defaults that are worth choosing, with the
-// worst error of any camera and surface at each roughness, and of the random rooms.
+// larger error of the pictures and of the random rooms at each roughness.
 std::string benchMeasuredRows(const BenchResult& result) {
   std::vector<BenchSummary> list = summaries(result, Truth::Box);
   std::stable_sort(list.begin(), list.end(),
                    [](const auto& a, const auto& b) { return a.cpuRatioToBox.value < b.cpuRatioToBox.value; });
   std::string text =
-      "## Rows for `auto`\n\nOwn cost, and the worst error of any camera and surface, and of the random rooms, at "
+      "## Rows for `auto`\n\nOwn cost, and the larger error of the pictures and of the random rooms, at "
       "roughness";
   for (const double r : result.roughnesses) text += " " + numberText(r);
   text += ".\n\n```cpp\n";
@@ -106,10 +106,8 @@ std::string benchMeasuredRows(const BenchResult& result) {
     text += formatted("{\"%s\", %.2f, {", shortTechniqueId(*technique).c_str(), s.ownCpuRatioToBox);
     for (std::size_t i = 0; i < result.roughnesses.size(); ++i) {
       double worst = studyError(result, s.technique, result.roughnesses[i]);
-      for (const BenchRow& row : result.rows) {
-        if (row.technique == s.technique && row.truth == Truth::Box && row.roughness == result.roughnesses[i])
-          worst = std::max(worst, row.error);
-      }
+      const auto pictures = s.errorByRoughness.find(result.roughnesses[i]);
+      if (pictures != s.errorByRoughness.end()) worst = std::max(worst, pictures->second);
       text += formatted(i == 0 ? "%.4f" : ", %.4f", worst);
     }
     text += "}},\n";

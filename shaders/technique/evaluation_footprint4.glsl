@@ -5,15 +5,15 @@ vec4 evaluateFootprint4(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   FootprintLobe lobe = footprintLobe(point, 1.0f);
   float a = lobe.alpha;
   float n = lobe.view.z;
-  lobe.bias = 0.136f - 0.266f * a - 0.020f * n;
-  lobe.scaleU = 1.0f - 0.308f * a - 0.303f * n;
-  lobe.scaleV = 1.0f - 0.657f * a + 0.149f * n;
-  lobe.shift = lobe.view.x * (-0.120f + 0.152f * a + 0.299f * n);
-  lobe.shift = lobe.shift - lobe.scaleV * a * (2.219f - 1.355f * a) / (1.0f - 0.583f * a);
-  lobe.size = lobe.size * 0.045f * max(1.0f + 4.066f * a + 2.662f * n, 0.1f);
+  lobe.bias = 0.053f - 0.207f * a - 0.036f * n;
+  lobe.scaleU = 1.0f - 0.266f * a - 0.311f * n;
+  lobe.scaleV = 1.0f - 0.826f * a + 0.153f * n;
+  lobe.shift = lobe.view.x * (-0.089f + 0.174f * a + 0.167f * n);
+  lobe.shift = lobe.shift - lobe.scaleV * a * (2.065f - 1.219f * a) / (1.0f - 0.503f * a);
+  lobe.size = lobe.size * 0.070f * max(1.0f + 1.596f * a + 1.447f * n, 0.1f);
   FootprintSum sum = footprintStart();
-  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, -0.653f + 1.728f * a, 0.202f - 0.113f * a, 0.675f);
-  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, 0.479f + 2.645f * a, 0.376f - 0.290f * a, 1.515f);
-  sum = footprintAddPair(map, probe, point, lobe, sum, 0.514f + 0.377f * a, -0.114f + 2.180f * a, 0.211f - 0.090f * a, 0.833f);
+  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, -0.641f + 0.926f * a, 0.163f - 0.055f * a, 0.650f);
+  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, 0.437f + 2.764f * a, 0.429f - 0.352f * a, 1.554f);
+  sum = footprintAddPair(map, probe, point, lobe, sum, 0.443f + 0.494f * a, -0.204f + 2.028f * a, 0.204f - 0.048f * a, 0.908f);
   return sum.value / sum.weight;
 }

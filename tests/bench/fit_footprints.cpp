@@ -82,7 +82,7 @@ void print(const std::string& name, const study::TechniqueTally& t, double hdrp)
 }
 
 void judge(int faceSize) {
-  const study::RoomPoints rooms = study::randomPoints(kJudgementSeed, 48, 96, faceSize, kRays);
+  const study::RoomPoints rooms = study::randomPoints(kJudgementSeed, 192, 16, faceSize, kRays);
   const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
   std::printf(
       "%zu points, faces of %d\n%-12s error   /hdrp  linear light | error by roughness | light by roughness: from "
