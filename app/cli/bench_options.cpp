@@ -58,7 +58,7 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
       ->type_name("LIST");
   command.add_option("--camera", options.cameras, "Only these cameras; frames are timed through the first")
       ->type_name("NAMES");
-  command.add_option("--size", options.size, "Pixels of the pictures that errors are measured in (default 320x180)")
+  command.add_option("--size", options.size, "Pixels of the pictures that errors are measured in (default 200x112)")
       ->type_name("WxH");
   command.add_option("--rooms", options.rooms, "Random rooms beside the scene (default 192, with --quick 8; 0: none)")
       ->check(CLI::Range(0, 1000));
@@ -89,7 +89,7 @@ BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
   if (plan.roughnesses.empty()) throw InputError("--roughness: no number in it");
   const FrameSize size = !options.size.empty() ? parseFrameSize(options.size)
                          : options.quick       ? FrameSize{160, 90}
-                                               : FrameSize{320, 180};
+                                               : FrameSize{200, 112};
   plan.width = size.width;
   plan.height = size.height;
   plan.seed = options.seed;

@@ -14,7 +14,7 @@ struct BenchPlan {
   std::vector<BenchTechnique> techniques;
   std::vector<Camera> cameras;  ///< frames are timed through the first
   std::vector<double> roughnesses;
-  int width = 320, height = 180;
+  int width = 200, height = 112;
   TruthSettings boxTruth, sceneTruth;
   int lookupPixels = 24;  ///< whose fetches are counted, for each technique and view
   int leastPairs = 3;     ///< of frames, technique and baseline in turn, at each roughness
