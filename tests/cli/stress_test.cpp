@@ -81,7 +81,7 @@ TEST(StressCommand, FileAndTable) {
   const Outcome outcome = runProgram({"stress", "--published", "--count", "20000", "-o", folder.path("published.json")},
                                      DisplayKind::Unset);
   EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("published:box-select, visibly wrong"));
+  EXPECT_THAT(outcome.out, HasSubstr("published:box-select: visibly wrong"));
   EXPECT_FALSE(linesOf(readFile(folder.path("published.json"))).empty());
 }
 
