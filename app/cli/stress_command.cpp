@@ -132,7 +132,8 @@ void requirePromise(const StressPlan& plan, const std::vector<StressCell>& cells
   }
   if (first == nullptr) return;
   throw WorkError("the promise is broken in " + std::to_string(broken) + " of " + std::to_string(cells.size()) +
-                  " classes and techniques; the worst: boxprobe stress --replay '" + replayText(*first, plan.seed) + "'");
+                  " classes and techniques; the worst: boxprobe stress --replay '" + replayText(*first, plan.seed) +
+                  "'");
 }
 
 std::vector<StressCell> results(const StressOptions& options, const StressPlan& plan, const InterruptGuard& interrupt) {

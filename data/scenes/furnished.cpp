@@ -1,7 +1,7 @@
-// The furnished room: x in [-3.5, 3.5], y in [0, 2.8], z in [-2.5, 2.5]. Its walls lie in the planes of the probe's box, what
-// stands in it does not: shelves with books, a wardrobe, a cabinet, a table, two columns. Box projection paints them all on
-// the walls behind; a projection that knows what the probe saw has something to win here, and, behind the columns and on
-// the table, something it cannot know.
+// The furnished room: x in [-3.5, 3.5], y in [0, 2.8], z in [-2.5, 2.5]. Its walls lie in the planes of the probe's
+// box, what stands in it does not: shelves with books, a wardrobe, a cabinet, a table, two columns. Box projection
+// paints them all on the walls behind; a projection that knows what the probe saw has something to win here, and,
+// behind the columns and on the table, something it cannot know.
 #include <array>
 #include <cmath>
 #include <string>
@@ -101,11 +101,12 @@ void addShelves(MeshBuilder& wood, MeshBuilder& books) {
     wood.box({kFront, y, kLeft}, {kBack, y + kBoard, kRight}, repeating(1.5), kMinusX | kPlusY | kMinusY);
     if (i + 1 == kBoards) continue;
     const double length = i == 2 ? 2.3 : 3.3;
-    books.box({kFront + 0.04, y + kBoard, kLeft + 0.05}, {kBack, y + kBoard + 0.3, kLeft + 0.05 + length},
-              [length](unsigned face, glm::dvec2) {
-                return face == kMinusX ? UvRectangle{0.0, 0.0, length / 3.4, 1.0} : UvRectangle{0.0, 0.9, 0.02, 1.0};
-              },
-              kAllFaces & ~(kMinusY | kPlusX));
+    books.box(
+        {kFront + 0.04, y + kBoard, kLeft + 0.05}, {kBack, y + kBoard + 0.3, kLeft + 0.05 + length},
+        [length](unsigned face, glm::dvec2) {
+          return face == kMinusX ? UvRectangle{0.0, 0.0, length / 3.4, 1.0} : UvRectangle{0.0, 0.9, 0.02, 1.0};
+        },
+        kAllFaces & ~(kMinusY | kPlusX));
   }
 }
 
@@ -142,7 +143,8 @@ Model furnished() {
   addTable(wood, {-0.1, 0.0, -2.0}, {1.8, 0.8, 0.8}, 0.09);
   addShelves(wood, books);
   for (double columnX : {-2.2, 1.6})
-    columns.box({columnX, 0.0, -2.2}, {columnX + 0.45, kSize.y, -1.75}, repeating(1.5), kAllFaces & ~(kPlusY | kMinusY));
+    columns.box({columnX, 0.0, -2.2}, {columnX + 0.45, kSize.y, -1.75}, repeating(1.5),
+                kAllFaces & ~(kPlusY | kMinusY));
   const FaceUv front = [](unsigned face, glm::dvec2) {
     return face == kPlusX ? UvRectangle{} : UvRectangle{0.25, 0.005, 0.26, 0.02};
   };

@@ -19,8 +19,8 @@ struct BakedMaps {
   /// for a map without distances (the sky, an imported picture).
   CubeMap distance;
   ShCoefficients irradiance{};
-  LazyRelief relief;     ///< of distance, for projections that follow rays
-  LazyLightTable light;  ///< of radiance, for techniques that aim rays at what is bright
+  LazyRelief relief;           ///< of distance, for projections that follow rays
+  LazyLightTable light;        ///< of radiance, for techniques that aim rays at what is bright
   glm::dvec3 capturedAt{0.0};  ///< capture origin, world
 };
 

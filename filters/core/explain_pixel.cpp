@@ -95,7 +95,8 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   data.blocks = blocks.get();
   data.worldFromProbe = g.rotated ? &worldFromProbe : nullptr;
   std::shared_ptr<const LightTable> light;
-  if (e.captured && chooses(g.technique, g.parameters, "sampling", "luminance")) light = probe.maps->light.of(probe.maps->radiance);
+  if (e.captured && chooses(g.technique, g.parameters, "sampling", "luminance"))
+    light = probe.maps->light.of(probe.maps->radiance);
   data.light = light.get();
   shape.slot = &data;
   const shading::ShadingPoint point{

@@ -52,7 +52,9 @@ class Face {
 
  private:
   bool inside(int x, int y) const { return x >= 0 && y >= 0 && x < size_ && y < size_; }
-  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * size_ + column); }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(column);
+  }
 
   int size_;
   std::vector<float> depth_;
@@ -161,7 +163,8 @@ Relief::Relief(const CubeMap& distance) : texels_(distance.faceSize(), 1) {
           texel = glm::vec4(plane, kHere);
         }
         if (!far.isFar(f, column, row)) {
-          const auto cell = static_cast<std::size_t>(row / step * cells + column / step);
+          const int place = row / step * cells + column / step;
+          const auto cell = static_cast<std::size_t>(place);
           if (!made[cell]) nearest[cell] = far.nearest(f, column, row);
           made[cell] = true;
           texel.w = nearest[cell];

@@ -18,8 +18,8 @@ namespace {
 
 constexpr int kCells =
     48;  // along the box's longest side: finer than gaps between furniture, coarser than between texels
-constexpr float kOffWall = 0.02f;   // of the box's shortest side: skirtings, door frames and noise stay the wall's
-constexpr float kInflate = 0.005f;  // of the same: so that a flat piece has an inside to sample
+constexpr float kOffWall = 0.02f;      // of the box's shortest side: skirtings, door frames and noise stay the wall's
+constexpr float kInflate = 0.005f;     // of the same: so that a flat piece has an inside to sample
 constexpr float kBeyond = 0.25f;       // of the same: nearer behind the walls, pillars and beams are parts of them
 constexpr float kOutsideCells = 2.0f;  // times as large outside: what is seen there is farther away
 constexpr float kFacing = 0.35f;       // cosine: less is ground, which would join all that stands on it

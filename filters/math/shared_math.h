@@ -12,7 +12,7 @@
 namespace boxprobe {
 struct LightTable;
 struct ReliefBlocks;
-}
+}  // namespace boxprobe
 
 namespace boxprobe::shading {
 

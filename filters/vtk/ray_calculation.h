@@ -11,8 +11,8 @@
 
 #include "filters/core/explanation.h"
 #include "filters/core/probe_geometry.h"
-#include "filters/math/relief.h"
 #include "filters/math/cube_map.h"
+#include "filters/math/relief.h"
 #include "filters/vtk/ray_arrays.h"
 
 namespace boxprobe {

@@ -16,8 +16,8 @@ using namespace stress;
 namespace {
 
 std::vector<std::string> baseFiles() {
-  return {"shared/types.glsl", "shared/finite.glsl", "shared/slab.glsl", "shared/roughness.glsl",
-          "shared/relief.glsl", "stress/echo.glsl"};
+  return {"shared/types.glsl",     "shared/finite.glsl", "shared/slab.glsl",
+          "shared/roughness.glsl", "shared/relief.glsl", "stress/echo.glsl"};
 }
 
 template <typename Files>

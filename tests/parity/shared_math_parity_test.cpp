@@ -121,8 +121,8 @@ void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const Proje
     // It chooses its steps by comparisons, which rounding may decide.
     EXPECT_LE(beyond, kCount / 2000) << row.id;
   } else {
-    // Roots cancel: the sphere's near its surface, a rounded edge where a ray grazes it. All else is the same to the last
-    // bits.
+    // Roots cancel: the sphere's near its surface, a rounded edge where a ray grazes it. All else is the same to the
+    // last bits.
     EXPECT_LE(worst, bevelled ? 2e-5f : row.id == "sphere" ? 3e-6f : 4e-7f) << row.id;
   }
   EXPECT_LE(differentFace, kCount / 10000) << row.id << ": only rays through an edge may disagree";

@@ -1,8 +1,9 @@
 // A million adversarial inputs through the shaders that draw: every result is a number, and C++ agrees.
+#include "filters/vtk/stress_gpu.h"
+
 #include <gtest/gtest.h>
 
 #include "filters/stress/stress_subjects.h"
-#include "filters/vtk/stress_gpu.h"
 #include "tests/support/gpu_window.h"
 
 namespace boxprobe {

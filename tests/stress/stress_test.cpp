@@ -38,8 +38,7 @@ TEST(Stress, AMillionInputsKeepThePromise) {
   for (const StressCell& cell : runStress(plan, kGoOn)) {
     count += cell.tally.count;
     EXPECT_EQ(cell.tally.nonFinite, 0u) << cell.inputs->id << " " << cell.subject->id;
-    EXPECT_FALSE(cell.broken()) << cell.inputs->id << " " << cell.subject->id << ": input "
-                                     << cell.tally.worstIndex;
+    EXPECT_FALSE(cell.broken()) << cell.inputs->id << " " << cell.subject->id << ": input " << cell.tally.worstIndex;
   }
   EXPECT_EQ(count, 1000000u);
 }
