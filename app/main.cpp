@@ -40,9 +40,9 @@ int run(int& argc, char** argv) {
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png\n"
       "Each sub-command explains itself: boxprobe render --help");
   program.require_subcommand(0, 1);
-  const std::vector<Subcommand> subcommands = {addRenderCommand(program), addBakeCommand(program),
+  const std::vector<Subcommand> subcommands = {addRenderCommand(program),  addBakeCommand(program),
                                                addExplainCommand(program), addInfoCommand(program),
-                                               addBenchCommand(program), addStressCommand(program)};
+                                               addBenchCommand(program),   addStressCommand(program)};
 
   try {
     program.parse(argc, argv);

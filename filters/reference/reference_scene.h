@@ -7,10 +7,9 @@
 //   measured on metals, or on the reflection alone.
 // - Reflections: single-scatter GGX over visible normals, the mean radiance of the lobe times the split-sum factor of
 //   VTK 9.1. What a reflection ray hits shows what the first capture shows: a mirror in a mirror is black.
-// - Reflection rays see what the probes see, or, on request, what the picture shows. What the probes see has the gloss
-// of
-//   being looked at from the capture origin of the probe that counts most where the ray starts: a highlight that moves
-//   with the eye is nothing that a projection could bring back. On request it is looked at along the ray.
+// - Reflection rays see what the probes see, or, on request, what the picture shows. What the probes see
+//   is lit as looked at from the capture origin of the probe that counts most where the ray starts: a highlight that
+//   moves with the eye is nothing that a projection could bring back. On request it is looked at along the ray.
 // - Translucent surfaces count as opaque; textures have no mip levels.
 #pragma once
 

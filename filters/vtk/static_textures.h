@@ -1,5 +1,5 @@
-// The textures draws read whatever the scene: the split-sum table, a black cube that stands in for maps not captured yet,
-// and, for techniques that draw samples, the blue-noise mask.
+// The textures draws read whatever the scene: the split-sum table, a black cube that stands in for maps not captured
+// yet, and, for techniques that draw samples, the blue-noise mask.
 #pragma once
 
 #include "filters/vtk/draw_state.h"

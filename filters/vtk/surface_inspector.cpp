@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
+
 #include "filters/math/automatic.h"
 #include "filters/vtk/cube_transfer.h"
 

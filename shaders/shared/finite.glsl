@@ -1,7 +1,7 @@
 // What stands between broken input and the techniques: positions, normals and views come out of vertices, normal maps and
 // interpolation, where NaN, infinity and vectors without length happen; one such pixel becomes a black square after bloom. Both
-// hosts pass a pixel through here once, before any technique, so that techniques may rely on finite input and make finite directions of
-// it; and every lookup's direction once. Uniforms (boxes, levels, parameters) are checked when a scene is read. Knows no technique.
+// hosts pass a pixel through here once, before any technique, so that techniques may rely on finite input; and every lookup's
+// direction once. Uniforms (boxes, levels, parameters) are checked when a scene is read. Knows no technique.
 //
 // All tests are written so that NaN fails them: a comparison with NaN is false, min and max with NaN are anybody's guess.
 
@@ -33,9 +33,9 @@ vec3 reflectedView(vec3 normal, vec3 view)
 }
 
 // What a cubemap is looked up with: any length but none. A hit at the capture origin itself (P and C in the same wall, R leading
-// out of it) has no direction; the hardware would divide 0 by 0. 1e-37, a little above the least normal float, is below the rounding
-// of any direction but such a one.
+// out of it) has no direction; the hardware would divide 0 by 0.
 vec3 lookupDirection(vec3 direction)
 {
-  return vec3(direction.x, direction.y, direction.z + (direction.z < 0.0f ? -1.0e-37f : 1.0e-37f));
+  float size = abs(direction.x) + abs(direction.y) + abs(direction.z);
+  return size > 1.0e-37f && size < 3.0e38f ? direction : vec3(0.0f, 0.0f, 1.0f);
 }

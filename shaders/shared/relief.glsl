@@ -2,7 +2,8 @@
 vec3 reliefDirection(float code)
 {
   float row = floor(code / 4096.0f);
-  float u = (code - 4096.0f * row + 0.5f) / 2048.0f - 1.0f;
+  // Codes reach 2^24: a half added to one, which a compiler may do first, would be lost.
+  float u = (code - 4096.0f * row) / 2048.0f - (1.0f - 0.5f / 2048.0f);
   float v = (row + 0.5f) / 2048.0f - 1.0f;
   float y = 1.0f - abs(u) - abs(v);
   float fold = max(-y, 0.0f);

@@ -17,9 +17,9 @@
 #include "app/cli/vtk_messages.h"
 #include "filters/core/errors.h"
 #include "filters/io/image_file.h"
+#include "filters/reference/interleaved.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
-#include "filters/reference/interleaved.h"
 #include "tests/bench/stock_renderer.h"
 
 namespace {

@@ -16,10 +16,10 @@
 #include "filters/core/errors.h"
 #include "filters/math/cube_filter.h"
 #include "filters/math/cube_filter_reference.h"
+#include "filters/reference/interleaved.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/prefilter.h"
-#include "filters/reference/interleaved.h"
 #include "tests/bench/prefilter_cubes.h"
 #include "tests/bench/stock_prefilter.h"
 

@@ -16,12 +16,12 @@
 #include "app/cli/render_options.h"
 #include "app/cli/vtk_messages.h"
 #include "filters/core/errors.h"
+#include "filters/reference/interleaved.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/ray_layer.h"
 #include "filters/vtk/ray_sources.h"
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/vtkProjectionRays.h"
-#include "filters/reference/interleaved.h"
 
 namespace {
 

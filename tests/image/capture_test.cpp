@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "filters/math/shared_math.h"
+#include "filters/math/spherical_harmonics.h"
 #include "filters/vtk/draw_state.h"
 #include "filters/vtk/prefilter.h"
-#include "filters/math/spherical_harmonics.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"
 

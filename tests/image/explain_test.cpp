@@ -34,7 +34,7 @@ struct Case {
 Scene fileScene(const std::string& name) {
   Scene scene = ScenePicture::fromFile("scenes/" + name + ".boxprobe.json", 8, 8).scene;
   for (Probe& probe : scene.probes) {
-    probe.faceSize = 64;
+    probe.faceSize = 128;
     probe.bounces = 1;
   }
   return scene;
@@ -138,8 +138,8 @@ std::vector<Chosen> allTechniques() {
 }
 
 TEST(Explain, AgreesWithThePicture) {
-  constexpr int kWidth = 160, kHeight = 90;
-  constexpr std::size_t kPixels = 10000;
+  constexpr int kWidth = 480, kHeight = 270;
+  constexpr std::size_t kPixels = 100000;
   const std::vector<Case> all = cases();
   std::mt19937 random(7);
   std::size_t compared = 0, beyond = 0, onBox = 0, offBox = 0;
@@ -219,7 +219,7 @@ TEST(Explain, AgreesWithThePicture) {
   std::printf("  %zu hits within 1e-5 of the box's size from it, %zu not\n", onBox, offBox);
   EXPECT_GT(compared, kPixels / 2);
   EXPECT_LE(static_cast<double>(beyond), 1.0e-3 * static_cast<double>(compared));
-  EXPECT_GT(onBox, 1000u);
+  EXPECT_GT(onBox, 10000u);
   EXPECT_EQ(offBox, 0u);
 }
 

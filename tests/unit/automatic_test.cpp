@@ -1,9 +1,10 @@
 // What `auto` chooses, for any budget and roughness: nothing that costs more than something else that keeps the budget.
+#include "filters/math/automatic.h"
+
 #include <gtest/gtest.h>
 
 #include "filters/core/probe_geometry.h"
 #include "filters/core/scene.h"
-#include "filters/math/automatic.h"
 
 namespace boxprobe {
 namespace {

@@ -1,5 +1,5 @@
-// The closed scenes, `room`, `gallery` and `six-faces`: that their walls are the probe's box, without a gap, and what is painted
-// there.
+// The closed scenes, `room`, `gallery` and `six-faces`: that their walls are the probe's box, without a gap, and what
+// is painted there.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -145,8 +145,8 @@ TEST(Remarks, EachFeatureThatIsNotUsedIsNamedWithItsKey) {
   probe.mode = ProbeUpdate::Realtime;
   probe.filter = FilterKind::Gaussian;
   probe.parameters["power"] = 4.0;
-  probe.bevel = Bevel{0.1, 0.0};         // is used
-  probe.occlusion = BoxOcclusion();      // is used
+  probe.bevel = Bevel{0.1, 0.0};     // is used
+  probe.occlusion = BoxOcclusion();  // is used
   probe.box.max.y = probe.box.min.y;
   EXPECT_THAT(featuresNotUsed(scene),
               ElementsAre(HasSubstr("materials.glass.transmission: "), HasSubstr("objects.car.probeMode: "),

@@ -68,7 +68,8 @@ TEST_P(CheckedInScene, MirrorBallsAreSmoothWhiteMetalThatProbesDoNotSee) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
       ASSERT_NEAR(glm::dot(glm::normalize(mesh.positions[i]), mesh.normals[i]), 1.0f, 1e-5f);
   }
-  const std::map<std::string, int> expected = {{"building", 9}, {"room", 3}, {"furnished", 2}, {"gallery", 1}, {"six-faces", 1}};
+  const std::map<std::string, int> expected = {
+      {"building", 9}, {"room", 3}, {"furnished", 2}, {"gallery", 1}, {"six-faces", 1}};
   EXPECT_EQ(balls, expected.at(GetParam()));
 }
 
@@ -109,12 +110,10 @@ INSTANTIATE_TEST_SUITE_P(All, CheckedInScene, testing::Values("building", "furni
                          [](const auto& scene) { return std::string(scene.param).substr(0, 3); });
 
 TEST(SceneGenerator, WritesTheCheckedInFiles) {
-  const std::map<std::string, std::string> made = {{"building.glb", scenes::glbBytes(scenes::building())},
-                                                   {"furnished.glb", scenes::glbBytes(scenes::furnished())},
-                                                   {"gallery.glb", scenes::glbBytes(scenes::gallery())},
-                                                   {"room.glb", scenes::glbBytes(scenes::room())},
-                                                   {"six-faces.glb", scenes::glbBytes(scenes::sixFaces())},
-                                                   {"sky.hdr", scenes::skyHdr()}};
+  const std::map<std::string, std::string> made = {
+      {"building.glb", scenes::glbBytes(scenes::building())},  {"furnished.glb", scenes::glbBytes(scenes::furnished())},
+      {"gallery.glb", scenes::glbBytes(scenes::gallery())},    {"room.glb", scenes::glbBytes(scenes::room())},
+      {"six-faces.glb", scenes::glbBytes(scenes::sixFaces())}, {"sky.hdr", scenes::skyHdr()}};
   for (const auto& [name, bytes] : made) {
     const std::string stored = fileBytes(kFolder + name);
     const auto differ = std::mismatch(bytes.begin(), bytes.end(), stored.begin(), stored.end());
