@@ -33,6 +33,10 @@ void Composer::place(const std::string& node, int mesh, glm::dvec3 position, dou
   model_.instances.push_back({node, mesh, glm::scale(moved, glm::dvec3(scale))});
 }
 
+void Composer::place(const std::string& node, int mesh, const glm::dmat4& worldFromModel) {
+  model_.instances.push_back({node, mesh, worldFromModel});
+}
+
 void Composer::add(const std::string& node, MeshBuilder builder, int material) {
   place(node, mesh(std::move(builder), node, material));
 }

@@ -1,6 +1,7 @@
 // Puts a scene's model together: meshes, materials, nodes. Called by the scenes; knows nothing of files.
 #pragma once
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
@@ -18,6 +19,7 @@ class Composer {
   int mesh(MeshBuilder builder, const std::string& name, int material);
   int mesh(Mesh mesh);
   void place(const std::string& node, int mesh, glm::dvec3 position = glm::dvec3(0.0), double scale = 1.0);
+  void place(const std::string& node, int mesh, const glm::dmat4& worldFromModel);
   /// A mesh that stands in one place, named as its node.
   void add(const std::string& node, MeshBuilder builder, int material);
   Model finish() &&;

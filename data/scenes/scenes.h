@@ -5,6 +5,7 @@
 #include <string>
 
 #include "filters/core/model.h"
+#include "filters/core/scene.h"
 
 namespace boxprobe::scenes {
 
@@ -23,6 +24,15 @@ Model sixFaces();
 
 /// A closed 10 x 3.5 x 7 m room with textures and small bright lamps, and things to reflect them: for measuring.
 Model gallery();
+
+struct Apartments {
+  Model model;
+  Scene scene;  ///< without its model's file name
+};
+
+/// `rooms` rooms at corridors that four of them share, a probe in each room and each corridor; the same seed, the same
+/// scene, and the first four rooms are the same for any number of them.
+Apartments apartments(int rooms, unsigned seed);
 
 /// The sky of `building` as a Radiance HDR file, latitude-longitude, for programs that want an image.
 std::string skyHdr();
