@@ -56,6 +56,7 @@ std::string statsJson(const RunStats& stats) {
                       {"renders", c.renders},
                       {"drawsByProbeCount", c.drawsByProbeCount},
                       {"texelsClamped", c.texelsClamped},
+                      {"errorsMeasured", c.errorsMeasured},
                       {"texelsNotFinite", c.texelsNotFinite},
                       {"uniformUpdates", c.uniformUpdates}};
   Json& times = json["times"];

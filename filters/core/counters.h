@@ -12,6 +12,7 @@ struct Counters {
   std::uint64_t mapsLoaded = 0;        ///< probes (and sky) read from baked files in place of captures
   std::uint64_t skyFacesCaptured = 0;  ///< of the sky's own map
   std::uint64_t levelsFiltered = 0;    ///< prefiltered mip levels, six faces each
+  std::uint64_t errorsMeasured = 0;  ///< probes whose own errors `auto` goes by, each time their box or picture changed
   std::uint64_t programsCompiled = 0;  ///< distinct GL programs this program caused
   std::uint64_t renders = 0;
   std::array<std::uint64_t, 5> drawsByProbeCount{};  ///< of the last frame: draws that use 0, 1, 2, 3, 4 probes

@@ -8,21 +8,21 @@ namespace boxprobe {
 namespace {
 
 // Between two measured roughnesses as the crow flies.
-double errorAt(const MeasuredTechnique& of, double roughness) {
+double errorAt(const std::array<double, 6>& error, double roughness) {
   const auto& nodes = measuredRoughness();
   const double r = std::clamp(roughness, nodes.front(), nodes.back());
   std::size_t i = 1;
   while (i + 1 < nodes.size() && nodes[i] < r) ++i;
   const double share = (r - nodes[i - 1]) / (nodes[i] - nodes[i - 1]);
-  return (1.0 - share) * of.error[i - 1] + share * of.error[i];
+  return (1.0 - share) * error[i - 1] + share * error[i];
 }
 
 // Straight pieces are largest at their ends.
-double worstBetween(const MeasuredTechnique& of, double low, double high) {
-  double worst = std::max(errorAt(of, low), errorAt(of, high));
+double worstBetween(const std::array<double, 6>& error, double low, double high) {
+  double worst = std::max(errorAt(error, low), errorAt(error, high));
   const auto& nodes = measuredRoughness();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i] > low && nodes[i] < high) worst = std::max(worst, of.error[i]);
+    if (nodes[i] > low && nodes[i] < high) worst = std::max(worst, error[i]);
   }
   return worst;
 }
@@ -34,13 +34,14 @@ const std::array<double, 6>& measuredRoughness() {
   return nodes;
 }
 
-AutomaticChoice chooseAutomatic(double roughnessMin, double roughnessMax, double budget) {
+AutomaticChoice chooseAutomatic(double roughnessMin, double roughnessMax, double budget, const TechniqueErrors* own) {
   AutomaticChoice nearest;
   nearest.error = std::numeric_limits<double>::infinity();
-  for (const MeasuredTechnique& candidate : measuredTechniques()) {
-    const auto technique = parseTechnique(candidate.id);
+  const auto& candidates = measuredTechniques();
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto technique = parseTechnique(candidates[i].id);
     if (!technique) continue;
-    const double error = worstBetween(candidate, roughnessMin, roughnessMax);
+    const double error = worstBetween(own != nullptr ? (*own)[i] : candidates[i].error, roughnessMin, roughnessMax);
     if (error <= budget) return {*technique, error, true};
     if (error < nearest.error) nearest = {*technique, error, false};
   }
@@ -50,7 +51,7 @@ AutomaticChoice chooseAutomatic(double roughnessMin, double roughnessMax, double
 double smallestBudget() {
   double smallest = std::numeric_limits<double>::infinity();
   for (const MeasuredTechnique& candidate : measuredTechniques()) {
-    smallest = std::min(smallest, worstBetween(candidate, 0.0, 1.0));
+    smallest = std::min(smallest, worstBetween(candidate.error, 0.0, 1.0));
   }
   return smallest;
 }

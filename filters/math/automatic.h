@@ -31,8 +31,13 @@ struct AutomaticChoice {
   bool withinBudget = false;  ///< false: no technique is; this one is the nearest
 };
 
-/// For surfaces whose perceptual roughness lies between the two values. Never `auto` itself.
-AutomaticChoice chooseAutomatic(double roughnessMin, double roughnessMax, double budget);
+/// Errors of one probe's own (technique_errors.h), in place of the table's: in the order of measuredTechniques(), at
+/// measuredRoughness().
+using TechniqueErrors = std::vector<std::array<double, 6>>;
+
+/// For surfaces whose perceptual roughness lies between the two values. Never `auto` itself. `own` null: the table's.
+AutomaticChoice chooseAutomatic(double roughnessMin, double roughnessMax, double budget,
+                                const TechniqueErrors* own = nullptr);
 /// The smallest budget that some technique keeps at every roughness.
 double smallestBudget();
 

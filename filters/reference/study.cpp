@@ -1,7 +1,10 @@
 #include "filters/reference/study.h"
 
+#include <map>
+#include <vector>
+
 #include "filters/core/technique_parameters.h"
-#include "filters/math/automatic.h"
+#include "filters/math/technique_errors.h"
 
 namespace boxprobe {
 
@@ -15,16 +18,24 @@ bool suits(const BenchTechnique& bench) {
   return bench.parameters.count("sampling") == 0 && bench.parameters.count("blur") == 0;
 }
 
-study::Technique inRoom(const BenchTechnique& bench) {
+study::Technique inRoom(const BenchTechnique& bench, const std::vector<study::RoomPoint>& points) {
   Probe settings;
   settings.parameters = bench.parameters;
   const shading::TechniqueParameters parameters = techniqueParameters(settings);
   const Technique given = *parseTechnique(bench.id);
   const ParameterRow* budgetRow = findParameter("budget");
   const double budget = budgetRow != nullptr ? parameterNumber(settings, *budgetRow) : 0.0;
+  // Of each room, as the renderer measures them for each probe.
+  std::map<const study::PaddedCube*, TechniqueErrors> own;
+  if (isAutomatic(given)) {
+    for (const study::RoomPoint& at : points) {
+      if (own.count(at.chain) == 0) own[at.chain] = measureTechniqueErrors(*at.chain, at.probe);
+    }
+  }
   return [=](const study::RoomPoint& at) {
     const double roughness = static_cast<double>(at.point.roughness);
-    const Technique technique = isAutomatic(given) ? chooseAutomatic(roughness, roughness, budget).technique : given;
+    const Technique technique =
+        isAutomatic(given) ? chooseAutomatic(roughness, roughness, budget, &own.at(at.chain)).technique : given;
     shading::ProbeShape probe = at.probe;
     probe.projection = technique.projection;
     probe.parameters = parameters;
@@ -48,7 +59,8 @@ StudyResult runStudy(const StudyPlan& plan, const std::vector<BenchTechnique>& t
   for (std::size_t i = 0; i < techniques.size(); ++i) {
     if (progress && !progress(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(techniques.size()))) break;
     if (!suits(techniques[i])) continue;
-    result.rows.push_back({i, study::tally(study::valuesOf(inRoom(techniques[i]), rooms.points), rooms.points)});
+    result.rows.push_back(
+        {i, study::tally(study::valuesOf(inRoom(techniques[i], rooms.points), rooms.points), rooms.points)});
   }
   return result;
 }

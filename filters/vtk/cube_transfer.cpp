@@ -43,6 +43,10 @@ BakedMaps readBack(const ProbeMaps& maps) {
   return result;
 }
 
+CubeMap readRadiance(const ProbeMaps& maps) {
+  return read(maps.radiance);
+}
+
 std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps) {
   auto result = std::make_shared<ProbeMaps>();
   writeAll(maps.radiance, GL_RGBA16F, result->radiance);

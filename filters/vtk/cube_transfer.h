@@ -13,6 +13,9 @@ namespace boxprobe {
 /// Everything a probe holds. Waits until the graphics side has finished what is under way.
 BakedMaps readBack(const ProbeMaps& maps);
 
+/// Of it, the chain alone.
+CubeMap readRadiance(const ProbeMaps& maps);
+
 /// The other way. Maps without distances stay without.
 std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps);
 

@@ -12,6 +12,7 @@
 
 #include "filters/core/counters.h"
 #include "filters/core/probe_geometry.h"
+#include "filters/math/automatic.h"
 #include "filters/math/spherical_harmonics.h"
 #include "filters/vtk/gl_objects.h"
 #include "filters/vtk/light_texture.h"
@@ -38,6 +39,8 @@ struct DrawnProbe {
   int index = 0;  ///< in the scene's list
   ProbeGeometry geometry;
   std::shared_ptr<const ProbeMaps> maps;
+  /// What `auto` goes by; null: by what was measured elsewhere.
+  std::shared_ptr<const TechniqueErrors> errors;
 };
 
 enum class Lighting {

@@ -50,11 +50,12 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
   for (const std::size_t i : order) {
     binding->probes.push_back(drawn[i]);
     const ProbeGeometry& geometry = drawn[i]->geometry;
-    binding->techniques.push_back(
-        isAutomatic(geometry.technique)
-            ? chooseAutomatic(object.roughnessMin, object.roughnessMax, static_cast<double>(geometry.parameters.budget))
-                  .technique
-            : geometry.technique);
+    binding->techniques.push_back(isAutomatic(geometry.technique)
+                                      ? chooseAutomatic(object.roughnessMin, object.roughnessMax,
+                                                        static_cast<double>(geometry.parameters.budget),
+                                                        drawn[i]->errors.get())
+                                            .technique
+                                      : geometry.technique);
   }
   return binding;
 }

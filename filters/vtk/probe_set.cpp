@@ -441,6 +441,8 @@ void ProbeSet::step() {
   if (runner_.pending()) {
     ++unitsDone_;
     runner_.step();
+  } else if (const auto index = toMeasure()) {
+    measureErrors(*index);
   } else if (preparationPending()) {
     prepareOne();
   }

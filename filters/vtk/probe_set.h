@@ -62,7 +62,9 @@ class ProbeSet {
   /// What the maps a baked probe shows were made from; nothing while they are not the final ones. Empty: the sky.
   std::optional<BakeRecord> record(const std::string& probeName) const;
 
-  bool workPending() const { return runner_.pending() || !jobs_.empty() || preparationPending(); }
+  bool workPending() const {
+    return runner_.pending() || !jobs_.empty() || toMeasure().has_value() || preparationPending();
+  }
   void step();
   double progress() const;
 
@@ -83,6 +85,7 @@ class ProbeSet {
     bool used = false;      ///< some visible object lies in its influence
     bool again = false;     ///< asked for although nothing changed: no face is kept
     bool fromFile = false;  ///< what it shows was read from a file
+    std::string measured;   ///< what its techniques' errors were measured with
   };
   enum class JobKind { SkyMap, File, Picture, Drag, Bounce, Realtime };
   struct Job {
@@ -99,6 +102,9 @@ class ProbeSet {
   bool preparationPending() const { return !interactive_ && !moving_ && !toPrepare_.empty(); }
   void prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding);
   void prepareOne();
+  std::string measureKey(std::size_t index) const;
+  std::optional<std::size_t> toMeasure() const;
+  void measureErrors(std::size_t index);
   void updateStandIns();
   bool capturesLast() const;
 

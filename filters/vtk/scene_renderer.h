@@ -119,9 +119,9 @@ class SceneRenderer {
   bool averagesFrames() const;
   /// How far the picture in the window is; nothing is drawn unasked.
   FrameCount frameCount() const;
-  /// The mean is of so many frames; nothing: of as many as the technique's rays ask for (see framesWanted).
   /// The next frame begins the picture anew, although nothing has changed: to time it.
   void restartPicture();
+  /// The mean is of so many frames; nothing: of as many as the technique's rays ask for (see framesWanted).
   void setFrameLimit(std::optional<int> frames);
 
   /// What the surfaces are coloured by: a row of surfaceViews(). Row 0, the picture, costs nothing; any other compiles

@@ -105,5 +105,34 @@ TEST(TechniqueParameters, EachProbeOfADrawHasItsOwn) {
   EXPECT_GT(glm::length(nearTheLamp(world) - before), 0.02f * glm::length(before));
 }
 
+// What `auto` draws with follows what the probe itself sees: here a lamp near a floor, there an even glow.
+TEST(TechniqueParameters, AutomaticGoesByTheProbesOwnErrors) {
+  QuadWorld world = roughFloor("auto");
+  world.show();
+  const auto measured = [&world] { return world.renderer->counters().errorsMeasured; };
+  const auto chosen = [&world] {
+    world.look({0, 0, 2}, {0, -1, -0.6});
+    return world.renderer->explain(4, 4, 9, 9).probes.at(0).technique;
+  };
+  EXPECT_EQ(measured(), 1u);
+  const std::string besideALamp = chosen();
+  EXPECT_NE(besideALamp, "box+none");
+  world.editAndFinish([](Scene& s) { s.probes[0].intensity = 0.5; });
+  world.look({0, 0, 2}, {0, -1, -0.6});
+  EXPECT_EQ(measured(), 1u) << "neither the box nor the picture is another one";
+  world.renderer->setInteractive(true);
+  for (int i = 1; i <= 4; ++i) world.editAndFinish([i](Scene& s) { s.probes[0].box.max.x = 1.0 + 0.05 * i; });
+  EXPECT_EQ(measured(), 1u) << "not while a face is dragged";
+  world.renderer->setInteractive(false);
+  world.renderer->finishWork();
+  EXPECT_EQ(measured(), 2u);
+  world.editAndFinish([](Scene& s) { s.objects["lamp"].seenByProbes = false; });
+  EXPECT_EQ(measured(), 3u);
+  EXPECT_EQ(chosen(), "box+none") << "nothing to see: the cheapest is as good as any";
+  world.editAndFinish([](Scene& s) { s.probes[0].technique = "box"; });
+  world.editAndFinish([](Scene& s) { s.objects["lamp"].seenByProbes = true; });
+  EXPECT_EQ(measured(), 3u) << "nobody asks";
+}
+
 }  // namespace
 }  // namespace boxprobe::test

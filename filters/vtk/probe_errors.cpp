@@ -1,0 +1,66 @@
+// The probe set's measurements: how wrong the techniques are that `auto` chooses from, with a probe's own final picture
+// in its own box. Once after a bake and after a drag, never during one. See probe_set.h.
+#include "filters/core/number_text.h"
+#include "filters/math/technique_errors.h"
+#include "filters/vtk/cube_transfer.h"
+#include "filters/vtk/probe_set.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// Looked up in the probe's frame: a map keeps the world's axes.
+class TurnedCube : public shading::CubeSampler {
+ public:
+  TurnedCube(const CubeMap& map, const glm::dmat3& worldFromProbe) : map_(map), worldFromProbe_(worldFromProbe) {}
+  glm::vec4 fetch(const glm::vec3& direction, float level) const override {
+    return map_.fetch(worldFromProbe_ * direction, level);
+  }
+
+ private:
+  const CubeMap& map_;
+  glm::mat3 worldFromProbe_;
+};
+
+}  // namespace
+
+// Empty: there is nothing to measure yet. What follows something that moves is measured once for each box.
+std::string ProbeSet::measureKey(std::size_t index) const {
+  const Entry& entry = entries_[index];
+  const ProbeGeometry& geometry = entry.drawn->geometry;
+  if (!entry.used || !entry.drawn->maps || !isAutomatic(geometry.technique)) return {};
+  const bool realtime = probe(index).mode == ProbeUpdate::Realtime;
+  if (!realtime && entry.shown != entry.wanted) return {};
+  std::string key = realtime ? std::string("realtime") : entry.shown;
+  for (const glm::vec3& corner : {geometry.boxMin, geometry.boxMax}) {
+    for (int axis = 0; axis < 3; ++axis) key += " " + numberText(static_cast<double>(corner[axis]));
+  }
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row)
+      key += " " + numberText(static_cast<double>(geometry.worldFromProbe[column][row]));
+  }
+  return key;
+}
+
+std::optional<std::size_t> ProbeSet::toMeasure() const {
+  if (interactive_ || moving_ || !enabled_) return std::nullopt;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const std::string key = measureKey(i);
+    if (!key.empty() && key != entries_[i].measured) return i;
+  }
+  return std::nullopt;
+}
+
+void ProbeSet::measureErrors(std::size_t index) {
+  Entry& entry = entries_[index];
+  const ProbeGeometry& geometry = entry.drawn->geometry;
+  entry.measured = measureKey(index);
+  const CubeMap chain = readRadiance(*entry.drawn->maps);
+  const TurnedCube turned(chain, geometry.worldFromProbe);
+  entry.drawn->errors = std::make_shared<const TechniqueErrors>(
+      measureTechniqueErrors(turned, probeShape(geometry, chain.maxLevel(), 0.0f)));
+  ++state_->counters.errorsMeasured;
+  assignToObjects();
+}
+
+}  // namespace boxprobe
