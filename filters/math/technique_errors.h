@@ -12,7 +12,7 @@ namespace boxprobe {
 /// rays. About a hundred
 /// thousand lookups, on all cores; the same inputs give the same errors. `probe`: the box, the frame and the level of
 /// roughness 1; its projection and parameters are the candidates'. Raised by
-/// a fifth for what a view of the box may show more of.
+/// a tenth for what a view of the box may show more of.
 TechniqueErrors measureTechniqueErrors(const shading::CubeSampler& chain, const shading::ProbeShape& probe);
 
 }  // namespace boxprobe
