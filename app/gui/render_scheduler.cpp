@@ -72,7 +72,8 @@ void RenderScheduler::turn() {
     if (!more && hooks_.refinable()) requestRender();
   }
   if (ended) emit workEnded();
-  if (more) wake();
+  // A picture may find out what it lacks.
+  if (more || (!stopped_ && hooks_.workPending())) wake();
 }
 
 }  // namespace boxprobe

@@ -44,15 +44,15 @@ bool notDoor(int column, int row) {
 MeshBuilder roomShell() {
   const double w = kRoomWidth, h = kHeight, d = kRoomDepth, x = 0.5 * w, door = 0.5 * kDoorWidth;
   MeshBuilder mesh;
-  mesh.quadGrid({x, 0, 0}, {-w, 0, 0}, {0, h, 0}, doorCuts(w, {x}), kDoorRows, {}, notDoor);
-  mesh.quad({-x, 0, d}, {w, 0, 0}, {0, h, 0});
-  mesh.quad({-x, 0, 0}, {0, 0, d}, {0, h, 0});
-  mesh.quad({x, 0, d}, {0, 0, -d}, {0, h, 0});
+  mesh.quadGrid({-x, 0, 0}, {w, 0, 0}, {0, h, 0}, doorCuts(w, {x}), kDoorRows, {}, notDoor);
+  mesh.quad({x, 0, d}, {-w, 0, 0}, {0, h, 0});
+  mesh.quad({-x, 0, d}, {0, 0, -d}, {0, h, 0});
+  mesh.quad({x, 0, 0}, {0, 0, d}, {0, h, 0});
   mesh.quad({-x, h, 0}, {w, 0, 0}, {0, 0, d}, {0.45, 0.05, 0.55, 0.1});
   // The door's frame, through the wall.
   const UvRectangle plain{0.45, 0.05, 0.55, 0.1};
-  mesh.quad({-door, 0, -kWall}, {0, 0, kWall}, {0, kDoorHeight, 0}, plain);
-  mesh.quad({door, 0, 0}, {0, 0, -kWall}, {0, kDoorHeight, 0}, plain);
+  mesh.quad({-door, 0, 0}, {0, 0, -kWall}, {0, kDoorHeight, 0}, plain);
+  mesh.quad({door, 0, -kWall}, {0, 0, kWall}, {0, kDoorHeight, 0}, plain);
   mesh.quad({-door, kDoorHeight, -kWall}, {kDoorWidth, 0, 0}, {0, 0, kWall}, plain);
   return mesh;
 }
@@ -123,7 +123,7 @@ Probe makeProbe(const std::string& name, const Box& box, const glm::dvec3& origi
   probe.origin = origin;
   probe.box = box;
   probe.farDistance = 12.0;  // the corridor and a room behind it: what a probe can see at all
-  probe.faceSize = 64;
+  probe.faceSize = 128;
   return probe;
 }
 

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/core/box_tree.h"
 #include "filters/core/technique_parameters.h"
 #include "filters/math/automatic.h"
 
@@ -113,16 +114,18 @@ bool fullWeightEverywhere(const Probe& probe, const Box& boundsWorld) {
   return true;
 }
 
-bool influenceMeets(const Probe& probe, const Box& boundsWorld) {
+Box influenceBounds(const Probe& probe) {
   const Box& influence = probe.influenceBox();
   const glm::dvec3 center = probe.box.center();
   const glm::dmat3 r = rotationMatrix(probe.rotationDegrees);
-  // The axis-aligned bounds of the turned box.
   const glm::dvec3 middle = center + r * (influence.center() - center);
   const glm::dvec3 half = 0.5 * influence.size() + skinOf(influence);
   const glm::dvec3 extent = glm::abs(r[0]) * half.x + glm::abs(r[1]) * half.y + glm::abs(r[2]) * half.z;
-  return glm::all(glm::lessThanEqual(middle - extent, boundsWorld.max)) &&
-         glm::all(glm::greaterThanEqual(middle + extent, boundsWorld.min));
+  return Box{middle - extent, middle + extent};
+}
+
+bool influenceMeets(const Probe& probe, const Box& boundsWorld) {
+  return boxesMeet(influenceBounds(probe), boundsWorld);
 }
 
 }  // namespace boxprobe

@@ -21,8 +21,8 @@ BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
     if (input.imported || input.realtime) input.bounces = 1;
     most = std::max(most, input.bounces);
     std::vector<std::size_t> sees;
-    for (std::size_t other = 0; other < inputs_.size(); ++other) {
-      if (inputs_[other].realtime) continue;
+    for (std::size_t other = 0; other < inputs_.size() && !input.view.empty(); ++other) {
+      if (inputs_[other].realtime || inputs_[other].view.empty()) continue;
       const bool lights = std::find(input.lighting.begin(), input.lighting.end(), other) != input.lighting.end();
       const std::string& view = inputs_[other].view;
       const bool decided = input.record && contains(input.record->known, view);
@@ -54,7 +54,9 @@ const std::string& BounceKeys::key(std::size_t probe, int bounce) const {
 BakeRecord BounceKeys::record(std::size_t probe) const {
   BakeRecord record{finalKey(probe), inputs_[probe].view, {}, {}};
   for (const std::size_t other : sees_[probe]) record.sees.push_back(inputs_[other].view);
-  for (const Input& other : inputs_) record.known.push_back(other.view);
+  for (const Input& other : inputs_) {
+    if (!other.view.empty()) record.known.push_back(other.view);
+  }
   return record;
 }
 

@@ -15,7 +15,7 @@ namespace boxprobe {
 class BounceKeys {
  public:
   struct Input {
-    std::string view;  ///< of the capture (or import) itself
+    std::string view;  ///< of the capture (or import) itself; empty: nobody asks for this probe
     int bounces = 1;
     bool imported = false;              ///< from a picture: the same at every bounce
     bool realtime = false;              ///< not in other probes' bounces: it would make them stale at every frame

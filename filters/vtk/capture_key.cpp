@@ -78,12 +78,23 @@ bool inFrustum(const Box& boundsWorld, const Probe& probe, int face) {
          !beyond(forward - t);
 }
 
-template <typename Filter>
-std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, const Probe& probe, Filter counts) {
+template <typename Meets>
+std::vector<std::size_t> objectsThatMeet(const CaptureWorld& world, const Probe& probe, const Meets& meets) {
+  std::vector<std::size_t> found;
+  world.tree.search(meets, [&](std::size_t i) {
+    if (captureShows(probe, world.objects[i])) found.push_back(i);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+template <typename Meets>
+std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, const Probe& probe,
+                                  const Meets& meets) {
   std::vector<std::size_t> lighting;
   hash.add(world.lights).add(world.sky);
-  for (const CaptureObject& object : world.objects) {
-    if (!captureShows(probe, object) || !counts(object)) continue;
+  for (const std::size_t i : objectsThatMeet(world, probe, meets)) {
+    const CaptureObject& object = world.objects[i];
     hash.add(object.key);
     lighting.insert(lighting.end(), object.probes.begin(), object.probes.end());
   }
@@ -114,7 +125,8 @@ std::vector<std::string> objectContentKeys(const std::vector<std::shared_ptr<con
 }
 
 CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& objects,
-                          const std::vector<std::string>& contentKeys, const std::string& skyPixels) {
+                          const std::vector<std::string>& contentKeys, const std::string& skyPixels,
+                          const ProbeIndex& probes) {
   CaptureWorld world;
   world.sky = skyKey(scene, skyPixels);
   ContentHash lights;
@@ -123,6 +135,7 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& ob
     lights.addVector(light.color).add(light.intensity);
   }
   world.lights = lights.text();
+  std::vector<Box> bounds;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const DrawnObject& drawn = objects[i];
     CaptureObject object;
@@ -136,11 +149,11 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& ob
       addOverride(hash, it->second);
     }
     object.key = hash.text();
-    for (std::size_t p = 0; !drawn.unlit && p < scene.probes.size(); ++p) {
-      if (influenceMeets(scene.probes[p], object.boundsWorld)) object.probes.push_back(p);
-    }
+    if (!drawn.unlit) object.probes = probes.meeting(object.boundsWorld);
+    bounds.push_back(object.boundsWorld);
     world.objects.push_back(std::move(object));
   }
+  world.tree = BoxTree(bounds);
   return world;
 }
 
@@ -178,13 +191,16 @@ bool captureShows(const Probe& probe, const CaptureObject& object) {
   return std::find(probe.hides.begin(), probe.hides.end(), object.node) == probe.hides.end();
 }
 
+std::vector<std::size_t> objectsInFace(const CaptureWorld& world, const Probe& probe, int face) {
+  return objectsThatMeet(world, probe, [&](const Box& box) { return inFrustum(box, probe, face); });
+}
+
 CaptureView faceView(const CaptureWorld& world, const Probe& probe, int face) {
   ContentHash hash;
   hash.add("face").add(face);
   addCamera(hash, probe);
   CaptureView view;
-  view.lighting = addShown(hash, world, probe,
-                           [&](const CaptureObject& object) { return inFrustum(object.boundsWorld, probe, face); });
+  view.lighting = addShown(hash, world, probe, [&](const Box& box) { return inFrustum(box, probe, face); });
   view.key = hash.text();
   return view;
 }
@@ -194,9 +210,9 @@ CaptureView probeView(const CaptureWorld& world, const Probe& probe) {
   hash.add("probe").add(static_cast<double>(probe.filter)).add(probe.filterSamples);
   addCamera(hash, probe);
   CaptureView view;
-  view.lighting = addShown(hash, world, probe, [&](const CaptureObject& object) {
+  view.lighting = addShown(hash, world, probe, [&](const Box& box) {
     for (int face = 0; face < 6; ++face) {
-      if (inFrustum(object.boundsWorld, probe, face)) return true;
+      if (inFrustum(box, probe, face)) return true;
     }
     return false;
   });

@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/box_tree.h"
 #include "filters/core/model.h"
+#include "filters/core/probe_index.h"
 #include "filters/core/scene.h"
 #include "filters/math/cube_map.h"
 #include "filters/vtk/model_actors.h"
@@ -34,13 +36,16 @@ struct CaptureObject {
 /// Everything captures depend on besides the probe itself.
 struct CaptureWorld {
   std::vector<CaptureObject> objects;
+  BoxTree tree;     ///< of their bounds
   std::string sky;  ///< skyKey
   std::string lights;
 };
 
-/// `contentKeys` as objectContentKeys gave them, `skyPixels` the fingerprint of the sky's image if it is one.
+/// `contentKeys` as objectContentKeys gave them, `skyPixels` the fingerprint of the sky's image if it is one, `probes`
+/// of the scene's.
 CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& objects,
-                          const std::vector<std::string>& contentKeys, const std::string& skyPixels);
+                          const std::vector<std::string>& contentKeys, const std::string& skyPixels,
+                          const ProbeIndex& probes);
 
 /// The key of the sky's own map.
 std::string skyKey(const Scene& scene, const std::string& skyPixels);
@@ -51,6 +56,9 @@ std::string importKey(const Probe& probe, const CubeMap& picture);
 
 /// Does this probe's capture show that object?
 bool captureShows(const Probe& probe, const CaptureObject& object);
+
+/// Indices, ascending, of the objects a face shows: those that its frustum meets.
+std::vector<std::size_t> objectsInFace(const CaptureWorld& world, const Probe& probe, int face);
 
 /// What one face, or the whole capture, of a probe shows.
 struct CaptureView {

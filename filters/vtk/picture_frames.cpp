@@ -2,9 +2,10 @@
 
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkRenderer.h>
 
 #include <algorithm>
+
+#include "filters/vtk/vtkCulledRenderer.h"
 
 namespace boxprobe {
 
@@ -18,8 +19,8 @@ bool sameOwner(const std::weak_ptr<T>& a, const std::weak_ptr<T>& b) {
 
 }  // namespace
 
-PictureFrames::PictureFrames(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, std::shared_ptr<DrawState> state,
-                             const SceneContent* content)
+PictureFrames::PictureFrames(vtkOpenGLRenderWindow* window, vtkCulledRenderer* renderer,
+                             std::shared_ptr<DrawState> state, const SceneContent* content)
     : window_(window), renderer_(renderer), state_(std::move(state)), content_(content) {}
 
 bool PictureFrames::Key::operator==(const Key& o) const {
@@ -107,10 +108,7 @@ void PictureFrames::beginFrame(bool plain) {
     screen_->Restart();
     shown_ = std::move(now);
   }
-  screen_->Props.clear();
-  for (const DrawnObject& object : content_->objects) {
-    if (object.settings.visible) screen_->Props.push_back(object.actor);
-  }
+  screen_->Props = content_->shownProps(renderer_);
   screen_->Props.push_back(content_->sky);
   screen_->Sky = content_->sky;
   screen_->BlurredRays = rays;

@@ -20,7 +20,7 @@ namespace boxprobe {
 
 class PictureFrames {
  public:
-  PictureFrames(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, std::shared_ptr<DrawState> state,
+  PictureFrames(vtkOpenGLRenderWindow* window, vtkCulledRenderer* renderer, std::shared_ptr<DrawState> state,
                 const SceneContent* content);
 
   /// The scene is another one than in the frame before.
@@ -56,7 +56,7 @@ class PictureFrames {
   vtkSmartPointer<vtkPicturePass> makePass() const;
 
   vtkOpenGLRenderWindow* window_;
-  vtkRenderer* renderer_;
+  vtkCulledRenderer* renderer_;
   std::shared_ptr<DrawState> state_;
   const SceneContent* content_;
   vtkSmartPointer<vtkPicturePass> screen_, linear_;

@@ -1,7 +1,7 @@
 #include "filters/vtk/probe_assignment.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "filters/math/automatic.h"
 
@@ -9,7 +9,7 @@ namespace boxprobe {
 
 std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, const Scene& scene,
                                                  const std::vector<std::shared_ptr<DrawnProbe>>& drawn,
-                                                 bool probesEnabled, bool general) {
+                                                 std::vector<std::size_t> meeting, bool probesEnabled, bool general) {
   auto binding = std::make_shared<ProbeBinding>();
   if (object.unlit) {
     binding->lighting = Lighting::Unlit;
@@ -19,11 +19,7 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
   binding->lighting = Lighting::Probes;
 
   const Box bounds = worldBounds(object);
-  std::vector<std::size_t> order(scene.probes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  order.erase(std::remove_if(order.begin(), order.end(),
-                             [&](std::size_t i) { return !influenceMeets(scene.probes[i], bounds); }),
-              order.end());
+  std::vector<std::size_t> order = std::move(meeting);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const Probe& p = scene.probes[a];
     const Probe& q = scene.probes[b];

@@ -101,11 +101,9 @@ CaptureSettings settingsOf(const Probe& probe) {
 
 }  // namespace
 
-FaceSource ProbeSet::faceSource(const Probe& probe) const {
+FaceSource ProbeSet::faceSource(const Probe& probe, int face) const {
   FaceSource source;
-  for (std::size_t i = 0; i < content_->objects.size(); ++i) {
-    if (captureShows(probe, world_.objects[i])) source.props.push_back(content_->objects[i].actor);
-  }
+  for (const std::size_t i : objectsInFace(world_, probe, face)) source.props.push_back(content_->objects[i].actor);
   if (std::holds_alternative<ClearToSky>(probe.clear)) source.props.push_back(content_->sky);
   source.lights = content_->lightPointers();
   return source;
@@ -146,7 +144,7 @@ BakeItem ProbeSet::captureItem(const Job& job) {
       key = faceKey(*at, job.bounce, face);
       if (!entries_[*at].again) source.same = cache_.findFace(face, key);
     }
-    return source.same ? source : faceSource(as);
+    return source.same ? source : faceSource(as, face);
   };
   item.publish = [this, job, faces](std::shared_ptr<const ProbeMaps> maps) {
     finish(job, *faces, std::move(maps), false);
@@ -246,7 +244,7 @@ BakeItem ProbeSet::realtimeItem(const Job& job) {
     const auto at = find(as.name);
     const auto f = static_cast<std::size_t>(face);
     (*faces)[f] = realtimeFace(as, face);
-    FaceSource source = faceSource(as);
+    FaceSource source = faceSource(as, face);
     if (!at) return source;
     const Entry& entry = entries_[*at];
     const bool reflects = as.bounces > 1 && !faceView(world_, as, face).lighting.empty();

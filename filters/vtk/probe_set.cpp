@@ -13,6 +13,9 @@ namespace boxprobe {
 
 namespace {
 
+// Up to so many probes all are made at once, so that the camera may turn without waiting for them; of more, those that
+// something in the frame is lit by.
+constexpr std::size_t kAllAtOnce = 8;
 constexpr int kSkyFaceSize = 64;  // a gradient has no detail
 constexpr int kSkyImageFaceSize = 256;
 
@@ -66,10 +69,43 @@ void ProbeSet::updateShapes() {
     const Probe& probe = content_->scene.probes[i];
     drawn.index = static_cast<int>(i);
     drawn.geometry = probeGeometry(probe, capturedAt(probe, drawn.maps.get()));
-    entries_[i].used = std::any_of(content_->objects.begin(), content_->objects.end(), [&](const DrawnObject& object) {
-      return lit(object) && influenceMeets(probe, worldBounds(object));
-    });
   }
+  index_ = ProbeIndex(content_->scene.probes);
+}
+
+// By what objects are drawn with: a probe that reaches an object but was left out of it lights nothing there.
+void ProbeSet::findUsed() {
+  for (Entry& entry : entries_) entry.used = false;
+  for (const DrawnObject& object : content_->objects) {
+    const ProbeBinding* binding = object.mapper->GetBinding();
+    if (!lit(object) || binding == nullptr) continue;
+    for (const auto& probe : binding->probes) entries_[static_cast<std::size_t>(probe->index)].used = true;
+  }
+  findSeen();
+}
+
+bool ProbeSet::findSeen() {
+  const auto used = std::count_if(entries_.begin(), entries_.end(), [](const Entry& entry) { return entry.used; });
+  const bool all = !seenObjects_ || static_cast<std::size_t>(used) <= kAllAtOnce;
+  std::vector<bool> seen(entries_.size(), all);
+  for (std::size_t i = 0; !all && i < seenObjects_->size(); ++i) {
+    const DrawnObject& object = content_->objects[(*seenObjects_)[i]];
+    if (!lit(object) || object.mapper->GetBinding() == nullptr) continue;
+    for (const auto& probe : object.mapper->GetBinding()->probes) seen[static_cast<std::size_t>(probe->index)] = true;
+  }
+  bool changed = false;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    changed |= entries_[i].seen != seen[i];
+    entries_[i].seen = seen[i];
+  }
+  return changed;
+}
+
+void ProbeSet::setSeen(std::optional<std::vector<std::size_t>> objects) {
+  seenObjects_ = std::move(objects);
+  if (!findSeen()) return;
+  updateKeys();
+  replan();
 }
 
 void ProbeSet::assignToObjects() {
@@ -82,7 +118,8 @@ void ProbeSet::assign(bool newProgramsAllowed) {
   toPrepare_.clear();
   for (std::size_t i = 0; i < content_->objects.size(); ++i) {
     DrawnObject& object = content_->objects[i];
-    auto binding = assignProbes(object, content_->scene, drawn, enabled_, interactive_);
+    const auto meeting = index_.meeting(worldBounds(object));
+    auto binding = assignProbes(object, content_->scene, drawn, meeting, enabled_, interactive_);
     const std::string key = binding->variantKey();
     const ProbeBinding* current = object.mapper->GetBinding();
     // A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
@@ -91,12 +128,13 @@ void ProbeSet::assign(bool newProgramsAllowed) {
     variantsUsed_.insert(key);
     object.mapper->SetBinding(std::move(binding));
     if (interactive_) continue;
-    const auto general = assignProbes(object, content_->scene, drawn, enabled_, true);
+    const auto general = assignProbes(object, content_->scene, drawn, meeting, enabled_, true);
     if (editable_ && general->variantKey() != key) prepare(i, general);
     if (!standInsAllowed_) continue;
     prepare(i, object.mapper->GetBinding()->standIn());
     if (editable_) prepare(i, general->standIn());
   }
+  findUsed();
   updateStandIns();
 }
 
@@ -162,26 +200,52 @@ void ProbeSet::updateWorld() {
     skyImage_ = content_->skyImage;
     skyPixels_ = content_->skyImage ? imageContentKey(*content_->skyImage) : std::string();
   }
-  world_ = captureWorld(content_->scene, content_->objects, contentKeys_, skyPixels_);
+  world_ = captureWorld(content_->scene, content_->objects, contentKeys_, skyPixels_, index_);
   pictures_.update(content_->scene);
 }
 
+BounceKeys::Input ProbeSet::bounceInput(const Probe& probe) const {
+  BounceKeys::Input input;
+  input.bounces = probe.bounces;
+  input.imported = probe.mode == ProbeUpdate::Custom;
+  input.realtime = probe.mode == ProbeUpdate::Realtime;
+  CaptureView view = probeView(world_, probe);
+  input.view = input.imported ? pictures_.key(probe) : view.key;
+  input.lighting = std::move(view.lighting);
+  if (const auto it = records_.find(input.view); it != records_.end()) {
+    input.record = it->second;
+  } else {
+    input.record = folder_.record(input.view);
+  }
+  return input;
+}
+
+// Only of probes that are wanted or there already, and of those that their further bounces show: what a probe shows is
+// not even looked for as long as nobody asks.
 BounceKeys ProbeSet::bounceKeys() const {
-  std::vector<BounceKeys::Input> inputs;
-  for (const Probe& probe : content_->scene.probes) {
-    BounceKeys::Input input;
-    input.bounces = probe.bounces;
-    input.imported = probe.mode == ProbeUpdate::Custom;
-    input.realtime = probe.mode == ProbeUpdate::Realtime;
-    CaptureView view = probeView(world_, probe);
-    input.view = input.imported ? pictures_.key(probe) : view.key;
-    input.lighting = std::move(view.lighting);
-    if (const auto it = records_.find(input.view); it != records_.end()) {
-      input.record = it->second;
-    } else {
-      input.record = folder_.record(input.view);
-    }
-    inputs.push_back(std::move(input));
+  const std::vector<Probe>& probes = content_->scene.probes;
+  std::vector<BounceKeys::Input> inputs(probes.size());
+  std::vector<int> bounces(probes.size(), 0);  // up to which it is asked for
+  std::vector<std::size_t> open;
+  const auto ask = [&](std::size_t i, int upTo) {
+    upTo = std::min(upTo, probes[i].bounces);
+    if (upTo <= bounces[i]) return;
+    bounces[i] = upTo;
+    open.push_back(i);
+  };
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const bool target = targets_.count(probes[i].name) != 0;
+    if (needed(i) || target || !entries_[i].shown.empty() || probes[i].mode == ProbeUpdate::Realtime)
+      ask(i, probes[i].bounces);
+  }
+  while (!open.empty()) {
+    const std::size_t i = open.back();
+    open.pop_back();
+    if (inputs[i].view.empty()) inputs[i] = bounceInput(probes[i]);
+    if (bounces[i] < 2) continue;
+    for (const std::size_t other : inputs[i].lighting) ask(other, bounces[i] - 1);
+    // What it was made from may be other probes than those its boxes name now.
+    for (std::size_t other = 0; inputs[i].record && other < probes.size(); ++other) ask(other, bounces[i] - 1);
   }
   return BounceKeys(std::move(inputs));
 }
@@ -192,7 +256,7 @@ void ProbeSet::updateKeys() {
   bool dropped = false;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const std::string& key = keys_.finalKey(i);
-    if (!baked(i) || entries_[i].shown == key || cache_.find(key) || folder_.has(key)) continue;
+    if (key.empty() || !baked(i) || entries_[i].shown == key || cache_.find(key) || folder_.has(key)) continue;
     dropped |= records_.erase(keys_.input(i).view) > 0;
   }
   if (dropped) keys_ = bounceKeys();
@@ -200,6 +264,10 @@ void ProbeSet::updateKeys() {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     Entry& entry = entries_[i];
     const std::string before = entry.wanted;
+    if (keys_.input(i).view.empty()) {
+      entry.wanted.clear();
+      continue;
+    }
     entry.wanted =
         probe(i).mode == ProbeUpdate::Realtime ? realtimeKey(probe(i), realtimeFaces(probe(i))) : keys_.finalKey(i);
     if (entry.wanted != before) entry.passes = keys_.input(i).lighting.empty() ? 0 : probe(i).bounces - 1;
@@ -245,6 +313,7 @@ void ProbeSet::setEnabled(bool enabled) {
 
 void ProbeSet::setBakeTargets(const std::vector<std::string>& names) {
   targets_ = {names.begin(), names.end()};
+  updateKeys();
   replan();
 }
 
@@ -281,7 +350,7 @@ bool ProbeSet::stale(std::size_t index) const {
     if (targets_.count(entry.name) == 0 || !baked(index)) return false;
     return entry.shown != entry.wanted && !folder_.has(entry.wanted);
   }
-  if (!entry.used) return false;
+  if (!needed(index)) return false;
   if (probe(index).mode == ProbeUpdate::Realtime) return entry.shown != entry.wanted || entry.passes > 0;
   return entry.shown != entry.wanted && !(interactive_ && entry.shown == entry.wanted + kDuringDrag);
 }
@@ -294,7 +363,7 @@ BakeState ProbeSet::bakeState(const std::string& probeName) const {
   if (!entry.wanted.empty() && entry.shown == entry.wanted) {
     return entry.fromFile ? BakeState::FromFile : BakeState::UpToDate;
   }
-  if (!entry.used && targets_.count(probeName) == 0) return BakeState::NotUsed;
+  if (!needed(*index) && targets_.count(probeName) == 0) return BakeState::NotUsed;
   if (folder_.has(entry.wanted)) return BakeState::FromFile;
   return BakeState::Stale;
 }
@@ -399,7 +468,7 @@ std::string ProbeSet::memoryProblem() const {
   std::size_t need = 0, scratch = 0, count = 0;
   int largest = 0;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const bool wanted = targets_.empty() ? entries_[i].used : targets_.count(entries_[i].name) != 0;
+    const bool wanted = targets_.empty() ? needed(i) : targets_.count(entries_[i].name) != 0;
     if (!wanted || entries_[i].wanted.empty()) continue;
     const bool custom = probe(i).mode == ProbeUpdate::Custom;
     const auto picture = custom ? pictures_.picture(probe(i).name) : nullptr;

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -62,6 +63,12 @@ class ProbeSet {
   /// What the maps a baked probe shows were made from; nothing while they are not the final ones. Empty: the sky.
   std::optional<BakeRecord> record(const std::string& probeName) const;
 
+  /// What a frame showed, as indices of objects: of many probes only those are made that something in it is lit by.
+  /// Nothing: not known, as if all were.
+  void setSeen(std::optional<std::vector<std::size_t>> objects);
+  /// Does what is made follow from what frames show?
+  bool followsSeen() const { return enabled_ && targets_.empty(); }
+
   bool workPending() const {
     return runner_.pending() || !jobs_.empty() || toMeasure().has_value() || preparationPending();
   }
@@ -82,7 +89,8 @@ class ProbeSet {
     std::string wanted;     ///< key of those it should; empty: there is nothing it could show
     FaceKeys faces;         ///< realtime: of the faces it shows
     int passes = 0;         ///< realtime: further rounds until mirrors in mirrors have settled
-    bool used = false;      ///< some visible object lies in its influence
+    bool used = false;      ///< some visible object is lit by it
+    bool seen = true;       ///< some object of the last frame is, or there are so few that all are made at once
     bool again = false;     ///< asked for although nothing changed: no face is kept
     bool fromFile = false;  ///< what it shows was read from a file
     std::string measured;   ///< what its techniques' errors were measured with
@@ -97,6 +105,11 @@ class ProbeSet {
     bool operator==(const Job& o) const { return kind == o.kind && name == o.name && key == o.key; }
   };
 
+  bool needed(std::size_t index) const {
+    return (entries_[index].used && entries_[index].seen) || entries_[index].again;
+  }
+  void findUsed();
+  bool findSeen();
   void matchEntries();
   void assign(bool newProgramsAllowed);
   bool preparationPending() const { return !interactive_ && !moving_ && !toPrepare_.empty(); }
@@ -115,6 +128,7 @@ class ProbeSet {
   void updateWorld();
   void updateKeys();
   void showCached();
+  BounceKeys::Input bounceInput(const Probe& probe) const;
   BounceKeys bounceKeys() const;
   std::string realtimeKey(const Probe& probe, const FaceKeys& faces) const;
   std::string realtimeFace(const Probe& probe, int face) const;
@@ -131,7 +145,7 @@ class ProbeSet {
   BakeItem captureItem(const Job& job);
   BakeItem realtimeItem(const Job& job);
   std::string faceKey(std::size_t index, int bounce, int face) const;
-  FaceSource faceSource(const Probe& probe) const;
+  FaceSource faceSource(const Probe& probe, int face) const;
   void seeBounce(std::size_t of, int bounce);
   void seeAgain();
   void finish(const Job& job, FaceKeys faces, std::shared_ptr<const ProbeMaps> maps, bool fromFile);
@@ -155,6 +169,8 @@ class ProbeSet {
   int contentGeneration_ = -1;
   std::weak_ptr<const ImageRgbaF> skyImage_;
   std::string skyPixels_;
+  ProbeIndex index_;
+  std::optional<std::vector<std::size_t>> seenObjects_;
   CaptureWorld world_;
   BounceKeys keys_;
   std::map<std::string, BakeRecord> records_;  ///< by view

@@ -1,9 +1,8 @@
 #include "filters/vtk/scene_content.h"
 
-#include <vtkRenderer.h>
-
 #include "filters/io/image_file.h"
 #include "filters/vtk/scene_lights.h"
+#include "filters/vtk/vtkCulledRenderer.h"
 
 namespace boxprobe {
 
@@ -20,19 +19,69 @@ bool SceneContent::placeObjects() {
   return true;
 }
 
-void SceneContent::rebuildObjects(vtkRenderer* renderer, const std::shared_ptr<DrawState>& state) {
+namespace {
+
+// From so many objects on it pays to find out which of them can be seen.
+constexpr std::size_t kMany = 64;
+
+}  // namespace
+
+void SceneContent::showObjects(vtkCulledRenderer* renderer) {
+  const bool now = objects.size() > kMany;
+  if (many && !now) renderer->SetCulledProps({}, {});
+  if (!now || !many) {
+    for (DrawnObject& object : objects) {
+      if (now) {
+        renderer->RemoveActor(object.actor);
+      } else if (renderer->HasViewProp(object.actor) == 0) {
+        renderer->AddActor(object.actor);
+      }
+    }
+  }
+  many = now;
+  culled.clear();
+  if (!many) return;
+  std::vector<vtkProp*> props;
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!objects[i].settings.visible) continue;
+    culled.push_back(i);
+    props.push_back(objects[i].actor);
+    boxes.push_back(worldBounds(objects[i]));
+  }
+  culledBounds = bounds();
+  renderer->SetCulledProps(std::move(props), std::move(boxes));
+}
+
+std::vector<vtkProp*> SceneContent::shownProps(vtkCulledRenderer* renderer) const {
+  std::vector<vtkProp*> props;
+  if (many) {
+    for (const std::size_t i : renderer->InView()) props.push_back(objects[culled[i]].actor);
+    return props;
+  }
+  for (const DrawnObject& object : objects) {
+    if (object.settings.visible) props.push_back(object.actor);
+  }
+  return props;
+}
+
+void SceneContent::rebuildObjects(vtkCulledRenderer* renderer, const std::shared_ptr<DrawState>& state) {
   if (!objects.empty() && placeObjects()) return;
   builtModels_ = models;
   builtFiles_.clear();
   for (const ModelFile& file : scene.models) builtFiles_.push_back(file.file);
+  renderer->SetCulledProps({}, {});
   for (DrawnObject& object : objects) renderer->RemoveActor(object.actor);
+  many = false;
   objects.clear();
   ++modelGeneration;
   for (std::size_t i = 0; i < models.size() && i < scene.models.size(); ++i) {
     for (DrawnObject& object : makeObjects(*models[i], scene.models[i], state)) {
-      renderer->AddActor(object.actor);
       objects.push_back(std::move(object));
     }
+  }
+  if (objects.size() <= kMany) {
+    for (DrawnObject& object : objects) renderer->AddActor(object.actor);
   }
   // Drawn last: it only fills what nothing else covered.
   renderer->RemoveViewProp(sky);

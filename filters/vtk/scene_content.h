@@ -14,6 +14,7 @@
 #include "filters/vtk/model_actors.h"
 #include "filters/vtk/vtkSkyProp.h"
 
+class vtkCulledRenderer;
 class vtkRenderer;
 
 namespace boxprobe {
@@ -33,7 +34,15 @@ struct SceneContent {
   std::vector<vtkLight*> lightPointers() const;
 
   /// Actors for the models as they are now, or the present ones moved if that is all that changed.
-  void rebuildObjects(vtkRenderer* renderer, const std::shared_ptr<DrawState>& state);
+  void rebuildObjects(vtkCulledRenderer* renderer, const std::shared_ptr<DrawState>& state);
+  /// Puts the visible objects into the renderer: as its own props, or, when there are many, as those it culls.
+  void showObjects(vtkCulledRenderer* renderer);
+  /// The visible objects' actors, of many those in the view: for passes, which draw what they are given.
+  std::vector<vtkProp*> shownProps(vtkCulledRenderer* renderer) const;
+  /// Are they culled? Then the renderer's indices are those of `culled`, which has the objects'.
+  bool many = false;
+  std::vector<std::size_t> culled;
+  Box culledBounds;  ///< of them all
   void rebuildLights(vtkRenderer* renderer);
   /// Reads the sky's image if it has one and it is not the one at hand. Throws InputError.
   void rebuildSky();

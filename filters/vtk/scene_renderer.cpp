@@ -3,7 +3,6 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -20,6 +19,7 @@
 #include "filters/vtk/static_textures.h"
 #include "filters/vtk/surface_inspector.h"
 #include "filters/vtk/view_legend.h"
+#include "filters/vtk/vtkCulledRenderer.h"
 
 namespace boxprobe {
 
@@ -36,7 +36,8 @@ struct SceneRenderer::Impl {
   vtkOpenGLRenderWindow* window;
   std::shared_ptr<DrawState> state;
   Times times;
-  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkCulledRenderer> renderer;
+  std::uint64_t seen = 0;  ///< generation of what the renderer drew that the probes know of
   vtkNew<vtkCallbackCommand> frameObserver;
   SceneContent content;
   CubeCapture capture;
@@ -49,6 +50,8 @@ struct SceneRenderer::Impl {
 
   void makeCurrent();
   void beginFrame();
+  void endFrame();
+  void resetClippingRange();
   std::pair<double, double> viewRange() const;
   void applyView();
 };
@@ -100,12 +103,36 @@ void SceneRenderer::Impl::beginFrame() {
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   state->exposure = static_cast<float>(content.scene.exposure);
   state->counters.drawsByProbeCount = {};
-  renderer->ResetCameraClippingRange();
+  resetClippingRange();
   frames.beginFrame(view.view != 0);
   if (sphere.shown()) {
     const auto index = findProbe(content.scene, sphere.settings().probe);
     sphere.follow(index ? &content.scene.probes[*index] : nullptr, probes.maps(sphere.settings().probe));
   }
+}
+
+// Of many objects those in the view count: how far the rest reaches would only cost depth.
+void SceneRenderer::Impl::resetClippingRange() {
+  if (!content.many) return renderer->ResetCameraClippingRange();
+  Box box;
+  bool any = false;
+  for (const std::size_t i : renderer->InView()) {
+    const Box b = worldBounds(content.objects[content.culled[i]]);
+    box = any ? Box{glm::min(box.min, b.min), glm::max(box.max, b.max)} : b;
+    any = true;
+  }
+  if (!any) box = content.culledBounds;
+  const double bounds[6] = {box.min.x, box.max.x, box.min.y, box.max.y, box.min.z, box.max.z};
+  renderer->ResetCameraClippingRange(bounds);
+}
+
+void SceneRenderer::Impl::endFrame() {
+  ++state->counters.renders;
+  if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
+  seen = renderer->GetDrawnGeneration();
+  std::vector<std::size_t> objects;
+  for (const std::size_t i : renderer->GetDrawn()) objects.push_back(content.culled[i]);
+  probes.setSeen(std::move(objects));
 }
 
 SceneRenderer::SceneRenderer(vtkOpenGLRenderWindow* window) : impl_(std::make_unique<Impl>(window)) {
@@ -120,7 +147,7 @@ SceneRenderer::SceneRenderer(vtkOpenGLRenderWindow* window) : impl_(std::make_un
     if (event == vtkCommand::StartEvent) {
       impl->beginFrame();
     } else {
-      ++impl->state->counters.renders;
+      impl->endFrame();
     }
   });
   d.renderer->AddObserver(vtkCommand::StartEvent, d.frameObserver);
@@ -154,6 +181,13 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   }
   if (objects) {
     for (DrawnObject& object : content.objects) applyOverrides(object, scene);
+  }
+  if (objects) {
+    content.showObjects(d.renderer);
+    // Of many objects none has been seen yet: the first frame will tell.
+    if (models) {
+      d.probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
+    }
   }
   if (models || changes.lights) content.rebuildLights(d.renderer);
   if (changes.sky) content.rebuildSky();
@@ -189,7 +223,7 @@ std::vector<Explanation> SceneRenderer::explain(const std::vector<glm::ivec2>& p
   Impl& d = *impl_;
   d.window->MakeCurrent();
   makeStaticTextures(d.window, *d.state);
-  d.renderer->ResetCameraClippingRange();
+  d.resetClippingRange();
   vtkCamera* camera = d.renderer->GetActiveCamera();
   std::vector<Explanation> result = d.inspector.explain(camera, width, height, pixels);
   // The surface capture left its camera's lighting uniforms behind in shared programs; see CubeCapture::renderInto.
@@ -240,6 +274,8 @@ double SceneRenderer::workProgress() const {
 
 bool SceneRenderer::finishWork(const std::function<bool(double)>& progress) {
   impl_->window->MakeCurrent();
+  // Which of many probes are needed is known once a frame has shown what is seen.
+  if (impl_->content.many && impl_->probes.followsSeen() && !impl_->renderer->DrawnIsCurrent()) impl_->window->Render();
   while (workPending()) {
     step();
     if (progress && !progress(workProgress())) return false;
@@ -321,11 +357,8 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
   d.window->MakeCurrent();
   d.probes.setMoving(false);
   makeStaticTextures(d.window, *d.state);
-  d.renderer->ResetCameraClippingRange();
-  std::vector<vtkProp*> props;
-  for (DrawnObject& object : d.content.objects) {
-    if (object.settings.visible) props.push_back(object.actor);
-  }
+  d.resetClippingRange();
+  std::vector<vtkProp*> props = d.content.shownProps(d.renderer);
   // The sky has no value in the debug view: it stays transparent.
   if (d.view.view == 0) props.push_back(d.content.sky);
   vtkCamera* camera = d.renderer->GetActiveCamera();
