@@ -8,6 +8,7 @@
 
 #include "filters/core/direct_light.h"
 #include "filters/core/lookup_record.h"
+#include "filters/core/probe_shares.h"
 #include "filters/math/distance_cube.h"
 
 namespace boxprobe {
@@ -166,21 +167,19 @@ Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness
   s.normalWorld = normal;
   const glm::vec3 reflection = shading::reflectedView(normal, s.viewWorld);
   Gathered out;
-  std::vector<float> groupSum;
+  std::vector<float> influences;
+  std::vector<int> groups;
   for (const ExplainedProbe& probe : in.probes) {
     out.probes.push_back(explainProbe(probe, s, reflection, roughness, fresnel, in.skyMaps));
-    groupSum.resize(std::max(groupSum.size(), static_cast<std::size_t>(probe.group) + 1));
-    groupSum[static_cast<std::size_t>(probe.group)] += out.probes.back().influence;
+    influences.push_back(out.probes.back().influence);
+    groups.push_back(probe.group);
   }
-  float remaining = 1.0f;
-  std::vector<float> groupShare;
-  for (const float sum : groupSum) {
-    groupShare.push_back(remaining * shading::groupScale(sum));
-    remaining = shading::remainingAfter(remaining, sum);
-  }
+  const ProbeShares shares =
+      in.shares.empty() ? shareOut(influences, groups, in.onlyProbes) : ProbeShares{in.shares, in.skyShare};
+  float remaining = shares.sky;
   for (std::size_t i = 0; i < out.probes.size(); ++i) {
     ProbeExplanation& p = out.probes[i];
-    p.weight = in.weights ? groupShare[static_cast<std::size_t>(in.probes[i].group)] * p.influence : 1.0f;
+    p.weight = in.weights ? shares.probes[i] : 1.0f;
     const float share = p.weight * p.intensity;
     // Less cannot show and is not fetched.
     if (in.weights && share <= 1.0e-5f) {
@@ -217,7 +216,7 @@ void addNotes(Explanation& e) {
     e.notes.emplace_back("The surface is translucent: what lies behind it shows through and is not part of this.");
   }
   if (e.probes.empty()) {
-    e.notes.emplace_back("No probe's influence box reaches this object: it reflects the sky alone, uncorrected.");
+    e.notes.emplace_back("No probe lights this object, because none reaches it or its probeMode is off: it reflects the sky alone, uncorrected.");
   }
   for (const ProbeExplanation& p : e.probes) {
     if (p.weight <= 0.0f) {

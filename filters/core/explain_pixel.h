@@ -28,8 +28,11 @@ struct ExplainInput {
   SurfacePoint surface;
   enum class Lighting { Plain, Unlit, Probes } lighting = Lighting::Probes;
   std::vector<ExplainedProbe> probes;
-  bool weights = true;  ///< false: one probe at full weight, nothing left for the sky
-  bool sky = true;      ///< false: the probes leave nothing to it
+  bool weights = true;        ///< false: one probe at full weight, nothing left for the sky
+  bool sky = true;            ///< false: the probes leave nothing to it
+  bool onlyProbes = false;    ///< what they leave to it goes to them, wherever one has weight
+  std::vector<float> shares;  ///< of all of the object, in place of weights at the point; empty: those
+  float skyShare = 1.0f;      ///< beside `shares`
   const BakedMaps* skyMaps = nullptr;
   const BrdfTable* brdf = nullptr;
   std::vector<Light> lights;

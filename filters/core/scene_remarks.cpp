@@ -74,14 +74,6 @@ std::vector<std::string> featuresNotUsed(const Scene& scene) {
       remark(remarks, {"materials", name, "transmission"}, "is not supported yet; the material stays opaque.");
     }
   }
-  for (const auto& [name, object] : scene.objects) {
-    if (object.probeMode != ProbeMode::BlendAndSky) {
-      remark(remarks, {"objects", name, "probeMode"}, "only blend+sky is supported yet; it is used.");
-    }
-    if (object.weights != WeightMode::Pixel) {
-      remark(remarks, {"objects", name, "weights"}, "only pixel is supported yet; it is used.");
-    }
-  }
   for (const Probe& probe : scene.probes) probeRemarks(remarks, probe);
   return remarks;
 }

@@ -89,7 +89,8 @@ std::vector<const ParameterRow*> ProbeBinding::parameters() const {
 std::string ProbeBinding::variantKey() const {
   std::string key(1, static_cast<char>('0' + static_cast<int>(lighting)));
   if (rotated()) key += 'r';
-  if (weights) key += 'w';
+  if (weights) key += shares.empty() ? 'w' : 'c';
+  if (weights && onlyProbes) key += 'p';
   if (sky) key += 's';
   if (diffuse) key += 'd';
   const std::vector<int> group = groups();

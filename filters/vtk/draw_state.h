@@ -54,9 +54,13 @@ struct ProbeBinding {
   Lighting lighting = Lighting::Plain;
   std::vector<std::shared_ptr<const DrawnProbe>> probes;  ///< most important first, at most kMaxProbesPerDraw
   static constexpr std::size_t kMaxProbesPerDraw = 4;
-  bool weights = true;  ///< false: one probe, at full weight all over the object
-  bool sky = true;      ///< false: the probes leave nothing to it
-  bool diffuse = true;  ///< false: the material is all metal
+  bool weights = true;        ///< false: one probe, at full weight all over the object
+  bool sky = true;            ///< false: the probes leave nothing to it
+  bool onlyProbes = false;    ///< what they leave to it goes to them, wherever one has weight
+  std::vector<float> shares;  ///< of all of the object, in place of weights a pixel; empty: those
+  float skyShare = 1.0f;      ///< beside `shares`
+  std::size_t leftOut = 0;    ///< probes that reach the object and are more than a draw can have
+  bool diffuse = true;        ///< false: the material is all metal
 
   /// What draws each: the probe's own technique, or what `auto` chose for this object. Empty: their own.
   std::vector<Technique> techniques;

@@ -1,11 +1,31 @@
 #include "filters/vtk/probe_assignment.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "filters/core/probe_shares.h"
 #include "filters/math/automatic.h"
 
 namespace boxprobe {
+
+namespace {
+
+/// Of a list with the most important first: the first of those of the highest importance that hold most of the object.
+void keepOne(std::vector<std::size_t>& order, const Scene& scene, const Box& bounds) {
+  std::optional<std::size_t> best;
+  double most = -1.0;
+  for (const std::size_t i : order) {
+    if (scene.probes[i].importance < scene.probes[order.front()].importance) break;
+    const double weight = objectWeight(scene.probes[i], bounds);
+    if (weight <= most) continue;
+    most = weight;
+    best = i;
+  }
+  if (best) order = {*best};
+}
+
+}  // namespace
 
 std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, const Scene& scene,
                                                  const std::vector<std::shared_ptr<DrawnProbe>>& drawn,
@@ -18,6 +38,8 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
   if (!probesEnabled) return binding;
   binding->lighting = Lighting::Probes;
 
+  binding->diffuse = !object.allMetal;
+  if (object.settings.probeMode == ProbeMode::Off) return binding;
   const Box bounds = worldBounds(object);
   std::vector<std::size_t> order = std::move(meeting);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -25,7 +47,7 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
     const Probe& q = scene.probes[b];
     return p.importance != q.importance ? p.importance > q.importance : p.name < q.name;
   });
-  binding->diffuse = !object.allMetal;
+  if (object.settings.probeMode == ProbeMode::Simple) keepOne(order, scene, bounds);
   const auto covers = [&](std::size_t i) { return fullWeightEverywhere(scene.probes[i], bounds); };
   if (!general) {
     // Nothing is left for probes less important than one that covers the object.
@@ -37,12 +59,19 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
                   order.end());
     }
   }
-  if (order.size() > ProbeBinding::kMaxProbesPerDraw) order.resize(ProbeBinding::kMaxProbesPerDraw);
+  if (order.size() > ProbeBinding::kMaxProbesPerDraw) {
+    binding->leftOut = order.size() - ProbeBinding::kMaxProbesPerDraw;
+    order.resize(ProbeBinding::kMaxProbesPerDraw);
+  }
   // Asked of those that are left: the one that covers the object may have been one too many.
   if (!general && std::any_of(order.begin(), order.end(), covers)) {
     binding->sky = false;
     binding->weights = order.size() > 1;
   }
+  if (object.settings.probeMode == ProbeMode::Simple && !order.empty()) {
+    binding->weights = binding->sky = false;
+  }
+  binding->onlyProbes = object.settings.probeMode == ProbeMode::Blend;
   for (const std::size_t i : order) {
     binding->probes.push_back(drawn[i]);
     const ProbeGeometry& geometry = drawn[i]->geometry;
@@ -52,6 +81,14 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
                                                         drawn[i]->errors.get())
                                             .technique
                                       : geometry.technique);
+  }
+  if (object.settings.weights == WeightMode::Object && binding->weights && !order.empty()) {
+    std::vector<float> weights;
+    for (const std::size_t i : order) weights.push_back(static_cast<float>(objectWeight(scene.probes[i], bounds)));
+    ProbeShares shares = shareOut(weights, binding->groups(), binding->onlyProbes);
+    binding->shares = std::move(shares.probes);
+    binding->skyShare = shares.sky;
+    if (!general && shares.sky <= 0.0f) binding->sky = false;
   }
   return binding;
 }

@@ -162,6 +162,9 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   }
   in.weights = binding.weights;
   in.sky = binding.sky;
+  in.onlyProbes = binding.onlyProbes;
+  in.shares = binding.shares;
+  in.skyShare = binding.skyShare;
   in.skyMaps = onCpu(state_->sky).get();
   in.brdf = &brdf_;
   in.lights = content_->scene.lights;

@@ -358,6 +358,10 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
     }
     upload("bpOcclusion", occlusion);
   }
+  if (this->Drawn->weights && !this->Drawn->shares.empty()) {
+    program->SetUniform1fv("bpShare", n, this->Drawn->shares.data());
+    program->SetUniformf("bpSkyShare", this->Drawn->skyShare);
+  }
   if (this->Drawn->rotated()) {
     program->SetUniformMatrix3x3("bpWorldFromProbe", &worldFromProbe[0][0].x);
     // VTK sets one matrix a call; array elements have names of their own.

@@ -208,12 +208,15 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output)
               techniqueSources(binding, debug) + parameterDeclarations(binding) +
                   perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
   replaceOnce(lighting, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
+  replaceOnce(lighting, "//BP::ConstantShares", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
   replaceOnce(lighting, "//BP::Shares", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
   const auto define = [](const char* name, bool value) {
     return std::string("#define ") + name + (value ? " 1\n" : " 0\n");
   };
   return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
-         define("BP_SKY", binding.sky) + define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
+         define("BP_CONSTANT_SHARES", binding.weights && !binding.shares.empty()) +
+         define("BP_ONLY_PROBES", binding.onlyProbes) + define("BP_SKY", binding.sky) +
+         define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
          define("BP_SAMPLED", output == SurfaceOutput::ReflectionApart) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) +

@@ -5,6 +5,8 @@
 //   BP_OCCLUSION 1 if any of them is darkened by distance
 //   BP_ROTATED   1 if any of their boxes is rotated
 //   BP_WEIGHTS   0 if the draw lies where its one probe has full weight
+//   BP_CONSTANT_SHARES 1 if each probe has the same share of every pixel, worked out by the host
+//   BP_ONLY_PROBES 1 if what the probes leave to the sky goes to them, wherever one has weight
 //   BP_SKY       0 if the probes leave nothing to the sky anywhere in the draw
 //   BP_DEBUG     1 in the debug view's programs, which note what the lookups were
 //   BP_SAMPLED   1 if what techniques sample is kept apart, to be smoothed
@@ -36,6 +38,10 @@ uniform float bpMaxLevel[BP_SLOTS];
 uniform vec3 bpSh[9 * BP_SLOTS];
 #ifdef BP_BEVEL
 uniform vec2 bpBevel[BP_SLOTS];          // radius of the box's edges, scene units: x + y * roughness
+#endif
+#if BP_CONSTANT_SHARES
+uniform float bpShare[BP_SLOTS];
+uniform float bpSkyShare;
 #endif
 #if BP_OCCLUSION
 uniform vec3 bpOcclusion[BP_SLOTS];      // multiplier, power, strength
@@ -95,6 +101,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 #if BP_SLOTS > 0 && !BP_WEIGHTS
   bpAddSlot0(light, bpIntensity[0], position, normal, view, reflection, roughness, fresnel);
   remaining = 0.0f;
+#elif BP_SLOTS > 0 && BP_CONSTANT_SHARES
+  remaining = bpSkyShare;
+//BP::ConstantShares
 #elif BP_SLOTS > 0
   float weight[BP_SLOTS];
   float groupSum[BP_GROUPS];
@@ -106,6 +115,14 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
     groupShare[g] = remaining * groupScale(groupSum[g]);
     remaining = remainingAfter(remaining, groupSum[g]);
   }
+#if BP_ONLY_PROBES
+  float given = 1.0f - remaining;
+  if (given > 1.0e-4f)
+  {
+    for (int g = 0; g < BP_GROUPS; ++g) { groupShare[g] = groupShare[g] / given; }
+    remaining = 0.0f;
+  }
+#endif
 //BP::Shares
 #endif
 

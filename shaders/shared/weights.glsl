@@ -16,14 +16,17 @@ float influenceWeight(vec3 position, vec3 influenceMin, vec3 influenceMax, vec3 
          faceWeight(position.z - influenceMin.z, rateMin.z) * faceWeight(influenceMax.z - position.z, rateMax.z);
 }
 
-// Probes of equal importance share what the more important ones left: each gets remaining * weight * this.
+// Probes of equal importance share what the more important ones left: each gets remaining * weight * this. From a sum of 1
+// on they are divided by it, so that they share all there is; below, 1 + s - s^2 meets that with the same slope, where
+// plain weights would meet it in a crease. All of a group's weights then give s (1 + s - s^2), which is 1 at 1, flat.
 float groupScale(float weightSum)
 {
-  return 1.0f / max(weightSum, 1.0f);
+  return weightSum < 1.0f ? 1.0f + weightSum * (1.0f - weightSum) : 1.0f / max(weightSum, 1.0f);
 }
 
 // What a group leaves for the next one, in the end for the sky.
 float remainingAfter(float remaining, float weightSum)
 {
-  return remaining * (1.0f - min(weightSum, 1.0f));
+  float s = clamp(weightSum, 0.0f, 1.0f);
+  return remaining * max(1.0f - s * (1.0f + s * (1.0f - s)), 0.0f);
 }
