@@ -39,8 +39,8 @@ TEST(ProbeIndex, FindsThoseThatMeetAndNoOthers) {
     EXPECT_EQ(index.meeting(bounds), expected);
     found += expected.size();
   }
-  EXPECT_GT(found, 1000u);
-  EXPECT_TRUE(ProbeIndex({}).meeting(Box{}).empty());
+  EXPECT_GT(found, 200u);
+  EXPECT_TRUE(ProbeIndex(std::vector<Probe>()).meeting(Box{}).empty());
 }
 
 ProbeShares sharesAt(const std::vector<Probe>& probes, const std::vector<int>& groups, const glm::dvec3& place,
