@@ -5,6 +5,7 @@
 #include <vtkRenderWindow.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "filters/vtk/view_frustum.h"
 
@@ -22,6 +23,11 @@ void vtkCulledRenderer::SetCulledProps(std::vector<vtkProp*> props, std::vector<
   this->Culled = std::move(props);
   this->Tree = boxprobe::BoxTree(bounds);
   this->SetDrawn({});
+  this->DrawnHolds = false;
+}
+
+void vtkCulledRenderer::SetCulling(bool culling) {
+  this->Culling = culling;
   this->DrawnHolds = false;
 }
 
@@ -89,7 +95,12 @@ void vtkCulledRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo
     return;
   }
   const View view = this->CurrentView();
-  if (this->DrawnHolds && view == this->DrawnView) {
+  if (!this->Culling) {
+    std::vector<std::size_t> all(this->Culled.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    this->DrawOpaque(all);
+    this->SetDrawn(std::move(all));
+  } else if (this->DrawnHolds && view == this->DrawnView) {
     this->DrawOpaque(this->Drawn);
   } else {
     this->FindVisible();

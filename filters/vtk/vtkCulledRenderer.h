@@ -33,6 +33,8 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   std::vector<std::size_t> InView();
   /** Was GetDrawn() found out for the view as it is? */
   bool DrawnIsCurrent() { return this->DrawnHolds && this->CurrentView() == this->DrawnView; }
+  /** false: all of them are drawn, hidden or not, in the view or not. */
+  void SetCulling(bool culling);
   std::uint64_t GetBoxesAsked() const { return this->BoxesAsked; }
 
   int UpdateGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
@@ -62,5 +64,6 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   std::uint64_t BoxesAsked = 0;
   View DrawnView{};
   bool DrawnHolds = false;  // for that view
+  bool Culling = true;
   std::vector<vtkProp*> Others, Array;
 };

@@ -1,0 +1,246 @@
+// A thousand probes: what a frame shows is drawn and captured, and nothing else. Counts, never times.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "data/scenes/glb_writer.h"
+#include "data/scenes/scenes.h"
+#include "filters/io/model_file.h"
+#include "filters/vtk/vtkCulledRenderer.h"
+#include "tests/support/scene_picture.h"
+#include "tests/unit/temporary_folder.h"
+
+namespace {
+
+using namespace boxprobe;
+using namespace boxprobe::test;
+
+constexpr int kWidth = 320, kHeight = 180;
+
+class ManyProbes : public TemporaryFolder {
+ protected:
+  Scene makeApartments(int rooms) {
+    scenes::Apartments made = scenes::apartments(rooms, 1);
+    const std::string name = "apartments-" + std::to_string(rooms) + ".glb";
+    write(name, scenes::glbBytes(made.model));
+    made.scene.models = {{file(name)}};
+    for (Probe& probe : made.scene.probes) probe.faceSize = 32;
+    return made.scene;
+  }
+};
+
+std::uint64_t draws(const Counters& counters) {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t count : counters.drawsByProbeCount) sum += count;
+  return sum;
+}
+
+int differentPixels(const ImageRgba8& a, const ImageRgba8& b, int tolerance) {
+  int different = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
+    int largest = 0;
+    for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(a.pixels[i + c] - b.pixels[i + c]));
+    different += largest > tolerance ? 1 : 0;
+  }
+  return different;
+}
+
+TEST_F(ManyProbes, TheSameViewCostsTheSameHoweverManyThereAre) {
+  ImageRgba8 first;
+  std::uint64_t faces = 0, drawn = 0, uploads = 0;
+  for (const int rooms : {32, 128, 512}) {
+    ScenePicture picture(makeApartments(rooms), kWidth, kHeight);
+    EXPECT_EQ(picture.scene.probes.size(), static_cast<std::size_t>(rooms + rooms / 4));
+    picture.show(cameraNamed(picture.scene, "main"));
+    const ImageRgba8 image = picture.display();
+    const Counters before = picture.renderer->counters();
+    picture.display();
+    const Counters& counters = picture.renderer->counters();
+    std::printf("  %d rooms: %llu faces captured, %llu draws a frame\n", rooms,
+                static_cast<unsigned long long>(counters.facesCaptured),
+                static_cast<unsigned long long>(draws(counters)));
+    EXPECT_EQ(counters.facesCaptured, before.facesCaptured);
+    if (first.pixels.empty()) {
+      first = image;
+      faces = counters.facesCaptured;
+      drawn = draws(counters);
+      uploads = counters.uniformUpdates - before.uniformUpdates;
+      EXPECT_GE(faces, 12u);
+      EXPECT_LE(faces, 30u) << "of the room, its corridor and what is seen through doors";
+      continue;
+    }
+    EXPECT_EQ(counters.facesCaptured, faces);
+    EXPECT_EQ(draws(counters), drawn);
+    EXPECT_EQ(counters.uniformUpdates - before.uniformUpdates, uploads);
+    // What lies in the view but is hidden moves the far plane, and with it the depth at which two surfaces meet.
+    EXPECT_LE(differentPixels(image, first, 1), kWidth * kHeight / 1000);
+  }
+}
+
+// Against the same picture with nothing left out, from inside, along a corridor and from far outside.
+TEST_F(ManyProbes, WhatIsNotDrawnCouldNotBeSeen) {
+  ScenePicture picture(makeApartments(64), kWidth, kHeight);
+  Camera outside;
+  outside.position = {-30.0, 20.0, -25.0};
+  outside.target = {20.0, 5.0, 10.0};
+  Camera far = outside;
+  far.position = {90.0, 3.0, 60.0};
+  const std::vector<Camera> cameras = {cameraNamed(picture.scene, "main"), cameraNamed(picture.scene, "corridor"),
+                                       outside, far};
+  picture.show(cameras[0]);
+  auto* renderer = vtkCulledRenderer::SafeDownCast(picture.renderer->renderer());
+  std::vector<ImageRgba8> culled;
+  for (const Camera& camera : cameras) {
+    picture.renderer->applyCamera(camera);
+    picture.renderer->finishWork();
+    culled.push_back(picture.display());
+    const std::size_t inView = renderer->InView().size(), drawn = renderer->GetDrawn().size();
+    std::printf("  %zu of %zu in view drawn, %llu boxes asked for so far\n", drawn, inView,
+                static_cast<unsigned long long>(renderer->GetBoxesAsked()));
+    EXPECT_LT(drawn, inView);
+    const auto asked = renderer->GetBoxesAsked();
+    picture.display();
+    EXPECT_EQ(renderer->GetBoxesAsked(), asked) << "nothing moved";
+  }
+  // Everything is captured by now that any of these views needs; from here on the renderer is told to draw all.
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    picture.renderer->applyCamera(cameras[i]);
+    picture.renderer->finishWork();
+    renderer->SetCulling(false);
+    const ImageRgba8 whole = picture.display();
+    renderer->SetCulling(true);
+    keepPicture(culled[i], "culled_" + std::to_string(i));
+    keepPicture(whole, "whole_" + std::to_string(i));
+    EXPECT_EQ(differentPixels(whole, culled[i], 0), 0) << "camera " << i;
+  }
+}
+
+TEST_F(ManyProbes, TurningRoundMakesWhatComesIntoView) {
+  ScenePicture picture(makeApartments(32), kWidth, kHeight);
+  picture.show(cameraNamed(picture.scene, "main"));
+  picture.display();
+  const auto faces = picture.renderer->counters().facesCaptured;
+  Camera other;  // in a room of the module above
+  other.position = {1.0, 4.7, 4.6};
+  other.target = {2.2, 3.9, 1.0};
+  picture.renderer->applyCamera(other);
+  picture.display();
+  EXPECT_TRUE(picture.renderer->workPending());
+  picture.renderer->finishWork();
+  const auto more = picture.renderer->counters().facesCaptured;
+  EXPECT_GT(more, faces);
+  EXPECT_LE(more, 2 * faces + 12);
+  picture.renderer->applyCamera(cameraNamed(picture.scene, "main"));
+  picture.display();
+  EXPECT_FALSE(picture.renderer->workPending()) << "back again: all is there";
+}
+
+Scene roomWithFloorOnly() {
+  Scene scene = ScenePicture::fromFile("scenes/room.boxprobe.json", 8, 8).scene;
+  for (const Instance& instance : loadModelFile(scene.models[0].file).instances) {
+    scene.objects[instance.node].visible = instance.node == "floor";
+  }
+  scene.probes[0].faceSize = 32;
+  return scene;
+}
+
+TEST_F(ManyProbes, NothingThatReflectsCapturesNothing) {
+  Scene scene = roomWithFloorOnly();
+  for (auto& [name, object] : scene.objects)
+    object.visible = name != "floor" && name != "lamp" && name.find("sphere") != 0;
+  ScenePicture picture(scene, 64, 64);  // the walls are unlit
+  picture.show(cameraNamed(scene, "main"));
+  picture.display();
+  EXPECT_EQ(picture.renderer->counters().facesCaptured, 0u);
+  EXPECT_EQ(picture.renderer->counters().skyFacesCaptured, 0u);
+  EXPECT_EQ(picture.renderer->counters().levelsFiltered, 0u);
+
+  picture.scene = roomWithFloorOnly();
+  picture.scene.objects["floor"].probeMode = ProbeMode::Off;
+  picture.show(cameraNamed(scene, "main"));
+  EXPECT_EQ(picture.renderer->counters().facesCaptured, 0u) << "told to use none";
+  picture.scene.objects["floor"].probeMode = ProbeMode::BlendAndSky;
+  picture.show(cameraNamed(scene, "main"));
+  EXPECT_EQ(picture.renderer->counters().facesCaptured, 6u);
+}
+
+TEST_F(ManyProbes, OneObjectInOneProbeIsOneLookupAPixel) {
+  ScenePicture picture(roomWithFloorOnly(), 64, 64);
+  const auto lookups = [&] {
+    picture.show(cameraNamed(picture.scene, "main"));
+    SurfaceViewSettings settings;
+    settings.view = *findSurfaceView("lookups");
+    picture.renderer->setView(settings);
+    const ImageRgbaF image = picture.linear(1);
+    float largest = 0.0f;
+    int seen = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+      if (image.pixels[i + 3] < 0.5f) continue;
+      ++seen;
+      largest = std::max(largest, image.pixels[i]);
+      EXPECT_GE(image.pixels[i], 1.0f);
+    }
+    EXPECT_GT(seen, 500);
+    picture.renderer->setView({});
+    return largest;
+  };
+  EXPECT_EQ(lookups(), 1.0f);
+  // More of them than a draw can have: the least important are left out, none of them is captured.
+  const Probe room = picture.scene.probes[0];
+  for (int i = 0; i < 6; ++i) {
+    picture.scene.probes.push_back(room);
+    picture.scene.probes.back().name = "copy " + std::to_string(i);
+  }
+  const auto faces = picture.renderer->counters().facesCaptured;
+  EXPECT_EQ(lookups(), 4.0f);
+  EXPECT_EQ(picture.renderer->counters().facesCaptured, faces) << "copies show what is there already";
+}
+
+TEST_F(ManyProbes, OddListsOfProbesAreDrawn) {
+  ScenePicture picture(roomWithFloorOnly(), 64, 64);
+  const Camera camera = cameraNamed(picture.scene, "main");
+  const Probe room = picture.scene.probes[0];
+  picture.scene.probes.clear();
+  picture.show(camera);
+  picture.display();
+  EXPECT_EQ(picture.renderer->counters().drawsByProbeCount[0], 1u) << "no probe: the sky";
+  // A box without volume weighs nothing but on itself; blend distances beyond the box leave less than full weight.
+  Probe flat = room, wide = room;
+  flat.name = "flat";
+  flat.box.max = flat.box.min;
+  flat.influence.reset();
+  wide.name = "wide";
+  wide.blendDistance = BlendDistance{glm::dvec3(100.0), glm::dvec3(100.0)};
+  picture.scene.probes = {flat, wide};
+  picture.show(camera);
+  for (const float x : picture.linear(1).pixels) ASSERT_TRUE(std::isfinite(x));
+  const Explanation e = picture.renderer->explain(32, 50, 64, 64);
+  ASSERT_TRUE(e.hit);
+  for (const ProbeExplanation& p : e.probes) {
+    EXPECT_GE(p.weight, 0.0f);
+    EXPECT_LT(p.weight, 0.5f) << p.name;
+  }
+  EXPECT_GT(e.skyWeight, 0.5f);
+}
+
+TEST_F(ManyProbes, TenThousandOverOneFloor) {
+  Scene scene = roomWithFloorOnly();
+  const Probe room = scene.probes[0];
+  scene.probes.clear();
+  for (int i = 0; i < 10000; ++i) {
+    Probe probe = room;
+    probe.name = "probe " + std::to_string(i);
+    probe.importance = i == 4711 ? 2.0 : 1.0;
+    probe.origin.x += 1.0e-4 * i;
+    scene.probes.push_back(std::move(probe));
+  }
+  ScenePicture picture(scene, 64, 64);
+  picture.show(cameraNamed(scene, "main"));
+  picture.display();
+  // One of them has all of the floor at the highest importance.
+  EXPECT_EQ(picture.renderer->counters().facesCaptured, 6u);
+  EXPECT_EQ(picture.renderer->counters().drawsByProbeCount[1], 1u);
+}
+
+}  // namespace
