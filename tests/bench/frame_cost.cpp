@@ -1,5 +1,6 @@
 // bench_frame: CPU time of a frame with box-projected reflections over that of stock VTK with image-based lighting,
-// drawn in turn in one process and window. CPU time of all threads: software OpenGL draws in this process.
+// (or, with --probes off, of a frame without either), drawn in turn in one process and window. CPU time of all threads:
+// software OpenGL draws in this process.
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkUnsignedCharArray.h>
@@ -49,6 +50,7 @@ struct BenchOptions {
   int samples = 4;
   int frames = 60;
   std::string pictures;
+  std::string probes = "on";
 };
 
 void run(const BenchOptions& options) {
@@ -66,6 +68,11 @@ void run(const BenchOptions& options) {
   ours.applyCamera(chooseCamera(loaded.scene, ""));
   ours.finishWork();
   const auto stock = bench::makeStockRenderer(ours.renderer(), *sky);
+  const bool off = options.probes == "off";
+  if (off) {
+    ours.setProbesEnabled(false);
+    stock->UseImageBasedLightingOff();
+  }
   window->AddRenderer(stock);
 
   const auto frame = [&](bool drawOurs) {
@@ -89,10 +96,10 @@ void run(const BenchOptions& options) {
   const bench::Ratio ratio = bench::ratioOfMedians(samples);
   std::printf("%s: %d x %d, %d samples a pixel, %d pairs of frames, CPU milliseconds\n", options.scene.c_str(),
               size.width, size.height, std::max(window->GetMultiSamples(), 1), options.frames);
-  std::printf("  %-28s median %8.2f   min %8.2f\n", options.technique.c_str(), 1e3 * bench::median(samples.a),
-              1e3 * *std::min_element(samples.a.begin(), samples.a.end()));
-  std::printf("  %-28s median %8.2f   min %8.2f\n", "stock image-based lighting", 1e3 * bench::median(samples.b),
-              1e3 * *std::min_element(samples.b.begin(), samples.b.end()));
+  std::printf("  %-28s median %8.2f   min %8.2f\n", off ? "probes off" : options.technique.c_str(),
+              1e3 * bench::median(samples.a), 1e3 * *std::min_element(samples.a.begin(), samples.a.end()));
+  std::printf("  %-28s median %8.2f   min %8.2f\n", off ? "stock, lights only" : "stock image-based lighting",
+              1e3 * bench::median(samples.b), 1e3 * *std::min_element(samples.b.begin(), samples.b.end()));
   std::printf("  ratio %.3f, 95 %% interval %.3f to %.3f\n", ratio.value, ratio.low, ratio.high);
   window->RemoveRenderer(stock);
   ours.releaseGraphics();
@@ -109,6 +116,9 @@ int main(int argc, char** argv) {
   program.add_option("--samples", options.samples, "Samples a pixel")->capture_default_str();
   program.add_option("--frames", options.frames, "Pairs of frames")
       ->check(CLI::Range(2, 100000))
+      ->capture_default_str();
+  program.add_option("--probes", options.probes, "off: without probes and sky, against stock VTK without them")
+      ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str();
   program.add_option("--pictures", options.pictures, "Folder for ours.png and stock.png, to look at");
   CLI11_PARSE(program, argc, argv);

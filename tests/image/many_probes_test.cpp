@@ -1,5 +1,6 @@
 // A thousand probes: what a frame shows is drawn and captured, and nothing else. Counts, never times.
 #include <gtest/gtest.h>
+#include <vtkOpenGLRenderer.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -8,6 +9,7 @@
 #include "data/scenes/scenes.h"
 #include "filters/io/model_file.h"
 #include "filters/vtk/vtkCulledRenderer.h"
+#include "tests/bench/stock_renderer.h"
 #include "tests/support/scene_picture.h"
 #include "tests/unit/temporary_folder.h"
 
@@ -195,6 +197,45 @@ TEST_F(ManyProbes, OneObjectInOneProbeIsOneLookupAPixel) {
   const auto faces = picture.renderer->counters().facesCaptured;
   EXPECT_EQ(lookups(), 4.0f);
   EXPECT_EQ(picture.renderer->counters().facesCaptured, faces) << "copies show what is there already";
+}
+
+// Without probes every object has VTK's own lighting: the picture is that of VTK's own mapper. Not where this program
+// mends it: unlit materials, emission without a texture, a perfect mirror's highlight.
+TEST_F(ManyProbes, ProbesOffIsStockVtk) {
+  Scene scene = ScenePicture::fromFile("scenes/building.boxprobe.json", 8, 8).scene;
+  for (const char* mirror : {"mirror", "sphere"}) scene.materials[mirror].roughness = 0.3f;
+  for (const char* glowing : {"lawn", "cypress", "stone", "wood"}) {
+    scene.materials[glowing].emissive = glm::vec3(0.0f);
+  }
+  for (const char* unlit : {"near hills", "far hills"}) scene.objects[unlit].visible = false;
+  ScenePicture picture(scene, kWidth, kHeight);
+  picture.renderer->setProbesEnabled(false);
+  picture.show(cameraNamed(scene, "main"));
+  const ImageRgba8 ours = picture.display();
+  const Counters& counters = picture.renderer->counters();
+  EXPECT_EQ(counters.facesCaptured + counters.skyFacesCaptured + counters.levelsFiltered + counters.uniformUpdates, 0u);
+  const ImageRgbaF coverage = picture.linear();
+  const auto stock = bench::makeStockRenderer(picture.renderer->renderer(), std::get<SkyGradient>(scene.sky));
+  stock->UseImageBasedLightingOff();
+  picture.window->AddRenderer(stock);
+  picture.renderer->renderer()->DrawOff();
+  const ImageRgba8 theirs = picture.display();
+  picture.window->RemoveRenderer(stock);
+  keepPicture(ours, "off_ours");
+  keepPicture(theirs, "off_stock");
+  int surfaces = 0, different = 0, most = 0;
+  for (std::size_t i = 0; i < ours.pixels.size(); i += 4) {
+    if (coverage.pixels[i + 3] < 1.0f) continue;
+    ++surfaces;
+    int largest = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      largest = std::max(largest, std::abs(ours.pixels[i + c] - theirs.pixels[i + c]));
+    different += largest > 0 ? 1 : 0;
+    most = std::max(most, largest);
+  }
+  std::printf("  %d of %d pixels differ, by at most %d/255\n", different, surfaces, most);
+  EXPECT_GT(surfaces, kWidth * kHeight / 3);
+  EXPECT_LE(most, 1);
 }
 
 TEST_F(ManyProbes, OddListsOfProbesAreDrawn) {
