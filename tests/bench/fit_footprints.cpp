@@ -1,6 +1,6 @@
 // Fits the constants of the footprint techniques to this project's prefilter and level mapping, and prints them as they
 // stand in shaders/technique; or judges the techniques as they are in rooms that the fit never saw:
-//   fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]]
+//   fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]]   (as many as the constants were fitted with, unless said)
 //   fit_footprints judge [FACE_SIZE]
 // What is minimised: the error of display values and that of linear light, each relative to the HDRP form's, and light
 // gained or lost at any roughness and view angle.
@@ -22,15 +22,25 @@ using namespace boxprobe;
 constexpr unsigned kTrainingSeed = 1, kJudgementSeed = 77;
 constexpr int kRays = 4096;
 
-constexpr double kLinearWeight = 1.0;
-constexpr double kLightWeight = 14.0;
+// What the constants in shaders/technique were fitted with: each form has its own, since what its few numbers can do
+// about light, they take from the errors.
+struct Settings {
+  int lookups, rooms, pointsEach;
+  double linearWeight, lightWeight;
+  int rounds, restarts;
+};
+constexpr Settings kSettings[] = {
+    {1, 96, 32, 1.0, 14.0, 20, 3}, {2, 256, 12, 0.3, 5.0, 16, 0}, {4, 256, 12, 1.0, 14.0, 14, 0},
+    {8, 64, 32, 1.0, 6.0, 20, 3},  {16, 64, 32, 1.0, 6.0, 20, 3},
+};
 constexpr double kLightFreely = 0.004;  // what the rays of the reference leave open
 
 using Values = std::vector<glm::dvec3>;
 
 class Errors {
  public:
-  explicit Errors(const std::vector<study::RoomPoint>& points) : points_(points) {
+  Errors(const std::vector<study::RoomPoint>& points, const Settings& settings)
+      : points_(points), linearWeight_(settings.linearWeight), lightWeight_(settings.lightWeight) {
     for (const auto& p : points) {
       for (int c = 0; c < 3; ++c) display_.push_back(study::displayValue(p.truth[c]));
       light_[bucketOf(p)] += p.truth.x + p.truth.y + p.truth.z;
@@ -45,7 +55,7 @@ class Errors {
     }
   }
   std::vector<double> residuals(const Values& values) const {
-    const double display = 1.0 / std::sqrt(displaySquares_), linear = std::sqrt(kLinearWeight / linearSquares_);
+    const double display = 1.0 / std::sqrt(displaySquares_), linear = std::sqrt(linearWeight_ / linearSquares_);
     std::vector<double> result;
     std::array<double, study::kBuckets> light{};
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -57,7 +67,7 @@ class Errors {
     }
     for (std::size_t b = 0; b < light.size(); ++b) {
       const double off = light[b] / light_[b] - 1.0;
-      result.push_back(kLightWeight / std::sqrt(3.0) * std::copysign(std::max(std::abs(off) - kLightFreely, 0.0), off));
+      result.push_back(lightWeight_ / std::sqrt(3.0) * std::copysign(std::max(std::abs(off) - kLightFreely, 0.0), off));
     }
     return result;
   }
@@ -67,6 +77,7 @@ class Errors {
     return static_cast<std::size_t>(p.roughness * study::kAngles + p.angle);
   }
   const std::vector<study::RoomPoint>& points_;
+  double linearWeight_, lightWeight_;
   std::vector<double> display_;
   std::array<double, study::kBuckets> light_{};
   double displaySquares_ = 0.0, linearSquares_ = 0.0;
@@ -94,11 +105,11 @@ void judge(int faceSize) {
   }
 }
 
-void fit(int lookups, int rounds, int restarts) {
-  const study::RoomPoints rooms = study::randomPoints(kTrainingSeed, 256, 12, 128, kRays);
+void fit(const Settings& s, int rounds, int restarts) {
+  const study::RoomPoints rooms = study::randomPoints(kTrainingSeed, s.rooms, s.pointsEach, 128, kRays);
   const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
-  const Errors errors(rooms.points);
-  const bench::FootprintForm form = bench::footprintForm(lookups);
+  const Errors errors(rooms.points, s);
+  const bench::FootprintForm form = bench::footprintForm(s.lookups);
   const bench::Residuals residuals = [&](const std::vector<double>& c) {
     std::vector<double> all = errors.residuals(study::valuesOf(form.technique(c), rooms.points));
     const std::vector<double> plain = form.plain(c);
@@ -129,11 +140,11 @@ int main(int argc, char** argv) {
     judge(number(2, 256));
     return 0;
   }
-  const int lookups = number(1, 0);
-  if (lookups != 1 && lookups != 2 && lookups != 4 && lookups != 8 && lookups != 16) {
-    std::fprintf(stderr, "usage: fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]] | judge [FACE_SIZE]\n");
-    return 2;
+  for (const Settings& settings : kSettings) {
+    if (settings.lookups != number(1, 0)) continue;
+    fit(settings, number(2, settings.rounds), number(3, settings.restarts));
+    return 0;
   }
-  fit(lookups, number(2, 20), number(3, 3));
-  return 0;
+  std::fprintf(stderr, "usage: fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]] | judge [FACE_SIZE]\n");
+  return 2;
 }

@@ -235,7 +235,8 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   picture.window->RemoveRenderer(stock);
   picture.window->AddRenderer(renderer);
 
-  int worst = 0, different = 0, beyond = 0, compared = 0;
+  int worst = 0, different = 0, compared = 0;
+  std::vector<glm::ivec2> beyond;
   for (int y = 0; y < 512; ++y) {
     for (int x = 0; x < 640; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * 640 + static_cast<std::size_t>(x);
@@ -247,15 +248,20 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
                                  pixels->GetValue(((511 - y) * 640 + x) * 3 + c)));
       worst = std::max(worst, d);
       different += d > 0;
-      beyond += d > 1;
+      if (d > 1) beyond.emplace_back(x, y);
     }
   }
-  std::printf("  %d of %d pixels differ, %d by more than 1/255, by at most %d/255\n", different, compared, beyond,
-              worst);
+  std::printf("  %d of %d pixels differ, %zu by more than 1/255, by at most %d/255\n", different, compared,
+              beyond.size(), worst);
   EXPECT_GT(compared, 640 * 512 / 4);
-  // Edge-on, where shading normals turn away from the eye, ours reflects nothing from below the surface.
+  // Only where a shading normal turns away from the eye: VTK then reflects from below the surface, and we do not.
+  for (const Explanation& e : picture.renderer->explain(beyond, 640, 512)) {
+    std::printf("  N.V of %d, %d: %g\n", e.x, e.y,
+                static_cast<double>(glm::dot(e.surface.normalWorld, e.surface.viewWorld)));
+    EXPECT_LT(glm::dot(e.surface.normalWorld, e.surface.viewWorld), 1.0e-3f) << e.x << ", " << e.y;
+  }
   EXPECT_LE(worst, 2);
-  EXPECT_LE(beyond, compared / 1000);
+  EXPECT_LE(beyond.size(), 20u);
   glDeleteTextures(1, &tableTexture);
 }
 
