@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/frame_info.h"
 #include "app/cli/load_scene.h"
 #include "app/cli/output_check.h"
 #include "app/cli/report_text.h"
@@ -20,15 +21,24 @@ namespace {
 struct InfoOptions {
   std::string scenePath;
   std::vector<std::string> assignments;
+  bool frame = false;
+  std::string camera, size = "1280x720";
   ReportOptions report;
 };
 
 void runInfo(const InfoOptions& options) {
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
   const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
-  const nlohmann::ordered_json report = sceneReport(loaded);
-  std::fputs(options.report.json ? (report.dump(2) + "\n").c_str() : sceneReportText(report).c_str(), stdout);
-  // Nothing is drawn or captured here, and the counters say so.
+  nlohmann::ordered_json report = sceneReport(loaded);
+  std::string text = options.report.json ? std::string() : sceneReportText(report);
+  if (options.frame) {
+    const FrameReport frame =
+        drawnFrameReport(loaded, options.scenePath, options.camera, options.size, options.report.quiet);
+    report["frame"] = frameReportJson(frame);
+    text += frameReportText(frame);
+  }
+  std::fputs(options.report.json ? (report.dump(2) + "\n").c_str() : text.c_str(), stdout);
+  // Without --frame nothing is drawn or captured here; with it, what that took is in the report.
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
 }
 
@@ -42,6 +52,9 @@ Subcommand addInfoCommand(CLI::App& program) {
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
+  command->add_flag("--frame", options->frame, "Draw a frame and say what it did and what it left out");
+  command->add_option("--camera", options->camera, "Of that frame: a camera of the scene");
+  command->add_option("--size", options->size, "Of that frame: pixels")->type_name("WxH")->capture_default_str();
   addReportOptions(*command, options->report, "Print the same as JSON");
   command->footer("Example:\n  boxprobe info data/scenes/building.boxprobe.json");
   return {command, [options] { runInfo(*options); }};

@@ -78,6 +78,8 @@ class ProbeSet {
   /// What a probe shows now; null while it has none, or if there is no such probe.
   std::shared_ptr<const ProbeMaps> maps(const std::string& probeName) const;
 
+  std::shared_ptr<const ProbeMaps> maps(std::size_t index) const { return entries_[index].drawn->maps; }
+
   std::size_t memoryBytes() const;
   void release();
 

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "filters/core/errors.h"
+#include "filters/core/probe_shares.h"
 #include "filters/vtk/cube_capture.h"
 #include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/picture_frames.h"
@@ -447,6 +449,76 @@ void SceneRenderer::showPreviewSphere(const PreviewSphereSettings& settings) {
 
 const PreviewSphereSettings& SceneRenderer::previewSphere() const {
   return impl_->sphere.settings();
+}
+
+FrameReport SceneRenderer::frameReport() const {
+  const Impl& d = *impl_;
+  FrameReport report;
+  for (const Probe& probe : d.content.scene.probes) {
+    const auto maps = d.probes.maps(report.probes.size());
+    report.probes.push_back({probe.name, 0, 0, maps ? maps->bytes() : 0});
+  }
+  std::vector<bool> drawn(d.content.objects.size(), !d.content.many);
+  if (d.content.many) {
+    for (const std::size_t i : d.renderer->GetDrawn()) drawn[d.content.culled[i]] = true;
+  }
+  std::set<std::string> variants;
+  for (std::size_t i = 0; i < d.content.objects.size(); ++i) {
+    const DrawnObject& object = d.content.objects[i];
+    const ProbeBinding* binding = object.mapper->GetDrawnBinding();
+    if (!object.settings.visible || binding == nullptr) continue;
+    FrameReport::Object line;
+    line.node = object.node;
+    line.material = object.materialName;
+    line.drawn = drawn[i];
+    line.unlit = object.unlit;
+    line.leftOut = binding->leftOut;
+    line.weights = binding->weights && !binding->probes.empty();
+    line.variant = binding->variantKey();
+    std::vector<float> weights;
+    const Box bounds = worldBounds(object);
+    for (const auto& probe : binding->probes) {
+      const auto index = static_cast<std::size_t>(probe->index);
+      ++report.probes[index].objects;
+      if (line.drawn) ++report.probes[index].drawn;
+      weights.push_back(binding->weights ? static_cast<float>(objectWeight(d.content.scene.probes[index], bounds))
+                                         : 1.0f);
+    }
+    const ProbeShares shares = shareOut(weights, binding->groups(), binding->onlyProbes);
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      const auto index = static_cast<std::size_t>(binding->probes[k]->index);
+      line.probes.push_back({report.probes[index].name, static_cast<double>(shares.probes[k])});
+    }
+    line.sky = binding->lighting != Lighting::Probes || !binding->sky ? 0.0 : static_cast<double>(shares.sky);
+    if (line.drawn) {
+      ++report.drawsByProbeCount[line.probes.size()];
+      variants.insert(line.variant);
+    }
+    report.objects.push_back(std::move(line));
+  }
+  report.variants = variants.size();
+  report.bytes = d.probes.memoryBytes();
+  return report;
+}
+
+FrameReport::Lookups SceneRenderer::measureLookups(int width, int height) {
+  const SurfaceViewSettings kept = impl_->view;
+  SurfaceViewSettings settings;
+  settings.view = *findSurfaceView("lookups");
+  setView(settings);
+  const ImageRgbaF image = renderLinear(width, height, 1);
+  setView(kept);
+  FrameReport::Lookups lookups;
+  std::size_t surfaces = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    if (image.pixels[i + 3] <= 0.0f) continue;
+    const double here = std::max(0.0, static_cast<double>(image.pixels[i]));
+    lookups.mean += here;
+    lookups.most = std::max(lookups.most, here);
+    ++surfaces;
+  }
+  lookups.mean /= static_cast<double>(std::max(surfaces, std::size_t{1}));
+  return lookups;
 }
 
 const Counters& SceneRenderer::counters() const {

@@ -28,6 +28,7 @@
 #include "filters/core/scene.h"
 #include "filters/core/surface_view.h"
 #include "filters/vtk/frame_count.h"
+#include "filters/vtk/frame_report.h"
 #include "filters/vtk/preview_settings.h"
 
 class vtkOpenGLRenderWindow;
@@ -166,6 +167,11 @@ class SceneRenderer {
   /// A sphere at a probe's origin, lit by its maps alone; not in captures, explanations and renderLinear().
   void showPreviewSphere(const PreviewSphereSettings& settings);
   const PreviewSphereSettings& previewSphere() const;
+
+  /// What the frame drawn last does and leaves out. Lookups are counted only by measureLookups, which draws.
+  FrameReport frameReport() const;
+  /// Lookups a pixel of a picture of that size through the current camera.
+  FrameReport::Lookups measureLookups(int width, int height);
 
   const Counters& counters() const;
   const Times& times() const;
