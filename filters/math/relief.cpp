@@ -204,4 +204,9 @@ std::shared_ptr<const ReliefBlocks> LazyRelief::blocks(const Relief& relief, con
   return {kept, &kept->blocks};
 }
 
+std::shared_ptr<const ReliefBlocks> LazyRelief::latestBlocks() const {
+  const auto kept = std::atomic_load(&blocks_);
+  return kept ? std::shared_ptr<const ReliefBlocks>(kept, &kept->blocks) : nullptr;
+}
+
 }  // namespace boxprobe

@@ -55,6 +55,8 @@ class LazyRelief {
   /// Made again when the box is another one than at the last call.
   std::shared_ptr<const ReliefBlocks> blocks(const Relief& relief, const glm::vec3& boxMin, const glm::vec3& boxMax,
                                              const glm::mat3& worldFromProbe) const;
+  /// Of whichever box they were last made for; null if of none.
+  std::shared_ptr<const ReliefBlocks> latestBlocks() const;
 
  private:
   struct OfBox {

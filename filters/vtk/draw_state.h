@@ -99,6 +99,7 @@ struct DebugDraw {
 /// One for all mappers of a scene renderer.
 struct DrawState {
   float exposure = 1.0f;     ///< negative: linear output
+  bool dragging = false;     ///< a handle is held: uniforms change, and nothing is worked out for them
   bool firstBounce = false;  ///< of a capture: probes reflect nothing yet, and the sky lights in their place
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;

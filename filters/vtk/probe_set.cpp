@@ -300,6 +300,7 @@ void ProbeSet::updateCaptures() {
 void ProbeSet::setInteractive(bool interactive) {
   if (interactive_ == interactive) return;
   interactive_ = interactive;
+  state_->dragging = interactive;
   assign(true);
   replan();
 }

@@ -4,7 +4,8 @@
 
 namespace boxprobe {
 
-std::shared_ptr<const ReliefBlocks> ReliefTexture::blocks(const CubeTexture& distance, const ProbeGeometry& probe) {
+std::shared_ptr<const ReliefBlocks> ReliefTexture::blocks(const CubeTexture& distance, const ProbeGeometry& probe,
+                                                          bool dragged) {
   if (!relief_) {
     CubeMap seen(distance.faceSize(), 1);
     for (int face = 0; face < 6; ++face) {
@@ -18,6 +19,9 @@ std::shared_ptr<const ReliefBlocks> ReliefTexture::blocks(const CubeTexture& dis
     for (int face = 0; face < 6; ++face) {
       texture_.writeFace(face, 0, std::vector<float>(texels.face(0, face), texels.face(0, face) + count));
     }
+  }
+  if (dragged) {
+    if (auto latest = lazy_.latestBlocks()) return latest;
   }
   return lazy_.blocks(*relief_, probe.boxMin, probe.boxMax, glm::mat3(probe.worldFromProbe));
 }

@@ -13,8 +13,8 @@ namespace boxprobe {
 class ReliefTexture {
  public:
   /// What stands in the probe's box; the distances are read back and the texture is made once, blocks again for another
-  /// box.
-  std::shared_ptr<const ReliefBlocks> blocks(const CubeTexture& distance, const ProbeGeometry& probe);
+  /// box, but not while one is `dragged`: they are then those of the box before.
+  std::shared_ptr<const ReliefBlocks> blocks(const CubeTexture& distance, const ProbeGeometry& probe, bool dragged);
   /// RGBA32F, nearest texel; 0 before the first call of blocks().
   GLuint handle() const { return texture_.handle(); }
   std::size_t bytes() const { return texture_.bytes(); }

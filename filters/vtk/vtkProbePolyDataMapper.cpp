@@ -238,7 +238,7 @@ void vtkProbePolyDataMapper::UploadRelief(vtkShaderProgram* program, vtkRenderer
     const boxprobe::ProbeMaps* maps = this->State->firstBounce ? nullptr : probe.maps.get();
     const bool known = maps != nullptr && maps->distance.allocated();
     if (known) {
-      const auto found = maps->relief.blocks(maps->distance, probe.geometry);
+      const auto found = maps->relief.blocks(maps->distance, probe.geometry, this->State->dragging);
       blocks[i] = found->count;
       std::copy(found->low.begin(), found->low.end(), low.begin() + static_cast<long>(i * kMost));
       std::copy(found->high.begin(), found->high.end(), high.begin() + static_cast<long>(i * kMost));

@@ -1,5 +1,8 @@
 // What a probe holds after a capture: coverage, range, levels, bounces; and what is captured again after which edit.
 #include <gtest/gtest.h>
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkRenderer.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,6 +11,7 @@
 #include "filters/math/spherical_harmonics.h"
 #include "filters/vtk/draw_state.h"
 #include "filters/vtk/prefilter.h"
+#include "filters/vtk/vtkProbePolyDataMapper.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"
 
@@ -148,6 +152,42 @@ TEST(Capture, DraggingABoxOverObjectsCompilesNothing) {
   EXPECT_EQ(picture.renderer->counters().programsCompiled, counted.programsCompiled);
   EXPECT_EQ(picture.renderer->counters().facesCaptured, counted.facesCaptured);
   EXPECT_EQ(picture.renderer->counters().levelsFiltered, counted.levelsFiltered);
+}
+
+// What stands in a box is worked out for the box at rest, not for each on the way.
+TEST(Capture, DraggingABoxLeavesTheImpostorsBlocks) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/furnished.boxprobe.json", 64, 36);
+  picture.scene.probes[0].technique = "impostor";
+  picture.scene.probes[0].faceSize = 64;
+  picture.scene.probes[0].bounces = 1;
+  picture.show(cameraNamed(picture.scene, "main"));
+  picture.display();
+  const auto latest = [&picture] {
+    vtkActorCollection* actors = picture.renderer->renderer()->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor()) {
+      auto* mapper = vtkProbePolyDataMapper::SafeDownCast(actor->GetMapper());
+      if (mapper == nullptr || mapper->GetBinding() == nullptr || mapper->GetBinding()->probes.empty()) continue;
+      const DrawnProbe& probe = *mapper->GetBinding()->probes.front();
+      return probe.maps->relief.blocks(probe.maps->distance, probe.geometry, true);
+    }
+    return std::shared_ptr<const ReliefBlocks>();
+  };
+  const auto before = latest();
+  ASSERT_TRUE(before);
+  EXPECT_GT(before->count, 0);
+  picture.renderer->setInteractive(true);
+  for (int i = 1; i <= 3; ++i) {
+    const Scene last = picture.scene;
+    picture.scene.probes[0].box.max.x -= 0.1;
+    picture.renderer->sync(picture.scene, difference(last, picture.scene));
+    picture.display();
+    EXPECT_EQ(latest(), before);
+  }
+  picture.renderer->setInteractive(false);
+  picture.renderer->finishWork();
+  picture.display();
+  EXPECT_NE(latest(), before);
 }
 
 TEST(Capture, AnUndoBetweenBouncesBringsTheEarlierPictureBack) {

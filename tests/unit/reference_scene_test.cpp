@@ -186,6 +186,34 @@ TEST(ReferenceScene, DiffuseLightIsTheSkysAndUnlitShowsItsColour) {
   EXPECT_NEAR(shown.r, 0.6, 1e-6);
 }
 
+// A highlight moves with the eye: a probe keeps it as it is from its origin, and so do rays that see as probes do.
+TEST(ReferenceScene, RaysThatSeeAsProbesSeeGlossFromTheProbesOrigin) {
+  Material metal;
+  metal.metallic = 1.0f;
+  metal.roughness = 0.3f;
+  const std::vector<std::shared_ptr<Model>> models = {floorModel(metal)};
+  Scene scene = sceneOf(models);
+  scene.sky = SkyColor{glm::vec3(0.0f)};
+  scene.lights.resize(1);
+  scene.lights[0].direction = {-1.0, -1.0, 0.0};
+  const glm::dvec3 from(-0.5, 1.0, 0.0), to(0.6, -1.0, 0.0);  // away from the mirrored light
+  const glm::dvec3 bare = ReferenceScene(scene, constant(models), nullptr).seenFrom(from, to, RaySees::Probes);
+  Probe probe;
+  probe.origin = {-0.9, 1.0, 0.0};  // in it
+  probe.box = Box{glm::dvec3(-2.0), glm::dvec3(2.0)};
+  probe.blendDistance = {glm::dvec3(0.0), glm::dvec3(0.0)};
+  scene.probes.push_back(probe);
+  const ReferenceScene reference(scene, constant(models), nullptr);
+  const glm::dvec3 hit(0.1, 0.0, 0.0);
+  const glm::dvec3 captured = reference.seenFrom(probe.origin, hit - probe.origin, RaySees::Probes);
+  EXPECT_GT(captured.r, 2.0 * bare.r);
+  EXPECT_NEAR(reference.seenFrom(from, hit - from, RaySees::Probes).r, captured.r, 1e-4 * captured.r);
+  EXPECT_NEAR(reference.seenFrom(from, hit - from, RaySees::Picture).r, bare.r, 1e-4 * captured.r);
+  EXPECT_NEAR(reference.seenFrom({-0.5, 9.0, 0.0}, {0.0, -1.0, 0.0}, RaySees::Probes).r,
+              reference.seenFrom({-0.5, 9.0, 0.0}, {0.0, -1.0, 0.0}, RaySees::Picture).r, 1e-6)
+      << "where no probe reaches";
+}
+
 // The floor of the closed room, glossy: standard errors must be what they say.
 TEST(ReferenceScene, StandardErrorsAreHonestAndFallWithRays) {
   const std::string folder = std::string(BOXPROBE_DATA_DIR) + "/scenes/";
