@@ -23,6 +23,7 @@
 #include "app/gui/debug_view.h"
 #include "app/gui/explain_card.h"
 #include "app/gui/file_commands.h"
+#include "app/gui/frame_panel.h"
 #include "app/gui/material_panel.h"
 #include "app/gui/menu_bar.h"
 #include "app/gui/motion_preview.h"
@@ -35,6 +36,7 @@
 #include "app/gui/recent_files.h"
 #include "app/gui/render_scheduler.h"
 #include "app/gui/status_line.h"
+#include "app/gui/surface_view_panel.h"
 #include "app/gui/viewport.h"
 #include "filters/io/image_file.h"
 #include "filters/vtk/scene_renderer.h"
@@ -144,6 +146,7 @@ void MainWindow::buildPanels() {
   buildPreviewDock(dock);
   buildDebugDocks(dock);
   buildCostDock(dock);
+  buildFrameDock(dock);
 }
 
 void MainWindow::buildDebugDocks(QDockWidget* beside) {
@@ -179,6 +182,31 @@ void MainWindow::buildCostDock(QDockWidget* beside) {
   connect(dock, &QDockWidget::visibilityChanged, costPanel_, &CostPanel::setWatched);
   connect(costPanel_, &CostPanel::message, status_, &StatusLine::showMessage);
   connect(costPanel_, &CostPanel::failed, status_, &StatusLine::showError);
+  beside->raise();
+  menu_->addDockToggle(dock->toggleViewAction());
+}
+
+void MainWindow::buildFrameDock(QDockWidget* beside) {
+  framePanel_ = new FramePanel(*editor_, {[this] { return renderer_->frameReport(); },
+                                          [this] {
+                                            viewport_->window3d()->MakeCurrent();
+                                            const int* size = viewport_->window3d()->GetSize();
+                                            const auto lookups = renderer_->measureLookups(size[0], size[1]);
+                                            scheduler_->requestRender();
+                                            return lookups;
+                                          }});
+  auto* dock = new QDockWidget(tr("Frame"), this);
+  dock->setObjectName("frame");
+  dock->setWidget(framePanel_);
+  tabifyDockWidget(beside, dock);
+  connect(dock, &QDockWidget::visibilityChanged, framePanel_, &FramePanel::setWatched);
+  connect(scheduler_, &RenderScheduler::rendered, framePanel_, &FramePanel::update);
+  SurfaceViewPanel* views = debugView_->surfacePanel();
+  const int lookups = *findSurfaceView("lookups");
+  connect(framePanel_, &FramePanel::heatMapSwitched, views,
+          [views, lookups](bool on) { views->choose(on ? lookups : 0); });
+  connect(views, &SurfaceViewPanel::changed, framePanel_,
+          [this, lookups](const SurfaceViewSettings& settings) { framePanel_->showHeatMap(settings.view == lookups); });
   beside->raise();
   menu_->addDockToggle(dock->toggleViewAction());
 }

@@ -29,6 +29,7 @@ class ProbeWidget;
 class RenderScheduler;
 class SceneRenderer;
 class CostPanel;
+class FramePanel;
 class StatusLine;
 class Viewport;
 
@@ -68,6 +69,7 @@ class MainWindow : public QMainWindow {
   void buildPreviewDock(QDockWidget* beside);
   void buildDebugDocks(class QDockWidget* beside);
   void buildCostDock(QDockWidget* beside);
+  void buildFrameDock(QDockWidget* beside);
   void connectViews();
   void connectMenu();
   void connectDebugView();
@@ -103,6 +105,7 @@ class MainWindow : public QMainWindow {
   PicturePanel* picturePanel_ = nullptr;
   ProbePreview* preview_ = nullptr;
   CostPanel* costPanel_ = nullptr;
+  FramePanel* framePanel_ = nullptr;
   bool firstPictureDone_ = false;
   std::string shownError_;
 };

@@ -419,6 +419,12 @@ std::vector<std::string> SceneRenderer::remarks() const {
     texts.push_back("sky.image: " + image->file + ": " + std::to_string(d.content.skyTexelsNotFinite) +
                     " texels are NaN or infinite and were set to 0");
   }
+  const std::vector<std::string> leftOut = leftOutLines(frameReport());
+  constexpr std::size_t kNamed = 5;
+  texts.insert(texts.end(), leftOut.begin(), leftOut.begin() + static_cast<long>(std::min(leftOut.size(), kNamed)));
+  if (leftOut.size() > kNamed) {
+    texts.push_back("and " + std::to_string(leftOut.size() - kNamed) + " more objects that more probes reach");
+  }
   const Counters& counters = d.state->counters;
   if (counters.texelsNotFinite > 0) {
     texts.push_back(std::to_string(counters.texelsNotFinite) +
@@ -458,19 +464,14 @@ FrameReport SceneRenderer::frameReport() const {
     const auto maps = d.probes.maps(report.probes.size());
     report.probes.push_back({probe.name, 0, 0, maps ? maps->bytes() : 0});
   }
-  std::vector<bool> drawn(d.content.objects.size(), !d.content.many);
-  if (d.content.many) {
-    for (const std::size_t i : d.renderer->GetDrawn()) drawn[d.content.culled[i]] = true;
-  }
   std::set<std::string> variants;
-  for (std::size_t i = 0; i < d.content.objects.size(); ++i) {
-    const DrawnObject& object = d.content.objects[i];
+  for (const DrawnObject& object : d.content.objects) {
     const ProbeBinding* binding = object.mapper->GetDrawnBinding();
     if (!object.settings.visible || binding == nullptr) continue;
     FrameReport::Object line;
     line.node = object.node;
     line.material = object.materialName;
-    line.drawn = drawn[i];
+    line.drawn = object.mapper->GetDrawnInFrame();
     line.unlit = object.unlit;
     line.leftOut = binding->leftOut;
     line.weights = binding->weights && !binding->probes.empty();
@@ -490,12 +491,11 @@ FrameReport SceneRenderer::frameReport() const {
       line.probes.push_back({report.probes[index].name, static_cast<double>(shares.probes[k])});
     }
     line.sky = binding->lighting != Lighting::Probes || !binding->sky ? 0.0 : static_cast<double>(shares.sky);
-    if (line.drawn) {
-      ++report.drawsByProbeCount[line.probes.size()];
-      variants.insert(line.variant);
-    }
+    if (line.drawn) variants.insert(line.variant);
     report.objects.push_back(std::move(line));
   }
+  std::copy(d.state->counters.drawsByProbeCount.begin(), d.state->counters.drawsByProbeCount.end(),
+            report.drawsByProbeCount.begin());
   report.variants = variants.size();
   report.bytes = d.probes.memoryBytes();
   return report;

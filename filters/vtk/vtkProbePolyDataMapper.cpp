@@ -71,6 +71,10 @@ void vtkProbePolyDataMapper::SetApart(bool apart) {
   }
 }
 
+bool vtkProbePolyDataMapper::GetDrawnInFrame() const {
+  return this->State && this->Frame + 1 == this->State->counters.renders;
+}
+
 void vtkProbePolyDataMapper::SetDebug(bool debug) {
   if (debug != this->Debug) {
     this->Debug = debug;
@@ -159,6 +163,7 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
     this->UploadDebug(program, renderer);
   }
   if (this->State->countDraws) {
+    this->Frame = this->State->counters.renders;
     ++this->State->counters.drawsByProbeCount[probes ? this->Drawn->probes.size() : 0];
   }
 }

@@ -35,6 +35,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Binding; }
   /** Draws with the debug view's program (see vtk_pbr_splice.h) instead of the picture's. */
   void SetDebug(bool debug);
+  /** Was it drawn by the frame that ended last? Captures and linear pictures do not count. */
+  bool GetDrawnInFrame() const;
   /** What a surface capture names this object by; 0 is the background's. */
   void SetObjectNumber(int number) { this->ObjectNumber = number; }
 
@@ -71,5 +73,6 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   bool Debug = false;
   bool Refused = false;  // the driver did not compile the spliced program: VTK's own is drawn
   int ObjectNumber = 0;
+  std::uint64_t Frame = ~std::uint64_t{0};  // the last one that drew it
   std::vector<std::unique_ptr<boxprobe::BoundTexture>> Bound;  // for the piece being drawn
 };

@@ -1,0 +1,88 @@
+// The dock that says what a frame does: its numbers are those of the picture, and an object's mode can be set in it.
+#include "app/gui/frame_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <QTreeWidget>
+
+#include "app/gui/quiet_combo.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+class FramePanelTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    dock_ = window_->findChild<QDockWidget*>("frame");
+    ASSERT_NE(dock_, nullptr);
+    dock_->show();
+    dock_->raise();
+    waitUntilIdle();
+    QTest::qWait(50);
+    tree_ = window_->findChild<QTreeWidget*>("frameTree");
+  }
+  void TearDown() override {
+    window_->findChild<QDockWidget*>("probes")->raise();
+    WindowTest::TearDown();
+  }
+  QTreeWidgetItem* find(QTreeWidgetItem* parent, const QString& name) const {
+    for (int i = 0; i < parent->childCount(); ++i) {
+      if (parent->child(i)->text(0) == name) return parent->child(i);
+    }
+    return nullptr;
+  }
+  QTreeWidgetItem* section(const QString& title) const { return tree_->findItems(title, Qt::MatchExactly).value(0); }
+
+  QDockWidget* dock_ = nullptr;
+  QTreeWidget* tree_ = nullptr;
+};
+
+TEST_F(FramePanelTest, CountsAreThePictures) {
+  QTreeWidgetItem* draws = section("Draws");
+  ASSERT_NE(draws, nullptr);
+  const auto& counted = counters().drawsByProbeCount;
+  EXPECT_EQ(find(draws, "with 0 probes")->text(1), QString::number(counted[0]));
+  EXPECT_EQ(find(draws, "with 1 probe")->text(1), QString::number(counted[1]));
+  EXPECT_NE(find(section("Memory by probe"), "room"), nullptr);
+  QTreeWidgetItem* ball = find(section("Objects and their probes"), "sphere 9");
+  ASSERT_NE(ball, nullptr);
+  EXPECT_NE(find(ball, "room"), nullptr);
+}
+
+TEST_F(FramePanelTest, LookupsAreCountedAndShown) {
+  QTest::mouseClick(window_->findChild<QPushButton*>("countLookups"), Qt::LeftButton);
+  const QString text = window_->findChild<QLabel*>("frameSummary")->text();
+  EXPECT_TRUE(text.contains("mean")) << text.toStdString();
+  QPushButton* heatMap = window_->findChild<QPushButton*>("heatMap");
+  QTest::mouseClick(heatMap, Qt::LeftButton);
+  waitUntilIdle();
+  EXPECT_TRUE(heatMap->isChecked());
+  QTest::mouseClick(heatMap, Qt::LeftButton);
+  waitUntilIdle();
+}
+
+TEST_F(FramePanelTest, AnObjectsProbesAreChosenHere) {
+  find(section("Objects and their probes"), "sphere 9")->setSelected(true);
+  auto* mode = dynamic_cast<QuietCombo*>(window_->findChild<QComboBox*>("probeMode"));
+  ASSERT_NE(mode, nullptr);
+  ASSERT_TRUE(mode->isVisible());
+  mode->setCurrentIndex(0);
+  emit mode->activated(0);
+  waitUntilIdle();
+  EXPECT_EQ(document().scene().objects.at("sphere 9").probeMode, ProbeMode::Off);
+  QTreeWidgetItem* ball = find(section("Objects and their probes"), "sphere 9");
+  EXPECT_EQ(find(ball, "room"), nullptr);
+  EXPECT_EQ(find(ball, "sky")->text(1), "100 %");
+  document().undo();
+  waitUntilIdle();
+  EXPECT_NE(find(find(tree_->invisibleRootItem(), "Objects and their probes"), "sphere 9"), nullptr);
+}
+
+}  // namespace
+}  // namespace boxprobe
