@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTest>
 #include <QTreeWidget>
+#include <cstdlib>
 
 #include "app/gui/quiet_combo.h"
 #include "tests/gui/window_test.h"
@@ -53,6 +54,10 @@ TEST_F(FramePanelTest, CountsAreThePictures) {
   QTreeWidgetItem* ball = find(section("Objects and their probes"), "sphere 9");
   ASSERT_NE(ball, nullptr);
   EXPECT_NE(find(ball, "room"), nullptr);
+  if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT")) {
+    ball->setSelected(true);
+    window_->grab().save(QString::fromUtf8(folder) + "/frame_dock.png");
+  }
 }
 
 TEST_F(FramePanelTest, LookupsAreCountedAndShown) {
