@@ -34,6 +34,7 @@ QString percent(double share) {
 
 void addRowTo(QTreeWidgetItem* parent, const QString& name, const QString& value, const QString& toolTip = {}) {
   auto* row = new QTreeWidgetItem(parent, {name, value});
+  if (value.isEmpty()) row->setFirstColumnSpanned(true);
   row->setToolTip(0, toolTip.isEmpty() ? name : toolTip);
 }
 
