@@ -1,5 +1,8 @@
 #include "filters/vtk/scene_content.h"
 
+#include <algorithm>
+
+#include "filters/core/divide_model.h"
 #include "filters/io/image_file.h"
 #include "filters/vtk/scene_lights.h"
 #include "filters/vtk/vtkCulledRenderer.h"
@@ -24,7 +27,34 @@ namespace {
 // From so many objects on it pays to find out which of them can be seen.
 constexpr std::size_t kMany = 64;
 
+bool samePieces(const Model& a, const Model& b) {
+  const auto sameMesh = [](const Mesh& m, const Mesh& n) {
+    return m.positions == n.positions && m.indices == n.indices;
+  };
+  const auto sameInstance = [](const Instance& m, const Instance& n) {
+    return m.mesh == n.mesh && m.node == n.node && m.worldFromModel == n.worldFromModel;
+  };
+  return std::equal(a.meshes.begin(), a.meshes.end(), b.meshes.begin(), b.meshes.end(), sameMesh) &&
+         std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(), sameInstance);
+}
+
 }  // namespace
+
+bool SceneContent::divideModels() {
+  const bool contested = scene.probes.size() > ProbeBinding::kMaxProbesPerDraw;
+  const ProbeIndex index = contested ? ProbeIndex(scene.probes) : ProbeIndex();
+  std::vector<std::shared_ptr<const Model>> divided = given;
+  for (std::size_t i = 0; contested && i < given.size() && i < scene.models.size(); ++i) {
+    divided[i] =
+        dividedModel(given[i], placementMatrix(scene.models[i]), scene.probes, index, ProbeBinding::kMaxProbesPerDraw);
+    // Cut as before: the one that is drawn already.
+    const bool cut = divided[i] != given[i] && i < models.size() && models[i] != given[i];
+    if (cut && samePieces(*divided[i], *models[i])) divided[i] = models[i];
+  }
+  if (divided == models) return false;
+  models = std::move(divided);
+  return true;
+}
 
 void SceneContent::showObjects(vtkCulledRenderer* renderer) {
   const bool now = objects.size() > kMany;

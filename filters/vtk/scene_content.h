@@ -21,7 +21,8 @@ namespace boxprobe {
 
 struct SceneContent {
   Scene scene;
-  std::vector<std::shared_ptr<const Model>> models;  ///< in the order of scene.models
+  std::vector<std::shared_ptr<const Model>> given;   ///< in the order of scene.models
+  std::vector<std::shared_ptr<const Model>> models;  ///< as drawn: objects that too many probes reach are in pieces
   int modelGeneration = 0;                           ///< counts replacements of the models
   std::vector<DrawnObject> objects;
   std::vector<vtkSmartPointer<vtkLight>> lights;
@@ -32,6 +33,9 @@ struct SceneContent {
   /// Bounds of all visible objects; a box around the origin when there is none.
   Box bounds() const;
   std::vector<vtkLight*> lightPointers() const;
+
+  /// Divides the given models for the scene's probes; returns whether that changed anything.
+  bool divideModels();
 
   /// Actors for the models as they are now, or the present ones moved if that is all that changed.
   void rebuildObjects(vtkCulledRenderer* renderer, const std::shared_ptr<DrawState>& state);

@@ -49,6 +49,7 @@ struct SceneRenderer::Impl {
   PreviewSphere sphere;
   ViewLegend legend;
   SurfaceViewSettings view;
+  bool interactive = false;
 
   void makeCurrent();
   void beginFrame();
@@ -164,7 +165,7 @@ SceneRenderer::~SceneRenderer() {
 }
 
 void SceneRenderer::setModels(std::vector<std::shared_ptr<const Model>> models) {
-  impl_->content.models = std::move(models);
+  impl_->content.given = std::move(models);
 }
 
 void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
@@ -172,7 +173,10 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   SceneContent& content = d.content;
   d.makeCurrent();
   content.scene = scene;
-  const bool models = changes.models;
+  const bool anyProbe = changes.probeList || changes.probeShape;
+  // Not while a box is dragged: cutting makes geometry anew.
+  const bool divided = (changes.models || anyProbe) && !d.interactive && content.divideModels();
+  const bool models = changes.models || divided;
   const bool objects = models || changes.materials || changes.objects;
   const bool probes =
       models || changes.probeList || changes.probeShape || changes.probeTechnique || changes.probeCapture;
@@ -234,8 +238,15 @@ std::vector<Explanation> SceneRenderer::explain(const std::vector<glm::ivec2>& p
 }
 
 void SceneRenderer::setInteractive(bool interactive) {
-  impl_->makeCurrent();
-  impl_->probes.setInteractive(interactive);
+  Impl& d = *impl_;
+  d.makeCurrent();
+  d.interactive = interactive;
+  d.probes.setInteractive(interactive);
+  if (interactive || !d.content.divideModels()) return;
+  Changes cut;
+  cut.models = true;
+  const Scene scene = d.content.scene;
+  sync(scene, cut);
 }
 
 void SceneRenderer::setEditable(bool editable) {

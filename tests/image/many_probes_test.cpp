@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <glm/geometric.hpp>
+#include <set>
 
+#include "data/scenes/composer.h"
 #include "data/scenes/glb_writer.h"
+#include "data/scenes/mesh_builder.h"
 #include "data/scenes/scenes.h"
 #include "filters/io/model_file.h"
 #include "filters/vtk/vtkCulledRenderer.h"
@@ -263,6 +267,75 @@ TEST_F(ManyProbes, OddListsOfProbesAreDrawn) {
     EXPECT_LT(p.weight, 0.5f) << p.name;
   }
   EXPECT_GT(e.skyWeight, 0.5f);
+}
+
+// A floor that twelve probes share, four of them at most at any place: cut into pieces that each have the right ones.
+TEST_F(ManyProbes, ALongFloorHasAllItsProbes) {
+  scenes::Composer composer;
+  Material metal = scenes::perfectMirror("floor");
+  metal.roughness = 0.3f;
+  scenes::MeshBuilder floor;
+  floor.quad({-50, 0, 2}, {100, 0, 0}, {0, 0, -4});
+  composer.add("floor", std::move(floor), composer.material(metal));
+  write("floor.glb", scenes::glbBytes(std::move(composer).finish()));
+  Scene scene;
+  scene.models = {{file("floor.glb")}};
+  constexpr double kPitch = 100.0 / 12.0, kBlend = 4.0;
+  for (int i = 0; i < 12; ++i) {
+    const double x = -50.0 + kPitch * i;
+    Probe probe;
+    probe.name = "probe " + std::to_string(i);
+    probe.box = Box{{x - 3.0, -1.0, -3.0}, {x + kPitch + 3.0, 4.0, 3.0}};
+    probe.origin = probe.box.center();
+    probe.blendDistance = BlendDistance{{kBlend, 0.5, 0.5}, {kBlend, 0.5, 0.5}};
+    probe.faceSize = 16;
+    scene.probes.push_back(std::move(probe));
+  }
+  ScenePicture picture(scene, 1600, 32);
+  Camera camera;
+  camera.position = {0.0, 60.0, 0.1};
+  camera.target = {0.0, 0.0, 0.0};
+  camera.up = {0.0, 0.0, -1.0};
+  camera.verticalFovDegrees = 1.9;
+  picture.show(camera);
+  picture.display();
+  const FrameReport report = picture.renderer->frameReport();
+  EXPECT_GT(report.objects.size(), 2u);
+  for (const auto& object : report.objects) {
+    EXPECT_EQ(object.node, "floor");
+    EXPECT_EQ(object.leftOut, 0u);
+    EXPECT_LE(object.probes.size(), 4u);
+  }
+  EXPECT_EQ(picture.renderer->counters().facesCaptured, 72u);
+  std::vector<glm::ivec2> line;
+  for (int x = 4; x < 1600; x += 4) line.emplace_back(x, 16);
+  std::vector<float> before;
+  double last = 0.0;
+  int hits = 0;
+  std::set<int> used;
+  for (const Explanation& e : picture.renderer->explain(line, 1600, 32)) {
+    if (!e.hit) continue;
+    ++hits;
+    std::vector<float> now(12, 0.0f);
+    float sum = e.skyWeight;
+    for (const ProbeExplanation& p : e.probes) {
+      now[static_cast<std::size_t>(p.index)] = p.weight;
+      sum += p.weight;
+      if (p.weight > 0.5f) used.insert(p.index);
+    }
+    EXPECT_NEAR(sum, 1.0f, 1.0e-4f);
+    EXPECT_LT(glm::distance(e.color, e.rendered.value_or(glm::vec3(-1.0f))), 2.0e-3f);
+    const double step = std::abs(e.surface.positionWorld.x - last);
+    for (std::size_t i = 0; i < 12 && !before.empty(); ++i) {
+      // A smooth step's slope is 1.5 over its length; sharing out steepens it to twice that at most.
+      EXPECT_LT(std::abs(now[i] - before[i]), 3.2 * step / kBlend)
+          << "probe " << i << " at " << e.surface.positionWorld.x;
+    }
+    before = std::move(now);
+    last = e.surface.positionWorld.x;
+  }
+  EXPECT_GT(hits, 300);
+  EXPECT_GE(used.size(), 10u);
 }
 
 TEST_F(ManyProbes, TenThousandOverOneFloor) {
