@@ -12,7 +12,6 @@
 
 #include "app/cli/display_check.h"
 #include "app/cli/load_scene.h"
-#include "app/cli/messages.h"
 #include "app/cli/offscreen_window.h"
 #include "app/cli/render_options.h"
 #include "app/cli/vtk_messages.h"
@@ -21,6 +20,7 @@
 #include "filters/reference/interleaved.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
+#include "tests/bench/exit_status.h"
 #include "tests/bench/stock_renderer.h"
 
 namespace {
@@ -122,14 +122,5 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   program.add_option("--pictures", options.pictures, "Folder for ours.png and stock.png, to look at");
   CLI11_PARSE(program, argc, argv);
-  try {
-    run(options);
-    return 0;
-  } catch (const Error& error) {
-    printError(error.what());
-    return error.exitStatus();
-  } catch (const std::exception& error) {
-    printError(error.what());
-    return 1;
-  }
+  return exitStatusOf([&] { run(options); });
 }

@@ -10,16 +10,15 @@
 #include <memory>
 
 #include "app/cli/display_check.h"
-#include "app/cli/messages.h"
 #include "app/cli/offscreen_window.h"
 #include "app/cli/vtk_messages.h"
-#include "filters/core/errors.h"
 #include "filters/math/cube_filter.h"
 #include "filters/math/cube_filter_reference.h"
 #include "filters/reference/interleaved.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/prefilter.h"
+#include "tests/bench/exit_status.h"
 #include "tests/bench/prefilter_cubes.h"
 #include "tests/bench/stock_prefilter.h"
 
@@ -268,14 +267,5 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   program.add_option("--pairs", options.pairs, "Pairs of timings")->check(CLI::Range(2, 1000))->capture_default_str();
   CLI11_PARSE(program, argc, argv);
-  try {
-    run(options);
-    return 0;
-  } catch (const Error& error) {
-    printError(error.what());
-    return error.exitStatus();
-  } catch (const std::exception& error) {
-    printError(error.what());
-    return 1;
-  }
+  return exitStatusOf([&] { run(options); });
 }

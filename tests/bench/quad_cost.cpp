@@ -12,10 +12,8 @@
 #include <vector>
 
 #include "app/cli/display_check.h"
-#include "app/cli/messages.h"
 #include "app/cli/offscreen_window.h"
 #include "app/cli/vtk_messages.h"
-#include "filters/core/errors.h"
 #include "filters/reference/interleaved.h"
 #include "filters/stress/stress_light.h"
 #include "filters/stress/stress_subjects.h"
@@ -23,6 +21,7 @@
 #include "filters/vtk/full_screen_pass.h"
 #include "filters/vtk/gl_objects.h"
 #include "filters/vtk/stress_program.h"
+#include "tests/bench/exit_status.h"
 
 namespace {
 
@@ -111,14 +110,5 @@ int main(int argc, char** argv) {
   program.add_option("--technique", ids, "Only these, by full id (default: all)");
   program.add_option("--draws", draws, "Draws of each")->check(CLI::Range(1, 100000))->capture_default_str();
   CLI11_PARSE(program, argc, argv);
-  try {
-    run(ids, draws);
-    return 0;
-  } catch (const Error& error) {
-    printError(error.what());
-    return error.exitStatus();
-  } catch (const std::exception& error) {
-    printError(error.what());
-    return 1;
-  }
+  return exitStatusOf([&] { run(ids, draws); });
 }

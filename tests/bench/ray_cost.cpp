@@ -11,17 +11,16 @@
 
 #include "app/cli/display_check.h"
 #include "app/cli/load_scene.h"
-#include "app/cli/messages.h"
 #include "app/cli/offscreen_window.h"
 #include "app/cli/render_options.h"
 #include "app/cli/vtk_messages.h"
-#include "filters/core/errors.h"
 #include "filters/reference/interleaved.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/ray_layer.h"
 #include "filters/vtk/ray_sources.h"
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/vtkProjectionRays.h"
+#include "tests/bench/exit_status.h"
 
 namespace {
 
@@ -131,14 +130,5 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
   CLI11_PARSE(program, argc, argv);
-  try {
-    run(options);
-    return 0;
-  } catch (const Error& error) {
-    printError(error.what());
-    return error.exitStatus();
-  } catch (const std::exception& error) {
-    printError(error.what());
-    return 1;
-  }
+  return exitStatusOf([&] { run(options); });
 }

@@ -12,7 +12,6 @@
 
 #include "app/cli/display_check.h"
 #include "app/cli/load_scene.h"
-#include "app/cli/messages.h"
 #include "app/cli/offscreen_window.h"
 #include "app/cli/render_options.h"
 #include "app/cli/vtk_messages.h"
@@ -24,6 +23,7 @@
 #include "filters/vtk/full_screen_pass.h"
 #include "filters/vtk/gl_objects.h"
 #include "filters/vtk/scene_renderer.h"
+#include "tests/bench/exit_status.h"
 #include "tests/bench/published_sources.h"
 
 namespace {
@@ -174,14 +174,5 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   program.add_option("--pairs", options.pairs, "Pairs of frames")->check(CLI::Range(2, 100000))->capture_default_str();
   CLI11_PARSE(program, argc, argv);
-  try {
-    run(options);
-    return 0;
-  } catch (const Error& error) {
-    printError(error.what());
-    return error.exitStatus();
-  } catch (const std::exception& error) {
-    printError(error.what());
-    return 1;
-  }
+  return exitStatusOf([&] { run(options); });
 }
