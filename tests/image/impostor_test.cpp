@@ -16,6 +16,7 @@
 #include "filters/reference/metrics.h"
 #include "filters/reference/reference_scene.h"
 #include "filters/reference/reflecting_layers.h"
+#include "filters/reference/visible_normal_lobe.h"
 #include "tests/support/scene_picture.h"
 
 namespace {
@@ -38,10 +39,17 @@ struct Sample {
   SurfacePoint surface;
   ReflectingLayer layer;
   glm::dvec3 other{0.0}, reflected{0.0};
+  glm::dvec3 start{0.0};     // of reflected rays
+  std::uint64_t seed = 0;    // of those that `reflected` is the mean of
   glm::dvec3 hitWorld{0.0};  // where R truly ends; far along it if nowhere
 };
 
 class Impostor : public testing::TestWithParam<Case> {};
+
+glm::dvec3 trueEnd(const ReferenceScene& reference, const glm::dvec3& start, const glm::dvec3& along) {
+  const auto hit = reference.tracer().firstHit(start, along, RaySees::Probes);
+  return hit ? hit->positionWorld : start + 1.0e4 * along;
+}
 
 std::vector<Sample> samplesOf(const ReferenceScene& reference, const Camera& camera, float roughness) {
   std::vector<Sample> samples;
@@ -70,12 +78,13 @@ std::vector<Sample> samplesOf(const ReferenceScene& reference, const Camera& cam
     }
   }
   tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
+    samples[i].start = starts[i];
+    samples[i].seed = 17 * i + 1;
     samples[i].reflected = reference.reflectedFrom(samples[i].surface, starts[i], RaySees::Probes,
-                                                   roughness > 0.0f ? kRays : 1, 17 * i + 1);
+                                                   roughness > 0.0f ? kRays : 1, samples[i].seed);
     const SurfacePoint& at = samples[i].surface;
     const glm::dvec3 along(shading::reflectedView(at.normalWorld, at.viewWorld));
-    const auto hit = reference.tracer().firstHit(starts[i], along, RaySees::Probes);
-    samples[i].hitWorld = hit ? reference.tracer().surface(*hit, starts[i]).positionWorld : starts[i] + 1.0e4 * along;
+    samples[i].hitWorld = trueEnd(reference, starts[i], along);
   });
   return samples;
 }
@@ -96,6 +105,19 @@ class CountedRelief : public shading::ReliefSampler {
 // In place of a technique: the plain lookup in the direction of the true hit. What no projection can mend is left: what
 // the probe did not see, and the roughness that `none` looks up whatever the distance.
 constexpr const char* kExactHit = "exact hit";
+// The same by every ray of the lobe, those that the truth is the mean of: what no projection and no evaluation can mend
+// is left alone.
+constexpr const char* kExactRays = "exact rays";
+
+glm::dvec3 exactRays(const ReferenceScene& reference, const Sample& s, const Probe& probe, const BakedMaps& maps) {
+  const VisibleNormalLobe lobe(glm::normalize(s.layer.normalWorld), glm::normalize(glm::dvec3(s.surface.viewWorld)),
+                               s.layer.roughness * s.layer.roughness);
+  return lobeMean(lobe, glm::dvec3(s.layer.fresnel.f0), glm::dvec3(s.layer.fresnel.f90),
+                  s.layer.roughness > 0.0 ? kRays : 1, s.seed, [&](const glm::dvec3& along) {
+                    const glm::vec3 seen(trueEnd(reference, s.start, along) - probe.origin);
+                    return glm::dvec3(glm::vec3(maps.radiance.fetch(seen, 0.0f)));
+                  });
+}
 
 struct Tally {
   double square = 0.0;  // of the tone-mapped error, sum over cameras
@@ -104,10 +126,10 @@ struct Tally {
   std::size_t lookups = 0;
 };
 
-void add(Tally& tally, const std::string& id, float steps, const Probe& probe, const BakedMaps& maps,
-         const std::vector<Sample>& samples) {
+void add(Tally& tally, const std::string& id, float steps, const ReferenceScene& reference, const Probe& probe,
+         const BakedMaps& maps, const std::vector<Sample>& samples) {
   ProbeGeometry geometry = probeGeometry(probe, probe.origin);
-  geometry.technique = parseTechnique(id == kExactHit ? "box+none" : id).value();
+  geometry.technique = parseTechnique(id == kExactHit || id == kExactRays ? "box+none" : id).value();
   geometry.parameters.steps = steps;
   const auto relief = maps.relief.of(maps.distance);
   const auto blocks = maps.relief.blocks(*relief, geometry.boxMin, geometry.boxMax, glm::mat3(1.0f));
@@ -135,8 +157,10 @@ void add(Tally& tally, const std::string& id, float steps, const Probe& probe, c
     ++tally.lookups;
     const auto evaluate = evaluationRows()[static_cast<std::size_t>(geometry.technique.evaluation)].evaluate;
     const float level = shading::levelForRoughness(point.roughness, shape.maxLevel);
-    const glm::dvec3 value(glm::vec3(id == kExactHit ? maps.radiance.fetch(glm::vec3(s.hitWorld - probe.origin), level)
-                                                     : evaluate(&maps.radiance, shape, point)));
+    const glm::dvec3 value =
+        id == kExactRays  ? exactRays(reference, s, probe, maps)
+        : id == kExactHit ? glm::dvec3(glm::vec3(maps.radiance.fetch(glm::vec3(s.hitWorld - probe.origin), level)))
+                          : glm::dvec3(glm::vec3(evaluate(&maps.radiance, shape, point)));
     const glm::dvec3 ours = s.other + s.layer.factor * value, right = s.other + s.reflected;
     for (int c = 0; c < 3; ++c) {
       drawn.pixels[4 * s.pixel + static_cast<std::size_t>(c)] += static_cast<float>(ours[c]) / count[s.pixel];
@@ -166,17 +190,22 @@ TEST_P(Impostor, ErrorAgainstTheTracedScene) {
   std::map<std::string, Tally> tallies;
   for (const char* name : c.cameras) {
     const std::vector<Sample> samples = samplesOf(reference, cameraNamed(picture.scene, name), c.roughness);
-    add(tallies[kExactHit], kExactHit, 3.0f, probe, maps, samples);
+    add(tallies[kExactHit], kExactHit, 3.0f, reference, probe, maps, samples);
+    add(tallies[kExactRays], kExactRays, 3.0f, reference, probe, maps, samples);
     for (const char* evaluation : {"none", "footprint8"}) {
-      add(tallies[std::string("box+") + evaluation], std::string("box+") + evaluation, 3.0f, probe, maps, samples);
+      add(tallies[std::string("box+") + evaluation], std::string("box+") + evaluation, 3.0f, reference, probe, maps,
+          samples);
       for (int steps = 1; steps <= 4; ++steps) {
         add(tallies["impostor+" + std::string(evaluation) + " " + std::to_string(steps)],
-            std::string("impostor+") + evaluation, static_cast<float>(steps), probe, maps, samples);
+            std::string("impostor+") + evaluation, static_cast<float>(steps), reference, probe, maps, samples);
       }
     }
   }
   std::printf("  %-9s roughness %.2f, none in the direction of the true hit: %.3f of the box's error\n", c.scene,
               static_cast<double>(c.roughness), std::sqrt(tallies[kExactHit].square / tallies["box+none"].square));
+  std::printf("  %-9s roughness %.2f, all rays in the directions of their true hits: %.3f of footprint8's by the box\n",
+              c.scene, static_cast<double>(c.roughness),
+              std::sqrt(tallies[kExactRays].square / tallies["box+footprint8"].square));
   for (const char* evaluation : {"none", "footprint8"}) {
     const Tally& box = tallies[std::string("box+") + evaluation];
     for (int steps = 1; steps <= 4; ++steps) {
