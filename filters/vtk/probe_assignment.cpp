@@ -82,6 +82,11 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
                                             .technique
                                       : geometry.technique);
   }
+  // A perfect mirror's lobe is one direction: whatever a technique of several samples does, it does for nothing there.
+  for (Technique& technique : binding->techniques) {
+    const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();
+    if (costly && object.roughnessMax <= 0.0) technique.evaluation = parseTechnique("none")->evaluation;
+  }
   if (object.settings.weights == WeightMode::Object && binding->weights && !order.empty()) {
     std::vector<float> weights;
     for (const std::size_t i : order) weights.push_back(static_cast<float>(objectWeight(scene.probes[i], bounds)));
