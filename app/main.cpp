@@ -29,7 +29,7 @@ int run(int& argc, char** argv) {
   std::string scenePath;
   WindowOptions window;
   program.add_option("SCENE", scenePath,
-                     "Scene file (.boxprobe.json) or bare model (.glb, .gltf) to open in the window");
+                     "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp) to open in the window");
   program
       .add_option("--stats", window.statsPath,
                   "When the window closes, write counters and times of what ran to this file")

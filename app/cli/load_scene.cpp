@@ -8,8 +8,9 @@
 
 #include "app/cli/fit_scene.h"
 #include "filters/core/errors.h"
-#include "filters/io/model_file.h"
+#include "filters/core/model_placement.h"
 #include "filters/io/scene_file.h"
+#include "filters/vtk/model_reader.h"
 
 namespace boxprobe {
 
@@ -23,20 +24,45 @@ bool endsWith(std::string text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+/// A scene without lights or cameras of its own has those of its models, which saving then writes down.
+void adoptFromModels(LoadedScene& loaded) {
+  Scene& scene = loaded.scene;
+  const bool lights = scene.lights.empty(), cameras = scene.cameras.empty();
+  for (std::size_t i = 0; i < loaded.models.size(); ++i) {
+    if (lights) {
+      for (const Light& light : placedLights(*loaded.models[i], scene.models[i])) scene.lights.push_back(light);
+    }
+    if (!cameras) continue;
+    for (Camera camera : placedCameras(*loaded.models[i], scene.models[i])) {
+      const std::string stem = camera.name;
+      const auto taken = [&] {
+        return std::any_of(scene.cameras.begin(), scene.cameras.end(),
+                           [&](const Camera& other) { return other.name == camera.name; });
+      };
+      for (int copy = 2; taken(); ++copy) camera.name = stem + " " + std::to_string(copy);
+      scene.cameras.push_back(camera);
+    }
+  }
+  validate(scene);
+}
+
+
 LoadedScene loadBareModel(const std::string& path) {
   LoadedScene loaded;
   loaded.scene = sceneForModel(path);
   loaded.models = loadModels(loaded.scene);
   const Box bounds = modelBounds(*loaded.models.front());
   loaded.scene.probes = {fittedProbe(bounds)};
-  loaded.scene.cameras = {fittedCamera(bounds)};
+  loaded.scene.cameras.clear();
+  adoptFromModels(loaded);
+  if (loaded.scene.cameras.empty()) loaded.scene.cameras = {fittedCamera(bounds)};
   return loaded;
 }
 
 }  // namespace
 
 bool isModelPath(const std::string& path) {
-  return endsWith(path, ".glb") || endsWith(path, ".gltf");
+  return isModelFile(path);
 }
 
 std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene) {
@@ -44,7 +70,7 @@ std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene) {
   std::vector<std::shared_ptr<const Model>> models;
   for (const ModelFile& model : scene.models) {
     std::shared_ptr<const Model>& loaded = byFile[model.file];
-    if (!loaded) loaded = std::make_shared<const Model>(loadModelFile(model.file));
+    if (!loaded) loaded = std::make_shared<const Model>(readModel(model.file));
     models.push_back(loaded);
   }
   return models;
@@ -76,8 +102,9 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
     loaded.path = path;
     setSceneFields(loaded.scene, assignments);
     loaded.models = loadModels(loaded.scene);
+    adoptFromModels(loaded);
   } else {
-    throw InputError(path + ": neither a scene (.boxprobe.json) nor a model (.glb, .gltf)");
+    throw InputError(path + ": neither a scene (.boxprobe.json) nor a model (" + modelFilePatterns() + ")");
   }
   loaded.warnings = sceneWarnings(loaded.scene, loaded.models);
   return loaded;

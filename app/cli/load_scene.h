@@ -29,7 +29,7 @@ std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene);
 /// features of the scene that are accepted but not used yet, overrides and hides that name nothing in the models.
 std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
 
-/// True for the extensions of model files that can be opened without a scene (.glb, .gltf; any case).
+/// True for the extensions of model files, which can be opened without a scene, in any case.
 bool isModelPath(const std::string& path);
 
 }  // namespace boxprobe

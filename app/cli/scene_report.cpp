@@ -33,8 +33,7 @@ Json modelReport(const ModelFile& file, const Model& model) {
   std::set<const ImageRgba8*> images;
   std::size_t bytes = 0;
   for (const Material& m : model.materials) {
-    for (const TextureUse* use : {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture,
-                                  &m.occlusionTexture, &m.emissiveTexture}) {
+    for (const TextureUse* use : m.textures()) {
       if (use->image && images.insert(use->image.get()).second) bytes += textureBytes(*use->image);
     }
   }
@@ -119,18 +118,27 @@ Json skyReport(const Sky& sky) {
 }
 
 Json cameraReport(const Camera& camera) {
-  return {{"name", camera.name},
-          {"position", vector3(camera.position)},
-          {"target", vector3(camera.target)},
-          {"verticalFovDegrees", camera.verticalFovDegrees}};
+  Json report = {{"name", camera.name},
+                 {"position", vector3(camera.position)},
+                 {"target", vector3(camera.target)},
+                 {"verticalFovDegrees", camera.verticalFovDegrees}};
+  if (camera.parallelHeight > 0.0) report["parallelHeight"] = camera.parallelHeight;
+  return report;
 }
 
 Json lightReport(const Light& light) {
   const bool directional = light.type == LightType::Directional;
-  return {{"type", directional ? "directional" : "point"},
-          {directional ? "direction" : "position", vector3(directional ? light.direction : light.position)},
-          {"color", vector3(light.color)},
-          {"intensity", light.intensity}};
+  const char* const types[] = {"directional", "point", "spot"};
+  Json report = {{"type", types[static_cast<int>(light.type)]},
+                 {directional ? "direction" : "position", vector3(directional ? light.direction : light.position)},
+                 {"color", vector3(light.color)},
+                 {"intensity", light.intensity}};
+  if (light.type == LightType::Spot) {
+    report["direction"] = vector3(light.direction);
+    report["innerConeDegrees"] = light.innerConeDegrees;
+    report["outerConeDegrees"] = light.outerConeDegrees;
+  }
+  return report;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "filters/core/errors.h"
 #include "filters/io/image_file.h"
 #include "filters/io/scene_file.h"
+#include "filters/vtk/model_reader.h"
 
 namespace boxprobe {
 
@@ -65,8 +66,9 @@ bool FileCommands::confirmLeaving() {
 void FileCommands::open() {
   const QString path =
       QFileDialog::getOpenFileName(window_, tr("Open"), folder(),
-                                   tr("Scenes and models (*.boxprobe.json *.json *.glb *.gltf);;Scenes "
-                                      "(*.boxprobe.json *.json);;Models (*.glb *.gltf)"));
+                                   tr("Scenes and models (*.boxprobe.json *.json %1);;Scenes "
+                                      "(*.boxprobe.json *.json);;Models (%1)")
+                                       .arg(QString::fromStdString(modelFilePatterns())));
   if (!path.isEmpty()) openPath(path);
 }
 

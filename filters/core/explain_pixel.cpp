@@ -292,7 +292,7 @@ Explanation explainPixel(const ExplainInput& in) {
   e.f0 = glm::mix(glm::vec3(s.baseF0), s.albedo, s.metallic);
   const float f90 = std::clamp(glm::dot(e.f0, glm::vec3(50.0f * 0.33f)), 0.0f, 1.0f);
   const glm::vec3 edge = glm::mix(glm::vec3(f90), glm::vec3(1.0f), s.metallic);
-  e.direct = s.occlusion * directLight(s, e.f0, edge, in.lights);
+  e.direct = directLight(s, e.f0, edge, in.lights);
 
   if (in.lighting == ExplainInput::Lighting::Probes) {
     Gathered light = gather(in, s.normalWorld, s.roughness, meanFresnel(e.f0, edge, e.nDotV));

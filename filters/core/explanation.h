@@ -28,7 +28,7 @@ struct SurfacePoint {
   glm::vec3 emissive{0.0f};
   float metallic = 0.0f;
   float roughness = 0.0f;  ///< perceptual
-  float occlusion = 1.0f;  ///< factor of all light but emission
+  float occlusion = 1.0f;  ///< factor of what comes from probes and sky
   float baseF0 = 0.04f;    ///< of the non-metal, from the index of refraction
   float opacity = 1.0f;
   float coatStrength = 0.0f;

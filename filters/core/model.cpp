@@ -3,6 +3,17 @@
 
 namespace boxprobe {
 
+std::vector<TextureUse*> Material::textures() {
+  return {&baseColorTexture, &metallicRoughnessTexture, &normalTexture,     &occlusionTexture,   &emissiveTexture,
+          &coatTexture,      &coatRoughnessTexture,     &coatNormalTexture, &transmissionTexture};
+}
+
+std::vector<const TextureUse*> Material::textures() const {
+  std::vector<const TextureUse*> uses;
+  for (TextureUse* use : const_cast<Material*>(this)->textures()) uses.push_back(use);
+  return uses;
+}
+
 std::size_t Model::triangleCount() const {
   std::size_t count = 0;
   for (const Instance& instance : instances) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/mat3x2.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -10,6 +11,8 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "filters/core/scene.h"
 
 namespace boxprobe {
 
@@ -34,6 +37,16 @@ struct TextureUse {
   std::shared_ptr<const ImageRgba8> image;  ///< null: no texture
   Wrap wrapS = Wrap::Repeat;
   Wrap wrapT = Wrap::Repeat;
+  int uvSet = 0;                                      ///< which of the mesh's two sets of coordinates
+  glm::mat3x2 uvTransform{1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};  ///< of (u, v, 1), by columns; KHR_texture_transform
+  bool nearest = false;                               ///< magnified without interpolation
+};
+
+/// What a material's alpha means (glTF 2.0, section 3.9.4).
+enum class AlphaMode {
+  Opaque,  ///< nothing
+  Mask,    ///< shown where it is not below the cutoff, and whole there
+  Blend,   ///< covers by that much
 };
 
 /// glTF metallic-roughness. Colours linear; baseColor and emissive textures sRGB; metallicRoughness as glTF packs it
@@ -48,10 +61,20 @@ struct Material {
   float occlusionStrength = 1.0f;
   float coat = 0.0f;
   float coatRoughness = 0.0f;
+  float coatNormalScale = 1.0f;
+  float transmission = 0.0f;  ///< KHR_materials_transmission: kept for those who refract; drawn without
   float ior = 1.5f;
   bool unlit = false;  ///< KHR_materials_unlit: shows baseColor times its texture, no light
   bool doubleSided = false;
+  AlphaMode alphaMode = AlphaMode::Opaque;
+  float alphaCutoff = 0.5f;  ///< of AlphaMode::Mask
   TextureUse baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
+  TextureUse coatTexture, coatRoughnessTexture, coatNormalTexture;  ///< R, G, a tangent-space normal
+  TextureUse transmissionTexture;                                   ///< R
+
+  /// All of them, those without an image too.
+  std::vector<TextureUse*> textures();
+  std::vector<const TextureUse*> textures() const;
 };
 
 /// Triangles. Arrays other than positions may be empty; if not, they have one entry a position.
@@ -61,6 +84,8 @@ struct Mesh {
   std::vector<glm::vec3> normals;
   std::vector<glm::vec4> tangents;     ///< w = handedness, glTF convention
   std::vector<glm::vec2> uv;           ///< v = 0 at the top of the picture, as in glTF
+  std::vector<glm::vec2> uv1;          ///< second set
+  std::vector<glm::vec4> colors;       ///< linear, multiply the base colour and its alpha
   std::vector<std::uint32_t> indices;  ///< three a triangle
   int material = -1;                   ///< index into Model::materials, -1: the default material
 };
@@ -76,6 +101,8 @@ struct Model {
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
   std::vector<Instance> instances;
+  std::vector<Light> lights;          ///< in the file's frame, as instances are
+  std::vector<Camera> cameras;        ///< likewise, names unique
   std::vector<std::string> warnings;  ///< what the file asks for and is not supported, named once
 
   std::size_t triangleCount() const;  ///< over all instances

@@ -8,8 +8,8 @@
 namespace boxprobe {
 
 bool ModelFile::operator==(const ModelFile& o) const {
-  return std::tie(file, translation, rotationDegrees, scale) ==
-         std::tie(o.file, o.translation, o.rotationDegrees, o.scale);
+  return std::tie(file, translation, rotationDegrees, scale, unit, upAxis) ==
+         std::tie(o.file, o.translation, o.rotationDegrees, o.scale, o.unit, o.upAxis);
 }
 
 bool SkyColor::operator==(const SkyColor& o) const {
@@ -25,13 +25,13 @@ bool SkyImage::operator==(const SkyImage& o) const {
 }
 
 bool Camera::operator==(const Camera& o) const {
-  return std::tie(name, position, target, up, verticalFovDegrees) ==
-         std::tie(o.name, o.position, o.target, o.up, o.verticalFovDegrees);
+  return std::tie(name, position, target, up, verticalFovDegrees, parallelHeight) ==
+         std::tie(o.name, o.position, o.target, o.up, o.verticalFovDegrees, o.parallelHeight);
 }
 
 bool Light::operator==(const Light& o) const {
-  return std::tie(type, direction, position, color, intensity) ==
-         std::tie(o.type, o.direction, o.position, o.color, o.intensity);
+  return std::tie(type, direction, position, color, intensity, innerConeDegrees, outerConeDegrees, range) ==
+         std::tie(o.type, o.direction, o.position, o.color, o.intensity, o.innerConeDegrees, o.outerConeDegrees, o.range);
 }
 
 bool MaterialOverride::operator==(const MaterialOverride& o) const {

@@ -15,13 +15,20 @@ namespace boxprobe {
 
 struct Model;
 
-/// A model file and where it stands. The transform (scale, then rotation X then Y then Z, then translation) stays in
-/// double so that a scene far from the origin keeps its precision.
+/// What one unit of a model file is, in metres (which a scene's lengths are): glTF says metres, other formats nothing.
+enum class LengthUnit { Metre, Centimetre, Millimetre, Inch, Foot };
+/// Which way a model file takes for up; it is turned so that this becomes +Y.
+enum class UpAxis { X, Y, Z };
+
+/// A model file and where it stands. The transform (units and up axis, then scale, then rotation X then Y then Z, then
+/// translation) stays in double so that a scene far from the origin keeps its precision.
 struct ModelFile {
   std::string file;  ///< absolute, or relative to the working directory once loaded
   glm::dvec3 translation{0.0};
   glm::dvec3 rotationDegrees{0.0};
   double scale = 1.0;
+  LengthUnit unit = LengthUnit::Metre;
+  UpAxis upAxis = UpAxis::Y;
   bool operator==(const ModelFile&) const;
 };
 
@@ -50,16 +57,20 @@ struct Camera {
   glm::dvec3 target{0.0, 1.0, 0.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
   double verticalFovDegrees = 45.0;
+  double parallelHeight = 0.0;  ///< above 0: parallel projection of so many scene units from top to bottom
   bool operator==(const Camera&) const;
 };
 
-enum class LightType { Directional, Point };
+enum class LightType { Directional, Point, Spot };
 struct Light {
   LightType type = LightType::Directional;
-  glm::dvec3 direction{0.0, -1.0, 0.0};  ///< directional: the way the light travels; need not be unit length
-  glm::dvec3 position{0.0};              ///< point
+  glm::dvec3 direction{0.0, -1.0, 0.0};  ///< directional, spot: the way the light travels; need not be unit length
+  glm::dvec3 position{0.0};              ///< point, spot
   glm::vec3 color{1.0f};
-  float intensity = 1.0f;  ///< directional: irradiance at normal incidence; point: radiant intensity, falls with 1/d²
+  float intensity = 1.0f;  ///< directional: irradiance at normal incidence; else radiant intensity, falls with 1/d²
+  double innerConeDegrees = 0.0;   ///< spot: half the angle within which it is whole
+  double outerConeDegrees = 45.0;  ///< spot: half the angle beyond which it is dark, above the inner one, at most 90
+  double range = 0.0;              ///< not directional: fades to nothing towards it; 0: never
   bool operator==(const Light&) const;
 };
 

@@ -171,14 +171,26 @@ void checkCamera(const Camera& camera) {
     fields.fail("verticalFovDegrees",
                 "is " + numberText(camera.verticalFovDegrees) + " and must be greater than 0 and less than 180");
   }
+  fields.atLeast("parallelHeight", camera.parallelHeight, 0.0);
+  fields.notHuge("parallelHeight", camera.parallelHeight);
 }
 
 void checkLight(const Light& light, std::size_t index) {
   const Fields fields({"lights", indexKey(index)});
-  if (light.type == LightType::Directional) {
-    fields.direction("direction", light.direction);
-  } else {
+  if (light.type != LightType::Point) fields.direction("direction", light.direction);
+  if (light.type != LightType::Directional) {
     fields.lengths("position", light.position);
+    fields.atLeast("range", light.range, 0.0);
+    fields.notHuge("range", light.range);
+  }
+  if (light.type == LightType::Spot) {
+    fields.within("innerConeDegrees", light.innerConeDegrees, 0.0, 90.0);
+    fields.within("outerConeDegrees", light.outerConeDegrees, 0.0, 90.0);
+    if (light.innerConeDegrees >= light.outerConeDegrees) {
+      fields.fail("innerConeDegrees", "is " + numberText(light.innerConeDegrees) +
+                                          " and must be less than outerConeDegrees, " +
+                                          numberText(light.outerConeDegrees));
+    }
   }
   fields.notNegative("color", light.color);
   fields.atLeast("intensity", light.intensity, 0.0f);

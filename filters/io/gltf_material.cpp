@@ -1,12 +1,12 @@
-// Materials, textures, samplers and images of a glTF file. Images are decoded when the first material asks for them and
-// shared by all that do.
+// Materials, textures and samplers of a glTF file. What images they use is collected first, so that gltf_image.cpp can
+// decode them together.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <set>
 
 #include "filters/core/one_line.h"
 #include "filters/io/gltf_parts.h"
-#include "filters/io/image_detail.h"
 
 namespace boxprobe {
 
@@ -16,7 +16,7 @@ constexpr double kDefaultIor = 1.5;
 
 class MaterialReader {
  public:
-  explicit MaterialReader(GltfFile& file) : file_(file), images_(file.gltf.images.size()) {}
+  explicit MaterialReader(GltfFile& file) : file_(file) {}
 
   Material read(const tinygltf::Material& source, std::size_t index) {
     Material material;
@@ -35,10 +35,15 @@ class MaterialReader {
     material.normalTexture = texture(source.normalTexture, "normalTexture");
     material.occlusionTexture = texture(source.occlusionTexture, "occlusionTexture");
     material.emissiveTexture = texture(source.emissiveTexture, "emissiveTexture");
-    readExtensions(source, material);
-    if (!source.alphaMode.empty() && source.alphaMode != "OPAQUE") {
-      file_.warn("has materials with alphaMode " + oneLine(source.alphaMode) + ", which are drawn opaque");
+    if (source.alphaMode == "MASK") {
+      material.alphaMode = AlphaMode::Mask;
+    } else if (source.alphaMode == "BLEND") {
+      material.alphaMode = AlphaMode::Blend;
+    } else if (!source.alphaMode.empty() && source.alphaMode != "OPAQUE") {
+      file_.warn("has materials with alphaMode " + oneLine(source.alphaMode) + ", which is not in glTF: drawn opaque");
     }
+    material.alphaCutoff = bounded(std::max(source.alphaCutoff, 0.0));
+    readExtensions(source, material);
     return material;
   }
 
@@ -61,11 +66,6 @@ class MaterialReader {
     return result;
   }
 
-  static double extensionNumber(const tinygltf::Value& extension, const char* key, double standard) {
-    if (!extension.IsObject() || !extension.Has(key) || !extension.Get(key).IsNumber()) return standard;
-    return extension.Get(key).GetNumberAsDouble();
-  }
-
   void readExtensions(const tinygltf::Material& source, Material& material) {
     for (const auto& [name, extension] : source.extensions) {
       if (name == "KHR_materials_unlit") {
@@ -79,10 +79,16 @@ class MaterialReader {
       } else if (name == "KHR_materials_clearcoat") {
         material.coat = unit(extensionNumber(extension, "clearcoatFactor", 0.0));
         material.coatRoughness = unit(extensionNumber(extension, "clearcoatRoughnessFactor", 0.0));
-        for (const char* key : {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"}) {
-          if (extension.IsObject() && extension.Has(key))
-            file_.warn("has clear-coat textures, which are not supported");
+        material.coatTexture = extensionTexture(extension, "clearcoatTexture");
+        material.coatRoughnessTexture = extensionTexture(extension, "clearcoatRoughnessTexture");
+        material.coatNormalTexture = extensionTexture(extension, "clearcoatNormalTexture");
+        if (material.coatNormalTexture.image) {
+          material.coatNormalScale = bounded(extensionNumber(extension.Get("clearcoatNormalTexture"), "scale", 1.0));
         }
+      } else if (name == "KHR_materials_transmission") {
+        material.transmission = unit(extensionNumber(extension, "transmissionFactor", 0.0));
+        material.transmissionTexture = extensionTexture(extension, "transmissionTexture");
+        if (material.transmission > 0.0f) file_.warn("has materials that transmit light, which are drawn without that");
       }
     }
   }
@@ -95,16 +101,64 @@ class MaterialReader {
 
   template <typename TextureInfo>
   TextureUse texture(const TextureInfo& info, const char* slot) {
+    const auto transform = info.extensions.find("KHR_texture_transform");
+    return texture(info.index, info.texCoord, transform == info.extensions.end() ? nullptr : &transform->second, slot);
+  }
+
+  /// A texture that tinygltf knows nothing of.
+  TextureUse extensionTexture(const tinygltf::Value& extension, const char* slot) {
+    if (!extension.IsObject() || !extension.Has(slot)) return {};
+    const tinygltf::Value& info = extension.Get(slot);
+    const tinygltf::Value* transform = nullptr;
+    if (info.IsObject() && info.Has("extensions") && info.Get("extensions").IsObject() &&
+        info.Get("extensions").Has("KHR_texture_transform")) {
+      transform = &info.Get("extensions").Get("KHR_texture_transform");
+    }
+    return texture(wholeNumber(info, "index", -1), wholeNumber(info, "texCoord", 0), transform, slot);
+  }
+
+  static int wholeNumber(const tinygltf::Value& object, const char* key, int standard) {
+    const double value = extensionNumber(object, key, standard);
+    return value >= -1.0 && value <= 1.0e9 ? static_cast<int>(value) : standard;
+  }
+
+  glm::vec2 transformPair(const tinygltf::Value& transform, const char* key, float standard) {
+    glm::vec2 pair(standard);
+    if (!transform.IsObject() || !transform.Has(key)) return pair;
+    const tinygltf::Value& list = transform.Get(key);
+    for (std::size_t i = 0; i < 2 && list.IsArray() && i < list.ArrayLen(); ++i) {
+      if (list.Get(static_cast<int>(i)).IsNumber()) {
+        pair[static_cast<int>(i)] = bounded(list.Get(static_cast<int>(i)).GetNumberAsDouble());
+      }
+    }
+    return pair;
+  }
+
+  /// KHR_texture_transform: translation * rotation * scale of (u, v, 1), v downwards.
+  void readTransform(const tinygltf::Value& transform, TextureUse& use) {
+    const glm::vec2 offset = transformPair(transform, "offset", 0.0f), scale = transformPair(transform, "scale", 1.0f);
+    const double turn = extensionNumber(transform, "rotation", 0.0);
+    const auto c = static_cast<float>(std::cos(turn)), s = static_cast<float>(std::sin(turn));
+    use.uvTransform = glm::mat3x2(c * scale.x, -s * scale.x, s * scale.y, c * scale.y, offset.x, offset.y);
+    use.uvSet = wholeNumber(transform, "texCoord", use.uvSet);
+  }
+
+  TextureUse texture(int textureIndex, int texCoord, const tinygltf::Value* transform, const char* slot) {
     TextureUse use;
-    if (info.index < 0) return use;
+    if (textureIndex < 0) return use;
     const std::string where = place_ + ": " + slot;
     const auto& textures = file_.gltf.textures;
-    if (static_cast<std::size_t>(info.index) >= textures.size()) {
-      file_.fail(where, "texture " + std::to_string(info.index) + " does not exist; the file has " +
+    if (static_cast<std::size_t>(textureIndex) >= textures.size()) {
+      file_.fail(where, "texture " + std::to_string(textureIndex) + " does not exist; the file has " +
                             std::to_string(textures.size()));
     }
-    if (info.texCoord != 0) file_.warn("has textures on a second set of texture coordinates; the first set is used");
-    const tinygltf::Texture& source = textures[static_cast<std::size_t>(info.index)];
+    use.uvSet = texCoord;
+    if (transform != nullptr) readTransform(*transform, use);
+    if (use.uvSet < 0 || use.uvSet > 1) {
+      file_.warn("has textures on a third set of texture coordinates; the second is used");
+      use.uvSet = 1;
+    }
+    const tinygltf::Texture& source = textures[static_cast<std::size_t>(textureIndex)];
     if (source.sampler >= 0) {
       if (static_cast<std::size_t>(source.sampler) >= file_.gltf.samplers.size()) {
         file_.fail(where, "sampler " + std::to_string(source.sampler) + " does not exist; the file has " +
@@ -113,51 +167,52 @@ class MaterialReader {
       const tinygltf::Sampler& sampler = file_.gltf.samplers[static_cast<std::size_t>(source.sampler)];
       use.wrapS = wrapMode(sampler.wrapS);
       use.wrapT = wrapMode(sampler.wrapT);
+      use.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     }
     if (source.source < 0) {
       file_.warn("has textures without a PNG or JPEG image, which are left out");
       return use;
     }
-    use.image = image(source.source, where);
+    if (static_cast<std::size_t>(source.source) >= file_.gltf.images.size()) {
+      file_.fail(where, "image " + std::to_string(source.source) + " does not exist; the file has " +
+                            std::to_string(file_.gltf.images.size()));
+    }
+    // Stands for the image until all are decoded.
+    auto wanted = std::make_shared<ImageRgba8>();
+    wanted->width = -1 - source.source;
+    use.image = wanted;
     return use;
-  }
-
-  std::shared_ptr<const ImageRgba8> image(int index, const std::string& where) {
-    if (static_cast<std::size_t>(index) >= images_.size()) {
-      file_.fail(where,
-                 "image " + std::to_string(index) + " does not exist; the file has " + std::to_string(images_.size()));
-    }
-    auto& decoded = images_[static_cast<std::size_t>(index)];
-    if (decoded) return decoded;
-    const tinygltf::Image& source = file_.gltf.images[static_cast<std::size_t>(index)];
-    const bool isFile = !source.uri.empty();
-    const std::string called = isFile ? source.uri : source.name;
-    const std::string name =
-        oneLine(file_.path + ": image " + std::to_string(index) + (called.empty() ? "" : " (" + called + ")"));
-    ByteRange bytes;
-    if (source.bufferView >= 0) {
-      bytes = bufferViewBytes(file_, source.bufferView, "image " + std::to_string(index));
-    } else if (const auto kept = file_.encodedImages.find(index); kept != file_.encodedImages.end()) {
-      bytes = {reinterpret_cast<const unsigned char*>(kept->second.data()), kept->second.size()};
-    }
-    ImageRgba8 picture = decodeImage8(bytes.data, bytes.size, name);
-    picture.name = called.empty() ? "image " + std::to_string(index) : called;
-    decoded = std::make_shared<const ImageRgba8>(std::move(picture));
-    return decoded;
   }
 
   GltfFile& file_;
   std::string place_;
-  std::vector<std::shared_ptr<const ImageRgba8>> images_;
 };
 
 }  // namespace
 
-std::vector<Material> readMaterials(GltfFile& file) {
+double extensionNumber(const tinygltf::Value& extension, const char* key, double standard) {
+  if (!extension.IsObject() || !extension.Has(key) || !extension.Get(key).IsNumber()) return standard;
+  return extension.Get(key).GetNumberAsDouble();
+}
+
+std::vector<Material> readMaterials(GltfFile& file, const std::function<void(double)>& progress) {
   MaterialReader reader(file);
   std::vector<Material> materials;
   for (std::size_t i = 0; i < file.gltf.materials.size(); ++i) {
     materials.push_back(reader.read(file.gltf.materials[i], i));
+  }
+  std::set<int> used;
+  const auto wanted = [](const TextureUse& use) { return -1 - use.image->width; };
+  for (Material& material : materials) {
+    for (const TextureUse* use : material.textures()) {
+      if (use->image) used.insert(wanted(*use));
+    }
+  }
+  const auto images = decodeImages(file, used, progress);
+  for (Material& material : materials) {
+    for (TextureUse* use : material.textures()) {
+      if (use->image) use->image = images.at(wanted(*use));
+    }
   }
   return materials;
 }

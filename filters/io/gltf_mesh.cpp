@@ -69,6 +69,8 @@ void makeFlat(Mesh& mesh) {
       flat.positions.push_back(mesh.positions[source]);
       flat.normals.push_back(unit);
       if (!mesh.uv.empty()) flat.uv.push_back(mesh.uv[source]);
+      if (!mesh.uv1.empty()) flat.uv1.push_back(mesh.uv1[source]);
+      if (!mesh.colors.empty()) flat.colors.push_back(mesh.colors[source]);
       flat.indices.push_back(static_cast<std::uint32_t>(i + corner));
     }
   }
@@ -90,12 +92,38 @@ void makeUnit(GltfFile& file, std::vector<glm::vec3>& normals) {
 
 void warnOfTheRest(GltfFile& file, const tinygltf::Primitive& primitive) {
   if (!primitive.targets.empty()) file.warn("has morph targets, which are not supported; the base shape is used");
-  for (const auto& attribute : primitive.attributes) {
-    if (attribute.first.rfind("COLOR_", 0) == 0) file.warn("has vertex colors, which are not supported and left out");
+  for (const char* name : {"COLOR_1", "TEXCOORD_2"}) {
+    if (primitive.attributes.count(name) > 0) file.warn("has " + std::string(name) + ", which is left out");
   }
 }
 
-Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mode, const std::string& place) {
+/// COLOR_0: three or four components; without alpha it is 1 (glTF 2.0, section 3.7.2.1).
+std::vector<glm::vec4> readColors(const GltfFile& file, const tinygltf::Primitive& primitive, std::size_t positions,
+                                  const std::string& place) {
+  const auto found = primitive.attributes.find("COLOR_0");
+  if (found == primitive.attributes.end()) return {};
+  std::vector<glm::vec4> colors;
+  if (componentCount(file, found->second, place + ": COLOR_0") == 3) {
+    for (const glm::vec3& rgb : readAttribute<glm::vec3>(file, primitive, "COLOR_0", positions, place)) {
+      colors.emplace_back(rgb, 1.0f);
+    }
+  } else {
+    colors = readAttribute<glm::vec4>(file, primitive, "COLOR_0", positions, place);
+  }
+  for (glm::vec4& color : colors) color = glm::clamp(color, 0.0f, 1.0f);
+  return colors;
+}
+
+/// Normal maps of a material that need tangents: the set of texture coordinates they lie on; -1: none does.
+int normalMapSet(const Mesh& mesh, const Material& material) {
+  for (const TextureUse* use : {&material.normalTexture, &material.coatNormalTexture}) {
+    if (use->image && !(use->uvSet == 1 ? mesh.uv1 : mesh.uv).empty()) return use->uvSet;
+  }
+  return -1;
+}
+
+Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mode, const std::string& place,
+                   const std::vector<Material>& materials) {
   Mesh mesh;
   const auto position = primitive.attributes.find("POSITION");
   if (position == primitive.attributes.end()) file.fail(place, "has no POSITION attribute; export it again");
@@ -110,6 +138,8 @@ Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mod
   mesh.normals = readAttribute<glm::vec3>(file, primitive, "NORMAL", count, place);
   mesh.tangents = readAttribute<glm::vec4>(file, primitive, "TANGENT", count, place);
   mesh.uv = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_0", count, place);
+  mesh.uv1 = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_1", count, place);
+  mesh.colors = readColors(file, primitive, count, place);
 
   std::vector<std::uint32_t> order;
   if (primitive.indices >= 0) {
@@ -140,13 +170,18 @@ Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mod
   } else {
     makeUnit(file, mesh.normals);
   }
+  if (mesh.material >= 0 && mesh.tangents.empty()) {
+    const int set = normalMapSet(mesh, materials[static_cast<std::size_t>(mesh.material)]);
+    if (set >= 0) addTangents(mesh, set);
+  }
   warnOfTheRest(file, primitive);
   return mesh;
 }
 
 }  // namespace
 
-GltfMeshes readMeshes(GltfFile& file) {
+GltfMeshes readMeshes(GltfFile& file, const std::vector<Material>& materials,
+                      const std::function<void(double)>& progress) {
   GltfMeshes result;
   for (std::size_t m = 0; m < file.gltf.meshes.size(); ++m) {
     const tinygltf::Mesh& source = file.gltf.meshes[m];
@@ -160,13 +195,14 @@ GltfMeshes readMeshes(GltfFile& file) {
         continue;
       }
       const std::string place = "mesh " + std::to_string(m) + " \"" + name + "\": primitive " + std::to_string(p);
-      Mesh mesh = readPrimitive(file, primitive, mode, place);
+      Mesh mesh = readPrimitive(file, primitive, mode, place, materials);
       mesh.name = name;
       if (mesh.indices.empty()) continue;
       members.push_back(static_cast<int>(result.meshes.size()));
       result.meshes.push_back(std::move(mesh));
     }
     result.primitives.push_back(std::move(members));
+    if (progress) progress(static_cast<double>(m + 1) / static_cast<double>(file.gltf.meshes.size()));
   }
   return result;
 }

@@ -1,5 +1,6 @@
 // The node tree of a glTF file flattened into placed meshes, in double: a building far from its file's origin keeps its
 // millimetres.
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -88,7 +89,7 @@ class TreeWalk {
  public:
   TreeWalk(GltfFile& file, GltfMeshes& meshes) : file_(file), meshes_(meshes), seen_(file.gltf.nodes.size(), false) {}
 
-  std::vector<Instance> walk() {
+  GltfNodes walk() {
     push(rootNodes(file_), glm::dmat4(1.0), "scene");
     while (!stack_.empty()) {
       const auto [index, worldFromParent] = stack_.back();
@@ -97,10 +98,15 @@ class TreeWalk {
       const glm::dmat4 worldFromNode = worldFromParent * localTransform(file_, index);
       checkReach(index, worldFromNode);
       if (node.mesh >= 0) place(index, worldFromNode);
+      placeLightAndCamera(index, worldFromNode);
       if (node.skin >= 0) file_.warn("has skins, which are not supported; the bind pose is used");
       push(node.children, worldFromNode, nodePlace(file_, index));
     }
-    return std::move(instances_);
+    GltfNodes nodes;
+    nodes.instances = std::move(instances_);
+    nodes.lights = std::move(lights_);
+    nodes.cameras = std::move(cameras_);
+    return nodes;
   }
 
  private:
@@ -145,6 +151,26 @@ class TreeWalk {
     }
   }
 
+  void placeLightAndCamera(std::size_t index, const glm::dmat4& worldFromNode) {
+    const tinygltf::Node& node = file_.gltf.nodes[index];
+    const std::string where = nodePlace(file_, index);
+    const auto light = node.extensions.find("KHR_lights_punctual");
+    if (light != node.extensions.end()) {
+      const double number = extensionNumber(light->second, "light", -1.0);
+      lights_.push_back(
+          readLight(file_, number >= 0.0 && number <= 1.0e9 ? static_cast<int>(number) : -1, worldFromNode, where));
+    }
+    if (node.camera < 0) return;
+    Camera camera = readCamera(file_, node.camera, worldFromNode, where);
+    if (!node.name.empty()) camera.name = node.name;
+    const std::string stem = camera.name;
+    const auto taken = [&] {
+      return std::any_of(cameras_.begin(), cameras_.end(), [&](const Camera& c) { return c.name == camera.name; });
+    };
+    for (int copy = 2; taken(); ++copy) camera.name = stem + " " + std::to_string(copy);
+    cameras_.push_back(camera);
+  }
+
   int mirroredMesh(int original) {
     const auto [entry, isNew] = mirrored_.emplace(original, static_cast<int>(meshes_.meshes.size()));
     if (isNew) meshes_.meshes.push_back(mirrored(meshes_.meshes[static_cast<std::size_t>(original)]));
@@ -157,11 +183,13 @@ class TreeWalk {
   std::vector<std::pair<std::size_t, glm::dmat4>> stack_;
   std::map<int, int> mirrored_;
   std::vector<Instance> instances_;
+  std::vector<Light> lights_;
+  std::vector<Camera> cameras_;
 };
 
 }  // namespace
 
-std::vector<Instance> readInstances(GltfFile& file, GltfMeshes& meshes) {
+GltfNodes readNodes(GltfFile& file, GltfMeshes& meshes) {
   return TreeWalk(file, meshes).walk();
 }
 

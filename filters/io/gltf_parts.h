@@ -6,8 +6,10 @@
 #include <tiny_gltf.h>
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,16 +52,40 @@ std::vector<float> readFloats(const GltfFile& file, int accessor, int components
 int componentCount(const GltfFile& file, int accessor, const std::string& where);
 std::vector<std::uint32_t> readIndices(const GltfFile& file, int accessor, const std::string& where);
 
-std::vector<Material> readMaterials(GltfFile& file);
+/// These images of the file, decoded on several threads, each byte string once in this process as long as it is held
+/// anywhere.
+std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(const GltfFile& file, const std::set<int>& images,
+                                                              const std::function<void(double)>& progress);
+
+/// Decodes the images that materials use, on several threads; `progress` as in loadModelFile, over the images alone.
+std::vector<Material> readMaterials(GltfFile& file, const std::function<void(double)>& progress);
+
+/// The extension's number of that key, or `standard`.
+double extensionNumber(const tinygltf::Value& extension, const char* key, double standard);
 
 /// All meshes of the file, a Mesh for each primitive of triangles.
 struct GltfMeshes {
   std::vector<Mesh> meshes;
   std::vector<std::vector<int>> primitives;  ///< by glTF mesh index: indices into `meshes`
 };
-GltfMeshes readMeshes(GltfFile& file);
+GltfMeshes readMeshes(GltfFile& file, const std::vector<Material>& materials,
+                      const std::function<void(double)>& progress);
 
-/// The nodes of the default scene in world space. Adds to `meshes` copies with flipped winding for mirrored nodes.
-std::vector<Instance> readInstances(GltfFile& file, GltfMeshes& meshes);
+/// Tangents for a mesh that a normal map needs them on: see gltf_tangents.cpp. Splits vertices where the picture is
+/// mirrored.
+void addTangents(Mesh& mesh, int uvSet);
+
+/// The nodes of the default scene in world space.
+struct GltfNodes {
+  std::vector<Instance> instances;
+  std::vector<Light> lights;
+  std::vector<Camera> cameras;
+};
+/// Adds to `meshes` copies with flipped winding for mirrored nodes.
+GltfNodes readNodes(GltfFile& file, GltfMeshes& meshes);
+
+/// KHR_lights_punctual's light `index` and the file's camera `index` as a node places them.
+Light readLight(GltfFile& file, int index, const glm::dmat4& worldFromNode, const std::string& where);
+Camera readCamera(GltfFile& file, int index, const glm::dmat4& worldFromNode, const std::string& where);
 
 }  // namespace boxprobe

@@ -24,13 +24,17 @@ ModelFile readModel(const JsonCursor& entry, const std::string& folder) {
     model.file = resolved(entry.text(), folder);
     return model;
   }
-  entry.requireObject({"file", "translation", "rotationDegrees", "scale"});
+  entry.requireObject({"file", "translation", "rotationDegrees", "scale", "unit", "upAxis"});
   const auto file = entry.find("file");
   if (!file) entry.fail("has no file; add \"file\": \"NAME.glb\"");
   model.file = resolved(file->text(), folder);
   readInto(entry, "translation", model.translation, &JsonCursor::vector);
   readInto(entry, "rotationDegrees", model.rotationDegrees, &JsonCursor::vector);
   readInto(entry, "scale", model.scale, &JsonCursor::number);
+  if (const auto unit = entry.find("unit")) {
+    model.unit = static_cast<LengthUnit>(unit->choice({"m", "cm", "mm", "in", "ft"}));
+  }
+  if (const auto up = entry.find("upAxis")) model.upAxis = static_cast<UpAxis>(up->choice({"x", "y", "z"}));
   return model;
 }
 
@@ -51,27 +55,38 @@ Sky readSky(const JsonCursor& sky, const std::string& folder) {
 }
 
 Camera readCamera(const JsonCursor& entry) {
-  entry.requireObject({"position", "target", "up", "verticalFovDegrees"});
+  entry.requireObject({"position", "target", "up", "verticalFovDegrees", "parallelHeight"});
   Camera camera;
   camera.name = entry.key();
   readInto(entry, "position", camera.position, &JsonCursor::vector);
   readInto(entry, "target", camera.target, &JsonCursor::vector);
   readInto(entry, "up", camera.up, &JsonCursor::vector);
   readInto(entry, "verticalFovDegrees", camera.verticalFovDegrees, &JsonCursor::number);
+  readInto(entry, "parallelHeight", camera.parallelHeight, &JsonCursor::number);
   return camera;
 }
 
 Light readLight(const JsonCursor& entry) {
-  entry.requireObject({"type", "direction", "position", "color", "intensity"});
+  entry.requireObject({"type", "direction", "position", "color", "intensity", "innerConeDegrees", "outerConeDegrees",
+                       "range"});
   Light light;
   const auto type = entry.find("type");
-  if (!type) entry.fail("has no type; add \"type\": \"directional\" or \"point\"");
-  light.type = type->choice({"directional", "point"}) == 0 ? LightType::Directional : LightType::Point;
+  if (!type) entry.fail("has no type; add \"type\": \"directional\", \"point\" or \"spot\"");
+  light.type = static_cast<LightType>(type->choice({"directional", "point", "spot"}));
   const bool directional = light.type == LightType::Directional;
-  if (const auto wrong = entry.find(directional ? "position" : "direction")) {
+  if (const auto wrong = entry.find(directional ? "position" : "direction"); wrong && light.type != LightType::Spot) {
     wrong->fail(directional ? "does not belong to a directional light; use \"direction\""
                             : "does not belong to a point light; use \"position\"");
   }
+  for (const char* key : {"innerConeDegrees", "outerConeDegrees", "range"}) {
+    const bool ofType = light.type == LightType::Spot || (key == std::string("range") && !directional);
+    if (const auto wrong = entry.find(key); wrong && !ofType) {
+      wrong->fail(directional ? "does not belong to a directional light" : "belongs to a spot light");
+    }
+  }
+  readInto(entry, "innerConeDegrees", light.innerConeDegrees, &JsonCursor::number);
+  readInto(entry, "outerConeDegrees", light.outerConeDegrees, &JsonCursor::number);
+  readInto(entry, "range", light.range, &JsonCursor::number);
   readInto(entry, "direction", light.direction, &JsonCursor::vector);
   readInto(entry, "position", light.position, &JsonCursor::vector);
   readInto(entry, "color", light.color, &JsonCursor::color);

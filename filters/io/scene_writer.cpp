@@ -124,6 +124,10 @@ Json modelJson(const ModelFile& model, const std::string& folder, JsonForm form)
   out.put("translation", model.translation, standard.translation);
   out.put("rotationDegrees", model.rotationDegrees, standard.rotationDegrees);
   out.put("scale", model.scale, standard.scale);
+  const char* const units[] = {"m", "cm", "mm", "in", "ft"};
+  const char* const axes[] = {"x", "y", "z"};
+  out.putJson("unit", units[static_cast<int>(model.unit)], model.unit == standard.unit);
+  out.putJson("upAxis", axes[static_cast<int>(model.upAxis)], model.upAxis == standard.upAxis);
   return out.take();
 }
 
@@ -141,6 +145,7 @@ Json cameraJson(const Camera& camera, JsonForm form) {
   out.putJson("target", vector(camera.target), false);
   out.put("up", camera.up, standard.up);
   out.put("verticalFovDegrees", camera.verticalFovDegrees, standard.verticalFovDegrees);
+  out.put("parallelHeight", camera.parallelHeight, standard.parallelHeight);
   return out.take();
 }
 
@@ -148,10 +153,17 @@ Json lightJson(const Light& light, JsonForm form) {
   ObjectWriter out(form);
   const Light standard;
   const bool directional = light.type == LightType::Directional;
-  out.putJson("type", directional ? "directional" : "point", false);
-  out.putJson(directional ? "direction" : "position", vector(directional ? light.direction : light.position), false);
+  const char* const types[] = {"directional", "point", "spot"};
+  out.putJson("type", types[static_cast<int>(light.type)], false);
+  if (light.type != LightType::Point) out.putJson("direction", vector(light.direction), false);
+  if (!directional) out.putJson("position", vector(light.position), false);
   out.put("color", light.color, standard.color);
   out.put("intensity", light.intensity, standard.intensity);
+  if (light.type == LightType::Spot) {
+    out.put("innerConeDegrees", light.innerConeDegrees, standard.innerConeDegrees);
+    out.put("outerConeDegrees", light.outerConeDegrees, standard.outerConeDegrees);
+  }
+  if (!directional) out.put("range", light.range, standard.range);
   return out.take();
 }
 
@@ -262,7 +274,7 @@ Json sceneToJson(const Scene& scene, const std::string& folder, JsonForm form) {
   ObjectWriter out(form);
   out.putJson("format", "boxprobe-scene", false);
   out.putJson("version", 1, false);
-  const bool plainModel = scene.models.size() == 1 && scene.models[0] == ModelFile{scene.models[0].file, {}, {}, 1.0};
+  const bool plainModel = scene.models.size() == 1 && scene.models[0] == ModelFile{scene.models[0].file};
   if (plainModel && form == JsonForm::Minimal) {
     out.putJson("model", writtenPath(scene.models[0].file, folder), false);
   } else {

@@ -69,7 +69,7 @@ glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit) const {
   if (unlit) return s.emissive;
   const FresnelEnds ends = fresnelEnds(s);
   glm::vec3 sum = s.emissive;
-  if (!lights_.empty()) sum += s.occlusion * directLight(s, ends.f0, ends.f90, lights_);
+  if (!lights_.empty()) sum += directLight(s, ends.f0, ends.f90, lights_);
   if (s.metallic < 1.0f) {
     sum += s.occlusion * shares(s.positionWorld).diffuse * (1.0f - ends.f0) * (1.0f - s.metallic) * s.albedo *
            sky_.irradiance(s.normalWorld);

@@ -15,29 +15,6 @@ namespace boxprobe {
 
 namespace {
 
-// Called by Embree for each triangle that a ray of one lane meets.
-void leaveOutBackFace(const RTCFilterFunctionNArguments* args) {
-  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
-  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
-  const float along = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z;
-  if (along > 0.0f) args->valid[0] = 0;
-}
-
-RTCGeometry makeGeometry(RTCDevice device, const TracedObject& object) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
-                                            object.positions.size());
-  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                          3 * sizeof(std::uint32_t), object.indices.size() / 3);
-  if (positions != nullptr && indices != nullptr) {
-    std::memcpy(positions, object.positions.data(), object.positions.size() * sizeof(glm::vec3));
-    std::memcpy(indices, object.indices.data(), object.indices.size() / 3 * 3 * sizeof(std::uint32_t));
-    if (!object.material.doubleSided) rtcSetGeometryIntersectFilterFunction(geometry, leaveOutBackFace);
-  }
-  rtcCommitGeometry(geometry);
-  return geometry;
-}
-
 glm::vec3 unitOr(const glm::vec3& v, const glm::vec3& otherwise) {
   const float length = glm::length(v);
   return length > 0.0f ? v / length : otherwise;
@@ -55,14 +32,71 @@ Value interpolated(const std::vector<Value>& values, const std::uint32_t* corner
   return (1.0f - v - w) * values[corners[0]] + v * values[corners[1]] + w * values[corners[2]];
 }
 
-// VTK 9.1: the tangent made perpendicular to the normal, the bitangent without glTF's handedness.
-glm::vec3 mappedNormal(const Material& material, const glm::vec2& uv, const glm::vec3& n, const glm::vec3& tangent) {
-  const glm::vec3 t = unitOr(tangent - glm::dot(tangent, n) * n, glm::vec3(0.0f));
-  const glm::vec3 b = glm::cross(n, t);
-  const glm::vec3 packed(sampleTexture(material.normalTexture, uv, false));
-  const glm::vec3 scaled = (2.0f * packed - 1.0f) * glm::vec3(material.normalScale, material.normalScale, 1.0f);
-  const glm::vec3 turned = unitOr(scaled, glm::vec3(0.0f, 0.0f, 1.0f));
-  return unitOr(turned.x * t + turned.y * b + turned.z * n, n);
+// shaders/gpu/material.glsl, bpMappedNormal.
+glm::vec3 mappedNormal(const glm::vec3& n, const glm::vec4& tangent, const glm::vec3& packed, float scale) {
+  const glm::vec3 along(tangent);
+  const glm::vec3 t = unitOr(along - glm::dot(along, n) * n, glm::vec3(0.0f));
+  const glm::vec3 b = glm::cross(n, t) * (tangent.w < 0.0f ? -1.0f : 1.0f);
+  const glm::vec3 mapped = (2.0f * packed - 1.0f) * glm::vec3(scale, scale, 1.0f);
+  return unitOr(mapped.x * t + mapped.y * b + mapped.z * n, n);
+}
+
+// Attributes of a surface at one of its points.
+class Attributes {
+ public:
+  Attributes(const TracedObject& object, const std::uint32_t* corners, const glm::dvec2& barycentric)
+      : object_(object), corners_(corners), barycentric_(barycentric) {}
+
+  /// White where there is no picture, or nothing that says how it lies on the surface.
+  glm::vec4 sampled(const TextureUse& use, bool srgb) const {
+    const std::vector<glm::vec2>& set = use.uvSet == 1 ? object_.uv1 : object_.uv;
+    if (!use.image || set.empty()) return glm::vec4(1.0f);
+    return sampleTexture(use, interpolated(set, corners_, barycentric_), srgb);
+  }
+  bool mapped(const TextureUse& use) const {
+    return use.image && !(use.uvSet == 1 ? object_.uv1 : object_.uv).empty() && !object_.tangents.empty();
+  }
+  glm::vec4 base() const {
+    glm::vec4 base = object_.material.baseColor * sampled(object_.material.baseColorTexture, true);
+    if (!object_.colors.empty()) base *= interpolated(object_.colors, corners_, barycentric_);
+    return base;
+  }
+
+ private:
+  const TracedObject& object_;
+  const std::uint32_t* corners_;
+  glm::dvec2 barycentric_;
+};
+
+// Called by Embree for each triangle that a ray of one lane meets: the back of a single-sided surface is not there, nor
+// what a material masks out.
+void leaveOut(const RTCFilterFunctionNArguments* args) {
+  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  const auto& object = *static_cast<const TracedObject*>(args->geometryUserPtr);
+  const float along = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z;
+  if (along > 0.0f && !object.material.doubleSided) args->valid[0] = 0;
+  if (object.material.alphaMode != AlphaMode::Mask) return;
+  const Attributes at(object, &object.indices[3 * static_cast<std::size_t>(hit->primID)], {hit->u, hit->v});
+  if (at.base().a < object.material.alphaCutoff) args->valid[0] = 0;
+}
+
+RTCGeometry makeGeometry(RTCDevice device, const TracedObject& object) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
+                                            object.positions.size());
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                          3 * sizeof(std::uint32_t), object.indices.size() / 3);
+  if (positions != nullptr && indices != nullptr) {
+    std::memcpy(positions, object.positions.data(), object.positions.size() * sizeof(glm::vec3));
+    std::memcpy(indices, object.indices.data(), object.indices.size() / 3 * 3 * sizeof(std::uint32_t));
+    if (!object.material.doubleSided || object.material.alphaMode == AlphaMode::Mask) {
+      rtcSetGeometryUserData(geometry, const_cast<TracedObject*>(&object));
+      rtcSetGeometryIntersectFilterFunction(geometry, leaveOut);
+    }
+  }
+  rtcCommitGeometry(geometry);
+  return geometry;
 }
 
 }  // namespace
@@ -157,34 +191,34 @@ SurfacePoint SceneTracer::surface(const TracedHit& hit, const glm::dvec3& eye) c
   if (hit.backSide && !o.normals.empty()) normal = -normal;
   s.coatNormalWorld = normal;
 
-  // Without texture coordinates there is no picture on the surface.
-  static const TextureUse none;
-  const bool textured = !o.uv.empty();
-  const glm::vec2 uv = textured ? interpolated(o.uv, corners, hit.barycentric) : glm::vec2(0.0f);
-  const auto sampled = [&](const TextureUse& use, bool srgb) { return sampleTexture(textured ? use : none, uv, srgb); };
-  const glm::vec3 base = glm::vec3(m.baseColor) * glm::vec3(sampled(m.baseColorTexture, true));
+  const Attributes at(o, corners, hit.barycentric);
+  const glm::vec4 base = at.base();
+  s.opacity = m.alphaMode == AlphaMode::Blend ? base.a : 1.0f;
   if (m.unlit) {
-    s.emissive = base;
+    s.emissive = glm::vec3(base);
     s.normalWorld = normal;
     return s;
   }
-  if (textured && m.normalTexture.image && !o.tangents.empty()) {
-    normal = mappedNormal(m, uv, normal, interpolated(o.tangents, corners, hit.barycentric));
-  }
-  const glm::vec4 roughMetal = sampled(m.metallicRoughnessTexture, false);
-  s.normalWorld = normal;
-  s.albedo = base;
-  s.emissive = m.emissive * glm::vec3(sampled(m.emissiveTexture, true));
+  // The frame of a back is turned round as a whole.
+  const float side = hit.backSide ? -1.0f : 1.0f;
+  const auto turned = [&](const TextureUse& use, float scale) {
+    if (!at.mapped(use)) return normal;
+    return side * mappedNormal(side * normal, interpolated(o.tangents, corners, hit.barycentric),
+                               glm::vec3(at.sampled(use, false)), scale);
+  };
+  const glm::vec4 roughMetal = at.sampled(m.metallicRoughnessTexture, false);
+  s.normalWorld = turned(m.normalTexture, m.normalScale);
+  s.coatNormalWorld = turned(m.coatNormalTexture, m.coatNormalScale);
+  s.albedo = glm::vec3(base);
+  s.emissive = m.emissive * glm::vec3(at.sampled(m.emissiveTexture, true));
   s.metallic = m.metallic * roughMetal.b;
   s.roughness = m.roughness * roughMetal.g;
-  if (m.occlusionTexture.image) {
-    s.occlusion = glm::mix(1.0f, sampled(m.occlusionTexture, false).r, m.occlusionStrength);
-  }
+  s.occlusion = glm::mix(1.0f, at.sampled(m.occlusionTexture, false).r, m.occlusionStrength);
   // As vtkProperty has it: a coat of index 2, and a base between lying in air and lying under it.
   constexpr float kCoatIor = 2.0f;
   s.baseF0 = glm::mix(reflectanceOf(m.ior, 1.0f), reflectanceOf(m.ior, kCoatIor), m.coat);
-  s.coatStrength = m.coat;
-  s.coatRoughness = m.coatRoughness;
+  s.coatStrength = m.coat * at.sampled(m.coatTexture, false).r;
+  s.coatRoughness = m.coatRoughness * at.sampled(m.coatRoughnessTexture, false).g;
   s.coatF0 = reflectanceOf(kCoatIor, 1.0f);
   return s;
 }

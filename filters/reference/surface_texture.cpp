@@ -43,15 +43,20 @@ glm::vec4 texel(const ImageRgba8& image, int column, int row, bool srgb) {
 
 }  // namespace
 
-glm::vec4 sampleTexture(const TextureUse& use, const glm::vec2& uv, bool srgb) {
+glm::vec4 sampleTexture(const TextureUse& use, const glm::vec2& coordinates, bool srgb) {
   if (!use.image || use.image->width <= 0 || use.image->height <= 0) return glm::vec4(1.0f);
   const ImageRgba8& image = *use.image;
-  const double x = static_cast<double>(uv.x) * image.width - 0.5, y = static_cast<double>(uv.y) * image.height - 0.5;
+  const glm::dvec2 uv = glm::dmat3x2(use.uvTransform) * glm::dvec3(coordinates, 1.0);
+  if (use.nearest && std::isfinite(uv.x) && std::isfinite(uv.y)) {
+    return texel(image, wrapped(std::floor(uv.x * image.width), image.width, use.wrapS),
+                 wrapped(std::floor(uv.y * image.height), image.height, use.wrapT), srgb);
+  }
+  const double x = uv.x * image.width - 0.5, y = uv.y * image.height - 0.5;
   if (!std::isfinite(x) || !std::isfinite(y)) return glm::vec4(0.0f);
   const double column = std::floor(x), row = std::floor(y);
   const float a = static_cast<float>(x - column), b = static_cast<float>(y - row);
   const int c0 = wrapped(column, image.width, use.wrapS), c1 = wrapped(column + 1.0, image.width, use.wrapS);
-  const int r0 = wrapped(row, image.height, use.wrapS), r1 = wrapped(row + 1.0, image.height, use.wrapS);
+  const int r0 = wrapped(row, image.height, use.wrapT), r1 = wrapped(row + 1.0, image.height, use.wrapT);
   return glm::mix(glm::mix(texel(image, c0, r0, srgb), texel(image, c1, r0, srgb), a),
                   glm::mix(texel(image, c0, r1, srgb), texel(image, c1, r1, srgb), a), b);
 }

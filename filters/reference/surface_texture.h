@@ -9,7 +9,7 @@
 
 namespace boxprobe {
 
-/// White where there is no picture. `uv` as in Mesh. VTK 9.1 has one wrap mode for both axes, that of S.
-glm::vec4 sampleTexture(const TextureUse& use, const glm::vec2& uv, bool srgb);
+/// White where there is no picture. `coordinates` as in the mesh, of the set the use names, before its transform.
+glm::vec4 sampleTexture(const TextureUse& use, const glm::vec2& coordinates, bool srgb);
 
 }  // namespace boxprobe

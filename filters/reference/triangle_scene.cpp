@@ -3,19 +3,13 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
-#include "filters/core/probe_geometry.h"
+#include "filters/core/model_placement.h"
 
 namespace boxprobe {
 
 namespace {
-
-glm::dmat4 worldFromFile(const ModelFile& file) {
-  return glm::translate(glm::dmat4(1.0), file.translation) * glm::dmat4(rotationMatrix(file.rotationDegrees)) *
-         glm::scale(glm::dmat4(1.0), glm::dvec3(file.scale));
-}
 
 Material overridden(Material material, const Scene& scene) {
   const auto it = scene.materials.find(material.name);
@@ -55,9 +49,10 @@ void placeMesh(Placed& placed, const glm::dvec3& anchor) {
     object.positions.emplace_back(glm::dvec3(placed.worldFromModel * glm::dvec4(p, 1.0)) - anchor);
   }
   for (const glm::vec3& n : mesh.normals) object.normals.emplace_back(normalMatrix * glm::dvec3(n));
-  // As VTK turns them, which for a uniform scale is the same as the linear part.
-  for (const glm::vec4& t : mesh.tangents) object.tangents.emplace_back(normalMatrix * glm::dvec3(t));
+  for (const glm::vec4& t : mesh.tangents) object.tangents.emplace_back(linear * glm::dvec3(t), t.w);
   object.uv = mesh.uv;
+  object.uv1 = mesh.uv1;
+  object.colors = mesh.colors;
   object.indices = mesh.indices;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 // Raise it whenever captures or filters come to give other texels for the same inputs: files baked before are then
 // baked anew.
-constexpr int kBakeVersion = 2;
+constexpr int kBakeVersion = 3;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
   if (!use.image) return {};
@@ -23,12 +23,16 @@ std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& 
     hash.add(use.image->width).add(use.image->height).addArray(use.image->pixels);
     key = hash.text();
   }
-  return key + std::to_string(static_cast<int>(use.wrapS)) + std::to_string(static_cast<int>(use.wrapT));
+  ContentHash hash;
+  hash.add(key).add(static_cast<int>(use.wrapS)).add(static_cast<int>(use.wrapT)).add(use.uvSet);
+  hash.add(use.nearest ? 1 : 0).addBytes(&use.uvTransform, sizeof use.uvTransform);
+  return hash.text();
 }
 
 std::string meshKey(const Mesh& mesh) {
   ContentHash hash;
   hash.addArray(mesh.positions).addArray(mesh.normals).addArray(mesh.tangents).addArray(mesh.uv).addArray(mesh.indices);
+  hash.addArray(mesh.uv1).addArray(mesh.colors);
   return hash.text();
 }
 
@@ -37,10 +41,8 @@ std::string materialKey(const Material& m, std::map<const void*, std::string>& i
   hash.add(m.name).addVector(m.baseColor).add(m.baseColor.a).add(m.metallic).add(m.roughness).addVector(m.emissive);
   hash.add(m.normalScale).add(m.occlusionStrength).add(m.coat).add(m.coatRoughness).add(m.ior);
   hash.add(m.unlit ? 1 : 0).add(m.doubleSided ? 1 : 0);
-  for (const TextureUse* use :
-       {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture}) {
-    hash.add(imageKey(*use, images));
-  }
+  hash.add(m.coatNormalScale).add(static_cast<double>(m.alphaMode)).add(m.alphaCutoff);
+  for (const TextureUse* use : m.textures()) hash.add(imageKey(*use, images));
   return hash.text();
 }
 
@@ -133,6 +135,7 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& ob
   for (const Light& light : scene.lights) {
     lights.add(static_cast<double>(light.type)).addVector(light.direction).addVector(light.position);
     lights.addVector(light.color).add(light.intensity);
+    lights.add(light.innerConeDegrees).add(light.outerConeDegrees).add(light.range);
   }
   world.lights = lights.text();
   std::vector<Box> bounds;

@@ -2,23 +2,19 @@
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
-#include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
-#include <vtkOpenGLTexture.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkTypeInt64Array.h>
-#include <vtkUnsignedCharArray.h>
 
-#include <cstring>
-#include <glm/gtc/matrix_transform.hpp>
+#include <algorithm>
 #include <glm/matrix.hpp>
 #include <map>
 #include <tuple>
 
-#include "filters/core/probe_geometry.h"
+#include "filters/core/model_placement.h"
 
 namespace boxprobe {
 
@@ -40,10 +36,13 @@ vtkSmartPointer<vtkPolyData> makePolyData(const Mesh& mesh) {
   points->SetData(floatArray(mesh.positions, 3, "Points"));
   data->SetPoints(points);
   if (!mesh.normals.empty()) data->GetPointData()->SetNormals(floatArray(mesh.normals, 3, "Normals"));
-  // VTK's row 0 is the bottom of a picture and glTF's is the top; uploading rows in glTF's order makes v agree as it
-  // is.
-  if (!mesh.uv.empty()) data->GetPointData()->SetTCoords(floatArray(mesh.uv, 2, "TCoords"));
-  if (!mesh.tangents.empty()) data->GetPointData()->SetTangents(floatArray(mesh.tangents, 3, "Tangents"));
+  const auto add = [&](const auto& values, int components, const char* name) {
+    if (!values.empty()) data->GetPointData()->AddArray(floatArray(values, components, name));
+  };
+  add(mesh.uv, 2, "bpUv0");
+  add(mesh.uv1, 2, "bpUv1");
+  add(mesh.colors, 4, "bpColor");
+  add(mesh.tangents, 4, "bpTangent");
 
   const auto triangles = static_cast<vtkIdType>(mesh.indices.size() / 3);
   vtkNew<vtkTypeInt64Array> offsets, connectivity;
@@ -57,38 +56,6 @@ vtkSmartPointer<vtkPolyData> makePolyData(const Mesh& mesh) {
   return data;
 }
 
-// VTK's combined map holds occlusion in R beside roughness (G) and metallic (B); glTF may keep occlusion in another
-// image.
-std::shared_ptr<const ImageRgba8> combineOcclusion(const ImageRgba8* roughMetal, const ImageRgba8* occlusion) {
-  auto result = std::make_shared<ImageRgba8>();
-  const ImageRgba8& size = roughMetal != nullptr ? *roughMetal : *occlusion;
-  result->width = size.width;
-  result->height = size.height;
-  result->name = size.name;
-  result->pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 4, 255);
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      const auto at = [&](const ImageRgba8& image, int channel) {
-        const auto column =
-            static_cast<std::size_t>(x) * static_cast<std::size_t>(image.width) / static_cast<std::size_t>(size.width);
-        const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.height) /
-                         static_cast<std::size_t>(size.height);
-        return image
-            .pixels[(row * static_cast<std::size_t>(image.width) + column) * 4 + static_cast<std::size_t>(channel)];
-      };
-      std::uint8_t* texel = &result->pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
-                                             static_cast<std::size_t>(x)) *
-                                            4];
-      if (occlusion != nullptr) texel[0] = at(*occlusion, 0);
-      if (roughMetal != nullptr) {
-        texel[1] = at(*roughMetal, 1);
-        texel[2] = at(*roughMetal, 2);
-      }
-    }
-  }
-  return result;
-}
-
 // Smallest and largest roughness of a metallic-roughness texture, whose green channel it is.
 std::pair<double, double> roughnessRange(const ImageRgba8& image) {
   std::uint8_t low = 255, high = 0;
@@ -99,62 +66,48 @@ std::pair<double, double> roughnessRange(const ImageRgba8& image) {
   return {low / 255.0, std::max(low, high) / 255.0};
 }
 
+/// Textures of one model: an image used twice in the same way is uploaded once.
 class TextureCache {
  public:
-  vtkSmartPointer<vtkTexture> get(const TextureUse& use, bool srgb) {
-    const auto key = std::make_tuple(use.image.get(), srgb, use.wrapS, use.wrapT);
-    auto& texture = textures_[key];
-    if (texture == nullptr) texture = make(use, srgb);
+  std::shared_ptr<const SurfaceTexture> get(const TextureUse& use, bool srgb) {
+    auto& texture = textures_[std::make_tuple(use.image.get(), srgb, use.wrapS, use.wrapT, use.nearest)];
+    if (texture == nullptr) texture = std::make_shared<const SurfaceTexture>(use, srgb);
     return texture;
   }
 
  private:
-  static vtkSmartPointer<vtkTexture> make(const TextureUse& use, bool srgb) {
-    vtkNew<vtkImageData> data;
-    data->SetDimensions(use.image->width, use.image->height, 1);
-    data->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-    std::memcpy(data->GetScalarPointer(), use.image->pixels.data(), use.image->pixels.size());
-    auto texture = vtkSmartPointer<vtkTexture>::New();
-    texture->SetInputData(data);
-    texture->InterpolateOn();
-    texture->MipmapOn();
-    texture->SetMaximumAnisotropicFiltering(8.0f);
-    texture->SetUseSRGBColorSpace(srgb);
-    texture->SetColorModeToDirectScalars();
-    // VTK 9.1 has one wrap mode for both axes.
-    texture->SetWrap(use.wrapS == Wrap::ClampToEdge      ? vtkTexture::ClampToEdge
-                     : use.wrapS == Wrap::MirroredRepeat ? vtkTexture::MirroredRepeat
-                                                         : vtkTexture::Repeat);
-    return texture;
-  }
-
-  std::map<std::tuple<const ImageRgba8*, bool, Wrap, Wrap>, vtkSmartPointer<vtkTexture>> textures_;
+  std::map<std::tuple<const ImageRgba8*, bool, Wrap, Wrap, bool>, std::shared_ptr<const SurfaceTexture>> textures_;
 };
 
-void setTextures(vtkProperty* property, const Material& material, bool hasTangents, TextureCache& cache) {
-  if (material.unlit) {
-    // Emission alone is shown; the colour texture takes its place, and brings its alpha as base colour.
-    if (material.baseColorTexture.image) property->SetEmissiveTexture(cache.get(material.baseColorTexture, true));
-    return;
-  }
-  if (material.baseColorTexture.image) property->SetBaseColorTexture(cache.get(material.baseColorTexture, true));
-  if (material.emissiveTexture.image) property->SetEmissiveTexture(cache.get(material.emissiveTexture, true));
-  if (material.normalTexture.image && hasTangents) property->SetNormalTexture(cache.get(material.normalTexture, false));
-  const auto& roughMetal = material.metallicRoughnessTexture.image;
-  const auto& occlusion = material.occlusionTexture.image;
-  if (roughMetal || occlusion) {
-    TextureUse combined = roughMetal ? material.metallicRoughnessTexture : material.occlusionTexture;
-    if (occlusion != roughMetal) combined.image = combineOcclusion(roughMetal.get(), occlusion.get());
-    property->SetORMTexture(cache.get(combined, false));
-  }
+std::shared_ptr<SurfaceMaterial> makeSurface(const Material& material, const Mesh& mesh, TextureCache& cache) {
+  auto surface = std::make_shared<SurfaceMaterial>();
+  surface->unlit = material.unlit;
+  surface->alphaMode = material.alphaMode;
+  surface->alphaCutoff = material.alphaCutoff;
+  surface->coatNormalScale = material.coatNormalScale;
+  surface->colors = !mesh.colors.empty();
+  const auto fill = [&](SurfaceSlotIndex index, const TextureUse& use, bool srgb) {
+    // A texture without coordinates has one colour all over, which the specification does not name: it is left out.
+    const bool second = use.uvSet == 1;
+    if (!use.image || (second ? mesh.uv1 : mesh.uv).empty()) return;
+    surface->slots[index] = {cache.get(use, srgb), use.uvSet, use.uvTransform};
+    surface->uv[second ? 1 : 0] = true;
+  };
+  fill(kBaseColorSlot, material.baseColorTexture, true);
+  if (material.unlit) return surface;
+  fill(kRoughMetalSlot, material.metallicRoughnessTexture, false);
+  fill(kOcclusionSlot, material.occlusionTexture, false);
+  fill(kEmissiveSlot, material.emissiveTexture, true);
+  fill(kCoatSlot, material.coatTexture, false);
+  fill(kCoatRoughnessSlot, material.coatRoughnessTexture, false);
+  if (mesh.tangents.empty()) return surface;
+  fill(kNormalSlot, material.normalTexture, false);
+  fill(kCoatNormalSlot, material.coatNormalTexture, false);
+  surface->tangents = surface->slots[kNormalSlot].texture || surface->slots[kCoatNormalSlot].texture;
+  return surface;
 }
 
 }  // namespace
-
-glm::dmat4 placementMatrix(const ModelFile& file) {
-  return glm::translate(glm::dmat4(1.0), file.translation) * glm::dmat4(rotationMatrix(file.rotationDegrees)) *
-         glm::scale(glm::dmat4(1.0), glm::dvec3(file.scale));
-}
 
 std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placement,
                                      const std::shared_ptr<DrawState>& state) {
@@ -189,7 +142,10 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
 
     vtkProperty* property = object.actor->GetProperty();
     property->SetInterpolationToPBR();
-    setTextures(property, object.material, !mesh.tangents.empty(), textures);
+    object.surface = makeSurface(object.material, mesh, textures);
+    object.mapper->SetSurface(object.surface);
+    object.actor->SetForceOpaque(object.material.alphaMode != AlphaMode::Blend);
+    object.actor->SetForceTranslucent(object.material.alphaMode == AlphaMode::Blend);
     // Meshes under a mirroring transform come wound the other way already, so front faces are always the same.
     property->SetBackfaceCulling(!object.material.doubleSided);
     objects.push_back(std::move(object));
@@ -198,7 +154,7 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
 }
 
 void placeObject(DrawnObject& object, const Instance& instance, const ModelFile& placement) {
-  object.worldFromModel = placementMatrix(placement) * instance.worldFromModel;
+  object.worldFromModel = worldFromFile(placement) * instance.worldFromModel;
   vtkNew<vtkMatrix4x4> matrix;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, object.worldFromModel[column][row]);
@@ -225,7 +181,8 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
 
   vtkProperty* property = object.actor->GetProperty();
   const glm::dvec3 base(material.baseColor);
-  property->SetOpacity(material.baseColor.a);
+  object.surface->alpha = material.baseColor.a;
+  object.surface->normalScale = material.normalScale;
   if (material.unlit) {
     property->SetColor(0.0, 0.0, 0.0);
     property->SetMetallic(0.0);
@@ -242,7 +199,6 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
     object.roughnessMax = std::max(object.roughnessMax, static_cast<double>(material.coatRoughness));
   }
   property->SetRoughness(material.roughness);
-  property->SetNormalScale(material.normalScale);
   property->SetOcclusionStrength(material.occlusionTexture.image ? material.occlusionStrength : 0.0);
   property->SetBaseIOR(material.ior);
   property->SetCoatStrength(material.coat);

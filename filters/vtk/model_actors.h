@@ -26,13 +26,11 @@ struct DrawnObject {
   double roughnessMin = 0.0, roughnessMax = 1.0;
   double textureRoughnessMin = 1.0, textureRoughnessMax = 1.0;  ///< what a texture multiplies the material's by
   glm::dmat4 worldFromModel{1.0};
+  std::shared_ptr<SurfaceMaterial> surface;     ///< its numbers follow the overrides
   vtkSmartPointer<vtkActor> actor;
   vtkSmartPointer<vtkProbePolyDataMapper> mapper;
   ObjectOverride settings;
 };
-
-/// Scale, then rotation, then translation of a scene's model entry.
-glm::dmat4 placementMatrix(const ModelFile& file);
 
 /// Objects of one model. Texture objects and vertex data are shared between its instances.
 std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placement,

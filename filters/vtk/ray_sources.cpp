@@ -14,6 +14,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/core/model_placement.h"
 #include "filters/vtk/model_actors.h"
 #include "filters/vtk/ray_scene.h"
 
@@ -79,7 +80,7 @@ RaySources::RaySources(std::vector<std::shared_ptr<const Model>> models, const S
   long long cells = 0;
   for (std::size_t i = 0; i < models_.size() && i < scene.models.size(); ++i) {
     const Model& model = *models_[i];
-    const glm::dmat4 placement = placementMatrix(scene.models[i]);
+    const glm::dmat4 placement = worldFromFile(scene.models[i]);
     for (const Instance& instance : model.instances) {
       if (const auto it = scene.objects.find(instance.node); it != scene.objects.end() && !it->second.visible) continue;
       Part part;
@@ -170,10 +171,13 @@ RaySample RaySources::sample(const Triangle& t, const glm::dvec3& b, const glm::
   if (length > 0.0) s.normalWorld = normal / length;
   if (glm::dot(t.facing, seenAlong) > 0.0) s.normalWorld = -s.normalWorld;
   s.roughness = t.part->roughness;
-  if (t.part->roughnessTexture != nullptr && !mesh.uv.empty()) {
+  const TextureUse* use = t.part->roughnessTexture;
+  if (use == nullptr) return s;
+  const std::vector<glm::vec2>& set = use->uvSet == 1 ? mesh.uv1 : mesh.uv;
+  if (!set.empty()) {
     glm::dvec2 uv(0.0);
-    for (int i = 0; i < 3; ++i) uv += b[i] * glm::dvec2(mesh.uv[t.index[i]]);
-    s.roughness *= textureRoughness(*t.part->roughnessTexture, uv);
+    for (int i = 0; i < 3; ++i) uv += b[i] * glm::dvec2(set[t.index[i]]);
+    s.roughness *= textureRoughness(*use, glm::dmat3x2(use->uvTransform) * glm::dvec3(uv, 1.0));
   }
   return s;
 }

@@ -1,6 +1,9 @@
 #include "filters/vtk/scene_lights.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace boxprobe {
 
@@ -11,12 +14,19 @@ std::vector<vtkSmartPointer<vtkLight>> makeLights(const Scene& scene, const glm:
     vtk->SetLightTypeToSceneLight();
     vtk->SetColor(light.color.x, light.color.y, light.color.z);
     vtk->SetIntensity(light.intensity);
-    if (light.type == LightType::Point) {
+    if (light.type != LightType::Directional) {
+      // What shaders/gpu/light_falloff.glsl reads.
+      constexpr double kLargest = 1.0e30;  // of 1 / range^4, which is single precision there
+      const double fade = light.range > 0.0 ? std::min(std::pow(light.range, -4.0), kLargest) : 0.0;
+      const bool spot = light.type == LightType::Spot;
+      const glm::dvec3 to = light.position + (spot ? glm::normalize(light.direction) : glm::dvec3(0.0, -1.0, 0.0));
       vtk->PositionalOn();
-      vtk->SetConeAngle(180.0);
-      vtk->SetAttenuationValues(0.0, 0.0, 1.0);
+      // From 90 degrees on VTK takes a light for one that shines everywhere.
+      vtk->SetConeAngle(spot ? std::min(light.outerConeDegrees, 89.999) : 180.0);
+      vtk->SetExponent(spot ? std::cos(glm::radians(light.innerConeDegrees)) : 1.0);
+      vtk->SetAttenuationValues(fade, 0.0, 1.0);
       vtk->SetPosition(light.position.x, light.position.y, light.position.z);
-      vtk->SetFocalPoint(light.position.x, light.position.y - 1.0, light.position.z);
+      vtk->SetFocalPoint(to.x, to.y, to.z);
     } else {
       // Beside a positional light VTK 9.1 shades a directional one from its position: from far away the two agree.
       constexpr double kFar = 1.0e6;

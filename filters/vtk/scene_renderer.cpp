@@ -307,6 +307,8 @@ void SceneRenderer::applyCamera(const Camera& camera) {
   vtk->SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
   vtk->SetViewUp(camera.up.x, camera.up.y, camera.up.z);
   vtk->SetViewAngle(camera.verticalFovDegrees);
+  vtk->SetParallelProjection(camera.parallelHeight > 0.0);
+  if (camera.parallelHeight > 0.0) vtk->SetParallelScale(0.5 * camera.parallelHeight);
 }
 
 Camera SceneRenderer::currentCamera() const {
@@ -316,6 +318,7 @@ Camera SceneRenderer::currentCamera() const {
   vtk->GetFocalPoint(&camera.target.x);
   vtk->GetViewUp(&camera.up.x);
   camera.verticalFovDegrees = vtk->GetViewAngle();
+  camera.parallelHeight = vtk->GetParallelProjection() != 0 ? 2.0 * vtk->GetParallelScale() : 0.0;
   return camera;
 }
 
@@ -559,6 +562,11 @@ void SceneRenderer::releaseGraphics() {
   if (d.state->debug.colorMap != 0) glDeleteTextures(1, &d.state->debug.colorMap);
   d.state->debug.colorMap = 0;
   releaseStaticTextures(*d.state);
+  for (const DrawnObject& object : d.content.objects) {
+    for (const SurfaceSlot& slot : object.surface->slots) {
+      if (slot.texture) slot.texture->release();
+    }
+  }
   d.content.sky->ReleaseGraphicsResources(d.window);
 }
 

@@ -27,12 +27,15 @@ vtkProp* SurfaceInspector::twinOf(std::size_t index) {
     twin.mapper->SetInputData(object.mapper->GetInput());
     twin.mapper->ScalarVisibilityOff();
     twin.mapper->SetDrawState(state_);
+    twin.mapper->SetSurface(object.surface);
     twin.mapper->SetDebug(true);
     twin.mapper->SetObjectNumber(static_cast<int>(index) + 1);
     twin.actor = vtkSmartPointer<vtkActor>::New();
     twin.actor->SetMapper(twin.mapper);
     twin.actor->SetProperty(object.actor->GetProperty());
     twin.actor->SetUserMatrix(object.actor->GetUserMatrix());
+    twin.actor->SetForceOpaque(object.actor->GetForceOpaque());
+    twin.actor->SetForceTranslucent(object.actor->GetForceTranslucent());
   }
   twin.mapper->SetBinding(object.mapper->GetSharedBinding());
   return twin.actor;

@@ -2,6 +2,7 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkDataObject.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLHelper.h>
@@ -36,6 +37,23 @@ void vtkProbePolyDataMapper::PrintSelf(ostream& os, vtkIndent indent) {
 
 void vtkProbePolyDataMapper::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
   this->State = std::move(state);
+}
+
+void vtkProbePolyDataMapper::SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface) {
+  this->Surface = std::move(surface);
+  this->RemoveAllVertexAttributeMappings();
+  const auto map = [this](bool wanted, const char* name) {
+    if (wanted) {
+      this->MapDataArrayToVertexAttribute(name, name, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    }
+  };
+  if (this->Surface) {
+    map(this->Surface->uv[0], "bpUv0");
+    map(this->Surface->uv[1], "bpUv1");
+    map(this->Surface->colors, "bpColor");
+    map(this->Surface->tangents, "bpTangent");
+  }
+  this->Modified();
 }
 
 void vtkProbePolyDataMapper::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding) {
@@ -121,19 +139,24 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
   if (!this->State || !this->Drawn || this->Refused) {
     return;
   }
-  std::string source = shaders[vtkShader::Fragment]->GetSource();
+  boxprobe::ShaderSources sources;
+  sources.vertex = shaders[vtkShader::Vertex]->GetSource();
+  sources.geometry = shaders[vtkShader::Geometry]->GetSource();
+  sources.fragment = shaders[vtkShader::Fragment]->GetSource();
   using boxprobe::SurfaceOutput;
   const bool samples = this->Drawn->blurredSamples() > 0 && !actor->HasTranslucentPolygonalGeometry();
   const SurfaceOutput output = this->Debug    ? SurfaceOutput::Debug
                                : !this->Apart ? SurfaceOutput::Picture
                                : samples      ? SurfaceOutput::ReflectionApart
                                               : SurfaceOutput::NothingApart;
-  const std::string failure = boxprobe::splicePbr(source, *this->Drawn, output);
+  const std::string failure = boxprobe::splicePbr(sources, *this->Drawn, this->Surface.get(), output);
   if (!failure.empty() && this->State->error.empty()) {
     this->State->error = failure;
   }
-  boxprobe::breakShaderIfAsked(source, "surface");
-  shaders[vtkShader::Fragment]->SetSource(source);
+  boxprobe::breakShaderIfAsked(sources.fragment, "surface");
+  shaders[vtkShader::Vertex]->SetSource(sources.vertex);
+  shaders[vtkShader::Geometry]->SetSource(sources.geometry);
+  shaders[vtkShader::Fragment]->SetSource(sources.fragment);
 }
 
 void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) {
@@ -155,6 +178,9 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
   }
   program->SetUniformf("bpExposure", this->State->exposure);
   program->SetUniformf("bpParallel", renderer->GetActiveCamera()->GetParallelProjection() ? 1.0f : 0.0f);
+  if (this->Surface) {
+    this->UploadSurface(program, renderer);
+  }
   const bool probes = this->Drawn->lighting == Lighting::Probes;
   if (probes) {
     this->UploadProbes(program, renderer);
@@ -172,6 +198,29 @@ int vtkProbePolyDataMapper::Bind(vtkRenderer* renderer, unsigned int target, uns
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->Bound.push_back(std::make_unique<boxprobe::BoundTexture>(window, target, handle));
   return this->Bound.back()->unit();
+}
+
+void vtkProbePolyDataMapper::UploadSurface(vtkShaderProgram* program, vtkRenderer* renderer) {
+  const boxprobe::SurfaceMaterial& surface = *this->Surface;
+  program->SetUniformf("bpAlpha", surface.alpha);
+  program->SetUniformf("bpAlphaCutoff", surface.alphaCutoff);
+  program->SetUniformf("bpNormalScale", surface.normalScale);
+  program->SetUniformf("bpCoatNormalScale", surface.coatNormalScale);
+  for (std::size_t i = 0; i < surface.slots.size(); ++i) {
+    const boxprobe::SurfaceSlot& slot = surface.slots[i];
+    if (!slot.texture) {
+      continue;
+    }
+    const std::string name = boxprobe::surfaceSlotNames()[i];
+    // A slot that this variant does not read would only take a unit.
+    if (!program->IsUniformUsed(("bpTex" + name).c_str())) {
+      continue;
+    }
+    program->SetUniformi(("bpTex" + name).c_str(), this->Bind(renderer, GL_TEXTURE_2D, slot.texture->handle()));
+    const glm::mat3x2& m = slot.uvTransform;
+    const float rows[2][3] = {{m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}};
+    program->SetUniform3fv(("bpUv" + name).c_str(), 2, rows);
+  }
 }
 
 void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer* renderer) {

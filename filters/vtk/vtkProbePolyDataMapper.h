@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "filters/vtk/draw_state.h"
+#include "filters/vtk/surface_material.h"
 
 class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
  public:
@@ -22,6 +23,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   vtkTypeMacro(vtkProbePolyDataMapper, vtkOpenGLPolyDataMapper) void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
+  /** The material's textures and what the vertices bring, before the first draw; none: VTK's own material code. */
+  void SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface);
   /** Another variant key means another program, built at the next draw; otherwise only uniforms change. */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */
@@ -55,6 +58,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   vtkProbePolyDataMapper(const vtkProbePolyDataMapper&) = delete;
   void operator=(const vtkProbePolyDataMapper&) = delete;
 
+  void UploadSurface(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadProbes(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadSky(vtkShaderProgram* program, vtkRenderer* renderer);
@@ -65,6 +69,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<boxprobe::DrawState> State;
   void UpdateDrawn();
 
+  std::shared_ptr<const boxprobe::SurfaceMaterial> Surface;
   std::shared_ptr<const boxprobe::ProbeBinding> Binding;
   std::shared_ptr<const boxprobe::ProbeBinding> Drawn;
   bool StandIn = false;

@@ -41,6 +41,41 @@ const std::vector<Anchor>& viewAndOutputAnchors() {
        {"vec3 emissiveColor = vec3(0.0);", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
        {"vec3 emissiveColor = emissiveFactorUniform;", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
        false},
+      // Occlusion is of light from all around (glTF 2.0, section 3.9.3); VTK darkens that of lamps, too.
+      {"occlusion",
+       {"color += Lo;\n  color = mix(color, color * ao, aoStrengthUniform);"},
+       {"color = mix(color, color * ao, aoStrengthUniform);\n  color += Lo;"},
+       false},
+  };
+  return anchors;
+}
+
+// A material's textures and vertex colours, sampled here and not by VTK (see shaders/gpu/material.glsl).
+const std::vector<Anchor>& materialAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"base colour",
+       {"vec3 albedo = diffuseColor;"},
+       {"vec4 bpBase = bpBaseColor();\n  vec3 albedo = diffuseColor * bpBase.rgb;\n  opacity = BP_ALPHA;\n"
+        "  if (BP_MASKED) { discard; }"},
+       false},
+      {"roughness",
+       {"float roughness = roughnessUniform;"},
+       {"float roughness = roughnessUniform BP_ROUGH_FACTOR;"},
+       false},
+      {"metallic", {"float metallic = metallicUniform;"}, {"float metallic = metallicUniform BP_METAL_FACTOR;"}, false},
+      {"ambient occlusion", {"float ao = 1.0;"}, {"float ao = 1.0f BP_OCCLUSION_FACTOR;"}, false},
+      {"emission of the material",
+       {"vec3 emissiveColor = emissiveFactorUniform;"},
+       {"vec3 emissiveColor = emissiveFactorUniform BP_EMISSIVE_FACTOR;"},
+       false},
+      {"clear coat",
+       {"float coatStrength = coatStrengthUniform;"},
+       {"float coatStrength = coatStrengthUniform BP_COAT_FACTOR;"},
+       true},
+      {"clear-coat roughness",
+       {"float coatRoughness = coatRoughnessUniform;"},
+       {"float coatRoughness = coatRoughnessUniform BP_COAT_ROUGH_FACTOR;"},
+       true},
   };
   return anchors;
 }
@@ -105,6 +140,110 @@ std::string applyAnchors(std::string& text, const std::vector<Anchor>& anchors, 
       found = replaceOnce(text, anchor.texts[i], anchor.replacements[std::min(i, anchor.replacements.size() - 1)]);
     }
     if (!found) return missing(anchor.what, anchor.texts.front());
+  }
+  return {};
+}
+
+// VTK's falloffs in place of those of KHR_lights_punctual; scene_lights.cpp packs what they need into a vtkLight.
+std::string applyFalloffs(std::string& text) {
+  for (int i = 0; text.find("uniform float lightConeAngle" + std::to_string(i) + ";") != std::string::npos; ++i) {
+    const std::string n = std::to_string(i);
+    const std::string distance = "attenuation = 1.0 / (lightAttenuation" + n + ".x\n      + lightAttenuation" + n +
+                                 ".y * distanceVC\n      + lightAttenuation" + n + ".z * distanceVC * distanceVC);";
+    if (!replaceOnce(text, distance, "attenuation = bpDistanceFalloff(lightAttenuation" + n + ", distanceVC);")) {
+      return missing("distance falloff", distance);
+    }
+    const std::string cone = "attenuation = attenuation * pow(coneDot, lightExponent" + n + ");";
+    if (!replaceOnce(text, cone,
+                     "attenuation = attenuation * bpConeFalloff(coneDot, lightConeAngle" + n + ", lightExponent" + n +
+                         ");")) {
+      return missing("cone falloff", cone);
+    }
+  }
+  return {};
+}
+
+// One varying from the vertices to the fragments: "bpUv0" is the attribute, bpUv0F what the fragment reads.
+struct Varying {
+  const char* type;
+  const char* name;
+  const char* value;  // in the vertex shader
+};
+
+std::vector<Varying> varyings(const SurfaceMaterial& surface) {
+  std::vector<Varying> list;
+  if (surface.uv[0]) list.push_back({"vec2", "bpUv0", "bpUv0"});
+  if (surface.uv[1]) list.push_back({"vec2", "bpUv1", "bpUv1"});
+  if (surface.colors) list.push_back({"vec4", "bpColor", "bpColor"});
+  // Normals go by the inverse transpose, tangents along with the surface.
+  if (surface.tangents)
+    list.push_back({"vec4", "bpTangent", "vec4(transpose(inverse(normalMatrix)) * bpTangent.xyz, bpTangent.w)"});
+  return list;
+}
+
+std::string spliceVertices(ShaderSources& sources, const SurfaceMaterial& surface) {
+  const bool edges = !sources.geometry.empty();
+  const std::string out = edges ? "V" : "F";
+  std::string declarations, code, geometryDeclarations, geometryCode;
+  for (const Varying& v : varyings(surface)) {
+    const std::string type = v.type, name = v.name;
+    declarations += "in " + type + " " + name + ";\nout " + type + " " + name + out + ";\n";
+    code += "  " + name + out + " = " + v.value + ";\n";
+    geometryDeclarations += "in " + type + " " + name + "V[];\nout " + type + " " + name + "F;\n";
+    geometryCode += "  " + name + "F = " + name + "V[i];\n";
+  }
+  if (!replaceOnce(sources.vertex, kDeclarations, declarations + kDeclarations + "\n" + code)) {
+    return missing("vertex attributes", "void main()");
+  }
+  if (!edges) return {};
+  constexpr const char* kEmit = "gl_PrimitiveID = gl_PrimitiveIDIn;";
+  if (!replaceOnce(sources.geometry, kDeclarations, geometryDeclarations + kDeclarations) ||
+      !replaceOnce(sources.geometry, kEmit, kEmit + ("\n" + geometryCode))) {
+    return missing("geometry shader", kEmit);
+  }
+  return {};
+}
+
+std::string materialDeclarations(const SurfaceMaterial& surface) {
+  std::string text;
+  for (const Varying& v : varyings(surface)) text += std::string("in ") + v.type + " " + v.name + "F;\n";
+  for (std::size_t i = 0; i < surface.slots.size(); ++i) {
+    const SurfaceSlot& slot = surface.slots[i];
+    if (!slot.texture) continue;
+    const std::string name = surfaceSlotNames()[i];
+    text += "#define BP_HAS_" + name + "\nuniform sampler2D bpTex" + name + ";\nuniform vec3 bpUv" + name +
+            "[2];\nvec4 bpSample" + name + "()\n{\n  vec3 uv = vec3(bpUv" + std::to_string(slot.uvSet) +
+            "F, 1.0f);\n  return texture(bpTex" + name + ", vec2(dot(bpUv" + name + "[0], uv), dot(bpUv" + name +
+            "[1], uv)));\n}\n";
+  }
+  const auto factor = [&](const char* macro, SurfaceSlotIndex slot, const std::string& value) {
+    text += std::string("#define ") + macro + (surface.slots[slot].texture ? " * " + value : "") + "\n";
+  };
+  factor("BP_ROUGH_FACTOR", kRoughMetalSlot, "bpSampleRoughMetal().g");
+  factor("BP_METAL_FACTOR", kRoughMetalSlot, "bpSampleRoughMetal().b");
+  factor("BP_OCCLUSION_FACTOR", kOcclusionSlot, "bpSampleOcclusion().r");
+  factor("BP_COAT_FACTOR", kCoatSlot, "bpSampleCoat().r");
+  factor("BP_COAT_ROUGH_FACTOR", kCoatRoughnessSlot, "bpSampleCoatRoughness().g");
+  if (surface.unlit) {
+    text += "#define BP_EMISSIVE_FACTOR * bpBase.rgb\n";
+  } else {
+    factor("BP_EMISSIVE_FACTOR", kEmissiveSlot, "bpSampleEmissive().rgb");
+  }
+  text += std::string("#define BP_ALPHA ") + (surface.alphaMode == AlphaMode::Blend ? "bpBase.a" : "1.0f") + "\n";
+  text += std::string("#define BP_MASKED ") +
+          (surface.alphaMode == AlphaMode::Mask ? "bpBase.a < bpAlphaCutoff" : "false") + "\n";
+  text += std::string("#define BP_COLOR ") + (surface.colors ? "1\n" : "0\n");
+  text += std::string("#define BP_TANGENT ") + (surface.tangents ? "1\n" : "0\n");
+  return text + "uniform float bpNormalScale;\nuniform float bpCoatNormalScale;\n" +
+         std::string(shaderSource("gpu/material.glsl"));
+}
+
+std::string spliceMaterial(std::string& fragment, bool coat) {
+  std::string failure = applyAnchors(fragment, materialAnchors(), coat);
+  if (!failure.empty()) return failure;
+  constexpr const char* kNormal = "//VTK::Normal::Impl";
+  if (!replaceOnce(fragment, kNormal, std::string(shaderSource("gpu/material_normal.glsl")) + kNormal)) {
+    return missing("normal", kNormal);
   }
   return {};
 }
@@ -234,17 +373,20 @@ std::string parameterUniform(const ParameterRow& row) {
   return "bp_" + std::string(row.name);
 }
 
-std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, SurfaceOutput writes) {
-  if (fragmentSource.find(kPbrMark) == std::string::npos) return {};
-  const bool coat = fragmentSource.find(kCoatMark) != std::string::npos;
+std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const SurfaceMaterial* surface,
+                      SurfaceOutput writes) {
+  if (sources.fragment.find(kPbrMark) == std::string::npos) return {};
+  const bool coat = sources.fragment.find(kCoatMark) != std::string::npos;
   const bool probes = binding.lighting == Lighting::Probes;
   const bool unlit = binding.lighting == Lighting::Unlit;
   const bool debug = writes == SurfaceOutput::Debug;
 
-  std::string text = fragmentSource;
+  ShaderSources spliced = sources;
+  std::string& text = spliced.fragment;
   std::string declarations =
       probes ? probeDeclarations(binding, writes) : std::string(shaderSource("gpu/output_uniforms.glsl"));
-  declarations += shaderSource("gpu/output.glsl");
+  declarations += joinShaderSources({"gpu/output.glsl", "gpu/light_falloff.glsl"});
+  if (surface != nullptr) declarations += materialDeclarations(*surface);
   if (debug) {
     if (!probes) declarations += "uniform mat3 bpViewToWorld;\nuniform int bpView;\n";
     declarations += std::string("#define BP_LIT ") + (probes ? "1\n" : "0\n");
@@ -254,6 +396,9 @@ std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, 
     return missing("declarations", "void main()");
 
   std::string failure = applyAnchors(text, viewAndOutputAnchors(), coat);
+  if (failure.empty()) failure = applyFalloffs(text);
+  if (failure.empty() && surface != nullptr) failure = spliceMaterial(text, coat);
+  if (failure.empty() && surface != nullptr) failure = spliceVertices(spliced, *surface);
   if (failure.empty() && probes) failure = applyAnchors(text, lightingAnchors(), coat);
   if (!failure.empty()) return failure;
 
@@ -270,7 +415,7 @@ std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding, 
   if (!replaceOnce(text, kOutput, output)) {
     return missing("output", kOutput);
   }
-  fragmentSource = std::move(text);
+  sources = std::move(spliced);
   return {};
 }
 

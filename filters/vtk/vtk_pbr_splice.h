@@ -6,6 +6,7 @@
 #include <string>
 
 #include "filters/vtk/draw_state.h"
+#include "filters/vtk/surface_material.h"
 
 namespace boxprobe {
 
@@ -17,10 +18,17 @@ enum class SurfaceOutput {
   NothingApart,     ///< the same of a surface that keeps nothing apart
 };
 
-/// Edits `fragmentSource` in place. Returns an empty string, or one line naming VTK's version and the anchor that is
-/// not there (the source is then unchanged). A shader without physically based shading (no light, lines, points) has
-/// nothing to splice and is left as it is.
-std::string splicePbr(std::string& fragmentSource, const ProbeBinding& binding,
+/// The shaders of one program as VTK has written them.
+struct ShaderSources {
+  std::string vertex;
+  std::string geometry;  ///< empty unless VTK draws edges
+  std::string fragment;
+};
+
+/// Edits them in place; `surface` may be null: then the material is VTK's own. Returns an empty string, or one line
+/// naming VTK's version and the anchor that is not there (the sources are then unchanged). A shader without physically
+/// based shading (no light, lines, points) has nothing to splice and is left as it is.
+std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const SurfaceMaterial* surface,
                       SurfaceOutput output = SurfaceOutput::Picture);
 
 /// Name of the uniform array that holds a number of `row` for each of a draw's probes.

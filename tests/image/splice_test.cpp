@@ -175,9 +175,10 @@ TEST(Splice, MissingAnchorIsNamedAndNothingIsChanged) {
   ProbeBinding binding;
   binding.lighting = Lighting::Probes;
   const std::string lines = "void main()\n{\n  gl_FragData[0] = vec4(1.0);\n}\n";
-  std::string source = lines;
-  EXPECT_EQ(splicePbr(source, binding), "");
-  EXPECT_EQ(source, lines) << "not a physically based shader: left alone";
+  const SurfaceMaterial surface;
+  ShaderSources sources{"void main()\n{\n}\n", {}, lines};
+  EXPECT_EQ(splicePbr(sources, binding, &surface), "");
+  EXPECT_EQ(sources.fragment, lines) << "not a physically based shader: left alone";
 
   const std::string anchors[] = {"float d = (NdH * a2 - NdH) * NdH + 1.0;",
                                  "vec3 V = normalize(-vertexVC.xyz);",
@@ -185,6 +186,12 @@ TEST(Splice, MissingAnchorIsNamedAndNothingIsChanged) {
                                  "vec3 irradiance = vec3(0.0);",
                                  "vec3 prefilteredSpecularColor = vec3(0.0);",
                                  "vec2 brdf = vec2(0.0, 0.0);",
+                                 "vec3 albedo = diffuseColor;",
+                                 "float roughness = roughnessUniform;",
+                                 "float metallic = metallicUniform;",
+                                 "float ao = 1.0;",
+                                 "//VTK::Normal::Impl",
+                                 "color += Lo;\n  color = mix(color, color * ao, aoStrengthUniform);",
                                  "color = pow(color, vec3(1.0/2.2));"};
   for (const std::string& left : anchors) {
     std::string text = "void main()\n{\n";
@@ -192,11 +199,13 @@ TEST(Splice, MissingAnchorIsNamedAndNothingIsChanged) {
       if (anchor != left) text += "  " + anchor + "\n";
     }
     text += "  vec3 specularBrdf = F0 * brdf.r + F90 * brdf.g;\n}\n";
-    std::string spliced = text;
-    const std::string failure = splicePbr(spliced, binding);
+    const std::string vertices = "void main()\n{\n}\n";
+    ShaderSources spliced{vertices, {}, text};
+    const std::string failure = splicePbr(spliced, binding, &surface);
     EXPECT_NE(failure.find(left), std::string::npos) << failure;
     EXPECT_NE(failure.find("9.1"), std::string::npos) << failure;
-    EXPECT_EQ(spliced, text);
+    EXPECT_EQ(spliced.fragment, text);
+    EXPECT_EQ(spliced.vertex, vertices);
   }
 }
 

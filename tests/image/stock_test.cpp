@@ -3,6 +3,8 @@
 // irradiance cube evaluated from our harmonics; its roughness-to-level line by ours, because the chain is baked for
 // that.
 #include <gtest/gtest.h>
+#include <vtkPointData.h>
+#include <vtkTexture.h>
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
@@ -102,12 +104,30 @@ Mesh sphere() {
   return mesh;
 }
 
+const std::vector<std::uint8_t> kChecker = {255, 255, 255, 255, 90, 120, 160, 255, 200, 80, 40, 255, 255, 255, 255, 255};
+
+/// The same picture as a VTK texture, set up as ours are.
+vtkSmartPointer<vtkTexture> stockTexture(bool srgb) {
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(2, 2, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  std::copy(kChecker.begin(), kChecker.end(), static_cast<std::uint8_t*>(data->GetScalarPointer()));
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(data);
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->SetMaximumAnisotropicFiltering(8.0f);
+  texture->SetUseSRGBColorSpace(srgb);
+  texture->SetColorModeToDirectScalars();
+  return texture;
+}
+
 // Rows: metal, dielectric, metal under a clear coat, dielectric with textures; columns: roughness 0 to 1.
 Model spheres() {
   Model model;
   auto checker = std::make_shared<ImageRgba8>();
   checker->width = checker->height = 2;
-  checker->pixels = {255, 255, 255, 255, 90, 120, 160, 255, 200, 80, 40, 255, 255, 255, 255, 255};
+  checker->pixels = kChecker;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 5; ++column) {
       Material material;
@@ -201,13 +221,22 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   renderer->GetLights()->InitTraversal();
   stock->AddLight(renderer->GetLights()->GetNextItem());
   actors->InitTraversal();
+  int copied = 0;
   while (vtkActor* actor = actors->GetNextActor()) {
     vtkNew<vtkOpenGLPolyDataMapper> plain;
-    plain->SetInputData(vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0)));
+    vtkNew<vtkPolyData> data;
+    data->ShallowCopy(actor->GetMapper()->GetInputDataObject(0, 0));
+    data->GetPointData()->SetTCoords(data->GetPointData()->GetArray("bpUv0"));
+    plain->SetInputData(data);
     plain->ScalarVisibilityOff();
     vtkNew<vtkActor> copy;
     copy->SetMapper(plain);
-    copy->SetProperty(actor->GetProperty());
+    copy->GetProperty()->DeepCopy(actor->GetProperty());
+    if (copied++ >= 15) {  // the row with textures
+      copy->GetProperty()->SetBaseColorTexture(stockTexture(true));
+      copy->GetProperty()->SetORMTexture(stockTexture(false));
+      copy->GetProperty()->SetOcclusionStrength(0.0);
+    }
     copy->SetUserMatrix(actor->GetUserMatrix());
     for (const std::string name : {"roughness", "coatRoughness"}) {
       std::string lookup = name == "roughness" ? "worldReflect" : "coatWorldReflect";

@@ -252,13 +252,13 @@ TEST_F(ModelGeometry, TextFilesWithBuffersBesideThemAndDataUris) {
 
 TEST_F(ModelGeometry, WhatIsNotSupportedIsNamedOnce) {
   const int positions = glb.trianglePositions();
-  const Json attributes = {{"POSITION", positions}, {"COLOR_0", positions}};
+  const Json attributes = {{"POSITION", positions}, {"COLOR_1", positions}};
   glb.json["meshes"] = Json::array(
       {{{"primitives", Json::array({{{"attributes", attributes}, {"targets", Json::array({{{"POSITION", positions}}})}},
                                     {{"attributes", attributes}},
                                     {{"attributes", {{"POSITION", positions}}}, {"mode", 1}}})}}});
   glb.json["skins"] = Json::array({{{"joints", {0}}}});
-  glb.json["extensionsUsed"] = {"KHR_lights_punctual", "KHR_materials_unlit", "KHR_texture_transform"};
+  glb.json["extensionsUsed"] = {"KHR_materials_sheen", "KHR_materials_unlit", "KHR_xmp"};
   glb.node({{"mesh", 0}, {"skin", 0}});
   const int times = glb.floats("SCALAR", 1, {0, 1});
   const int moves = glb.floats("VEC3", 3, {0, 0, 0, 1, 0, 0});
@@ -271,7 +271,7 @@ TEST_F(ModelGeometry, WhatIsNotSupportedIsNamedOnce) {
   for (const std::string& warning : model.warnings) all += warning + "\n";
   EXPECT_EQ(model.warnings.size(), 7u) << all;
   for (const char* word :
-       {"KHR_lights_punctual", "KHR_texture_transform", "morph", "vertex colors", "lines", "skins", "animations"}) {
+       {"KHR_materials_sheen", "KHR_xmp", "morph", "COLOR_1", "lines", "skins", "animations"}) {
     EXPECT_NE(all.find(word), std::string::npos) << word;
   }
 }

@@ -145,17 +145,17 @@ TEST_F(ModelMaterial, WhatIsNotSupportedIsNamedOnce) {
   picture();
   glb.json["images"] = Json::array({{{"uri", "made.png"}}});
   glb.json["textures"] = Json::array({{{"source", 0}}, {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}});
-  const Json m = {{"alphaMode", "BLEND"},
-                  {"emissiveTexture", {{"index", 0}, {"texCoord", 1}}},
+  const Json m = {{"alphaMode", "DITHER"},
+                  {"emissiveTexture", {{"index", 0}, {"texCoord", 2}}},
                   {"normalTexture", {{"index", 1}}},
-                  {"extensions", {{"KHR_materials_clearcoat", {{"clearcoatTexture", {{"index", 0}}}}}}}};
+                  {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}}};
   glb.json["materials"] = Json::array({m, m});
   const Model model = load();
   std::string all;
   for (const std::string& warning : model.warnings) all += warning + "\n";
   EXPECT_EQ(model.warnings.size(), 4u) << all;
   for (const char* word :
-       {"alphaMode BLEND", "second set of texture coordinates", "without a PNG or JPEG", "clear-coat textures"}) {
+       {"alphaMode DITHER", "third set of texture coordinates", "without a PNG or JPEG", "transmit light"}) {
     EXPECT_NE(all.find(word), std::string::npos) << word << " in " << all;
   }
   EXPECT_TRUE(model.materials[0].emissiveTexture.image);

@@ -154,7 +154,7 @@ TEST(SceneErrors, UnknownKeysAreNamedWithTheNearest) {
       "emissive, normalScale, coat, ior, transmission");
   for (const char* members :
        {R"("models": [{"file": "a", "x": 1}])", R"("sky": {"colour": [1, 1, 1]})", R"("cameras": {"a": {"fov": 3}})",
-        R"("lights": [{"type": "point", "range": 3}])", R"("objects": {"a": {"shown": true}})",
+        R"("lights": [{"type": "point", "rage": 3}])", R"("objects": {"a": {"shown": true}})",
         R"("probes": [{"name": "a", "box": {"mid": 1}}])", R"("probes": [{"name": "a", "blendDistance": {"mid": 1}}])",
         R"("probes": [{"name": "a", "occlusion": {"mid": 1}}])"}) {
     EXPECT_NE(problem(members).find("unknown key"), std::string::npos) << members;
@@ -206,10 +206,11 @@ TEST(SceneErrors, ValuesOutOfRangeHavePlacesToo) {
 
 /// One of everything, nothing at its default.
 Scene richScene() {
-  Scene scene = parsed(R"("models": [{"file": "a.glb", "translation": [0.1, 1e6, -3e-7]}, "sub/b.glb"],
+  Scene scene = parsed(R"("models": [{"file": "a.stl", "translation": [0.1, 1e6, -3e-7], "unit": "mm", "upAxis": "z"}, "sub/b.glb"],
     "sky": {"top": [0.1, 0.2, 0.3], "horizon": [1, 1, 1]}, "exposure": 0.3,
-    "cameras": {"b": {"position": [0.1, 0.2, 0.3]}, "a": {"up": [0, 0, 1], "verticalFovDegrees": 33.3}},
-    "lights": [{"type": "point", "position": [0, 2, 0], "color": [1, 0.3, 0.1], "intensity": 1234.5}],
+    "cameras": {"b": {"position": [0.1, 0.2, 0.3]}, "a": {"up": [0, 0, 1], "verticalFovDegrees": 33.3, "parallelHeight": 2.5}},
+    "lights": [{"type": "point", "position": [0, 2, 0], "color": [1, 0.3, 0.1], "intensity": 1234.5, "range": 9},
+               {"type": "spot", "direction": [0, -1, 1], "position": [1, 2, 3], "innerConeDegrees": 10, "outerConeDegrees": 20}],
     "materials": {"floor \"new\"": {"roughness": 0.3, "baseColor": [0.1, 0.2, 0.7]}, "b": {}},
     "objects": {"mirror": {"visible": false, "weights": "object", "probeMode": "off"}, "plain": {}},
     "probes": [{"name": "room", "box": {"min": [-4.505, 0, -4.505], "max": [4.505, 5.01, 4.505]}, "clear": [0.1, 0.2, 0.3],

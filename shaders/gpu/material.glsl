@@ -1,0 +1,32 @@
+// What a material's textures and vertices give at a fragment, where glTF wants more than VTK 9.1's own texture code does:
+// two sets of coordinates, transforms, factors without textures, alpha modes, clear-coat textures. BP_HAS_... and the
+// sampling functions bpSample...() stand before this, written by filters/vtk/vtk_pbr_splice.cpp for the textures there are.
+uniform float bpAlpha;       // the base colour's factor
+uniform float bpAlphaCutoff;
+
+// Normal map `texel` in the frame of the normal `n`, which looks along the front: glTF 2.0, section 3.9.3.
+#if BP_TANGENT
+vec3 bpMappedNormal(vec3 n, vec3 texel, float scale)
+{
+  vec3 along = bpTangentF.xyz - dot(bpTangentF.xyz, n) * n;
+  float size = length(along);
+  vec3 t = size > 0.0f ? along / size : vec3(0.0f);
+  vec3 b = cross(n, t) * (bpTangentF.w < 0.0f ? -1.0f : 1.0f);
+  vec3 mapped = (2.0f * texel - 1.0f) * vec3(scale, scale, 1.0f);
+  vec3 turned = mapped.x * t + mapped.y * b + mapped.z * n;
+  float turnedSize = length(turned);
+  return turnedSize > 0.0f ? turned / turnedSize : n;
+}
+#endif
+
+vec4 bpBaseColor()
+{
+  vec4 base = vec4(1.0f, 1.0f, 1.0f, bpAlpha);
+#ifdef BP_HAS_BaseColor
+  base *= bpSampleBaseColor();
+#endif
+#if BP_COLOR
+  base *= bpColorF;
+#endif
+  return base;
+}
