@@ -28,8 +28,9 @@ int run(int& argc, char** argv) {
   program.set_version_flag("--version", "boxprobe " BOXPROBE_VERSION);
   std::string scenePath;
   WindowOptions window;
-  program.add_option("SCENE", scenePath,
-                     "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp) to open in the window");
+  program.add_option(
+      "SCENE", scenePath,
+      "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp) to open in the window");
   program
       .add_option("--stats", window.statsPath,
                   "When the window closes, write counters and times of what ran to this file")

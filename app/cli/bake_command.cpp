@@ -148,7 +148,9 @@ void runBake(const BakeOptions& options) {
 Subcommand addBakeCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("bake", "Capture and filter the baked probes of a scene into files");
   const auto options = std::make_shared<BakeOptions>();
-  command->add_option("SCENE", options->scenePath, "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+  command
+      ->add_option("SCENE", options->scenePath,
+                   "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
       ->required();
   command
       ->add_option(

@@ -42,7 +42,8 @@ std::vector<Camera> chosenCameras(const BenchOptions& options, const Scene& scen
 
 void addBenchOptions(CLI::App& command, BenchOptions& options) {
   command.add_option("SCENE", options.scenePath,
-                     "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp); without: the scene made for it");
+                     "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp); without: the "
+                     "scene made for it");
   command.add_option("-o,--output", options.folder, "Folder for bench.json, bench.csv, report.md and the pictures")
       ->type_name("DIR")
       ->capture_default_str();

@@ -96,7 +96,9 @@ void runExplain(const ExplainOptions& options) {
 Subcommand addExplainCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("explain", "Say how the colour of one pixel comes about, step by step");
   const auto options = std::make_shared<ExplainOptions>();
-  command->add_option("SCENE", options->scenePath, "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+  command
+      ->add_option("SCENE", options->scenePath,
+                   "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
       ->required();
   command->add_option("--pixel", options->pixel, "The pixel, from 0,0 at the top left of the picture")
       ->type_name("X,Y")

@@ -47,7 +47,9 @@ void runInfo(const InfoOptions& options) {
 Subcommand addInfoCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("info", "Say what is in a scene, and what would be skipped");
   const auto options = std::make_shared<InfoOptions>();
-  command->add_option("SCENE", options->scenePath, "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+  command
+      ->add_option("SCENE", options->scenePath,
+                   "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
       ->required();
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")

@@ -46,7 +46,6 @@ void adoptFromModels(LoadedScene& loaded) {
   validate(scene);
 }
 
-
 LoadedScene loadBareModel(const std::string& path) {
   LoadedScene loaded;
   loaded.scene = sceneForModel(path);

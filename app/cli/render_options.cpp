@@ -20,7 +20,10 @@ std::string surfaceViewIdList() {
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
-  command.add_option("SCENE", options.scenePath, "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")->required();
+  command
+      .add_option("SCENE", options.scenePath,
+                  "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+      ->required();
   command.add_option("-o,--output", options.outputPath, "Picture: .png (display colours) or .exr (linear, float RGBA)")
       ->type_name("FILE")
       ->required();

@@ -64,11 +64,10 @@ bool FileCommands::confirmLeaving() {
 }
 
 void FileCommands::open() {
-  const QString path =
-      QFileDialog::getOpenFileName(window_, tr("Open"), folder(),
-                                   tr("Scenes and models (*.boxprobe.json *.json %1);;Scenes "
-                                      "(*.boxprobe.json *.json);;Models (%1)")
-                                       .arg(QString::fromStdString(modelFilePatterns())));
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Open"), folder(),
+                                                    tr("Scenes and models (*.boxprobe.json *.json %1);;Scenes "
+                                                       "(*.boxprobe.json *.json);;Models (%1)")
+                                                        .arg(QString::fromStdString(modelFilePatterns())));
   if (!path.isEmpty()) openPath(path);
 }
 

@@ -63,7 +63,8 @@ glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec
       const float distance = glm::length(to);
       l = to / distance;
       radiance *= rangeFactor(light, distance) / (distance * distance);
-      if (light.type == LightType::Spot) radiance *= coneFactor(light, glm::dot(-l, glm::vec3(glm::normalize(light.direction))));
+      if (light.type == LightType::Spot)
+        radiance *= coneFactor(light, glm::dot(-l, glm::vec3(glm::normalize(light.direction))));
     } else {
       l = glm::vec3(-glm::normalize(light.direction));
     }

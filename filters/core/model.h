@@ -37,9 +37,9 @@ struct TextureUse {
   std::shared_ptr<const ImageRgba8> image;  ///< null: no texture
   Wrap wrapS = Wrap::Repeat;
   Wrap wrapT = Wrap::Repeat;
-  int uvSet = 0;                                      ///< which of the mesh's two sets of coordinates
+  int uvSet = 0;                                                ///< which of the mesh's two sets of coordinates
   glm::mat3x2 uvTransform{1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};  ///< of (u, v, 1), by columns; KHR_texture_transform
-  bool nearest = false;                               ///< magnified without interpolation
+  bool nearest = false;                                         ///< magnified without interpolation
 };
 
 /// What a material's alpha means (glTF 2.0, section 3.9.4).

@@ -31,7 +31,8 @@ bool Camera::operator==(const Camera& o) const {
 
 bool Light::operator==(const Light& o) const {
   return std::tie(type, direction, position, color, intensity, innerConeDegrees, outerConeDegrees, range) ==
-         std::tie(o.type, o.direction, o.position, o.color, o.intensity, o.innerConeDegrees, o.outerConeDegrees, o.range);
+         std::tie(o.type, o.direction, o.position, o.color, o.intensity, o.innerConeDegrees, o.outerConeDegrees,
+                  o.range);
 }
 
 bool MaterialOverride::operator==(const MaterialOverride& o) const {

@@ -24,8 +24,8 @@ glm::dvec3 turned(const glm::dmat4& worldFromNode, const glm::dvec3& axis) {
 Light readLight(GltfFile& file, int index, const glm::dmat4& worldFromNode, const std::string& where) {
   const auto& lights = file.gltf.lights;
   if (index < 0 || static_cast<std::size_t>(index) >= lights.size()) {
-    file.fail(where, "light " + std::to_string(index) + " does not exist; the file has " +
-                         std::to_string(lights.size()));
+    file.fail(where,
+              "light " + std::to_string(index) + " does not exist; the file has " + std::to_string(lights.size()));
   }
   const tinygltf::Light& source = lights[static_cast<std::size_t>(index)];
   const auto bounded = [&](double value) {
@@ -60,8 +60,8 @@ Light readLight(GltfFile& file, int index, const glm::dmat4& worldFromNode, cons
 Camera readCamera(GltfFile& file, int index, const glm::dmat4& worldFromNode, const std::string& where) {
   const auto& cameras = file.gltf.cameras;
   if (static_cast<std::size_t>(index) >= cameras.size()) {
-    file.fail(where, "camera " + std::to_string(index) + " does not exist; the file has " +
-                         std::to_string(cameras.size()));
+    file.fail(where,
+              "camera " + std::to_string(index) + " does not exist; the file has " + std::to_string(cameras.size()));
   }
   const tinygltf::Camera& source = cameras[static_cast<std::size_t>(index)];
   Camera camera;

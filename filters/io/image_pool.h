@@ -1,5 +1,6 @@
-// Decoded pictures of the whole process, by the bytes they were decoded from: the same picture in two models, or a model
-// that is opened again while it is shown, is decoded once. Nothing is kept alive by it. Called by readers of models.
+// Decoded pictures of the whole process, by the bytes they were decoded from: the same picture in two models, or a
+// model that is opened again while it is shown, is decoded once. Nothing is kept alive by it. Called by readers of
+// models.
 #pragma once
 
 #include <array>

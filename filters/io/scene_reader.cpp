@@ -67,8 +67,8 @@ Camera readCamera(const JsonCursor& entry) {
 }
 
 Light readLight(const JsonCursor& entry) {
-  entry.requireObject({"type", "direction", "position", "color", "intensity", "innerConeDegrees", "outerConeDegrees",
-                       "range"});
+  entry.requireObject(
+      {"type", "direction", "position", "color", "intensity", "innerConeDegrees", "outerConeDegrees", "range"});
   Light light;
   const auto type = entry.find("type");
   if (!type) entry.fail("has no type; add \"type\": \"directional\", \"point\" or \"spot\"");

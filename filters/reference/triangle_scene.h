@@ -20,7 +20,7 @@ struct TracedObject {
   /// Arrays as in Mesh, those that are not empty with one entry a position.
   std::vector<glm::vec3> positions;  ///< relative to the anchor, world axes, scene units
   std::vector<glm::vec3> normals;    ///< world; unit or not, as the shader interpolates them
-  std::vector<glm::vec4> tangents;  ///< w: handedness
+  std::vector<glm::vec4> tangents;   ///< w: handedness
   std::vector<glm::vec2> uv, uv1;
   std::vector<glm::vec4> colors;
   std::vector<std::uint32_t> indices;

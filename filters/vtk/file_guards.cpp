@@ -51,8 +51,9 @@ void checkCorner(const std::string& path, std::size_t line, const std::string& c
     const long long index = std::strtoll(at, &end, 10);
     if (end == at || index == 0) fail(path, line, "\"" + corner + "\" is not a corner; indices start from 1");
     if (std::llabs(index) > most[part]) {
-      fail(path, line, "\"" + corner + "\" refers to entry " + std::to_string(index) + ", but there are " +
-                           std::to_string(most[part]) + "; the file is damaged");
+      fail(path, line,
+           "\"" + corner + "\" refers to entry " + std::to_string(index) + ", but there are " +
+               std::to_string(most[part]) + "; the file is damaged");
     }
     at = *end == '/' ? end + 1 : end;
     if (*at == '\0') return;
@@ -72,7 +73,8 @@ void checkMaterialFile(const std::string& file, const std::string& modelPath) {
     std::string name;
     for (std::string last; words >> last;) name = last;  // options may stand before it
     const fs::path picture = fs::path(file).parent_path() / name;
-    if (!insideFolderOf(picture, modelPath)) fail(file, number, name + " lies outside the model's folder; put it inside");
+    if (!insideFolderOf(picture, modelPath))
+      fail(file, number, name + " lies outside the model's folder; put it inside");
     std::error_code ignored;
     if (word == "map_Kd" && !fs::exists(picture, ignored)) fail(file, number, name + " does not exist; check the path");
   }
@@ -163,8 +165,9 @@ void checkStl(const std::string& path) {
   for (std::size_t i = 4; i-- > 0;) count = (count << 8) | static_cast<unsigned char>(bytes[80 + i]);
   if (count == 0) fail(path, 0, "has no triangles");
   if (count > (bytes.size() - kHeader) / kTriangle) {
-    fail(path, 0, "promises " + std::to_string(count) + " triangles, but holds " +
-                      std::to_string((bytes.size() - kHeader) / kTriangle) + "; the file is cut off");
+    fail(path, 0,
+         "promises " + std::to_string(count) + " triangles, but holds " +
+             std::to_string((bytes.size() - kHeader) / kTriangle) + "; the file is cut off");
   }
 }
 

@@ -26,7 +26,7 @@ struct DrawnObject {
   double roughnessMin = 0.0, roughnessMax = 1.0;
   double textureRoughnessMin = 1.0, textureRoughnessMax = 1.0;  ///< what a texture multiplies the material's by
   glm::dmat4 worldFromModel{1.0};
-  std::shared_ptr<SurfaceMaterial> surface;     ///< its numbers follow the overrides
+  std::shared_ptr<SurfaceMaterial> surface;  ///< its numbers follow the overrides
   vtkSmartPointer<vtkActor> actor;
   vtkSmartPointer<vtkProbePolyDataMapper> mapper;
   ObjectOverride settings;

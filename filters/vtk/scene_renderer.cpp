@@ -335,6 +335,9 @@ ImageRgba8 SceneRenderer::renderDisplay() {
   window->Render();
   const int* size = window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
+  // VTK 9.1 reads three bytes a pixel into rows without padding, whatever the alignment is: rows of an odd width would
+  // run over the array's end.
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
   window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels, 0);
   ImageRgba8 image{size[0], size[1], {}, {}};
   image.pixels.resize(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * 4);

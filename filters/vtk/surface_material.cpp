@@ -12,9 +12,8 @@ GLint wrapMode(Wrap wrap) {
 }  // namespace
 
 const std::array<const char*, kSurfaceSlots>& surfaceSlotNames() {
-  static const std::array<const char*, kSurfaceSlots> names = {"BaseColor", "RoughMetal", "Normal",
-                                                               "Occlusion", "Emissive",   "Coat",
-                                                               "CoatRoughness", "CoatNormal"};
+  static const std::array<const char*, kSurfaceSlots> names = {
+      "BaseColor", "RoughMetal", "Normal", "Occlusion", "Emissive", "Coat", "CoatRoughness", "CoatNormal"};
   return names;
 }
 
@@ -35,8 +34,7 @@ GLuint SurfaceTexture::handle() const {
   glGenerateMipmap(GL_TEXTURE_2D);
   constexpr float kAnisotropy = 8.0f;
   glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, nearest_ ? 1.0f : kAnisotropy);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                  nearest_ ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, nearest_ ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest_ ? GL_NEAREST : GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapMode(wrapS_));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapMode(wrapT_));

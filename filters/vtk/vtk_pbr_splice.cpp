@@ -55,7 +55,7 @@ const std::vector<Anchor>& materialAnchors() {
   static const std::vector<Anchor> anchors = {
       {"base colour",
        {"vec3 albedo = diffuseColor;"},
-       {"vec4 bpBase = bpBaseColor();\n  vec3 albedo = diffuseColor * bpBase.rgb;\n  opacity = BP_ALPHA;\n"
+       {"vec4 bpBase = bpBaseColor();\n  vec3 albedo = diffuseColor * bpBase.rgb;\n  opacity = opacity * BP_ALPHA;\n"
         "  if (BP_MASKED) { discard; }"},
        false},
       {"roughness",
@@ -154,9 +154,9 @@ std::string applyFalloffs(std::string& text) {
       return missing("distance falloff", distance);
     }
     const std::string cone = "attenuation = attenuation * pow(coneDot, lightExponent" + n + ");";
-    if (!replaceOnce(text, cone,
-                     "attenuation = attenuation * bpConeFalloff(coneDot, lightConeAngle" + n + ", lightExponent" + n +
-                         ");")) {
+    if (!replaceOnce(
+            text, cone,
+            "attenuation = attenuation * bpConeFalloff(coneDot, lightConeAngle" + n + ", lightExponent" + n + ");")) {
       return missing("cone falloff", cone);
     }
   }
@@ -405,6 +405,11 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   constexpr const char* kOutput = "color = pow(color, vec3(1.0/2.2));";
   std::string output = unlit ? "color = emissiveColor;\n" : "";
   output += debug ? "color = bpViewColor(color);\n" : "color = bpOutput(color);\n";
+  // VTK 9.1 gives the colour of visible edges to ambient light alone, which its physically based shading has not, and
+  // takes it from the surface's own.
+  if (replaceOnce(text, "diffuseColor = mix(diffuseColor, vec3(0.0), emix);", "")) {
+    output += "  color = mix(color, edgeColor, emix);\n";
+  }
   if (debug) output += shaderSource("gpu/surface_output.glsl");
   if (writes == SurfaceOutput::ReflectionApart || writes == SurfaceOutput::NothingApart) {
     // A surface without probes has nothing to keep apart, whatever it was asked.

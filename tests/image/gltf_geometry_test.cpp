@@ -63,7 +63,8 @@ TEST_F(GltfNormals, TangentsOfTheFileAndTheirHandednessCount) {
 
 TEST_F(GltfNormals, FollowANodesUnevenScale) {
   Json attributes = square();
-  attributes["TANGENT"] = glb.floats("VEC4", 4, {0.6f, 0.8f, 0, 1, 0.6f, 0.8f, 0, 1, 0.6f, 0.8f, 0, 1, 0.6f, 0.8f, 0, 1});
+  attributes["TANGENT"] =
+      glb.floats("VEC4", 4, {0.6f, 0.8f, 0, 1, 0.6f, 0.8f, 0, 1, 0.6f, 0.8f, 0, 1, 0.6f, 0.8f, 0, 1});
   show(attributes, {{"normalTexture", {{"index", slope()}}}}, {{"scale", {3, 1, 1}}});
   draw();
   const glm::vec3 t = glm::normalize(glm::vec3(1.8f, 0.8f, 0.0f)), b = glm::cross(glm::vec3(0, 0, 1), t);
@@ -140,8 +141,8 @@ TEST_F(GltfPicture, BuffersAndImagesMayBeFilesOrText) {
 class GltfLights : public GltfPicture {
  protected:
   void drawUnder(const Json& light, const Json& node) {
-    show(square(), {{"pbrMetallicRoughness", {{"metallicFactor", 0}}},
-                    {"extensions", {{"KHR_materials_ior", {{"ior", 1}}}}}});
+    show(square(),
+         {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"extensions", {{"KHR_materials_ior", {{"ior", 1}}}}}});
     glb.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
     glb.node(merged(node, {{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}}));
     draw();
@@ -189,8 +190,7 @@ TEST_F(GltfLights, SpotHasTwoCones) {
   for (int x = 2; x < kSize; x += 4) {
     const glm::dvec3 to = glm::dvec3(0.1, 0.0, 1.25) - place(x, 32);
     const double d = glm::length(to), cosine = to.z / d;
-    const double share =
-        std::max(std::min((cosine - std::cos(outer)) / (std::cos(inner) - std::cos(outer)), 1.0), 0.0);
+    const double share = std::max(std::min((cosine - std::cos(outer)) / (std::cos(inner) - std::cos(outer)), 1.0), 0.0);
     expectIrradiance(x, 32, 5.0 * share * share / (d * d) * cosine);
     (share >= 1.0 ? whole : share <= 0.0 ? dark : between) += 1;
   }
@@ -201,8 +201,8 @@ TEST_F(GltfLights, SpotHasTwoCones) {
 
 TEST_F(GltfPicture, CamerasLookAlongMinusZ) {
   show(square(), unlit());
-  glb.json["cameras"] =
-      Json::array({{{"type", "perspective"}, {"name", "eye"}, {"perspective", {{"yfov", 2.0 * std::atan(0.5)}, {"znear", 0.1}}}}});
+  glb.json["cameras"] = Json::array(
+      {{{"type", "perspective"}, {"name", "eye"}, {"perspective", {{"yfov", 2.0 * std::atan(0.5)}, {"znear", 0.1}}}}});
   glb.node({{"camera", 0}, {"translation", {1, 0, 2}}, {"scale", {5, 5, 5}}});
   ownCamera = true;
   draw();

@@ -1,5 +1,5 @@
-// Materials of glTF, drawn: the colour of known pixels, and what the shader makes of the surface there, against what the
-// specification says of these files.
+// Materials of glTF, drawn: the colour of known pixels, and what the shader makes of the surface there, against what
+// the specification says of these files.
 #include <gmock/gmock.h>
 
 #include "tests/image/gltf_picture.h"
@@ -17,12 +17,13 @@ TEST_F(GltfPicture, FactorsCountWithoutTextures) {
 TEST_F(GltfPicture, EveryTextureCountsWithoutABaseColorTexture) {
   const int packed = oneColor({77, 51, 204, 255});
   const int glow = oneColor({188, 0, 255, 255});
-  show(square(), {{"pbrMetallicRoughness",
-                   {{"metallicFactor", 0.5}, {"roughnessFactor", 0.75}, {"metallicRoughnessTexture", {{"index", packed}}}}},
-                  {"occlusionTexture", {{"index", packed}, {"strength", 0.5}}},
-                  {"emissiveTexture", {{"index", glow}}},
-                  {"emissiveFactor", {1, 1, 0.5}},
-                  {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 6}}}}}});
+  show(square(),
+       {{"pbrMetallicRoughness",
+         {{"metallicFactor", 0.5}, {"roughnessFactor", 0.75}, {"metallicRoughnessTexture", {{"index", packed}}}}},
+        {"occlusionTexture", {{"index", packed}, {"strength", 0.5}}},
+        {"emissiveTexture", {{"index", glow}}},
+        {"emissiveFactor", {1, 1, 0.5}},
+        {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 6}}}}}});
   draw();
   const SurfacePoint s = surfaceAt(20, 40);
   EXPECT_NEAR(s.roughness, 0.75f * 51 / 255, 1e-6f);
@@ -58,8 +59,8 @@ TEST_F(GltfPicture, OcclusionIsOfTheSurroundingsOnly) {
 }
 
 TEST_F(GltfPicture, IndexOfRefractionSetsTheReflectance) {
-  show(square(), {{"pbrMetallicRoughness", {{"metallicFactor", 0}}},
-                  {"extensions", {{"KHR_materials_ior", {{"ior", 2.4}}}}}});
+  show(square(),
+       {{"pbrMetallicRoughness", {{"metallicFactor", 0}}}, {"extensions", {{"KHR_materials_ior", {{"ior", 2.4}}}}}});
   draw();
   EXPECT_NEAR(surfaceAt(32, 32).baseF0, (1.4f / 3.4f) * (1.4f / 3.4f), 1e-6f);
 }
@@ -82,9 +83,10 @@ TEST_F(GltfPicture, ClearCoatHasFactorsAndTextures) {
 }
 
 TEST_F(GltfPicture, TransmissionIsReadAndSaid) {
-  show(square(), {{"extensions",
-                   {{"KHR_materials_transmission",
-                     {{"transmissionFactor", 0.75}, {"transmissionTexture", {{"index", oneColor({7, 0, 0, 255})}}}}}}}});
+  show(square(),
+       {{"extensions",
+         {{"KHR_materials_transmission",
+           {{"transmissionFactor", 0.75}, {"transmissionTexture", {{"index", oneColor({7, 0, 0, 255})}}}}}}}});
   draw();
   EXPECT_EQ(model->materials[0].transmission, 0.75f);
   ASSERT_TRUE(model->materials[0].transmissionTexture.image);
@@ -116,22 +118,25 @@ TEST_F(GltfPicture, TexturesChooseTheirSetOfCoordinates) {
   Json attributes = square({0, 0, 0, 0, 0, 0, 0, 0});
   attributes["TEXCOORD_1"] = glb.floats("VEC2", 2, {0, 1, 1, 1, 1, 0, 0, 0});
   const int two = texture(2, {255, 0, 0, 255, 0, 255, 0, 255}, {{"magFilter", 9728}, {"minFilter", 9728}});
-  show(attributes, merged(unlit(), {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", two}, {"texCoord", 1}}}}}}));
+  show(attributes,
+       merged(unlit(), {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", two}, {"texCoord", 1}}}}}}));
   draw();
   expectPixel(10, 32, {1, 0, 0});
   expectPixel(50, 32, {0, 1, 0});
   EXPECT_THAT(warnings, testing::Not(testing::Contains(testing::HasSubstr("coordinates"))));
 }
 
-// The four texels of a picture after offset, rotation and scale, by the matrices of the extension's text, at many pixels.
+// The four texels of a picture after offset, rotation and scale, by the matrices of the extension's text, at many
+// pixels.
 TEST_F(GltfPicture, TextureTransformsAreTheExtensionsMatrix) {
   const std::vector<std::uint8_t> texels = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};
   const double offset[2] = {0.125, 0.375}, scale[2] = {1.5, 0.75}, turn = 0.5;
   const int four = texture(2, texels, {{"magFilter", 9728}, {"minFilter", 9728}});
   const Json transform = {{"offset", {offset[0], offset[1]}}, {"scale", {scale[0], scale[1]}}, {"rotation", turn}};
-  show(square(), merged(unlit(), {{"pbrMetallicRoughness",
-                                   {{"baseColorTexture",
-                                     {{"index", four}, {"extensions", {{"KHR_texture_transform", transform}}}}}}}}));
+  show(square(),
+       merged(unlit(),
+              {{"pbrMetallicRoughness",
+                {{"baseColorTexture", {{"index", four}, {"extensions", {{"KHR_texture_transform", transform}}}}}}}}));
   draw();
   int compared = 0;
   for (int y = 1; y < kSize; y += 3) {

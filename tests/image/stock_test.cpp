@@ -3,8 +3,6 @@
 // irradiance cube evaluated from our harmonics; its roughness-to-level line by ours, because the chain is baked for
 // that.
 #include <gtest/gtest.h>
-#include <vtkPointData.h>
-#include <vtkTexture.h>
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
@@ -16,10 +14,12 @@
 #include <vtkPBRIrradianceTexture.h>
 #include <vtkPBRLUTTexture.h>
 #include <vtkPBRPrefilterTexture.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
+#include <vtkTexture.h>
 #include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -104,7 +104,8 @@ Mesh sphere() {
   return mesh;
 }
 
-const std::vector<std::uint8_t> kChecker = {255, 255, 255, 255, 90, 120, 160, 255, 200, 80, 40, 255, 255, 255, 255, 255};
+const std::vector<std::uint8_t> kChecker = {255, 255, 255, 255, 90,  120, 160, 255,
+                                            200, 80,  40,  255, 255, 255, 255, 255};
 
 /// The same picture as a VTK texture, set up as ours are.
 vtkSmartPointer<vtkTexture> stockTexture(bool srgb) {

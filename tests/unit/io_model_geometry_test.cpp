@@ -270,8 +270,7 @@ TEST_F(ModelGeometry, WhatIsNotSupportedIsNamedOnce) {
   std::string all;
   for (const std::string& warning : model.warnings) all += warning + "\n";
   EXPECT_EQ(model.warnings.size(), 7u) << all;
-  for (const char* word :
-       {"KHR_materials_sheen", "KHR_xmp", "morph", "COLOR_1", "lines", "skins", "animations"}) {
+  for (const char* word : {"KHR_materials_sheen", "KHR_xmp", "morph", "COLOR_1", "lines", "skins", "animations"}) {
     EXPECT_NE(all.find(word), std::string::npos) << word;
   }
 }

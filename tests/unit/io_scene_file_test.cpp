@@ -206,7 +206,8 @@ TEST(SceneErrors, ValuesOutOfRangeHavePlacesToo) {
 
 /// One of everything, nothing at its default.
 Scene richScene() {
-  Scene scene = parsed(R"("models": [{"file": "a.stl", "translation": [0.1, 1e6, -3e-7], "unit": "mm", "upAxis": "z"}, "sub/b.glb"],
+  Scene scene = parsed(
+      R"("models": [{"file": "a.stl", "translation": [0.1, 1e6, -3e-7], "unit": "mm", "upAxis": "z"}, "sub/b.glb"],
     "sky": {"top": [0.1, 0.2, 0.3], "horizon": [1, 1, 1]}, "exposure": 0.3,
     "cameras": {"b": {"position": [0.1, 0.2, 0.3]}, "a": {"up": [0, 0, 1], "verticalFovDegrees": 33.3, "parallelHeight": 2.5}},
     "lights": [{"type": "point", "position": [0, 2, 0], "color": [1, 0.3, 0.1], "intensity": 1234.5, "range": 9},
