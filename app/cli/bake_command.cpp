@@ -102,7 +102,7 @@ std::vector<std::string> bakeProbes(SceneRenderer& renderer, const std::vector<s
 void runBake(const BakeOptions& options) {
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
   const InterruptGuard interrupt;
-  LoadedScene loaded = loadScene(options.scenePath, options.assignments);
+  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet);
   const std::vector<std::string> probes = chooseProbes(loaded.scene, options.probes);
   if (!options.report.quiet) printWarnings(loaded.warnings);
   const std::string folder = options.folder.empty() ? BakeFolder::besideScene(options.scenePath) : options.folder;

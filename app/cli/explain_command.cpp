@@ -61,7 +61,7 @@ void runExplain(const ExplainOptions& options) {
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
 
   const InterruptGuard interrupt;
-  LoadedScene loaded = loadScene(options.scenePath, options.assignments);
+  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet);
   chooseTechnique(loaded.scene, options.technique);
   loaded.warnings = sceneWarnings(loaded.scene, loaded.models);  // of the technique that is used
   const Camera camera = chooseCamera(loaded.scene, options.camera);

@@ -10,6 +10,7 @@
 #include "filters/core/errors.h"
 #include "filters/core/model_placement.h"
 #include "filters/io/scene_file.h"
+#include "filters/vtk/cpu_time.h"
 #include "filters/vtk/model_reader.h"
 
 namespace boxprobe {
@@ -43,13 +44,17 @@ void adoptFromModels(LoadedScene& loaded) {
       scene.cameras.push_back(camera);
     }
   }
-  validate(scene);
+  try {
+    validate(scene);
+  } catch (const InputError& error) {
+    throw InputError(scene.models.front().file + ": " + error.what());
+  }
 }
 
-LoadedScene loadBareModel(const std::string& path) {
+LoadedScene loadBareModel(const std::string& path, const LoadProgress& progress) {
   LoadedScene loaded;
   loaded.scene = sceneForModel(path);
-  loaded.models = loadModels(loaded.scene);
+  loaded.models = loadModels(loaded.scene, progress);
   const Box bounds = modelBounds(*loaded.models.front());
   loaded.scene.probes = {fittedProbe(bounds)};
   loaded.scene.cameras.clear();
@@ -64,12 +69,14 @@ bool isModelPath(const std::string& path) {
   return isModelFile(path);
 }
 
-std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene) {
+std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const LoadProgress& progress) {
   std::map<std::string, std::shared_ptr<const Model>> byFile;
   std::vector<std::shared_ptr<const Model>> models;
   for (const ModelFile& model : scene.models) {
     std::shared_ptr<const Model>& loaded = byFile[model.file];
-    if (!loaded) loaded = std::make_shared<const Model>(readModel(model.file));
+    const double before = static_cast<double>(models.size()), all = static_cast<double>(scene.models.size());
+    const LoadProgress share = [&](double done) { return !progress || progress((before + done) / all); };
+    if (!loaded) loaded = std::make_shared<const Model>(readModel(model.file, share));
     models.push_back(loaded);
   }
   return models;
@@ -88,24 +95,27 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std
   return warnings;
 }
 
-LoadedScene loadScene(const std::string& path, const std::vector<std::string>& assignments) {
+LoadedScene loadScene(const std::string& path, const std::vector<std::string>& assignments,
+                      const LoadProgress& progress) {
+  const double begun = processCpuSeconds();
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw InputError(path + ": no such file");
   if (fs::is_directory(path, ignored)) throw InputError(path + ": this is a folder; name a scene or model file in it");
   LoadedScene loaded;
   if (isModelPath(path)) {
-    loaded = loadBareModel(path);
+    loaded = loadBareModel(path, progress);
     setSceneFields(loaded.scene, assignments);
   } else if (endsWith(path, ".json")) {
     loaded.scene = loadSceneFile(path);
     loaded.path = path;
     setSceneFields(loaded.scene, assignments);
-    loaded.models = loadModels(loaded.scene);
+    loaded.models = loadModels(loaded.scene, progress);
     adoptFromModels(loaded);
   } else {
     throw InputError(path + ": neither a scene (.boxprobe.json) nor a model (" + modelFilePatterns() + ")");
   }
   loaded.warnings = sceneWarnings(loaded.scene, loaded.models);
+  loaded.loadCpuSeconds = processCpuSeconds() - begun;
   return loaded;
 }
 

@@ -91,7 +91,7 @@ void runRender(const RenderOptions& options) {
   }
   refuseReferenceOptions(options);
   const InterruptGuard interrupt;
-  LoadedScene loaded = loadScene(options.scenePath, options.assignments);
+  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet);
   chooseTechnique(loaded.scene, options.technique);
   loaded.warnings = sceneWarnings(loaded.scene, loaded.models);  // of the technique that is used
   const Camera camera = chooseCamera(loaded.scene, options.camera);
@@ -142,6 +142,7 @@ void runRender(const RenderOptions& options) {
 
   RunStats stats = collectStats(renderer, window);
   stats.startToFirstFrameCpuSeconds = firstFrame;
+  stats.modelLoadCpuSeconds = loaded.loadCpuSeconds;
   stats.frameCpuSeconds = frames;
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
   if (options.report.json) {

@@ -29,6 +29,22 @@ std::size_t textureBytes(const ImageRgba8& image) {
   return level0 + level0 / 3;
 }
 
+/// What a model's vertices and triangles take in memory.
+std::size_t arrayBytes(const Model& model) {
+  std::size_t bytes = 0;
+  const auto add = [&bytes](const auto& values) { bytes += values.size() * sizeof(values[0]); };
+  for (const Mesh& mesh : model.meshes) {
+    add(mesh.positions);
+    add(mesh.normals);
+    add(mesh.tangents);
+    add(mesh.uv);
+    add(mesh.uv1);
+    add(mesh.colors);
+    add(mesh.indices);
+  }
+  return bytes;
+}
+
 Json modelReport(const ModelFile& file, const Model& model) {
   std::set<const ImageRgba8*> images;
   std::size_t bytes = 0;
@@ -40,7 +56,8 @@ Json modelReport(const ModelFile& file, const Model& model) {
   Json names = Json::array();
   for (const Material& material : model.materials) names.push_back(material.name);
   return {{"file", file.file},  {"meshes", model.meshes.size()}, {"triangles", model.triangleCount()},
-          {"materials", names}, {"textures", images.size()},     {"textureBytes", bytes}};
+          {"materials", names}, {"textures", images.size()},     {"textureBytes", bytes},
+          {"arrayBytes", arrayBytes(model)}};
 }
 
 /// What one probe holds on the graphics side once captured: the prefiltered chain (RGBA16F) and distances (R32F).

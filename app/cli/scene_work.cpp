@@ -25,4 +25,14 @@ void captureProbes(SceneRenderer& renderer, const InterruptGuard& interrupt, boo
   if (!quiet) printWarnings(renderer.remarks());
 }
 
+LoadedScene loadSceneShown(const std::string& path, const std::vector<std::string>& assignments,
+                           const InterruptGuard& interrupt, bool quiet) {
+  ProgressLine line("loading", !quiet);
+  return loadScene(path, assignments, [&](double fraction) {
+    line.show(fraction);
+    interrupt.check();
+    return true;
+  });
+}
+
 }  // namespace boxprobe

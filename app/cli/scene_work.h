@@ -1,6 +1,11 @@
 // What every sub-command that draws does between loading a scene and using it. Called by render, explain and bake.
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "app/cli/load_scene.h"
+
 namespace boxprobe {
 
 class InterruptGuard;
@@ -12,5 +17,9 @@ void requireHealthy(const SceneRenderer& renderer);
 /// Captures and filters what the scene needs, with a progress line; stops early when interrupted. Throws InputError for
 /// a custom probe whose picture cannot be read.
 void captureProbes(SceneRenderer& renderer, const InterruptGuard& interrupt, bool quiet);
+
+/// loadScene() with its progress on stderr; Ctrl-C ends it with a WorkError.
+LoadedScene loadSceneShown(const std::string& path, const std::vector<std::string>& assignments,
+                           const InterruptGuard& interrupt, bool quiet);
 
 }  // namespace boxprobe

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "filters/io/image_pool.h"
+
 namespace boxprobe {
 
 namespace {
@@ -59,8 +61,12 @@ std::string statsJson(const RunStats& stats) {
                       {"errorsMeasured", c.errorsMeasured},
                       {"texelsNotFinite", c.texelsNotFinite},
                       {"uniformUpdates", c.uniformUpdates}};
+  const ImageCounts images = imagePool().counts();
+  json["counters"]["imagesDecoded"] = images.decoded;
+  json["counters"]["imagesShared"] = images.shared;
   Json& times = json["times"];
   times["startToFirstFrameCpuSeconds"] = orNull(stats.startToFirstFrameCpuSeconds);
+  times["modelLoadCpuSeconds"] = orNull(stats.modelLoadCpuSeconds);
   times["captureCpuSeconds"] = stats.times.captureCpuSeconds;
   times["prefilterCpuSeconds"] = stats.times.prefilterCpuSeconds;
   times["bounces"] = Json::array();

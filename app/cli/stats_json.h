@@ -15,6 +15,7 @@ struct RunStats {
   /// CPU seconds of the process from its start until its first frame with all probes ready was there: written to its
   /// file by `render`, swapped to the screen by the window.
   std::optional<double> startToFirstFrameCpuSeconds;
+  std::optional<double> modelLoadCpuSeconds;  ///< reading scene and models, all threads
   std::vector<double> frameCpuSeconds;  ///< one entry a timed frame
   std::size_t probeBytes = 0;           ///< textures of all probes, on the graphics side
   std::string glRenderer, glVersion;

@@ -5,7 +5,9 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QProgressDialog>
 #include <QUrl>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -74,7 +76,14 @@ void FileCommands::open() {
 bool FileCommands::openPath(const QString& path) {
   if (!confirmLeaving()) return false;
   try {
-    LoadedScene loaded = loadScene(path.toStdString());
+    QProgressDialog shown(tr("Loading %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 100, window_);
+    shown.setWindowModality(Qt::WindowModal);
+    shown.setMinimumDuration(500);  // what is there at once needs none
+    LoadedScene loaded = loadScene(path.toStdString(), {}, [&shown](double fraction) {
+      shown.setValue(std::min(static_cast<int>(100.0 * fraction), 99));  // lets events through
+      return !shown.wasCanceled();
+    });
+    shown.reset();
     requireSky(loaded.scene);
     const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
@@ -84,6 +93,9 @@ bool FileCommands::openPath(const QString& path) {
                  : more == 0       ? warning
                                    : tr("%1 (and %2 more; see `boxprobe info`)").arg(warning).arg(more));
     return true;
+  } catch (const LoadCancelled&) {
+    emit message(tr("Loading was stopped; the open scene stays"));
+    return false;
   } catch (const std::exception& error) {
     showError(tr("Cannot open"), QString::fromUtf8(error.what()));
     return false;

@@ -48,6 +48,8 @@ class Half {
       if (!from_.normals.empty()) to_.normals.push_back(from_.normals[i]);
       if (!from_.tangents.empty()) to_.tangents.push_back(from_.tangents[i]);
       if (!from_.uv.empty()) to_.uv.push_back(from_.uv[i]);
+      if (!from_.uv1.empty()) to_.uv1.push_back(from_.uv1[i]);
+      if (!from_.colors.empty()) to_.colors.push_back(from_.colors[i]);
     }
     return known_[i];
   }
@@ -67,6 +69,8 @@ class Half {
                                 from_.tangents[i].w);
     }
     if (!from_.uv.empty()) to_.uv.push_back(mix(from_.uv[i], from_.uv[j]));
+    if (!from_.uv1.empty()) to_.uv1.push_back(mix(from_.uv1[i], from_.uv1[j]));
+    if (!from_.colors.empty()) to_.colors.push_back(mix(from_.colors[i], from_.colors[j]));
     cut_[{i, j}] = made;
     return made;
   }

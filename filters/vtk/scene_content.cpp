@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "filters/core/divide_model.h"
+#include "filters/core/model_placement.h"
 #include "filters/io/image_file.h"
 #include "filters/vtk/scene_lights.h"
 #include "filters/vtk/vtkCulledRenderer.h"
@@ -46,7 +47,7 @@ bool SceneContent::divideModels() {
   std::vector<std::shared_ptr<const Model>> divided = given;
   for (std::size_t i = 0; contested && i < given.size() && i < scene.models.size(); ++i) {
     divided[i] =
-        dividedModel(given[i], placementMatrix(scene.models[i]), scene.probes, index, ProbeBinding::kMaxProbesPerDraw);
+        dividedModel(given[i], worldFromFile(scene.models[i]), scene.probes, index, ProbeBinding::kMaxProbesPerDraw);
     // Cut as before: the one that is drawn already.
     const bool cut = divided[i] != given[i] && i < models.size() && models[i] != given[i];
     if (cut && samePieces(*divided[i], *models[i])) divided[i] = models[i];

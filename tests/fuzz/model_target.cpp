@@ -34,6 +34,8 @@ void checkMesh(const Mesh& mesh, std::size_t materials) {
   checkAttribute(mesh.normals, mesh.positions.size());
   checkAttribute(mesh.tangents, mesh.positions.size());
   checkAttribute(mesh.uv, mesh.positions.size());
+  checkAttribute(mesh.uv1, mesh.positions.size());
+  checkAttribute(mesh.colors, mesh.positions.size());
   for (const glm::vec3& normal : mesh.normals) {
     promise(std::fabs(glm::length(normal) - 1.0f) < 1e-3f, "a normal is not unit");
   }
@@ -44,12 +46,16 @@ void checkMesh(const Mesh& mesh, std::size_t materials) {
 void checkMaterial(const Material& material) {
   promise(finite(material.baseColor) && finite(material.emissive), "a material's colour is not finite");
   for (const float value : {material.metallic, material.roughness, material.normalScale, material.occlusionStrength,
-                            material.coat, material.coatRoughness, material.ior}) {
+                            material.coat, material.coatRoughness, material.ior, material.alphaCutoff,
+                            material.coatNormalScale, material.transmission}) {
     promise(std::isfinite(value), "a material's number is not finite");
   }
-  for (const TextureUse* use : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                                &material.occlusionTexture, &material.emissiveTexture}) {
+  for (const TextureUse* use : material.textures()) {
     if (!use->image) continue;
+    promise(use->uvSet == 0 || use->uvSet == 1, "a texture lies on a third set of coordinates");
+    for (int column = 0; column < 3; ++column) {
+      promise(finite(use->uvTransform[column]), "a texture's transform is not finite");
+    }
     const ImageRgba8& image = *use->image;
     promise(image.pixels.size() == std::size_t(4) * image.width * image.height, "a texture has another size");
   }
@@ -71,6 +77,16 @@ void parseModelFile(const std::string& bytes) {
       for (int column = 0; column < 4; ++column) {
         promise(finite(glm::vec4(instance.worldFromModel[column])), "a node's transform is beyond float");
       }
+    }
+    // Lights and cameras go into scenes, which have ranges of their own.
+    Scene scene;
+    scene.models.push_back({"model"});
+    scene.lights = model.lights;
+    scene.cameras = model.cameras;
+    try {
+      validate(scene);
+    } catch (const InputError& refused) {
+      checkRefusal(refused.what());  // beyond a scene's lengths: told when the scene is made
     }
     for (const std::string& warning : model.warnings) checkRefusal(warning);
   } catch (const InputError& refused) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "filters/io/image_file.h"
+#include "filters/io/image_pool.h"
 #include "filters/io/model_file.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/io_glb_builder.h"
@@ -160,6 +161,56 @@ TEST_F(ModelMaterial, WhatIsNotSupportedIsNamedOnce) {
   }
   EXPECT_TRUE(model.materials[0].emissiveTexture.image);
   EXPECT_FALSE(model.materials[0].normalTexture.image);
+}
+
+/// A file of several pictures, two of them the same bytes.
+class ManyPictures : public ModelMaterial {
+ protected:
+  void make(int count) {
+    for (int i = 0; i < count; ++i) {
+      const std::string name = "p" + std::to_string(i) + ".png";
+      savePng(file(name), ImageRgba8{1, 1, {static_cast<std::uint8_t>(i), 99, 200, 255}, name});
+      glb.json["images"].push_back({{"uri", name}});
+      glb.json["textures"].push_back({{"source", i}});
+      glb.json["materials"].push_back({{"emissiveTexture", {{"index", i}}}});
+    }
+    std::filesystem::copy_file(file("p0.png"), file("again.png"));
+    glb.json["images"].push_back({{"uri", "again.png"}});
+    glb.json["textures"].push_back({{"source", count}});
+    glb.json["materials"].push_back({{"emissiveTexture", {{"index", count}}}});
+  }
+};
+
+TEST_F(ManyPictures, ASecondLoadDecodesNothing) {
+  make(12);
+  const ImageCounts before = imagePool().counts();
+  const Model first = load();
+  const ImageCounts between = imagePool().counts();
+  EXPECT_EQ(between.decoded - before.decoded, 12u);
+  EXPECT_EQ(first.materials[12].emissiveTexture.image, first.materials[0].emissiveTexture.image);
+  for (std::uint8_t i = 0; i < 12; ++i) EXPECT_EQ(first.materials[i].emissiveTexture.image->pixels[0], i);
+  const Model second = loadModelFile(write("second.glb", glb.glb()));
+  EXPECT_EQ(imagePool().counts().decoded, between.decoded);
+  EXPECT_EQ(second.materials[7].emissiveTexture.image, first.materials[7].emissiveTexture.image);
+}
+
+TEST_F(ManyPictures, LoadingReportsItsProgressAndCanBeStopped) {
+  make(12);
+  load();
+  double last = 0.0;
+  loadModelFile(file("m.glb"), [&last](double share) {
+    EXPECT_GE(share, last);
+    EXPECT_LE(share, 1.0);
+    last = share;
+    return true;
+  });
+  EXPECT_GT(last, 0.5);
+  for (int stopAt = 1; stopAt <= 3; ++stopAt) {
+    int reports = 0;
+    const std::string text =
+        errorText<LoadCancelled>([&] { loadModelFile(file("m.glb"), [&](double) { return ++reports < stopAt; }); });
+    EXPECT_NE(text.find("loading was stopped"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,181 @@
+// OBJ with MTL, PLY, STL and VTP through VTK's readers: values, missing normals, units and up axis; and files that are
+// broken on purpose, each refused in one line.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "filters/core/model_placement.h"
+#include "filters/io/image_file.h"
+#include "filters/vtk/model_reader.h"
+#include "tests/unit/error_text.h"
+#include "tests/unit/temporary_folder.h"
+
+namespace boxprobe {
+namespace {
+
+class ModelReader : public TemporaryFolder {
+ protected:
+  Model read(const std::string& name, const std::string& bytes) const { return readModel(write(name, bytes)); }
+  void expectRefused(const std::string& name, const std::string& bytes, const std::string& mentioned) const {
+    const std::string path = write(name, bytes);
+    const std::string text = errorText([&] { readModel(path); });
+    EXPECT_EQ(text.rfind(folder_.string(), 0), 0u) << text;
+    EXPECT_NE(text.find(mentioned), std::string::npos) << text;
+  }
+  static std::string binaryStl(std::uint32_t promised, int triangles) {
+    std::string bytes(80, ' ');
+    bytes.append(reinterpret_cast<const char*>(&promised), 4);
+    const float triangle[12] = {0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 0};
+    for (int i = 0; i < triangles; ++i) {
+      bytes.append(reinterpret_cast<const char*>(triangle), 48);
+      bytes.append(2, '\0');
+    }
+    return bytes;
+  }
+  static constexpr const char* kPly =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n"
+      "0 0 0 255 0 0\n1 0 0 255 0 0\n1 1 0 255 0 0\n0 1 0 0 0 188\n4 0 1 2 3\n";
+};
+
+TEST_F(ModelReader, ObjHasMaterialsTexturesAndNormals) {
+  savePng(file("two.png"), ImageRgba8{1, 2, {255, 0, 0, 255, 0, 0, 255, 255}, "two"});  // red above blue
+  write("m.mtl", "newmtl clay\nKd 0.25 0.5 0.75\nNs 30\nnewmtl glass\nKd 1 1 1\nd 0.4\nmap_Kd two.png\n");
+  const Model model = read("m.obj",
+                           "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                           "usemtl clay\nf 1/1 2/2 3/3\nusemtl glass\nf 1/1 3/3 4/4\n");
+  ASSERT_EQ(model.meshes.size(), 2u);
+  ASSERT_EQ(model.materials.size(), 2u);
+  EXPECT_EQ(model.materials[0].name, "clay");
+  EXPECT_NEAR(model.materials[0].baseColor.b, 0.75f, 1e-6f);
+  EXPECT_NEAR(model.materials[0].roughness, std::pow(2.0 / 32.0, 0.25), 1e-5);
+  EXPECT_EQ(model.materials[0].alphaMode, AlphaMode::Opaque);
+  EXPECT_EQ(model.materials[1].name, "glass");
+  EXPECT_EQ(model.materials[1].alphaMode, AlphaMode::Blend);
+  EXPECT_NEAR(model.materials[1].baseColor.a, 0.4f, 1e-6f);
+  const auto image = model.materials[1].baseColorTexture.image;
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->pixels[0], 255) << "the first row is the picture's top";
+  EXPECT_EQ(image->pixels[4], 0);
+  for (const Mesh& mesh : model.meshes) {
+    ASSERT_EQ(mesh.indices.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(mesh.normals[mesh.indices[i]], glm::vec3(0, 0, 1));
+      // Upright: v = 0 at the top, where y is 1.
+      EXPECT_NEAR(mesh.uv[mesh.indices[i]].y, 1.0f - mesh.positions[mesh.indices[i]].y, 1e-6f);
+    }
+  }
+}
+
+TEST_F(ModelReader, PlyHasVertexColorsAndPolygons) {
+  const Model model = read("m.ply", kPly);
+  ASSERT_EQ(model.triangleCount(), 2u);
+  const Mesh& mesh = model.meshes[0];
+  ASSERT_EQ(mesh.colors.size(), mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const bool corner = mesh.positions[i] == glm::vec3(0, 1, 0);
+    EXPECT_NEAR(mesh.colors[i].r, corner ? 0.0f : 1.0f, 1e-6f);
+    EXPECT_NEAR(mesh.colors[i].b, corner ? 0.5029f : 0.0f, 1e-4f) << "sRGB decoded";
+    EXPECT_EQ(mesh.normals[i], glm::vec3(0, 0, 1));
+  }
+}
+
+TEST_F(ModelReader, StlAsTextAndBinary) {
+  const Model binary = read("b.stl", binaryStl(1, 1));
+  EXPECT_EQ(binary.triangleCount(), 1u);
+  const Model text = read("t.STL",
+                          "solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 3 0\n"
+                          "endloop\nendfacet\nendsolid one\n");
+  for (const Model* model : {&binary, &text}) {
+    const Mesh& mesh = model->meshes.at(0);
+    ASSERT_EQ(mesh.indices.size(), 3u);
+    EXPECT_EQ(mesh.positions[mesh.indices[1]], glm::vec3(2, 0, 0));
+    EXPECT_EQ(mesh.normals[mesh.indices[1]], glm::vec3(0, 0, 1));
+  }
+}
+
+constexpr const char* kVtp =
+    R"(<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData><Piece NumberOfPoints="3" NumberOfPolys="1">
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 0 0 2 0 3 0</DataArray></Points>
+<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">3</DataArray></Polys></Piece></PolyData></VTKFile>)";
+
+TEST_F(ModelReader, VtpGetsNormals) {
+  const Model model = read("m.vtp", kVtp);
+  ASSERT_EQ(model.triangleCount(), 1u);
+  EXPECT_EQ(model.meshes[0].normals[0], glm::vec3(-1, 0, 0));
+}
+
+// An edge sharper than 30 degrees stays sharp, a flatter one is smooth.
+TEST_F(ModelReader, ComputedNormalsKeepSharpEdges) {
+  for (const bool sharp : {false, true}) {
+    const std::string height = sharp ? "2" : "0.2";
+    const Model model = read("m.obj", "v -1 0 0\nv 0 0 " + height + "\nv 0 1 " + height + "\nv -1 1 0\nv 1 0 0\nv 1 1 0\n" +
+                                          "f 1 2 3 4\nf 2 5 6 3\n");
+    int upright = 0;
+    const Mesh& mesh = model.meshes.at(0);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      if (mesh.positions[i].x == 0.0f && mesh.normals[i].z > 0.999f) ++upright;
+    }
+    EXPECT_EQ(upright > 0, !sharp);
+  }
+}
+
+TEST(ModelPlacement, UnitsAndUpAxis) {
+  ModelFile file;
+  file.unit = LengthUnit::Millimetre;
+  file.upAxis = UpAxis::Z;
+  file.scale = 2.0;
+  file.translation = {10, 0, 0};
+  const auto at = [&](double x, double y, double z) { return glm::dvec3(worldFromFile(file) * glm::dvec4(x, y, z, 1)); };
+  EXPECT_LT(glm::distance(at(0, 0, 1000), glm::dvec3(10, 2, 0)), 1e-12);   // up becomes +Y
+  EXPECT_LT(glm::distance(at(1000, 0, 0), glm::dvec3(12, 0, 0)), 1e-12);   // and X stays
+  EXPECT_LT(glm::distance(at(0, 1000, 0), glm::dvec3(10, 0, -2)), 1e-12);  // no mirroring
+  file = ModelFile();
+  file.upAxis = UpAxis::X;
+  file.unit = LengthUnit::Inch;
+  EXPECT_LT(glm::distance(at(1, 0, 0), glm::dvec3(0, 0.0254, 0)), 1e-12);
+  EXPECT_LT(glm::distance(at(0, 0, 1), glm::dvec3(0, 0, 0.0254)), 1e-12);
+}
+
+TEST_F(ModelReader, BrokenFilesAreRefusedInOneLine) {
+  const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  expectRefused("m.obj", v + "f 1 2 4\n", "m.obj:4: \"4\" refers to entry 4, but there are 3");
+  expectRefused("m.obj", v + "f 1 2 -9\n", "-9");
+  expectRefused("m.obj", v + "f 1 2 0\n", "indices start from 1");
+  expectRefused("m.obj", v + "f 1/7 2/7 3/7\n", "there are 0");
+  expectRefused("m.obj", v + "f a b c\n", "is not a corner");
+  expectRefused("m.obj", v, "has no faces");
+  expectRefused("m.obj", "", "has no faces");
+  expectRefused("m.obj", std::string("v\0x", 3), "is not text");
+  expectRefused("m.obj", "mtllib ../../secret.mtl\n" + v + "f 1 2 3\n", "lies outside the model's folder");
+  expectRefused("m.obj", "mtllib gone.mtl\n" + v + "f 1 2 3\n", "gone.mtl does not exist");
+  write("p.mtl", "newmtl a\nmap_Kd /etc/passwd\n");
+  expectRefused("m.obj", "mtllib p.mtl\n" + v + "f 1 2 3\n", "lies outside the model's folder");
+  write("q.mtl", "newmtl a\nmap_Kd gone.png\n");
+  expectRefused("m.obj", "mtllib q.mtl\n" + v + "f 1 2 3\n", "gone.png does not exist");
+  expectRefused("m.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj");
+  expectRefused("m.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj");
+  expectRefused("m.ply", "obj\n", "does not start with");
+  expectRefused("m.ply", "ply\nformat ascii 1.0\n", "end_header");
+  expectRefused("m.ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n", "promises 1000000000");
+  expectRefused("m.ply", "ply\nformat ascii 1.0\nelement vertex -4\nend_header\n", "promises -4");
+  std::string ply = kPly;
+  expectRefused("m.ply", ply.replace(ply.find("4 0 1 2 3"), 9, "4 0 1 2 9"), "corner 9");
+  expectRefused("m.stl", "short", "is cut off");
+  expectRefused("m.stl", binaryStl(1000000000, 1), "promises 1000000000 triangles, but holds 1");
+  expectRefused("m.stl", binaryStl(0, 0), "has no triangles");
+  expectRefused("m.vtp", "<html></html>", "is not a VTK XML file");
+  std::string vtp = kVtp;
+  expectRefused("m.vtp", vtp.replace(vtp.find("NumberOfPoints=\"3\""), 18, "NumberOfPoints=\"1000000000\""), "NumberOfPoints");
+  vtp = kVtp;
+  expectRefused("m.vtp", vtp.replace(vtp.find("0 1 2"), 5, "0 1 7"), "corner 7");
+  expectRefused("m.vtp", std::string(kVtp).substr(0, 200), "m.vtp");
+  expectRefused("m.3ds", "x", ".3ds files are not supported");
+}
+
+}  // namespace
+}  // namespace boxprobe
