@@ -5,17 +5,17 @@ vec4 evaluateFootprint8(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   FootprintLobe lobe = footprintLobe(point, 1.0f);
   float a = lobe.alpha;
   float n = lobe.view.z;
-  lobe.bias = 0.140f - 0.426f * a + 0.020f * n;
-  lobe.scaleU = 1.0f - 0.434f * a - 0.173f * n;
-  lobe.scaleV = 1.0f + 0.063f * a + 0.063f * n;
-  lobe.shift = lobe.view.x * (-0.082f + 0.282f * a + 0.071f * n);
-  lobe.shift = lobe.shift - lobe.scaleV * a * (1.465f + 7.235f * a) / (1.0f + 13.948f * a);
-  lobe.size = lobe.size * 0.025f * max(1.0f + 4.234f * a + 1.973f * n, 0.1f);
+  lobe.bias = 0.122f - 0.413f * a + 0.070f * n;
+  lobe.scaleU = 1.0f - 0.387f * a - 0.174f * n;
+  lobe.scaleV = 1.0f + 0.030f * a + 0.062f * n;
+  lobe.shift = lobe.view.x * (-0.065f + 0.263f * a + 0.074f * n);
+  lobe.shift = lobe.shift - lobe.scaleV * a * (0.798f + 8.285f * a) / (1.0f + 13.812f * a);
+  lobe.size = lobe.size * 0.025f * max(1.0f + 4.261f * a + 1.459f * n, 0.1f);
   FootprintSum sum = footprintStart();
-  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, -0.361f + 0.621f * a, 0.158f + 1.622f * a, 0.909f);
-  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, 0.304f + 0.298f * a, 0.208f + 1.580f * a, 1.024f);
-  sum = footprintAddPair(map, probe, point, lobe, sum, 0.638f + 0.333f * a, -0.043f + 0.581f * a, 0.133f + 1.740f * a, 0.795f);
-  sum = footprintAddPair(map, probe, point, lobe, sum, 0.388f + 0.288f * a, -0.651f + 0.795f * a, 0.087f + 1.281f * a, 0.770f);
-  sum = footprintAddPair(map, probe, point, lobe, sum, 0.461f + 0.300f * a, 0.609f + 0.361f * a, 0.097f + 2.352f * a, 1.161f);
+  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, -0.427f + 0.752f * a, 0.138f + 1.488f * a, 0.869f);
+  sum = footprintAdd(map, probe, point, lobe, sum, 0.0f, 0.215f + 0.449f * a, 0.199f + 1.560f * a, 1.077f);
+  sum = footprintAddPair(map, probe, point, lobe, sum, 0.639f + 0.273f * a, -0.084f + 0.634f * a, 0.135f + 1.711f * a, 0.847f);
+  sum = footprintAddPair(map, probe, point, lobe, sum, 0.395f + 0.195f * a, -0.692f + 0.834f * a, 0.072f + 1.328f * a, 0.792f);
+  sum = footprintAddPair(map, probe, point, lobe, sum, 0.480f + 0.236f * a, 0.561f + 0.444f * a, 0.124f + 2.343f * a, 1.166f);
   return sum.value / sum.weight;
 }
