@@ -55,8 +55,12 @@ Json modelReport(const ModelFile& file, const Model& model) {
   }
   Json names = Json::array();
   for (const Material& material : model.materials) names.push_back(material.name);
-  return {{"file", file.file},  {"meshes", model.meshes.size()}, {"triangles", model.triangleCount()},
-          {"materials", names}, {"textures", images.size()},     {"textureBytes", bytes},
+  return {{"file", file.file},
+          {"meshes", model.meshes.size()},
+          {"triangles", model.triangleCount()},
+          {"materials", names},
+          {"textures", images.size()},
+          {"textureBytes", bytes},
           {"arrayBytes", arrayBytes(model)}};
 }
 

@@ -16,8 +16,8 @@ struct RunStats {
   /// file by `render`, swapped to the screen by the window.
   std::optional<double> startToFirstFrameCpuSeconds;
   std::optional<double> modelLoadCpuSeconds;  ///< reading scene and models, all threads
-  std::vector<double> frameCpuSeconds;  ///< one entry a timed frame
-  std::size_t probeBytes = 0;           ///< textures of all probes, on the graphics side
+  std::vector<double> frameCpuSeconds;        ///< one entry a timed frame
+  std::size_t probeBytes = 0;                 ///< textures of all probes, on the graphics side
   std::string glRenderer, glVersion;
 };
 

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 
@@ -99,6 +100,13 @@ Model readOneMesh(const std::string& path, const LoadProgress& progress) {
   return model;
 }
 
+/// MTL's own number, which VTK scales for its older shading: "... specular power 30 ..."
+double shininess(vtkOBJImporter* importer, int output) {
+  const std::string text = importer->GetOutputDescription(output), from = " specular power ";
+  const std::size_t start = text.find(from);
+  return start == std::string::npos ? 0.0 : std::max(std::strtod(text.c_str() + start + from.size(), nullptr), 0.0);
+}
+
 /// "data output 0 with material named NAME texture file ..."
 std::string materialName(vtkOBJImporter* importer, int output) {
   const std::string text = importer->GetOutputDescription(output), from = " with material named ";
@@ -111,7 +119,7 @@ std::string materialName(vtkOBJImporter* importer, int output) {
 
 /// MTL's colours are taken for linear. Its shininess n becomes the roughness of the microfacet lobe that is as wide as
 /// Blinn's: alpha = sqrt(2 / (n + 2)) (Walter et al. 2007), roughness = sqrt(alpha).
-Material materialOf(vtkActor* actor, const std::string& name) {
+Material materialOf(vtkActor* actor, const std::string& name, double shine) {
   vtkProperty* property = actor->GetProperty();
   Material material = plainMaterial();
   material.name = name;
@@ -120,7 +128,7 @@ Material materialOf(vtkActor* actor, const std::string& name) {
   material.baseColor = glm::vec4(std::clamp(color[0], 0.0, 1.0), std::clamp(color[1], 0.0, 1.0),
                                  std::clamp(color[2], 0.0, 1.0), opacity);
   if (opacity < 1.0) material.alphaMode = AlphaMode::Blend;
-  material.roughness = static_cast<float>(std::pow(2.0 / (std::max(property->GetSpecularPower(), 0.0) + 2.0), 0.25));
+  material.roughness = static_cast<float>(std::pow(2.0 / (shine + 2.0), 0.25));
   if (vtkTexture* texture = actor->GetTexture()) {
     texture->Update();
     material.baseColorTexture.image = imageFromVtk(texture->GetInput(), name);
@@ -156,7 +164,7 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
     if (mesh.indices.empty()) continue;
     mesh.name = materialName(importer, output);
     mesh.material = static_cast<int>(model.materials.size());
-    model.materials.push_back(materialOf(actor, mesh.name));
+    model.materials.push_back(materialOf(actor, mesh.name, shininess(importer, output)));
     model.instances.push_back({mesh.name, static_cast<int>(model.meshes.size()), glm::dmat4(1.0)});
     model.meshes.push_back(std::move(mesh));
     if (progress && !progress(0.9)) throw LoadCancelled(path + ": loading was stopped");

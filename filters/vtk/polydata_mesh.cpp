@@ -8,12 +8,14 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <vector>
 
 #include "filters/core/errors.h"
 
@@ -65,6 +67,54 @@ void readColors(vtkPointData* points, Mesh& mesh) {
   }
 }
 
+// VTK's own filter smooths over shared points only, and its readers share few: here triangles meet wherever positions
+// are equal. Every corner gets the mean, by angle, of those around it that are not turned away from its own by more
+// than 30 degrees.
+void computeNormals(Mesh& mesh) {
+  constexpr double kCosine = 0.8660254;
+  const std::size_t triangles = mesh.indices.size() / 3;
+  struct Share {
+    std::size_t triangle;
+    double angle;
+  };
+  std::vector<glm::dvec3> facing(triangles, glm::dvec3(0.0));  // unit, or 0 without an area
+  std::map<std::array<float, 3>, std::vector<Share>> around;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    glm::dvec3 p[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3& at = mesh.positions[mesh.indices[3 * t + k]];
+      p[k] = glm::dvec3(at);
+    }
+    const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const double size = glm::length(normal);
+    if (!(size > 0.0)) continue;
+    facing[t] = normal / size;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3& at = mesh.positions[mesh.indices[3 * t + k]];
+      const double cosine = glm::dot(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
+      around[{at.x, at.y, at.z}].push_back({t, std::atan2(size, cosine)});
+    }
+  }
+  Mesh flat;
+  for (std::size_t c = 0; c < 3 * triangles; ++c) {
+    const std::uint32_t vertex = mesh.indices[c];
+    const glm::vec3& at = mesh.positions[vertex];
+    const glm::dvec3 own = facing[c / 3];
+    glm::dvec3 sum(0.0);
+    for (const Share& share : around[{at.x, at.y, at.z}]) {
+      if (glm::dot(facing[share.triangle], own) >= kCosine) sum += share.angle * facing[share.triangle];
+    }
+    const double length = glm::length(sum);
+    flat.positions.push_back(at);
+    // A triangle without area is never seen.
+    flat.normals.push_back(length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0, 1, 0));
+    if (!mesh.uv.empty()) flat.uv.push_back(mesh.uv[vertex]);
+    if (!mesh.colors.empty()) flat.colors.push_back(mesh.colors[vertex]);
+    flat.indices.push_back(static_cast<std::uint32_t>(c));
+  }
+  mesh = std::move(flat);
+}
+
 }  // namespace
 
 Mesh meshFromPolyData(vtkPolyData* source, const std::string& place) {
@@ -75,15 +125,6 @@ Mesh meshFromPolyData(vtkPolyData* source, const std::string& place) {
   triangles->PassVertsOff();
   triangles->Update();
   vtkPolyData* data = triangles->GetOutput();
-  vtkNew<vtkPolyDataNormals> normals;
-  if (data->GetPointData()->GetNormals() == nullptr) {
-    normals->SetInputData(data);
-    normals->SplittingOn();
-    normals->SetFeatureAngle(30.0);
-    normals->ConsistencyOff();
-    normals->Update();
-    data = normals->GetOutput();
-  }
   Mesh mesh;
   const vtkIdType count = data->GetNumberOfPoints();
   vtkDataArray* normal = data->GetPointData()->GetNormals();
@@ -113,6 +154,7 @@ Mesh meshFromPolyData(vtkPolyData* source, const std::string& place) {
     if (corners->GetNumberOfIds() != 3) continue;
     for (vtkIdType k = 0; k < 3; ++k) mesh.indices.push_back(static_cast<std::uint32_t>(corners->GetId(k)));
   }
+  if (normal == nullptr) computeNormals(mesh);
   return mesh;
 }
 

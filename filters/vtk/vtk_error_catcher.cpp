@@ -1,5 +1,6 @@
 #include "filters/vtk/vtk_error_catcher.h"
 
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkSmartPointer.h>
@@ -29,6 +30,8 @@ struct VtkErrorCatcher::Impl {
 };
 
 VtkErrorCatcher::VtkErrorCatcher() : impl_(new Impl) {
+  // VTK logs to stderr what it also tells its output window. It stays off: the program has messages of its own.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   impl_->before = vtkOutputWindow::GetInstance();
   impl_->window = vtkSmartPointer<vtkFirstErrorWindow>::New();
   vtkOutputWindow::SetInstance(impl_->window);

@@ -32,7 +32,7 @@ void writeModel(const std::string& path, int triangles, int textures) {
   using Json = nlohmann::json;
   constexpr int kPicture = 512;
   GlbBuilder glb;
-  const int side = std::max(1, static_cast<int>(std::sqrt(0.5 * triangles / textures)));
+  const int side = std::max(1, static_cast<int>(std::ceil(std::sqrt(0.5 * triangles / textures))));
   const int row = static_cast<int>(std::ceil(std::sqrt(textures)));
   const std::string picture = path + ".png";
   for (int t = 0; t < textures; ++t) {
@@ -49,15 +49,17 @@ void writeModel(const std::string& path, int triangles, int textures) {
     glb.json["images"].push_back(
         {{"bufferView", glb.view(std::vector<char>(bytes.begin(), bytes.end()))}, {"mimeType", "image/png"}});
     glb.json["textures"].push_back({{"source", t}});
-    glb.json["materials"].push_back({{"name", "m" + std::to_string(t)},
-                                     {"doubleSided", true},
-                                     {"pbrMetallicRoughness",
-                                      {{"baseColorTexture", {{"index", t}}}, {"metallicFactor", 0.2}, {"roughnessFactor", 0.4}}}});
+    glb.json["materials"].push_back(
+        {{"name", "m" + std::to_string(t)},
+         {"doubleSided", true},
+         {"pbrMetallicRoughness",
+          {{"baseColorTexture", {{"index", t}}}, {"metallicFactor", 0.2}, {"roughnessFactor", 0.4}}}});
     std::vector<float> positions, normals, uv;
     std::vector<std::uint32_t> indices;
     for (int j = 0; j <= side; ++j) {
       for (int i = 0; i <= side; ++i) {
-        const float u = static_cast<float>(i) / static_cast<float>(side), v = static_cast<float>(j) / static_cast<float>(side);
+        const float u = static_cast<float>(i) / static_cast<float>(side),
+                    v = static_cast<float>(j) / static_cast<float>(side);
         const float x = static_cast<float>(t % row) + u, z = static_cast<float>(t / row) + v;
         positions.insert(positions.end(), {x, 0.2f * std::sin(5 * x) * std::cos(4 * z), z});
         const float sx = std::cos(5 * x) * std::cos(4 * z), sz = -0.8f * std::sin(5 * x) * std::sin(4 * z);
@@ -139,8 +141,8 @@ int main(int argc, char** argv) {
       frames.push_back(processCpuSeconds() - cpu);
     }
     std::sort(frames.begin() + 1, frames.end());  // the first one compiles
-    std::printf("frame, 1280 x 720: first %.2f s, then median %.3f s of CPU time; resident at most %.0f MiB\n", frames[0],
-                frames[6], residentMebibytes());
+    std::printf("frame, 1280 x 720: first %.2f s, then median %.3f s of CPU time; resident at most %.0f MiB\n",
+                frames[0], frames[6], residentMebibytes());
     if (!renderer.error().empty()) throw WorkError(renderer.error());
     renderer.releaseGraphics();
     std::filesystem::remove(path);

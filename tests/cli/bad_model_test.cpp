@@ -57,14 +57,23 @@ std::vector<std::pair<std::string, Damage>> damages() {
       {"stride too small", [](GlbBuilder& g) { g.json["bufferViews"][1]["byteStride"] = 4; }},
       {"NaN position", [nan](GlbBuilder& g) { std::memcpy(g.buffer.data() + 8 + 16, &nan, 4); }},
       {"position beyond numbers", [huge](GlbBuilder& g) { std::memcpy(g.buffer.data() + 8 + 16, &huge, 4); }},
-      {"no POSITION", [](GlbBuilder& g) { primitive(g)["attributes"] = {{"NORMAL", 1}}; }},
+      {"no POSITION",
+       [](GlbBuilder& g) {
+         primitive(g)["attributes"] = {{"NORMAL", 1}};
+       }},
       {"attribute of no accessor", [](GlbBuilder& g) { primitive(g)["attributes"]["NORMAL"] = 44; }},
       {"attribute of another length",
-       [](GlbBuilder& g) { primitive(g)["attributes"]["COLOR_0"] = g.floats("VEC3", 3, {0, 0, 0}); }},
+       [](GlbBuilder& g) {
+         primitive(g)["attributes"]["COLOR_0"] = g.floats("VEC3", 3, {0, 0, 0});
+       }},
       {"colours of two numbers",
-       [](GlbBuilder& g) { primitive(g)["attributes"]["COLOR_0"] = g.floats("VEC2", 2, {0, 0, 0, 0, 0, 0}); }},
+       [](GlbBuilder& g) {
+         primitive(g)["attributes"]["COLOR_0"] = g.floats("VEC2", 2, {0, 0, 0, 0, 0, 0});
+       }},
       {"second coordinates of another length",
-       [](GlbBuilder& g) { primitive(g)["attributes"]["TEXCOORD_1"] = g.floats("VEC2", 2, {0, 0}); }},
+       [](GlbBuilder& g) {
+         primitive(g)["attributes"]["TEXCOORD_1"] = g.floats("VEC2", 2, {0, 0});
+       }},
       {"no such material", [](GlbBuilder& g) { primitive(g)["material"] = 12; }},
       {"no such mesh", [](GlbBuilder& g) { g.json["nodes"][0]["mesh"] = 4; }},
       {"no such child", [](GlbBuilder& g) { g.json["nodes"][0]["children"] = {8}; }},
@@ -72,7 +81,10 @@ std::vector<std::pair<std::string, Damage>> damages() {
       {"two nodes in a circle",
        [](GlbBuilder& g) { g.json["nodes"][0]["children"] = {1}, g.json["nodes"][1]["children"] = {0}; }},
       {"no such scene", [](GlbBuilder& g) { g.json["scene"] = 5; }},
-      {"matrix of three numbers", [](GlbBuilder& g) { g.json["nodes"][0]["matrix"] = {1, 0, 0}; }},
+      {"matrix of three numbers",
+       [](GlbBuilder& g) {
+         g.json["nodes"][0]["matrix"] = {1, 0, 0};
+       }},
       {"rotation of length 0",
        [](GlbBuilder& g) {
          g.json["nodes"][0]["rotation"] = {0, 0, 0, 0};
@@ -97,16 +109,14 @@ std::vector<std::pair<std::string, Damage>> damages() {
        [](GlbBuilder& g) {
          g.json["images"][0] = {{"bufferView", 8}, {"mimeType", "image/png"}};
        }},
-      {"no such light",
-       [](GlbBuilder& g) { g.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 2; }},
+      {"no such light", [](GlbBuilder& g) { g.json["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 2; }},
       {"no such camera", [](GlbBuilder& g) { g.json["nodes"][1]["camera"] = 2; }},
       {"camera of no angle", [](GlbBuilder& g) { g.json["cameras"][0]["perspective"]["yfov"] = 0; }},
       {"sparse index out of range",
        [](GlbBuilder& g) {
          const int i = g.view(std::vector<std::uint16_t>{9}), v = g.view(std::vector<float>{1, 2, 3});
-         accessor(g, 1)["sparse"] = {{"count", 1},
-                                     {"indices", {{"bufferView", i}, {"componentType", 5123}}},
-                                     {"values", {{"bufferView", v}}}};
+         accessor(g, 1)["sparse"] = {
+             {"count", 1}, {"indices", {{"bufferView", i}, {"componentType", 5123}}}, {"values", {{"bufferView", v}}}};
        }},
       {"sparse count",
        [](GlbBuilder& g) {

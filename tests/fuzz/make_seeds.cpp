@@ -184,11 +184,11 @@ void makeModels() {
   const int png2 = features.view(std::vector<unsigned char>(encoded.begin(), encoded.end()));
   features.json["images"] = Json::array({{{"bufferView", png2}, {"mimeType", "image/png"}}});
   features.json["textures"] = Json::array({{{"source", 0}}});
-  const Json moved = {{"index", 0},
-                      {"texCoord", 1},
-                      {"extensions",
-                       {{"KHR_texture_transform",
-                         {{"offset", {0.5, 0.25}}, {"scale", {2, -1}}, {"rotation", 0.7}, {"texCoord", 0}}}}}};
+  const Json moved = {
+      {"index", 0},
+      {"texCoord", 1},
+      {"extensions",
+       {{"KHR_texture_transform", {{"offset", {0.5, 0.25}}, {"scale", {2, -1}}, {"rotation", 0.7}, {"texCoord", 0}}}}}};
   features.json["materials"] = Json::array(
       {{{"alphaMode", "MASK"},
         {"alphaCutoff", 0.3},
@@ -196,26 +196,24 @@ void makeModels() {
         {"normalTexture", {{"index", 0}}},
         {"extensions",
          {{"KHR_materials_clearcoat",
-           {{"clearcoatFactor", 1}, {"clearcoatTexture", moved}, {"clearcoatNormalTexture", {{"index", 0}, {"scale", 2}}}}},
+           {{"clearcoatFactor", 1},
+            {"clearcoatTexture", moved},
+            {"clearcoatNormalTexture", {{"index", 0}, {"scale", 2}}}}},
           {"KHR_materials_transmission", {{"transmissionFactor", 0.5}, {"transmissionTexture", moved}}}}}}});
   const Json corners = {{"POSITION", features.floats("VEC3", 3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0})},
                         {"NORMAL", features.floats("VEC3", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1})},
                         {"TEXCOORD_0", features.floats("VEC2", 2, {0, 0, 1, 0, 0, 1, 0, 0})},
                         {"TEXCOORD_1", features.floats("VEC2", 2, {0, 0, 1, 0, 0, 1, 1, 1})},
                         {"COLOR_0", features.floats("VEC3", 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1})}};
-  const int order = features.accessor(features.view(std::vector<std::uint16_t>{0, 1, 2, 2, 1, 3}), GlbBuilder::UShort,
-                                      "SCALAR", 6);
+  const int order =
+      features.accessor(features.view(std::vector<std::uint16_t>{0, 1, 2, 2, 1, 3}), GlbBuilder::UShort, "SCALAR", 6);
   const int part = features.mesh({{"attributes", corners}, {"indices", order}, {"material", 0}});
-  features.json["cameras"] =
-      Json::array({{{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}},
-                   {{"type", "orthographic"},
-                    {"orthographic", {{"xmag", 1}, {"ymag", 2}, {"znear", 0.1}, {"zfar", 10}}}}});
-  features.json["extensions"]["KHR_lights_punctual"]["lights"] =
-      Json::array({{{"type", "spot"},
-                    {"range", 5},
-                    {"intensity", 3},
-                    {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.6}}}},
-                   {{"type", "directional"}}});
+  features.json["cameras"] = Json::array(
+      {{{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}},
+       {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 2}, {"znear", 0.1}, {"zfar", 10}}}}});
+  features.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array(
+      {{{"type", "spot"}, {"range", 5}, {"intensity", 3}, {"spot", {{"innerConeAngle", 0.2}, {"outerConeAngle", 0.6}}}},
+       {{"type", "directional"}}});
   features.node({{"mesh", part}, {"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
   features.node({{"camera", 1}, {"scale", {-2, 1, 1}}, {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
   write("model/features", features.glb());

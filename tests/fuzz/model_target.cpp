@@ -45,9 +45,9 @@ void checkMesh(const Mesh& mesh, std::size_t materials) {
 
 void checkMaterial(const Material& material) {
   promise(finite(material.baseColor) && finite(material.emissive), "a material's colour is not finite");
-  for (const float value : {material.metallic, material.roughness, material.normalScale, material.occlusionStrength,
-                            material.coat, material.coatRoughness, material.ior, material.alphaCutoff,
-                            material.coatNormalScale, material.transmission}) {
+  for (const float value :
+       {material.metallic, material.roughness, material.normalScale, material.occlusionStrength, material.coat,
+        material.coatRoughness, material.ior, material.alphaCutoff, material.coatNormalScale, material.transmission}) {
     promise(std::isfinite(value), "a material's number is not finite");
   }
   for (const TextureUse* use : material.textures()) {

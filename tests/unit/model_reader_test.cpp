@@ -1,5 +1,7 @@
 // OBJ with MTL, PLY, STL and VTP through VTK's readers: values, missing normals, units and up axis; and files that are
 // broken on purpose, each refused in one line.
+#include "filters/vtk/model_reader.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -8,7 +10,6 @@
 
 #include "filters/core/model_placement.h"
 #include "filters/io/image_file.h"
-#include "filters/vtk/model_reader.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 
@@ -113,8 +114,8 @@ TEST_F(ModelReader, VtpGetsNormals) {
 TEST_F(ModelReader, ComputedNormalsKeepSharpEdges) {
   for (const bool sharp : {false, true}) {
     const std::string height = sharp ? "2" : "0.2";
-    const Model model = read("m.obj", "v -1 0 0\nv 0 0 " + height + "\nv 0 1 " + height + "\nv -1 1 0\nv 1 0 0\nv 1 1 0\n" +
-                                          "f 1 2 3 4\nf 2 5 6 3\n");
+    const Model model = read("m.obj", "v -1 0 0\nv 0 0 " + height + "\nv 0 1 " + height +
+                                          "\nv -1 1 0\nv 1 0 0\nv 1 1 0\n" + "f 1 2 3 4\nf 2 5 6 3\n");
     int upright = 0;
     const Mesh& mesh = model.meshes.at(0);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -130,7 +131,9 @@ TEST(ModelPlacement, UnitsAndUpAxis) {
   file.upAxis = UpAxis::Z;
   file.scale = 2.0;
   file.translation = {10, 0, 0};
-  const auto at = [&](double x, double y, double z) { return glm::dvec3(worldFromFile(file) * glm::dvec4(x, y, z, 1)); };
+  const auto at = [&](double x, double y, double z) {
+    return glm::dvec3(worldFromFile(file) * glm::dvec4(x, y, z, 1));
+  };
   EXPECT_LT(glm::distance(at(0, 0, 1000), glm::dvec3(10, 2, 0)), 1e-12);   // up becomes +Y
   EXPECT_LT(glm::distance(at(1000, 0, 0), glm::dvec3(12, 0, 0)), 1e-12);   // and X stays
   EXPECT_LT(glm::distance(at(0, 1000, 0), glm::dvec3(10, 0, -2)), 1e-12);  // no mirroring
@@ -161,7 +164,8 @@ TEST_F(ModelReader, BrokenFilesAreRefusedInOneLine) {
   expectRefused("m.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj");
   expectRefused("m.ply", "obj\n", "does not start with");
   expectRefused("m.ply", "ply\nformat ascii 1.0\n", "end_header");
-  expectRefused("m.ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n", "promises 1000000000");
+  expectRefused("m.ply", "ply\nformat ascii 1.0\nelement vertex 1000000000\nproperty float x\nend_header\n",
+                "promises 1000000000");
   expectRefused("m.ply", "ply\nformat ascii 1.0\nelement vertex -4\nend_header\n", "promises -4");
   std::string ply = kPly;
   expectRefused("m.ply", ply.replace(ply.find("4 0 1 2 3"), 9, "4 0 1 2 9"), "corner 9");
@@ -170,7 +174,8 @@ TEST_F(ModelReader, BrokenFilesAreRefusedInOneLine) {
   expectRefused("m.stl", binaryStl(0, 0), "has no triangles");
   expectRefused("m.vtp", "<html></html>", "is not a VTK XML file");
   std::string vtp = kVtp;
-  expectRefused("m.vtp", vtp.replace(vtp.find("NumberOfPoints=\"3\""), 18, "NumberOfPoints=\"1000000000\""), "NumberOfPoints");
+  expectRefused("m.vtp", vtp.replace(vtp.find("NumberOfPoints=\"3\""), 18, "NumberOfPoints=\"1000000000\""),
+                "NumberOfPoints");
   vtp = kVtp;
   expectRefused("m.vtp", vtp.replace(vtp.find("0 1 2"), 5, "0 1 7"), "corner 7");
   expectRefused("m.vtp", std::string(kVtp).substr(0, 200), "m.vtp");
