@@ -360,8 +360,9 @@ TEST_F(Rays, SharesOfSeveralProbes) {
   const std::vector<Row> rows = ofKind(run(filter), RayKind::Reflected);
   ASSERT_EQ(rows.size(), 3u);
   const ProbeGeometry g = probeGeometry(first, first.origin);
-  const double w = shading::influenceWeight(glm::vec3(floorPoint.position - first.origin), g.influenceMin,
-                                            g.influenceMax, g.rateMin, g.rateMax);
+  const float weight = shading::influenceWeight(glm::vec3(floorPoint.position - first.origin), g.influenceMin,
+                                                g.influenceMax, g.rateMin, g.rateMax);
+  const double w = static_cast<double>(weight * shading::groupScale(weight));
   ASSERT_GT(w, 0.05);
   ASSERT_LT(w, 0.95);
   EXPECT_NEAR(rows[1].weight, w, 1e-6);
