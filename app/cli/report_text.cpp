@@ -36,8 +36,8 @@ std::string word(const Json& value) {
 std::string modelLine(const Json& m) {
   std::string materials;
   for (const Json& name : m["materials"]) materials += (materials.empty() ? "" : ", ") + word(name);
-  return word(m["file"]) + ": " + word(m["meshes"]) + " meshes, " + word(m["triangles"]) + " triangles, " +
-         word(m["textures"]) + " textures (" + mebibytes(m["textureBytes"]) +
+  return word(m["file"]) + ": " + word(m["meshes"]) + " meshes, " + word(m["triangles"]) + " triangles (" +
+         mebibytes(m["arrayBytes"]) + "), " + word(m["textures"]) + " textures (" + mebibytes(m["textureBytes"]) +
          ")\n    materials: " + (materials.empty() ? "none" : materials);
 }
 

@@ -111,6 +111,7 @@ TEST_F(GltfPicture, VertexColorsOfBytesAreNormalized) {
   attributes["COLOR_0"] = colors;
   show(attributes, unlit());
   draw();
+  expectTracedAlike();
   expectPixel(32, 32, {0.2f, 0.4f, 1.0f});  // and alpha means nothing to an opaque material
 }
 
@@ -123,6 +124,7 @@ TEST_F(GltfPicture, TexturesChooseTheirSetOfCoordinates) {
   draw();
   expectPixel(10, 32, {1, 0, 0});
   expectPixel(50, 32, {0, 1, 0});
+  expectTracedAlike();
   EXPECT_THAT(warnings, testing::Not(testing::Contains(testing::HasSubstr("coordinates"))));
 }
 
@@ -153,6 +155,7 @@ TEST_F(GltfPicture, TextureTransformsAreTheExtensionsMatrix) {
     }
   }
   EXPECT_GT(compared, 380);
+  expectTracedAlike();
 }
 
 TEST_F(GltfPicture, TheTransformMayNameAnotherSet) {
@@ -192,6 +195,7 @@ TEST_F(GltfPicture, SamplersWrapEachAxisTheirOwnWay) {
           expectPixel(x, y, glm::vec3(texels[4 * at], texels[4 * at + 1], texels[4 * at + 2]) / 255.0f);
         }
       }
+      expectTracedAlike();
     }
   }
 }
@@ -220,6 +224,7 @@ TEST_F(GltfAlpha, MaskCutsAtHalf) {
   drawInFront({{"alphaMode", "MASK"}});
   expectPixel(10, 32, {0, 1, 0});
   expectPixel(50, 32, {1, 0, 0});  // 0.8 * 191/255 = 0.6
+  expectTracedAlike();
 }
 
 TEST_F(GltfAlpha, MaskCutsWhereTheFileSays) {

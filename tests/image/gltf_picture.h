@@ -8,6 +8,7 @@
 
 #include "app/cli/load_scene.h"
 #include "filters/io/image_file.h"
+#include "filters/reference/reference_scene.h"
 #include "tests/support/scene_picture.h"
 #include "tests/unit/io_glb_builder.h"
 #include "tests/unit/temporary_folder.h"
@@ -95,6 +96,25 @@ class GltfPicture : public TemporaryFolder {
   void expectPixel(int x, int y, const glm::vec3& expected, float within = 1e-5f) const {
     const glm::vec4 p = pixel(x, y);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(p[i], expected[i], within) << x << ", " << y << " channel " << i;
+  }
+  /// The ray tracer has the same of this file, which shows nothing but unlit materials.
+  void expectTracedAlike() const {
+    const ReferenceScene reference(picture->scene, {model}, nullptr);
+    int compared = 0;
+    for (int y = 2; y < kSize; y += 7) {
+      for (int x = 2; x < kSize; x += 7) {
+        const glm::dvec3 eye(2.0 * share(x) - 1.0, 1.0 - 2.0 * share(y), 5.0);
+        const glm::dvec3 traced = reference.seenFrom(eye, {0.0, 0.0, -1.0}, RaySees::Picture);
+        // Where a texel ends, rounding decides.
+        const glm::vec4 drawn = pixel(x, y);
+        bool even = true;
+        for (int i = 0; i < 3; ++i) even = even && pixel(x - 1, y)[i] == drawn[i] && pixel(x + 1, y)[i] == drawn[i];
+        if (!even) continue;
+        ++compared;
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(traced[i], drawn[i], 1e-4) << "traced " << x << ", " << y;
+      }
+    }
+    EXPECT_GT(compared, 20);
   }
   SurfacePoint surfaceAt(int x, int y) const { return picture->renderer->explain(x, y, kSize, kSize).surface; }
 
