@@ -1,5 +1,6 @@
 #include "filters/vtk/vtkTargetPass.h"
 
+#include <vtkCamera.h>
 #include <vtkLightsPass.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpaquePass.h>
@@ -11,9 +12,51 @@
 #include <vtkSequencePass.h>
 #include <vtkTranslucentPass.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "filters/vtk/gl_objects.h"
 
 vtkStandardNewMacro(vtkTargetPass);
+
+namespace {
+
+// What is translucent covers what lies behind it only if that is drawn before: by the middles of their bounds, which is
+// right unless they reach through each other. Opaque ones keep their order.
+std::vector<vtkProp*> backToFront(std::vector<vtkProp*> props, vtkCamera* camera) {
+  struct Layer {
+    vtkProp* prop;
+    double distance;
+  };
+  std::vector<Layer> layers;
+  const double* eye = camera->GetPosition();
+  const double* along = camera->GetDirectionOfProjection();
+  for (vtkProp* prop : props) {
+    double* b = prop->HasTranslucentPolygonalGeometry() != 0 ? prop->GetBounds() : nullptr;
+    if (b == nullptr) {
+      continue;
+    }
+    double distance = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      distance += along[axis] * (0.5 * (b[2 * axis] + b[2 * axis + 1]) - eye[axis]);
+    }
+    layers.push_back({prop, distance});
+  }
+  if (layers.size() < 2) {
+    return props;
+  }
+  std::stable_sort(layers.begin(), layers.end(),
+                   [](const Layer& a, const Layer& b) { return a.distance > b.distance; });
+  auto next = layers.begin();
+  for (vtkProp*& prop : props) {
+    if (prop->HasTranslucentPolygonalGeometry() != 0 && prop->GetBounds() != nullptr) {
+      prop = (next++)->prop;
+    }
+  }
+  return props;
+}
+
+}  // namespace
 
 vtkTargetPass::vtkTargetPass() {
   vtkNew<vtkRenderPassCollection> passes;
@@ -44,7 +87,8 @@ void vtkTargetPass::Render(const vtkRenderState* s) {
   if (this->Clear) {
     renderer->Clear();
   }
+  std::vector<vtkProp*> props = backToFront(this->Props, renderer->GetActiveCamera());
   vtkRenderState content(renderer);
-  content.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
+  content.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   this->Content->Render(&content);
 }

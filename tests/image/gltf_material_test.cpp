@@ -239,6 +239,20 @@ TEST_F(GltfAlpha, BlendCoversByThatMuch) {
   expectPixel(50, 32, {right, 1.0f - right, 0.0f}, 1e-4f);
 }
 
+// Three panes, the nearest first in the file.
+TEST_F(GltfPicture, PanesCoverEachOtherFromBackToFront) {
+  const std::vector<glm::vec3> colors = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  float z = 0.0f;
+  for (const glm::vec3& c : colors) {
+    show(square({0, 1, 1, 1, 1, 0, 0, 0}, z),
+         merged(unlit(),
+                {{"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {c.x, c.y, c.z, 0.5}}}}}));
+    z -= 0.5f;
+  }
+  draw();
+  expectPixel(32, 32, {0.5f, 0.25f, 0.125f}, 1e-5f);
+}
+
 TEST_F(GltfPicture, BacksShowOnDoubleSidedSurfacesOnly) {
   const Json behind = {{"rotation", {0, 1, 0, 0}}};  // turned round the Y axis
   show(square(), merged(unlit(), {{"doubleSided", false}}), behind);
