@@ -22,6 +22,7 @@ constexpr int kAcross = 8, kStoreys = 4;
 constexpr int kWallPictures = 6, kFloors = 3;
 constexpr double kSkin = 0.05;  // of influence boxes beyond the walls: less than half a wall
 constexpr double kDoorBlend = kWall;
+constexpr float kFloorGlow = 0.12f;  // in a first capture a mirror would be black
 
 /// Fractions of `length` at which a wall is cut for doors about the given middles.
 std::vector<double> doorCuts(double length, const std::vector<double>& middles) {
@@ -142,6 +143,7 @@ Parts makeParts(Composer& model) {
     Material floor = perfectMirror("floor " + std::to_string(i + 1));
     floor.baseColor = glm::vec4(0.85f, 0.82f, 0.78f, 1.0f);
     floor.roughness = roughness[i];
+    floor.emissive = kFloorGlow * glm::vec3(floor.baseColor);
     parts.floors[i] = model.mesh(roomFloor(), floor.name, model.material(floor));
   }
   parts.corridor =
@@ -149,6 +151,7 @@ Parts makeParts(Composer& model) {
   Material tiles = perfectMirror("corridor floor");
   tiles.baseColor = glm::vec4(0.8f, 0.8f, 0.82f, 1.0f);
   tiles.roughness = 0.08f;
+  tiles.emissive = kFloorGlow * glm::vec3(tiles.baseColor);
   parts.corridorFloor = model.mesh(corridorFloor(), tiles.name, model.material(tiles));
   const int light = model.material(lamp("lamp", glm::vec3(9.0f, 8.4f, 7.4f)));
   parts.lamp = model.mesh(ceilingLamp(1.4, 0.5), "lamp", light);
