@@ -77,5 +77,23 @@ TEST(Info, DemoScenesHaveNothingToSkip) {
   }
 }
 
+TEST(Info, AFrameTellsWhatItDrawsWithWhichProbes) {
+  const std::string scene = std::string(BOXPROBE_DATA_DIR) + "/scenes/room.boxprobe.json";
+  const Outcome outcome =
+      runProgram({"info", "--json", "--frame", "--size", "64x48", "--set", "probes.room.faceSize=16", scene});
+  ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
+  const json frame = json::parse(outcome.out)["frame"];
+  EXPECT_GE(frame["drawsByProbeCount"][1], 1);
+  EXPECT_EQ(frame["lookupsPerPixelMax"], 1.0);
+  EXPECT_GT(frame["lookupsPerPixelMean"], 0.0);
+  ASSERT_EQ(frame["probes"].size(), 1u);
+  EXPECT_GT(frame["probes"][0]["memoryBytes"], 0);
+  for (const json& object : frame["objects"]) {
+    if (object["name"] == "floor") {
+      EXPECT_EQ(object["probes"]["room"], 1.0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace boxprobe::test
