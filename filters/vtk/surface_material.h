@@ -28,6 +28,10 @@ class SurfaceTexture {
   /// On the graphics side, mip levels included; 0 before the upload.
   std::size_t bytes() const;
 
+  const ImageRgba8& image() const { return *image_; }
+  Wrap wrap() const { return wrapS_; }  ///< along s
+  bool srgb() const { return srgb_; }
+
  private:
   std::shared_ptr<const ImageRgba8> image_;
   Wrap wrapS_, wrapT_;

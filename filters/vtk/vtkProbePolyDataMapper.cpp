@@ -20,6 +20,7 @@
 #include "filters/core/probe_color.h"
 #include "filters/vtk/broken_shader.h"
 #include "filters/vtk/camera_uniforms.h"
+#include "filters/vtk/plain_surface.h"
 #include "filters/vtk/static_textures.h"
 #include "filters/vtk/vtk_pbr_splice.h"
 
@@ -131,6 +132,10 @@ void vtkProbePolyDataMapper::BuildShaders(std::map<vtkShader::Type, vtkShader*> 
   }
   this->Refused = true;
   this->Superclass::BuildShaders(shaders, renderer, actor);
+  if (this->Surface) {
+    // From the next frame on: this one's program has been chosen.
+    boxprobe::givePlainSurface(*this->Surface, actor->GetProperty(), this->CurrentInput);
+  }
 }
 
 void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,

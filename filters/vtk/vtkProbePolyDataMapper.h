@@ -25,6 +25,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
   /** The material's textures and what the vertices bring, before the first draw; none: VTK's own material code. */
   void SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface);
+  const boxprobe::SurfaceMaterial* GetSurface() const { return this->Surface.get(); }
   /** Another variant key means another program, built at the next draw; otherwise only uniforms change. */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */

@@ -13,12 +13,15 @@
 #include <vtkPBRIrradianceTexture.h>
 #include <vtkPBRPrefilterTexture.h>
 #include <vtkPolyData.h>
+#include <vtkProperty.h>
 #include <vtkSkybox.h>
 #include <vtkTexture.h>
 
 #include <glm/geometric.hpp>
 
 #include "filters/math/shared_math.h"
+#include "filters/vtk/plain_surface.h"
+#include "filters/vtk/vtkProbePolyDataMapper.h"
 
 namespace boxprobe::bench {
 
@@ -51,11 +54,18 @@ vtkSmartPointer<vtkTexture> skyCube(const SkyGradient& sky) {
 
 vtkSmartPointer<vtkActor> stockActor(vtkActor* ours) {
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
-  mapper->SetInputData(vtkPolyData::SafeDownCast(ours->GetMapper()->GetInputDataObject(0, 0)));
+  vtkNew<vtkPolyData> data;
+  data->ShallowCopy(ours->GetMapper()->GetInputDataObject(0, 0));
   mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->SetProperty(ours->GetProperty());
+  actor->GetProperty()->DeepCopy(ours->GetProperty());
+  actor->GetProperty()->SetEmissiveFactor(ours->GetProperty()->GetEmissiveFactor());  // VTK 9.1's copy leaves it out
+  const auto* mapped = vtkProbePolyDataMapper::SafeDownCast(ours->GetMapper());
+  if (mapped != nullptr && mapped->GetSurface() != nullptr) {
+    givePlainSurface(*mapped->GetSurface(), actor->GetProperty(), data);
+  }
+  mapper->SetInputData(data);
   actor->SetUserMatrix(ours->GetUserMatrix());
   actor->SetVisibility(ours->GetVisibility());
   return actor;
