@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QScrollArea>
 #include <QStatusBar>
+#include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <exception>
@@ -136,6 +137,8 @@ void MainWindow::buildPanels() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setMinimumWidth(kPanelWidth);
 
+  // Six names do not fit side by side.
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
   auto* dock = new QDockWidget(tr("Probes"), this);
   dock->setObjectName("probes");
   dock->setWidget(scroll);
