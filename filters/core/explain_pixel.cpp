@@ -216,7 +216,9 @@ void addNotes(Explanation& e) {
     e.notes.emplace_back("The surface is translucent: what lies behind it shows through and is not part of this.");
   }
   if (e.probes.empty()) {
-    e.notes.emplace_back("No probe lights this object, because none reaches it or its probeMode is off: it reflects the sky alone, uncorrected.");
+    e.notes.emplace_back(
+        "No probe lights this object, because none reaches it or its probeMode is off: it reflects the sky alone, "
+        "uncorrected.");
   }
   for (const ProbeExplanation& p : e.probes) {
     if (p.weight <= 0.0f) {

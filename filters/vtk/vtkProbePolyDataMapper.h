@@ -79,6 +79,6 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   bool Debug = false;
   bool Refused = false;  // the driver did not compile the spliced program: VTK's own is drawn
   int ObjectNumber = 0;
-  std::uint64_t Frame = ~std::uint64_t{0};  // the last one that drew it
+  std::uint64_t Frame = ~std::uint64_t{0};                     // the last one that drew it
   std::vector<std::unique_ptr<boxprobe::BoundTexture>> Bound;  // for the piece being drawn
 };
