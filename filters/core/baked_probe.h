@@ -22,6 +22,8 @@ struct BakedMaps {
   LazyRelief relief;           ///< of distance, for projections that follow rays
   LazyLightTable light;        ///< of radiance, for techniques that aim rays at what is bright
   glm::dvec3 capturedAt{0.0};  ///< capture origin, world
+  /// Of the box when it was captured, whose axes the maps lie along; 0: the world's. Irradiance is the world's anyway.
+  glm::dvec3 capturedRotation{0.0};
 };
 
 }  // namespace boxprobe

@@ -15,10 +15,11 @@ namespace boxprobe {
 
 /// Which kinds of value differ between two scenes: what a view must do follows from the kind.
 struct Changes {
-  bool probeShape = false;      ///< box, influence, rotation, blend distance, intensity, importance: uniforms only
+  bool probeShape = false;      ///< box, influence, rotation, blend distance, intensity, importance: uniforms
   bool probeTechnique = false;  ///< technique, its parameters, projection on/off: perhaps another program
-  bool probeCapture = false;    ///< origin, near, far, clear, face size, bounces, filter, samples, hides: recapture
-  bool probeList = false;       ///< a probe added, removed, renamed or reordered
+  bool probeCapture =
+      false;  ///< origin, rotation, near, far, clear, face size, bounces, filter, samples, hides: recapture
+  bool probeList = false;  ///< a probe added, removed, renamed or reordered
   bool materials = false;
   bool objects = false;
   bool lights = false;

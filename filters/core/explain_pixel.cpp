@@ -67,6 +67,7 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   e.captured = probe.maps != nullptr;
   e.originWorld = g.originWorld;
   e.worldFromProbe = g.worldFromProbe;
+  e.mapFromProbe = g.mapFromProbe;
   e.boxMin = g.boxMin;
   e.boxMax = g.boxMax;
   e.maxLevel = e.captured ? probe.maps->radiance.maxLevel() : 0.0f;
@@ -84,17 +85,17 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   const bool seen = e.captured && !probe.maps->distance.empty();
   const std::optional<DistanceCube> distances =
       seen ? std::optional<DistanceCube>(std::in_place, probe.maps->distance) : std::nullopt;
-  const glm::mat3 worldFromProbe(g.worldFromProbe);
+  const glm::mat3 mapFromProbe(g.mapFromProbe);
   shading::ProbeData data;
   std::shared_ptr<const Relief> relief;
   std::shared_ptr<const ReliefBlocks> blocks;
   if (seen && projectionRows()[static_cast<std::size_t>(g.technique.projection)].distances) {
     relief = probe.maps->relief.of(probe.maps->distance);
-    blocks = probe.maps->relief.blocks(*relief, g.boxMin, g.boxMax, worldFromProbe);
+    blocks = probe.maps->relief.blocks(*relief, g.boxMin, g.boxMax, mapFromProbe);
   }
   data.relief = relief.get();
   data.blocks = blocks.get();
-  data.worldFromProbe = g.rotated ? &worldFromProbe : nullptr;
+  data.mapFromProbe = g.mapTurned ? &mapFromProbe : nullptr;
   std::shared_ptr<const LightTable> light;
   if (e.captured && chooses(g.technique, g.parameters, "sampling", "luminance"))
     light = probe.maps->light.of(probe.maps->radiance);
@@ -135,8 +136,10 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
     if (distances) {
       const float reach = 2.0f * glm::length(g.boxMax - g.boxMin);
       const float faceSize = static_cast<float>(probe.maps->distance.faceSize());
-      // Maps are captured along the world's axes, so the true hit is looked for in those.
-      const float t = shading::trueHitDistance(&*distances, shape, faceSize, position - origin, reflection, reach);
+      // Looked for along the axes of the map.
+      const auto inMap = [&](const glm::vec3& v) { return g.mapTurned ? mapFromProbe * v : v; };
+      const float t = shading::trueHitDistance(&*distances, shape, faceSize, inMap(e.positionProbe),
+                                               inMap(e.reflectionProbe), reach);
       if (t < kNoHit) e.trueDistance = t;
     }
   }

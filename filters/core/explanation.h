@@ -59,6 +59,7 @@ struct ProbeExplanation {
   bool captured = false;  ///< false: no maps yet, it gives nothing
   glm::dvec3 originWorld{0.0};
   glm::dmat3 worldFromProbe{1.0};        ///< rotation of the box
+  glm::dmat3 mapFromProbe{1.0};          ///< from the box's axes to those of its maps
   glm::dvec3 hitWorld{0.0};              ///< H; meaningless if hitDistance is empty
   glm::vec3 positionProbe{0.0f};         ///< P - C in the probe's axes
   glm::vec3 reflectionProbe{0.0f};       ///< R in the probe's axes

@@ -16,11 +16,11 @@ class Recorder : public shading::CubeSampler {
     lookup.level = level;
     glm::vec4 value(0.0f);
     if (map_ != nullptr) {
-      const glm::vec3 world = geometry_->rotated ? glm::mat3(geometry_->worldFromProbe) * direction : direction;
+      const glm::vec3 inMap = geometry_->mapTurned ? glm::mat3(geometry_->mapFromProbe) * direction : direction;
       lookup.level = std::clamp(level, 0.0f, map_->maxLevel());
       lookup.roughness = shading::roughnessForLevel(lookup.level, map_->maxLevel());
-      lookup.texels = map_->footprint(world, level);
-      value = map_->fetch(world, level);
+      lookup.texels = map_->footprint(inMap, level);
+      value = map_->fetch(inMap, level);
       lookup.value = glm::vec3(value);
     }
     lookups.push_back(std::move(lookup));

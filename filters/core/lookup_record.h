@@ -17,7 +17,7 @@ struct RecordedLookups {
 
 using Evaluate = glm::vec4 (*)(shading::ProbeMap, shading::ProbeShape, shading::ShadingPoint);
 
-/// Runs `evaluate` on `map`, which is laid out along the world's axes, as captures are. A technique's value is linear
+/// Runs `evaluate` on `map`, which is laid out along the axes it was captured with. A technique's value is linear
 /// in what it fetches; so the weight of a fetch is what comes out when it alone returns 1.
 RecordedLookups recordLookups(Evaluate evaluate, const CubeMap& map, const ProbeGeometry& geometry,
                               const shading::ProbeShape& shape, const shading::ShadingPoint& point);

@@ -42,11 +42,13 @@ Technique probeTechnique(const Probe& probe) {
   return probe.projection ? technique : withoutProjection(technique);
 }
 
-ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt) {
+ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt, const glm::dvec3& capturedRotation) {
   ProbeGeometry g;
   g.originWorld = capturedAt;
   g.rotated = probe.rotationDegrees != glm::dvec3(0.0);
   g.worldFromProbe = g.rotated ? rotationMatrix(probe.rotationDegrees) : glm::dmat3(1.0);
+  g.mapTurned = capturedRotation != probe.rotationDegrees;
+  if (g.mapTurned) g.mapFromProbe = glm::transpose(rotationMatrix(capturedRotation)) * g.worldFromProbe;
   // The box turns about its centre, so the origin in the box's own, unturned coordinates is
   // centre + R^T (C - centre); subtracting it makes everything relative to C before anything is rounded to float.
   const glm::dvec3 center = probe.box.center();

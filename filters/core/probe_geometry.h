@@ -14,6 +14,8 @@ struct ProbeGeometry {
   glm::dvec3 originWorld{0.0};     ///< where the probe was captured
   glm::dmat3 worldFromProbe{1.0};  ///< rotation only
   bool rotated = false;
+  glm::dmat3 mapFromProbe{1.0};          ///< rotation to the axes of the probe's maps
+  bool mapTurned = false;                ///< is that one? Not of maps captured with the box as it stands
   glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame: relative to the capture origin, along the box's axes
   glm::vec3 influenceMin{0.0f}, influenceMax{0.0f};
   glm::vec3 rateMin{0.0f}, rateMax{0.0f};  ///< 1 / blend distance, by face
@@ -39,8 +41,10 @@ Technique probeTechnique(const Probe& probe);
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationDegrees);
 
 /// `capturedAt` may differ from probe.origin while a new capture is under way: lookups must use where the map was
-/// taken.
-ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt);
+/// taken. So may `capturedRotation` (degrees, as rotationMatrix takes them) from the box's: maps lie along the axes the
+/// box had when they were captured; those of pictures, and of the sky, along the world's.
+ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt,
+                            const glm::dvec3& capturedRotation = glm::dvec3(0.0));
 
 /// Has every point of an axis-aligned box full weight?
 bool fullWeightEverywhere(const Probe& probe, const Box& boundsWorld);

@@ -1,7 +1,8 @@
 // A baked probe's file. Part 0, "environment": what other programs read, a mip-mapped OpenEXR cube with the envmap
 // attribute, resampled because OpenEXR's texels lie on the edges of faces; with the metadata. Parts "level.0" and on:
-// every level's texels as they are, OpenGL's faces from the top down. Part "distance": one float channel. Two forms of
-// the same values because neither serves both: the standard one is not exact, the exact one is not standard.
+// every level's texels as they are, OpenGL's faces from the top down. Part "distance": one float channel. The exact
+// parts lie along the axes of the probe's box, part 0 along the world's. Two forms of the same values because neither
+// serves both: the standard one is not exact, the exact one is not standard.
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTileDescription.h>
@@ -9,8 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <glm/matrix.hpp>
 
 #include "filters/core/errors.h"
+#include "filters/core/probe_geometry.h"
 #include "filters/io/cube_attributes.h"
 #include "filters/io/cube_file.h"
 #include "filters/io/cube_resample.h"
@@ -25,9 +28,12 @@ constexpr int kVersion = 1;
 constexpr int kMostLevels = 13;  // of 4096² faces
 constexpr const char* kVersionAttribute = "boxprobe";
 constexpr const char* kLevelsAttribute = "levels";
+// Degrees, about X, then Y, then Z: the exact parts lie along axes so turned. Absent: along the world's.
+constexpr const char* kRotationAttribute = "capturedRotation";
 constexpr const char* kComments =
     "Part environment: OpenEXR cube, level l filtered for the roughness of the probe's level l. Parts level.N: the "
-    "same, exact, OpenGL faces +X -X +Y -Y +Z -Z from the top down, texels at cell centres. Part distance: from the "
+    "same, exact, OpenGL faces +X -X +Y -Y +Z -Z from the top down, texels at cell centres; along axes turned by "
+    "capturedRotation, if it is there. Part distance: from the "
     "capture origin, scene units, 0 where nothing was seen. Linear Rec. 709, premultiplied; A is coverage.";
 
 std::string folderOf(const std::string& path) {
@@ -39,13 +45,13 @@ std::string levelName(int level) {
 }
 
 /// A level of the environment part. Below one texel a face OpenEXR's chain goes on to 1 x 3 and 1 x 1: the mean.
-ExrLevel environmentLevel(const CubeMap& radiance, int level, ExrPrecision precision) {
+ExrLevel environmentLevel(const CubeMap& radiance, const glm::dmat3& mapFromWorld, int level, ExrPrecision precision) {
   const int width = std::max(radiance.faceSize() >> level, 1), height = std::max((6 * radiance.faceSize()) >> level, 1);
   ExrLevel result{width, height, {}};
   std::vector<float> pixels(std::size_t(4) * width * height);
   if (height == 6 * width) {
     const auto source = [&](const glm::vec3& direction) {
-      return radiance.fetch(direction, static_cast<float>(level));
+      return radiance.fetch(glm::vec3(mapFromWorld * glm::dvec3(direction)), static_cast<float>(level));
     };
     for (int face = 0; face < 6; ++face) {
       resampleToOpenExrFace(source, face, width, 1, &pixels[std::size_t(4) * face * width * width]);
@@ -61,7 +67,7 @@ ExrLevel environmentLevel(const CubeMap& radiance, int level, ExrPrecision preci
   return result;
 }
 
-ExrPart environmentPart(const CubeMap& radiance, ExrPrecision precision) {
+ExrPart environmentPart(const CubeMap& radiance, const glm::dmat3& mapFromWorld, ExrPrecision precision) {
   constexpr unsigned kTile = 64;  // exrenvmap's own default
   const int size = radiance.faceSize();
   ExrPart part{Imf::Header(size, 6 * size), {}};
@@ -69,7 +75,7 @@ ExrPart environmentPart(const CubeMap& radiance, ExrPrecision precision) {
   part.header.setTileDescription(Imf::TileDescription(kTile, kTile, Imf::MIPMAP_LEVELS, Imf::ROUND_DOWN));
   Imf::addEnvmap(part.header, Imf::ENVMAP_CUBE);
   for (int level = 0; (6 * size) >> level > 0; ++level) {
-    part.levels.push_back(environmentLevel(radiance, level, precision));
+    part.levels.push_back(environmentLevel(radiance, mapFromWorld, level, precision));
   }
   return part;
 }
@@ -127,6 +133,9 @@ BakedMaps readMaps(Imf::MultiPartInputFile& file, const std::string& path, std::
   }
   BakedMaps maps;
   maps.capturedAt = vectorAttribute(header, "capturedAt", path);
+  if (header.find(kRotationAttribute) != header.end()) {
+    maps.capturedRotation = vectorAttribute(header, kRotationAttribute, path);
+  }
   maps.irradiance = readCoefficients(header, path);
   const Imath::Box2i window = header.dataWindow();
   const long long size = static_cast<long long>(window.max.x) - window.min.x + 1;
@@ -170,7 +179,9 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
                     std::to_string(radiance.levels()) + " levels are no probe's; use a power of two");
   }
   std::vector<ExrPart> parts;
-  parts.push_back(environmentPart(radiance, precision));
+  const bool turned = file.maps.capturedRotation != glm::dvec3(0.0);
+  const glm::dmat3 mapFromWorld = turned ? glm::transpose(rotationMatrix(file.maps.capturedRotation)) : glm::dmat3(1.0);
+  parts.push_back(environmentPart(radiance, mapFromWorld, precision));
   Imf::Header& header = parts.front().header;
   const Imath::Box2i displayWindow = header.displayWindow();
   for (int level = 0; level < radiance.levels(); ++level) {
@@ -192,6 +203,7 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
   addProbeAttributes(metadata, file.info, folderOf(path));
   addCoefficients(metadata, file.maps.irradiance);
   addVectorAttribute(metadata, "capturedAt", file.maps.capturedAt);
+  if (turned) addVectorAttribute(metadata, kRotationAttribute, file.maps.capturedRotation);
   metadata.insert(kVersionAttribute, Imf::IntAttribute(kVersion));
   metadata.insert(kLevelsAttribute, Imf::IntAttribute(radiance.levels()));
   Imf::addComments(metadata, kComments);

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <glm/matrix.hpp>
 
 #include "filters/core/errors.h"
+#include "filters/core/probe_geometry.h"
 #include "filters/io/cube_file.h"
 #include "filters/io/cube_names.h"
 #include "filters/io/cube_resample.h"
@@ -112,7 +114,25 @@ LoadedCube fromBaked(BakedProbeFile file, int faceSize) {
     std::transform(from, from + 4, to, [](float v) { return std::clamp(v, -kHalfMax, kHalfMax); });
     if (!std::equal(from, from + 4, to)) ++result.texelsClamped;  // a file of floats; halves cannot exceed it
   }
-  convertCube(std::move(finest), std::move(file.maps.distance), TexelPlacement::Centres, faceSize, result);
+  CubeMap distance = std::move(file.maps.distance);
+  if (file.maps.capturedRotation != glm::dvec3(0.0)) {
+    // As other programs read it: along the world's axes.
+    const glm::mat3 mapFromWorld(glm::transpose(rotationMatrix(file.maps.capturedRotation)));
+    const CubeMap turned = std::move(finest), seen = std::move(distance);
+    finest = resampleToCube([&](const glm::vec3& d) { return turned.fetch(mapFromWorld * d, 0.0f); }, turned.faceSize(),
+                            samplesForRatio(1.0));
+    distance = CubeMap();
+    if (!seen.empty()) {
+      const auto nearest = [&](const glm::vec3& d) {
+        const CubePoint point = cubePoint(mapFromWorld * d);
+        const int side = seen.faceSize();
+        return seen.texel(0, point.face, nearestIndex(point.s, side, TexelPlacement::Centres),
+                          nearestIndex(point.t, side, TexelPlacement::Centres));
+      };
+      distance = nearestToCube(nearest, seen.faceSize());
+    }
+  }
+  convertCube(std::move(finest), std::move(distance), TexelPlacement::Centres, faceSize, result);
   return result;
 }
 

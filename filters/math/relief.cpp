@@ -194,11 +194,11 @@ std::shared_ptr<const Relief> LazyRelief::of(const CubeMap& distance) const {
 }
 
 std::shared_ptr<const ReliefBlocks> LazyRelief::blocks(const Relief& relief, const glm::vec3& boxMin,
-                                                       const glm::vec3& boxMax, const glm::mat3& worldFromProbe) const {
+                                                       const glm::vec3& boxMax, const glm::mat3& mapFromProbe) const {
   auto kept = std::atomic_load(&blocks_);
-  if (!kept || kept->boxMin != boxMin || kept->boxMax != boxMax || kept->worldFromProbe != worldFromProbe) {
+  if (!kept || kept->boxMin != boxMin || kept->boxMax != boxMax || kept->mapFromProbe != mapFromProbe) {
     kept = std::make_shared<const OfBox>(
-        OfBox{boxMin, boxMax, worldFromProbe, reliefBlocks(relief, boxMin, boxMax, worldFromProbe)});
+        OfBox{boxMin, boxMax, mapFromProbe, reliefBlocks(relief, boxMin, boxMax, mapFromProbe)});
     std::atomic_store(&blocks_, kept);
   }
   return {kept, &kept->blocks};

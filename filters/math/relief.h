@@ -46,7 +46,7 @@ struct ReliefBlocks {
   std::array<glm::vec3, kMost> low{}, high{};
 };
 ReliefBlocks reliefBlocks(const Relief& relief, const glm::vec3& boxMin, const glm::vec3& boxMax,
-                          const glm::mat3& worldFromProbe);
+                          const glm::mat3& mapFromProbe);
 
 /// Both, of a map that may never be asked for them. Copies share what has been made; safe from several threads.
 class LazyRelief {
@@ -54,14 +54,14 @@ class LazyRelief {
   std::shared_ptr<const Relief> of(const CubeMap& distance) const;
   /// Made again when the box is another one than at the last call.
   std::shared_ptr<const ReliefBlocks> blocks(const Relief& relief, const glm::vec3& boxMin, const glm::vec3& boxMax,
-                                             const glm::mat3& worldFromProbe) const;
+                                             const glm::mat3& mapFromProbe) const;
   /// Of whichever box they were last made for; null if of none.
   std::shared_ptr<const ReliefBlocks> latestBlocks() const;
 
  private:
   struct OfBox {
     glm::vec3 boxMin, boxMax;
-    glm::mat3 worldFromProbe;
+    glm::mat3 mapFromProbe;
     ReliefBlocks blocks;
   };
   mutable std::shared_ptr<const Relief> relief_;

@@ -85,13 +85,13 @@ struct Seen {
   Cells inside, outside;
 };
 
-Seen gather(const Relief& relief, const glm::vec3& boxMin, const glm::vec3& boxMax, const glm::mat3& worldFromProbe,
+Seen gather(const Relief& relief, const glm::vec3& boxMin, const glm::vec3& boxMax, const glm::mat3& mapFromProbe,
             float cell, float offWall) {
   Seen seen{Cells(cell), Cells(kOutsideCells * cell)};
   const float beyond = offWall * (kBeyond / kOffWall);
   const CubeMap& map = relief.texels();
   const int size = map.faceSize();
-  const glm::mat3 probeFromWorld = glm::transpose(worldFromProbe);
+  const glm::mat3 probeFromMap = glm::transpose(mapFromProbe);
   for (int face = 0; face < 6; ++face) {
     for (int row = 0; row < size; ++row) {
       for (int column = 0; column < size; ++column) {
@@ -103,7 +103,7 @@ Seen gather(const Relief& relief, const glm::vec3& boxMin, const glm::vec3& boxM
         const glm::vec3 plane(texel);
         const float reciprocal = glm::dot(plane, w), square = glm::dot(w, w);
         if (reciprocal <= 0.0f) continue;
-        const glm::vec3 p = probeFromWorld * (w / reciprocal);
+        const glm::vec3 p = probeFromMap * (w / reciprocal);
         const glm::vec3 a = p - boxMin, b = boxMax - p;
         const float in = std::min({a.x, a.y, a.z, b.x, b.y, b.z});
         const double solidAngle = 4.0 / (static_cast<double>(size) * size * square * std::sqrt(square));
@@ -122,14 +122,14 @@ Seen gather(const Relief& relief, const glm::vec3& boxMin, const glm::vec3& boxM
 }  // namespace
 
 ReliefBlocks reliefBlocks(const Relief& relief, const glm::vec3& boxMin, const glm::vec3& boxMax,
-                          const glm::mat3& worldFromProbe) {
+                          const glm::mat3& mapFromProbe) {
   ReliefBlocks blocks;
   const glm::vec3 size = boxMax - boxMin;
   const float longest = std::max({size.x, size.y, size.z}), shortest = std::min({size.x, size.y, size.z});
   // A flat box holds nothing, one beyond what squares of floats hold nothing that counts.
   if (!(shortest > 1.0e-6f * longest) || !(longest < 1.0e15f) || !(longest > 1.0e-15f)) return blocks;
   const float cell = longest / kCells, offWall = kOffWall * shortest;
-  const Seen seen = gather(relief, boxMin, boxMax, worldFromProbe, cell, offWall);
+  const Seen seen = gather(relief, boxMin, boxMax, mapFromProbe, cell, offWall);
   std::vector<Piece> pieces = seen.inside.joined();
   for (Piece& piece : pieces) {
     // What stands at a wall reaches to it: the texels that would show it were left to the wall.

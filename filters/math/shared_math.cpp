@@ -52,16 +52,16 @@ static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {
 
 vec3 fetchProbePlane(const ProbeShape& probe, vec3 direction) {
   if (probe.slot == nullptr || probe.slot->relief == nullptr) return vec3(0.0f);
-  const glm::mat3* turn = probe.slot->worldFromProbe;
+  const glm::mat3* turn = probe.slot->mapFromProbe;
   const vec3 plane(probe.slot->relief->fetchRelief(turn != nullptr ? *turn * direction : direction));
   return turn != nullptr ? glm::transpose(*turn) * plane : plane;
 }
 
 vec3 fetchProbeFar(const ProbeShape& probe, vec3 direction) {
   if (probe.slot == nullptr || probe.slot->relief == nullptr) return vec3(0.0f);
-  const glm::mat3* turn = probe.slot->worldFromProbe;
-  const vec3 world = turn != nullptr ? *turn * direction : direction;
-  const vec3 away = reliefFar(probe.slot->relief->fetchRelief(world).w, world);
+  const glm::mat3* turn = probe.slot->mapFromProbe;
+  const vec3 inMap = turn != nullptr ? *turn * direction : direction;
+  const vec3 away = reliefFar(probe.slot->relief->fetchRelief(inMap).w, inMap);
   return turn != nullptr ? glm::transpose(*turn) * away : away;
 }
 
@@ -86,12 +86,12 @@ static vec4 fetchProbeLight(const ProbeShape& probe, int cell) {
 }
 
 static vec3 mapFromProbe(const ProbeShape& probe, vec3 direction) {
-  const glm::mat3* turn = probe.slot->worldFromProbe;
+  const glm::mat3* turn = probe.slot->mapFromProbe;
   return turn != nullptr ? *turn * direction : direction;
 }
 
 static vec3 probeFromMap(const ProbeShape& probe, vec3 direction) {
-  const glm::mat3* turn = probe.slot->worldFromProbe;
+  const glm::mat3* turn = probe.slot->mapFromProbe;
   return turn != nullptr ? glm::transpose(*turn) * direction : direction;
 }
 

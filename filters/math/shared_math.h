@@ -44,10 +44,10 @@ class ReliefSampler {
 
 /// What a technique may fetch from a probe beside its map; a null member gives nothing. Must outlive the call.
 struct ProbeData {
-  const ReliefSampler* relief = nullptr;      ///< looked up in the world's axes relative to the capture origin
-  const ReliefBlocks* blocks = nullptr;       ///< probe frame
-  const glm::mat3* worldFromProbe = nullptr;  ///< null: not rotated
-  const LightTable* light = nullptr;          ///< what rays can be aimed at, by brightness
+  const ReliefSampler* relief = nullptr;    ///< looked up in the map's axes relative to the capture origin
+  const ReliefBlocks* blocks = nullptr;     ///< probe frame
+  const glm::mat3* mapFromProbe = nullptr;  ///< null: the map lies along the box's axes
+  const LightTable* light = nullptr;        ///< what rays can be aimed at, by brightness
 };
 
 using glm::ivec2;

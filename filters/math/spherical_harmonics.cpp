@@ -24,7 +24,8 @@ constexpr double kCosine[9] = {1.0, 2.0 / 3, 2.0 / 3, 2.0 / 3, 0.25, 0.25, 0.25,
 
 }  // namespace
 
-ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& faces, int faceSize) {
+ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& faces, int faceSize,
+                                      const glm::dmat3& worldFromMap) {
   std::array<glm::dvec3, 9> sum{};
   const double step = 2.0 / faceSize;
   for (int face = 0; face < 6; ++face) {
@@ -37,7 +38,7 @@ ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& f
         const float* texel =
             &faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(row * faceSize + column) * 4];
         const glm::dvec3 radiance(texel[0], texel[1], texel[2]);
-        const auto y = polynomials(direction);
+        const auto y = polynomials(worldFromMap * direction);
         for (std::size_t i = 0; i < 9; ++i) sum[i] += radiance * (y[i] * solidAngle);
       }
     }

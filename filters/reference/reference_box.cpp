@@ -14,6 +14,7 @@ namespace boxprobe {
 BoxWorld::BoxWorld(const ProbeExplanation& probe, const CubeMap& radiance)
     : map_(radiance),
       worldFromProbe_(probe.worldFromProbe),
+      mapFromProbe_(probe.mapFromProbe),
       position_(probe.positionProbe),
       low_(probe.boxMin),
       high_(probe.boxMax) {}
@@ -32,7 +33,7 @@ glm::dvec3 BoxWorld::exit(const glm::dvec3& from, const glm::dvec3& l, int* axis
 }
 
 glm::dvec3 BoxWorld::hit(const glm::dvec3& directionWorld) const {
-  return worldFromProbe_ * exit(position_, glm::transpose(worldFromProbe_) * directionWorld, nullptr);
+  return mapFromProbe_ * exit(position_, glm::transpose(worldFromProbe_) * directionWorld, nullptr);
 }
 
 bool BoxWorld::convex() const {
@@ -44,18 +45,18 @@ bool BoxWorld::convex() const {
          glm::all(glm::lessThan(glm::abs(position_ - glm::clamp(position_, low_, high_)), 1.0e-6 * (high_ - low_)));
 }
 
-glm::dvec3 BoxWorld::towards(const glm::dvec3& fromOriginWorld) const {
-  const glm::dvec3 fromOrigin = glm::transpose(worldFromProbe_) * fromOriginWorld;
+glm::dvec3 BoxWorld::towards(const glm::dvec3& fromOriginMap) const {
+  const glm::dvec3 fromOrigin = glm::transpose(mapFromProbe_) * fromOriginMap;
   const glm::dvec3 way = exit(glm::dvec3(0.0), fromOrigin, nullptr) - position_;
   const double length = glm::length(way);
   return length > 0.0 ? worldFromProbe_ * (way / length) : glm::dvec3(0.0);
 }
 
-double BoxWorld::magnification(const glm::dvec3& directionWorld, glm::dvec3* fromOriginWorld) const {
+double BoxWorld::magnification(const glm::dvec3& directionWorld, glm::dvec3* fromOriginMap) const {
   const glm::dvec3 l = glm::transpose(worldFromProbe_) * directionWorld;
   int axis = 0;
   const glm::dvec3 hit = exit(position_, l, &axis), way = hit - position_;
-  *fromOriginWorld = worldFromProbe_ * hit;
+  *fromOriginMap = mapFromProbe_ * hit;
   const double fromHere = glm::dot(way, way), fromOrigin = glm::dot(hit, hit);
   const double cosineHere = std::abs(l[axis]), cosineOrigin = std::abs(hit[axis]) / std::sqrt(fromOrigin);
   if (!(fromOrigin > 0.0) || !(cosineHere > 0.0)) return 0.0;

@@ -26,14 +26,15 @@ class BoxWorld {
 
   /// `directionWorld` unit. The exit from the box; a position outside counts as on the nearest face.
   glm::dvec3 radiance(const glm::dvec3& directionWorld) const;
-  /// That point, world axes, relative to the capture origin.
+  /// That point along the axes of the probe's maps, relative to the capture origin.
   glm::dvec3 hit(const glm::dvec3& directionWorld) const;
 
-  /// The unit direction, world, from here to where the box is met by a direction (not unit) from the capture origin.
-  glm::dvec3 towards(const glm::dvec3& fromOriginWorld) const;
+  /// The unit direction, world, from here to where the box is met by a direction (not unit) from the capture origin,
+  /// along the axes of its maps.
+  glm::dvec3 towards(const glm::dvec3& fromOriginMap) const;
   /// Solid angle about the capture origin of the patch of wall in that direction, over that about here: carries a
-  /// density over. `fromOriginWorld`: the patch as the origin sees it.
-  double magnification(const glm::dvec3& directionWorld, glm::dvec3* fromOriginWorld) const;
+  /// density over. `fromOriginMap`: the patch as the origin sees it.
+  double magnification(const glm::dvec3& directionWorld, glm::dvec3* fromOriginMap) const;
   /// Those two are each other's inverse only seen from inside the box, with the capture made inside of it.
   bool convex() const;
 
@@ -41,7 +42,7 @@ class BoxWorld {
   glm::dvec3 exit(const glm::dvec3& from, const glm::dvec3& direction, int* axis) const;
 
   const CubeMap& map_;
-  glm::dmat3 worldFromProbe_;
+  glm::dmat3 worldFromProbe_, mapFromProbe_;
   glm::dvec3 position_, low_, high_;  ///< probe frame
 };
 

@@ -76,6 +76,7 @@ bool BakeRunner::makeFaces() {
   if (face_ == 0) {
     maps_ = std::make_shared<ProbeMaps>();
     maps_->capturedAt = item_->settings.originWorld;
+    maps_->capturedRotation = item_->settings.rotationDegrees;
     source_.allocate(item_->faceSize, sourceLevels(item_->faceSize), GL_RGBA16F);
     if (item_->picture) {
       uploadLevel0(*item_->picture, source_);
@@ -146,7 +147,7 @@ bool BakeRunner::filter() {
     ++level_;
   } while (item_->fewSteps && level_ > 2 && level_ < levels);
   if (level_ < levels) return false;
-  maps_->irradiance = Prefilter::irradiance(source_);
+  maps_->irradiance = Prefilter::irradiance(source_, rotationMatrix(item_->settings.rotationDegrees));
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "filters/core/probe_geometry.h"
 #include "filters/math/shared_math.h"
 #include "filters/vtk/content_hash.h"
 
@@ -60,14 +61,21 @@ void addCamera(ContentHash& hash, const Probe& probe) {
   hash.add(kBakeVersion).addVector(probe.origin).add(probe.nearDistance).add(probe.farDistance).add(probe.faceSize);
   hash.add(probe.samplesPerPixel).add(static_cast<double>(probe.clear.index()));
   if (const auto* color = std::get_if<glm::vec3>(&probe.clear)) hash.addVector(*color);
+  // The cube's axes are the box's. One that is not turned keeps the key it had when all lay along the world's.
+  if (probe.rotationDegrees != glm::dvec3(0.0)) hash.add("turned").addVector(probe.rotationDegrees);
 }
 
 // A box is outside of a face's 90 degree pyramid if it lies wholly beyond one of its planes or the far one; may say yes
 // for a near miss. The margin covers float rounding in the projection, which could reach a texel at the edge.
 bool inFrustum(const Box& boundsWorld, const Probe& probe, int face) {
-  const glm::dvec3 forward(shading::cubeDirection(face, 0.0f, 0.0f));
-  const glm::dvec3 s = glm::dvec3(shading::cubeDirection(face, 1.0f, 0.0f)) - forward;
-  const glm::dvec3 t = glm::dvec3(shading::cubeDirection(face, 0.0f, 1.0f)) - forward;
+  const bool turned = probe.rotationDegrees != glm::dvec3(0.0);
+  const glm::dmat3 worldFromMap = turned ? rotationMatrix(probe.rotationDegrees) : glm::dmat3(1.0);
+  const auto direction = [&](float u, float v) {
+    return worldFromMap * glm::dvec3(shading::cubeDirection(face, u, v));
+  };
+  const glm::dvec3 forward = direction(0.0f, 0.0f);
+  const glm::dvec3 s = direction(1.0f, 0.0f) - forward;
+  const glm::dvec3 t = direction(0.0f, 1.0f) - forward;
   const glm::dvec3 center = boundsWorld.center() - probe.origin;
   const glm::dvec3 half = 0.5 * boundsWorld.size();
   const double margin = 1.0e-4 * (glm::length(center) + glm::length(half));

@@ -1,7 +1,7 @@
 // What a capture depends on, as fingerprints of contents: equal keys, equal pictures, in this run and the next. Decides
 // what is captured again after an edit, which faces can be kept, and whether a file on disk still holds. Called by the
-// probe set. Boxes, blend distances, techniques, importance and intensity never count: what they change inside of a
-// reflection's reflection stays as baked.
+// probe set. Of a box its rotation alone counts, which turns the cube's axes. Its extent, blend distances, techniques,
+// importance and intensity never do: what they change inside of a reflection's reflection stays as baked.
 #pragma once
 
 #include <cstddef>

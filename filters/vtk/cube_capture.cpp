@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "filters/core/errors.h"
+#include "filters/core/probe_geometry.h"
 #include "filters/math/shared_math.h"
 #include "filters/vtk/vtkPicturePass.h"
 #include "filters/vtk/vtkTargetPass.h"
@@ -95,8 +96,10 @@ void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std
 void CubeCapture::captureFace(const CaptureSettings& settings, int face, const std::vector<vtkProp*>& props,
                               const std::vector<vtkLight*>& lights, const CubeTexture& radiance,
                               const CubeTexture* distance) {
-  const glm::dvec3 focal = settings.originWorld + faceForward(face);
-  const glm::dvec3 up = faceUp(face);
+  const bool turned = settings.rotationDegrees != glm::dvec3(0.0);
+  const glm::dmat3 worldFromMap = turned ? rotationMatrix(settings.rotationDegrees) : glm::dmat3(1.0);
+  const glm::dvec3 focal = settings.originWorld + worldFromMap * faceForward(face);
+  const glm::dvec3 up = worldFromMap * faceUp(face);
   faceCamera_->SetPosition(settings.originWorld.x, settings.originWorld.y, settings.originWorld.z);
   faceCamera_->SetFocalPoint(focal.x, focal.y, focal.z);
   faceCamera_->SetViewUp(up.x, up.y, up.z);

@@ -28,6 +28,7 @@ namespace boxprobe {
 /// What one face is rendered with.
 struct CaptureSettings {
   glm::dvec3 originWorld{0.0};
+  glm::dvec3 rotationDegrees{0.0};  ///< of the cube's axes, as rotationMatrix takes them
   double nearDistance = 0.01;
   double farDistance = 1000.0;
   int samplesPerTexelSide = 2;

@@ -40,6 +40,7 @@ BakedMaps readBack(const ProbeMaps& maps) {
   result.distance = read(maps.distance);
   result.irradiance = maps.irradiance;
   result.capturedAt = maps.capturedAt;
+  result.capturedRotation = maps.capturedRotation;
   return result;
 }
 
@@ -53,6 +54,7 @@ std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps) {
   writeAll(maps.distance, GL_R32F, result->distance);
   result->irradiance = maps.irradiance;
   result->capturedAt = maps.capturedAt;
+  result->capturedRotation = maps.capturedRotation;
   return result;
 }
 

@@ -9,7 +9,8 @@ Technique ProbeBinding::technique(std::size_t slot) const {
 }
 
 bool ProbeBinding::rotated() const {
-  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.rotated; });
+  return std::any_of(probes.begin(), probes.end(),
+                     [](const auto& probe) { return probe->geometry.rotated || probe->geometry.mapTurned; });
 }
 
 bool ProbeBinding::bevelled() const {

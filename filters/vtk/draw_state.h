@@ -26,6 +26,8 @@ struct ProbeMaps {
   CubeTexture distance;  ///< R32F: from the capture origin to what was seen, scene units; 0 where nothing was
   ShCoefficients irradiance{};
   glm::dvec3 capturedAt{0.0};
+  /// Of the box, in degrees: the maps lie along the axes it had; irradiance along the world's.
+  glm::dvec3 capturedRotation{0.0};
   float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
   /// Made when a draw first aims rays at what is bright (light_texture.h).
   mutable LightTexture light;
@@ -76,6 +78,7 @@ struct ProbeBinding {
   bool blurred(std::size_t slot) const;
   /// Rays a pixel and frame of those that are; 0: none is.
   int blurredSamples() const;
+  /// Is a box turned, or what a probe holds against its box?
   bool rotated() const;
   bool bevelled() const;
   bool occluded() const;

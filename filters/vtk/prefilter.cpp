@@ -85,12 +85,12 @@ void Prefilter::filterWith(const CubeTexture& source, const CubeTexture& chain, 
   ++counters_->levelsFiltered;
 }
 
-ShCoefficients Prefilter::irradiance(const CubeTexture& source) {
+ShCoefficients Prefilter::irradiance(const CubeTexture& source, const glm::dmat3& worldFromMap) {
   int level = 0;
   while ((source.faceSize() >> level) > 16) ++level;
   std::array<std::vector<float>, 6> faces;
   for (int face = 0; face < 6; ++face) faces[static_cast<std::size_t>(face)] = source.readFace(face, level);
-  return irradianceCoefficients(faces, source.faceSize() >> level);
+  return irradianceCoefficients(faces, source.faceSize() >> level, worldFromMap);
 }
 
 void Prefilter::release() {

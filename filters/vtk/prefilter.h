@@ -28,8 +28,8 @@ class Prefilter {
                   int edgeFixupWidth = 0);
   /// The source's levels alone.
   void makeSourceLevels(const CubeTexture& source);
-  /// Diffuse irradiance from a small level of the source.
-  static ShCoefficients irradiance(const CubeTexture& source);
+  /// Diffuse irradiance, by world normals, from a small level of the source.
+  static ShCoefficients irradiance(const CubeTexture& source, const glm::dmat3& worldFromMap = glm::dmat3(1.0));
 
   void release();
 

@@ -8,6 +8,7 @@
 #include <vtkSphereSource.h>
 
 #include <algorithm>
+#include <glm/matrix.hpp>
 
 #include "filters/math/technique_table.h"
 
@@ -104,6 +105,12 @@ void PreviewSphere::follow(const Probe* probe, const std::shared_ptr<const Probe
   if (probe == nullptr || maps == nullptr) return;
   drawn_->maps = maps;
   drawn_->geometry.originWorld = probe->origin;
+  const bool turned = maps->capturedRotation != glm::dvec3(0.0);
+  drawn_->geometry.mapFromProbe = turned ? glm::transpose(rotationMatrix(maps->capturedRotation)) : glm::dmat3(1.0);
+  if (turned != drawn_->geometry.mapTurned) {
+    drawn_->geometry.mapTurned = turned;
+    applyMaterial();  // another program
+  }
   drawn_->geometry.intensity = static_cast<float>(probe->intensity);
   actor_->SetPosition(probe->origin.x, probe->origin.y, probe->origin.z);
   actor_->SetScale(radius(probe->box));

@@ -92,6 +92,7 @@ namespace {
 CaptureSettings settingsOf(const Probe& probe) {
   CaptureSettings settings;
   settings.originWorld = probe.origin;
+  settings.rotationDegrees = probe.rotationDegrees;
   settings.nearDistance = probe.nearDistance;
   settings.farDistance = probe.farDistance;
   settings.clear = probe.clear;
@@ -162,8 +163,7 @@ void ProbeSet::seeBounce(std::size_t of, int bounce) {
     windowSees_.push_back({drawn.maps, drawn.geometry});
     const bool seen = std::find(sees.begin(), sees.end(), i) != sees.end();
     drawn.maps = seen ? cache_.find(keys_.key(i, bounce - 1)) : nullptr;
-    const bool captured = drawn.maps && baked(i);
-    drawn.geometry = probeGeometry(probe(i), captured ? drawn.maps->capturedAt : probe(i).origin);
+    drawn.geometry = geometryOf(probe(i), drawn.maps.get());
   }
 }
 

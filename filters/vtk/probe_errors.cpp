@@ -9,17 +9,17 @@ namespace boxprobe {
 
 namespace {
 
-/// Looked up in the probe's frame: a map keeps the world's axes.
+/// Looked up in the probe's frame: a map keeps the axes it was captured with.
 class TurnedCube : public shading::CubeSampler {
  public:
-  TurnedCube(const CubeMap& map, const glm::dmat3& worldFromProbe) : map_(map), worldFromProbe_(worldFromProbe) {}
+  TurnedCube(const CubeMap& map, const glm::dmat3& mapFromProbe) : map_(map), mapFromProbe_(mapFromProbe) {}
   glm::vec4 fetch(const glm::vec3& direction, float level) const override {
-    return map_.fetch(worldFromProbe_ * direction, level);
+    return map_.fetch(mapFromProbe_ * direction, level);
   }
 
  private:
   const CubeMap& map_;
-  glm::mat3 worldFromProbe_;
+  glm::mat3 mapFromProbe_;
 };
 
 }  // namespace
@@ -36,8 +36,7 @@ std::string ProbeSet::measureKey(std::size_t index) const {
     for (int axis = 0; axis < 3; ++axis) key += " " + numberText(static_cast<double>(corner[axis]));
   }
   for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row)
-      key += " " + numberText(static_cast<double>(geometry.worldFromProbe[column][row]));
+    for (int row = 0; row < 3; ++row) key += " " + numberText(static_cast<double>(geometry.mapFromProbe[column][row]));
   }
   return key;
 }
@@ -56,7 +55,7 @@ void ProbeSet::measureErrors(std::size_t index) {
   const ProbeGeometry& geometry = entry.drawn->geometry;
   entry.measured = measureKey(index);
   const CubeMap chain = readRadiance(*entry.drawn->maps);
-  const TurnedCube turned(chain, geometry.worldFromProbe);
+  const TurnedCube turned(chain, geometry.mapFromProbe);
   entry.drawn->errors = std::make_shared<const TechniqueErrors>(
       measureTechniqueErrors(turned, probeShape(geometry, chain.maxLevel(), 0.0f)));
   ++state_->counters.errorsMeasured;

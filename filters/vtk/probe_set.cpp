@@ -26,12 +26,14 @@ bool lit(const DrawnObject& object) {
   return !object.unlit && object.settings.visible;
 }
 
-// A picture of the user's has no capture origin: it belongs where the probe stands now.
-glm::dvec3 capturedAt(const Probe& probe, const ProbeMaps* maps) {
-  return maps == nullptr || probe.mode == ProbeUpdate::Custom ? probe.origin : maps->capturedAt;
-}
-
 }  // namespace
+
+// A picture of the user's has no capture origin: it belongs where the probe stands now.
+ProbeGeometry ProbeSet::geometryOf(const Probe& probe, const ProbeMaps* maps) {
+  if (maps == nullptr) return probeGeometry(probe, probe.origin, probe.rotationDegrees);
+  const bool imported = probe.mode == ProbeUpdate::Custom;
+  return probeGeometry(probe, imported ? probe.origin : maps->capturedAt, maps->capturedRotation);
+}
 
 ProbeSet::ProbeSet(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture,
                    SceneContent* content, Times* times)
@@ -68,7 +70,7 @@ void ProbeSet::updateShapes() {
     DrawnProbe& drawn = *entries_[i].drawn;
     const Probe& probe = content_->scene.probes[i];
     drawn.index = static_cast<int>(i);
-    drawn.geometry = probeGeometry(probe, capturedAt(probe, drawn.maps.get()));
+    drawn.geometry = geometryOf(probe, drawn.maps.get());
   }
   index_ = ProbeIndex(content_->scene.probes);
 }
@@ -520,8 +522,10 @@ void ProbeSet::step() {
 
 void ProbeSet::show(std::size_t index, const std::string& key, std::shared_ptr<const ProbeMaps> maps) {
   Entry& entry = entries_[index];
-  entry.drawn->geometry = probeGeometry(probe(index), capturedAt(probe(index), maps.get()));
+  const bool turned = entry.drawn->geometry.mapTurned;
+  entry.drawn->geometry = geometryOf(probe(index), maps.get());
   entry.drawn->maps = std::move(maps);
+  if (entry.drawn->geometry.mapTurned != turned) assignToObjects();  // another program, perhaps
   entry.shown = key;
   entry.faces = {};
 }

@@ -72,17 +72,17 @@ ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
   const bool seen = probe.distances && !probe.distances->empty();
   const std::optional<DistanceCube> distances =
       seen ? std::optional<DistanceCube>(std::in_place, *probe.distances) : std::nullopt;
-  const glm::mat3 worldFromProbe(g.worldFromProbe);
+  const glm::mat3 mapFromProbe(g.mapFromProbe);
   shading::ProbeData data;
   std::shared_ptr<const Relief> relief;
   std::shared_ptr<const ReliefBlocks> blocks;
   if (seen && projectionRows()[static_cast<std::size_t>(g.technique.projection)].distances) {
     relief = probe.relief.of(*probe.distances);
-    blocks = probe.relief.blocks(*relief, g.boxMin, g.boxMax, worldFromProbe);
+    blocks = probe.relief.blocks(*relief, g.boxMin, g.boxMax, mapFromProbe);
   }
   data.relief = relief.get();
   data.blocks = blocks.get();
-  data.worldFromProbe = g.rotated ? &worldFromProbe : nullptr;
+  data.mapFromProbe = g.mapTurned ? &mapFromProbe : nullptr;
   shape.slot = &data;
   shading::ShadingPoint point{};
   point.position = inProbeFrame(g, ray.positionWorld);
@@ -108,11 +108,12 @@ ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
   result.lookups = recordLookups(evaluation.evaluate, shape, point).lookups;
   for (Lookup& lookup : result.lookups) lookup.level = std::clamp(lookup.level, 0.0f, probe.maxLevel);
   if (distances) {
-    // Maps are laid out along the world's axes. As far as explanations and the shader look.
+    // Along the axes of the map. As far as explanations and the shader look.
     const float reach = 2.0f * glm::length(g.boxMax - g.boxMin);
-    const float t =
-        shading::trueHitDistance(&*distances, shape, static_cast<float>(probe.distances->faceSize()),
-                                 glm::vec3(ray.positionWorld - g.originWorld), glm::vec3(ray.reflectionWorld), reach);
+    const glm::dmat3 mapFromWorld = g.mapFromProbe * probeFromWorld;
+    const float t = shading::trueHitDistance(&*distances, shape, static_cast<float>(probe.distances->faceSize()),
+                                             glm::vec3(mapFromWorld * (ray.positionWorld - g.originWorld)),
+                                             glm::vec3(mapFromWorld * ray.reflectionWorld), reach);
     if (t < kFarthestHit) result.trueDistance = t;
   }
   return result;

@@ -23,7 +23,7 @@ std::shared_ptr<const ReliefBlocks> ReliefTexture::blocks(const CubeTexture& dis
   if (dragged) {
     if (auto latest = lazy_.latestBlocks()) return latest;
   }
-  return lazy_.blocks(*relief_, probe.boxMin, probe.boxMax, glm::mat3(probe.worldFromProbe));
+  return lazy_.blocks(*relief_, probe.boxMin, probe.boxMax, glm::mat3(probe.mapFromProbe));
 }
 
 }  // namespace boxprobe

@@ -317,7 +317,7 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
   constexpr std::size_t kMax = boxprobe::ProbeBinding::kMaxProbesPerDraw;
   std::array<glm::vec3, kMax> origin, boxMin, boxMax, influenceMin, influenceMax, rateMin, rateMax;
   std::array<float, kMax> intensity{}, maxLevel{};
-  std::array<glm::mat3, kMax> worldFromProbe{};
+  std::array<glm::mat3, kMax> worldFromProbe{}, mapFromProbe{};
   std::array<glm::vec3, 9 * kMax> sh{};
   const double* eye = renderer->GetActiveCamera()->GetPosition();
   for (std::size_t i = 0; i < count; ++i) {
@@ -331,6 +331,7 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
     rateMin[i] = g.rateMin;
     rateMax[i] = g.rateMax;
     worldFromProbe[i] = glm::mat3(g.worldFromProbe);
+    mapFromProbe[i] = glm::mat3(g.mapFromProbe);
     // Without maps: no reflection, and the sky's diffuse light, which is the best guess there is.
     const boxprobe::ProbeMaps* maps = this->State->firstBounce ? nullptr : probe.maps.get();
     const boxprobe::ProbeMaps* diffuse = maps != nullptr ? maps : this->State->sky.get();
@@ -421,12 +422,16 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
     program->SetUniform1fv("bpShare", n, this->Drawn->shares.data());
     program->SetUniformf("bpSkyShare", this->Drawn->skyShare);
   }
-  if (this->Drawn->rotated()) {
-    program->SetUniformMatrix3x3("bpWorldFromProbe", &worldFromProbe[0][0].x);
-    // VTK sets one matrix a call; array elements have names of their own.
-    for (std::size_t i = 1; i < count; ++i) {
-      program->SetUniformMatrix3x3(("bpWorldFromProbe[" + std::to_string(i) + "]").c_str(), &worldFromProbe[i][0].x);
-    }
+  // As the program was made: what a box is turned by, or against its maps, may have come to 0 since.
+  if (program->IsUniformUsed("bpWorldFromProbe")) {
+    // VTK sets one matrix a call; array elements have names of their own, but for the first.
+    const auto uploadMatrices = [program, count](const std::string& name, std::array<glm::mat3, kMax>& values) {
+      for (std::size_t i = 0; i < count; ++i) {
+        program->SetUniformMatrix3x3((i == 0 ? name : name + "[" + std::to_string(i) + "]").c_str(), &values[i][0].x);
+      }
+    };
+    uploadMatrices("bpWorldFromProbe", worldFromProbe);
+    uploadMatrices("bpMapFromProbe", mapFromProbe);
   }
 }
 

@@ -29,6 +29,7 @@ struct FilterProbe {
   Probe probe;
   std::optional<double> maximumLevel;
   std::optional<glm::dvec3> capturedAt;
+  glm::dvec3 capturedRotation{0.0};
   std::shared_ptr<const CubeMap> distances;
   LazyRelief relief;  // of them
 };
@@ -36,7 +37,7 @@ struct FilterProbe {
 RayProbe rayProbe(const FilterProbe& p) {
   RayProbe result;
   result.name = p.probe.name;
-  result.geometry = probeGeometry(p.probe, p.capturedAt.value_or(p.probe.origin));
+  result.geometry = probeGeometry(p.probe, p.capturedAt.value_or(p.probe.origin), p.capturedRotation);
   result.maxLevel = static_cast<float>(p.maximumLevel.value_or(prefilterLevels(p.probe.faceSize) - 1));
   result.distances = p.distances;
   result.relief = p.relief;
@@ -241,6 +242,13 @@ void vtkProjectionRays::SetProbeCapturedAt(int index, double x, double y, double
   const glm::dvec3 origin(x, y, z);
   if (this->EditProbe(index, finite(origin)) != nullptr) {
     this->Internal->probes[static_cast<std::size_t>(index)].capturedAt = origin;
+  }
+}
+
+void vtkProjectionRays::SetProbeCapturedRotation(int index, double xDegrees, double yDegrees, double zDegrees) {
+  const glm::dvec3 degrees(xDegrees, yDegrees, zDegrees);
+  if (this->EditProbe(index, finite(degrees)) != nullptr) {
+    this->Internal->probes[static_cast<std::size_t>(index)].capturedRotation = degrees;
   }
 }
 

@@ -106,6 +106,8 @@ class vtkProjectionRays : public vtkPolyDataAlgorithm {
   void SetProbes(const std::vector<boxprobe::Probe>& probes);
   /** Where the probe's maps were taken, while that is not (yet) its origin. */
   void SetProbeCapturedAt(int index, double x, double y, double z);
+  /** Of the axes its distances lie along (BakedMaps::capturedRotation), degrees; by default the world's. */
+  void SetProbeCapturedRotation(int index, double xDegrees, double yDegrees, double zDegrees);
   /** From the capture origin to what was seen (BakedMaps::distance); null: not known. */
   void SetProbeDistances(int index, std::shared_ptr<const boxprobe::CubeMap> distances);
   ///@}

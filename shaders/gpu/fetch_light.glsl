@@ -1,7 +1,7 @@
 // The GPU's side of what shared/light_sampling.glsl asks of a probe. BP_LIGHT: a technique of the draw does.
 #if BP_ROTATED
-vec3 mapFromProbe(ProbeShape probe, vec3 direction) { return bpWorldFromProbe[probe.slot] * direction; }
-vec3 probeFromMap(ProbeShape probe, vec3 direction) { return transpose(bpWorldFromProbe[probe.slot]) * direction; }
+vec3 mapFromProbe(ProbeShape probe, vec3 direction) { return bpMapFromProbe[probe.slot] * direction; }
+vec3 probeFromMap(ProbeShape probe, vec3 direction) { return transpose(bpMapFromProbe[probe.slot]) * direction; }
 #else
 vec3 mapFromProbe(ProbeShape probe, vec3 direction) { return direction; }
 vec3 probeFromMap(ProbeShape probe, vec3 direction) { return direction; }

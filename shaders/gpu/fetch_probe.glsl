@@ -5,7 +5,7 @@ vec4 fetchProbe(samplerCube map, ProbeShape probe, vec3 direction, float level)
   bpTraceFetch(level, probe.maxLevel);
 #endif
 #if BP_ROTATED
-  return textureLod(map, bpWorldFromProbe[probe.slot] * lookupDirection(direction), level);
+  return textureLod(map, bpMapFromProbe[probe.slot] * lookupDirection(direction), level);
 #else
   return textureLod(map, lookupDirection(direction), level);
 #endif

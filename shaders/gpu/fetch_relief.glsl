@@ -22,27 +22,27 @@ vec4 bpFetchRelief(ProbeShape probe, vec3 direction)
   bpLookups += 1.0f;
 #endif
 #if BP_ROTATED
-  vec3 world = bpWorldFromProbe[probe.slot] * direction;
+  vec3 inMap = bpMapFromProbe[probe.slot] * direction;
 #else
-  vec3 world = direction;
+  vec3 inMap = direction;
 #endif
 #if BP_SLOTS > 1
-  if (probe.slot == 1) { return textureLod(bpRelief1, world, 0.0f); }
+  if (probe.slot == 1) { return textureLod(bpRelief1, inMap, 0.0f); }
 #endif
 #if BP_SLOTS > 2
-  if (probe.slot == 2) { return textureLod(bpRelief2, world, 0.0f); }
+  if (probe.slot == 2) { return textureLod(bpRelief2, inMap, 0.0f); }
 #endif
 #if BP_SLOTS > 3
-  if (probe.slot == 3) { return textureLod(bpRelief3, world, 0.0f); }
+  if (probe.slot == 3) { return textureLod(bpRelief3, inMap, 0.0f); }
 #endif
-  return textureLod(bpRelief0, world, 0.0f);
+  return textureLod(bpRelief0, inMap, 0.0f);
 }
 
 vec3 fetchProbePlane(ProbeShape probe, vec3 direction)
 {
   vec3 plane = bpFetchRelief(probe, direction).xyz;
 #if BP_ROTATED
-  plane = transpose(bpWorldFromProbe[probe.slot]) * plane;
+  plane = transpose(bpMapFromProbe[probe.slot]) * plane;
 #endif
   return plane;
 }
@@ -50,8 +50,8 @@ vec3 fetchProbePlane(ProbeShape probe, vec3 direction)
 vec3 fetchProbeFar(ProbeShape probe, vec3 direction)
 {
 #if BP_ROTATED
-  return transpose(bpWorldFromProbe[probe.slot]) *
-         reliefFar(bpFetchRelief(probe, direction).w, bpWorldFromProbe[probe.slot] * direction);
+  return transpose(bpMapFromProbe[probe.slot]) *
+         reliefFar(bpFetchRelief(probe, direction).w, bpMapFromProbe[probe.slot] * direction);
 #else
   return reliefFar(bpFetchRelief(probe, direction).w, direction);
 #endif

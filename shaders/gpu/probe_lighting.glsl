@@ -48,6 +48,7 @@ uniform vec3 bpOcclusion[BP_SLOTS];      // multiplier, power, strength
 #endif
 #if BP_ROTATED
 uniform mat3 bpWorldFromProbe[BP_SLOTS];
+uniform mat3 bpMapFromProbe[BP_SLOTS];   // to the axes the maps were captured along
 #endif
 #if BP_DEBUG
 uniform vec3 bpProbeColor[BP_SLOTS];

@@ -73,7 +73,13 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
     bpBest.trueDistance = kNoHit;
     if (bpDistanceFaceSize[@SLOT@] > 0.0f && bpView >= 2 && bpView <= 4)
     {
-      bpBest.trueDistance = trueHitDistance(bpDistanceMap@SLOT@, probe, bpDistanceFaceSize[@SLOT@], offset, reflection,
+      vec3 from = point.position;
+      vec3 along = point.reflection;
+#if BP_ROTATED
+      from = bpMapFromProbe[@SLOT@] * from;
+      along = bpMapFromProbe[@SLOT@] * along;
+#endif
+      bpBest.trueDistance = trueHitDistance(bpDistanceMap@SLOT@, probe, bpDistanceFaceSize[@SLOT@], from, along,
                                             2.0f * length(probe.boxMax - probe.boxMin));
     }
     bpBest.truth = offset + bpBest.trueDistance * reflection;

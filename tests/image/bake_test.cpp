@@ -63,13 +63,19 @@ TEST(Bake, AnEditMakesWhatShowsItAgainAndNothingElse) {
     s.probes[0].influence = Box{{-3, -3, -3}, {3, 3, 3}};  // lights what it did not light before
     s.probes[1].blendDistance.min.x = 0.2;
     s.probes[1].technique = "sphere";
-    s.probes[1].rotationDegrees.y = 10.0;
     s.probes[2].importance = 3.0;
     s.probes[2].intensity = 0.5;
     s.exposure = 2.0;
   });
   EXPECT_EQ(world.faces() + world.reused(), faces + reused);
   EXPECT_EQ(world.levels(), levels);
+
+  world.editAndFinish([](Scene& s) { s.probes[2].rotationDegrees.y = 10.0; });
+  EXPECT_EQ(world.faces() + world.reused() - faces - reused, 12u) << "the cube's axes turn with the box";
+  faces = world.faces();
+  reused = world.reused();
+  world.editAndFinish([](Scene& s) { s.probes[2].rotationDegrees.y = 0.0; });
+  EXPECT_EQ(world.faces() + world.reused(), faces + reused) << "as it was";
 
   const auto made = [&](const char* name) { return world.renderer->readMaps(name)->radiance.texel(0, 5, 16, 16); };
   const glm::vec4 far = made("far");

@@ -107,10 +107,13 @@ TEST(Capture, OnlyWhatAnEditNeedsIsMadeAgain) {
   edit([](Scene& s) { s.probes[0].box.max.x += 0.5; });
   edit([](Scene& s) { s.probes[0].blendDistance.min.y = 0.7; });
   edit([](Scene& s) { s.probes[0].technique = "sphere"; });
-  edit([](Scene& s) { s.probes[0].rotationDegrees.y = 20.0; });
   edit([](Scene& s) { s.materials["sphere"].roughness = 0.5f; });  // spheres are not seen by the probe
   EXPECT_EQ(captured(), faces);
   EXPECT_EQ(filtered(), levels);
+
+  edit([](Scene& s) { s.probes[0].rotationDegrees.y = 20.0; });  // the cube's axes turn with the box
+  EXPECT_EQ(captured(), faces + 6);
+  faces = captured();
 
   const glm::dvec3 origin = picture.scene.probes[0].origin;
   edit([](Scene& s) { s.probes[0].origin.x += 0.25; });

@@ -77,11 +77,12 @@ TEST(Difference, NamesTheKindOfEachProbeField) {
   EXPECT_EQ(kindsAfter([](Scene&) {}), "");
   for (const auto& edit : std::vector<std::function<void(Probe&)>>{
            [](Probe& p) { p.box.max.x = 5; }, [](Probe& p) { p.influence = p.box; },
-           [](Probe& p) { p.rotationDegrees.y = 5; }, [](Probe& p) { p.blendDistance.min.z = 0; },
-           [](Probe& p) { p.intensity = 2; }, [](Probe& p) { p.importance = 2; }, [](Probe& p) { p.bevel = Bevel(); },
+           [](Probe& p) { p.blendDistance.min.z = 0; }, [](Probe& p) { p.intensity = 2; },
+           [](Probe& p) { p.importance = 2; }, [](Probe& p) { p.bevel = Bevel(); },
            [](Probe& p) { p.occlusion = BoxOcclusion(); }}) {
     EXPECT_EQ(kindsAfter([&](Scene& s) { edit(s.probes[1]); }), "shape ");
   }
+  EXPECT_EQ(kindsAfter([](Scene& s) { s.probes[1].rotationDegrees.y = 5; }), "shape capture ");
   for (const auto& edit : std::vector<std::function<void(Probe&)>>{[](Probe& p) { p.technique = "sphere"; },
                                                                    [](Probe& p) { p.parameters["power"] = 3.0; },
                                                                    [](Probe& p) { p.projection = false; }}) {

@@ -7,6 +7,8 @@
 
 #include <limits>
 
+#include "filters/core/probe_geometry.h"
+#include "filters/io/exr_reader.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
@@ -24,6 +26,7 @@ BakedProbeFile example(int faceSize = 32, int levels = 6) {
   for (std::size_t i = 0; i < 9; ++i)
     file.maps.irradiance[i] = glm::vec3(0.1f, -0.2f, 1e-7f) * static_cast<float>(i + 1);
   file.maps.capturedAt = {0.1, 1e6 + 1e-7, -3.0};
+  file.maps.capturedRotation = {0.1, 30.5, -1e-7};
   Probe& probe = file.info.probe;
   probe.name = "true";  // reads like another type
   probe.origin = file.maps.capturedAt;
@@ -58,6 +61,7 @@ TEST_F(CubeBaked, EveryTexelAndValueComesBack) {
     EXPECT_TRUE(sameTexels(again.maps.distance, file.maps.distance));
     EXPECT_EQ(again.maps.irradiance, file.maps.irradiance);
     EXPECT_EQ(again.maps.capturedAt, file.maps.capturedAt);
+    EXPECT_EQ(again.maps.capturedRotation, file.maps.capturedRotation);
     EXPECT_EQ(again.info.probe, file.info.probe);
     EXPECT_EQ(again.info.inputHash, file.info.inputHash);
     EXPECT_EQ(again.info.program, file.info.program);
@@ -104,6 +108,44 @@ TEST_F(CubeBaked, OtherProgramsSeeAnEnvironmentMapFirst) {
   const auto* origin = header.findTypedAttribute<Imf::V3dAttribute>("probe.origin");
   ASSERT_NE(origin, nullptr);
   EXPECT_EQ(origin->value(), Imath::V3d(0.1, 1e6 + 1e-7, -3.0));
+}
+
+// A map along a turned box's axes is to others what the same along the world's is.
+TEST_F(CubeBaked, OtherProgramsSeeTheWorldsAxes) {
+  constexpr int kSize = 64;
+  BakedProbeFile straight, turned;
+  straight.maps.radiance = smoothCube(kSize);
+  turned.maps.capturedRotation = {10.0, 30.0, -20.0};
+  turned.maps.radiance = CubeMap(kSize, straight.maps.radiance.levels());
+  const glm::mat3 worldFromMap(rotationMatrix(turned.maps.capturedRotation));
+  for (int level = 0; level < straight.maps.radiance.levels(); ++level) {
+    const int size = straight.maps.radiance.levelSize(level);
+    const auto at = [&](int i) { return (2.0f * static_cast<float>(i) + 1.0f) / static_cast<float>(size) - 1.0f; };
+    for (int texel = 0; texel < 6 * size * size; ++texel) {
+      const int face = texel / (size * size), row = texel / size % size, column = texel % size;
+      const glm::vec3 direction = worldFromMap * shading::cubeDirection(face, at(column), at(row));
+      turned.maps.radiance.setTexel(level, face, column, row,
+                                    straight.maps.radiance.fetch(direction, static_cast<float>(level)));
+    }
+  }
+  const auto environment = [&](const BakedProbeFile& probe, const char* name) {
+    saveBakedProbe(file(name), probe);
+    ExrPicture picture;
+    withExrFile(file(name), [&](Imf::MultiPartInputFile& exr) { picture = readExrPart(exr, 0, file(name)); });
+    return picture.image.pixels;
+  };
+  const auto apart = [](const float* a, const float* b, std::size_t count) {
+    float most = 0.0f;
+    for (std::size_t i = 0; i < count; ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most;
+  };
+  const auto a = environment(straight, "straight.exr"), b = environment(turned, "turned.exr");
+  ASSERT_EQ(a.size(), b.size());
+  const std::size_t count = std::size_t(6) * kSize * kSize * 4;
+  EXPECT_LT(apart(a.data(), b.data(), count), 0.02f);
+  EXPECT_GT(apart(straight.maps.radiance.face(0, 0), turned.maps.radiance.face(0, 0), count), 0.2f);
+  const CubeMap c = loadCube(file("straight.exr")).radiance, d = loadCube(file("turned.exr")).radiance;
+  EXPECT_LT(apart(c.face(0, 0), d.face(0, 0), count), 0.02f);
 }
 
 TEST_F(CubeBaked, CompressionFollowsTheContent) {

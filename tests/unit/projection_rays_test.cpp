@@ -421,21 +421,22 @@ TEST_F(Rays, TrueHitByTheSceneAndItsError) {
   }
 }
 
-// The probe's own distances of an empty room: the true hit is the box's, in a turned box too (maps lie along the
-// world's axes).
+// The probe's own distances of an empty room: the true hit is the box's, in a turned box too, with a map along
+// the world's axes and one along the box's.
 TEST_F(Rays, TrueHitByTheProbesDistances) {
-  for (const double turn : {0.0, 25.0}) {
+  for (const auto& [turn, mapTurn] : {std::pair(0.0, 0.0), std::pair(25.0, 0.0), std::pair(25.0, 25.0)}) {
     Probe probe = probeOfRoom();
     probe.rotationDegrees = {0.0, turn, 0.0};
-    const ProbeGeometry g = probeGeometry(probe, probe.origin);
+    const glm::dvec3 mapRotation(0.0, mapTurn, 0.0);
+    const ProbeGeometry g = probeGeometry(probe, probe.origin, mapRotation);
     auto distances = std::make_shared<CubeMap>(256, 1);
     for (int face = 0; face < 6; ++face) {
       for (int row = 0; row < 256; ++row) {
         for (int column = 0; column < 256; ++column) {
           const glm::dvec3 d = glm::normalize(glm::dvec3(
               shading::cubeDirection(face, -1.0f + (column + 0.5f) / 128.0f, -1.0f + (row + 0.5f) / 128.0f)));
-          const glm::vec3 factors = shading::slabFactors(
-              glm::vec3(0.0f), glm::vec3(glm::transpose(g.worldFromProbe) * d), g.boxMin, g.boxMax);
+          const glm::vec3 factors =
+              shading::slabFactors(glm::vec3(0.0f), glm::vec3(glm::transpose(g.mapFromProbe) * d), g.boxMin, g.boxMax);
           distances->setTexel(0, face, column, row, glm::vec4(std::min({factors.x, factors.y, factors.z})));
         }
       }
@@ -443,6 +444,7 @@ TEST_F(Rays, TrueHitByTheProbesDistances) {
     filter->RemoveAllProbes();
     filter->AddProbe(probe);
     filter->SetProbeDistances(0, distances);
+    filter->SetProbeCapturedRotation(0, 0.0, mapTurn, 0.0);
     std::vector<Input> inputs;
     for (int i = 0; i < 200; ++i) inputs.push_back({{-2.0 + 0.02 * i, 0.0, 1.0 - 0.01 * i}, {0.0, 1.0, 0.0}});
     give(inputs);
@@ -450,7 +452,8 @@ TEST_F(Rays, TrueHitByTheProbesDistances) {
     ASSERT_EQ(errors.size(), inputs.size());
     int far = 0;
     for (const Row& row : errors) far += row.error > 1.0e-3 ? 1 : 0;
-    EXPECT_LE(far, 4) << "turned by " << turn;  // at the room's edges a texel sees two walls
+    EXPECT_LE(far, 4) << "turned by " << turn << ", its map by "
+                      << mapTurn;  // at the room's edges a texel sees two walls
   }
 }
 
