@@ -223,6 +223,43 @@ TEST(Explain, AgreesWithThePicture) {
   EXPECT_EQ(offBox, 0u);
 }
 
+// While a box is being turned its maps lie along the axes it had before.
+TEST(Explain, AgreesWhileABoxIsTurnedAgainstItsMaps) {
+  constexpr int kWidth = 160, kHeight = 90;
+  std::vector<glm::ivec2> pixels;
+  for (int i = 0; i < 2000; ++i) pixels.emplace_back((i * 37) % kWidth, (i * 53) % kHeight);
+  for (const char* technique : {"box+none", "impostor+raytraced"}) {
+    for (const auto& [before, after] : {std::pair(30.0, 50.0), std::pair(20.0, 0.0)}) {
+      Scene scene = fileScene("room");
+      scene.materials["floor"].roughness = 0.3f;
+      scene.probes[0].rotationDegrees.y = before;
+      scene.probes[0].technique = technique;
+      if (std::string(technique) == "impostor+raytraced") {
+        scene.probes[0].parameters = {{"sampling", std::string("luminance")}, {"samples", 8.0}};
+      }
+      ScenePicture picture(scene, kWidth, kHeight);
+      picture.show(picture.scene.cameras.front());
+      picture.scene.probes[0].rotationDegrees.y = after;
+      picture.renderer->sync(picture.scene, difference(scene, picture.scene));  // and no work done
+      const ImageRgbaF image = picture.linear(1);
+      std::size_t compared = 0, beyond = 0;
+      for (const Explanation& e : picture.renderer->explain(pixels, kWidth, kHeight)) {
+        if (!e.hit || e.probes.empty()) continue;
+        EXPECT_GT(glm::length(e.probes[0].mapFromProbe[0] - glm::dvec3(1.0, 0.0, 0.0)), 0.1);
+        const float* p = &image.pixels[static_cast<std::size_t>(e.y * kWidth + e.x) * 4];
+        const glm::vec3 d = glm::abs(glm::vec3(p[0], p[1], p[2]) - e.color);
+        const float scale = std::max({e.brightestTexel, e.color.x, e.color.y, e.color.z, 1.0e-3f});
+        ++compared;
+        beyond += std::max({d.x, d.y, d.z}) <= 2.0e-3f * scale ? 0 : 1;
+      }
+      std::printf("  %s, captured at %g degrees, now at %g: %zu of %zu pixels differ\n", technique, before, after,
+                  beyond, compared);
+      EXPECT_GT(compared, 500u);
+      EXPECT_LE(beyond, compared / 500);
+    }
+  }
+}
+
 // A single pixel, which draws the objects under it alone, gives what the whole picture does.
 TEST(Explain, OnePixelAlone) {
   ScenePicture picture = ScenePicture::fromFile("scenes/building.boxprobe.json", 64, 64);
