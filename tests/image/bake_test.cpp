@@ -103,12 +103,14 @@ TEST(Bake, FilesStandInForCapturesWhileTheirInputsHold) {
   std::optional<BakedMaps> baked;
   {
     QuadWorld world = threeRooms();
+    world.scene.probes[0].rotationDegrees.y = 12.5;
     world.show();
     for (const std::string& file : saveAll(world)) EXPECT_TRUE(std::filesystem::exists(file)) << file;
     baked = world.renderer->readMaps("near");
   }
   QuadWorld world = threeRooms();
   world.renderer->useBakedFiles(Folder::path());
+  world.scene.probes[0].rotationDegrees.y = 12.5;
   world.scene.probes[0].box.max.y += 0.3;
   world.scene.probes[0].influence = Box{{-3, -3, -3}, {3, 3, 3}};
   world.scene.probes[1].technique = "infinite";
@@ -125,12 +127,14 @@ TEST(Bake, FilesStandInForCapturesWhileTheirInputsHold) {
   }
   EXPECT_EQ(loaded->distance.texel(0, 5, 16, 16), baked->distance.texel(0, 5, 16, 16));
   EXPECT_EQ(loaded->irradiance, baked->irradiance);
+  EXPECT_EQ(loaded->capturedRotation, glm::dvec3(0.0, 12.5, 0.0));
 
   world.editAndFinish([](Scene& s) { s.materials["a wall"].emissive = glm::vec3(5.0f); });
   EXPECT_GT(world.faces(), 0u);
 
   // A file that is damaged behind its header is as good as none.
   QuadWorld third = threeRooms();
+  third.scene.probes[0].rotationDegrees.y = 12.5;
   const std::string file = Folder::path() + "/" + BakeFolder::fileName("far");
   third.renderer->useBakedFiles(Folder::path());
   std::filesystem::resize_file(file, std::filesystem::file_size(file) * 2 / 3);
@@ -149,6 +153,7 @@ TEST(Bake, EveryInputOfACaptureCounts) {
     return world.faces() + world.reused() - before;
   };
   EXPECT_GE(recaptures([](Scene& s) { s.probes[0].nearDistance = 0.5; }), 6u);
+  EXPECT_GE(recaptures([](Scene& s) { s.probes[0].rotationDegrees.x = 5.0; }), 6u);
   EXPECT_GE(recaptures([](Scene& s) { s.probes[0].farDistance = 5.0; }), 6u);
   EXPECT_GE(recaptures([](Scene& s) { s.probes[0].clear = glm::vec3(1.0f, 0.0f, 0.0f); }), 6u);
   EXPECT_GE(recaptures([](Scene& s) { s.probes[0].clear = ClearToNone{}; }), 6u);
