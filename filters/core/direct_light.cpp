@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "filters/math/shared_math.h"
+
 namespace boxprobe {
 
 namespace {
@@ -15,20 +17,6 @@ constexpr float kReciprocalPi = 0.31830988618f;
 
 float clampedCosine(const glm::vec3& a, const glm::vec3& b) {
   return std::clamp(glm::dot(a, b), 1.0e-5f, 1.0f);
-}
-
-// KHR_lights_punctual, "Range Property" and "Inner and Outer Cone Angles": the falloffs it recommends.
-float rangeFactor(const Light& light, float distance) {
-  if (light.range <= 0.0) return 1.0f;
-  const auto share = static_cast<float>(distance / light.range);
-  return std::clamp(1.0f - share * share * share * share, 0.0f, 1.0f);
-}
-
-float coneFactor(const Light& light, float cosine) {
-  const auto inner = static_cast<float>(std::cos(glm::radians(light.innerConeDegrees)));
-  const auto outer = static_cast<float>(std::cos(glm::radians(light.outerConeDegrees)));
-  const float within = std::clamp((cosine - outer) / std::max(inner - outer, 0.001f), 0.0f, 1.0f);
-  return within * within;
 }
 
 struct Lobe {
@@ -61,10 +49,13 @@ glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec
     if (light.type != LightType::Directional) {
       const glm::vec3 to(light.position - s.positionWorld);
       const float distance = glm::length(to);
-      l = to / distance;
-      radiance *= rangeFactor(light, distance) / (distance * distance);
-      if (light.type == LightType::Spot)
-        radiance *= coneFactor(light, glm::dot(-l, glm::vec3(glm::normalize(light.direction))));
+      l = to / std::max(distance, 1.0e-18f);  // at the lamp itself it has no direction
+      radiance *= shading::distanceFalloff(distance, light.range > 0.0 ? static_cast<float>(1.0 / light.range) : 0.0f);
+      if (light.type == LightType::Spot) {
+        const auto cosine = [](double degrees) { return static_cast<float>(std::cos(glm::radians(degrees))); };
+        radiance *= shading::coneFalloff(glm::dot(-l, glm::vec3(glm::normalize(light.direction))),
+                                         cosine(light.outerConeDegrees), cosine(light.innerConeDegrees));
+      }
     } else {
       l = glm::vec3(-glm::normalize(light.direction));
     }

@@ -108,6 +108,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/ggx.glsl"
 #include "shaders/shared/hash.glsl"
 #include "shaders/shared/level_curve.glsl"  // after roughness.glsl, which it uses
+#include "shaders/shared/light_falloff.glsl"
 #include "shaders/shared/lobe_frame.glsl"
 #include "shaders/shared/roughness.glsl"
 #include "shaders/shared/rounded_box.glsl"

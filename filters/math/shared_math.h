@@ -115,6 +115,8 @@ vec3 directionAcrossEdge(int face, float side, float along, bool alongT, float f
 float sourceLookup(float centre, float side, float faceSize);
 float sourceWeight(float s, float t);
 vec3 shIrradiance(vec3 n, vec3 c0, vec3 c1, vec3 c2, vec3 c3, vec3 c4, vec3 c5, vec3 c6, vec3 c7, vec3 c8);
+float distanceFalloff(float distance, float perRange);
+float coneFalloff(float cosine, float cosineOuter, float cosineInner);
 vec3 skyGradient(vec3 direction, vec3 top, vec3 horizon, vec3 ground);
 
 /// Dispatches on probe.projection through the technique table.

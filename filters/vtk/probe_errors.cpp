@@ -1,6 +1,5 @@
 // The probe set's measurements: how wrong the techniques are that `auto` chooses from, with a probe's own final picture
 // in its own box. Once after a bake and after a drag, never during one. See probe_set.h.
-#include "filters/core/number_text.h"
 #include "filters/math/technique_errors.h"
 #include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/probe_set.h"
@@ -24,28 +23,23 @@ class TurnedCube : public shading::CubeSampler {
 
 }  // namespace
 
-// Empty: there is nothing to measure yet. What follows something that moves is measured once for each box.
-std::string ProbeSet::measureKey(std::size_t index) const {
+// Asked between frames: compared, and nothing put together. What follows something that moves is measured once for each
+// box.
+bool ProbeSet::errorsStale(std::size_t index) const {
   const Entry& entry = entries_[index];
   const ProbeGeometry& geometry = entry.drawn->geometry;
-  if (!entry.used || !entry.drawn->maps || !isAutomatic(geometry.technique)) return {};
+  if (!entry.used || !entry.drawn->maps || !isAutomatic(geometry.technique)) return false;
   const bool realtime = probe(index).mode == ProbeUpdate::Realtime;
-  if (!realtime && entry.shown != entry.wanted) return {};
-  std::string key = realtime ? std::string("realtime") : entry.shown;
-  for (const glm::vec3& corner : {geometry.boxMin, geometry.boxMax}) {
-    for (int axis = 0; axis < 3; ++axis) key += " " + numberText(static_cast<double>(corner[axis]));
-  }
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) key += " " + numberText(static_cast<double>(geometry.mapFromProbe[column][row]));
-  }
-  return key;
+  if (!realtime && entry.shown != entry.wanted) return false;
+  const Measured& measured = entry.measured;
+  return !entry.drawn->errors || measured.boxMin != geometry.boxMin || measured.boxMax != geometry.boxMax ||
+         measured.mapFromProbe != geometry.mapFromProbe || (!realtime && measured.shown != entry.shown);
 }
 
 std::optional<std::size_t> ProbeSet::toMeasure() const {
   if (interactive_ || moving_ || !enabled_) return std::nullopt;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const std::string key = measureKey(i);
-    if (!key.empty() && key != entries_[i].measured) return i;
+    if (errorsStale(i)) return i;
   }
   return std::nullopt;
 }
@@ -53,7 +47,7 @@ std::optional<std::size_t> ProbeSet::toMeasure() const {
 void ProbeSet::measureErrors(std::size_t index) {
   Entry& entry = entries_[index];
   const ProbeGeometry& geometry = entry.drawn->geometry;
-  entry.measured = measureKey(index);
+  entry.measured = {entry.shown, geometry.boxMin, geometry.boxMax, geometry.mapFromProbe};
   const CubeMap chain = readRadiance(*entry.drawn->maps);
   const TurnedCube turned(chain, geometry.mapFromProbe);
   entry.drawn->errors = std::make_shared<const TechniqueErrors>(

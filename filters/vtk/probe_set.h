@@ -84,6 +84,12 @@ class ProbeSet {
   void release();
 
  private:
+  /// What a probe's errors were measured with.
+  struct Measured {
+    std::string shown;
+    glm::vec3 boxMin{0.0f}, boxMax{0.0f};
+    glm::dmat3 mapFromProbe{1.0};
+  };
   struct Entry {
     std::string name;
     std::shared_ptr<DrawnProbe> drawn = std::make_shared<DrawnProbe>();
@@ -95,7 +101,7 @@ class ProbeSet {
     bool seen = true;       ///< some object of the last frame is, or there are so few that all are made at once
     bool again = false;     ///< asked for although nothing changed: no face is kept
     bool fromFile = false;  ///< what it shows was read from a file
-    std::string measured;   ///< what its techniques' errors were measured with
+    Measured measured;
   };
   enum class JobKind { SkyMap, File, Picture, Drag, Bounce, Realtime };
   struct Job {
@@ -117,7 +123,7 @@ class ProbeSet {
   bool preparationPending() const { return !interactive_ && !moving_ && !toPrepare_.empty(); }
   void prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding);
   void prepareOne();
-  std::string measureKey(std::size_t index) const;
+  bool errorsStale(std::size_t index) const;
   std::optional<std::size_t> toMeasure() const;
   void measureErrors(std::size_t index);
   void updateStandIns();

@@ -15,16 +15,17 @@ std::vector<vtkSmartPointer<vtkLight>> makeLights(const Scene& scene, const glm:
     vtk->SetColor(light.color.x, light.color.y, light.color.z);
     vtk->SetIntensity(light.intensity);
     if (light.type != LightType::Directional) {
-      // What shaders/gpu/light_falloff.glsl reads.
-      constexpr double kLargest = 1.0e30;  // of 1 / range^4, which is single precision there
-      const double fade = light.range > 0.0 ? std::min(std::pow(light.range, -4.0), kLargest) : 0.0;
+      // What the splice hands to shaders/shared/light_falloff.glsl: 1 / range and the cosine of the inner cone, in
+      // the places of what VTK would make of an attenuation and an exponent.
+      constexpr double kLargest = 1.0e30;  // single precision there
+      const double perRange = light.range > 0.0 ? std::min(1.0 / light.range, kLargest) : 0.0;
       const bool spot = light.type == LightType::Spot;
       const glm::dvec3 to = light.position + (spot ? glm::normalize(light.direction) : glm::dvec3(0.0, -1.0, 0.0));
       vtk->PositionalOn();
       // From 90 degrees on VTK takes a light for one that shines everywhere.
       vtk->SetConeAngle(spot ? std::min(light.outerConeDegrees, 89.999) : 180.0);
       vtk->SetExponent(spot ? std::cos(glm::radians(light.innerConeDegrees)) : 1.0);
-      vtk->SetAttenuationValues(fade, 0.0, 1.0);
+      vtk->SetAttenuationValues(perRange, 0.0, 1.0);
       vtk->SetPosition(light.position.x, light.position.y, light.position.z);
       vtk->SetFocalPoint(to.x, to.y, to.z);
     } else {

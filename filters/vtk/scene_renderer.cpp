@@ -8,12 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <set>
 
 #include "filters/core/errors.h"
-#include "filters/core/probe_shares.h"
 #include "filters/vtk/cube_capture.h"
 #include "filters/vtk/cube_transfer.h"
+#include "filters/vtk/frame_recorder.h"
 #include "filters/vtk/picture_frames.h"
 #include "filters/vtk/preview_sphere.h"
 #include "filters/vtk/probe_set.h"
@@ -475,47 +474,7 @@ const PreviewSphereSettings& SceneRenderer::previewSphere() const {
 }
 
 FrameReport SceneRenderer::frameReport() const {
-  const Impl& d = *impl_;
-  FrameReport report;
-  for (const Probe& probe : d.content.scene.probes) {
-    const auto maps = d.probes.maps(report.probes.size());
-    report.probes.push_back({probe.name, 0, 0, maps ? maps->bytes() : 0});
-  }
-  std::set<std::string> variants;
-  for (const DrawnObject& object : d.content.objects) {
-    const ProbeBinding* binding = object.mapper->GetDrawnBinding();
-    if (!object.settings.visible || binding == nullptr) continue;
-    FrameReport::Object line;
-    line.node = object.node;
-    line.material = object.materialName;
-    line.drawn = object.mapper->GetDrawnInFrame();
-    line.unlit = object.unlit;
-    line.leftOut = binding->leftOut;
-    line.weights = binding->weights && !binding->probes.empty();
-    line.variant = binding->variantKey();
-    std::vector<float> weights;
-    const Box bounds = worldBounds(object);
-    for (const auto& probe : binding->probes) {
-      const auto index = static_cast<std::size_t>(probe->index);
-      ++report.probes[index].objects;
-      if (line.drawn) ++report.probes[index].drawn;
-      weights.push_back(binding->weights ? static_cast<float>(objectWeight(d.content.scene.probes[index], bounds))
-                                         : 1.0f);
-    }
-    const ProbeShares shares = shareOut(weights, binding->groups(), binding->onlyProbes);
-    for (std::size_t k = 0; k < weights.size(); ++k) {
-      const auto index = static_cast<std::size_t>(binding->probes[k]->index);
-      line.probes.push_back({report.probes[index].name, static_cast<double>(shares.probes[k])});
-    }
-    line.sky = binding->lighting != Lighting::Probes || !binding->sky ? 0.0 : static_cast<double>(shares.sky);
-    if (line.drawn) variants.insert(line.variant);
-    report.objects.push_back(std::move(line));
-  }
-  std::copy(d.state->counters.drawsByProbeCount.begin(), d.state->counters.drawsByProbeCount.end(),
-            report.drawsByProbeCount.begin());
-  report.variants = variants.size();
-  report.bytes = d.probes.memoryBytes();
-  return report;
+  return reportFrame(impl_->content, impl_->probes, *impl_->state);
 }
 
 FrameReport::Lookups SceneRenderer::measureLookups(int width, int height) {

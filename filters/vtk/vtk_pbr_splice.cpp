@@ -150,13 +150,13 @@ std::string applyFalloffs(std::string& text) {
     const std::string n = std::to_string(i);
     const std::string distance = "attenuation = 1.0 / (lightAttenuation" + n + ".x\n      + lightAttenuation" + n +
                                  ".y * distanceVC\n      + lightAttenuation" + n + ".z * distanceVC * distanceVC);";
-    if (!replaceOnce(text, distance, "attenuation = bpDistanceFalloff(lightAttenuation" + n + ", distanceVC);")) {
+    if (!replaceOnce(text, distance, "attenuation = distanceFalloff(distanceVC, lightAttenuation" + n + ".x);")) {
       return missing("distance falloff", distance);
     }
     const std::string cone = "attenuation = attenuation * pow(coneDot, lightExponent" + n + ");";
-    if (!replaceOnce(
-            text, cone,
-            "attenuation = attenuation * bpConeFalloff(coneDot, lightConeAngle" + n + ", lightExponent" + n + ");")) {
+    if (!replaceOnce(text, cone,
+                     "attenuation = attenuation * coneFalloff(coneDot, cos(radians(lightConeAngle" + n +
+                         ")), lightExponent" + n + ");")) {
       return missing("cone falloff", cone);
     }
   }
@@ -385,7 +385,7 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   std::string& text = spliced.fragment;
   std::string declarations =
       probes ? probeDeclarations(binding, writes) : std::string(shaderSource("gpu/output_uniforms.glsl"));
-  declarations += joinShaderSources({"gpu/output.glsl", "gpu/light_falloff.glsl"});
+  declarations += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
   if (surface != nullptr) declarations += materialDeclarations(*surface);
   if (debug) {
     if (!probes) declarations += "uniform mat3 bpViewToWorld;\nuniform int bpView;\n";
