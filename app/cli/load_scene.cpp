@@ -8,6 +8,7 @@
 
 #include "app/cli/fit_scene.h"
 #include "filters/core/errors.h"
+#include "filters/core/mirror_plane.h"
 #include "filters/core/model_placement.h"
 #include "filters/io/scene_file.h"
 #include "filters/vtk/cpu_time.h"
@@ -48,6 +49,15 @@ void adoptFromModels(LoadedScene& loaded) {
     validate(scene);
   } catch (const InputError& error) {
     throw InputError(scene.models.front().file + ": " + error.what());
+  }
+}
+
+/// What validate() cannot see without the models.
+void requireMirrors(const LoadedScene& loaded, const std::string& path) {
+  try {
+    checkMirrors(loaded.scene, loaded.models);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
   }
 }
 
@@ -105,12 +115,14 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
   if (isModelPath(path)) {
     loaded = loadBareModel(path, progress);
     setSceneFields(loaded.scene, assignments);
+    requireMirrors(loaded, path);
   } else if (endsWith(path, ".json")) {
     loaded.scene = loadSceneFile(path);
     loaded.path = path;
     setSceneFields(loaded.scene, assignments);
     loaded.models = loadModels(loaded.scene, progress);
     adoptFromModels(loaded);
+    requireMirrors(loaded, path);
   } else {
     throw InputError(path + ": neither a scene (.boxprobe.json) nor a model (" + modelFilePatterns() + ")");
   }

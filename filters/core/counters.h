@@ -6,6 +6,18 @@
 
 namespace boxprobe {
 
+/// Planar mirrors: pictures drawn, and those left out, each by the first reason that held.
+struct MirrorCounters {
+  std::uint64_t drawn = 0;
+  std::uint64_t texels = 0;          ///< of the pictures drawn, their finest level
+  std::uint64_t disabled = 0;        ///< switched off, or hidden
+  std::uint64_t rough = 0;           ///< rougher than their threshold
+  std::uint64_t facingAway = 0;      ///< the eye is behind them
+  std::uint64_t notInView = 0;       ///< outside of the picture
+  std::uint64_t nothingDynamic = 0;  ///< nothing that moves is in what they show
+  std::uint64_t overBudget = 0;      ///< larger ones had taken the frame's texels
+};
+
 struct Counters {
   std::uint64_t facesCaptured = 0;     ///< of probes
   std::uint64_t facesReused = 0;       ///< of probes captured again, taken from earlier maps that show the same
@@ -19,6 +31,7 @@ struct Counters {
   std::uint64_t texelsClamped = 0;                   ///< captured samples above half-float range, brought down to it
   std::uint64_t texelsNotFinite = 0;                 ///< captured samples that were NaN or infinite, set to 0
   std::uint64_t uniformUpdates = 0;                  ///< draws whose probe uniforms were uploaded
+  MirrorCounters mirrors;
 };
 
 }  // namespace boxprobe

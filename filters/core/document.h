@@ -21,7 +21,7 @@ struct Changes {
       false;  ///< origin, rotation, near, far, clear, face size, bounces, filter, samples, hides: recapture
   bool probeList = false;  ///< a probe added, removed, renamed or reordered
   bool materials = false;
-  bool objects = false;
+  bool objects = false;  ///< planar mirrors, too
   bool lights = false;
   bool sky = false;
   bool models = false;

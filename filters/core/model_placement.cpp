@@ -35,6 +35,18 @@ glm::dmat4 worldFromFile(const ModelFile& file) {
          glm::scale(glm::dmat4(1.0), glm::dvec3(file.scale * metresPerUnit(file.unit))) * upright(file.upAxis);
 }
 
+glm::dmat4 movedInstance(const glm::dmat4& placed, const ObjectOverride& object) {
+  if (object.translation == glm::dvec3(0.0) && object.rotationDegrees == glm::dvec3(0.0)) return placed;
+  glm::dmat4 moved = glm::dmat4(rotationMatrix(object.rotationDegrees)) * placed;
+  moved[3] = glm::dvec4(glm::dvec3(placed[3]) + object.translation, 1.0);
+  return moved;
+}
+
+glm::dmat4 movedInstance(const glm::dmat4& placed, const Scene& scene, const std::string& node) {
+  const auto found = scene.objects.find(node);
+  return found == scene.objects.end() ? placed : movedInstance(placed, found->second);
+}
+
 std::vector<Light> placedLights(const Model& model, const ModelFile& file) {
   const glm::dmat4 placement = worldFromFile(file);
   const double length = file.scale * metresPerUnit(file.unit);

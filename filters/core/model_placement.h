@@ -12,6 +12,12 @@ namespace boxprobe {
 /// Units and up axis, then scale, then rotation, then translation of a scene's model entry.
 glm::dmat4 worldFromFile(const ModelFile& file);
 
+/// Where an instance stands that its model puts at `placed`: turned about its node's own origin and moved as the scene
+/// says.
+glm::dmat4 movedInstance(const glm::dmat4& placed, const ObjectOverride& object);
+/// The same by the node's name.
+glm::dmat4 movedInstance(const glm::dmat4& placed, const Scene& scene, const std::string& node);
+
 /// Metres of one unit.
 double metresPerUnit(LengthUnit unit);
 

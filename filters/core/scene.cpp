@@ -41,8 +41,12 @@ bool MaterialOverride::operator==(const MaterialOverride& o) const {
 }
 
 bool ObjectOverride::operator==(const ObjectOverride& o) const {
-  return std::tie(visible, seenByProbes, dynamic, probeMode, weights) ==
-         std::tie(o.visible, o.seenByProbes, o.dynamic, o.probeMode, o.weights);
+  return std::tie(visible, seenByProbes, dynamic, probeMode, weights, translation, rotationDegrees) ==
+         std::tie(o.visible, o.seenByProbes, o.dynamic, o.probeMode, o.weights, o.translation, o.rotationDegrees);
+}
+
+bool PlanarMirror::operator==(const PlanarMirror& o) const {
+  return std::tie(enabled, maxRoughness, resolution) == std::tie(o.enabled, o.maxRoughness, o.resolution);
 }
 
 bool Box::operator==(const Box& o) const {
@@ -72,8 +76,9 @@ bool Probe::operator==(const Probe& o) const {
 }
 
 bool Scene::operator==(const Scene& o) const {
-  return std::tie(models, sky, cameras, lights, materials, objects, probes, exposure) ==
-         std::tie(o.models, o.sky, o.cameras, o.lights, o.materials, o.objects, o.probes, o.exposure);
+  return std::tie(models, sky, cameras, lights, materials, objects, mirrors, mirrorBudget, probes, exposure) ==
+         std::tie(o.models, o.sky, o.cameras, o.lights, o.materials, o.objects, o.mirrors, o.mirrorBudget, o.probes,
+                  o.exposure);
 }
 
 std::optional<std::size_t> findProbe(const Scene& scene, const std::string& name) {

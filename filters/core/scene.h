@@ -93,7 +93,19 @@ struct ObjectOverride {
   bool dynamic = false;  ///< moves: baked probes leave it out, so that its movement does not undo them
   ProbeMode probeMode = ProbeMode::BlendAndSky;
   WeightMode weights = WeightMode::Pixel;
+  /// On top of where its model puts it: turned about its node's own origin, then moved. World axes, in double.
+  glm::dvec3 translation{0.0};
+  glm::dvec3 rotationDegrees{0.0};
   bool operator==(const ObjectOverride&) const;
+};
+
+/// A planar mirror for objects that move, by glTF node name: a picture through a mirrored camera of dynamic objects
+/// alone, over what the probes reflect.
+struct PlanarMirror {
+  bool enabled = true;
+  double maxRoughness = 0.3;  ///< rougher than this all over, it has no picture
+  double resolution = 1.0;    ///< texels of its picture a pixel of the screen, each way
+  bool operator==(const PlanarMirror&) const;
 };
 
 /// Axis-aligned in the probe's own frame: `min` and `max` are offsets in world units along the box's axes as if it were
@@ -190,8 +202,10 @@ struct Scene {
   std::vector<Light> lights;
   std::map<std::string, MaterialOverride> materials;
   std::map<std::string, ObjectOverride> objects;
-  std::vector<Probe> probes;  ///< names unique
-  double exposure = 1.0;      ///< display = (exposure * linear)^(1/2.2)
+  std::map<std::string, PlanarMirror> mirrors;
+  double mirrorBudget = 8.0e6;  ///< texels of all mirrors' pictures a frame, the largest on the screen first
+  std::vector<Probe> probes;    ///< names unique
+  double exposure = 1.0;        ///< display = (exposure * linear)^(1/2.2)
 
   bool operator==(const Scene&) const;
 };

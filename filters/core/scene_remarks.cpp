@@ -99,6 +99,7 @@ std::vector<std::string> unmatchedOverrides(const Scene& scene, const std::vecto
   };
   for (const auto& [name, material] : scene.materials) check({"materials", name}, name, materials, "material");
   for (const auto& [name, object] : scene.objects) check({"objects", name}, name, nodes, "node");
+  for (const auto& [name, mirror] : scene.mirrors) check({"mirrors", name}, name, nodes, "node");
   for (const Probe& probe : scene.probes) {
     for (std::size_t i = 0; i < probe.hides.size(); ++i) {
       check({"probes", probe.name, "hides", "[" + std::to_string(i) + "]"}, probe.hides[i], nodes, "node");

@@ -287,7 +287,17 @@ void validate(const Scene& scene) {
   for (const auto& [name, material] : scene.materials) checkMaterial(name, material);
   for (const auto& [name, object] : scene.objects) {
     if (name.empty()) throw FieldError({"objects"}, "has an empty name; use the model's node name");
+    const Fields fields({"objects", name});
+    fields.lengths("translation", object.translation);
+    fields.finiteVector("rotationDegrees", object.rotationDegrees);
   }
+  for (const auto& [name, mirror] : scene.mirrors) {
+    if (name.empty()) throw FieldError({"mirrors"}, "has an empty name; use the model's node name");
+    const Fields fields({"mirrors", name});
+    fields.within("maxRoughness", mirror.maxRoughness, 0.0, 1.0);
+    fields.within("resolution", mirror.resolution, 0.1, 4.0);
+  }
+  Fields({}).atLeast("mirrorBudget", scene.mirrorBudget, 0.0);
   if (scene.probes.size() > kMostProbes) {
     throw FieldError({"probes"}, "has " + std::to_string(scene.probes.size()) + " entries; at most " +
                                      std::to_string(kMostProbes) + " are allowed");

@@ -109,7 +109,7 @@ MaterialOverride readMaterial(const JsonCursor& entry) {
 }
 
 ObjectOverride readObject(const JsonCursor& entry) {
-  entry.requireObject({"visible", "seenByProbes", "dynamic", "probeMode", "weights"});
+  entry.requireObject({"visible", "seenByProbes", "dynamic", "probeMode", "weights", "translation", "rotationDegrees"});
   ObjectOverride object;
   readInto(entry, "visible", object.visible, &JsonCursor::boolean);
   readInto(entry, "seenByProbes", object.seenByProbes, &JsonCursor::boolean);
@@ -120,7 +120,18 @@ ObjectOverride readObject(const JsonCursor& entry) {
   if (const auto weights = entry.find("weights")) {
     object.weights = static_cast<WeightMode>(weights->choice({"pixel", "object"}));
   }
+  readInto(entry, "translation", object.translation, &JsonCursor::vector);
+  readInto(entry, "rotationDegrees", object.rotationDegrees, &JsonCursor::vector);
   return object;
+}
+
+PlanarMirror readMirror(const JsonCursor& entry) {
+  entry.requireObject({"enabled", "maxRoughness", "resolution"});
+  PlanarMirror mirror;
+  readInto(entry, "enabled", mirror.enabled, &JsonCursor::boolean);
+  readInto(entry, "maxRoughness", mirror.maxRoughness, &JsonCursor::number);
+  readInto(entry, "resolution", mirror.resolution, &JsonCursor::number);
+  return mirror;
 }
 
 Box readBox(const JsonCursor& entry) {
@@ -257,7 +268,7 @@ Scene sceneFromJson(const Json& json, const std::string& folder) {
   root.requireObject();
   readHeader(root);  // first: a file of another kind should be called that, not be blamed for its keys
   root.requireObject({"format", "version", "model", "models", "sky", "cameras", "lights", "materials", "objects",
-                      "probes", "exposure"});
+                      "mirrors", "mirrorBudget", "probes", "exposure"});
   Scene scene;
   const auto model = root.find("model");
   const auto models = root.find("models");
@@ -279,6 +290,10 @@ Scene sceneFromJson(const Json& json, const std::string& folder) {
   if (const auto objects = root.find("objects")) {
     for (const JsonCursor& entry : objects->members()) scene.objects[entry.key()] = readObject(entry);
   }
+  if (const auto mirrors = root.find("mirrors")) {
+    for (const JsonCursor& entry : mirrors->members()) scene.mirrors[entry.key()] = readMirror(entry);
+  }
+  readInto(root, "mirrorBudget", scene.mirrorBudget, &JsonCursor::number);
   if (const auto probes = root.find("probes")) {
     for (const JsonCursor& entry : probes->elements()) scene.probes.push_back(readProbe(entry, folder));
   }

@@ -104,7 +104,8 @@ void chooseSkyKind(Json& root, const std::string& key) {
 Json& locate(Json& root, const std::string& keys, KeyPath& path) {
   const std::size_t dot = keys.find('.');
   const std::string group = keys.substr(0, dot);
-  const bool named = group == "probes" || group == "cameras" || group == "materials" || group == "objects";
+  const bool named =
+      group == "probes" || group == "cameras" || group == "materials" || group == "objects" || group == "mirrors";
   if (!named || dot == std::string::npos) {
     const std::vector<std::string> list = splitKeys(keys, 0);
     if (list.empty()) throw FieldError({}, "names no key; write KEY=VALUE");

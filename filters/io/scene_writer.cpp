@@ -189,6 +189,17 @@ Json objectJson(const ObjectOverride& object, JsonForm form) {
   out.put("dynamic", object.dynamic, standard.dynamic);
   out.putJson("probeMode", modes[static_cast<int>(object.probeMode)], object.probeMode == standard.probeMode);
   out.putJson("weights", object.weights == WeightMode::Pixel ? "pixel" : "object", object.weights == standard.weights);
+  out.put("translation", object.translation, standard.translation);
+  out.put("rotationDegrees", object.rotationDegrees, standard.rotationDegrees);
+  return out.take();
+}
+
+Json mirrorJson(const PlanarMirror& mirror, JsonForm form) {
+  ObjectWriter out(form);
+  const PlanarMirror standard;
+  out.put("enabled", mirror.enabled, standard.enabled);
+  out.put("maxRoughness", mirror.maxRoughness, standard.maxRoughness);
+  out.put("resolution", mirror.resolution, standard.resolution);
   return out.take();
 }
 
@@ -290,6 +301,9 @@ Json sceneToJson(const Scene& scene, const std::string& folder, JsonForm form) {
   out.putJson("materials", mapJson(scene.materials, materialJson), scene.materials.empty());
   out.putJson("objects", mapJson(scene.objects, [&](const auto& o) { return objectJson(o, form); }),
               scene.objects.empty());
+  out.putJson("mirrors", mapJson(scene.mirrors, [&](const auto& m) { return mirrorJson(m, form); }),
+              scene.mirrors.empty());
+  out.put("mirrorBudget", scene.mirrorBudget, Scene().mirrorBudget);
   out.putJson("probes", listJson(scene.probes, [&](const auto& p) { return probeJson(p, folder, form); }),
               scene.probes.empty());
   out.put("exposure", scene.exposure, Scene().exposure);

@@ -65,7 +65,7 @@ TriangleScene makeTriangleScene(const Scene& scene, const std::vector<std::share
     const glm::dmat4 placement = worldFromFile(scene.models[i]);
     for (const Instance& instance : models[i]->instances) {
       const Mesh& mesh = models[i]->meshes[static_cast<std::size_t>(instance.mesh)];
-      Placed placed{{}, placement * instance.worldFromModel, &mesh};
+      Placed placed{{}, movedInstance(placement * instance.worldFromModel, scene, instance.node), &mesh};
       TracedObject& object = placed.object;
       object.node = instance.node;
       if (mesh.material >= 0) object.material = models[i]->materials[static_cast<std::size_t>(mesh.material)];

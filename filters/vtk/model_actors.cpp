@@ -107,6 +107,16 @@ std::shared_ptr<SurfaceMaterial> makeSurface(const Material& material, const Mes
   return surface;
 }
 
+void setWorldFromModel(DrawnObject& object, const glm::dmat4& worldFromModel) {
+  if (object.actor->GetUserMatrix() != nullptr && object.worldFromModel == worldFromModel) return;
+  object.worldFromModel = worldFromModel;
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, object.worldFromModel[column][row]);
+  }
+  object.actor->SetUserMatrix(matrix);
+}
+
 }  // namespace
 
 std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placement,
@@ -154,12 +164,8 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
 }
 
 void placeObject(DrawnObject& object, const Instance& instance, const ModelFile& placement) {
-  object.worldFromModel = worldFromFile(placement) * instance.worldFromModel;
-  vtkNew<vtkMatrix4x4> matrix;
-  for (int row = 0; row < 4; ++row) {
-    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, object.worldFromModel[column][row]);
-  }
-  object.actor->SetUserMatrix(matrix);
+  object.placed = worldFromFile(placement) * instance.worldFromModel;
+  setWorldFromModel(object, object.placed);
 }
 
 void applyOverrides(DrawnObject& object, const Scene& scene) {
@@ -176,6 +182,7 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
   }
   const auto it = scene.objects.find(object.node);
   object.settings = it != scene.objects.end() ? it->second : ObjectOverride{};
+  setWorldFromModel(object, movedInstance(object.placed, object.settings));
 
   object.allMetal = material.metallic == 1.0f && !material.metallicRoughnessTexture.image;
 

@@ -25,8 +25,9 @@ struct DrawnObject {
   /// Smallest and largest roughness of its surface, a clear coat's included, after overrides.
   double roughnessMin = 0.0, roughnessMax = 1.0;
   double textureRoughnessMin = 1.0, textureRoughnessMax = 1.0;  ///< what a texture multiplies the material's by
-  glm::dmat4 worldFromModel{1.0};
-  std::shared_ptr<SurfaceMaterial> surface;  ///< its numbers follow the overrides
+  glm::dmat4 placed{1.0};                                       ///< by its model's entry
+  glm::dmat4 worldFromModel{1.0};                               ///< moved by its override, too
+  std::shared_ptr<SurfaceMaterial> surface;                     ///< its numbers follow the overrides
   vtkSmartPointer<vtkActor> actor;
   vtkSmartPointer<vtkProbePolyDataMapper> mapper;
   ObjectOverride settings;

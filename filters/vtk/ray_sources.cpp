@@ -86,7 +86,7 @@ RaySources::RaySources(std::vector<std::shared_ptr<const Model>> models, const S
       Part part;
       part.object = instance.node;
       part.mesh = &model.meshes[static_cast<std::size_t>(instance.mesh)];
-      part.worldFromModel = placement * instance.worldFromModel;
+      part.worldFromModel = movedInstance(placement * instance.worldFromModel, scene, instance.node);
       part.normalMatrix = glm::transpose(glm::inverse(glm::dmat3(part.worldFromModel)));
       if (part.mesh->material >= 0) {
         const Material& material = model.materials[static_cast<std::size_t>(part.mesh->material)];

@@ -33,10 +33,10 @@ vtkProp* SurfaceInspector::twinOf(std::size_t index) {
     twin.actor = vtkSmartPointer<vtkActor>::New();
     twin.actor->SetMapper(twin.mapper);
     twin.actor->SetProperty(object.actor->GetProperty());
-    twin.actor->SetUserMatrix(object.actor->GetUserMatrix());
     twin.actor->SetForceOpaque(object.actor->GetForceOpaque());
     twin.actor->SetForceTranslucent(object.actor->GetForceTranslucent());
   }
+  twin.actor->SetUserMatrix(object.actor->GetUserMatrix());
   twin.mapper->SetBinding(object.mapper->GetSharedBinding());
   return twin.actor;
 }

@@ -105,7 +105,8 @@ TEST(SceneParse, ReadsOverridesAndExposure) {
   const Scene scene = parsed(R"("exposure": 2, "materials": {"floor": {"baseColor": [1, 0.5, 0], "metallic": 1,
       "roughness": 0.25, "emissive": [2, 0, 0], "normalScale": 0.5, "coat": 1, "ior": 1.3, "transmission": 0.5}},
     "objects": {"mirror": {"visible": false, "seenByProbes": false, "dynamic": true, "probeMode": "simple",
-                           "weights": "object"}})");
+                           "weights": "object", "translation": [1, 2, 3], "rotationDegrees": [0, 90, 0]}},
+    "mirrors": {"mirror": {"enabled": false, "maxRoughness": 0.5, "resolution": 2}}, "mirrorBudget": 1000000)");
   EXPECT_EQ(scene.exposure, 2.0);
   const MaterialOverride& floor = scene.materials.at("floor");
   EXPECT_EQ(floor.baseColor, glm::vec3(1.0f, 0.5f, 0.0f));
@@ -116,7 +117,10 @@ TEST(SceneParse, ReadsOverridesAndExposure) {
   EXPECT_EQ(floor.coat, 1.0f);
   EXPECT_EQ(floor.ior, 1.3f);
   EXPECT_EQ(floor.transmission, 0.5f);
-  EXPECT_EQ(scene.objects.at("mirror"), (ObjectOverride{false, false, true, ProbeMode::Simple, WeightMode::Object}));
+  EXPECT_EQ(scene.objects.at("mirror"),
+            (ObjectOverride{false, false, true, ProbeMode::Simple, WeightMode::Object, {1, 2, 3}, {0, 90, 0}}));
+  EXPECT_EQ(scene.mirrors.at("mirror"), (PlanarMirror{false, 0.5, 2.0}));
+  EXPECT_EQ(scene.mirrorBudget, 1.0e6);
 }
 
 TEST(SceneErrors, SyntaxErrorsHaveLineAndColumn) {
@@ -213,7 +217,9 @@ Scene richScene() {
     "lights": [{"type": "point", "position": [0, 2, 0], "color": [1, 0.3, 0.1], "intensity": 1234.5, "range": 9},
                {"type": "spot", "direction": [0, -1, 1], "position": [1, 2, 3], "innerConeDegrees": 10, "outerConeDegrees": 20}],
     "materials": {"floor \"new\"": {"roughness": 0.3, "baseColor": [0.1, 0.2, 0.7]}, "b": {}},
-    "objects": {"mirror": {"visible": false, "weights": "object", "probeMode": "off"}, "plain": {}},
+    "objects": {"mirror": {"visible": false, "weights": "object", "probeMode": "off"}, "plain": {},
+                "moved": {"translation": [0.5, 0, 0], "rotationDegrees": [0, 12.5, 0]}},
+    "mirrors": {"mirror": {"maxRoughness": 0.25}, "plain": {}}, "mirrorBudget": 500,
     "probes": [{"name": "room", "box": {"min": [-4.505, 0, -4.505], "max": [4.505, 5.01, 4.505]}, "clear": [0.1, 0.2, 0.3],
        "blendDistance": 0.7, "parameters": {"power": 0.1, "blur": true, "curve": "own"}, "hides": ["a", "b"],
        "influence": {"min": [-1, -1, -1], "max": [1, 1, 1]}, "bevel": 0.3, "occlusion": {"strength": 0.1}},
