@@ -62,8 +62,13 @@ struct Material {
   float coat = 0.0f;
   float coatRoughness = 0.0f;
   float coatNormalScale = 1.0f;
-  float transmission = 0.0f;  ///< KHR_materials_transmission: kept for those who refract; drawn without
+  float transmission = 0.0f;  ///< KHR_materials_transmission
   float ior = 1.5f;
+  bool thin = true;                  ///< a sheet that bends nothing (KHR_materials_volume: thickness 0), not a solid
+  float thickness = 0.0f;            ///< of a solid, where its true one is not known: scene units
+  float attenuationDistance = 0.0f;  ///< white light has attenuationColor left after it; 0: nothing is absorbed
+  glm::vec3 attenuationColor{1.0f};
+  GlassForm glass = GlassForm::Automatic;
   bool unlit = false;  ///< KHR_materials_unlit: shows baseColor times its texture, no light
   bool doubleSided = false;
   AlphaMode alphaMode = AlphaMode::Opaque;
@@ -71,6 +76,9 @@ struct Material {
   TextureUse baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
   TextureUse coatTexture, coatRoughnessTexture, coatNormalTexture;  ///< R, G, a tangent-space normal
   TextureUse transmissionTexture;                                   ///< R
+
+  /// Shows what lies behind it, bent.
+  bool transmits() const { return transmission > 0.0f && !unlit; }
 
   /// All of them, those without an image too.
   std::vector<TextureUse*> textures();

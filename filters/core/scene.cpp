@@ -36,8 +36,10 @@ bool Light::operator==(const Light& o) const {
 }
 
 bool MaterialOverride::operator==(const MaterialOverride& o) const {
-  return std::tie(baseColor, metallic, roughness, emissive, normalScale, coat, ior, transmission) ==
-         std::tie(o.baseColor, o.metallic, o.roughness, o.emissive, o.normalScale, o.coat, o.ior, o.transmission);
+  return std::tie(baseColor, metallic, roughness, emissive, normalScale, coat, ior, transmission, thickness,
+                  attenuationDistance, attenuationColor, thin, glass) ==
+         std::tie(o.baseColor, o.metallic, o.roughness, o.emissive, o.normalScale, o.coat, o.ior, o.transmission,
+                  o.thickness, o.attenuationDistance, o.attenuationColor, o.thin, o.glass);
 }
 
 bool ObjectOverride::operator==(const ObjectOverride& o) const {

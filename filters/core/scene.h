@@ -74,12 +74,24 @@ struct Light {
   bool operator==(const Light&) const;
 };
 
+/// How a material that transmits light is drawn.
+enum class GlassForm {
+  Automatic,     ///< TwoInterface where the object's shell describes it, else OnePass
+  OnePass,       ///< bent once, at the front, then looked up
+  TwoPass,       ///< the same of the back faces first, and the front faces blended over them
+  TwoInterface,  ///< followed through the object: bent at the front and where it leaves, mirrored within
+};
+
 /// Overrides of a glTF material by its name; what is left out keeps the model's value.
 struct MaterialOverride {
   std::optional<glm::vec3> baseColor;
   std::optional<float> metallic, roughness;
   std::optional<glm::vec3> emissive;
   std::optional<float> normalScale, coat, ior, transmission;
+  std::optional<float> thickness, attenuationDistance;  ///< scene units
+  std::optional<glm::vec3> attenuationColor;
+  std::optional<bool> thin;
+  std::optional<GlassForm> glass;
   bool operator==(const MaterialOverride&) const;
 };
 

@@ -69,11 +69,6 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
 
 std::vector<std::string> featuresNotUsed(const Scene& scene) {
   Remarks remarks;
-  for (const auto& [name, material] : scene.materials) {
-    if (material.transmission.value_or(0.0f) > 0.0f) {
-      remark(remarks, {"materials", name, "transmission"}, "is not supported yet; the material stays opaque.");
-    }
-  }
   for (const Probe& probe : scene.probes) probeRemarks(remarks, probe);
   return remarks;
 }

@@ -205,8 +205,17 @@ void checkMaterial(const std::string& name, const MaterialOverride& material) {
   if (material.emissive) fields.notNegative("emissive", *material.emissive);
   if (material.normalScale) fields.notHuge("normalScale", *material.normalScale);
   if (material.coat) fields.within("coat", *material.coat, 0.0f, 1.0f);
-  if (material.ior) fields.atLeast("ior", *material.ior, 1.0f);
+  // Below 1: a medium thinner than what is around it, an air bubble in water.
+  if (material.ior) {
+    fields.above("ior", *material.ior, 0.0f);
+    fields.notHuge("ior", *material.ior);
+  }
   if (material.transmission) fields.within("transmission", *material.transmission, 0.0f, 1.0f);
+  if (material.thickness) fields.atLeast("thickness", *material.thickness, 0.0f);
+  if (material.attenuationDistance) fields.atLeast("attenuationDistance", *material.attenuationDistance, 0.0f);
+  if (material.attenuationColor) {
+    for (int i = 0; i < 3; ++i) fields.within("attenuationColor", (*material.attenuationColor)[i], 0.0f, 1.0f);
+  }
 }
 
 void checkTechnique(const Fields& fields, const Probe& probe) {

@@ -18,8 +18,9 @@ namespace fs = std::filesystem;
 const std::vector<std::string>& supportedExtensions() {
   static const std::vector<std::string> names = {"KHR_materials_unlit",        "KHR_materials_emissive_strength",
                                                  "KHR_materials_clearcoat",    "KHR_materials_ior",
-                                                 "KHR_materials_transmission", "KHR_texture_transform",
-                                                 "KHR_lights_punctual",        "KHR_mesh_quantization"};
+                                                 "KHR_materials_transmission", "KHR_materials_volume",
+                                                 "KHR_texture_transform",      "KHR_lights_punctual",
+                                                 "KHR_mesh_quantization"};
   return names;
 }
 

@@ -88,9 +88,29 @@ class MaterialReader {
       } else if (name == "KHR_materials_transmission") {
         material.transmission = unit(extensionNumber(extension, "transmissionFactor", 0.0));
         material.transmissionTexture = extensionTexture(extension, "transmissionTexture");
-        if (material.transmission > 0.0f) file_.warn("has materials that transmit light, which are drawn without that");
+        if (material.transmissionTexture.image) {
+          file_.warn("has materials with a transmission texture, which are drawn by their factor alone");
+        }
+      } else if (name == "KHR_materials_volume") {
+        material.thickness = bounded(std::max(extensionNumber(extension, "thicknessFactor", 0.0), 0.0));
+        material.thin = material.thickness == 0.0f;
+        // Its default is infinite.
+        material.attenuationDistance = bounded(std::max(extensionNumber(extension, "attenuationDistance", 0.0), 0.0));
+        material.attenuationColor = attenuationColor(extension);
       }
     }
+  }
+
+  static glm::vec3 attenuationColor(const tinygltf::Value& extension) {
+    glm::vec3 color(1.0f);
+    if (!extension.IsObject() || !extension.Has("attenuationColor")) return color;
+    const tinygltf::Value& values = extension.Get("attenuationColor");
+    for (int i = 0; i < 3; ++i) {
+      if (values.IsArray() && values.ArrayLen() == 3 && values.Get(i).IsNumber()) {
+        color[i] = unit(values.Get(i).GetNumberAsDouble());
+      }
+    }
+    return color;
   }
 
   static Wrap wrapMode(int mode) {

@@ -95,7 +95,8 @@ Light readLight(const JsonCursor& entry) {
 }
 
 MaterialOverride readMaterial(const JsonCursor& entry) {
-  entry.requireObject({"baseColor", "metallic", "roughness", "emissive", "normalScale", "coat", "ior", "transmission"});
+  entry.requireObject({"baseColor", "metallic", "roughness", "emissive", "normalScale", "coat", "ior", "transmission",
+                       "thickness", "attenuationDistance", "attenuationColor", "thin", "glass"});
   MaterialOverride material;
   readInto(entry, "baseColor", material.baseColor, &JsonCursor::color);
   readInto(entry, "metallic", material.metallic, &JsonCursor::numberFloat);
@@ -105,6 +106,13 @@ MaterialOverride readMaterial(const JsonCursor& entry) {
   readInto(entry, "coat", material.coat, &JsonCursor::numberFloat);
   readInto(entry, "ior", material.ior, &JsonCursor::numberFloat);
   readInto(entry, "transmission", material.transmission, &JsonCursor::numberFloat);
+  readInto(entry, "thickness", material.thickness, &JsonCursor::numberFloat);
+  readInto(entry, "attenuationDistance", material.attenuationDistance, &JsonCursor::numberFloat);
+  readInto(entry, "attenuationColor", material.attenuationColor, &JsonCursor::color);
+  readInto(entry, "thin", material.thin, &JsonCursor::boolean);
+  if (const auto form = entry.find("glass")) {
+    material.glass = static_cast<GlassForm>(form->choice({"auto", "one-pass", "two-pass", "two-interface"}));
+  }
   return material;
 }
 

@@ -177,6 +177,12 @@ Json materialJson(const MaterialOverride& material) {
   out.put("coat", material.coat);
   out.put("ior", material.ior);
   out.put("transmission", material.transmission);
+  out.put("thickness", material.thickness);
+  out.put("attenuationDistance", material.attenuationDistance);
+  out.put("attenuationColor", material.attenuationColor);
+  out.put("thin", material.thin);
+  const char* const forms[] = {"auto", "one-pass", "two-pass", "two-interface"};
+  if (material.glass) out.putJson("glass", forms[static_cast<int>(*material.glass)], false);
   return out.take();
 }
 

@@ -5,25 +5,12 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/core/material_override.h"
 #include "filters/core/model_placement.h"
 
 namespace boxprobe {
 
 namespace {
-
-Material overridden(Material material, const Scene& scene) {
-  const auto it = scene.materials.find(material.name);
-  if (it == scene.materials.end()) return material;
-  const MaterialOverride& o = it->second;
-  if (o.baseColor) material.baseColor = glm::vec4(*o.baseColor, material.baseColor.a);
-  if (o.metallic) material.metallic = *o.metallic;
-  if (o.roughness) material.roughness = *o.roughness;
-  if (o.emissive) material.emissive = *o.emissive;
-  if (o.normalScale) material.normalScale = *o.normalScale;
-  if (o.coat) material.coat = *o.coat;
-  if (o.ior) material.ior = *o.ior;
-  return material;
-}
 
 bool seenByAnyProbe(const Scene& scene, const std::string& node, const ObjectOverride& settings) {
   if (!settings.seenByProbes) return false;
@@ -69,7 +56,7 @@ TriangleScene makeTriangleScene(const Scene& scene, const std::vector<std::share
       TracedObject& object = placed.object;
       object.node = instance.node;
       if (mesh.material >= 0) object.material = models[i]->materials[static_cast<std::size_t>(mesh.material)];
-      object.material = overridden(std::move(object.material), scene);
+      object.material = overriddenMaterial(std::move(object.material), scene);
       const auto found = scene.objects.find(object.node);
       const ObjectOverride settings = found != scene.objects.end() ? found->second : ObjectOverride{};
       object.inPicture = settings.visible;

@@ -42,6 +42,11 @@ std::string materialKey(const Material& m, std::map<const void*, std::string>& i
   hash.add(m.name).addVector(m.baseColor).add(m.baseColor.a).add(m.metallic).add(m.roughness).addVector(m.emissive);
   hash.add(m.normalScale).add(m.occlusionStrength).add(m.coat).add(m.coatRoughness).add(m.ior);
   hash.add(m.unlit ? 1 : 0).add(m.doubleSided ? 1 : 0);
+  // One that is opaque keeps the key it had before glass was drawn.
+  if (m.transmits()) {
+    hash.add("glass").add(m.transmission).add(m.thin ? 1 : 0).add(m.thickness).add(m.attenuationDistance);
+    hash.addVector(m.attenuationColor);
+  }
   hash.add(m.coatNormalScale).add(static_cast<double>(m.alphaMode)).add(m.alphaCutoff);
   for (const TextureUse* use : m.textures()) hash.add(imageKey(*use, images));
   return hash.text();
@@ -55,6 +60,12 @@ void addOverride(ContentHash& hash, const MaterialOverride& m) {
   for (const auto& value : {m.metallic, m.roughness, m.normalScale, m.coat, m.ior, m.transmission}) {
     hash.add(value ? 1 : 0).add(value ? static_cast<double>(*value) : 0.0);
   }
+  for (const auto& value : {m.thickness, m.attenuationDistance}) {
+    if (value) hash.add("glass").add(static_cast<double>(*value));
+  }
+  if (m.attenuationColor) hash.add("attenuation").addVector(*m.attenuationColor);
+  if (m.thin) hash.add("thin").add(*m.thin ? 1 : 0);
+  if (m.glass) hash.add("form").add(static_cast<int>(*m.glass));
 }
 
 void addCamera(ContentHash& hash, const Probe& probe) {

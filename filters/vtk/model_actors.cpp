@@ -14,6 +14,7 @@
 #include <map>
 #include <tuple>
 
+#include "filters/core/material_override.h"
 #include "filters/core/model_placement.h"
 
 namespace boxprobe {
@@ -169,17 +170,7 @@ void placeObject(DrawnObject& object, const Instance& instance, const ModelFile&
 }
 
 void applyOverrides(DrawnObject& object, const Scene& scene) {
-  Material material = object.material;
-  if (const auto it = scene.materials.find(object.materialName); it != scene.materials.end()) {
-    const MaterialOverride& o = it->second;
-    if (o.baseColor) material.baseColor = glm::vec4(*o.baseColor, material.baseColor.a);
-    if (o.metallic) material.metallic = *o.metallic;
-    if (o.roughness) material.roughness = *o.roughness;
-    if (o.emissive) material.emissive = *o.emissive;
-    if (o.normalScale) material.normalScale = *o.normalScale;
-    if (o.coat) material.coat = *o.coat;
-    if (o.ior) material.ior = *o.ior;
-  }
+  const Material material = overriddenMaterial(object.material, scene);
   const auto it = scene.objects.find(object.node);
   object.settings = it != scene.objects.end() ? it->second : ObjectOverride{};
   setWorldFromModel(object, movedInstance(object.placed, object.settings));

@@ -90,7 +90,7 @@ TEST_F(GltfPicture, TransmissionIsReadAndSaid) {
   draw();
   EXPECT_EQ(model->materials[0].transmission, 0.75f);
   ASSERT_TRUE(model->materials[0].transmissionTexture.image);
-  EXPECT_THAT(warnings, testing::Contains(testing::HasSubstr("transmit light")));
+  EXPECT_THAT(warnings, testing::Contains(testing::HasSubstr("transmission texture")));
 }
 
 TEST_F(GltfPicture, VertexColorsMultiplyAndAreInterpolated) {

@@ -91,6 +91,9 @@ TEST(Validate, NonFiniteNumbersAreRefusedEverywhere) {
       [](Scene& s) { s.materials["floor"].coat = kNanFloat; },
       [](Scene& s) { s.materials["floor"].ior = kNanFloat; },
       [](Scene& s) { s.materials["floor"].transmission = kNanFloat; },
+      [](Scene& s) { s.materials["floor"].thickness = kNanFloat; },
+      [](Scene& s) { s.materials["floor"].attenuationDistance = kNanFloat; },
+      [](Scene& s) { s.materials["floor"].attenuationColor = glm::vec3(kNanFloat); },
       [](Scene& s) { s.probes[0].rotationDegrees.x = kNan; },
       [](Scene& s) {
         s.probes[0].influence = Box{{kNan, 0, 0}, {1, 1, 1}};
@@ -136,8 +139,15 @@ TEST(Validate, RangesNameTheKeyTheValueAndTheRange) {
             "probes.room.intensity: is -1 and must be 0 or more");
   EXPECT_EQ(problem([](Scene& s) { s.materials["floor"].roughness = 1.5f; }),
             "materials.floor.roughness: is 1.5 and must be from 0 to 1");
-  EXPECT_EQ(problem([](Scene& s) { s.materials["floor"].ior = 0.5f; }),
-            "materials.floor.ior: is 0.5 and must be 1 or more");
+  expectSound([](Scene& s) { s.materials["floor"].ior = 0.75f; });
+  for (const float ior : {0.0f, -1.5f}) {
+    EXPECT_EQ(problem([ior](Scene& s) { s.materials["floor"].ior = ior; }),
+              std::string("materials.floor.ior: is ") + (ior == 0.0f ? "0" : "-1.5") + " and must be greater than 0");
+  }
+  EXPECT_EQ(problem([](Scene& s) { s.materials["floor"].attenuationColor = glm::vec3(0.5f, 2.0f, 0.0f); }),
+            "materials.floor.attenuationColor: is 2 and must be from 0 to 1");
+  EXPECT_EQ(problem([](Scene& s) { s.materials["floor"].thickness = -1.0f; }),
+            "materials.floor.thickness: is -1 and must be 0 or more");
   EXPECT_EQ(problem([](Scene& s) { s.cameras[0].verticalFovDegrees = 180; }),
             "cameras.main.verticalFovDegrees: is 180 and must be greater than 0 and less than 180");
   EXPECT_EQ(problem([](Scene& s) { s.lights[0].intensity = -2; }), "lights[0].intensity: is -2 and must be 0 or more");

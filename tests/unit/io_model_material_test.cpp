@@ -60,12 +60,20 @@ TEST_F(ModelMaterial, FactorsAndExtensions) {
                  {{"KHR_materials_unlit", Json::object()},
                   {"KHR_materials_emissive_strength", {{"emissiveStrength", 40}}},
                   {"KHR_materials_ior", {{"ior", 1.33}}},
+                  {"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+                  {"KHR_materials_volume",
+                   {{"thicknessFactor", 0.5}, {"attenuationDistance", 3}, {"attenuationColor", {0.25, 0.5, 1}}}},
                   {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.125}}}}}});
   EXPECT_EQ(m.baseColor, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
   EXPECT_EQ(m.metallic, 0.5f);
   EXPECT_EQ(m.roughness, 0.25f);
   EXPECT_EQ(m.emissive, glm::vec3(40.0f, 20.0f, 10.0f));
   EXPECT_EQ(m.ior, 1.33f);
+  EXPECT_EQ(m.transmission, 1.0f);
+  EXPECT_FALSE(m.thin);
+  EXPECT_EQ(m.thickness, 0.5f);
+  EXPECT_EQ(m.attenuationDistance, 3.0f);
+  EXPECT_EQ(m.attenuationColor, glm::vec3(0.25f, 0.5f, 1.0f));
   EXPECT_EQ(m.coat, 0.75f);
   EXPECT_EQ(m.coatRoughness, 0.125f);
   EXPECT_TRUE(m.unlit && m.doubleSided);
@@ -146,17 +154,19 @@ TEST_F(ModelMaterial, WhatIsNotSupportedIsNamedOnce) {
   picture();
   glb.json["images"] = Json::array({{{"uri", "made.png"}}});
   glb.json["textures"] = Json::array({{{"source", 0}}, {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}});
-  const Json m = {{"alphaMode", "DITHER"},
-                  {"emissiveTexture", {{"index", 0}, {"texCoord", 2}}},
-                  {"normalTexture", {{"index", 1}}},
-                  {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}}};
+  const Json m = {
+      {"alphaMode", "DITHER"},
+      {"emissiveTexture", {{"index", 0}, {"texCoord", 2}}},
+      {"normalTexture", {{"index", 1}}},
+      {"extensions",
+       {{"KHR_materials_transmission", {{"transmissionFactor", 1}, {"transmissionTexture", {{"index", 0}}}}}}}};
   glb.json["materials"] = Json::array({m, m});
   const Model model = load();
   std::string all;
   for (const std::string& warning : model.warnings) all += warning + "\n";
   EXPECT_EQ(model.warnings.size(), 4u) << all;
   for (const char* word :
-       {"alphaMode DITHER", "third set of texture coordinates", "without a PNG or JPEG", "transmit light"}) {
+       {"alphaMode DITHER", "third set of texture coordinates", "without a PNG or JPEG", "transmission texture"}) {
     EXPECT_NE(all.find(word), std::string::npos) << word << " in " << all;
   }
   EXPECT_TRUE(model.materials[0].emissiveTexture.image);

@@ -103,7 +103,8 @@ TEST(SceneParse, ReadsModelsSkiesCamerasAndLights) {
 
 TEST(SceneParse, ReadsOverridesAndExposure) {
   const Scene scene = parsed(R"("exposure": 2, "materials": {"floor": {"baseColor": [1, 0.5, 0], "metallic": 1,
-      "roughness": 0.25, "emissive": [2, 0, 0], "normalScale": 0.5, "coat": 1, "ior": 1.3, "transmission": 0.5}},
+      "roughness": 0.25, "emissive": [2, 0, 0], "normalScale": 0.5, "coat": 1, "ior": 1.3, "transmission": 0.5,
+      "thickness": 0.4, "attenuationDistance": 2, "attenuationColor": [0, 0.5, 1], "thin": false, "glass": "two-pass"}},
     "objects": {"mirror": {"visible": false, "seenByProbes": false, "dynamic": true, "probeMode": "simple",
                            "weights": "object", "translation": [1, 2, 3], "rotationDegrees": [0, 90, 0]}},
     "mirrors": {"mirror": {"enabled": false, "maxRoughness": 0.5, "resolution": 2}}, "mirrorBudget": 1000000)");
@@ -117,6 +118,11 @@ TEST(SceneParse, ReadsOverridesAndExposure) {
   EXPECT_EQ(floor.coat, 1.0f);
   EXPECT_EQ(floor.ior, 1.3f);
   EXPECT_EQ(floor.transmission, 0.5f);
+  EXPECT_EQ(floor.thickness, 0.4f);
+  EXPECT_EQ(floor.attenuationDistance, 2.0f);
+  EXPECT_EQ(floor.attenuationColor, glm::vec3(0.0f, 0.5f, 1.0f));
+  EXPECT_EQ(floor.thin, false);
+  EXPECT_EQ(floor.glass, GlassForm::TwoPass);
   EXPECT_EQ(scene.objects.at("mirror"),
             (ObjectOverride{false, false, true, ProbeMode::Simple, WeightMode::Object, {1, 2, 3}, {0, 90, 0}}));
   EXPECT_EQ(scene.mirrors.at("mirror"), (PlanarMirror{false, 0.5, 2.0}));
@@ -155,7 +161,7 @@ TEST(SceneErrors, UnknownKeysAreNamedWithTheNearest) {
   EXPECT_EQ(
       problem(R"("materials": {"floor": {"shininess": 3}})"),
       "scene.json:2:25: materials.floor.shininess: unknown key; the keys here are baseColor, metallic, roughness, "
-      "emissive, normalScale, coat, ior, transmission");
+      "emissive, normalScale, coat, ior, transmission, thickness, attenuationDistance, attenuationColor, thin, glass");
   for (const char* members :
        {R"("models": [{"file": "a", "x": 1}])", R"("sky": {"colour": [1, 1, 1]})", R"("cameras": {"a": {"fov": 3}})",
         R"("lights": [{"type": "point", "rage": 3}])", R"("objects": {"a": {"shown": true}})",
