@@ -159,8 +159,8 @@ TEST(SceneErrors, UnknownKeysAreNamedWithTheNearest) {
   EXPECT_EQ(problem(R"("probes": [{"name": "room", "orgin": [0, 0, 0]}])"),
             "scene.json:2:29: probes.room.orgin: unknown key; did you mean \"origin\"?");
   EXPECT_EQ(
-      problem(R"("materials": {"floor": {"shininess": 3}})"),
-      "scene.json:2:25: materials.floor.shininess: unknown key; the keys here are baseColor, metallic, roughness, "
+      problem(R"("materials": {"floor": {"phong": 3}})"),
+      "scene.json:2:25: materials.floor.phong: unknown key; the keys here are baseColor, metallic, roughness, "
       "emissive, normalScale, coat, ior, transmission, thickness, attenuationDistance, attenuationColor, thin, glass");
   for (const char* members :
        {R"("models": [{"file": "a", "x": 1}])", R"("sky": {"colour": [1, 1, 1]})", R"("cameras": {"a": {"fov": 3}})",
