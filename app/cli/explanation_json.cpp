@@ -82,6 +82,11 @@ Json probeJson(const ProbeExplanation& p) {
   json["boxDistance"] = orNull(p.boxDistance);
   json["bevel"] = number(p.bevel);
   json["occlusion"] = orNull(p.occlusion);
+  if (p.coverage) {
+    json["coverage"] = number(*p.coverage);
+    json["openSky"] = vector(p.openSky);
+    json["openSkyLevel"] = number(p.openSkyLevel);
+  }
   json["distanceLookups"] = p.distanceLookups;
   json["face"] = p.face >= 0 ? Json(boxFaceName(p.face)) : Json(nullptr);
   json["influence"] = number(p.influence);

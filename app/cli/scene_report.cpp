@@ -159,6 +159,10 @@ Json lightReport(const Light& light) {
     report["innerConeDegrees"] = light.innerConeDegrees;
     report["outerConeDegrees"] = light.outerConeDegrees;
   }
+  if (light.shadows != LightShadows::None) {
+    report["shadows"] = light.shadows == LightShadows::Coverage ? "coverage" : "coverage+map";
+    report[directional ? "angleDegrees" : "radius"] = directional ? light.angleDegrees : light.radius;
+  }
   return report;
 }
 
@@ -175,6 +179,7 @@ Json sceneReport(const LoadedScene& loaded) {
   report["objects"] = objectsReport(loaded);
   for (const Probe& probe : scene.probes) report["probes"].push_back(probeReport(probe));
   report["sky"] = skyReport(scene.sky);
+  if (scene.skyRotationDegrees != 0.0) report["sky"]["rotationDegrees"] = scene.skyRotationDegrees;
   for (const Camera& camera : scene.cameras) report["cameras"].push_back(cameraReport(camera));
   for (const Light& light : scene.lights) report["lights"].push_back(lightReport(light));
   report["warnings"] = loaded.warnings;

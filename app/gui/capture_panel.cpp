@@ -32,6 +32,7 @@ constexpr double kLeastRange = 1e-3;  ///< metres between near and far
 Clear clearOf(int index) {
   if (index == 0) return ClearToSky{};
   if (index == 1) return ClearToNone{};
+  if (index == 3) return ClearToOpen{};
   return glm::vec3(0.0f);
 }
 
@@ -144,7 +145,8 @@ void CapturePanel::buildView(QFormLayout* form) {
   clear_ = addProbeChoice(form, tr("Clear to"),
                           {{tr("Sky"), 0, tr("The scene's sky, as the camera sees it")},
                            {tr("Nothing"), 1, tr("Empty: another probe, or the sky, fills what this one did not see")},
-                           {tr("Colour"), 2, tr("The same light from everywhere")}},
+                           {tr("Colour"), 2, tr("The same light from everywhere")},
+                           {tr("Open"), 3, tr("The sky as it is by then, uncorrected: it may change without another capture")}},
                           tr("What the probe holds where it sees no object. Default: sky"), [this](int index) {
                             editor_.commitProbe(probeEditLabel(editor_, tr("clear")), [index](Probe& probe) {
                               if (static_cast<int>(probe.clear.index()) != index) probe.clear = clearOf(index);

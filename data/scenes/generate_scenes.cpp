@@ -50,6 +50,7 @@ void generate(const Options& options) {
   write(folder / "room.glb", glbBytes(room()));
   write(folder / "six-faces.glb", glbBytes(sixFaces()));
   write(folder / "sky.hdr", skyHdr());
+  write(folder / "windows.glb", glbBytes(windows()));
 }
 
 }  // namespace

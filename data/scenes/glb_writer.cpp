@@ -127,6 +127,7 @@ class Writer {
       json["extensions"]["KHR_materials_unlit"] = Json::object();
       extensions_.insert("KHR_materials_unlit");
     }
+    if (material.alphaMode == AlphaMode::Blend) json["alphaMode"] = "BLEND";
     if (material.doubleSided) json["doubleSided"] = true;
     gltf_["materials"].push_back(json);
   }

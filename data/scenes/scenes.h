@@ -25,6 +25,9 @@ Model sixFaces();
 /// A closed 10 x 3.5 x 7 m room with textures and small bright lamps, and things to reflect them: for measuring.
 Model gallery();
 
+/// A closed 8 x 3.2 x 6 m room with openings of every size to the sky and the sun, its walls in the planes of its box.
+Model windows();
+
 struct Apartments {
   Model model;
   Scene scene;  ///< without its model's file name

@@ -88,7 +88,7 @@ Changes difference(const Scene& before, const Scene& after) {
   changes.objects = before.objects != after.objects || before.mirrors != after.mirrors ||
                     before.mirrorBudget != after.mirrorBudget;
   changes.lights = !(before.lights == after.lights);
-  changes.sky = !(before.sky == after.sky);
+  changes.sky = !(before.sky == after.sky) || before.skyRotationDegrees != after.skyRotationDegrees;
   changes.models = !(before.models == after.models);
   changes.cameras = !(before.cameras == after.cameras);
   changes.exposure = before.exposure != after.exposure;

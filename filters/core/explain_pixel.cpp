@@ -132,6 +132,11 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
       data.relief = relief.get();
     }
     e.specular = glm::vec3(record.value);
+    if (probe.open && sky != nullptr) {
+      e.coverage = std::clamp(record.value.a, 0.0f, 1.0f);
+      e.openSkyLevel = shading::levelForRoughness(roughness, sky->radiance.maxLevel());
+      e.openSky = glm::vec3(sky->radiance.fetch(reflection, e.openSkyLevel));
+    }
     e.lookups = record.lookups;
     if (distances) {
       const float reach = 2.0f * glm::length(g.boxMax - g.boxMin);
@@ -145,6 +150,7 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   }
   const BakedMaps* diffuse = e.captured ? probe.maps : sky;
   if (diffuse != nullptr) e.irradiance = irradianceAt(s.normalWorld, diffuse->irradiance);
+  if (e.captured && probe.open && sky != nullptr) e.irradiance += irradianceAt(s.normalWorld, probe.openSky);
   return e;
 }
 
@@ -192,6 +198,14 @@ Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness
       continue;
     }
     out.specular += share * p.occlusion.value_or(1.0f) * p.specular;
+    if (p.coverage) {
+      out.specular += share * (1.0f - *p.coverage) * p.openSky;
+      ++out.lookups;
+      for (const TexelShare& t : in.skyMaps->radiance.footprint(reflection, p.openSkyLevel)) {
+        out.brightestTexel =
+            std::max(out.brightestTexel, largestComponent(in.skyMaps->radiance.texel(t.level, t.face, t.column, t.row)));
+      }
+    }
     out.irradiance += share * p.irradiance;
     out.lookups += static_cast<int>(p.lookups.size()) + p.distanceLookups;
     if (p.captured)

@@ -22,6 +22,8 @@ struct ExplainedProbe {
   ProbeGeometry geometry;           ///< its technique is what draws it
   const BakedMaps* maps = nullptr;  ///< null: not captured yet
   bool automatic = false;           ///< its technique was chosen for the object's roughness
+  bool open = false;                ///< the sky shows where it saw nothing
+  ShCoefficients openSky{};         ///< its diffuse light that comes in there
 };
 
 struct ExplainInput {

@@ -76,6 +76,11 @@ struct ProbeExplanation {
   std::optional<float> occlusion;        ///< factor of `specular` by the hit's distance, if the probe has one
   glm::vec3 specular{0.0f};              ///< the technique's value, before weight, intensity and occlusion
   glm::vec3 irradiance{0.0f};            ///< over pi, before weight and intensity
+  /// Of a probe that lets the sky through: how much of the lookups it covers, and the sky along R at the surface's own
+  /// level, which shows for the rest.
+  std::optional<float> coverage;
+  glm::vec3 openSky{0.0f};
+  float openSkyLevel = 0.0f;
   std::vector<Lookup> lookups;
 };
 

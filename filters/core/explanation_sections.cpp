@@ -230,6 +230,10 @@ void addLookups(const Explanation& e, const ProbeExplanation& p, const Explanati
   }
   if (shown < order.size()) rows.push_back(restRow(p, {order.begin() + static_cast<long>(shown), order.end()}));
   rows.push_back(light("L_spec", p.specular, "the probe's reflected light: its fetches by their shares"));
+  if (p.coverage) {
+    rows.push_back(scalar("a", *p.coverage, "", "how much of that the probe covers; the sky shows for 1 - a"));
+    rows.push_back(light("L_sky", p.openSky, "the sky along R, uncorrected, at level " + fixedText(p.openSkyLevel, 2)));
+  }
   if (p.occlusion) rows.push_back(scalar("o", *p.occlusion, "", "factor of L_spec: box occlusion by the distance d"));
   rows.push_back(light("E/pi", p.irradiance, "its light from all around N, for the diffuse part"));
 }

@@ -30,9 +30,10 @@ bool Camera::operator==(const Camera& o) const {
 }
 
 bool Light::operator==(const Light& o) const {
-  return std::tie(type, direction, position, color, intensity, innerConeDegrees, outerConeDegrees, range) ==
+  return std::tie(type, direction, position, color, intensity, innerConeDegrees, outerConeDegrees, range, shadows,
+                  angleDegrees, radius, shadowLevel, levelsPerUnit) ==
          std::tie(o.type, o.direction, o.position, o.color, o.intensity, o.innerConeDegrees, o.outerConeDegrees,
-                  o.range);
+                  o.range, o.shadows, o.angleDegrees, o.radius, o.shadowLevel, o.levelsPerUnit);
 }
 
 bool MaterialOverride::operator==(const MaterialOverride& o) const {
@@ -78,9 +79,9 @@ bool Probe::operator==(const Probe& o) const {
 }
 
 bool Scene::operator==(const Scene& o) const {
-  return std::tie(models, sky, cameras, lights, materials, objects, mirrors, mirrorBudget, probes, exposure) ==
-         std::tie(o.models, o.sky, o.cameras, o.lights, o.materials, o.objects, o.mirrors, o.mirrorBudget, o.probes,
-                  o.exposure);
+  return std::tie(models, sky, skyRotationDegrees, cameras, lights, materials, objects, mirrors, mirrorBudget, probes,
+                  exposure) == std::tie(o.models, o.sky, o.skyRotationDegrees, o.cameras, o.lights, o.materials,
+                                        o.objects, o.mirrors, o.mirrorBudget, o.probes, o.exposure);
 }
 
 std::optional<std::size_t> findProbe(const Scene& scene, const std::string& name) {

@@ -62,6 +62,17 @@ struct Camera {
 };
 
 enum class LightType { Directional, Point, Spot };
+/// What stands between a light outside of a probe's box and what it shines on.
+enum class LightShadows {
+  None,            ///< nothing: the light goes through walls
+  Coverage,        ///< what the probe saw in the light's direction, for what does not move
+  CoverageAndMap,  ///< and a shadow map of the objects that do
+};
+/// What makes a shadow's edge soft.
+enum class ShadowLevel {
+  Size,      ///< the light's size as seen from the surface
+  Distance,  ///< levels in proportion to the distance to the wall, whatever the light's size
+};
 struct Light {
   LightType type = LightType::Directional;
   glm::dvec3 direction{0.0, -1.0, 0.0};  ///< directional, spot: the way the light travels; need not be unit length
@@ -71,6 +82,11 @@ struct Light {
   double innerConeDegrees = 0.0;   ///< spot: half the angle within which it is whole
   double outerConeDegrees = 45.0;  ///< spot: half the angle beyond which it is dark, above the inner one, at most 90
   double range = 0.0;              ///< not directional: fades to nothing towards it; 0: never
+  LightShadows shadows = LightShadows::None;
+  double angleDegrees = 0.53;  ///< directional: the whole angle its disc is seen under, the sun's by default
+  double radius = 0.05;        ///< not directional: of its sphere, scene units
+  ShadowLevel shadowLevel = ShadowLevel::Size;
+  double levelsPerUnit = 0.0;  ///< of ShadowLevel::Distance; 0: all levels over the longest distance in the box
   bool operator==(const Light&) const;
 };
 
@@ -158,7 +174,11 @@ struct ClearToSky {
 struct ClearToNone {
   bool operator==(const ClearToNone&) const { return true; }
 };
-using Clear = std::variant<ClearToSky, ClearToNone, glm::vec3>;
+/// Nothing, as none, but the sky shows through wherever it is looked up, as it is by then.
+struct ClearToOpen {
+  bool operator==(const ClearToOpen&) const { return true; }
+};
+using Clear = std::variant<ClearToSky, ClearToNone, glm::vec3, ClearToOpen>;
 using ParameterValue = std::variant<double, bool, std::string>;
 
 /// Edges of the projection box rounded by a radius in scene units: `radius`, plus `fromRoughness` times the roughness.
@@ -210,6 +230,7 @@ struct Probe {
 struct Scene {
   std::vector<ModelFile> models;
   Sky sky;
+  double skyRotationDegrees = 0.0;  ///< of what it shows, about +Y: 90 takes +Z to +X
   std::vector<Camera> cameras;  ///< in file order, names unique
   std::vector<Light> lights;
   std::map<std::string, MaterialOverride> materials;

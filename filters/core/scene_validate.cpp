@@ -140,8 +140,9 @@ void checkModel(const ModelFile& model, std::size_t index) {
   fields.notHuge("scale", model.scale);
 }
 
-void checkSky(const Sky& sky) {
+void checkSky(const Sky& sky, double rotationDegrees) {
   const Fields fields({"sky"});
+  fields.finite("rotationDegrees", rotationDegrees);
   if (const auto* gradient = std::get_if<SkyGradient>(&sky)) {
     fields.notNegative("top", gradient->top);
     fields.notNegative("horizon", gradient->horizon);
@@ -192,6 +193,10 @@ void checkLight(const Light& light, std::size_t index) {
                                           numberText(light.outerConeDegrees));
     }
   }
+  // A disc of 180 degrees would be a plane.
+  fields.within("angleDegrees", light.angleDegrees, 0.0, 90.0);
+  fields.atLeast("radius", light.radius, 0.0);
+  fields.atLeast("levelsPerUnit", light.levelsPerUnit, 0.0);
   fields.notNegative("color", light.color);
   fields.atLeast("intensity", light.intensity, 0.0f);
 }
@@ -289,7 +294,7 @@ void checkProbe(const Probe& probe) {
 
 void validate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.models.size(); ++i) checkModel(scene.models[i], i);
-  checkSky(scene.sky);
+  checkSky(scene.sky, scene.skyRotationDegrees);
   checkNames(scene.cameras, "cameras");
   for (const Camera& camera : scene.cameras) checkCamera(camera);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) checkLight(scene.lights[i], i);

@@ -39,10 +39,11 @@ ModelFile readModel(const JsonCursor& entry, const std::string& folder) {
 }
 
 Sky readSky(const JsonCursor& sky, const std::string& folder) {
-  sky.requireObject({"image", "color", "top", "horizon", "ground"});
+  sky.requireObject({"image", "color", "top", "horizon", "ground", "rotationDegrees"});
   const auto image = sky.find("image");
   const auto color = sky.find("color");
-  if ((image || color) && sky.json().size() > 1) {
+  const std::size_t others = sky.find("rotationDegrees") ? 1 : 0;
+  if ((image || color) && sky.json().size() > 1 + others) {
     sky.fail("mixes kinds; give an image, or a color, or top, horizon and ground");
   }
   if (image) return SkyImage{resolved(image->text(), folder)};
@@ -68,7 +69,8 @@ Camera readCamera(const JsonCursor& entry) {
 
 Light readLight(const JsonCursor& entry) {
   entry.requireObject(
-      {"type", "direction", "position", "color", "intensity", "innerConeDegrees", "outerConeDegrees", "range"});
+      {"type", "direction", "position", "color", "intensity", "innerConeDegrees", "outerConeDegrees", "range",
+       "shadows", "angleDegrees", "radius", "shadowLevel", "levelsPerUnit"});
   Light light;
   const auto type = entry.find("type");
   if (!type) entry.fail("has no type; add \"type\": \"directional\", \"point\" or \"spot\"");
@@ -84,6 +86,19 @@ Light readLight(const JsonCursor& entry) {
       wrong->fail(directional ? "does not belong to a directional light" : "belongs to a spot light");
     }
   }
+  if (const auto wrong = entry.find(directional ? "radius" : "angleDegrees")) {
+    wrong->fail(directional ? "does not belong to a directional light; use \"angleDegrees\""
+                            : "belongs to a directional light; use \"radius\"");
+  }
+  if (const auto shadows = entry.find("shadows")) {
+    light.shadows = static_cast<LightShadows>(shadows->choice({"none", "coverage", "coverage+map"}));
+  }
+  readInto(entry, "angleDegrees", light.angleDegrees, &JsonCursor::number);
+  readInto(entry, "radius", light.radius, &JsonCursor::number);
+  if (const auto level = entry.find("shadowLevel")) {
+    light.shadowLevel = static_cast<ShadowLevel>(level->choice({"size", "distance"}));
+  }
+  readInto(entry, "levelsPerUnit", light.levelsPerUnit, &JsonCursor::number);
   readInto(entry, "innerConeDegrees", light.innerConeDegrees, &JsonCursor::number);
   readInto(entry, "outerConeDegrees", light.outerConeDegrees, &JsonCursor::number);
   readInto(entry, "range", light.range, &JsonCursor::number);
@@ -170,7 +185,8 @@ Clear readClear(const JsonCursor& entry) {
   if (entry.json().is_array()) return entry.color();
   if (entry.json() == "sky") return ClearToSky{};
   if (entry.json() == "none") return ClearToNone{};
-  entry.fail("must be \"sky\", \"none\" or a color [r, g, b]");
+  if (entry.json() == "open") return ClearToOpen{};
+  entry.fail("must be \"sky\", \"open\", \"none\" or a color [r, g, b]");
 }
 
 Bevel readBevel(const JsonCursor& entry) {
@@ -285,7 +301,10 @@ Scene sceneFromJson(const Json& json, const std::string& folder) {
   if (models) {
     for (const JsonCursor& entry : models->elements()) scene.models.push_back(readModel(entry, folder));
   }
-  if (const auto sky = root.find("sky")) scene.sky = readSky(*sky, folder);
+  if (const auto sky = root.find("sky")) {
+    scene.sky = readSky(*sky, folder);
+    readInto(*sky, "rotationDegrees", scene.skyRotationDegrees, &JsonCursor::number);
+  }
   if (const auto cameras = root.find("cameras")) {
     for (const JsonCursor& entry : cameras->members()) scene.cameras.push_back(readCamera(entry));
   }

@@ -93,9 +93,14 @@ void chooseSkyKind(Json& root, const std::string& key) {
   Json& sky = root["sky"];
   const bool gradientKey = key == "top" || key == "horizon" || key == "ground";
   if (key == "image" || key == "color") {
-    if (!sky.contains(key)) sky = Json::object();
+    if (!sky.contains(key)) {
+      const Json turn = sky["rotationDegrees"];
+      sky = Json::object();
+      sky["rotationDegrees"] = turn;
+    }
   } else if (gradientKey && !sky.contains("top")) {
     Scene standard;
+    if (sky.contains("rotationDegrees")) standard.skyRotationDegrees = sky["rotationDegrees"].get<double>();
     sky = sceneToJson(standard, "", JsonForm::Complete)["sky"];
   }
 }

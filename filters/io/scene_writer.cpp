@@ -164,6 +164,16 @@ Json lightJson(const Light& light, JsonForm form) {
     out.put("outerConeDegrees", light.outerConeDegrees, standard.outerConeDegrees);
   }
   if (!directional) out.put("range", light.range, standard.range);
+  const char* const shadows[] = {"none", "coverage", "coverage+map"};
+  const char* const levels[] = {"size", "distance"};
+  out.putJson("shadows", shadows[static_cast<int>(light.shadows)], light.shadows == standard.shadows);
+  if (directional) {
+    out.put("angleDegrees", light.angleDegrees, standard.angleDegrees);
+  } else {
+    out.put("radius", light.radius, standard.radius);
+  }
+  out.putJson("shadowLevel", levels[static_cast<int>(light.shadowLevel)], light.shadowLevel == standard.shadowLevel);
+  out.put("levelsPerUnit", light.levelsPerUnit, standard.levelsPerUnit);
   return out.take();
 }
 
@@ -218,6 +228,7 @@ Json blendJson(const BlendDistance& blend, JsonForm form) {
 Json clearJson(const Clear& clear) {
   if (std::holds_alternative<ClearToSky>(clear)) return "sky";
   if (std::holds_alternative<ClearToNone>(clear)) return "none";
+  if (std::holds_alternative<ClearToOpen>(clear)) return "open";
   return vector(std::get<glm::vec3>(clear));
 }
 
@@ -298,7 +309,10 @@ Json sceneToJson(const Scene& scene, const std::string& folder, JsonForm form) {
     out.putJson("models", listJson(scene.models, [&](const auto& m) { return modelJson(m, folder, form); }),
                 scene.models.empty());
   }
-  out.putJson("sky", skyJson(scene.sky, folder), scene.sky == Sky());
+  Json sky = skyJson(scene.sky, folder);
+  const bool turned = scene.skyRotationDegrees != 0.0;
+  if (turned || form == JsonForm::Complete) sky["rotationDegrees"] = toJson(scene.skyRotationDegrees);
+  out.putJson("sky", std::move(sky), scene.sky == Sky() && !turned);
   Json cameras = Json::object();
   for (const Camera& camera : scene.cameras) cameras[camera.name] = cameraJson(camera, form);
   out.putJson("cameras", std::move(cameras), scene.cameras.empty());

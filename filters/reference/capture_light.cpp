@@ -10,7 +10,7 @@
 namespace boxprobe {
 
 CaptureLight::CaptureLight(const Scene& scene, std::shared_ptr<const ImageRgbaF> skyImage)
-    : sky_(scene.sky, std::move(skyImage)), brdf_(makeBrdfTable()), lights_(scene.lights) {
+    : sky_(scene.sky, std::move(skyImage), scene.skyRotationDegrees), brdf_(makeBrdfTable()), lights_(scene.lights) {
   for (const Probe& probe : scene.probes) probes_.push_back(probeGeometry(probe, probe.origin));
   std::stable_sort(probes_.begin(), probes_.end(),
                    [](const ProbeGeometry& a, const ProbeGeometry& b) { return a.importance > b.importance; });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "filters/math/cube_filter.h"
 
@@ -32,8 +33,8 @@ ShCoefficients coefficientsOf(const CubeMap& source) {
 
 }  // namespace
 
-ReferenceSky::ReferenceSky(const Sky& sky, std::shared_ptr<const ImageRgbaF> image)
-    : sky_(sky), image_(std::move(image)) {
+ReferenceSky::ReferenceSky(const Sky& sky, std::shared_ptr<const ImageRgbaF> image, double rotationDegrees)
+    : sky_(sky), image_(std::move(image)), rotation_(glm::radians(rotationDegrees)) {
   const int size = image_ ? kImageFaceSize : kFaceSize, samples = image_ ? kImageSamples : 1;
   CubeMap source(size, fullLevels(size));
   for (int face = 0; face < 6; ++face) {
@@ -58,7 +59,7 @@ ReferenceSky::ReferenceSky(const Sky& sky, std::shared_ptr<const ImageRgbaF> ima
 glm::vec3 ReferenceSky::imageRadiance(const glm::vec3& d) const {
   if (!image_ || image_->width <= 0 || image_->height <= 0) return glm::vec3(0.0f);
   const double length = glm::length(glm::dvec3(d));
-  const double longitude = std::atan2(static_cast<double>(d.x), static_cast<double>(d.z));
+  const double longitude = std::atan2(static_cast<double>(d.x), static_cast<double>(d.z)) - rotation_;
   const double latitude = std::asin(std::clamp(length > 0.0 ? d.y / length : 0.0, -1.0, 1.0));
   constexpr double kPi = 3.14159265358979323846;
   const double x = (0.5 - longitude / (2.0 * kPi)) * image_->width - 0.5;

@@ -15,7 +15,7 @@ namespace boxprobe {
 class ReferenceSky {
  public:
   /// `image` is the picture of a SkyImage, null for any other sky (and for a picture that is not there: black).
-  ReferenceSky(const Sky& sky, std::shared_ptr<const ImageRgbaF> image);
+  ReferenceSky(const Sky& sky, std::shared_ptr<const ImageRgbaF> image, double rotationDegrees = 0.0);
 
   glm::vec3 radiance(const glm::vec3& directionWorld) const;
   /// Over pi.
@@ -28,6 +28,7 @@ class ReferenceSky {
 
   Sky sky_;
   std::shared_ptr<const ImageRgbaF> image_;
+  double rotation_;  ///< about +Y, radians
   CubeMap chain_;
   ShCoefficients irradiance_{};
 };

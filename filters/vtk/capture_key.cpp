@@ -113,7 +113,9 @@ template <typename Meets>
 std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, const Probe& probe,
                                   const Meets& meets) {
   std::vector<std::size_t> lighting;
-  hash.add(world.lights).add(world.sky);
+  hash.add(world.lights);
+  // What is drawn for an open probe has no light of the sky, which is added where the probe is looked up.
+  if (!std::holds_alternative<ClearToOpen>(probe.clear)) hash.add(world.sky);
   for (const std::size_t i : objectsThatMeet(world, probe, meets)) {
     const CaptureObject& object = world.objects[i];
     hash.add(object.key);
@@ -188,6 +190,8 @@ std::string skyKey(const Scene& scene, const std::string& skyPixels) {
     hash.addVector(color->color);
   } else {
     hash.add(skyPixels);
+    // Other skies look the same whichever way they are turned.
+    if (scene.skyRotationDegrees != 0.0) hash.add(scene.skyRotationDegrees);
   }
   return hash.text();
 }

@@ -48,6 +48,13 @@ CubeMap readRadiance(const ProbeMaps& maps) {
   return read(maps.radiance);
 }
 
+void readLevel0(const CubeTexture& texture, CubeMap& cube) {
+  for (int face = 0; face < 6; ++face) {
+    const std::vector<float> rgba = texture.readFace(face, 0);
+    std::copy(rgba.begin(), rgba.end(), cube.face(0, face));
+  }
+}
+
 std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps) {
   auto result = std::make_shared<ProbeMaps>();
   writeAll(maps.radiance, GL_RGBA16F, result->radiance);

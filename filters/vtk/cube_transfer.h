@@ -16,6 +16,9 @@ BakedMaps readBack(const ProbeMaps& maps);
 /// Of it, the chain alone.
 CubeMap readRadiance(const ProbeMaps& maps);
 
+/// Its level 0 alone into level 0 of `cube`, of the same face size.
+void readLevel0(const CubeTexture& texture, CubeMap& cube);
+
 /// The other way. Maps without distances stay without.
 std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps);
 

@@ -21,6 +21,10 @@ bool ProbeBinding::occluded() const {
   return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.occluded; });
 }
 
+bool ProbeBinding::open() const {
+  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->open; });
+}
+
 bool ProbeBinding::distances() const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (projectionRows()[static_cast<std::size_t>(technique(i).projection)].distances) return true;
@@ -102,6 +106,7 @@ std::string ProbeBinding::variantKey() const {
     }
     if (probes[i]->geometry.bevelled) key += 'b';
     if (probes[i]->geometry.occluded) key += 'o';
+    if (probes[i]->open) key += 'y';
   }
   return key;
 }

@@ -13,12 +13,19 @@
 #include "filters/core/counters.h"
 #include "filters/core/probe_geometry.h"
 #include "filters/math/automatic.h"
+#include "filters/math/cube_map.h"
 #include "filters/math/spherical_harmonics.h"
 #include "filters/vtk/gl_objects.h"
 #include "filters/vtk/light_texture.h"
 #include "filters/vtk/relief_texture.h"
 
 namespace boxprobe {
+
+/// What a capture left open, for diffuse light (filters/math/openings.h).
+struct Openings {
+  CubeMap reduced;   ///< the capture in few texels: radiance and, in alpha, coverage
+  bool any = false;  ///< is any texel not wholly covered?
+};
 
 /// A capture, prefiltered: what lookups read.
 struct ProbeMaps {
@@ -33,6 +40,8 @@ struct ProbeMaps {
   mutable LightTexture light;
   /// Made when a draw first follows rays by the distances (relief_texture.h).
   mutable ReliefTexture relief;
+  /// Made when a probe that lets the sky through first shows these maps.
+  mutable std::shared_ptr<const Openings> openings;
   std::size_t bytes() const { return radiance.bytes() + distance.bytes() + light.bytes() + relief.bytes(); }
 };
 
@@ -43,6 +52,8 @@ struct DrawnProbe {
   std::shared_ptr<const ProbeMaps> maps;
   /// What `auto` goes by; null: by what was measured elsewhere.
   std::shared_ptr<const TechniqueErrors> errors;
+  bool open = false;          ///< the sky shows where the probe saw nothing, and there is such a place
+  ShCoefficients openSky{};   ///< its diffuse light that comes in there, to be added to the maps'
 };
 
 enum class Lighting {
@@ -82,6 +93,8 @@ struct ProbeBinding {
   bool rotated() const;
   bool bevelled() const;
   bool occluded() const;
+  /// Does the sky show through a probe?
+  bool open() const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
   /// Does a technique of a probe read the parameter, set to that choice?

@@ -136,6 +136,7 @@ BakeItem ProbeSet::captureItem(const Job& job) {
   if (!drag && job.bounce > 1) {
     item.drawing = [this, index, bounce = job.bounce](bool begins) { begins ? seeBounce(index, bounce) : seeAgain(); };
   }
+  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = withoutSky(std::move(item.drawing));
   const auto faces = std::make_shared<FaceKeys>();
   item.face = [this, job, as, drag, faces](int face) {
     FaceSource source;
@@ -180,6 +181,7 @@ void ProbeSet::finish(const Job& job, FaceKeys faces, std::shared_ptr<const Prob
   if (job.name.empty()) {
     state_->sky = maps;
     skyShown_ = job.key;
+    showOpenings();
     cache_.add(job.key, {}, std::move(maps));
     replan();
     return;
@@ -239,6 +241,7 @@ BakeItem ProbeSet::realtimeItem(const Job& job) {
   item.settings = settingsOf(as);
   item.fewSteps = true;
   item.reflectNothing = as.bounces == 1;
+  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = withoutSky({});
   const auto faces = std::make_shared<FaceKeys>();
   item.face = [this, as, faces](int face) {
     const auto at = find(as.name);

@@ -71,6 +71,7 @@ void ProbeSet::updateShapes() {
     drawn.index = static_cast<int>(i);
     drawn.geometry = geometryOf(probe, drawn.maps.get());
   }
+  updateOpenings();  // the caller assigns
   index_ = ProbeIndex(content_->scene.probes);
 }
 
@@ -205,6 +206,7 @@ void ProbeSet::showCached() {
   if (auto maps = cache_.find(skyWanted_)) {
     state_->sky = std::move(maps);
     skyShown_ = skyWanted_;
+    showOpenings();
   }
 }
 
@@ -441,7 +443,8 @@ void ProbeSet::show(std::size_t index, const std::string& key, std::shared_ptr<c
   const bool turned = entry.drawn->geometry.mapTurned;
   entry.drawn->geometry = geometryOf(probe(index), maps.get());
   entry.drawn->maps = std::move(maps);
-  if (entry.drawn->geometry.mapTurned != turned) assignToObjects();  // another program, perhaps
+  // Another program, perhaps.
+  if (updateOpenings() || entry.drawn->geometry.mapTurned != turned) assignToObjects();
   entry.shown = key;
   entry.faces = {};
 }
@@ -466,6 +469,7 @@ void ProbeSet::release() {
   kept_.clear();
   cache_.clear();
   for (Entry& entry : entries_) {
+    entry.openSkyOf = {};
     entry.drawn->maps.reset();
     entry.shown.clear();
     entry.faces = {};

@@ -8,11 +8,13 @@
 // probe is filtered from a picture.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "filters/io/bake_folder.h"
@@ -102,6 +104,8 @@ class ProbeSet {
     bool again = false;     ///< asked for although nothing changed: no face is kept
     bool fromFile = false;  ///< what it shows was read from a file
     Measured measured;
+    /// What its light of the sky through its openings was worked out from.
+    std::pair<std::shared_ptr<const ProbeMaps>, std::shared_ptr<const ProbeMaps>> openSkyOf;
   };
   enum class JobKind { SkyMap, File, Picture, Drag, Bounce, Realtime };
   struct Job {
@@ -127,6 +131,11 @@ class ProbeSet {
   std::optional<std::size_t> toMeasure() const;
   void measureErrors(std::size_t index);
   void updateStandIns();
+  /// Returns whether a probe begins or ceases to let the sky through: another program.
+  bool updateOpenings();
+  void showOpenings();
+  /// For a capture that must not change with the sky.
+  std::function<void(bool)> withoutSky(std::function<void(bool)> drawing);
   bool capturesLast() const;
 
   std::optional<std::size_t> find(const std::string& name) const;
@@ -174,6 +183,7 @@ class ProbeSet {
 
   std::vector<Entry> entries_;  ///< in the order of scene.probes
   std::string skyWanted_, skyShown_;
+  std::shared_ptr<const ProbeMaps> skyKept_;  ///< what draws see, while a capture goes without
   std::vector<std::string> contentKeys_;  ///< of the objects
   int contentGeneration_ = -1;
   std::weak_ptr<const ImageRgbaF> skyImage_;

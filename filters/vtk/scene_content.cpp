@@ -135,7 +135,7 @@ void SceneContent::rebuildSky() {
     skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file, &skyTexelsNotFinite));
     skyImageFile_ = image->file;
   }
-  sky->SetSky(scene.sky, skyImage);
+  sky->SetSky(scene.sky, scene.skyRotationDegrees, skyImage);
 }
 
 Box SceneContent::bounds() const {

@@ -105,6 +105,7 @@ void SceneRenderer::Impl::beginFrame() {
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   state->exposure = static_cast<float>(content.scene.exposure);
   state->counters.drawsByProbeCount = {};
+  state->counters.drawsWithOpenSky = state->counters.drawsWithCoverage = state->counters.shadowMapsDrawn = 0;
   resetClippingRange();
   frames.beginFrame(view.view != 0);
   if (sphere.shown()) {

@@ -161,6 +161,8 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     probe.automatic = isAutomatic(probe.geometry.technique);
     probe.geometry.technique = binding.technique(i);
     probe.maps = onCpu(drawn.maps).get();
+    probe.open = drawn.open;
+    probe.openSky = drawn.openSky;
     in.probes.push_back(std::move(probe));
   }
   in.weights = binding.weights;

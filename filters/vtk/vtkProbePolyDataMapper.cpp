@@ -196,6 +196,7 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
   if (this->State->countDraws) {
     this->Frame = this->State->counters.renders;
     ++this->State->counters.drawsByProbeCount[probes ? this->Drawn->probes.size() : 0];
+    this->State->counters.drawsWithOpenSky += probes && this->Drawn->open() ? 1 : 0;
   }
 }
 
@@ -233,7 +234,7 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToWorldRotation(renderer->GetActiveCamera()).data());
   program->SetUniformi("bpBrdf", this->Bind(renderer, GL_TEXTURE_2D, this->State->brdfTable));
 
-  if (this->Drawn->sky) {
+  if (this->Drawn->sky || this->Drawn->open()) {
     this->UploadSky(program, renderer);
   }
   if (!this->Drawn->probes.empty()) {
@@ -339,6 +340,12 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
     maxLevel[i] = maps != nullptr ? maps->maxLevel() : 0.0f;
     if (diffuse != nullptr) {
       std::copy(diffuse->irradiance.begin(), diffuse->irradiance.end(), sh.begin() + static_cast<long>(9 * i));
+    }
+    // Not in a capture that goes without the sky.
+    if (maps != nullptr && probe.open && this->State->sky) {
+      for (std::size_t k = 0; k < 9; ++k) {
+        sh[9 * i + k] += probe.openSky[k];
+      }
     }
     program->SetUniformi(
         ("bpMap" + std::to_string(i)).c_str(),

@@ -25,7 +25,9 @@ void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
                                                           &this->State->counters);
 }
 
-void vtkSkyProp::SetSky(const boxprobe::Sky& sky, std::shared_ptr<const boxprobe::ImageRgbaF> image) {
+void vtkSkyProp::SetSky(const boxprobe::Sky& sky, double rotationDegrees,
+                         std::shared_ptr<const boxprobe::ImageRgbaF> image) {
+  this->RotationDegrees = rotationDegrees;
   if (const auto* gradient = std::get_if<boxprobe::SkyGradient>(&sky)) {
     this->Gradient = *gradient;
   } else if (const auto* color = std::get_if<boxprobe::SkyColor>(&sky)) {
@@ -86,7 +88,7 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
     program->SetUniform3f("bpSkyTop", &this->Gradient.top.x);
     program->SetUniform3f("bpSkyHorizon", &this->Gradient.horizon.x);
     program->SetUniform3f("bpSkyGround", &this->Gradient.ground.x);
-    program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToWorldRotation(camera).data());
+    program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToTurnedRotation(camera, this->RotationDegrees).data());
     program->SetUniform2f("bpTangents", tangents);
     program->SetUniformf("bpParallel", camera->GetParallelProjection() ? 1.0f : 0.0f);
     program->SetUniformf("bpExposure", this->State->exposure);

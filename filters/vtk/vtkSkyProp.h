@@ -23,7 +23,7 @@ class vtkSkyProp : public vtkProp {
 
       void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
   /** `image` for a SkyImage, else null. */
-  void SetSky(const boxprobe::Sky& sky, std::shared_ptr<const boxprobe::ImageRgbaF> image);
+  void SetSky(const boxprobe::Sky& sky, double rotationDegrees, std::shared_ptr<const boxprobe::ImageRgbaF> image);
 
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
@@ -40,6 +40,7 @@ class vtkSkyProp : public vtkProp {
 
   std::shared_ptr<boxprobe::DrawState> State;
   boxprobe::SkyGradient Gradient;
+  double RotationDegrees = 0.0;
   std::shared_ptr<const boxprobe::ImageRgbaF> Image;
   unsigned int ImageTexture = 0;
   bool ImageChanged = false;

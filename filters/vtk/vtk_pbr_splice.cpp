@@ -276,6 +276,12 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
   for (std::size_t slot = 0; slot < binding.probes.size(); ++slot) {
     const Technique technique = binding.technique(slot);
     std::string piece(pattern);
+    // Only where the sky shows through: software renderers do not skip branches.
+    const bool open = binding.probes[slot]->open;
+    replaceAll(piece, "@SPECULAR@",
+               open ? "  vec4 local = @EVALUATE@(bpMap@SLOT@, probe, point);\n  vec3 specular = local.rgb;\n"
+                    : "  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;\n");
+    replaceAll(piece, "@OPEN_SKY@", open ? std::string(shaderSource("gpu/open_sky.glsl")) : std::string());
     replaceAll(piece, "@SLOT@", std::to_string(slot));
     replaceAll(piece, "@GROUP@", std::to_string(groups[slot]));
     const ProbeGeometry& geometry = binding.probes[slot]->geometry;

@@ -32,8 +32,7 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   bpLevelSum = 0.0f;
   bpFetches = 0.0f;
 #endif
-  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;
-#if @OCCLUDED@
+@SPECULAR@#if @OCCLUDED@
 #if BP_DEBUG
   float evaluated = bpLookups;  // the same hit once more, which the compiler has already
 #endif
@@ -43,7 +42,7 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   bpLookups = evaluated;
 #endif
 #endif
-  vec3 reflected = weight * specular;
+@OPEN_SKY@  vec3 reflected = weight * specular;
   light.specular += reflected;
 #if BP_SAMPLED
   light.sampled += @SMOOTHED@ * reflected;
