@@ -18,12 +18,12 @@ using PictureRegion = std::array<double, 4>;
 using PicturePoint = std::array<double, 2>;
 
 enum class MeasureKind {
-  Error,       ///< root mean square difference from the truth, tone mapped as in techniques' measurements
+  Error,       ///< root mean square difference from the ray-traced scene, tone mapped by x / (1 + x) and gamma 2.2
   Difference,  ///< the same between two steps' pictures
   Mean,        ///< mean linear light of the picture, before exposure
   Explain,     ///< a number of a pixel's explanation, as `boxprobe explain --json` names it
   View,        ///< mean of a view of the surfaces, where it is defined
-  Bend,     ///< how far a straight line of the picture is from straight in what it shows of the box; see MeasuredBend
+  Bend,        ///< of a straight line of the picture: how far from straight what it shows of the box is, over its length
   Counter,  ///< work counted since the step before
   Field     ///< a number of the scene
 };
@@ -33,7 +33,6 @@ struct LessonMeasure {
   /// Index of the step whose picture it is; nothing: the one it is asked in.
   std::optional<std::size_t> step;
   std::size_t against = 0;  ///< Difference: the other step
-  bool scene = true;        ///< Error: the truth is the ray-traced scene; false: the world is the probe's box
   PictureRegion region{0.0, 0.0, 1.0, 1.0};
   int channel = -1;                  ///< Mean: 0 to 2; -1: the mean of all three
   std::vector<PicturePoint> points;  ///< Explain: one; Bend: three that lie on a line

@@ -83,13 +83,8 @@ LessonMeasure readMeasure(const JsonCursor& entry, std::size_t steps) {
           .choice({"error", "difference", "mean", "explain", "view", "bend", "counter", "field"}));
   if (const auto step = entry.find("step")) measure.step = readStep(*step, steps);
   if (const auto against = entry.find("against")) {
-    if (measure.kind == MeasureKind::Error) {
-      measure.scene = against->choice({"scene", "box"}) == 0;
-    } else if (measure.kind == MeasureKind::Difference) {
-      measure.against = readStep(*against, steps);
-    } else {
-      against->fail("belongs to an error or a difference");
-    }
+    if (measure.kind != MeasureKind::Difference) against->fail("belongs to a difference");
+    measure.against = readStep(*against, steps);
   } else if (measure.kind == MeasureKind::Difference) {
     entry.fail("has no other step; add \"against\": 1");
   }

@@ -1,6 +1,7 @@
 // Reads and writes *.boxprobe.json. Called by the program and the tests; knows nothing of VTK or Qt.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ void saveSceneFile(const Scene& scene, const std::string& path);
 /// "sky.color=[1,0,0]". VALUE is JSON; a bare word is taken as a string. Throws InputError naming the key that does not
 /// exist or the value of the wrong type.
 void setSceneField(Scene& scene, const std::string& assignment);
+
+/// The number at a key path as of setSceneField, defaults included; nothing if there is no number.
+std::optional<double> sceneNumber(const Scene& scene, const std::string& keys);
 
 /// Several in order, validated once all are applied. On an error `scene` is unchanged.
 void setSceneFields(Scene& scene, const std::vector<std::string>& assignments);

@@ -165,6 +165,17 @@ void setSceneFields(Scene& scene, const std::vector<std::string>& assignments) {
   scene = std::move(result);
 }
 
+std::optional<double> sceneNumber(const Scene& scene, const std::string& keys) {
+  Json root = sceneToJson(scene, "", JsonForm::Complete);
+  try {
+    KeyPath path;
+    const Json& value = locate(root, keys, path);
+    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+  } catch (const FieldError&) {
+    return std::nullopt;
+  }
+}
+
 void setSceneField(Scene& scene, const std::string& assignment) {
   setSceneFields(scene, {assignment});
 }

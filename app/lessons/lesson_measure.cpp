@@ -1,0 +1,217 @@
+// See lesson_measure.h.
+#include "app/lessons/lesson_measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/explanation_json.h"
+#include "filters/core/surface_view.h"
+#include "filters/io/image_file.h"
+#include "filters/io/scene_file.h"
+#include "filters/reference/metrics.h"
+#include "filters/reference/reference_scene.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kGridColumns = 32, kGridRows = 20;  // places a view's mean is taken over
+constexpr int kSamples = 4;                       // a pixel
+constexpr int kTruthRays = 64;                    // a pixel, over its samples
+
+struct PixelRange {
+  int left, top, right, bottom;  ///< right and bottom excluded
+};
+
+PixelRange pixelsOf(const PictureRegion& region, int width, int height) {
+  const auto at = [](double share, int size) { return static_cast<int>(std::lround(share * size)); };
+  PixelRange range{at(region[0], width), at(region[1], height), at(region[2], width), at(region[3], height)};
+  range.left = std::min(range.left, width - 1);
+  range.top = std::min(range.top, height - 1);
+  range.right = std::max(range.right, range.left + 1);
+  range.bottom = std::max(range.bottom, range.top + 1);
+  return range;
+}
+
+std::vector<bool> maskOf(const PictureRegion& region, int width, int height) {
+  const PixelRange range = pixelsOf(region, width, height);
+  std::vector<bool> mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = range.top; y < range.bottom; ++y) {
+    for (int x = range.left; x < range.right; ++x) {
+      mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] = true;
+    }
+  }
+  return mask;
+}
+
+glm::ivec2 pixelAt(const PicturePoint& point, int width, int height) {
+  return {std::min(static_cast<int>(point[0] * width), width - 1),
+          std::min(static_cast<int>(point[1] * height), height - 1)};
+}
+
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> numberIn(const std::string& json, const std::string& pointer) {
+  try {
+    const Json root = Json::parse(json);
+    const Json::json_pointer at(pointer);
+    if (!root.contains(at) || !root.at(at).is_number()) return std::nullopt;
+    return root.at(at).get<double>();
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
+double meanLight(const ImageRgbaF& picture, const LessonMeasure& measure) {
+  const std::vector<bool> mask = maskOf(measure.region, picture.width, picture.height);
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
+    const float* pixel = &picture.pixels[4 * i];
+    sum += measure.channel >= 0 ? static_cast<double>(pixel[measure.channel])
+                                : (static_cast<double>(pixel[0]) + pixel[1] + pixel[2]) / 3.0;
+    ++count;
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+}
+
+double errorAgainstScene(const ShownScene& shown, const ImageRgbaF& picture, const PictureRegion& region) {
+  std::shared_ptr<const ImageRgbaF> skyImage;
+  if (const auto* image = std::get_if<SkyImage>(&shown.scene.sky)) {
+    skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file));
+  }
+  ReferenceSettings settings;
+  settings.width = picture.width;
+  settings.height = picture.height;
+  settings.samplesPerPixel = kSamples;
+  settings.raysPerPixel = kTruthRays;
+  const ImageRgbaF truth = ReferenceScene(shown.scene, shown.models, skyImage).render(shown.camera, settings).color;
+  return pictureDifference(picture, truth, region);
+}
+
+std::optional<double> viewMean(const ShownScene& shown, const LessonMeasure& measure) {
+  const auto view = findSurfaceView(measure.name);
+  if (!view) return std::nullopt;
+  std::vector<glm::ivec2> places;
+  for (int row = 0; row < kGridRows; ++row) {
+    for (int column = 0; column < kGridColumns; ++column) {
+      const double x = (column + 0.5) / kGridColumns, y = (row + 0.5) / kGridRows;
+      const PictureRegion& r = measure.region;
+      places.push_back(pixelAt({r[0] + x * (r[2] - r[0]), r[1] + y * (r[3] - r[1])}, shown.width, shown.height));
+    }
+  }
+  double sum = 0.0;
+  int count = 0;
+  for (const Explanation& e : shown.renderer.explain(places, shown.width, shown.height)) {
+    const auto value = surfaceViews()[static_cast<std::size_t>(*view)].value(e);
+    if (!value || !std::isfinite(value->x)) continue;
+    sum += value->x;
+    ++count;
+  }
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+/// What of the box a lookup shows, relative to the capture origin: where a ray from there in its direction leaves it.
+std::optional<glm::dvec3> shownOfBox(const Explanation& e) {
+  if (!e.hit || e.dominant < 0) return std::nullopt;
+  const ProbeExplanation& probe = e.probes[static_cast<std::size_t>(e.dominant)];
+  const glm::dvec3 direction(probe.lookupDirection);
+  double factor = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double d = direction[axis];
+    if (d == 0.0) continue;
+    factor = std::min(factor, (d > 0.0 ? static_cast<double>(probe.boxMax[axis]) : probe.boxMin[axis]) / d);
+  }
+  if (!std::isfinite(factor) || factor < 0.0) return std::nullopt;
+  return factor * direction;
+}
+
+std::optional<double> bend(const ShownScene& shown, const std::vector<PicturePoint>& points) {
+  std::vector<glm::dvec3> seen;
+  for (const PicturePoint& point : points) {
+    const glm::ivec2 pixel = pixelAt(point, shown.width, shown.height);
+    const auto place = shownOfBox(shown.renderer.explain(pixel.x, pixel.y, shown.width, shown.height));
+    if (!place) return std::nullopt;
+    seen.push_back(*place);
+  }
+  const glm::dvec3 along = seen[2] - seen[0];
+  const double length = glm::length(along);
+  if (!(length > 0.0)) return std::nullopt;
+  const glm::dvec3 unit = along / length;
+  const glm::dvec3 offset = seen[1] - seen[0];
+  return glm::length(offset - glm::dot(offset, unit) * unit) / length;
+}
+
+std::optional<double> measureHere(const ShownScene& shown, const LessonMeasure& measure) {
+  switch (measure.kind) {
+    case MeasureKind::Error:
+      return errorAgainstScene(shown, shown.renderer.renderLinear(shown.width, shown.height, kSamples), measure.region);
+    case MeasureKind::Mean:
+      return finite(meanLight(shown.renderer.renderLinear(shown.width, shown.height, kSamples), measure));
+    case MeasureKind::Explain: {
+      const glm::ivec2 pixel = pixelAt(measure.points.front(), shown.width, shown.height);
+      return numberIn(explanationJson(shown.renderer.explain(pixel.x, pixel.y, shown.width, shown.height)),
+                      measure.name);
+    }
+    case MeasureKind::View:
+      return viewMean(shown, measure);
+    case MeasureKind::Bend:
+      return bend(shown, measure.points);
+    case MeasureKind::Field:
+      return sceneNumber(shown.scene, measure.name);
+    case MeasureKind::Difference:
+    case MeasureKind::Counter:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> measureShown(const ShownScene& shown, const LessonMeasure& measure) {
+  if (measure.kind == MeasureKind::Field) return measureHere(shown, measure);
+  const Camera kept = shown.renderer.currentCamera();
+  shown.renderer.applyCamera(shown.camera);
+  const auto value = measureHere(shown, measure);
+  shown.renderer.applyCamera(kept);
+  return value;
+}
+
+double pictureDifference(const ImageRgbaF& picture, const ImageRgbaF& other, const PictureRegion& region) {
+  return pictureError(picture, other, maskOf(region, picture.width, picture.height)).toneMappedRmse;
+}
+
+std::string measuredText(double value, const std::string& unit) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.3g", value);
+  return unit.empty() ? text : std::string(text) + " " + unit;
+}
+
+double conditionLimit(const LessonCondition& condition, double times) {
+  return condition.times ? condition.limit * times : condition.limit;
+}
+
+bool conditionHolds(const LessonCondition& condition, double value, double times) {
+  const double limit = conditionLimit(condition, times);
+  switch (condition.comparison) {
+    case Comparison::Above:
+      return value > limit;
+    case Comparison::Below:
+      return value < limit;
+    case Comparison::Within:
+      return std::abs(value - limit) <= condition.tolerance;
+  }
+  return false;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,179 @@
+// See lesson_player.h.
+#include "app/lessons/lesson_player.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+
+#include <utility>
+
+#include "app/cli/load_scene.h"
+#include "app/cli/offscreen_window.h"
+#include "filters/core/errors.h"
+#include "filters/io/lesson_file.h"
+#include "filters/io/scene_file.h"
+#include "filters/vtk/ray_sources.h"
+#include "filters/vtk/vtkProjectionRays.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kPictureSamples = 4;
+constexpr int kMeasuredWidth = 320;  // measures are of smaller pictures than those to be looked at
+
+/// What lessons may count.
+std::optional<double> counter(const Counters& counters, const std::string& name) {
+  const std::pair<const char*, std::uint64_t Counters::*> known[] = {{"facesCaptured", &Counters::facesCaptured},
+                                                                     {"skyFacesCaptured", &Counters::skyFacesCaptured},
+                                                                     {"levelsFiltered", &Counters::levelsFiltered},
+                                                                     {"programsCompiled", &Counters::programsCompiled}};
+  for (const auto& [id, member] : known) {
+    if (name == id) return static_cast<double>(counters.*member);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+LessonPlayer::LessonPlayer(int width, int height, std::function<bool()> goOn)
+    : width_(width),
+      height_(height),
+      goOn_(std::move(goOn)),
+      window_(makeOffscreenWindow(width, height, kPictureSamples)),
+      renderer_(std::make_unique<SceneRenderer>(window_)),
+      rays_(std::make_unique<RayLayer>(renderer_->renderer())),
+      rayFilter_(vtkSmartPointer<vtkProjectionRays>::New()) {
+  rays_->setLegendVisible(false);
+  rays_->setLineWidth(2.5);
+  rayFilter_->SetKindEnabled(RayKind::TrueHit, false);
+  rayFilter_->SetKindEnabled(RayKind::Error, false);
+}
+
+LessonPlayer::~LessonPlayer() {
+  window_->MakeCurrent();
+  rays_.reset();
+  renderer_->releaseGraphics();
+}
+
+void LessonPlayer::open(const Lesson& lesson) {
+  lesson_ = &lesson;
+  shown_.reset();
+  work_.clear();
+  pictures_.clear();
+}
+
+void LessonPlayer::showScene(std::size_t step, Scene scene) {
+  const Counters before = renderer_->counters();
+  const bool sameModels = scene.models == modelFiles_;
+  if (!sameModels) {
+    models_ = loadModels(scene);
+    modelFiles_ = scene.models;
+    renderer_->setModels(models_);
+  }
+  const Changes changes = sameModels ? difference(scene_, scene) : Changes::all();
+  scene_ = std::move(scene);
+  camera_ = lessonCamera(*lesson_, step, scene_);
+  const LessonStep& content = lesson_->steps[step];
+  renderer_->setProbesEnabled(content.reflections);
+  renderer_->sync(scene_, changes);
+  renderer_->applyCamera(camera_);
+  SurfaceViewSettings view;
+  if (!content.view.empty()) view.view = findSurfaceView(content.view).value_or(0);
+  renderer_->setView(view);
+  window_->MakeCurrent();
+  if (!renderer_->finishWork([this](double) { return !goOn_ || goOn_(); })) throw WorkError("stopped");
+  if (!renderer_->error().empty()) throw WorkError(renderer_->error());
+  if (!renderer_->pictureError().empty()) throw InputError(renderer_->pictureError());
+  const Counters& after = renderer_->counters();
+  Counters done;
+  done.facesCaptured = after.facesCaptured - before.facesCaptured;
+  done.skyFacesCaptured = after.skyFacesCaptured - before.skyFacesCaptured;
+  done.levelsFiltered = after.levelsFiltered - before.levelsFiltered;
+  done.programsCompiled = after.programsCompiled - before.programsCompiled;
+  work_.emplace(step, done);
+}
+
+void LessonPlayer::show(std::size_t step) {
+  if (shown_ == step) return;
+  rays_->setVisible(false);
+  showScene(step, lessonScene(*lesson_, step));
+  shown_ = step;
+}
+
+void LessonPlayer::showChanged(std::size_t step, const std::vector<std::string>& changes) {
+  Scene scene = lessonScene(*lesson_, step);
+  setSceneFields(scene, changes);
+  rays_->setVisible(false);
+  showScene(step, std::move(scene));
+  shown_.reset();
+}
+
+void LessonPlayer::drawRays(const LessonStep& step) {
+  rays_->setVisible(false);
+  if (step.rays.empty()) return;
+  RaySources sources(models_, scene_);
+  const PixelRays pixels(renderer_->renderer()->GetActiveCamera(), width_, height_);
+  std::vector<RaySample> samples;
+  for (const PicturePoint& point : step.rays) {
+    if (auto sample = sources.under(pixels.through(point[0] * width_, point[1] * height_))) samples.push_back(*sample);
+  }
+  rayFilter_->SetProbes(scene_.probes);
+  rayFilter_->SetEye(camera_.position.x, camera_.position.y, camera_.position.z);
+  rayFilter_->SetInputData(rayPoints(samples));
+  rayFilter_->Update();
+  rays_->setRays(rayFilter_->GetOutput());
+  rays_->setVisible(true);
+}
+
+ImageRgba8 LessonPlayer::picture() {
+  if (shown_) drawRays(lesson_->steps[*shown_]);
+  return renderer_->renderDisplay();
+}
+
+ImageRgbaF LessonPlayer::linear(std::size_t step) {
+  const auto kept = pictures_.find(step);
+  if (kept != pictures_.end()) return kept->second;
+  show(step);
+  const int height = kMeasuredWidth * height_ / width_;
+  return pictures_[step] = renderer_->renderLinear(kMeasuredWidth, height, kPictureSamples);
+}
+
+double LessonPlayer::measure(const LessonMeasure& measure, std::optional<std::size_t> here) {
+  std::optional<double> value;
+  if (measure.kind == MeasureKind::Difference) {
+    const ImageRgbaF picture = linear(measure.step.value_or(here.value_or(0)));
+    value = pictureDifference(picture, linear(measure.against), measure.region);
+  } else {
+    if (measure.step) show(*measure.step);
+    if (measure.kind == MeasureKind::Counter) {
+      const std::size_t step = measure.step.value_or(here.value_or(0));
+      value = counter(work_[step], measure.name);
+    } else {
+      rays_->setVisible(false);
+      window_->MakeCurrent();
+      value = measureShown({*renderer_, scene_, models_, camera_, kMeasuredWidth, kMeasuredWidth * height_ / width_},
+                           measure);
+    }
+  }
+  if (!value) throw WorkError(lesson_->path + ": a measure is not defined where the lesson asks for it");
+  return *value;
+}
+
+ClaimResult LessonPlayer::check(const LessonCondition& condition) {
+  ClaimResult result;
+  result.value = measure(condition.measure, std::nullopt);
+  if (condition.times) result.divisor = measure(*condition.times, std::nullopt);
+  result.limit = conditionLimit(condition, result.divisor.value_or(1.0));
+  result.holds = conditionHolds(condition, result.value, result.divisor.value_or(1.0));
+  return result;
+}
+
+bool LessonPlayer::done(const LessonTask& task, std::size_t step, double* value) {
+  const double measured = measure(task.done.measure, step);
+  if (value != nullptr) *value = measured;
+  const double times = task.done.times ? measure(*task.done.times, step) : 1.0;
+  return conditionHolds(task.done, measured, times);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,83 @@
+// Runs lessons without a window: shows a step, takes its picture, holds the lesson to its claims. Called by
+// `boxprobe lessons` and by tests; knows no Qt. Needs a display (see offscreen_window.h).
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/lessons/lesson_measure.h"
+#include "filters/core/counters.h"
+#include "filters/core/lesson.h"
+#include "filters/vtk/ray_layer.h"
+#include "filters/vtk/scene_renderer.h"
+
+class vtkOpenGLRenderWindow;
+class vtkProjectionRays;
+
+namespace boxprobe {
+
+struct ClaimResult {
+  double value = 0.0;
+  double limit = 0.0;             ///< what it is compared with
+  std::optional<double> divisor;  ///< the measure that the limit is a multiple of
+  bool holds = false;
+};
+
+class LessonPlayer {
+ public:
+  /// `goOn` is asked between units of work; false ends what runs with a WorkError.
+  LessonPlayer(int width, int height, std::function<bool()> goOn = {});
+  ~LessonPlayer();
+  LessonPlayer(const LessonPlayer&) = delete;
+  LessonPlayer& operator=(const LessonPlayer&) = delete;
+
+  /// The lesson must outlive its use here. Models that the lesson before has, too, are not read again.
+  void open(const Lesson& lesson);
+  /// All captured, ready to be drawn. What is drawn over it beyond rays is the caller's.
+  void show(std::size_t step);
+  /// With `changes` to the step's scene: what a learner may do.
+  void showChanged(std::size_t step, const std::vector<std::string>& changes);
+  const Scene& scene() const { return scene_; }
+  Camera camera() const { return camera_; }
+  SceneRenderer& renderer() { return *renderer_; }
+  vtkOpenGLRenderWindow* window() { return window_; }
+
+  /// The step that is shown, as the window shows it, rays included.
+  ImageRgba8 picture();
+
+  /// Shows what steps it needs. Throws WorkError for a measure that is not defined.
+  ClaimResult check(const LessonCondition& condition);
+  /// Of what is shown now, `step` of the lesson being meant where a measure names none.
+  bool done(const LessonTask& task, std::size_t step, double* value = nullptr);
+
+ private:
+  double measure(const LessonMeasure& measure, std::optional<std::size_t> here);
+  ImageRgbaF linear(std::size_t step);
+  void drawRays(const LessonStep& step);
+  void showScene(std::size_t step, Scene scene);
+
+  int width_, height_;
+  std::function<bool()> goOn_;
+  vtkSmartPointer<vtkOpenGLRenderWindow> window_;
+  std::unique_ptr<SceneRenderer> renderer_;
+  std::unique_ptr<RayLayer> rays_;
+  vtkSmartPointer<vtkProjectionRays> rayFilter_;
+  const Lesson* lesson_ = nullptr;
+  std::vector<ModelFile> modelFiles_;
+  std::vector<std::shared_ptr<const Model>> models_;
+  std::optional<std::size_t> shown_;  ///< nothing: not a step as the lesson has it
+  Scene scene_;
+  Camera camera_;
+  std::map<std::size_t, Counters> work_;        ///< of each step, when it was first shown
+  std::map<std::size_t, ImageRgbaF> pictures_;  ///< linear, for differences
+};
+
+}  // namespace boxprobe
