@@ -15,6 +15,7 @@
 #include "app/cli/output_check.h"
 #include "app/cli/render_command.h"
 #include "app/cli/stress_command.h"
+#include "app/gui/lessons_command.h"
 #include "app/gui/window_app.h"
 #include "filters/core/errors.h"
 
@@ -41,9 +42,13 @@ int run(int& argc, char** argv) {
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png\n"
       "Each sub-command explains itself: boxprobe render --help");
   program.require_subcommand(0, 1);
-  const std::vector<Subcommand> subcommands = {addRenderCommand(program),  addBakeCommand(program),
-                                               addExplainCommand(program), addInfoCommand(program),
-                                               addBenchCommand(program),   addStressCommand(program)};
+  const std::vector<Subcommand> subcommands = {addRenderCommand(program),
+                                               addBakeCommand(program),
+                                               addExplainCommand(program),
+                                               addInfoCommand(program),
+                                               addBenchCommand(program),
+                                               addStressCommand(program),
+                                               addLessonsCommand(program, argc, argv)};
 
   try {
     program.parse(argc, argv);

@@ -1,5 +1,5 @@
-// All lessons on one HTML page that needs nothing beside it: pictures within, formulas as MathML, questions that answer.
-// Called by `boxprobe lessons -o`; knows no scene.
+// All lessons on one HTML page that needs nothing beside it: pictures within, formulas as MathML, questions that
+// answer. Called by `boxprobe lessons -o`; knows no scene.
 #pragma once
 
 #include <string>

@@ -1,7 +1,6 @@
 // See lesson_pictures.h.
 #include "app/gui/lesson_pictures.h"
 
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <utility>
@@ -54,11 +53,13 @@ std::string claimText(const LessonClaim& claim, const ClaimResult& result) {
     const double ratio = *result.divisor != 0.0 ? result.value / *result.divisor : 0.0;
     text += " against " + measuredText(*result.divisor, claim.unit) + ": " + measuredText(ratio, "") + " times";
   }
-  const std::string limit = result.divisor ? measuredText(condition.limit, "") + " times"
-                                           : measuredText(condition.limit, claim.unit);
+  const std::string limit =
+      result.divisor ? measuredText(condition.limit, "") + " times" : measuredText(condition.limit, claim.unit);
   switch (condition.comparison) {
-    case Comparison::Above: return text + " (more than " + limit + " is claimed)";
-    case Comparison::Below: return text + " (less than " + limit + " is claimed)";
+    case Comparison::Above:
+      return text + " (more than " + limit + " is claimed)";
+    case Comparison::Below:
+      return text + " (less than " + limit + " is claimed)";
     case Comparison::Within:
       return text + " (" + limit + " is claimed, within " + measuredText(condition.tolerance, claim.unit) + ")";
   }

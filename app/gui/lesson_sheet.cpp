@@ -70,9 +70,10 @@ QString questionHtml(const LessonStep& step) {
 }
 
 Caption caption(const LessonStep& step, std::size_t number, int width) {
-  const QString above = QString("<p style=\"font-size:18px; margin-bottom:4px\"><b>%1&ensp;%2</b></p><p style=\"margin-top:0\">%3</p>")
-                            .arg(number + 1)
-                            .arg(html(step.title), html(step.say));
+  const QString above =
+      QString("<p style=\"font-size:18px; margin-bottom:4px\"><b>%1&ensp;%2</b></p><p style=\"margin-top:0\">%3</p>")
+          .arg(number + 1)
+          .arg(html(step.title), html(step.say));
   QImage formula;
   if (!step.formula.empty()) {
     formula = formulaPicture(QString::fromStdString(formulaMathml(step.formula)), kFormulaPoints, ink(), 1.0);
@@ -111,7 +112,8 @@ QImage lessonSheet(const Lesson& lesson, const LessonPictures& pictures) {
   std::vector<int> rowHeights;
   for (int i = 0; i < count; ++i) {
     if (i % columns == 0) rowHeights.push_back(0);
-    rowHeights.back() = std::max(rowHeights.back(), pictureHeight + 10 + captions[static_cast<std::size_t>(i)].height());
+    rowHeights.back() =
+        std::max(rowHeights.back(), pictureHeight + 10 + captions[static_cast<std::size_t>(i)].height());
   }
   int height = 2 * kMargin + heading.height() + 12 + measured.height();
   for (const int row : rowHeights) height += row + kGap;

@@ -148,8 +148,8 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
       report.push_back(
           {{"lesson", lesson->name}, {"claim", claim.say}, {"measured", claim.measured}, {"holds", claim.holds}});
       if (options.report.json || options.report.quiet) continue;
-      std::printf("%-22s %s %s\n  %s\n", lesson->name.c_str(), claim.holds ? "holds:" : "DOES NOT HOLD:",
-                  claim.say.c_str(), claim.measured.c_str());
+      std::printf("%-22s %s %s\n  %s\n", lesson->name.c_str(),
+                  claim.holds ? "holds:" : "DOES NOT HOLD:", claim.say.c_str(), claim.measured.c_str());
     }
     if (output.page) page.add(*lesson, pictures);
     if (!output.page && !output.path.empty()) {
@@ -204,7 +204,8 @@ Subcommand addLessonsCommand(CLI::App& program, int& argc, char** argv) {
                    "Draw instead: a sheet (.png, .jpg) of the lesson; a page (.html) of it, or of all without NAME; or "
                    "a folder for the sheets of all")
       ->type_name("FILE");
-  command->add_flag("--check", options->check, "Measure what the lessons claim; exit status 1 if a claim does not hold");
+  command->add_flag("--check", options->check,
+                    "Measure what the lessons claim; exit status 1 if a claim does not hold");
   command->add_option("--folder", options->folder, "Where the lesson files are (default: those of the program)")
       ->type_name("DIR");
   addReportOptions(*command, options->report, "Print the list, or the claims as measured, as JSON");

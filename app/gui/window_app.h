@@ -8,6 +8,7 @@ namespace boxprobe {
 
 struct WindowOptions {
   std::string statsPath;  ///< --stats: written when the window closes; empty: not at all
+  std::string lesson;     ///< name of a lesson to open; empty: none
 };
 
 /// Returns the process's exit status when the window was closed. `scenePath` may be empty. Throws InputError if it

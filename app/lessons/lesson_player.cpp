@@ -1,7 +1,6 @@
 // See lesson_player.h.
 #include "app/lessons/lesson_player.h"
 
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 
@@ -13,7 +12,6 @@
 #include "filters/io/lesson_file.h"
 #include "filters/io/scene_file.h"
 #include "filters/vtk/ray_sources.h"
-#include "filters/vtk/vtkProjectionRays.h"
 
 namespace boxprobe {
 

@@ -2,7 +2,7 @@
 // `boxprobe lessons` and by tests; knows no Qt. Needs a display (see offscreen_window.h).
 #pragma once
 
-#include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
@@ -18,9 +18,7 @@
 #include "filters/core/lesson.h"
 #include "filters/vtk/ray_layer.h"
 #include "filters/vtk/scene_renderer.h"
-
-class vtkOpenGLRenderWindow;
-class vtkProjectionRays;
+#include "filters/vtk/vtkProjectionRays.h"
 
 namespace boxprobe {
 
