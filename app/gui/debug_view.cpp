@@ -103,7 +103,7 @@ void DebugView::connectParts() {
     raysChanged();
   });
   connect(rayPanel_, &RayPanel::clearRequested, this, [this] {
-    rays_->clearClicks();
+    rays_->setClicks({});
     raysChanged();
   });
   connect(rayPanel_, &RayPanel::saveRequested, this, &DebugView::saveRays);
@@ -218,6 +218,21 @@ void DebugView::raysChanged() {
   const bool drawn = rays_->update();
   rayPanel_->showStatus(QString::fromStdString(rays_->status()));
   if (drawn) emit pictureChanged();
+}
+
+void DebugView::drawRays(const Rays& rays) {
+  rays_->setClicks(rays.clicks);
+  rayPanel_->show(rays.settings);
+}
+
+void DebugView::drawRaysAt(const std::vector<QPointF>& positions) {
+  RaySettings settings = rayPanel_->settings();
+  settings.shown = true;
+  settings.source = RaySource::Clicked;
+  settings.count = std::max(settings.count, static_cast<int>(positions.size()));
+  rays_->setClicks({});
+  for (const QPointF& position : positions) rays_->addClick(explain(position));
+  rayPanel_->show(settings);
 }
 
 void DebugView::saveRays() {

@@ -50,6 +50,15 @@ class DebugView : public QObject {
   void workEnded();  ///< captures are done: other maps may show
   /// Whatever is due before a picture is drawn.
   void update();
+  /// Which rays are drawn, to be put back after others were.
+  struct Rays {
+    RaySettings settings;
+    std::vector<RaySample> clicks;
+  };
+  Rays drawnRays() const { return {rays_->settings(), rays_->clicks()}; }
+  void drawRays(const Rays& rays);
+  /// Rays that start at what the picture shows at these places, logical pixels, as it is now.
+  void drawRaysAt(const std::vector<QPointF>& positions);
   /// While its GL context is current, before the renderer goes.
   void releaseGraphics();
 

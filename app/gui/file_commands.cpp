@@ -39,6 +39,7 @@ FileCommands::FileCommands(Document& document, Editor& editor, Hooks hooks, QWid
     : QObject(window), document_(document), editor_(editor), hooks_(std::move(hooks)), window_(window) {}
 
 QString FileCommands::displayName() const {
+  if (const QString borrowed = hooks_.borrowedName(); !borrowed.isEmpty()) return borrowed;
   if (!document_.path().empty()) return QFileInfo(QString::fromStdString(document_.path())).fileName();
   const auto& models = document_.scene().models;
   if (models.empty()) return tr("no scene");
@@ -56,6 +57,7 @@ void FileCommands::showError(const QString& title, const QString& line) {
 }
 
 bool FileCommands::confirmLeaving() {
+  hooks_.showOwnScene();
   editor_.finish();
   if (!document_.modified()) return true;
   const auto answer =
@@ -129,6 +131,8 @@ bool FileCommands::saveAs() {
 bool FileCommands::saveTo(const QString& path) {
   editor_.finish();
   try {
+    if (!hooks_.mayWrite(path))
+      throw InputError(path.toStdString() + ": the lesson stands on this file; choose another name");
     saveSceneFile(document_.scene(), path.toStdString());
     document_.markSaved(path.toStdString());
     remember(path);

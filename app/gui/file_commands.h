@@ -23,6 +23,10 @@ class FileCommands : public QObject {
   struct Hooks {
     std::function<void(LoadedScene)> show;                  ///< makes a scene that was read the one on show
     std::function<void(const std::string& path)> exportTo;  ///< writes the picture as PNG or EXR
+    /// What is shown for a while in place of the user's own scene goes away.
+    std::function<void()> showOwnScene;
+    std::function<QString()> borrowedName;              ///< of such a scene; empty: the own one is shown
+    std::function<bool(const QString& path)> mayWrite;  ///< false for a file such a scene stands on
   };
 
   FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window);

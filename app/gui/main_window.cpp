@@ -25,6 +25,8 @@
 #include "app/gui/explain_card.h"
 #include "app/gui/file_commands.h"
 #include "app/gui/frame_panel.h"
+#include "app/gui/lesson_panel.h"
+#include "app/gui/lesson_view.h"
 #include "app/gui/material_panel.h"
 #include "app/gui/menu_bar.h"
 #include "app/gui/motion_preview.h"
@@ -34,6 +36,7 @@
 #include "app/gui/probe_panel.h"
 #include "app/gui/probe_preview.h"
 #include "app/gui/probe_widget.h"
+#include "app/gui/projector.h"
 #include "app/gui/recent_files.h"
 #include "app/gui/render_scheduler.h"
 #include "app/gui/status_line.h"
@@ -47,6 +50,7 @@ namespace boxprobe {
 namespace {
 
 constexpr int kPanelWidth = 420;
+constexpr int kLessonWidth = 400;
 
 }  // namespace
 
@@ -72,12 +76,19 @@ MainWindow::MainWindow()
       motion_(new MotionPreview({[this](bool allowed) { renderer_->allowStandIns(allowed); },
                                  [this](bool moving) { return renderer_->setMoving(moving); }},
                                 this)),
-      files_(new FileCommands(document_, *editor_,
-                              {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
-                               [this](const std::string& path) { exportPicture(path); }},
-                              this)),
+      files_(new FileCommands(
+          document_, *editor_,
+          {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
+           [this](const std::string& path) { exportPicture(path); }, [this] { lessons_->leave(); },
+           [this] { return lessons_->sceneName(); }, [this](const QString& path) { return lessons_->mayWrite(path); }},
+          this)),
       debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
       menu_(new MenuBar(this)),
+      lessons_(new LessonView(
+          {this, document_, *editor_, *renderer_, *viewport_, *debugView_, *menu_, [this] { probeWidget_->cancel(); },
+           [this] { return models_; },
+           [this](const LessonModels::List& models, const std::string& path) { showModels(models, path); }},
+          std::string(BOXPROBE_DATA_DIR) + "/lessons", this)),
       status_(new StatusLine(statusBar())) {
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); });
   viewport_->setProbeWidget(probeWidget_);
@@ -92,6 +103,7 @@ MainWindow::MainWindow()
   connectBaking();
   connectDebugView();
   connectMotion();
+  connectLessons();
   documentChanged(Changes::all());
 }
 
@@ -150,6 +162,7 @@ void MainWindow::buildPanels() {
   buildDebugDocks(dock);
   buildCostDock(dock);
   buildFrameDock(dock);
+  buildLessonDock();
 }
 
 void MainWindow::buildDebugDocks(QDockWidget* beside) {
@@ -214,6 +227,53 @@ void MainWindow::buildFrameDock(QDockWidget* beside) {
   menu_->addDockToggle(dock->toggleViewAction());
 }
 
+void MainWindow::buildLessonDock() {
+  lessonDock_ = new QDockWidget(tr("Lessons"), this);
+  lessonDock_->setObjectName("lessons");
+  lessonDock_->setWidget(lessons_->panel());
+  lessonDock_->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+  addDockWidget(Qt::LeftDockWidgetArea, lessonDock_);
+  resizeDocks({lessonDock_}, {kLessonWidth}, Qt::Horizontal);
+  lessonDock_->hide();
+  lessonDock_->installEventFilter(this);
+  projector_ = new Projector(this, lessonDock_, lessons_->panel());
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  // A lesson whose text is gone would leave its scene behind.
+  if (watched == lessonDock_ && event->type() == QEvent::Close) lessons_->leave();
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::connectLessons() {
+  connect(menu_, &MenuBar::lessonsRequested, this, &MainWindow::showLessons);
+  connect(menu_, &MenuBar::projectorSwitched, projector_, &Projector::setOn);
+  connect(projector_, &Projector::switched, menu_, &MenuBar::showProjector);
+  connect(lessons_, &LessonView::shown, this, [this] {
+    lessonDock_->show();
+    lessonDock_->raise();
+  });
+  connect(lessons_, &LessonView::openChanged, this, [this](bool open) {
+    projector_->setLessonOpen(open);
+    updateTitle();
+  });
+  connect(lessons_, &LessonView::pictureChanged, scheduler_, &RenderScheduler::requestRender);
+  connect(lessons_, &LessonView::message, status_, &StatusLine::showMessage);
+  connect(lessons_, &LessonView::failed, status_, &StatusLine::showError);
+  connect(editor_.get(), &Editor::settled, lessons_, &LessonView::documentChanged);
+  connect(scheduler_, &RenderScheduler::rendered, lessons_, &LessonView::pictureDrawn);
+  connect(scheduler_, &RenderScheduler::workEnded, lessons_, &LessonView::workEnded);
+  connect(viewport_, &Viewport::becameReady, lessons_, &LessonView::shapeChanged);
+}
+
+void MainWindow::showLessons() {
+  lessons_->showList();
+}
+
+void MainWindow::openLesson(const QString& name, std::optional<std::size_t> step) {
+  lessons_->open(name, step);
+}
+
 void MainWindow::connectDebugView() {
   connect(menu_, &MenuBar::explainToolSwitched, debugView_.get(), &DebugView::setTool);
   connect(menu_, &MenuBar::copyTextRequested, debugView_.get(), &DebugView::copyText);
@@ -274,6 +334,7 @@ void MainWindow::connectMenu() {
   connect(menu_, &MenuBar::deleteRequested, probeList_, &ProbeList::deleteProbe);
   connect(menu_, &MenuBar::escapePressed, this, [this] {
     if (probeWidget_->dragging()) return probeWidget_->cancel();
+    if (projector_->on()) return projector_->setOn(false);
     if (!debugView_->unpin()) scheduler_->stopWork();
   });
   connect(menu_, &MenuBar::cameraChosen, this, &MainWindow::applyCamera);
@@ -349,6 +410,7 @@ void MainWindow::documentChanged(const Changes& changes) {
   costPanel_->update();
   menu_->update(document_);
   debugView_->documentChanged(changes);
+  lessons_->documentChanged();
   updateTitle();
   const bool empty = document_.scene().models.empty();
   viewport_->showInvitation(empty ? tr("Drop a scene or a model here, or open one with Ctrl+O") : QString());
@@ -361,15 +423,21 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::showScene(LoadedScene loaded) {
-  probeWidget_->cancel();
-  renderer_->setModels(loaded.models);
-  capturePanel_->setModels(loaded.models);
-  materialPanel_->setModels(loaded.models);
-  debugView_->setModels(loaded.models);
-  bakePanel_->useFilesBeside(loaded.path);
+  lessons_->drop();
+  showModels(loaded.models, loaded.path);
   document_.open(std::move(loaded.scene), loaded.path);
   if (!document_.scene().probes.empty()) document_.selectProbe(0);
   resetView();
+}
+
+void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path) {
+  probeWidget_->cancel();
+  models_ = models;
+  renderer_->setModels(models);
+  capturePanel_->setModels(models);
+  materialPanel_->setModels(models);
+  debugView_->setModels(models);
+  bakePanel_->useFilesBeside(path);
 }
 
 void MainWindow::resetView() {

@@ -4,6 +4,9 @@
 
 #include <QMainWindow>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/cli/load_scene.h"
 #include "app/gui/editor.h"
@@ -17,6 +20,7 @@ class BakePanel;
 class CapturePanel;
 class DebugView;
 class FileCommands;
+class LessonView;
 class MaterialPanel;
 class MenuBar;
 class MotionPreview;
@@ -26,6 +30,7 @@ class ProbeOverlay;
 class ProbePanel;
 class ProbePreview;
 class ProbeWidget;
+class Projector;
 class RenderScheduler;
 class SceneRenderer;
 class CostPanel;
@@ -43,6 +48,11 @@ class MainWindow : public QMainWindow {
   /// Shows a scene that was read, from its first camera.
   void showScene(LoadedScene loaded);
 
+  /// The list of lessons beside the picture; the scene on show stays.
+  void showLessons();
+  /// A lesson, from that step (0 the first) or where the learner left off. The scene on show comes back afterwards.
+  void openLesson(const QString& name, std::optional<std::size_t> step = {});
+
   Document& document() { return document_; }
   Editor& editor() { return *editor_; }
   Viewport& viewport() { return *viewport_; }
@@ -50,6 +60,8 @@ class MainWindow : public QMainWindow {
   RenderScheduler& scheduler() { return *scheduler_; }
   FileCommands& files() { return *files_; }
   DebugView& debugView() { return *debugView_; }
+  LessonView& lessons() { return *lessons_; }
+  Projector& projector() { return *projector_; }
   MotionPreview& motionPreview() { return *motion_; }
   const SceneRenderer& renderer() const { return *renderer_; }
 
@@ -63,6 +75,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void buildPanels();
@@ -70,12 +83,15 @@ class MainWindow : public QMainWindow {
   void buildDebugDocks(class QDockWidget* beside);
   void buildCostDock(QDockWidget* beside);
   void buildFrameDock(QDockWidget* beside);
+  void buildLessonDock();
   void connectViews();
   void connectMenu();
   void connectDebugView();
   void connectWork();
   void connectBaking();
   void connectMotion();
+  void connectLessons();
+  void showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path);
   void documentChanged(const Changes& changes);
   void resetView();
   void applyCamera(int index);
@@ -96,6 +112,9 @@ class MainWindow : public QMainWindow {
   FileCommands* files_;
   std::unique_ptr<DebugView> debugView_;
   MenuBar* menu_;
+  LessonView* lessons_;
+  QDockWidget* lessonDock_ = nullptr;
+  Projector* projector_ = nullptr;
   StatusLine* status_;
   ProbeList* probeList_ = nullptr;
   ProbePanel* probePanel_ = nullptr;
@@ -106,6 +125,7 @@ class MainWindow : public QMainWindow {
   ProbePreview* preview_ = nullptr;
   CostPanel* costPanel_ = nullptr;
   FramePanel* framePanel_ = nullptr;
+  std::vector<std::shared_ptr<const Model>> models_;  ///< on show, in the order of scene.models
   bool firstPictureDone_ = false;
   std::string shownError_;
 };

@@ -40,12 +40,16 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   cameras_ = view_->addMenu(tr("&Camera"));
   add(view_, tr("&Reset view"), QKeySequence("Home"), &MenuBar::resetViewRequested);
   view_->addSeparator();
-  addToggle(view_, tr("Probe &boxes and handles"), QKeySequence("Ctrl+B"), &MenuBar::boxesShown);
-  addToggle(view_, tr("Re&flections from probes"), QKeySequence("Ctrl+R"), &MenuBar::reflectionsShown);
+  boxes_ = addToggle(view_, tr("Probe &boxes and handles"), QKeySequence("Ctrl+B"), &MenuBar::boxesShown);
+  reflections_ = addToggle(view_, tr("Re&flections from probes"), QKeySequence("Ctrl+R"), &MenuBar::reflectionsShown);
   motionPreview_ = addToggle(view_, tr("C&heaper techniques while moving"), {}, &MenuBar::motionPreviewSwitched);
   motionPreview_->setToolTip(
       tr("While the camera or a handle moves, costly techniques are drawn by what their rows name as a stand-in"));
   motionPreview_->setChecked(false);
+  projector_ = addToggle(view_, tr("&Projector: the picture and the lesson alone"), QKeySequence("F11"),
+                         &MenuBar::projectorSwitched);
+  projector_->setChecked(false);
+  view_->addSeparator();
 
   QMenu* debug = window->menuBar()->addMenu(tr("&Debug"));
   explain_ = addToggle(debug, tr("&Explain pixels"), QKeySequence("E"), &MenuBar::explainToolSwitched);
@@ -56,12 +60,14 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   add(debug, tr("Save &rays..."), QKeySequence(), &MenuBar::saveRaysRequested);
 
   QMenu* help = window->menuBar()->addMenu(tr("&Help"));
-  add(help, tr("&Mouse and keys, about"), QKeySequence("F1"), &MenuBar::aboutRequested);
+  add(help, tr("&Lessons..."), QKeySequence("F1"), &MenuBar::lessonsRequested);
+  add(help, tr("&Mouse and keys, about"), QKeySequence("Shift+F1"), &MenuBar::aboutRequested);
 }
 
 QAction* MenuBar::add(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)()) {
   QAction* action = menu->addAction(text);
   action->setShortcut(keys);
+  window_->addAction(action);  // keys work while the menu bar is hidden
   connect(action, &QAction::triggered, this, signal);
   return action;
 }
@@ -69,6 +75,7 @@ QAction* MenuBar::add(QMenu* menu, const QString& text, const QKeySequence& keys
 QAction* MenuBar::addToggle(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)(bool)) {
   QAction* action = menu->addAction(text);
   action->setShortcut(keys);
+  window_->addAction(action);
   action->setCheckable(true);
   action->setChecked(true);
   connect(action, &QAction::toggled, this, signal);
@@ -81,6 +88,26 @@ void MenuBar::showExplainTool(bool on) {
 
 void MenuBar::showMotionPreview(bool on) {
   motionPreview_->setChecked(on);
+}
+
+void MenuBar::setBoxesShown(bool shown) {
+  boxes_->setChecked(shown);
+}
+
+void MenuBar::setReflectionsShown(bool shown) {
+  reflections_->setChecked(shown);
+}
+
+bool MenuBar::boxesAreShown() const {
+  return boxes_->isChecked();
+}
+
+bool MenuBar::reflectionsAreShown() const {
+  return reflections_->isChecked();
+}
+
+void MenuBar::showProjector(bool on) {
+  projector_->setChecked(on);
 }
 
 void MenuBar::addDockToggle(QAction* action) {

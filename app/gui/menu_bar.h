@@ -26,6 +26,12 @@ class MenuBar : public QObject {
   void addDockToggle(QAction* action);
   void showRecent(const QStringList& paths);
   void showMotionPreview(bool on);
+  /// As if the user had switched them.
+  void setBoxesShown(bool shown);
+  void setReflectionsShown(bool shown);
+  bool boxesAreShown() const;
+  bool reflectionsAreShown() const;
+  void showProjector(bool on);
   /// The tool was switched elsewhere.
   void showExplainTool(bool on);
 
@@ -55,6 +61,8 @@ class MenuBar : public QObject {
   void copyJsonRequested();
   void saveRaysRequested();
   void aboutRequested();
+  void lessonsRequested();
+  void projectorSwitched(bool on);
 
  private:
   QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)());
@@ -65,7 +73,8 @@ class MenuBar : public QObject {
   QMenu* cameras_;
   QMenu* recent_;
   std::vector<std::string> cameraNames_;
-  QAction *undo_, *redo_, *duplicate_, *delete_, *bake_, *export_, *explain_, *motionPreview_;
+  QAction *undo_, *redo_, *duplicate_, *delete_, *bake_, *export_, *explain_, *motionPreview_, *boxes_, *reflections_,
+      *projector_;
 };
 
 }  // namespace boxprobe

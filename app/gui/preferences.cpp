@@ -10,20 +10,20 @@ namespace {
 
 constexpr const char* kCheaperWhileMoving = "cheaperWhileMoving";
 
-/// By QStandardPaths, not QSettings' own place: tests redirect the former.
-QString settingsFile() {
+}  // namespace
+
+// By QStandardPaths, not QSettings' own place: tests redirect the former.
+QString preferencesFile() {
   return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/preferences.ini";
 }
 
-}  // namespace
-
 std::optional<bool> cheaperWhileMoving() {
-  const QVariant value = QSettings(settingsFile(), QSettings::IniFormat).value(kCheaperWhileMoving);
+  const QVariant value = QSettings(preferencesFile(), QSettings::IniFormat).value(kCheaperWhileMoving);
   return value.isValid() ? std::optional<bool>(value.toBool()) : std::nullopt;
 }
 
 void keepCheaperWhileMoving(bool on) {
-  QSettings(settingsFile(), QSettings::IniFormat).setValue(kCheaperWhileMoving, on);
+  QSettings(preferencesFile(), QSettings::IniFormat).setValue(kCheaperWhileMoving, on);
 }
 
 }  // namespace boxprobe

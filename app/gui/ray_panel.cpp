@@ -104,14 +104,8 @@ RayPanel::RayPanel(QWidget* parent)
   connect(clear_, &QPushButton::clicked, this, &RayPanel::clearRequested);
   connect(save, &QPushButton::clicked, this, &RayPanel::saveRequested);
 
-  shown_->setChecked(settings_.shown);
-  {
-    const QSignalBlocker quiet(count_);
-    count_->setValue(settings_.count);
-  }
-  length_->show(settings_.maximumLength);
   setObjects({});
-  apply();
+  show(settings_);
 }
 
 void RayPanel::buildKinds(QFormLayout* form) {
@@ -137,6 +131,21 @@ void RayPanel::buildKinds(QFormLayout* form) {
     grid->addWidget(kinds_[i], static_cast<int>(i) / 2, static_cast<int>(i) % 2);
   }
   form->addRow(tr("Lines"), grid);
+}
+
+void RayPanel::show(const RaySettings& settings) {
+  shown_->setChecked(settings.shown);
+  source_->setCurrentIndex(static_cast<int>(settings.source));
+  object_->setCurrentIndex(std::max(object_->findData(QString::fromStdString(settings.object)), 0));
+  {
+    const QSignalBlocker quiet(count_);
+    count_->setValue(settings.count);
+  }
+  length_->show(settings.maximumLength);
+  for (std::size_t i = 0; i < kinds_.size(); ++i) kinds_[i]->setChecked(settings.kinds[i]);
+  coloring_->setCurrentIndex(static_cast<int>(settings.coloring));
+  settings_ = settings;
+  apply();
 }
 
 void RayPanel::setObjects(const std::vector<std::string>& names) {

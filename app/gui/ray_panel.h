@@ -27,6 +27,7 @@ class RayPanel : public QWidget {
   explicit RayPanel(QWidget* parent = nullptr);
 
   const RaySettings& settings() const { return settings_; }
+  void show(const RaySettings& settings);
   void setObjects(const std::vector<std::string>& names);
   /// In scene units: how far rays go that hit nothing.
   void setMaximumLength(double length);

@@ -76,8 +76,8 @@ void RayRig::addClick(const Explanation& explanation) {
   stale_ = true;
 }
 
-void RayRig::clearClicks() {
-  clicks_.clear();
+void RayRig::setClicks(std::vector<RaySample> clicks) {
+  clicks_ = std::move(clicks);
   stale_ = true;
 }
 

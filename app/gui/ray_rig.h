@@ -39,7 +39,8 @@ class RayRig {
   /// What is explained now; null: nothing. True if the rays changed by it.
   bool explain(const Explanation* explanation);
   void addClick(const Explanation& explanation);
-  void clearClicks();
+  const std::vector<RaySample>& clicks() const { return clicks_; }
+  void setClicks(std::vector<RaySample> clicks);
   /// Does where the camera stands change the rays?
   bool followsCamera() const { return settings_.shown && settings_.source == RaySource::Screen; }
   /// Brings the layer up to date. True if there is something to be drawn anew.

@@ -88,6 +88,13 @@ void SurfaceViewPanel::choose(int view) {
   apply();
 }
 
+void SurfaceViewPanel::show(const SurfaceViewSettings& settings) {
+  choose(settings.view);
+  settings_ = settings;
+  lock_->setChecked(settings_.low.has_value());
+  apply();
+}
+
 void SurfaceViewPanel::showRange(const std::pair<double, double>& range) {
   low_->show(range.first);
   high_->show(range.second);

@@ -23,6 +23,8 @@ class SurfaceViewPanel : public QWidget {
 
   const SurfaceViewSettings& settings() const { return settings_; }
   void choose(int view);
+  /// With its range, if that is locked.
+  void show(const SurfaceViewSettings& settings);
   /// The range that the picture shows now.
   void showRange(const std::pair<double, double>& range);
 

@@ -65,6 +65,7 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
     window.files().remember(QString::fromStdString(scenePath));
   }
   window.show();
+  if (!options.lesson.empty()) window.openLesson(QString::fromStdString(options.lesson));
   QApplication::exec();
 
   stats.startToFirstFrameCpuSeconds = startToFirstFrame;

@@ -36,52 +36,66 @@ std::string followedName(const Scene& before, const Scene& after, const std::str
 
 }  // namespace
 
-Document::Document() : committed_(std::make_shared<Scene>()), shown_(committed_), saved_(committed_) {}
+Document::State::State() : committed_(std::make_shared<Scene>()), saved_(committed_) {}
+
+Document::State Document::State::opened(Scene scene, std::string path, std::optional<std::string> selectedProbe) {
+  validate(scene);
+  State state;
+  state.committed_ = state.saved_ = std::make_shared<Scene>(std::move(scene));
+  state.path_ = std::move(path);
+  state.selectedName_ = std::move(selectedProbe);
+  return state;
+}
+
+Document::Document() : shown_(state_.committed_) {}
+
+void Document::restore(State state, const Changes& also) {
+  Changes changes = difference(*shown_, *state.committed_);
+  changes |= also;
+  changes.file = changes.selection = true;
+  state_ = std::move(state);
+  shown_ = state_.committed_;
+  notify(changes);
+}
 
 const Scene& Document::scene() const {
   return *shown_;
 }
 
 std::optional<std::size_t> Document::selectedProbe() const {
-  if (!selectedName_) return std::nullopt;
-  return findProbe(*shown_, *selectedName_);
+  if (!state_.selectedName_) return std::nullopt;
+  return findProbe(*shown_, *state_.selectedName_);
 }
 
 void Document::selectProbe(std::optional<std::size_t> index) {
   std::optional<std::string> name;
   if (index && *index < shown_->probes.size()) name = shown_->probes[*index].name;
   const auto before = selectedProbe();
-  selectedName_ = name;
+  state_.selectedName_ = name;
   Changes changes;
   changes.selection = before != selectedProbe();
   if (changes.any()) notify(changes);
 }
 
 void Document::open(Scene scene, std::string path) {
-  validate(scene);
-  committed_ = shown_ = saved_ = std::make_shared<Scene>(std::move(scene));
-  steps_.clear();
-  position_ = 0;
-  selectedName_.reset();
-  path_ = std::move(path);
-  notify(Changes::all());
+  restore(State::opened(std::move(scene), std::move(path)), Changes::all());
 }
 
 bool Document::preview(const Edit& edit) {
   Snapshot next;
   try {
-    next = edited(*committed_, edit);
+    next = edited(*state_.committed_, edit);
   } catch (const InputError&) {
     return false;
   }
-  move(committed_, std::move(next), position_, {});
+  move(state_.committed_, std::move(next), state_.position_, {});
   return true;
 }
 
 void Document::commit(const std::string& label, const Edit& edit) {
   Snapshot next;
   try {
-    next = edited(*committed_, edit);
+    next = edited(*state_.committed_, edit);
   } catch (...) {
     cancel();
     throw;
@@ -94,59 +108,59 @@ void Document::commitPreview(const std::string& label) {
 }
 
 void Document::record(const std::string& label, const Snapshot& scene) {
-  if (same(committed_, scene)) {
+  if (same(state_.committed_, scene)) {
     cancel();
     return;
   }
-  steps_.resize(position_);
-  steps_.push_back({label, committed_, scene});
-  move(scene, scene, steps_.size(), {});
+  state_.steps_.resize(state_.position_);
+  state_.steps_.push_back({label, state_.committed_, scene});
+  move(scene, scene, state_.steps_.size(), {});
 }
 
 void Document::cancel() {
-  move(committed_, committed_, position_, {});
+  move(state_.committed_, state_.committed_, state_.position_, {});
 }
 
 bool Document::previewing() const {
-  return shown_ != committed_;
+  return shown_ != state_.committed_;
 }
 
 bool Document::canUndo() const {
-  return position_ > 0;
+  return state_.position_ > 0;
 }
 bool Document::canRedo() const {
-  return position_ < steps_.size();
+  return state_.position_ < state_.steps_.size();
 }
 std::string Document::undoLabel() const {
-  return canUndo() ? steps_[position_ - 1].label : std::string();
+  return canUndo() ? state_.steps_[state_.position_ - 1].label : std::string();
 }
 std::string Document::redoLabel() const {
-  return canRedo() ? steps_[position_].label : std::string();
+  return canRedo() ? state_.steps_[state_.position_].label : std::string();
 }
 
 void Document::undo() {
   if (!canUndo()) return cancel();
-  const Snapshot target = steps_[position_ - 1].before;
-  move(target, target, position_ - 1, {});
+  const Snapshot target = state_.steps_[state_.position_ - 1].before;
+  move(target, target, state_.position_ - 1, {});
 }
 
 void Document::redo() {
   if (!canRedo()) return cancel();
-  const Snapshot target = steps_[position_].after;
-  move(target, target, position_ + 1, {});
+  const Snapshot target = state_.steps_[state_.position_].after;
+  move(target, target, state_.position_ + 1, {});
 }
 
 const std::string& Document::path() const {
-  return path_;
+  return state_.path_;
 }
 
 bool Document::modified() const {
-  return !same(committed_, saved_);
+  return !same(state_.committed_, state_.saved_);
 }
 
 void Document::markSaved(std::string path) {
-  saved_ = committed_;
-  path_ = std::move(path);
+  state_.saved_ = state_.committed_;
+  state_.path_ = std::move(path);
   Changes changes;
   changes.file = true;
   notify(changes);
@@ -166,14 +180,14 @@ void Document::move(Snapshot committed, Snapshot shown, std::size_t position, Ch
   const Snapshot before = shown_;
   const bool modifiedBefore = modified();
   const auto selectedBefore = selectedProbe();
-  std::optional<std::string> name = selectedName_;
+  std::optional<std::string> name = state_.selectedName_;
   if (name) name = followedName(*before, *shown, *name);
   changes |= difference(*before, *shown);
 
-  committed_ = std::move(committed);
+  state_.committed_ = std::move(committed);
   shown_ = std::move(shown);
-  position_ = position;
-  selectedName_ = std::move(name);
+  state_.position_ = position;
+  state_.selectedName_ = std::move(name);
   changes.selection |= selectedBefore != selectedProbe();
   changes.file |= modifiedBefore != modified();
   if (changes.any()) notify(changes);

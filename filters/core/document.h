@@ -49,6 +49,36 @@ class Document {
   std::optional<std::size_t> selectedProbe() const;  ///< always a valid index into scene().probes, or nothing
   void selectProbe(std::optional<std::size_t> index);
 
+  /// A scene with its history: everything here but the observers. Taken, to show another scene for a while, and put
+  /// back as it was. Cheap to copy: scenes are shared.
+  class State {
+   public:
+    /// Of a scene as it is right after it was opened. Throws InputError if it is not valid.
+    static State opened(Scene scene, std::string path, std::optional<std::string> selectedProbe = {});
+    const Scene& scene() const { return *committed_; }
+    const std::string& path() const { return path_; }
+
+   private:
+    friend class Document;
+    struct Step {
+      std::string label;
+      std::shared_ptr<const Scene> before, after;
+    };
+    State();
+
+    std::shared_ptr<const Scene> committed_;  ///< what the undo stack stands at
+    std::shared_ptr<const Scene> saved_;      ///< as last opened or saved
+    std::vector<Step> steps_;                 ///< undo stack; steps_[position_ - 1] is what undo takes back
+    std::size_t position_ = 0;
+    /// Kept while its probe is gone, so that undo of a delete selects it again.
+    std::optional<std::string> selectedName_;
+    std::string path_;
+  };
+  /// Without a preview under way.
+  const State& state() const { return state_; }
+  /// Observers are told what differs, and `also`.
+  void restore(State state, const Changes& also = {});
+
   /// Replaces everything (a file was opened); the undo stack starts anew and the document counts as saved. Throws
   /// InputError, and leaves everything as it was, if the scene is not valid.
   void open(Scene scene, std::string path);
@@ -84,23 +114,12 @@ class Document {
 
  private:
   using Snapshot = std::shared_ptr<const Scene>;
-  struct Step {
-    std::string label;
-    Snapshot before, after;
-  };
-
   void record(const std::string& label, const Snapshot& scene);
   void move(Snapshot committed, Snapshot shown, std::size_t position, Changes changes);
   void notify(const Changes& changes);
 
-  Snapshot committed_;       ///< what the undo stack stands at
-  Snapshot shown_;           ///< committed_, or a preview of what may come next
-  Snapshot saved_;           ///< as last opened or saved
-  std::vector<Step> steps_;  ///< undo stack; steps_[position_ - 1] is what undo takes back
-  std::size_t position_ = 0;
-  std::optional<std::string>
-      selectedName_;  ///< kept while its probe is gone, so that undo of a delete selects it again
-  std::string path_;
+  State state_;
+  Snapshot shown_;  ///< state_.committed_, or a preview of what may come next
   std::vector<std::pair<std::size_t, Observer>> observers_;
   std::size_t nextObserver_ = 1;
 };

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "filters/core/document.h"
+#include "filters/core/errors.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/two_probes.h"
 
@@ -235,6 +236,58 @@ TEST_F(DocumentTest, AnObserverMayEdit) {
   EXPECT_EQ(document.undoLabel(), "clamp");
   document.undo();  // back to 5, which the observer does not leave standing
   EXPECT_EQ(face(), 3);
+}
+
+TEST(DocumentState, ComesBackWholeAfterAnotherSceneWasShown) {
+  Document document;
+  document.open(twoProbes(), "mine.boxprobe.json");
+  document.selectProbe(1);
+  document.commit("One", [](Scene& scene) { scene.probes[1].intensity = 2.0; });
+  document.commit("Two", [](Scene& scene) { scene.probes[1].intensity = 3.0; });
+  document.undo();
+  const Document::State mine = document.state();
+
+  Scene other = twoProbes();
+  other.probes.pop_back();
+  document.restore(Document::State::opened(other, "", other.probes.front().name));
+  EXPECT_EQ(document.selectedProbe(), std::optional<std::size_t>(0));
+  EXPECT_FALSE(document.canUndo());
+  EXPECT_FALSE(document.modified());
+  document.commit("Theirs", [](Scene& scene) { scene.probes[0].intensity = 9.0; });
+
+  document.restore(mine);
+  EXPECT_EQ(document.path(), "mine.boxprobe.json");
+  EXPECT_EQ(document.scene().probes[1].intensity, 2.0);
+  EXPECT_EQ(document.selectedProbe(), std::optional<std::size_t>(1));
+  EXPECT_TRUE(document.modified());
+  EXPECT_EQ(document.undoLabel(), "One");
+  EXPECT_EQ(document.redoLabel(), "Two");
+  document.redo();
+  EXPECT_EQ(document.scene().probes[1].intensity, 3.0);
+}
+
+TEST(DocumentState, ObserversAreToldWhatDiffersAndNoMore) {
+  Document document;
+  document.open(twoProbes(), "");
+  Scene other = twoProbes();
+  other.probes[0].intensity = 2.0;
+  Changes seen;
+  document.addObserver([&seen](const Changes& changes) { seen = changes; });
+  document.restore(Document::State::opened(other, ""));
+  EXPECT_TRUE(seen.probeShape);
+  EXPECT_TRUE(seen.file);
+  EXPECT_FALSE(seen.models);
+  EXPECT_FALSE(seen.probeCapture);
+  Changes also;
+  also.models = true;
+  document.restore(Document::State::opened(other, ""), also);
+  EXPECT_TRUE(seen.models);
+}
+
+TEST(DocumentState, AnInvalidSceneIsNone) {
+  Scene broken = twoProbes();
+  broken.probes[1].name = broken.probes[0].name;
+  EXPECT_THROW(Document::State::opened(broken, ""), InputError);
 }
 
 }  // namespace

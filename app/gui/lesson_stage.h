@@ -1,0 +1,51 @@
+// Sets the window up as a lesson's step asks - camera, view of the surfaces, reflections, boxes, rays - and puts back
+// what the learner had before the lessons. Called by the lesson view; knows no document.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/gui/debug_view.h"
+#include "filters/core/lesson.h"
+#include "filters/core/surface_view.h"
+
+namespace boxprobe {
+
+class MenuBar;
+class SceneRenderer;
+class Viewport;
+
+class LessonStage {
+ public:
+  LessonStage(SceneRenderer& renderer, Viewport& viewport, DebugView& debugView, MenuBar& menu);
+
+  /// Remembers what the learner has.
+  void enter();
+  void setUp(const LessonStep& step, const Camera& camera);
+  /// The step's picture is on the screen: rays can start in it. True if some are now drawn.
+  bool pictureDrawn();
+  /// The window's shape changed: the step's camera is fitted anew unless the learner has moved it.
+  void shapeChanged();
+  void leave();
+
+ private:
+  void fitCamera();
+
+  struct Settings {
+    Camera camera;
+    SurfaceViewSettings view;
+    bool reflections = true, boxes = true;
+    DebugView::Rays rays;
+  };
+
+  SceneRenderer& renderer_;
+  Viewport& viewport_;
+  DebugView& debugView_;
+  MenuBar& menu_;
+  std::optional<Settings> own_;
+  Camera camera_;                 ///< of the step
+  std::optional<Camera> fitted_;  ///< as it was fitted to the window last
+  std::vector<PicturePoint> pendingRays_;
+};
+
+}  // namespace boxprobe

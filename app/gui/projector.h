@@ -1,0 +1,40 @@
+// The window for a projector: the picture and, while a lesson is open, its text in large letters; all else is put away
+// and comes back as it was. Called by the main window.
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+
+class QDockWidget;
+class QMainWindow;
+
+namespace boxprobe {
+
+class LessonPanel;
+
+class Projector : public QObject {
+  Q_OBJECT
+
+ public:
+  Projector(QMainWindow* window, QDockWidget* lessonDock, LessonPanel* lessons);
+
+  bool on() const { return on_; }
+  void setOn(bool on);
+  /// A lesson was opened or left.
+  void setLessonOpen(bool open);
+
+ signals:
+  void switched(bool on);
+
+ private:
+  void showLessonLarge();
+
+  QMainWindow* window_;
+  QDockWidget* lessonDock_;
+  LessonPanel* lessons_;
+  QByteArray docks_;
+  Qt::WindowStates windowState_;
+  bool on_ = false, lessonOpen_ = false;
+};
+
+}  // namespace boxprobe
