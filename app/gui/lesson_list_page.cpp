@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "app/gui/lesson_progress.h"
 #include "app/gui/panel_layout.h"

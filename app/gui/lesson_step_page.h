@@ -10,6 +10,7 @@
 class QLabel;
 class QPushButton;
 class QScrollArea;
+class QVBoxLayout;
 
 namespace boxprobe {
 
@@ -45,7 +46,7 @@ class LessonStepPage : public QWidget {
   void startOverRequested();
 
  private:
-  void buildTop(class QVBoxLayout* layout);
+  void buildTop(QVBoxLayout* layout);
   QWidget* buildText();
   void buildTry(QVBoxLayout* layout);
   void buildBottom(QVBoxLayout* layout);

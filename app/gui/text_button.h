@@ -5,6 +5,8 @@
 #include <QAbstractButton>
 #include <QString>
 
+class QPainter;
+
 namespace boxprobe {
 
 class TextButton : public QAbstractButton {
@@ -34,7 +36,7 @@ class TextButton : public QAbstractButton {
  private:
   struct Layout;
   Layout layOut(int width) const;
-  void paintMark(class QPainter& painter, const QRectF& square) const;
+  void paintMark(QPainter& painter, const QRectF& square) const;
 
   QString heading_, body_, corner_;
   Mark mark_ = Mark::None;
