@@ -60,6 +60,8 @@ std::string statsJson(const RunStats& stats) {
                       {"drawsWithOpenSky", c.drawsWithOpenSky},
                       {"drawsWithCoverage", c.drawsWithCoverage},
                       {"shadowMapsDrawn", c.shadowMapsDrawn},
+                      {"glassDraws", c.glassDraws},
+                      {"glassPasses", c.glassPasses},
                       {"texelsClamped", c.texelsClamped},
                       {"errorsMeasured", c.errorsMeasured},
                       {"texelsNotFinite", c.texelsNotFinite},

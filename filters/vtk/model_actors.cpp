@@ -154,6 +154,7 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
     vtkProperty* property = object.actor->GetProperty();
     property->SetInterpolationToPBR();
     object.surface = makeSurface(object.material, mesh, textures);
+    object.mesh = &mesh;
     object.mapper->SetSurface(object.surface);
     object.actor->SetForceOpaque(object.material.alphaMode != AlphaMode::Blend);
     object.actor->SetForceTranslucent(object.material.alphaMode == AlphaMode::Blend);
@@ -196,6 +197,12 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
     object.roughnessMin = std::min(object.roughnessMin, static_cast<double>(material.coatRoughness));
     object.roughnessMax = std::max(object.roughnessMax, static_cast<double>(material.coatRoughness));
   }
+  object.surface->glass.apply(material, *object.mesh, object.worldFromModel);
+  // Drawn after all that is opaque, in passes of its own (glass_draw.h): VTK's for translucent surfaces would mix
+  // faces.
+  const bool blended = object.material.alphaMode == AlphaMode::Blend && !object.surface->glass.drawn;
+  object.actor->SetForceOpaque(!blended);
+  object.actor->SetForceTranslucent(blended);
   property->SetRoughness(material.roughness);
   property->SetOcclusionStrength(material.occlusionTexture.image ? material.occlusionStrength : 0.0);
   property->SetBaseIOR(material.ior);

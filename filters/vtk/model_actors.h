@@ -28,6 +28,7 @@ struct DrawnObject {
   glm::dmat4 placed{1.0};                                       ///< by its model's entry
   glm::dmat4 worldFromModel{1.0};                               ///< moved by its override, too
   std::shared_ptr<SurfaceMaterial> surface;                     ///< its numbers follow the overrides
+  const Mesh* mesh = nullptr;                                   ///< of the model, which lives as long
   vtkSmartPointer<vtkActor> actor;
   vtkSmartPointer<vtkProbePolyDataMapper> mapper;
   ObjectOverride settings;

@@ -62,12 +62,18 @@ void SceneContent::showObjects(vtkCulledRenderer* renderer) {
   if (many && !now) renderer->SetCulledProps({}, {});
   if (!now || !many) {
     for (DrawnObject& object : objects) {
-      if (now) {
+      if (now && !object.surface->glass.drawn) {
         renderer->RemoveActor(object.actor);
       } else if (renderer->HasViewProp(object.actor) == 0) {
         renderer->AddActor(object.actor);
       }
     }
+  }
+  // What is blended over the rest comes after it, after the sky, too.
+  for (DrawnObject& object : objects) {
+    if (!object.surface->glass.drawn) continue;
+    renderer->RemoveActor(object.actor);
+    renderer->AddActor(object.actor);
   }
   many = now;
   culled.clear();
@@ -75,7 +81,7 @@ void SceneContent::showObjects(vtkCulledRenderer* renderer) {
   std::vector<vtkProp*> props;
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (!objects[i].settings.visible) continue;
+    if (!objects[i].settings.visible || objects[i].surface->glass.drawn) continue;
     culled.push_back(i);
     props.push_back(objects[i].actor);
     boxes.push_back(worldBounds(objects[i]));
@@ -88,6 +94,9 @@ std::vector<vtkProp*> SceneContent::shownProps(vtkCulledRenderer* renderer) cons
   std::vector<vtkProp*> props;
   if (many) {
     for (const std::size_t i : renderer->InView()) props.push_back(objects[culled[i]].actor);
+    for (const DrawnObject& object : objects) {
+      if (object.surface->glass.drawn && object.settings.visible) props.push_back(object.actor);
+    }
     return props;
   }
   for (const DrawnObject& object : objects) {

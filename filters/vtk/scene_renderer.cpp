@@ -106,6 +106,7 @@ void SceneRenderer::Impl::beginFrame() {
   state->exposure = static_cast<float>(content.scene.exposure);
   state->counters.drawsByProbeCount = {};
   state->counters.drawsWithOpenSky = state->counters.drawsWithCoverage = state->counters.shadowMapsDrawn = 0;
+  state->counters.glassDraws = state->counters.glassPasses = 0;
   resetClippingRange();
   frames.beginFrame(view.view != 0);
   if (sphere.shown()) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "filters/core/model.h"
+#include "filters/vtk/glass_surface.h"
 
 namespace boxprobe {
 
@@ -70,6 +71,7 @@ struct SurfaceMaterial {
   float alphaCutoff = 0.5f;
   float normalScale = 1.0f;
   float coatNormalScale = 1.0f;
+  GlassSurface glass;
 };
 
 }  // namespace boxprobe

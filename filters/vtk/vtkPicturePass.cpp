@@ -18,6 +18,7 @@
 #include <algorithm>
 
 #include "filters/core/errors.h"
+#include "filters/vtk/glass_draw.h"
 #include "filters/vtk/vtkTargetPass.h"
 
 vtkStandardNewMacro(vtkPicturePass);
@@ -117,7 +118,8 @@ void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*
     // both.
     std::vector<vtkProp*> opaque, sky, translucent;
     for (vtkProp* prop : props) {
-      const bool blended = prop != this->Sky && prop->HasTranslucentPolygonalGeometry() != 0;
+      const bool blended =
+          prop != this->Sky && (prop->HasTranslucentPolygonalGeometry() != 0 || boxprobe::isGlass(prop));
       (prop == this->Sky ? sky : blended ? translucent : opaque).push_back(prop);
     }
     this->DrawProps(renderer, opaque, true, false);

@@ -20,6 +20,7 @@
 #include "filters/core/probe_color.h"
 #include "filters/vtk/broken_shader.h"
 #include "filters/vtk/camera_uniforms.h"
+#include "filters/vtk/glass_draw.h"
 #include "filters/vtk/plain_surface.h"
 #include "filters/vtk/static_textures.h"
 #include "filters/vtk/vtk_pbr_splice.h"
@@ -90,6 +91,11 @@ void vtkProbePolyDataMapper::SetApart(bool apart) {
   }
 }
 
+bool vtkProbePolyDataMapper::DrawsGlass() const {
+  return this->State && this->Surface && this->Surface->glass.drawn && this->Drawn &&
+         this->Drawn->lighting == Lighting::Probes && !this->Refused;
+}
+
 bool vtkProbePolyDataMapper::GetDrawnInFrame() const {
   return this->State && this->Frame + 1 == this->State->counters.renders;
 }
@@ -149,7 +155,8 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
   sources.geometry = shaders[vtkShader::Geometry]->GetSource();
   sources.fragment = shaders[vtkShader::Fragment]->GetSource();
   using boxprobe::SurfaceOutput;
-  const bool samples = this->Drawn->blurredSamples() > 0 && !actor->HasTranslucentPolygonalGeometry();
+  const bool blended = actor->HasTranslucentPolygonalGeometry() != 0 || this->DrawsGlass();
+  const bool samples = this->Drawn->blurredSamples() > 0 && !blended;
   const SurfaceOutput output = this->Debug    ? SurfaceOutput::Debug
                                : !this->Apart ? SurfaceOutput::Picture
                                : samples      ? SurfaceOutput::ReflectionApart
@@ -165,6 +172,11 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
 }
 
 void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) {
+  const int glass = this->DrawsGlass() ? this->Surface->glass.variant() : 0;
+  if (glass != this->GlassVariant) {
+    this->GlassVariant = glass;
+    this->Modified();
+  }
   this->Superclass::UpdateShaders(cellBO, renderer, actor);
   if (!this->State) {
     return;
@@ -193,7 +205,7 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
   if (this->Debug) {
     this->UploadDebug(program, renderer);
   }
-  if (this->State->countDraws) {
+  if (this->State->countDraws && !this->Again) {
     this->Frame = this->State->counters.renders;
     ++this->State->counters.drawsByProbeCount[probes ? this->Drawn->probes.size() : 0];
     this->State->counters.drawsWithOpenSky += probes && this->Drawn->open() ? 1 : 0;
@@ -240,6 +252,23 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   if (!this->Drawn->probes.empty()) {
     this->UploadSlots(program, renderer);
   }
+  if (this->DrawsGlass()) {
+    this->UploadGlass(program, renderer);
+  }
+}
+
+void vtkProbePolyDataMapper::UploadGlass(vtkShaderProgram* program, vtkRenderer* renderer) {
+  const boxprobe::GlassSurface& glass = this->Surface->glass;
+  int faceSize = this->State->sky ? this->State->sky->radiance.faceSize() : 0;
+  for (const auto& probe : this->Drawn->probes) {
+    if (probe->maps) {
+      faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
+    }
+  }
+  const bool followed = glass.shell && program->IsUniformUsed("bpGlassShell");
+  const int unit = followed ? this->Bind(renderer, GL_TEXTURE_CUBE_MAP, glass.shell->handle()) : -1;
+  const double* eye = renderer->GetActiveCamera()->GetPosition();
+  boxprobe::uploadGlass(program, glass, glm::dvec3(eye[0], eye[1], eye[2]), faceSize, unit);
 }
 
 void vtkProbePolyDataMapper::UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer) {
@@ -439,6 +468,24 @@ void vtkProbePolyDataMapper::UploadSlots(vtkShaderProgram* program, vtkRenderer*
     };
     uploadMatrices("bpWorldFromProbe", worldFromProbe);
     uploadMatrices("bpMapFromProbe", mapFromProbe);
+  }
+}
+
+void vtkProbePolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {
+  if (!this->DrawsGlass() || renderer->GetSelector() != nullptr) {
+    this->Superclass::RenderPieceDraw(renderer, actor);
+    return;
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const int passes = boxprobe::drawGlassPasses(window->GetState(), this->Surface->glass, [&](bool) {
+    this->Bound.clear();
+    this->Superclass::RenderPieceDraw(renderer, actor);
+    this->Again = true;
+  });
+  this->Again = false;
+  if (this->State->countDraws) {
+    ++this->State->counters.glassDraws;
+    this->State->counters.glassPasses += static_cast<std::uint64_t>(passes);
   }
 }
 

@@ -26,6 +26,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   /** The material's textures and what the vertices bring, before the first draw; none: VTK's own material code. */
   void SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface);
   const boxprobe::SurfaceMaterial* GetSurface() const { return this->Surface.get(); }
+  /** Is the surface glass, and lit so that it can be drawn as such? */
+  bool DrawsGlass() const;
   /** Another variant key means another program, built at the next draw; otherwise only uniforms change. */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */
@@ -53,6 +55,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
                            vtkActor* actor) override;
   void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
   void SetCameraShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
 
  private:
@@ -65,6 +68,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void UploadSky(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadRelief(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadGlass(vtkShaderProgram* program, vtkRenderer* renderer);
   int Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle);
 
   std::shared_ptr<boxprobe::DrawState> State;
@@ -76,6 +80,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   bool StandIn = false;
   bool Apart = false;
   std::string VariantKey;
+  int GlassVariant = 0;  // the program's
+  bool Again = false;    // a further pass of the same piece
   bool Debug = false;
   bool Refused = false;  // the driver did not compile the spliced program: VTK's own is drawn
   int ObjectNumber = 0;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "filters/vtk/gl_objects.h"
+#include "filters/vtk/glass_draw.h"
 
 vtkStandardNewMacro(vtkTargetPass);
 
@@ -87,7 +88,8 @@ void vtkTargetPass::Render(const vtkRenderState* s) {
   if (this->Clear) {
     renderer->Clear();
   }
-  std::vector<vtkProp*> props = backToFront(this->Props, renderer->GetActiveCamera());
+  std::vector<vtkProp*> props =
+      boxprobe::glassLast(backToFront(this->Props, renderer->GetActiveCamera()), renderer->GetActiveCamera());
   vtkRenderState content(renderer);
   content.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   this->Content->Render(&content);

@@ -114,6 +114,30 @@ const std::vector<Anchor>& lightingAnchors() {
   return anchors;
 }
 
+// What a material that transmits light changes, in VTK's text with the lighting above in it (see
+// shaders/gpu/glass.glsl).
+const std::vector<Anchor>& glassAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"glass: lookups",
+       {"BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness,"},
+       {"BpGlass bpGlass = bpLookThrough(vertexVC.xyz, N, V, roughness);\n  BpLight bpLight = "
+        "bpGatherLight(bpGlass.position, bpGlass.normal, bpGlass.view, bpGlass.roughness,"},
+       false},
+      {"glass: reflectance",
+       {kPbrMark},
+       {"vec3 bpReflected = vec3(bpGlass.seen.reflectance * (brdf.r + brdf.g));\n  vec3 specularBrdf = "
+        "mix(bpReflected * bpGlass.mirrorTransmittance, F0 * brdf.r + F90 * brdf.g, metallic);"},
+       false},
+      {"glass: light from beyond",
+       {"vec3 color = iblDiffuse + iblSpecular;"},
+       {"bpGlass.looked = bpLookUpThrough(bpGlass);\n  vec3 bpPassed = bpGlassPassed(bpGlass, bpReflected, albedo, "
+        "metallic);\n  vec3 color = iblDiffuse * (1.0 - bpGlassTransmission) + iblSpecular + bpPassed * "
+        "bpGlass.looked;"},
+       false},
+  };
+  return anchors;
+}
+
 bool replaceOnce(std::string& text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   if (at == std::string::npos) return false;
@@ -339,6 +363,17 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          joinShaderSources(evaluationFiles);
 }
 
+std::string glassDeclarations(const GlassSurface& glass) {
+  const bool followed = glass.form == GlassForm::TwoInterface && !glass.sheet;
+  return "#define BP_GLASS\n#define BP_GLASS_FORM " + std::to_string(static_cast<int>(glass.form)) +
+         "\n#define BP_GLASS_SHEET " + (glass.sheet ? "1" : "0") +
+         (followed
+              ? "\n#define GLASS_SHELL samplerCube\nvec4 fetchGlassShell(samplerCube shell, vec3 direction) { return "
+                "textureLod(shell, direction, 0.0f); }\n"
+              : "\n#define GLASS_SHELL int\nvec4 fetchGlassShell(int shell, vec3 direction) { return vec4(0.0f); }\n") +
+         joinShaderSources({"shared/glass_types.glsl", "shared/refraction.glsl", "gpu/glass.glsl"});
+}
+
 std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output) {
   const bool debug = output == SurfaceOutput::Debug;
   const std::vector<int> groups = binding.groups();
@@ -386,6 +421,7 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   const bool probes = binding.lighting == Lighting::Probes;
   const bool unlit = binding.lighting == Lighting::Unlit;
   const bool debug = writes == SurfaceOutput::Debug;
+  const bool glass = probes && surface != nullptr && surface->glass.drawn;
 
   ShaderSources spliced = sources;
   std::string& text = spliced.fragment;
@@ -393,6 +429,7 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
       probes ? probeDeclarations(binding, writes) : std::string(shaderSource("gpu/output_uniforms.glsl"));
   declarations += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
   if (surface != nullptr) declarations += materialDeclarations(*surface);
+  if (glass) declarations += glassDeclarations(surface->glass);
   if (debug) {
     if (!probes) declarations += "uniform mat3 bpViewToWorld;\nuniform int bpView;\n";
     declarations += std::string("#define BP_LIT ") + (probes ? "1\n" : "0\n");
@@ -406,10 +443,13 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   if (failure.empty() && surface != nullptr) failure = spliceMaterial(text, coat);
   if (failure.empty() && surface != nullptr) failure = spliceVertices(spliced, *surface);
   if (failure.empty() && probes) failure = applyAnchors(text, lightingAnchors(), coat);
+  if (failure.empty() && glass) failure = applyAnchors(text, glassAnchors(), coat);
   if (!failure.empty()) return failure;
 
   constexpr const char* kOutput = "color = pow(color, vec3(1.0/2.2));";
   std::string output = unlit ? "color = emissiveColor;\n" : "";
+  // Explained as it is, not mixed with what lies behind it.
+  if (glass && !debug) output += shaderSource("gpu/glass_output.glsl");
   output += debug ? "color = bpViewColor(color);\n" : "color = bpOutput(color);\n";
   // VTK 9.1 gives the colour of visible edges to ambient light alone, which its physically based shading has not, and
   // takes it from the surface's own.

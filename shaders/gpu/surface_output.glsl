@@ -11,3 +11,7 @@
   gl_FragData[5] = vec4(0.0);
   gl_FragData[6] = vec4(baseF0Uniform, opacity, 0.0, 0.0);
 #endif
+#ifdef BP_GLASS
+  // Whose faces bend light by the side that is seen.
+  gl_FragData[6].y = gl_FrontFacing ? 1.0 : -1.0;
+#endif

@@ -1,0 +1,98 @@
+// Glass on the graphics side: what shared/refraction.glsl finds is looked up as reflections are, in the object's probes and the sky.
+// Spliced in by filters/vtk/vtk_pbr_splice.cpp for materials that transmit light, after gpu/probe_lighting.glsl; it defines
+//   BP_GLASS_FORM   1 to 3, as GlassObject::form
+//   BP_GLASS_SHEET  true or false
+// and the type GLASS_SHELL. Positions are relative to the eye, along the world's axes.
+uniform float bpGlassIor;
+uniform float bpGlassTransmission;
+uniform float bpGlassThickness;
+uniform vec3 bpGlassCenter;
+uniform float bpGlassRadius;
+uniform vec3 bpGlassColor;       // of white light after bpGlassReach
+uniform float bpGlassReach;      // 0: nothing is absorbed
+uniform float bpGlassStraight;   // deviation from which on what is drawn behind no longer stands in for what is looked up
+uniform float bpGlassBehind;     // share of what is drawn behind in what a front face shows: two passes blended
+
+#if BP_GLASS_FORM == 3 && !BP_GLASS_SHEET
+uniform samplerCube bpGlassShell;
+#endif
+
+struct BpGlass
+{
+  GlassView seen;
+  vec3 position;       // for the reflection: bpGatherLight's
+  vec3 normal;
+  vec3 view;
+  float roughness;
+  float deviation;
+  vec3 transmittance;  // of what is looked through
+  vec3 mirrorTransmittance;
+  vec3 looked;         // up, along the refracted ray
+};
+
+BpGlass bpLookThrough(vec3 positionView, vec3 normalView, vec3 viewView, float roughness)
+{
+  mat3 viewFromWorld = transpose(bpViewToWorld);
+  vec3 position = finiteOr(bpViewToWorld * positionView, vec3(0.0f));
+  vec3 view = directionOr(bpViewToWorld * viewView, vec3(0.0f, 0.0f, 1.0f));
+  vec3 normal = directionOr(bpViewToWorld * normalView, view);
+  GlassObject object;
+  object.ior = bpGlassIor;
+  object.form = BP_GLASS_FORM;
+  object.sheet = BP_GLASS_SHEET != 0;
+  object.thickness = bpGlassThickness;
+  object.center = bpGlassCenter;
+  object.radius = bpGlassRadius;
+  BpGlass glass;
+#if BP_GLASS_FORM == 3 && !BP_GLASS_SHEET
+  glass.seen = lookThroughGlass(bpGlassShell, object, position, normal, view, roughnessWithin(roughness), !gl_FrontFacing,
+                                length(position));
+#else
+  glass.seen = lookThroughGlass(0, object, position, normal, view, roughnessWithin(roughness), !gl_FrontFacing,
+                                length(position));
+#endif
+  glass.deviation = glassDeviation(object, glass.seen.through, position, view);
+  glass.transmittance = glassTransmittance(bpGlassColor, bpGlassReach, glass.seen.through.distance);
+  glass.mirrorTransmittance = vec3(1.0f);
+  if (!gl_FrontFacing && BP_GLASS_SHEET == 0)
+  {
+    glass.mirrorTransmittance = glassTransmittance(bpGlassColor, bpGlassReach,
+                                                   glass.seen.followed ? glass.seen.mirrored.distance : length(position));
+  }
+  glass.position = positionView;
+  glass.normal = normalView;
+  glass.view = viewView;
+  glass.roughness = roughness;
+  if (glass.seen.followed)
+  {
+    glass.position = viewFromWorld * glass.seen.mirrored.position;
+    glass.normal = viewFromWorld * glass.seen.mirrored.direction;
+    glass.view = glass.normal;
+    glass.roughness = sqrt(glass.seen.mirrored.alpha);
+  }
+  glass.looked = vec3(0.0f);
+  return glass;
+}
+
+// The lobe beyond is round about its ray, as one of a surface that faces along it would be.
+vec3 bpLookUpThrough(BpGlass glass)
+{
+  mat3 viewFromWorld = transpose(bpViewToWorld);
+  vec3 direction = viewFromWorld * glass.seen.through.direction;
+  return bpGatherLight(viewFromWorld * glass.seen.through.position, direction, direction, sqrt(glass.seen.through.alpha), 1.0f)
+      .specular;
+}
+
+// Share of the light behind that passes, by colour: what the surface reflects is gone.
+vec3 bpGlassPassed(BpGlass glass, vec3 reflected, vec3 albedo, float metallic)
+{
+  return bpGlassTransmission * (1.0f - metallic) * (1.0f - reflected) * albedo * glass.transmittance;
+}
+
+// Of it, what is drawn behind already shows better than any cubemap.
+float bpGlassStands(BpGlass glass, vec3 passed)
+{
+  float bent = clamp(glass.deviation / bpGlassStraight, 0.0f, 1.0f);
+  float behind = gl_FrontFacing ? bpGlassBehind : 0.0f;
+  return (1.0f - bent * (1.0f - behind)) * min(passed.r, min(passed.g, passed.b));
+}
