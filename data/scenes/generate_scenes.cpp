@@ -47,6 +47,7 @@ void generate(const Options& options) {
   write(folder / "building.glb", glbBytes(building()));
   write(folder / "furnished.glb", glbBytes(furnished()));
   write(folder / "gallery.glb", glbBytes(gallery()));
+  write(folder / "glass.glb", glbBytes(glassRoom()));
   write(folder / "room.glb", glbBytes(room()));
   write(folder / "six-faces.glb", glbBytes(sixFaces()));
   write(folder / "sky.hdr", skyHdr());

@@ -55,7 +55,8 @@ class Writer {
     for (const Instance& instance : model_.instances) addNode(instance);
     for (const Mesh& mesh : model_.meshes) addMesh(mesh);
     for (const Material& material : model_.materials) addMaterial(material);
-    for (const char* extension : {"KHR_materials_unlit", "KHR_materials_emissive_strength"})
+    for (const char* extension : {"KHR_materials_unlit", "KHR_materials_emissive_strength",
+                                  "KHR_materials_transmission", "KHR_materials_ior", "KHR_materials_volume"})
       if (extensions_.count(extension)) gltf_["extensionsUsed"].push_back(extension);
     gltf_["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
     return container();
@@ -122,6 +123,22 @@ class Writer {
       extensions_.insert("KHR_materials_emissive_strength");
     } else if (brightest > 0.0f) {
       json["emissiveFactor"] = jsonArray(material.emissive);
+    }
+    if (material.transmission > 0.0f) {
+      const auto add = [&](const char* name, const Json& extension) {
+        json["extensions"][name] = extension;
+        extensions_.insert(name);
+      };
+      add("KHR_materials_transmission", {{"transmissionFactor", material.transmission}});
+      add("KHR_materials_ior", {{"ior", material.ior}});
+      if (!material.thin) {
+        Json volume = {{"thicknessFactor", material.thickness}};
+        if (material.attenuationDistance > 0.0f) {
+          volume["attenuationDistance"] = material.attenuationDistance;
+          volume["attenuationColor"] = jsonArray(material.attenuationColor);
+        }
+        add("KHR_materials_volume", volume);
+      }
     }
     if (material.unlit) {
       json["extensions"]["KHR_materials_unlit"] = Json::object();

@@ -28,6 +28,10 @@ Model gallery();
 /// A closed 8 x 3.2 x 6 m room with openings of every size to the sky and the sun, its walls in the planes of its box.
 Model windows();
 
+/// A closed 6 x 3 x 5 m room whose walls lie in the planes of its box, with six things of glass: a ball, a block that
+/// absorbs, a prism, a ring, a cup and a thin pane.
+Model glassRoom();
+
 struct Apartments {
   Model model;
   Scene scene;  ///< without its model's file name

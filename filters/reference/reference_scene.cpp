@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "filters/reference/reflecting_layers.h"
+#include "filters/reference/refraction_tracer.h"
 #include "filters/reference/visible_normal_lobe.h"
 
 namespace boxprobe {
@@ -75,6 +76,9 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
   const int side = positionsPerSide(settings.samplesPerPixel);
   const RayPlan plan = planRays(settings.raysPerPixel, side * side);
   const RaySees sees = settings.full ? RaySees::Picture : RaySees::Probes;
+  const RefractionTracer glass(tracer_, [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+    return seenFrom(origin, direction, sees);
+  });
   const auto estimate = [&](int x, int y, int pass) {
     ProgressivePicture::Pixel pixel;
     pixel.exact = true;
@@ -88,14 +92,24 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
       pixel.alpha += 1.0;
       const SurfacePoint surface = tracer_.surface(*hit, camera.position);
       const bool unlit = tracer_.object(*hit).material.unlit;
-      pixel.color += glm::dvec3(light_.unreflected(surface, unlit));
+      const Material& material = tracer_.object(*hit).material;
+      const double passes = material.transmits() ? static_cast<double>(material.transmission) *
+                                                       (1.0 - static_cast<double>(surface.metallic))
+                                                 : 0.0;
+      pixel.color += (1.0 - passes) * glm::dvec3(light_.unreflected(surface, unlit));
       if (unlit) continue;
       const std::uint64_t place =
           (static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)) *
               16 +
           static_cast<std::uint64_t>(k);
       const std::uint64_t seed = stirred(stirred(stirred(settings.seed) + place) + static_cast<std::uint64_t>(pass));
-      pixel.color += reflectedFrom(surface, tracer_.awayFrom(*hit), sees, plan.raysPerPass, seed);
+      if (passes > 0.0) {
+        pixel.color += passes * (glm::dvec3(surface.emissive) +
+                                 glass.seen(*hit, glm::normalize(direction), plan.raysPerPass, stirred(seed)));
+        pixel.exact = pixel.exact && smoothGlass(static_cast<double>(surface.roughness));
+        if (passes == 1.0) continue;
+      }
+      pixel.color += (1.0 - passes) * reflectedFrom(surface, tracer_.awayFrom(*hit), sees, plan.raysPerPass, seed);
       pixel.exact = pixel.exact && mirrorsOnly(reflectingLayers(surface, light_.brdf()), surface);
     }
     pixel.color /= side * side;

@@ -171,9 +171,9 @@ TEST(Refraction, RatioOneChangesNothing) {
     if (glm::dot(point, view) <= 0.0f) continue;
     const GlassObject glass = solid(shell, 1.0f);
     const GlassView seen = shading::lookThroughGlass(&shell, glass, point, point, view, 0.5f, false, 3.0f);
-    EXPECT_LT(seen.reflectance, 1e-6f);
-    EXPECT_LT(seen.through.alpha, 1e-6f) << "a rough surface without a step of index scatters nothing";
-    EXPECT_LT(glm::length(seen.through.direction + view), 2e-6f);
+    EXPECT_LT(seen.reflectance, 1e-5f);
+    EXPECT_LT(seen.through.alpha, 1e-5f) << "a rough surface without a step of index scatters nothing";
+    EXPECT_LT(glm::length(seen.through.direction + view), 1e-5f);
   }
 }
 
