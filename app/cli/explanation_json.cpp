@@ -106,6 +106,25 @@ Json probeJson(const ProbeExplanation& p) {
   return json;
 }
 
+Json glassJson(const GlassExplanation& g) {
+  return {{"form", g.form},
+          {"back", g.back},
+          {"ior", number(g.ior)},
+          {"eta", number(g.eta)},
+          {"reflectance", number(g.reflectance)},
+          {"totallyReflected", g.reflectance >= 1.0f},
+          {"direction", vector(g.directionWorld)},
+          {"exitWorld", vector(g.exitWorld)},
+          {"distance", number(g.distance)},
+          {"roughness", number(g.roughness)},
+          {"mirrored", g.mirrored},
+          {"transmittance", vector(g.transmittance)},
+          {"passed", vector(g.passed)},
+          {"lookedUp", vector(g.looked)},
+          {"light", vector(g.light())},
+          {"drawnBehind", number(g.stands)}};
+}
+
 }  // namespace
 
 std::string explanationJson(const Explanation& e) {
@@ -126,6 +145,7 @@ std::string explanationJson(const Explanation& e) {
   json["diffuse"] = vector(e.diffuse);
   json["specular"] = vector(e.specular);
   json["coat"] = vector(e.coat);
+  json["glass"] = e.glass ? glassJson(*e.glass) : none;
   json["sky"] = {{"weight", number(e.skyWeight)}, {"level", number(e.skyLevel)}, {"value", vector(e.skyValue)}};
   json["surface"] = e.hit ? surfaceJson(e) : none;
   json["lookupCount"] = e.lookupCount;

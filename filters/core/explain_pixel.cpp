@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "filters/core/direct_light.h"
+#include "filters/core/fixed_text.h"
 #include "filters/core/lookup_record.h"
 #include "filters/core/probe_shares.h"
 #include "filters/math/distance_cube.h"
@@ -227,10 +228,36 @@ Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness
   return out;
 }
 
+// The same from another place, round about a direction: what glass is looked through, and mirrors within.
+Gathered gatherAlong(const ExplainInput& in, const glm::dvec3& position, const glm::vec3& direction, float roughness) {
+  ExplainInput moved = in;
+  moved.surface.positionWorld = position;
+  moved.surface.viewWorld = direction;
+  return gather(moved, direction, roughness, 1.0f);
+}
+
+GatheredGlass lookUpGlass(const ExplainInput& in, const glm::dvec3& position, const glm::vec3& direction,
+                          float roughness) {
+  const Gathered light = gatherAlong(in, position, direction, roughness);
+  GatheredGlass found{light.specular, light.lookups, light.brightestTexel, {}};
+  const auto add = [&found](const std::string& name, float share) {
+    if (share <= 0.0f) return;
+    found.sources += (found.sources.empty() ? "" : ", ") + name + " " + fixedText(100.0 * double(share), 1) + " %";
+  };
+  for (const ProbeExplanation& p : light.probes) add("probe \"" + p.name + "\"", p.weight);
+  add("sky", light.skyWeight);
+  return found;
+}
+
 void addNotes(Explanation& e) {
   const SurfacePoint& s = e.surface;
   if (s.opacity < 0.999f) {
     e.notes.emplace_back("The surface is translucent: what lies behind it shows through and is not part of this.");
+  }
+  if (e.glass && e.glass->stands > 0.0f) {
+    e.notes.push_back("Light passes the glass nearly straight: " + fixedText(100.0 * double(e.glass->stands), 1) +
+                      " % of what the picture shows here is what is drawn behind, in place of the lookup, and is not "
+                      "part of this.");
   }
   if (e.probes.empty()) {
     e.notes.emplace_back(
@@ -314,10 +341,27 @@ Explanation explainPixel(const ExplainInput& in) {
   e.direct = directLight(s, e.f0, edge, in.lights);
 
   if (in.lighting == ExplainInput::Lighting::Probes) {
-    Gathered light = gather(in, s.normalWorld, s.roughness, meanFresnel(e.f0, edge, e.nDotV));
+    const std::optional<shading::GlassView> through =
+        in.glass ? std::optional<shading::GlassView>(lookThrough(*in.glass, s)) : std::nullopt;
+    Gathered light = through && through->followed
+                         ? gatherAlong(in, s.eyeWorld + glm::dvec3(through->mirrored.position),
+                                       through->mirrored.direction, std::sqrt(through->mirrored.alpha))
+                         : gather(in, s.normalWorld, s.roughness, meanFresnel(e.f0, edge, e.nDotV));
     e.brdf = sampleBrdf(*in.brdf, e.nDotV, s.roughness);
     e.specular = s.occlusion * light.specular * (e.f0 * e.brdf.x + edge * e.brdf.y);
     e.diffuse = s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo;
+    if (through) {
+      const float reflected = through->reflectance * (e.brdf.x + e.brdf.y);
+      const glm::vec3 factor = glm::mix(reflected * mirrorTransmittance(*in.glass, s, *through),
+                                        e.f0 * e.brdf.x + edge * e.brdf.y, s.metallic);
+      e.specular = s.occlusion * light.specular * factor;
+      e.diffuse *= 1.0f - in.glass->transmission;
+      e.glass = explainGlass(*in.glass, s, *through, reflected,
+                             [&in](const glm::dvec3& position, const glm::vec3& direction, float roughness) {
+                               return lookUpGlass(in, position, direction, roughness);
+                             });
+      e.glass->passed *= s.occlusion;
+    }
     e.probes = std::move(light.probes);
     e.skyWeight = light.skyWeight;
     e.skyLevel = light.skyLevel;
@@ -334,6 +378,10 @@ Explanation explainPixel(const ExplainInput& in) {
       e.lookupCount += coat.lookups;
       e.brightestTexel = std::max(e.brightestTexel, coat.brightestTexel);
     }
+    if (e.glass) {
+      e.lookupCount += e.glass->lookups;
+      e.brightestTexel = std::max(e.brightestTexel, e.glass->brightestTexel);
+    }
     float largest = 0.0f;
     for (std::size_t i = 0; i < e.probes.size(); ++i) {
       if (e.probes[i].weight <= largest) continue;
@@ -348,6 +396,7 @@ Explanation explainPixel(const ExplainInput& in) {
     }
   }
   e.color = e.direct + e.diffuse + e.specular + e.coat + e.emissive;
+  if (e.glass) e.color += e.glass->light();
   return e;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "filters/core/baked_probe.h"
+#include "filters/core/explain_glass.h"
 #include "filters/core/explanation.h"
 #include "filters/core/probe_geometry.h"
 #include "filters/core/scene.h"
@@ -38,6 +39,7 @@ struct ExplainInput {
   const BakedMaps* skyMaps = nullptr;
   const BrdfTable* brdf = nullptr;
   std::vector<Light> lights;
+  std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as such
 };
 
 /// Total: whatever is undefined is left out and said in `notes`.

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/glass_explanation.h"
 #include "filters/math/cube_map.h"
 
 namespace boxprobe {
@@ -35,8 +36,9 @@ struct SurfacePoint {
   float coatRoughness = 0.0f;
   float coatF0 = 0.04f;
   glm::vec3 coatNormalWorld{0.0f};
-  glm::ivec2 pixel{0};  ///< of the picture, from its lower left: techniques that sample draw their rays by it
-  int frame = 0;        ///< of those that are averaged
+  bool backSide = false;  ///< of glass: the eye sees the inside of the surface
+  glm::ivec2 pixel{0};    ///< of the picture, from its lower left: techniques that sample draw their rays by it
+  int frame = 0;          ///< of those that are averaged
 };
 
 /// One fetch from a probe's map.
@@ -94,10 +96,11 @@ struct Explanation {
   glm::vec2 brdf{0.0f};    ///< split-sum factors of F0 and F90
   glm::vec3 direct{0.0f};  ///< light sources, both lobes
   glm::vec3 emissive{0.0f};
-  glm::vec3 diffuse{0.0f};   ///< of probes and sky, with albedo
-  glm::vec3 specular{0.0f};  ///< of probes and sky, with the split-sum factor
-  glm::vec3 coat{0.0f};      ///< what a clear coat adds; 0 without one
-  int lookupCount = 0;       ///< fetches from cubemaps in all, coat and sky included
+  glm::vec3 diffuse{0.0f};                ///< of probes and sky, with albedo
+  glm::vec3 specular{0.0f};               ///< of probes and sky, with the split-sum factor
+  std::optional<GlassExplanation> glass;  ///< of a material that transmits light; its light is part of `color`
+  glm::vec3 coat{0.0f};                   ///< what a clear coat adds; 0 without one
+  int lookupCount = 0;                    ///< fetches from cubemaps in all, coat and sky included
   float skyWeight = 0.0f;
   float skyLevel = 0.0f;
   glm::vec3 skyValue{0.0f};

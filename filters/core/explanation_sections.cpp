@@ -264,15 +264,41 @@ ExplanationSection skySection(const Explanation& e) {
   return section;
 }
 
+ExplanationSection glassSection(const Explanation& e) {
+  const GlassExplanation& g = *e.glass;
+  ExplanationSection section{"Glass: " + g.form + (g.back ? ", seen from within" : ""), {}, -1};
+  auto& rows = section.rows;
+  rows.push_back(
+      scalar("n_1/n_2", g.eta, "", "index on the eye's side over that beyond; the glass has " + fixedText(g.ior)));
+  rows.push_back(scalar("F", g.reflectance, "",
+                        g.reflectance >= 1.0f ? "totally reflected: the view is flatter than the critical angle"
+                                              : "Fresnel's reflectance at N.V, the exact one of a dielectric"));
+  std::string direction = "where the view goes on: what the probes are asked for";
+  if (g.form == "two-interface" && !g.back) {
+    direction += ", bent at the front and where it leaves";
+    if (g.mirrored > 0) direction += "; mirrored within " + std::to_string(g.mirrored) + " times on the way";
+  }
+  rows.push_back(vector("T", g.directionWorld, "", direction));
+  rows.push_back(vector("Q", g.exitWorld, kLength, "from where it is followed to the box"));
+  rows.push_back(scalar("x", g.distance, kLength, "the way within"));
+  rows.push_back(scalar("p_T", g.roughness, "", "roughness of a mirror that would scatter as far: the level's"));
+  rows.push_back(light("Beer", g.transmittance, "left of white light after x"));
+  rows.push_back(light("passes", g.passed, "factor: transmission (1 - reflected) base colour Beer"));
+  rows.push_back(light("L_T", g.looked, "found along T: " + g.sources));
+  return section;
+}
+
 ExplanationSection sumSection(const Explanation& e) {
   ExplanationSection section{"Sum", {}, -1};
   auto& rows = section.rows;
   rows.push_back(light("direct", e.direct, "light sources"));
   rows.push_back(light("emissive", e.emissive, "the surface's own light"));
   rows.push_back(light("diffuse", e.diffuse, "light from all around N, with the base colour"));
-  rows.push_back(light("specular", e.specular,
-                       "reflected light times F_0 A + F_90 B; A = " + fixedText(e.brdf.x) +
-                           ", B = " + fixedText(e.brdf.y) + " of the split sum"));
+  rows.push_back(
+      light("specular", e.specular,
+            (e.glass ? "reflected light times F (A + B); A = " : "reflected light times F_0 A + F_90 B; A = ") +
+                fixedText(e.brdf.x) + ", B = " + fixedText(e.brdf.y) + " of the split sum"));
+  if (e.glass) rows.push_back(light("glass", e.glass->light(), "what is looked through: passes times L_T"));
   if (e.coat != glm::vec3(0.0f)) rows.push_back(light("coat", e.coat, "what the clear coat changes"));
   rows.push_back(light("color", e.color, "computed: linear light before exposure"));
   rows.back().sum = true;
@@ -319,6 +345,7 @@ std::vector<ExplanationSection> explanationSections(const Explanation& e, const 
   sections.push_back(surfaceSection(e));
   for (std::size_t i = 0; i < e.probes.size(); ++i) sections.push_back(probeSection(e, i, detail));
   if (e.skyWeight > 0.0f) sections.push_back(skySection(e));
+  if (e.glass) sections.push_back(glassSection(e));
   sections.push_back(sumSection(e));
   return sections;
 }

@@ -12,14 +12,6 @@
 
 namespace boxprobe {
 
-namespace {
-
-// Of two passes: what the front faces leave of the back faces behind them. The published form leaves it to the artist;
-// half is the least error on the glass scene's solids.
-constexpr float kBehindShare = 0.5f;
-
-}  // namespace
-
 bool isGlass(vtkProp* prop) {
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* mapper = actor != nullptr ? vtkProbePolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
@@ -86,7 +78,7 @@ void uploadGlass(vtkShaderProgram* program, const GlassSurface& glass, const glm
   set("bpGlassRadius", object.radius);
   set("bpGlassReach", glass.attenuationDistance);
   set("bpGlassStraight", glass.straightAngle(faceSize));
-  set("bpGlassBehind", glass.form == GlassForm::TwoPass && !glass.sheet ? kBehindShare : 0.0f);
+  set("bpGlassBehind", glass.behindShare());
   if (program->IsUniformUsed("bpGlassCenter")) program->SetUniform3f("bpGlassCenter", &object.center.x);
   if (program->IsUniformUsed("bpGlassColor")) program->SetUniform3f("bpGlassColor", &glass.attenuationColor.x);
   if (shellUnit >= 0 && program->IsUniformUsed("bpGlassShell")) program->SetUniformi("bpGlassShell", shellUnit);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "filters/core/explain_glass.h"
 #include "filters/core/model.h"
 #include "filters/math/glass_shell.h"
 #include "filters/vtk/gl_objects.h"
@@ -48,6 +49,10 @@ struct GlassSurface {
   float straightAngle(int faceSize) const { return 4.0f / static_cast<float>(faceSize > 0 ? faceSize : 256); }
   /// As the shader has it, `eyeWorld` the origin of positions.
   shading::GlassObject object(const glm::dvec3& eyeWorld) const;
+
+  ExplainedGlass explained(const glm::dvec3& eyeWorld, int faceSize) const;
+  /// Of two passes: what the front faces leave of the back faces behind them.
+  float behindShare() const;
 
   /// Follows an override, and the object where it stands. `mesh` is the object's own.
   void apply(const Material& material, const Mesh& mesh, const glm::dmat4& worldFromModel);

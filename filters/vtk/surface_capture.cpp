@@ -8,6 +8,7 @@
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "filters/core/errors.h"
@@ -132,7 +133,8 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
       p.coatNormalWorld = glm::vec3(values[5][from]);
       p.coatRoughness = values[5][from].w;
       p.baseF0 = values[6][from].x;
-      p.opacity = values[6][from].y;
+      p.opacity = std::abs(values[6][from].y);
+      p.backSide = values[6][from].y < 0.0f;
       p.coatStrength = values[6][from].z;
       p.coatF0 = values[6][from].w;
     }

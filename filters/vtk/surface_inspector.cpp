@@ -173,6 +173,13 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.skyMaps = onCpu(state_->sky).get();
   in.brdf = &brdf_;
   in.lights = content_->scene.lights;
+  if (object.mapper->DrawsGlass()) {
+    int faceSize = state_->sky ? state_->sky->radiance.faceSize() : 0;
+    for (const auto& probe : binding.probes) {
+      if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
+    }
+    in.glass = object.surface->glass.explained(in.surface.eyeWorld, faceSize);
+  }
   Explanation e = explainPixel(in);
   e.rendered = pixel.color;
   return e;
