@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/glass_fields.h"
 #include "app/gui/panel_layout.h"
 #include "app/gui/quiet_combo.h"
 #include "app/gui/value_field.h"
@@ -32,7 +33,8 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
       materials_(new QuietCombo(this)),
       slider_(new QSlider(Qt::Horizontal, this)),
       field_(new ValueField({0.0, 1.0, 0.01, 3, ""}, this)),
-      reset_(new QPushButton(tr("As in the model"), this)) {
+      reset_(new QPushButton(tr("As in the model"), this)),
+      glass_(new GlassFields(editor, this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   QFormLayout* form = addSection(this, tr("Material"));
@@ -52,6 +54,7 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
   addRow(form, tr("Roughness"), line, tip);
   reset_->setToolTip(tr("Removes the scene's own value; the one in the model file counts again"));
   form->addRow(QString(), reset_);
+  layout->addWidget(glass_);
 
   connect(materials_, QOverload<int>::of(&QComboBox::activated), this, &MaterialPanel::update);
   connect(slider_, &QSlider::valueChanged, this, [this](int value) {
@@ -73,13 +76,14 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
 }
 
 void MaterialPanel::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
-  roughnessByName_.clear();
+  known_.clear();
   materials_->clear();
   for (const auto& model : models) {
     for (const Material& material : model->materials) {
-      const auto same = [&](const auto& known) { return known.first == material.name; };
-      if (material.name.empty() || std::any_of(roughnessByName_.begin(), roughnessByName_.end(), same)) continue;
-      roughnessByName_.emplace_back(material.name, material.roughness);
+      const auto same = [&](const Material& known) { return known.name == material.name; };
+      if (material.name.empty() || std::any_of(known_.begin(), known_.end(), same)) continue;
+      known_.push_back(material);
+      for (TextureUse* use : known_.back().textures()) *use = {};
       materials_->addItem(QString::fromStdString(material.name));
     }
   }
@@ -92,7 +96,7 @@ std::string MaterialPanel::material() const {
 
 float MaterialPanel::modelRoughness() const {
   const auto row = static_cast<std::size_t>(std::max(materials_->currentIndex(), 0));
-  return row < roughnessByName_.size() ? roughnessByName_[row].second : 1.0f;
+  return row < known_.size() ? known_[row].roughness : 1.0f;
 }
 
 QString MaterialPanel::label() const {
@@ -108,7 +112,7 @@ void MaterialPanel::commit(double roughness) {
 }
 
 void MaterialPanel::update() {
-  setEnabled(!roughnessByName_.empty());
+  setEnabled(!known_.empty());
   const auto& overrides = editor_.scene().materials;
   const auto own = overrides.find(material());
   const bool overridden = own != overrides.end() && own->second.roughness;
@@ -117,6 +121,8 @@ void MaterialPanel::update() {
   const QSignalBlocker quiet(slider_);
   if (!slider_->isSliderDown()) slider_->setValue(static_cast<int>(std::lround(roughness * kSliderSteps)));
   reset_->setEnabled(overridden);
+  const auto row = static_cast<std::size_t>(std::max(materials_->currentIndex(), 0));
+  if (row < known_.size()) glass_->show(known_[row].name, known_[row]);
 }
 
 }  // namespace boxprobe

@@ -1,4 +1,5 @@
-// Roughness of the model's materials, set live: the slider previews, letting go commits. Called by the main window.
+// Roughness and glass of the model's materials, set live: the slider previews, letting go commits. Called by the main
+// window.
 #pragma once
 
 #include <QWidget>
@@ -15,6 +16,7 @@ class QSlider;
 
 namespace boxprobe {
 
+class GlassFields;
 class ValueField;
 
 class MaterialPanel : public QWidget {
@@ -36,11 +38,12 @@ class MaterialPanel : public QWidget {
   void commit(double roughness);
 
   Editor& editor_;
-  std::vector<std::pair<std::string, float>> roughnessByName_;  ///< as the models have it
+  std::vector<Material> known_;  ///< as the models have them, without textures
   QComboBox* materials_;
   QSlider* slider_;
   ValueField* field_;
   QPushButton* reset_;
+  GlassFields* glass_;
 };
 
 }  // namespace boxprobe

@@ -118,7 +118,9 @@ void RayPanel::buildKinds(QFormLayout* form) {
       QT_TR_NOOP("From the capture origin C to what is looked up: H - C"),
       QT_TR_NOOP("From P to what each fetch looks up, of techniques with several"),
       QT_TR_NOOP("From P along R to what the scene itself has there"),
-      QT_TR_NOOP("From the hit on the box to the true hit")};
+      QT_TR_NOOP("From the hit on the box to the true hit"),
+      QT_TR_NOOP("Of glass: from P through the object to where the light leaves it"),
+      QT_TR_NOOP("Of glass: from there along the refracted direction to the hit on the probe's box")};
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     const std::string_view name = kRayKindNames[i];
     QString label = QString::fromUtf8(name.data(), static_cast<int>(name.size()));

@@ -23,7 +23,9 @@ namespace {
 constexpr double kNormalOfDistance = 0.06;
 
 RaySample sampleOf(const Explanation& e) {
-  return {e.surface.object, e.surface.positionWorld, glm::dvec3(e.surface.normalWorld), e.surface.roughness};
+  RaySample sample{e.surface.object, e.surface.positionWorld, glm::dvec3(e.surface.normalWorld), e.surface.roughness};
+  sample.back = e.surface.backSide;
+  return sample;
 }
 
 }  // namespace
@@ -137,7 +139,8 @@ bool RayRig::update() {
     layer_.setVisible(false);
     return was;
   }
-  const std::vector<RaySample> points = samples();
+  std::vector<RaySample> points = samples();
+  for (RaySample& point : points) point.glass = sources().glassOf(point.object);
   const bool was = layer_.visible();
   if (points.empty()) {
     layer_.setVisible(false);
@@ -158,6 +161,7 @@ void RayRig::compute(const std::vector<RaySample>& points) {
   // The true hit is traced in the scene only where it is to be seen.
   const bool truth = on(RayKind::TrueHit) || on(RayKind::Error) || settings_.coloring == RayColoring::Error;
   filter_->SetSceneData(truth ? sources().triangles() : nullptr);
+  filter_->SetGlass(sources().glass());
   filter_->SetInputDataObject(0, rayPoints(points));
   filter_->Update();
   layer_.setRays(filter_->GetOutput());

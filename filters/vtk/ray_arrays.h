@@ -15,10 +15,12 @@ enum class RayKind : int {
   Sample = 4,     ///< P to what a fetch looks up, of techniques that look up more or other than H
   TrueHit = 5,    ///< P along R to the scene itself
   Error = 6,      ///< H to the true hit
+  Within = 7,     ///< of glass: P through it to where the light leaves, a line for each time it is mirrored
+  Refracted = 8,  ///< of glass: from there to H; MaximumLength where there is no proxy to hit
 };
-inline constexpr int kRayKinds = 7;
-inline constexpr std::string_view kRayKindNames[kRayKinds] = {"eye ray", "normal",   "reflected ray", "lookup",
-                                                              "sample",  "true hit", "error"};
+inline constexpr int kRayKinds = 9;
+inline constexpr std::string_view kRayKindNames[kRayKinds] = {
+    "eye ray", "normal", "reflected ray", "lookup", "sample", "true hit", "error", "within glass", "refracted ray"};
 
 /// Array "status": 0, or the sum of what is unusual at the point or between point and probe.
 enum RayStatus : int {

@@ -71,6 +71,44 @@ void RayBuilder::addPoint(int point, const SurfaceRay& ray) {
   if (!any) addSkyRay(point, ray);
 }
 
+void RayBuilder::addGlass(int point, const SurfaceRay& ray, const GlassSurface& glass, bool back) {
+  if (!ray.reflects()) return;
+  const auto path = glassPath(glass, ray, settings_.view, back);
+  if (!path) return;
+  RayLine line;
+  line.point = point;
+  line.status = ray.status;
+  line.kind = RayKind::Within;
+  for (std::size_t i = 0; i + 1 < path->within.size(); ++i) {
+    line.from = path->within[i];
+    line.to = line.hitPoint = path->within[i + 1];
+    add(line);
+  }
+  const std::vector<float> shares = probeShares(path->leaving.positionWorld, settings_.probes);
+  line.kind = RayKind::Refracted;
+  line.from = path->leaving.positionWorld;
+  bool any = false;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (settings_.contributingOnly && shares[i] * settings_.probes[i].geometry.intensity <= kSmallestShare) continue;
+    const ProbeRay found = probeRay(path->leaving, settings_.probes[i]);
+    line.probe = static_cast<int>(i);
+    line.status = ray.status | found.status;
+    line.to = line.hitPoint =
+        found.hitDistance ? found.hitWorld : line.from + settings_.maximumLength * path->leaving.reflectionWorld;
+    line.face = found.face;
+    line.hitDistance = found.hitDistance.value_or(-1.0);
+    line.direction = glm::dvec3(found.direction);
+    line.weight = shares[i];
+    add(line);
+    any = true;
+  }
+  if (any) return;
+  line.status |= kRayNoProbe | kRayNoProxy;
+  line.to = line.hitPoint = line.from + settings_.maximumLength * path->leaving.reflectionWorld;
+  line.direction = path->leaving.reflectionWorld;
+  add(line);
+}
+
 void RayBuilder::addSkyRay(int point, const SurfaceRay& ray) {
   RayLine line;
   line.kind = RayKind::Reflected;

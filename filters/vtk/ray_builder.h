@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "filters/vtk/ray_calculation.h"
+#include "filters/vtk/ray_glass.h"
 #include "filters/vtk/ray_lines.h"
 
 namespace boxprobe {
@@ -20,7 +21,8 @@ struct RaySettings {
   double maximumLength = 100.0;  ///< of what has no end of its own, scene units
   double normalLength = 0.25;
   bool contributingOnly = true;  ///< only probes whose share of the point the picture would fetch
-  RayScene* scene = nullptr;     ///< null: the true hit by the probes' own distances
+  std::vector<RayGlass> glass;
+  RayScene* scene = nullptr;  ///< null: the true hit by the probes' own distances
 };
 
 class RayBuilder {
@@ -28,6 +30,8 @@ class RayBuilder {
   /// Both must outlive it.
   RayBuilder(const RaySettings& settings, RayLines& lines) : settings_(settings), lines_(lines) {}
   void addPoint(int point, const SurfaceRay& ray);
+  /// What of a point that addPoint() was called for goes on through glass; `back`: its inside is seen.
+  void addGlass(int point, const SurfaceRay& ray, const GlassSurface& glass, bool back);
 
  private:
   std::optional<double> sceneDistance(const SurfaceRay& ray) const;

@@ -58,7 +58,8 @@ class LineReader {
 };
 
 bool headed(RayKind kind) {
-  return kind == RayKind::Normal || kind == RayKind::Reflected || kind == RayKind::Lookup;
+  return kind == RayKind::Normal || kind == RayKind::Reflected || kind == RayKind::Lookup ||
+         kind == RayKind::Refracted;
 }
 
 }  // namespace

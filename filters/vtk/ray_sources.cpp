@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIntArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -14,6 +15,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/core/material_override.h"
 #include "filters/core/model_placement.h"
 #include "filters/vtk/model_actors.h"
 #include "filters/vtk/ray_scene.h"
@@ -28,6 +30,7 @@ struct RaySources::Part {
   bool cullsBackFaces = true;
   float roughness = 1.0f;
   const TextureUse* roughnessTexture = nullptr;
+  int glass = -1;
   long long firstCell = 0;
 };
 
@@ -95,6 +98,13 @@ RaySources::RaySources(std::vector<std::shared_ptr<const Model>> models, const S
         if (material.metallicRoughnessTexture.image) part.roughnessTexture = &material.metallicRoughnessTexture;
         const auto it = scene.materials.find(material.name);
         if (it != scene.materials.end() && it->second.roughness) part.roughness = *it->second.roughness;
+        const Material shown = overriddenMaterial(material, scene);
+        if (shown.transmits()) {
+          part.cullsBackFaces = false;
+          part.glass = static_cast<int>(glass_.size());
+          glass_.push_back({instance.node, {}});
+          glass_.back().surface.apply(shown, *part.mesh, part.worldFromModel);
+        }
       }
       part.firstCell = cells;
       cells += static_cast<long long>(part.mesh->indices.size() / 3);
@@ -104,6 +114,13 @@ RaySources::RaySources(std::vector<std::shared_ptr<const Model>> models, const S
 }
 
 RaySources::~RaySources() = default;
+
+int RaySources::glassOf(const std::string& object) const {
+  for (std::size_t i = 0; i < glass_.size(); ++i) {
+    if (glass_[i].object == object) return static_cast<int>(i);
+  }
+  return -1;
+}
 
 std::vector<std::string> RaySources::objects() const {
   std::vector<std::string> names;
@@ -169,7 +186,9 @@ RaySample RaySources::sample(const Triangle& t, const glm::dvec3& b, const glm::
   }
   const double length = glm::length(normal);
   if (length > 0.0) s.normalWorld = normal / length;
-  if (glm::dot(t.facing, seenAlong) > 0.0) s.normalWorld = -s.normalWorld;
+  s.glass = t.part->glass;
+  s.back = glm::dot(t.facing, seenAlong) > 0.0;
+  if (s.back) s.normalWorld = -s.normalWorld;
   s.roughness = t.part->roughness;
   const TextureUse* use = t.part->roughnessTexture;
   if (use == nullptr) return s;
@@ -268,11 +287,14 @@ vtkSmartPointer<vtkPolyData> rayPoints(const std::vector<RaySample>& samples) {
   normals->SetNumberOfComponents(3);
   vtkNew<vtkFloatArray> roughness;
   roughness->SetName("roughness");
+  vtkNew<vtkIntArray> glass;
+  glass->SetName("glass");
   vtkNew<vtkCellArray> vertices;
   for (const RaySample& s : samples) {
     const vtkIdType id = points->InsertNextPoint(&s.positionWorld.x);
     normals->InsertNextTuple(&s.normalWorld.x);
     roughness->InsertNextValue(s.roughness);
+    glass->InsertNextValue(s.glass < 0 ? -1 : 2 * s.glass + (s.back ? 1 : 0));
     vertices->InsertNextCell(1, &id);
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -280,6 +302,7 @@ vtkSmartPointer<vtkPolyData> rayPoints(const std::vector<RaySample>& samples) {
   data->SetVerts(vertices);
   data->GetPointData()->SetNormals(normals);
   data->GetPointData()->AddArray(roughness);
+  data->GetPointData()->AddArray(glass);
   return data;
 }
 

@@ -13,6 +13,7 @@
 
 #include "filters/core/model.h"
 #include "filters/core/scene.h"
+#include "filters/vtk/ray_glass.h"
 #include "filters/vtk/ray_pixels.h"
 
 class vtkPolyData;
@@ -27,9 +28,12 @@ struct RaySample {
   glm::dvec3 positionWorld{0.0};
   glm::dvec3 normalWorld{0.0};  ///< unit; on the side it was seen from
   float roughness = 0.0f;       ///< perceptual
+  int glass = -1;               ///< index into RaySources::glass(); -1: opaque
+  bool back = false;            ///< its inside is seen
 };
 
-/// As the filter takes them: double points with "Normals" and "roughness".
+/// As the filter takes them: double points with "Normals", "roughness" and "glass" (2 x index, + 1 from inside; -1:
+/// none).
 vtkSmartPointer<vtkPolyData> rayPoints(const std::vector<RaySample>& samples);
 
 class RaySources {
@@ -40,6 +44,10 @@ class RaySources {
   ~RaySources();
   RaySources(const RaySources&) = delete;
   RaySources& operator=(const RaySources&) = delete;
+
+  /// The visible objects that transmit light, for the filter; and the index of one by its name, -1 if it is opaque.
+  const std::vector<RayGlass>& glass() const { return glass_; }
+  int glassOf(const std::string& object) const;
 
   /// Names of the visible objects, in the models' order.
   std::vector<std::string> objects() const;
@@ -65,6 +73,7 @@ class RaySources {
 
   std::vector<std::shared_ptr<const Model>> models_;  // keep the parts' meshes alive
   std::vector<Part> parts_;
+  std::vector<RayGlass> glass_;
   vtkSmartPointer<vtkPolyData> triangles_;
   std::vector<int> partOfCell_;
   std::unique_ptr<RayScene> scene_;

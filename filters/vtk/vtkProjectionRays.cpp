@@ -53,6 +53,7 @@ bool finite(const glm::dvec3& v) {
 struct vtkProjectionRays::Internals {
   std::vector<FilterProbe> probes;
   std::array<bool, kRayKinds> kinds{};
+  std::vector<RayGlass> glass;
   // Kept from one execution to the next while the scene is the same: its search structure is dear.
   std::unique_ptr<RayScene> scene;
   vtkPolyData* sceneData = nullptr;
@@ -109,6 +110,7 @@ int vtkProjectionRays::RequestData(vtkInformation*, vtkInformationVector** input
   vtkDataArray* normals = points->GetPointData()->GetNormals();
   if (normals == nullptr) normals = points->GetPointData()->GetArray("Normals");
   vtkDataArray* roughness = points->GetPointData()->GetArray("roughness");
+  vtkDataArray* glass = points->GetPointData()->GetArray("glass");
   const vtkIdType count = points->GetNumberOfPoints();
   const vtkIdType kept = std::min<vtkIdType>(count, this->MaximumNumberOfRays);
   for (vtkIdType i = 0; i < kept && !this->GetAbortExecute(); ++i) {
@@ -118,7 +120,12 @@ int vtkProjectionRays::RequestData(vtkInformation*, vtkInformationVector** input
     if (!finite(position)) continue;
     if (normals != nullptr && normals->GetNumberOfComponents() == 3) normals->GetTuple(id, &normal.x);
     const auto p = static_cast<float>(roughness != nullptr ? roughness->GetComponent(id, 0) : 0.0);
-    builder.addPoint(static_cast<int>(id), surfaceRay(position, normal, p, settings.view));
+    const SurfaceRay ray = surfaceRay(position, normal, p, settings.view);
+    builder.addPoint(static_cast<int>(id), ray);
+    const int code = glass != nullptr ? static_cast<int>(glass->GetComponent(id, 0)) : -1;
+    if (code >= 0 && static_cast<std::size_t>(code / 2) < d.glass.size()) {
+      builder.addGlass(static_cast<int>(id), ray, d.glass[static_cast<std::size_t>(code / 2)].surface, code % 2 == 1);
+    }
   }
   lines.writeTo(vtkPolyData::GetData(output), names);
   return 1;
@@ -126,6 +133,11 @@ int vtkProjectionRays::RequestData(vtkInformation*, vtkInformationVector** input
 
 void vtkProjectionRays::SetSceneData(vtkPolyData* scene) {
   this->SetInputDataInternal(1, scene);
+}
+
+void vtkProjectionRays::SetGlass(std::vector<RayGlass> glass) {
+  this->Internal->glass = std::move(glass);
+  this->Modified();
 }
 
 void vtkProjectionRays::SetKindEnabled(RayKind kind, bool enabled) {

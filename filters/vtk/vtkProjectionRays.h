@@ -26,6 +26,7 @@
 namespace boxprobe {
 class CubeMap;
 struct Probe;
+struct RayGlass;
 }  // namespace boxprobe
 
 class vtkProjectionRays : public vtkPolyDataAlgorithm {
@@ -70,6 +71,9 @@ class vtkProjectionRays : public vtkPolyDataAlgorithm {
   vtkBooleanMacro(ContributingProbesOnly, vtkTypeBool)
   ///@}
       // clang-format on
+
+      /** Objects that transmit light; a point's optional array "glass" names one: 2 x its index, + 1 from inside. */
+      void SetGlass(std::vector<boxprobe::RayGlass> glass);
 
       ///@{
       /** Which kinds of lines are made: by default all. */
