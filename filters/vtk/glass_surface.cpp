@@ -105,7 +105,7 @@ void GlassSurface::apply(const Material& material, const Mesh& mesh, const glm::
     radius = shell->shell().radius();
   }
   if (form == GlassForm::Automatic)
-    form = shell && shell->shell().fits() ? GlassForm::TwoInterface : GlassForm::OnePass;
+    form = shell && shell->shell().fits() ? GlassForm::TwoInterface : GlassForm::TwoPass;
 }
 
 std::string glassFormName(GlassForm form) {
