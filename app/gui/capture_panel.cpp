@@ -142,16 +142,17 @@ void CapturePanel::buildView(QFormLayout* form) {
   far_ = addProbeNumber(editor_, form, tr("Far"), kFar,
                         tr("Metres from the origin beyond which nothing is captured. Default: 1000 m"),
                         [](Probe& probe, double value) { probe.farDistance = value; });
-  clear_ = addProbeChoice(form, tr("Clear to"),
-                          {{tr("Sky"), 0, tr("The scene's sky, as the camera sees it")},
-                           {tr("Nothing"), 1, tr("Empty: another probe, or the sky, fills what this one did not see")},
-                           {tr("Colour"), 2, tr("The same light from everywhere")},
-                           {tr("Open"), 3, tr("The sky as it is by then, uncorrected: it may change without another capture")}},
-                          tr("What the probe holds where it sees no object. Default: sky"), [this](int index) {
-                            editor_.commitProbe(probeEditLabel(editor_, tr("clear")), [index](Probe& probe) {
-                              if (static_cast<int>(probe.clear.index()) != index) probe.clear = clearOf(index);
-                            });
-                          });
+  clear_ = addProbeChoice(
+      form, tr("Clear to"),
+      {{tr("Sky"), 0, tr("The scene's sky, as the camera sees it")},
+       {tr("Nothing"), 1, tr("Empty: another probe, or the sky, fills what this one did not see")},
+       {tr("Colour"), 2, tr("The same light from everywhere")},
+       {tr("Open"), 3, tr("The sky as it is by then, uncorrected: it may change without another capture")}},
+      tr("What the probe holds where it sees no object. Default: sky"), [this](int index) {
+        editor_.commitProbe(probeEditLabel(editor_, tr("clear")), [index](Probe& probe) {
+          if (static_cast<int>(probe.clear.index()) != index) probe.clear = clearOf(index);
+        });
+      });
   clearColor_ = new VectorRow(kRadiance, tr("linear radiance, scene units"), this, "RGB");
   addRow(form, tr("Colour"), clearColor_, tr("Linear radiance of what the probe does not see"));
   const auto edit = [](int channel, double value) {

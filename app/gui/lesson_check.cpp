@@ -33,6 +33,7 @@ void LessonCheck::setTask(std::optional<LessonTask> task) {
 }
 
 void LessonCheck::invalidate() {
+  stale_ = true;
   if (!task_ || timer_.isActive()) return;
   timer_.start(static_cast<int>(std::max<qint64>(kApartMilliseconds - sinceMeasure_.elapsed(), 0)));
 }
@@ -50,6 +51,7 @@ void LessonCheck::measure() {
     result.limit = conditionLimit(condition, times.value_or(0.0));
     result.done = result.value && times && conditionHolds(condition, *result.value, *times);
     result_ = result;
+    stale_ = false;
   } catch (const std::exception& error) {
     task_.reset();  // it would fail again at every change
     emit failed(QString::fromUtf8(error.what()));

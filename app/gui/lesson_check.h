@@ -35,6 +35,8 @@ class LessonCheck : public QObject {
   void setTask(std::optional<LessonTask> task);
   /// The scene changed, or what it is drawn with is now there.
   void invalidate();
+  /// What is on show has not been measured yet.
+  bool pending() const { return task_ && stale_; }
   const std::optional<Result>& result() const { return result_; }  ///< of the task, once measured
 
  signals:
@@ -51,6 +53,7 @@ class LessonCheck : public QObject {
   qint64 lastCost_ = 0;  ///< milliseconds
   std::optional<LessonTask> task_;
   std::optional<Result> result_;
+  bool stale_ = false;
 };
 
 }  // namespace boxprobe

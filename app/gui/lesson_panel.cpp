@@ -26,10 +26,11 @@ bool LessonPanel::stepShown() const {
 }
 
 void LessonPanel::setTypeSize(double points) {
-  QFont letters = font();
-  letters.setPointSizeF(points);
-  setFont(letters);
-  step_->setTypeSize(points);
+  constexpr double kTitle = 1.35;
+  // A style sheet, for the window's own keeps fonts from being handed down.
+  setStyleSheet(QString("QWidget { font-size: %1pt } QLabel#stepTitle { font-size: %2pt; font-weight: bold }")
+                    .arg(points)
+                    .arg(kTitle * points));
 }
 
 }  // namespace boxprobe

@@ -55,7 +55,6 @@ void LessonStepPage::buildTop(QVBoxLayout* layout) {
   layout->addLayout(row);
   lesson_ = textLabel(this, "help");
   title_ = textLabel(this, "stepTitle");
-  title_->setStyleSheet("font-weight: bold");
   layout->addWidget(lesson_);
   layout->addWidget(title_);
   connect(list, &QPushButton::clicked, this, &LessonStepPage::listRequested);
@@ -156,13 +155,6 @@ void LessonStepPage::showTry(bool lesson, bool kept) {
   }
   tryLabel_->setText(lesson ? tr("You see the lesson's scene. Your own try is kept.")
                             : tr("You see your own try. The lesson's scene is kept."));
-}
-
-void LessonStepPage::setTypeSize(double points) {
-  constexpr double kTitle = 1.35;
-  QFont letters = title_->font();
-  letters.setPointSizeF(kTitle * points);
-  title_->setFont(letters);
 }
 
 void LessonStepPage::showResult(const LessonCheck::Result& result) {

@@ -30,7 +30,6 @@ class LessonStepPage : public QWidget {
   void show(const Lesson& lesson, std::size_t step, const Solved& solved);
   /// `lesson`: its own scene is on show; `kept`: there is a try.
   void showTry(bool lesson, bool kept);
-  void setTypeSize(double points);
   void showResult(const LessonCheck::Result& result);
   void showFailure(const QString& line);
 

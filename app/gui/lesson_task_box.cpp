@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QStringList>
 #include <QVBoxLayout>
 
 #include "app/lessons/lesson_measure.h"
@@ -93,7 +94,14 @@ QString measureLabel(const LessonMeasure& measure) {
         return QString::fromUtf8(label.data(), static_cast<int>(label.size()));
       }
       break;
-    case MeasureKind::Explain:
+    case MeasureKind::Explain: {
+      // The last key of the pointer says what it is, an index alone does not.
+      const QStringList keys = QString::fromStdString(measure.name).split('/');
+      const bool index = !keys.last().isEmpty() && keys.last()[0].isDigit() && keys.size() > 1;
+      QString label = index ? keys[keys.size() - 2] + " " + keys.last() : keys.last();
+      if (!label.isEmpty()) label[0] = label[0].toUpper();
+      return label;
+    }
     case MeasureKind::Counter:
     case MeasureKind::Field:
       break;

@@ -203,6 +203,8 @@ void LessonView::stepShown() {
   panel_->showStep();
   check_.setTask(visit_.shownStep().task);
   updateTry();
+  // Hidden buttons hand the focus on to whatever comes next, which looks chosen.
+  if (panel_->isAncestorOf(QApplication::focusWidget())) parts_.viewport.setFocus();
   updateKeys();
   emit openChanged(true);
   emit pictureChanged();

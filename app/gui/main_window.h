@@ -64,6 +64,8 @@ class MainWindow : public QMainWindow {
   Projector& projector() { return *projector_; }
   MotionPreview& motionPreview() { return *motion_; }
   const SceneRenderer& renderer() const { return *renderer_; }
+  /// On show, in the order of scene.models.
+  const std::vector<std::shared_ptr<const Model>>& models() const { return models_; }
 
  signals:
   /// Before anything is torn down; `renderer` and its GL context still live.
@@ -125,7 +127,7 @@ class MainWindow : public QMainWindow {
   ProbePreview* preview_ = nullptr;
   CostPanel* costPanel_ = nullptr;
   FramePanel* framePanel_ = nullptr;
-  std::vector<std::shared_ptr<const Model>> models_;  ///< on show, in the order of scene.models
+  std::vector<std::shared_ptr<const Model>> models_;
   bool firstPictureDone_ = false;
   std::string shownError_;
 };

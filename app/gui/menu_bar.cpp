@@ -42,6 +42,8 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   view_->addSeparator();
   boxes_ = addToggle(view_, tr("Probe &boxes and handles"), QKeySequence("Ctrl+B"), &MenuBar::boxesShown);
   reflections_ = addToggle(view_, tr("Re&flections from probes"), QKeySequence("Ctrl+R"), &MenuBar::reflectionsShown);
+  boxes_->setObjectName("showBoxes");
+  reflections_->setObjectName("showReflections");
   motionPreview_ = addToggle(view_, tr("C&heaper techniques while moving"), {}, &MenuBar::motionPreviewSwitched);
   motionPreview_->setToolTip(
       tr("While the camera or a handle moves, costly techniques are drawn by what their rows name as a stand-in"));

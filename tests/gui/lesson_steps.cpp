@@ -1,0 +1,90 @@
+// See lesson_steps.h.
+#include "tests/gui/lesson_steps.h"
+
+#include <QPixmap>
+#include <QScreen>
+#include <QScrollArea>
+#include <QTest>
+#include <QWindow>
+
+#include "app/gui/lesson_progress.h"
+#include "app/gui/projector.h"
+#include "app/gui/render_scheduler.h"
+#include "filters/io/scene_file.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+std::string lessonFolder() {
+  return std::string(BOXPROBE_DATA_DIR) + "/lessons";
+}
+
+void LessonWindowTest::SetUp() {
+  forgetLessons();
+  WindowTest::SetUp();
+  lessons().setFolder(lessonFolder());
+}
+
+void LessonWindowTest::TearDown() {
+  window_->projector().setOn(false);
+  lessons().leave();
+  forgetLessons();
+}
+
+QAbstractButton* LessonWindowTest::button(const QString& name) {
+  auto* found = window_->findChild<QAbstractButton*>(name);
+  EXPECT_NE(found, nullptr) << name.toStdString();
+  return found;
+}
+
+void LessonWindowTest::click(const QString& name) {
+  QAbstractButton* target = button(name);
+  ASSERT_NE(target, nullptr);
+  for (QWidget* parent = target->parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
+    if (auto* scroll = qobject_cast<QScrollArea*>(parent)) {
+      QCoreApplication::processEvents();  // what was just shown has its place only then
+      scroll->ensureWidgetVisible(target);
+    }
+  }
+  QCoreApplication::processEvents();
+  ASSERT_TRUE(target->isVisible()) << name.toStdString();
+  ASSERT_TRUE(target->isEnabled()) << name.toStdString();
+  QTest::mouseClick(target, Qt::LeftButton);
+  QCoreApplication::processEvents();
+}
+
+QString LessonWindowTest::text(const QString& label) {
+  auto* found = window_->findChild<QLabel*>(label);
+  EXPECT_NE(found, nullptr) << label.toStdString();
+  return found ? found->text() : QString();
+}
+
+bool LessonWindowTest::shown(const QString& name) {
+  auto* found = window_->findChild<QWidget*>(name);
+  return found != nullptr && found->isVisible();
+}
+
+void LessonWindowTest::openFromList(const std::string& lesson) {
+  key(Qt::Key_F1);
+  click("lesson:" + QString::fromStdString(lesson));
+}
+
+void LessonWindowTest::waitForMeasure() {
+  waitUntilIdle();
+  constexpr int kMilliseconds = 120000;
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !lessons().check().pending(); }, kMilliseconds)) << "never measured";
+  waitUntilIdle();
+}
+
+void LessonWindowTest::edit(const std::vector<std::string>& assignments) {
+  window_->editor().commit("Edit", [&](Scene& scene) { setSceneFields(scene, assignments); });
+}
+
+void LessonWindowTest::keepPicture(const QString& name) {
+  const QString folder = qEnvironmentVariable("BOXPROBE_TEST_OUTPUT");
+  if (folder.isEmpty()) return;
+  QCoreApplication::processEvents();
+  window_->windowHandle()->screen()->grabWindow(window_->winId()).save(folder + "/" + name + ".png");
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,355 @@
+// The lessons beside a learner's own work: that scene is put aside whole and comes back, tries are kept, tasks are done
+// by real drags and typing, the projector's key, lesson files that cannot be read.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/gui/debug_view.h"
+#include "app/gui/file_commands.h"
+#include "app/gui/lesson_progress.h"
+#include "app/gui/probe_widget.h"
+#include "app/gui/projector.h"
+#include "app/gui/surface_view_panel.h"
+#include "app/gui/value_field.h"
+#include "app/gui/vector_row.h"
+#include "app/gui/viewport.h"
+#include "filters/vtk/scene_renderer.h"
+#include "tests/gui/dialogs.h"
+#include "tests/gui/lesson_steps.h"
+
+namespace boxprobe {
+namespace {
+
+class LessonTest : public LessonWindowTest {
+ protected:
+  static constexpr const char* kMirror = "floor-mirror";
+  static constexpr std::size_t kTask = 2;  ///< the step of it that asks for something to be done
+  static constexpr BoxFace kPlusX{0, true};
+  double face() const { return probe().box.max.x; }
+};
+
+/// With a scene of the learner's own, edited and not saved.
+class OwnSceneTest : public LessonTest {
+ protected:
+  LoadedScene scene() const override { return smallBuilding(); }
+  void SetUp() override {
+    LessonTest::SetUp();
+    window_->editor().commitProbe("Own edit", [](Probe& edited) { edited.intensity = 1.5; });
+    window_->editor().commitProbe("Taken back", [](Probe& edited) { edited.intensity = 2.5; });
+    document().undo();
+    mine_ = document().scene();
+  }
+  void expectMine() {
+    EXPECT_EQ(visit().lesson(), nullptr);
+    EXPECT_EQ(document().scene(), mine_);
+    EXPECT_EQ(document().path(), buildingPath());
+    EXPECT_TRUE(document().modified());
+    EXPECT_EQ(document().undoLabel(), "Own edit");
+    EXPECT_EQ(document().redoLabel(), "Taken back");
+    EXPECT_TRUE(window_->windowTitle().startsWith("building.boxprobe.json"));
+    EXPECT_EQ(document().selectedProbe(), std::optional<std::size_t>(0));
+  }
+  Scene mine_;
+};
+
+TEST_F(OwnSceneTest, ComesBackWholeWithItsView) {
+  drag({300, 300}, {380, 330});  // the camera
+  const Camera camera = window_->renderer().currentCamera();
+  const int view = *findSurfaceView("normal");
+  window_->debugView().surfacePanel()->choose(view);
+  window_->findChild<QAction*>("showReflections")->setChecked(false);
+  const auto models = window_->models();
+
+  openFromList(kMirror);
+  waitUntilIdle();
+  EXPECT_TRUE(window_->windowTitle().startsWith("Lesson: "));
+  EXPECT_FALSE(document().modified());
+  EXPECT_FALSE(document().canUndo());
+  EXPECT_NE(window_->models(), models);
+  EXPECT_FALSE(window_->renderer().currentCamera() == camera);
+  edit({"probes.room.intensity=3"});
+  key(Qt::Key_Right);
+  click("leaveLessons");
+
+  expectMine();
+  EXPECT_EQ(window_->models(), models) << "what is loaded is not loaded again";
+  EXPECT_EQ(window_->renderer().currentCamera().position, camera.position);
+  EXPECT_EQ(window_->renderer().currentCamera().verticalFovDegrees, camera.verticalFovDegrees);
+  EXPECT_EQ(window_->debugView().surfacePanel()->settings().view, view);
+  EXPECT_FALSE(window_->findChild<QAction*>("showReflections")->isChecked());
+  EXPECT_TRUE(window_->findChild<QAction*>("showBoxes")->isChecked());
+  window_->debugView().surfacePanel()->choose(0);
+  window_->findChild<QAction*>("showReflections")->setChecked(true);
+  waitUntilIdle();
+}
+
+TEST_F(OwnSceneTest, ClosingAsksAboutItAndNeverAboutTheLessons) {
+  openFromList(kMirror);
+  edit({"probes.room.intensity=3"});
+  const auto asked = answerMessageBox(QMessageBox::Cancel);
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(asked->text.contains("building.boxprobe.json")) << asked->text.toStdString();
+  expectMine();
+}
+
+TEST_F(OwnSceneTest, SavingInALessonAsksForAName) {
+  openFromList(kMirror);
+  edit({"probes.room.intensity=3"});
+  QTemporaryDir folder;
+  const auto dialog = answerFileDialog(folder.filePath("try"));
+  key(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_EQ(dialog->text, "Save as");
+  EXPECT_EQ(loadScene(folder.filePath("try.boxprobe.json").toStdString()).scene.probes.front().intensity, 3.0);
+
+  const Lesson lesson = *visit().lesson();
+  const QString own = QString::fromStdString(lesson.scene);
+  EXPECT_FALSE(lessons().mayWrite(own));
+  EXPECT_TRUE(lessons().mayWrite(folder.filePath("other.boxprobe.json")));
+  click("leaveLessons");
+  EXPECT_TRUE(lessons().mayWrite(own));
+  expectMine();
+}
+
+TEST_F(OwnSceneTest, TheDocksCrossLeavesTheLessons) {
+  openFromList(kMirror);
+  window_->findChild<QDockWidget*>("lessons")->close();
+  expectMine();
+}
+
+TEST_F(LessonTest, OpensFromTheHelpMenuByTheMouse) {
+  QMenuBar* bar = window_->menuBar();
+  QAction* help = bar->actions().last();
+  QTest::mouseClick(bar, Qt::LeftButton, {}, bar->actionGeometry(help).center());
+  QMenu* menu = help->menu();
+  ASSERT_TRUE(QTest::qWaitFor([menu] { return menu->isVisible(); }));
+  QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().first()).center());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return shown("lesson:floor-mirror"); }));
+  keepPicture("lesson_list");
+  button("lesson:floor-mirror")->setFocus();
+  key(Qt::Key_Return);
+  ASSERT_NE(visit().lesson(), nullptr);
+  EXPECT_EQ(visit().step(), 0u);
+  waitUntilIdle();
+  keepPicture("lesson_step");
+}
+
+TEST_F(LessonTest, TheStepsOfALessonShareTheirModelsAndThePictureStaysUntilTheNextIsThere) {
+  openFromList(kMirror);
+  waitUntilIdle();
+  const auto models = window_->models();
+  const QWidget* held = window_->findChild<QLabel*>("heldPicture");
+  ASSERT_NE(held, nullptr);
+  EXPECT_FALSE(held->isVisible());
+  key(Qt::Key_Right);
+  EXPECT_EQ(window_->models(), models);
+  waitUntilIdle();
+  EXPECT_FALSE(held->isVisible());
+  click("lessonList");
+  click("lesson:levels");
+  EXPECT_TRUE(held->isVisible() || !window_->renderer().workPending()) << "the half-made picture must not show";
+  waitUntilIdle();
+  EXPECT_FALSE(held->isVisible());
+}
+
+TEST_F(LessonTest, ADragOfTheBoxDoesTheTask) {
+  window_->openLesson(kMirror, kTask);
+  waitForMeasure();
+  EXPECT_FALSE(lessons().check().result()->done);
+  keepPicture("lesson_task");
+  EXPECT_TRUE(text("taskValue").contains("done below 0.02 m")) << text("taskValue").toStdString();
+  ASSERT_NEAR(face(), 4.5, 1e-9);
+  drag(facePixel(kPlusX), facePixelAfter(kPlusX, -0.5), {}, 16);
+  EXPECT_NEAR(face(), 4.0, 0.03);
+  waitForMeasure();
+  // As exact as the mouse can be; the rest by the field.
+  EXPECT_LT(*lessons().check().result()->value, 0.05);
+  auto* row = window_->findChild<VectorRow*>("boxMax");
+  ASSERT_NE(row, nullptr);
+  type(row->findChildren<ValueField*>().first(), "4");
+  waitForMeasure();
+  EXPECT_TRUE(lessons().check().result()->done) << text("taskValue").toStdString();
+  EXPECT_TRUE(lessonProgress(kMirror).solved.contains(solvedTask(kTask)));
+  EXPECT_TRUE(text("taskPraise").startsWith("Done."));
+  keepPicture("lesson_task_done");
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_NE(face(), 4.0) << "undo works on the try";
+}
+
+TEST_F(LessonTest, ATryIsKeptBesideTheLessonsScene) {
+  window_->openLesson(kMirror, kTask);
+  EXPECT_FALSE(shown("showTry"));
+  edit({"probes.room.box.max=[4.2,3,3]"});
+  EXPECT_TRUE(button("showTry")->isChecked());
+  key(Qt::Key_Left);
+  EXPECT_EQ(visit().step(), kTask - 1);
+  EXPECT_EQ(face(), 4.0) << "the step before as the lesson has it";
+  EXPECT_FALSE(shown("showTry"));
+  key(Qt::Key_Right);
+  EXPECT_EQ(face(), 4.5) << "the step as the lesson has it";
+  EXPECT_TRUE(button("showLessonScene")->isChecked());
+  click("showTry");
+  EXPECT_EQ(face(), 4.2);
+  click("showLessonScene");
+  EXPECT_EQ(face(), 4.5);
+  document().undo();
+  EXPECT_EQ(face(), 4.2);
+  click("showLessonScene");
+
+  // Edits of the lesson's scene are a new try; the one before is under it.
+  edit({"probes.room.box.max=[4.8,3,3]"});
+  EXPECT_TRUE(button("showTry")->isChecked());
+  document().undo();
+  EXPECT_EQ(face(), 4.5);
+  document().undo();
+  EXPECT_EQ(face(), 4.2);
+  document().redo();
+  document().redo();
+
+  click("startOver");
+  EXPECT_EQ(face(), 4.5);
+  EXPECT_FALSE(shown("showTry"));
+  document().undo();
+  EXPECT_EQ(face(), 4.8) << "undo brings it back";
+  EXPECT_TRUE(shown("showTry"));
+  EXPECT_EQ(lessonScene(*visit().lesson(), kTask).probes.front().box.max.x, 4.5);
+
+  // For the rest of the time the program runs, lessons left and opened again.
+  click("leaveLessons");
+  window_->openLesson(kMirror, kTask);
+  click("showTry");
+  EXPECT_EQ(face(), 4.8);
+  click("startOver");
+}
+
+TEST_F(LessonTest, ArrowKeysTurnStepsUnlessTheyAreWantedElsewhere) {
+  window_->openLesson(kMirror, 0);
+  key(Qt::Key_Right);
+  EXPECT_EQ(visit().step(), 1u);
+  auto* field = window_->findChild<VectorRow*>("boxMax")->findChildren<ValueField*>().first();
+  field->setFocus();
+  key(Qt::Key_Left);
+  EXPECT_EQ(visit().step(), 1u) << "a text field goes through its digits";
+  window_->viewport().setFocus();
+  key(Qt::Key_PageUp);
+  EXPECT_EQ(visit().step(), 0u);
+  key(Qt::Key_Left);
+  EXPECT_EQ(visit().step(), 0u);
+  click("leaveLessons");
+  key(Qt::Key_Right);
+  EXPECT_EQ(visit().lesson(), nullptr);
+}
+
+TEST_F(LessonTest, OneKeyLeavesThePictureAndTheLessonInLargeType) {
+  window_->openLesson(kMirror, 1);
+  waitUntilIdle();
+  const auto* say = window_->findChild<QLabel*>("stepText");
+  const int letters = say->fontInfo().pixelSize();
+  EXPECT_GE(letters, QFontInfo(window_->font()).pixelSize() + 2) << "large enough to read beside a picture";
+  const auto* probes = window_->findChild<QDockWidget*>("probes");
+  const auto* lesson = window_->findChild<QDockWidget*>("lessons");
+  ASSERT_TRUE(probes->isVisible());
+  for (const Qt::Key back : {Qt::Key_F11, Qt::Key_Escape}) {
+    key(Qt::Key_F11);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(probes->isVisible());
+    EXPECT_FALSE(window_->menuBar()->isVisible());
+    EXPECT_FALSE(window_->statusBar()->isVisible());
+    EXPECT_TRUE(lesson->isVisible());
+    EXPECT_TRUE(window_->isFullScreen());
+    EXPECT_GT(say->fontInfo().pixelSize(), letters * 4 / 3);
+    key(Qt::Key_Right);
+    EXPECT_EQ(visit().step(), 2u);
+    key(Qt::Key_Left);
+    waitUntilIdle();
+    if (back == Qt::Key_F11) keepPicture("lesson_projector");
+    key(back);
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(window_->projector().on());
+    EXPECT_TRUE(probes->isVisible());
+    EXPECT_TRUE(window_->menuBar()->isVisible());
+    EXPECT_TRUE(window_->statusBar()->isVisible());
+    EXPECT_TRUE(lesson->isVisible());
+    EXPECT_FALSE(window_->isFullScreen());
+    EXPECT_EQ(say->fontInfo().pixelSize(), letters);
+  }
+}
+
+TEST_F(LessonTest, ProgressIsKeptShownAndForgotten) {
+  window_->openLesson(kMirror, 1);
+  click("leaveLessons");
+  EXPECT_EQ(lessonProgress(kMirror).furthest, 1);
+  EXPECT_EQ(lastLesson(), kMirror);
+  openFromList(kMirror);
+  EXPECT_EQ(visit().step(), 1u) << "where it was left off";
+  key(Qt::Key_F1);
+  EXPECT_TRUE(shown("leaveLessonsFromList"));
+  click("forgetProgress");
+  EXPECT_EQ(lessonProgress(kMirror).furthest, -1);
+  EXPECT_FALSE(button("forgetProgress")->isEnabled());
+}
+
+TEST_F(LessonTest, AnUnknownLessonIsToldInOneLine) {
+  QString line;
+  QObject::connect(&lessons(), &LessonView::failed, window_, [&line](const QString& told) { line = told; });
+  window_->openLesson("flor-mirror");
+  EXPECT_EQ(visit().lesson(), nullptr);
+  EXPECT_TRUE(line.contains("flor-mirror")) << line.toStdString();
+  EXPECT_TRUE(line.contains("floor-mirror")) << line.toStdString();
+  EXPECT_FALSE(line.contains('\n'));
+}
+
+TEST_F(LessonTest, BrokenLessonsAreListedAtTheEndAndTheOthersWork) {
+  QTemporaryDir folder;
+  const auto write = [&](const QString& name, const QByteArray& content) {
+    QFile file(folder.filePath(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(content);
+  };
+  const auto lesson = [](const QByteArray& scenePath, const QByteArray& camera) {
+    return "{\"format\":\"boxprobe-lesson\",\"version\":1,\"title\":\"T\",\"chapter\":\"C\",\"summary\":\"S\","
+           "\"scene\":\"" +
+           scenePath + "\",\"steps\":[{\"title\":\"A\",\"say\":\"B\",\"camera\":\"" + camera + "\"}]}";
+  };
+  const QByteArray room = QByteArray(BOXPROBE_DATA_DIR) + "/scenes/room.boxprobe.json";
+  write("1-good.lesson.json", lesson(room, "A"));
+  write("2-malformed.lesson.json", "{\"format\": \"boxprobe-lesson\",");
+  write("3-no-scene.lesson.json", lesson("none.boxprobe.json", "A"));
+  write("4-no-camera.lesson.json", lesson(room, "nowhere"));
+  lessons().setFolder(folder.path().toStdString());
+  key(Qt::Key_F1);
+  QStringList errors;
+  for (const QLabel* label : window_->findChildren<QLabel*>()) {
+    if (label->property("lessonError").toBool() && label->isVisible()) errors << label->text();
+  }
+  ASSERT_EQ(errors.size(), 3);
+  EXPECT_TRUE(errors[0].contains("2-malformed.lesson.json"));
+  EXPECT_TRUE(errors[1].contains("3-no-scene.lesson.json"));
+  EXPECT_TRUE(errors[2].contains("4-no-camera.lesson.json"));
+  EXPECT_TRUE(errors[2].contains("nowhere"));
+  for (const QString& line : errors) EXPECT_FALSE(line.contains('\n')) << line.toStdString();
+  keepPicture("lesson_errors");
+  click("lesson:good");
+  ASSERT_NE(visit().lesson(), nullptr);
+  EXPECT_EQ(visit().lesson()->title, "T");
+}
+
+TEST_F(LessonTest, AFolderWithoutLessonsSaysSo) {
+  lessons().setFolder("/nowhere/at/all");
+  key(Qt::Key_F1);
+  bool told = false;
+  for (const QLabel* label : window_->findChildren<QLabel*>()) {
+    told = told || (label->property("lessonError").toBool() && label->text().contains("/nowhere/at/all"));
+  }
+  EXPECT_TRUE(told);
+}
+
+}  // namespace
+}  // namespace boxprobe
