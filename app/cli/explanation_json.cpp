@@ -147,6 +147,10 @@ std::string explanationJson(const Explanation& e) {
   json["coat"] = vector(e.coat);
   json["glass"] = e.glass ? glassJson(*e.glass) : none;
   json["sky"] = {{"weight", number(e.skyWeight)}, {"level", number(e.skyLevel)}, {"value", vector(e.skyValue)}};
+  json["mirror"] = e.mirror ? Json{{"light", vector(e.mirror->light)}, {"coverage", number(e.mirror->coverage)},
+                                   {"share", number(e.mirror->share)}, {"hitDistance", number(e.mirror->hitDistance)},
+                                   {"level", number(e.mirror->level)}, {"fetches", e.mirror->fetches}}
+                            : none;
   json["surface"] = e.hit ? surfaceJson(e) : none;
   json["lookupCount"] = e.lookupCount;
   json["probes"] = Json::array();

@@ -75,6 +75,16 @@ Json frameReportJson(const FrameReport& report) {
   }
   json["memoryBytes"] = report.bytes;
   json["skipped"] = skippedLines(report);
+  json["mirrors"] = Json::array();
+  for (const FrameReport::MirrorUse& mirror : report.mirrors) {
+    json["mirrors"].push_back({{"name", mirror.node},
+                               {"drawn", mirror.drawn},
+                               {"why", mirror.why},
+                               {"width", mirror.width},
+                               {"height", mirror.height},
+                               {"objects", mirror.objects},
+                               {"hiding", mirror.hiding}});
+  }
   json["leftOut"] = leftOutLines(report);
   json["objects"] = Json::array();
   for (const FrameReport::Object& object : report.objects) {
@@ -104,6 +114,9 @@ std::string frameReportText(const FrameReport& report) {
             number(" at most %.0f\n", report.lookups->most);
   }
   text += "  maps: " + number("%.1f MiB\n", static_cast<double>(report.bytes) / 1048576.0);
+  const std::vector<std::string> mirrors = mirrorLines(report);
+  if (!mirrors.empty()) text += "planar mirrors\n";
+  for (const std::string& line : mirrors) text += "  " + line + "\n";
   text += "left out of the frame\n";
   for (const std::string& line : skippedLines(report)) text += "  " + line + "\n";
   for (const std::string& line : leftOutLines(report)) text += "  " + line + "\n";

@@ -66,6 +66,15 @@ std::string statsJson(const RunStats& stats) {
                       {"errorsMeasured", c.errorsMeasured},
                       {"texelsNotFinite", c.texelsNotFinite},
                       {"uniformUpdates", c.uniformUpdates}};
+  const MirrorCounters& m = c.mirrors;
+  json["counters"]["mirrors"] = {{"drawn", m.drawn},
+                                 {"texels", m.texels},
+                                 {"disabled", m.disabled},
+                                 {"rough", m.rough},
+                                 {"facingAway", m.facingAway},
+                                 {"notInView", m.notInView},
+                                 {"nothingDynamic", m.nothingDynamic},
+                                 {"overBudget", m.overBudget}};
   const ImageCounts images = imagePool().counts();
   json["counters"]["imagesDecoded"] = images.decoded;
   json["counters"]["imagesShared"] = images.shared;

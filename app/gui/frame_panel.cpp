@@ -162,6 +162,11 @@ void FramePanel::fill(const FrameReport& report) {
   for (const std::string& line : skippedLines(report)) addRowTo(skipped, text(line), {});
   for (const std::string& line : leftOutLines(report)) addRowTo(skipped, text(line), {});
 
+  if (!report.mirrors.empty()) {
+    QTreeWidgetItem* mirrors = section(tr("Planar mirrors"));
+    for (const std::string& line : mirrorLines(report)) addRowTo(mirrors, text(line), {});
+  }
+
   QTreeWidgetItem* objects = section(tr("Objects and their probes"));
   std::size_t listed = 0;
   for (const FrameReport::Object& object : report.objects) {

@@ -30,6 +30,7 @@
 #include "app/gui/material_panel.h"
 #include "app/gui/menu_bar.h"
 #include "app/gui/motion_preview.h"
+#include "app/gui/object_panel.h"
 #include "app/gui/picture_panel.h"
 #include "app/gui/probe_list.h"
 #include "app/gui/probe_overlay.h"
@@ -129,15 +130,17 @@ void MainWindow::buildPanels() {
   probePanel_ = new ProbePanel(*editor_);
   capturePanel_ = new CapturePanel(*editor_);
   materialPanel_ = new MaterialPanel(*editor_);
+  objectPanel_ = new ObjectPanel(*editor_);
   picturePanel_ = new PicturePanel(*editor_);
 
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(6);
-  for (QWidget* panel : {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(bakePanel_),
-                         static_cast<QWidget*>(probePanel_), static_cast<QWidget*>(capturePanel_),
-                         static_cast<QWidget*>(materialPanel_), static_cast<QWidget*>(picturePanel_)}) {
+  for (QWidget* panel :
+       {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(bakePanel_), static_cast<QWidget*>(probePanel_),
+        static_cast<QWidget*>(capturePanel_), static_cast<QWidget*>(materialPanel_),
+        static_cast<QWidget*>(objectPanel_), static_cast<QWidget*>(picturePanel_)}) {
     layout->addWidget(panel);
   }
   layout->addStretch(1);
@@ -405,6 +408,7 @@ void MainWindow::documentChanged(const Changes& changes) {
   bakePanel_->update();
   capturePanel_->update();
   materialPanel_->update();
+  objectPanel_->update();
   picturePanel_->update();
   preview_->update();
   costPanel_->update();
@@ -436,6 +440,7 @@ void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& mod
   renderer_->setModels(models);
   capturePanel_->setModels(models);
   materialPanel_->setModels(models);
+  objectPanel_->setModels(models);
   debugView_->setModels(models);
   bakePanel_->useFilesBeside(path);
 }

@@ -22,6 +22,7 @@ class DebugView;
 class FileCommands;
 class LessonView;
 class MaterialPanel;
+class ObjectPanel;
 class MenuBar;
 class MotionPreview;
 class PicturePanel;
@@ -123,6 +124,7 @@ class MainWindow : public QMainWindow {
   BakePanel* bakePanel_ = nullptr;
   CapturePanel* capturePanel_ = nullptr;
   MaterialPanel* materialPanel_ = nullptr;
+  ObjectPanel* objectPanel_ = nullptr;
   PicturePanel* picturePanel_ = nullptr;
   ProbePreview* preview_ = nullptr;
   CostPanel* costPanel_ = nullptr;

@@ -48,6 +48,7 @@ void generate(const Options& options) {
   write(folder / "furnished.glb", glbBytes(furnished()));
   write(folder / "gallery.glb", glbBytes(gallery()));
   write(folder / "glass.glb", glbBytes(glassRoom()));
+  write(folder / "mirror-hall.glb", glbBytes(mirrorHall()));
   write(folder / "room.glb", glbBytes(room()));
   write(folder / "six-faces.glb", glbBytes(sixFaces()));
   write(folder / "sky.hdr", skyHdr());

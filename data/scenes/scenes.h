@@ -32,6 +32,9 @@ Model windows();
 /// absorbs, a prism, a ring, a cup and a thin pane.
 Model glassRoom();
 
+/// A closed 12 x 4 x 8 m hall with mirrors on a wall and the floor, and things that move before them.
+Model mirrorHall();
+
 struct Apartments {
   Model model;
   Scene scene;  ///< without its model's file name

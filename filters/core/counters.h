@@ -6,7 +6,7 @@
 
 namespace boxprobe {
 
-/// Planar mirrors: pictures drawn, and those left out, each by the first reason that held.
+/// Planar mirrors in the last frame: pictures drawn, and those left out, each by the first reason that held.
 struct MirrorCounters {
   std::uint64_t drawn = 0;
   std::uint64_t texels = 0;          ///< of the pictures drawn, their finest level

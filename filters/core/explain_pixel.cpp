@@ -163,7 +163,25 @@ struct Gathered {
   glm::vec3 skyValue{0.0f};
   int lookups = 0;
   float brightestTexel = 0.0f;
+  std::optional<MirrorExplanation> mirror;
 };
+
+/// The lookup in a planar mirror's picture, as at the end of bpGatherLight.
+MirrorExplanation explainMirror(const shading::MirrorLook& look, const SurfacePoint& s, const glm::vec3& normal,
+                                float roughness) {
+  MirrorExplanation e;
+  const glm::vec3 position(s.positionWorld - s.eyeWorld);
+  const glm::vec4 value = shading::mirroredLight(look, position, normal, s.viewWorld, roughness);
+  e.light = glm::vec3(value);
+  e.coverage = value.w;
+  e.fetches = shading::mirrorFetches(look, normal, roughness);
+  const glm::vec3 reflection = shading::reflectedView(normal, s.viewWorld);
+  const float alpha = roughness * roughness, solidAngle = 12.5663706f * alpha * alpha;
+  const float height = shading::mirrorHeight(look, position, reflection, solidAngle) * look.farHeight;
+  e.hitDistance = height / std::max(glm::dot(reflection, look.normal), 1.0e-2f);
+  e.level = shading::mirrorLevel(look, position + e.hitDistance * reflection, e.hitDistance, solidAngle);
+  return e;
+}
 
 /// The surface's Fresnel reflectance at N.V, mean of its colours: Schlick between F0 and F90.
 float meanFresnel(const glm::vec3& f0, const glm::vec3& f90, float nDotV) {
@@ -186,7 +204,7 @@ Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness
   }
   const ProbeShares shares =
       in.shares.empty() ? shareOut(influences, groups, in.onlyProbes) : ProbeShares{in.shares, in.skyShare};
-  float remaining = shares.sky;
+  float remaining = shares.sky, given = 0.0f;
   for (std::size_t i = 0; i < out.probes.size(); ++i) {
     ProbeExplanation& p = out.probes[i];
     p.weight = in.weights ? shares.probes[i] : 1.0f;
@@ -198,6 +216,7 @@ Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness
       p.weight = 0.0f;
       continue;
     }
+    given += share;
     out.specular += share * p.occlusion.value_or(1.0f) * p.specular;
     if (p.coverage) {
       out.specular += share * (1.0f - *p.coverage) * p.openSky;
@@ -224,6 +243,13 @@ Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness
     for (const TexelShare& t : map.footprint(reflection, out.skyLevel)) {
       out.brightestTexel = std::max(out.brightestTexel, largestComponent(map.texel(t.level, t.face, t.column, t.row)));
     }
+  }
+  if (in.mirror != nullptr) {
+    out.mirror = explainMirror(*in.mirror, s, normal, roughness);
+    out.mirror->share = given + remaining;
+    out.specular = (1.0f - out.mirror->coverage) * out.specular + out.mirror->share * out.mirror->light;
+    out.lookups += out.mirror->fetches;
+    out.brightestTexel = std::max(out.brightestTexel, largestComponent(glm::vec4(out.mirror->light, 0.0f)));
   }
   return out;
 }
@@ -364,6 +390,7 @@ Explanation explainPixel(const ExplainInput& in) {
     }
     e.probes = std::move(light.probes);
     e.skyWeight = light.skyWeight;
+    e.mirror = light.mirror;
     e.skyLevel = light.skyLevel;
     e.skyValue = light.skyValue;
     e.lookupCount = light.lookups;

@@ -12,6 +12,7 @@
 #include "filters/core/probe_geometry.h"
 #include "filters/core/scene.h"
 #include "filters/math/brdf_table.h"
+#include "filters/math/mirror_math.h"
 
 namespace boxprobe {
 
@@ -40,6 +41,8 @@ struct ExplainInput {
   const BrdfTable* brdf = nullptr;
   std::vector<Light> lights;
   std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as such
+  /// Of a planar mirror whose picture is shown, relative to the eye, its texels read back; null: none.
+  const shading::MirrorLook* mirror = nullptr;
 };
 
 /// Total: whatever is undefined is left out and said in `notes`.

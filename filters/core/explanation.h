@@ -86,6 +86,16 @@ struct ProbeExplanation {
   std::vector<Lookup> lookups;
 };
 
+/// What a planar mirror adds: objects that move, from a picture of their own.
+struct MirrorExplanation {
+  glm::vec3 light{0.0f};     ///< premultiplied by the coverage
+  float coverage = 0.0f;     ///< share of the lobe that they take
+  float share = 1.0f;        ///< that the light is multiplied by, as what the probes reflect is
+  float hitDistance = 0.0f;  ///< along R to what is met; meaningless without coverage
+  float level = 0.0f;        ///< whose texels are as large as the lobe there
+  int fetches = 0;
+};
+
 struct Explanation {
   int x = 0, y = 0;  ///< pixel, from the top left
   bool hit = false;  ///< false: the pixel shows the background; only `color` and `notes` are meaningful
@@ -104,6 +114,7 @@ struct Explanation {
   float skyWeight = 0.0f;
   float skyLevel = 0.0f;
   glm::vec3 skyValue{0.0f};
+  std::optional<MirrorExplanation> mirror;  ///< empty: no mirror, or one without a picture here
   std::vector<ProbeExplanation> probes;  ///< in the order of the draw, most important first
   glm::vec3 color{0.0f};                 ///< computed here
   std::optional<glm::vec3> rendered;     ///< the same pixel as the GPU drew it

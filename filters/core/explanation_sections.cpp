@@ -288,6 +288,22 @@ ExplanationSection glassSection(const Explanation& e) {
   return section;
 }
 
+ExplanationSection mirrorSection(const Explanation& e) {
+  const MirrorExplanation& m = *e.mirror;
+  ExplanationSection section{"Planar mirror: objects that move take " + percent(m.coverage) + " of the reflection", {},
+                             -1};
+  auto& rows = section.rows;
+  rows.push_back(scalar("a", m.coverage, "", "coverage of the mirror's picture over the lobe; the probes keep 1 - a"));
+  if (m.coverage > 0.0f) {
+    rows.push_back(scalar("d_dyn", m.hitDistance, kLength, "along R to what moves, by its height over the mirror"));
+    rows.push_back(scalar("level", m.level, "", "whose texels are as large as the lobe at that distance; " +
+                                                    std::to_string(m.fetches) + " fetches"));
+    rows.push_back(light("L_dyn", m.light, "its light, times a"));
+  }
+  if (m.share != 1.0f) rows.push_back(scalar("s", m.share, "", "factor of L_dyn: share and intensity of the probes"));
+  return section;
+}
+
 ExplanationSection sumSection(const Explanation& e) {
   ExplanationSection section{"Sum", {}, -1};
   auto& rows = section.rows;
@@ -346,6 +362,7 @@ std::vector<ExplanationSection> explanationSections(const Explanation& e, const 
   for (std::size_t i = 0; i < e.probes.size(); ++i) sections.push_back(probeSection(e, i, detail));
   if (e.skyWeight > 0.0f) sections.push_back(skySection(e));
   if (e.glass) sections.push_back(glassSection(e));
+  if (e.mirror) sections.push_back(mirrorSection(e));
   sections.push_back(sumSection(e));
   return sections;
 }

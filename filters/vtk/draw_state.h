@@ -4,6 +4,7 @@
 
 #include <glm/ext/vector_int2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <set>
 #include <string>
@@ -125,6 +126,7 @@ struct DrawState {
   DebugDraw debug;
   glm::ivec2 pixelOrigin{0};       ///< where in the picture the framebuffer's lower left lies
   int frame = 0;                   ///< of those that are averaged
+  glm::vec4 heightPlaneView{0.0f};  ///< of the mirror whose picture is being drawn, view space; see mirrored_output.glsl
   bool countDraws = true;          ///< of the frame on the screen, not of captures
   std::set<const void*> programs;  ///< seen so far, to count compilations
   std::string error;               ///< first failure since the models were set

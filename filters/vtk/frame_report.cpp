@@ -45,6 +45,21 @@ std::vector<std::string> skippedLines(const FrameReport& report) {
       "draws have", " one probe at full weight: no weights, no second lookup");
   say(drawnObjects(report, [](const Object& o) { return !o.probes.empty() && o.sky <= 0.0; }), "draw leaves",
       "draws leave", " nothing to the sky: no lookup in it");
+  for (const FrameReport::MirrorUse& mirror : report.mirrors) {
+    if (!mirror.drawn) lines.push_back("mirror \"" + mirror.node + "\" has no picture: " + mirror.why);
+  }
+  return lines;
+}
+
+std::vector<std::string> mirrorLines(const FrameReport& report) {
+  std::vector<std::string> lines;
+  for (const FrameReport::MirrorUse& mirror : report.mirrors) {
+    if (!mirror.drawn) continue;
+    lines.push_back("\"" + mirror.node + "\": " + std::to_string(mirror.width) + " x " + std::to_string(mirror.height) +
+                    " texels, " + counted(mirror.objects, "object that moves", "objects that move") + ", " +
+                    counted(mirror.hiding, "object that may hide them", "objects that may hide them") +
+                    " in depth alone");
+  }
   return lines;
 }
 

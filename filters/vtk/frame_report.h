@@ -31,18 +31,30 @@ struct FrameReport {
     std::size_t drawn = 0;    ///< of those, in this frame
     std::size_t bytes = 0;    ///< on the graphics side, 0: nothing is there
   };
+  /// A planar mirror of the scene.
+  struct MirrorUse {
+    std::string node;
+    bool drawn = false;
+    std::string why;            ///< not drawn: the reason, as the end of a sentence
+    int width = 0, height = 0;  ///< texels of its picture
+    std::size_t objects = 0;    ///< that move, in it
+    std::size_t hiding = 0;     ///< that stand still and may hide those, in depth alone
+  };
   struct Lookups {
     double mean = 0.0;  ///< over the pixels that show a surface
     double most = 0.0;
   };
   std::vector<Object> objects;  ///< visible ones
   std::vector<ProbeUse> probes;
+  std::vector<MirrorUse> mirrors;
   std::array<std::size_t, 5> drawsByProbeCount{};
   std::size_t variants = 0;  ///< among the objects that are drawn
   std::size_t bytes = 0;     ///< of all maps, those kept for undo included
   std::optional<Lookups> lookups;
 };
 
+/// What the pictures of planar mirrors that were drawn took, one sentence each.
+std::vector<std::string> mirrorLines(const FrameReport& report);
 /// What the frame did not have to do, one sentence each.
 std::vector<std::string> skippedLines(const FrameReport& report);
 /// Objects that more probes reach than a draw can have, one sentence each.

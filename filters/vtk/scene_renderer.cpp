@@ -13,6 +13,7 @@
 #include "filters/vtk/cube_capture.h"
 #include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/frame_recorder.h"
+#include "filters/vtk/mirror_set.h"
 #include "filters/vtk/picture_frames.h"
 #include "filters/vtk/preview_sphere.h"
 #include "filters/vtk/probe_set.h"
@@ -32,6 +33,7 @@ struct SceneRenderer::Impl {
         probes(w, state, &capture, &content, &times),
         inspector(w, state, &content),
         frames(w, renderer, state, &content),
+        mirrors(w, state, &content),
         sphere(w, renderer, state) {}
 
   vtkOpenGLRenderWindow* window;
@@ -45,18 +47,23 @@ struct SceneRenderer::Impl {
   ProbeSet probes;
   SurfaceInspector inspector;
   PictureFrames frames;
+  MirrorSet mirrors;
   PreviewSphere sphere;
   ViewLegend legend;
   SurfaceViewSettings view;
   bool interactive = false;
 
   void makeCurrent();
+  void drawMirrors(vtkCamera* camera, double aspect, int width, int height, int samples);
   void beginFrame();
   void endFrame();
   void resetClippingRange();
   std::pair<double, double> viewRange() const;
   void applyView();
 };
+
+// Of a texel of a planar mirror's picture, where it is drawn for as many pixels as the screen has.
+constexpr int kMirrorSamples = 4;
 
 // To two digits: the ends of a scale should be readable numbers.
 double roundedUp(double x) {
@@ -113,6 +120,17 @@ void SceneRenderer::Impl::beginFrame() {
     const auto index = findProbe(content.scene, sphere.settings().probe);
     sphere.follow(index ? &content.scene.probes[*index] : nullptr, probes.maps(sphere.settings().probe));
   }
+  const int* size = renderer->GetSize();
+  drawMirrors(renderer->GetActiveCamera(), renderer->GetTiledAspectRatio(), size[0], size[1], kMirrorSamples);
+}
+
+void SceneRenderer::Impl::drawMirrors(vtkCamera* camera, double aspect, int width, int height, int samples) {
+  try {
+    mirrors.draw(camera, aspect, width, height, samples);
+  } catch (const Error& failure) {
+    mirrors.hide();
+    if (state->error.empty()) state->error = failure.what();
+  }
 }
 
 // Of many objects those in the view count: how far the rest reaches would only cost depth.
@@ -132,6 +150,7 @@ void SceneRenderer::Impl::resetClippingRange() {
 
 void SceneRenderer::Impl::endFrame() {
   ++state->counters.renders;
+  mirrors.hide();
   if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
   seen = renderer->GetDrawnGeneration();
   std::vector<std::size_t> objects;
@@ -185,6 +204,7 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
     d.state->error.clear();
     content.rebuildObjects(d.renderer, d.state);
     d.inspector.forgetObjects();
+    d.mirrors.forgetObjects();
   }
   if (objects) {
     for (DrawnObject& object : content.objects) applyOverrides(object, scene);
@@ -202,6 +222,7 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
     d.probes.updateShapes();
     d.probes.assignToObjects();
   }
+  if (objects) d.mirrors.update();
   if (objects || probes || changes.lights || changes.sky) d.probes.updateCaptures();
   if (d.view.view != 0) d.applyView();
   if (objects || probes || changes.lights || changes.sky || changes.exposure) d.frames.sceneChanged();
@@ -232,7 +253,10 @@ std::vector<Explanation> SceneRenderer::explain(const std::vector<glm::ivec2>& p
   makeStaticTextures(d.window, *d.state);
   d.resetClippingRange();
   vtkCamera* camera = d.renderer->GetActiveCamera();
+  d.drawMirrors(camera, static_cast<double>(width) / height, width, height, kMirrorSamples);
+  d.mirrors.readBack();
   std::vector<Explanation> result = d.inspector.explain(camera, width, height, pixels);
+  d.mirrors.hide();
   // The surface capture left its camera's lighting uniforms behind in shared programs; see CubeCapture::renderInto.
   camera->Modified();
   return result;
@@ -383,8 +407,12 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
   if (d.view.view == 0) props.push_back(d.content.sky);
   vtkCamera* camera = d.renderer->GetActiveCamera();
   vtkPicturePass* pass = d.view.view == 0 ? d.frames.linearPass(frames) : nullptr;
+  const int finer = samplesPerSide(samplesPerPixel);
+  d.drawMirrors(camera, static_cast<double>(width) / height, width * finer, height * finer,
+                finer > 1 ? 1 : kMirrorSamples);
   ImageRgbaF image = d.capture.renderFrame(camera, width, height, samplesPerSide(samplesPerPixel), props,
                                            d.content.lightPointers(), pass, beforeFrame);
+  d.mirrors.hide();
   d.frames.releaseLinear();
   camera->Modified();
   return image;
@@ -476,7 +504,12 @@ const PreviewSphereSettings& SceneRenderer::previewSphere() const {
 }
 
 FrameReport SceneRenderer::frameReport() const {
-  return reportFrame(impl_->content, impl_->probes, *impl_->state);
+  FrameReport report = reportFrame(impl_->content, impl_->probes, *impl_->state);
+  for (const MirrorReport& m : impl_->mirrors.reports()) {
+    report.mirrors.push_back(
+        {m.node, m.state == MirrorState::Drawn, mirrorStateText(m.state), m.width, m.height, m.objects, m.hiding});
+  }
+  return report;
 }
 
 FrameReport::Lookups SceneRenderer::measureLookups(int width, int height) {
@@ -519,6 +552,7 @@ void SceneRenderer::releaseGraphics() {
   if (d.window == nullptr || d.state->brdfTable == 0) return;
   d.window->MakeCurrent();
   d.frames.release();
+  d.mirrors.release();
   d.sphere.release();
   d.probes.release();
   d.capture.release();

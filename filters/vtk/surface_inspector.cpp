@@ -38,6 +38,7 @@ vtkProp* SurfaceInspector::twinOf(std::size_t index) {
   }
   twin.actor->SetUserMatrix(object.actor->GetUserMatrix());
   twin.mapper->SetBinding(object.mapper->GetSharedBinding());
+  twin.mapper->SetMirror(object.mapper->GetMirror());
   return twin.actor;
 }
 
@@ -179,6 +180,13 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
       if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
     }
     in.glass = object.surface->glass.explained(in.surface.eyeWorld, faceSize);
+  }
+  shading::MirrorLook look{};
+  const auto mirror = object.mapper->GetMirror();
+  if (mirror != nullptr && mirror->shown) {
+    look = mirror->look;
+    look.picture = mirror->texels.get();
+    in.mirror = &look;
   }
   Explanation e = explainPixel(in);
   e.rendered = pixel.color;

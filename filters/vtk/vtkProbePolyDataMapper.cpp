@@ -96,6 +96,23 @@ bool vtkProbePolyDataMapper::DrawsGlass() const {
          this->Drawn->lighting == Lighting::Probes && !this->Refused;
 }
 
+void vtkProbePolyDataMapper::SetHeights(bool heights) {
+  if (heights != this->Heights) {
+    this->Heights = heights;
+    this->Refused = false;
+    this->Modified();
+  }
+}
+
+void vtkProbePolyDataMapper::SetMirror(std::shared_ptr<const boxprobe::MirrorPicture> mirror) {
+  const bool another = (mirror == nullptr) != (this->Mirror == nullptr);
+  this->Mirror = std::move(mirror);
+  if (another) {
+    this->Refused = false;
+    this->Modified();
+  }
+}
+
 bool vtkProbePolyDataMapper::GetDrawnInFrame() const {
   return this->State && this->Frame + 1 == this->State->counters.renders;
 }
@@ -157,11 +174,13 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
   using boxprobe::SurfaceOutput;
   const bool blended = actor->HasTranslucentPolygonalGeometry() != 0 || this->DrawsGlass();
   const bool samples = this->Drawn->blurredSamples() > 0 && !blended;
-  const SurfaceOutput output = this->Debug    ? SurfaceOutput::Debug
-                               : !this->Apart ? SurfaceOutput::Picture
-                               : samples      ? SurfaceOutput::ReflectionApart
-                                              : SurfaceOutput::NothingApart;
-  const std::string failure = boxprobe::splicePbr(sources, *this->Drawn, this->Surface.get(), output);
+  const SurfaceOutput output = this->Debug     ? SurfaceOutput::Debug
+                               : this->Heights ? SurfaceOutput::Heights
+                               : !this->Apart  ? SurfaceOutput::Picture
+                               : samples       ? SurfaceOutput::ReflectionApart
+                                               : SurfaceOutput::NothingApart;
+  const std::string failure =
+      boxprobe::splicePbr(sources, *this->Drawn, this->Surface.get(), output, this->Mirror != nullptr);
   if (!failure.empty() && this->State->error.empty()) {
     this->State->error = failure;
   }
@@ -201,6 +220,9 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
   const bool probes = this->Drawn->lighting == Lighting::Probes;
   if (probes) {
     this->UploadProbes(program, renderer);
+  }
+  if (this->Heights) {
+    program->SetUniform4f("bpHeightPlane", &this->State->heightPlaneView.x);
   }
   if (this->Debug) {
     this->UploadDebug(program, renderer);
@@ -249,6 +271,9 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   if (this->Drawn->sky || this->Drawn->open()) {
     this->UploadSky(program, renderer);
   }
+  if (this->Mirror) {
+    this->UploadMirror(program, renderer);
+  }
   if (!this->Drawn->probes.empty()) {
     this->UploadSlots(program, renderer);
   }
@@ -269,6 +294,22 @@ void vtkProbePolyDataMapper::UploadGlass(vtkShaderProgram* program, vtkRenderer*
   const int unit = followed ? this->Bind(renderer, GL_TEXTURE_CUBE_MAP, glass.shell->handle()) : -1;
   const double* eye = renderer->GetActiveCamera()->GetPosition();
   boxprobe::uploadGlass(program, glass, glm::dvec3(eye[0], eye[1], eye[2]), faceSize, unit);
+}
+
+void vtkProbePolyDataMapper::UploadMirror(vtkShaderProgram* program, vtkRenderer* renderer) {
+  const boxprobe::MirrorPicture& mirror = *this->Mirror;
+  program->SetUniformf("bpMirrorOn", mirror.shown ? 1.0f : 0.0f);
+  const unsigned int none = this->State->brdfTable;  // not read
+  program->SetUniformi("bpMirrorColor", this->Bind(renderer, GL_TEXTURE_2D, mirror.shown ? mirror.color : none));
+  program->SetUniformi("bpMirrorHeight", this->Bind(renderer, GL_TEXTURE_2D, mirror.shown ? mirror.height : none));
+  const boxprobe::shading::MirrorLook& look = mirror.look;
+  const std::array<glm::vec4, 3> places = {look.toU, look.toV, look.toW};
+  program->SetUniform4fv("bpMirrorPlaces", 3, reinterpret_cast<const float(*)[4]>(&places[0].x));
+  const glm::vec4 normal(look.normal, look.farHeight), eye(look.eye, look.texelSize);
+  program->SetUniform4f("bpMirrorNormal", &normal.x);
+  program->SetUniform4f("bpMirrorEye", &eye.x);
+  const glm::vec3 levels(look.parallel, look.maxLevel, look.sharpLevel);
+  program->SetUniform3f("bpMirrorLevels", &levels.x);
 }
 
 void vtkProbePolyDataMapper::UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "filters/vtk/draw_state.h"
+#include "filters/vtk/mirror_picture.h"
 #include "filters/vtk/surface_material.h"
 
 class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
@@ -35,6 +36,11 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   /** Keeps what techniques sample apart from the rest, in further attachments (see reflection_apart.glsl). */
   void SetApart(bool apart);
   bool GetApart() const { return this->Apart; }
+  /** Writes colour and height over a planar mirror, for the mirror's picture (see mirrored_output.glsl). */
+  void SetHeights(bool heights);
+  /** The surface is a planar mirror and looks that picture up where it is shown; null: it is none. */
+  void SetMirror(std::shared_ptr<const boxprobe::MirrorPicture> mirror);
+  std::shared_ptr<const boxprobe::MirrorPicture> GetMirror() const { return this->Mirror; }
   /** The binding as it is drawn. */
   const boxprobe::ProbeBinding* GetDrawnBinding() const { return this->Drawn.get(); }
   const boxprobe::ProbeBinding* GetBinding() const { return this->Binding.get(); }
@@ -67,6 +73,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadSky(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadMirror(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadRelief(vtkShaderProgram* program, vtkRenderer* renderer);
   void UploadGlass(vtkShaderProgram* program, vtkRenderer* renderer);
   int Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle);
@@ -79,6 +86,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<const boxprobe::ProbeBinding> Drawn;
   bool StandIn = false;
   bool Apart = false;
+  bool Heights = false;
+  std::shared_ptr<const boxprobe::MirrorPicture> Mirror;
   std::string VariantKey;
   int GlassVariant = 0;  // the program's
   bool Again = false;    // a further pass of the same piece

@@ -374,7 +374,7 @@ std::string glassDeclarations(const GlassSurface& glass) {
          joinShaderSources({"shared/glass_types.glsl", "shared/refraction.glsl", "gpu/glass.glsl"});
 }
 
-std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output) {
+std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output, bool mirror) {
   const bool debug = output == SurfaceOutput::Debug;
   const std::vector<int> groups = binding.groups();
   std::string lighting(shaderSource("gpu/probe_lighting.glsl"));
@@ -383,6 +383,11 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output)
     samplers += "uniform samplerCube bpDistanceMap" + std::to_string(slot) + ";\n";
   }
   if (binding.distances()) samplers += joinShaderSources({"shared/relief.glsl", "gpu/fetch_relief.glsl"});
+  // A scene without planar mirrors compiles none of it.
+  if (mirror) {
+    samplers += "#define MIRROR_PICTURE int\n" +
+                joinShaderSources({"shared/mirror_types.glsl", "gpu/mirror_picture.glsl", "shared/planar_mirror.glsl"});
+  }
   replaceOnce(lighting, "//BP::Distances", samplers);
   replaceOnce(lighting, "//BP::Slots",
               techniqueSources(binding, debug) + parameterDeclarations(binding) +
@@ -399,7 +404,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output)
          define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
          define("BP_SAMPLED", output == SurfaceOutput::ReflectionApart) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
-         define("BP_LIGHT", binding.chooses("sampling", "luminance")) +
+         define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
          (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
          std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
@@ -415,7 +420,7 @@ std::string parameterUniform(const ParameterRow& row) {
 }
 
 std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const SurfaceMaterial* surface,
-                      SurfaceOutput writes) {
+                      SurfaceOutput writes, bool mirror) {
   if (sources.fragment.find(kPbrMark) == std::string::npos) return {};
   const bool coat = sources.fragment.find(kCoatMark) != std::string::npos;
   const bool probes = binding.lighting == Lighting::Probes;
@@ -426,10 +431,11 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   ShaderSources spliced = sources;
   std::string& text = spliced.fragment;
   std::string declarations =
-      probes ? probeDeclarations(binding, writes) : std::string(shaderSource("gpu/output_uniforms.glsl"));
+      probes ? probeDeclarations(binding, writes, mirror) : std::string(shaderSource("gpu/output_uniforms.glsl"));
   declarations += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
   if (surface != nullptr) declarations += materialDeclarations(*surface);
   if (glass) declarations += glassDeclarations(surface->glass);
+  if (writes == SurfaceOutput::Heights) declarations += "uniform vec4 bpHeightPlane;\n";
   if (debug) {
     if (!probes) declarations += "uniform mat3 bpViewToWorld;\nuniform int bpView;\n";
     declarations += std::string("#define BP_LIT ") + (probes ? "1\n" : "0\n");
@@ -457,6 +463,7 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
     output += "  color = mix(color, edgeColor, emix);\n";
   }
   if (debug) output += shaderSource("gpu/surface_output.glsl");
+  if (writes == SurfaceOutput::Heights) output += shaderSource("gpu/mirrored_output.glsl");
   if (writes == SurfaceOutput::ReflectionApart || writes == SurfaceOutput::NothingApart) {
     // A surface without probes has nothing to keep apart, whatever it was asked.
     const bool sampled = probes && writes == SurfaceOutput::ReflectionApart;

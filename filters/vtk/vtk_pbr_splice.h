@@ -16,6 +16,7 @@ enum class SurfaceOutput {
   Debug,            ///< any row of surfaceViews(), and what the surface is into further attachments
   ReflectionApart,  ///< the colour, and what its techniques sample into further attachments
   NothingApart,     ///< the same of a surface that keeps nothing apart
+  Heights,          ///< the colour, and the height over a planar mirror into another attachment
 };
 
 /// The shaders of one program as VTK has written them.
@@ -25,11 +26,12 @@ struct ShaderSources {
   std::string fragment;
 };
 
-/// Edits them in place; `surface` may be null: then the material is VTK's own. Returns an empty string, or one line
-/// naming VTK's version and the anchor that is not there (the sources are then unchanged). A shader without physically
-/// based shading (no light, lines, points) has nothing to splice and is left as it is.
+/// Edits them in place; `mirror`: a planar mirror's picture is looked up, by a surface that has probes; `surface` may
+/// be null: then the material is VTK's own. Returns an empty string, or one line naming VTK's version and the anchor
+/// that is not there (the sources are then unchanged). A shader without physically based shading (no light, lines,
+/// points) has nothing to splice and is left as it is.
 std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const SurfaceMaterial* surface,
-                      SurfaceOutput output = SurfaceOutput::Picture);
+                      SurfaceOutput output = SurfaceOutput::Picture, bool mirror = false);
 
 /// Name of the uniform array that holds a number of `row` for each of a draw's probes.
 std::string parameterUniform(const ParameterRow& row);

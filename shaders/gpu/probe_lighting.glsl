@@ -10,6 +10,7 @@
 //   BP_SKY       0 if the probes leave nothing to the sky anywhere in the draw
 //   BP_DEBUG     1 in the debug view's programs, which note what the lookups were
 //   BP_SAMPLED   1 if what techniques sample is kept apart, to be smoothed
+//   BP_MIRROR    defined if the surface is a planar mirror with a picture of what moves
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
@@ -63,6 +64,9 @@ struct BpLight
 #if BP_SAMPLED
   vec3 sampled;  // of `specular`: what is to be smoothed
 #endif
+#ifdef BP_MIRROR
+  float share;   // that `specular` was multiplied by: what moves before the mirror is, too
+#endif
 };
 
 //BP::Distances
@@ -89,6 +93,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   light.irradiance = vec3(0.0f);
 #if BP_SAMPLED
   light.sampled = vec3(0.0f);
+#endif
+#ifdef BP_MIRROR
+  light.share = 0.0f;
 #endif
   float remaining = 1.0f;
 #if BP_DEBUG
@@ -139,6 +146,20 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 #if BP_DIFFUSE
     light.irradiance += sky * shIrradiance(normal, bpSkySh[0], bpSkySh[1], bpSkySh[2], bpSkySh[3], bpSkySh[4],
                                            bpSkySh[5], bpSkySh[6], bpSkySh[7], bpSkySh[8]);
+#endif
+  }
+#endif
+#ifdef BP_MIRROR
+  if (bpMirrorOn > 0.5f)
+  {
+    // Over what stands still, by its coverage; premultiplied, so that edges have no fringe.
+    vec4 moving = mirroredLight(bpMirrorLook(), position, normal, view, roughness);
+    light.specular = (1.0f - moving.w) * light.specular + (light.share + remaining) * vec3(moving);
+#if BP_DEBUG
+    bpLookups += float(mirrorFetches(bpMirrorLook(), normal, roughness));
+#endif
+#if BP_SAMPLED
+    light.sampled = (1.0f - moving.w) * light.sampled;
 #endif
   }
 #endif

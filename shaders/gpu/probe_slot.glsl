@@ -47,6 +47,9 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
 #if BP_SAMPLED
   light.sampled += @SMOOTHED@ * reflected;
 #endif
+#ifdef BP_MIRROR
+  light.share += weight;
+#endif
 #if BP_DIFFUSE
   light.irradiance += weight * shIrradiance(normal, bpSh[9 * @SLOT@], bpSh[9 * @SLOT@ + 1], bpSh[9 * @SLOT@ + 2],
                                             bpSh[9 * @SLOT@ + 3], bpSh[9 * @SLOT@ + 4], bpSh[9 * @SLOT@ + 5],

@@ -106,14 +106,18 @@ TEST_P(CheckedInScene, NoTwoFacesFlickerInOnePlane) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CheckedInScene, testing::Values("building", "furnished", "gallery", "room", "six-faces"),
+INSTANTIATE_TEST_SUITE_P(All, CheckedInScene,
+                         testing::Values("building", "furnished", "gallery", "mirror-hall", "room", "six-faces"),
                          [](const auto& scene) { return std::string(scene.param).substr(0, 3); });
 
 TEST(SceneGenerator, WritesTheCheckedInFiles) {
-  const std::map<std::string, std::string> made = {
-      {"building.glb", scenes::glbBytes(scenes::building())},  {"furnished.glb", scenes::glbBytes(scenes::furnished())},
-      {"gallery.glb", scenes::glbBytes(scenes::gallery())},    {"room.glb", scenes::glbBytes(scenes::room())},
-      {"six-faces.glb", scenes::glbBytes(scenes::sixFaces())}, {"sky.hdr", scenes::skyHdr()}};
+  const std::map<std::string, std::string> made = {{"building.glb", scenes::glbBytes(scenes::building())},
+                                                   {"furnished.glb", scenes::glbBytes(scenes::furnished())},
+                                                   {"gallery.glb", scenes::glbBytes(scenes::gallery())},
+                                                   {"room.glb", scenes::glbBytes(scenes::room())},
+                                                   {"mirror-hall.glb", scenes::glbBytes(scenes::mirrorHall())},
+                                                   {"six-faces.glb", scenes::glbBytes(scenes::sixFaces())},
+                                                   {"sky.hdr", scenes::skyHdr()}};
   for (const auto& [name, bytes] : made) {
     const std::string stored = fileBytes(kFolder + name);
     const auto differ = std::mismatch(bytes.begin(), bytes.end(), stored.begin(), stored.end());

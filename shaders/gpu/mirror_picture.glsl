@@ -1,0 +1,35 @@
+// The GPU's side of a planar mirror's picture: shared/mirror_types.glsl stands before it, shared/planar_mirror.glsl after.
+uniform sampler2D bpMirrorColor;
+uniform sampler2D bpMirrorHeight;
+uniform float bpMirrorOn;      // 0: no picture was drawn for what is shown now
+uniform vec4 bpMirrorPlaces[3];
+uniform vec4 bpMirrorNormal;   // w: farHeight
+uniform vec4 bpMirrorEye;      // w: texelSize
+uniform vec3 bpMirrorLevels;   // parallel, maxLevel, sharpLevel
+
+MirrorLook bpMirrorLook()
+{
+  MirrorLook look;
+  look.toU = bpMirrorPlaces[0];
+  look.toV = bpMirrorPlaces[1];
+  look.toW = bpMirrorPlaces[2];
+  look.normal = bpMirrorNormal.xyz;
+  look.farHeight = bpMirrorNormal.w;
+  look.eye = bpMirrorEye.xyz;
+  look.texelSize = bpMirrorEye.w;
+  look.parallel = bpMirrorLevels.x;
+  look.maxLevel = bpMirrorLevels.y;
+  look.sharpLevel = bpMirrorLevels.z;
+  look.picture = 0;
+  return look;
+}
+
+vec4 fetchMirrorColor(MirrorLook look, vec2 place, float level)
+{
+  return textureLod(bpMirrorColor, place, level);
+}
+
+vec4 fetchMirrorHeight(MirrorLook look, vec2 place, float level)
+{
+  return textureLod(bpMirrorHeight, place, level);
+}

@@ -1,0 +1,108 @@
+// What a planar mirror shows of objects that move: a lookup in the picture that a mirrored camera has taken of them (premultiplied
+// colour with coverage; height over the mirror's plane times coverage). A smooth, flat mirror needs one fetch. For the rest the lobe is
+// sampled: each ray goes as far as what it is going to meet is high, and is looked up where the mirrored camera sees that place, at the
+// level whose texels are as large as what the ray stands for. So reflections are sharp where an object touches the mirror, soften with
+// its height, and stretch at grazing angles. The host supplies fetchMirrorColor and fetchMirrorHeight(look, uv, level), transparent black
+// outside of the picture.
+
+// So narrow a lobe that it lies within a texel of the picture.
+const float kMirrorFlat = 1.0e-3f;
+// Rays of a rough mirror's lobe: enough that the texels they are looked up in overlap.
+const int kMirrorRays = 16;
+// Least cosine between ray and mirror's normal: below it what is met is farther than 100 times its height, at the horizon.
+const float kMirrorGrazing = 1.0e-2f;
+
+// Where the mirrored camera sees a place; outside of the picture for what lies behind it.
+vec2 mirrorPlace(MirrorLook look, vec3 position)
+{
+  vec4 p = vec4(position, 1.0f);
+  float w = dot(look.toW, p);
+  return w > 1.0e-20f ? vec2(dot(look.toU, p) / w, dot(look.toV, p) / w) : vec2(-2.0f, -2.0f);
+}
+
+// The level whose texels have the size, at `met`, of a cone of `solidAngle` that starts `distance` away from there.
+float mirrorLevel(MirrorLook look, vec3 met, float distance, float solidAngle)
+{
+  vec3 away = met - look.eye;
+  float scale = look.parallel > 0.5f ? 1.0f : length(away);
+  float texel = max(look.texelSize * scale, 1.0e-30f);
+  float wide = distance / texel;
+  return clamp(0.5f * log2(max(solidAngle * wide * wide, 1.0e-6f)), look.sharpLevel, look.maxLevel);
+}
+
+// How high what the reflected ray meets is, in parts of farHeight: searched from the farthest inwards, with the whole lobe's width.
+float mirrorHeight(MirrorLook look, vec3 position, vec3 reflection, float solidAngle)
+{
+  float along = max(dot(reflection, look.normal), kMirrorGrazing);
+  float height = 1.0f;
+  for (int i = 0; i < 3; ++i)
+  {
+    float distance = height * look.farHeight / along;
+    vec3 met = position + distance * reflection;
+    vec4 seen = fetchMirrorHeight(look, mirrorPlace(look, met), mirrorLevel(look, met, distance, solidAngle));
+    height = seen.w > 1.0e-3f ? clamp(seen.x / seen.w, 0.0f, 1.0f) : height;
+  }
+  return height;
+}
+
+// Fetches of the lookup below.
+int mirrorFetches(MirrorLook look, vec3 normal, float roughness)
+{
+  if (roughness < kMirrorFlat) { return 1.0f - dot(normal, look.normal) < 1.0e-6f ? 1 : 4; }
+  return 3 + kMirrorRays;
+}
+
+// Premultiplied light and coverage, the mean over the lobe. All relative to the eye, world axes.
+vec4 mirroredLight(MirrorLook look, vec3 position, vec3 normal, vec3 view, float roughness)
+{
+  float bent = 1.0f - dot(normal, look.normal);
+  if (roughness < kMirrorFlat && bent < 1.0e-6f) { return fetchMirrorColor(look, mirrorPlace(look, position), look.sharpLevel); }
+
+  vec3 reflection = reflectedView(normal, view);
+  float alpha = roughness * roughness;
+  // The solid angle of GGX around its middle: 1 / density there.
+  float height = mirrorHeight(look, position, reflection, 12.5663706f * alpha * alpha);
+  if (roughness < kMirrorFlat)
+  {
+    float along = max(dot(reflection, look.normal), kMirrorGrazing);
+    return fetchMirrorColor(look, mirrorPlace(look, position + height * look.farHeight / along * reflection), look.sharpLevel);
+  }
+
+  // Visible normals by the spherical cap (Dupuy and Benyoub 2023), in the frame of the normal with V in the plane of x and z.
+  float nv = clamp(dot(normal, view), 1.0e-4f, 1.0f);
+  vec3 side = view - normal * dot(normal, view);
+  float s = length(side);
+  vec3 tangent = s > 1.0e-4f ? side / s : normalize(cross(normal, abs(normal.y) < 0.9f ? vec3(0.0f, 1.0f, 0.0f) : vec3(1.0f, 0.0f, 0.0f)));
+  vec3 bitangent = cross(normal, tangent);
+  vec3 v = vec3(sqrt(1.0f - nv * nv), 0.0f, nv);
+  float a2 = alpha * alpha;
+  float maskView = sqrt(a2 + (1.0f - a2) * nv * nv);
+  vec3 stretched = normalize(vec3(alpha * v.x, 0.0f, nv));
+  vec4 sum = vec4(0.0f);
+  float weights = 0.0f;
+  for (int i = 0; i < kMirrorRays; ++i)
+  {
+    // A spiral of golden angles, the same in every pixel: what lies between two rays the levels fill.
+    float turn = 2.39996323f * float(i);
+    float cap = (float(i) + 0.5f) / float(kMirrorRays) * (1.0f + stretched.z);
+    float radius = sqrt(cap * max(2.0f - cap, 0.0f));
+    vec3 c = vec3(radius * cos(turn) + stretched.x, radius * sin(turn), max(1.0f - cap + stretched.z, 0.0f));
+    vec3 h = vec3(alpha * c.x, alpha * c.y, c.z);
+    float h2 = max(dot(h, h), 1.0e-18f);
+    vec3 l = 2.0f * dot(v, h) / h2 * h - v;
+    if (l.z > 0.0f)
+    {
+      // G2 / G1, height-correlated Smith.
+      float maskLight = sqrt(a2 + (1.0f - a2) * l.z * l.z);
+      float weight = l.z * (nv + maskView) / (nv * maskLight + l.z * maskView);
+      float q = dot(c, c) / h2;
+      float solidAngle = 6.2831853f * (nv + maskView) * a2 * q * q / float(kMirrorRays);
+      vec3 direction = normalize(tangent * l.x + bitangent * l.y + normal * l.z);
+      float distance = height * look.farHeight / max(dot(direction, look.normal), kMirrorGrazing);
+      vec3 met = position + distance * direction;
+      sum = sum + weight * fetchMirrorColor(look, mirrorPlace(look, met), mirrorLevel(look, met, distance, solidAngle));
+      weights = weights + weight;
+    }
+  }
+  return weights > 0.0f ? sum / weights : vec4(0.0f);
+}
