@@ -74,6 +74,7 @@ Json frameReportJson(const FrameReport& report) {
     json["lookupsPerPixelMax"] = report.lookups->most;
   }
   json["memoryBytes"] = report.bytes;
+  json["mirrorBytes"] = report.mirrorBytes;
   json["skipped"] = skippedLines(report);
   json["mirrors"] = Json::array();
   for (const FrameReport::MirrorUse& mirror : report.mirrors) {

@@ -112,7 +112,6 @@ void MirrorPainter::paint(const PictureView& view, const glm::dvec4& heightPlane
   state_->countDraws = false;
 
   vtkOpenGLState* gl = window_->GetState();
-  const vtkOpenGLState::ScopedglColorMask mask(gl);
   const vtkOpenGLState::ScopedglEnableDisable samples(gl, GL_MULTISAMPLE);
   gl->vtkglEnable(GL_MULTISAMPLE);
   target.clear(window_);
@@ -120,10 +119,10 @@ void MirrorPainter::paint(const PictureView& view, const glm::dvec4& heightPlane
   pass_->Viewport[2] = target.width();
   pass_->Viewport[3] = target.rows();
   if (!solid.empty()) {
-    gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    target.drawColors(window_, false);
     pass_->Props = solid;
     renderer_->Render();
-    gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    target.drawColors(window_, true);
   }
   pass_->Props = shown;
   renderer_->Render();

@@ -62,6 +62,11 @@ struct ScreenBounds {
   }
 };
 
+/// Roughness comes as single precision: 0.3 of a material is not above 0.3.
+bool tooRough(double roughness, const PlanarMirror& settings) {
+  return static_cast<float>(roughness) > static_cast<float>(settings.maxRoughness);
+}
+
 double texelSize(const PictureView& view) {
   return 2.0 / (std::fabs(view.clipFromView[1][1]) * view.height);
 }
@@ -149,7 +154,7 @@ void MirrorSet::update() {
     mirror.settings.enabled &= visible;
     const bool anyMoves =
         std::any_of(dynamic.begin(), dynamic.end(), [&](std::size_t i) { return content_->objects[i].node != node; });
-    mirror.usable = mirror.settings.enabled && anyMoves && mirror.roughnessMin <= settings.maxRoughness;
+    mirror.usable = mirror.settings.enabled && anyMoves && !tooRough(mirror.roughnessMin, settings);
     for (const std::size_t i : mirror.objects) {
       if (mirror.usable) pictures[i] = mirror.picture;
     }
@@ -195,7 +200,7 @@ MirrorState MirrorSet::plan(std::size_t index, const PictureView& view, const st
   plan.mirror = index;
   plan.plane = mirror.plane;
   if (!mirror.settings.enabled) return MirrorState::Disabled;
-  if (mirror.roughnessMin > mirror.settings.maxRoughness) return MirrorState::Rough;
+  if (tooRough(mirror.roughnessMin, mirror.settings)) return MirrorState::Rough;
   if (!mirror.usable) return MirrorState::NothingDynamic;
   if (!facesEye(plan.plane, view)) return MirrorState::FacingAway;
   const std::vector<glm::dvec2> part = visiblePart(plan.plane, view);

@@ -100,6 +100,16 @@ void MirrorTarget::clear(vtkOpenGLRenderWindow* window) {
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
+// The framebuffer's own setting: VTK does not know of it, whereas its colour mask VTK sets itself.
+void MirrorTarget::drawColors(vtkOpenGLRenderWindow* window, bool colors) {
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
+  constexpr GLenum kNone[2] = {GL_NONE, GL_NONE};
+  glDrawBuffers(2, colors ? kBuffers.data() : kNone);
+  state->PopFramebufferBindings();
+}
+
 void MirrorTarget::finish(vtkOpenGLRenderWindow* window) {
   if (samples_ > 1) {
     vtkOpenGLState* state = window->GetState();

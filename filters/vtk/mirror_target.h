@@ -27,6 +27,8 @@ class MirrorTarget {
 
   /// Transparent black, nothing near.
   void clear(vtkOpenGLRenderWindow* window);
+  /// Draws go to depth alone, or to colour and height as well.
+  void drawColors(vtkOpenGLRenderWindow* window, bool colors);
   GLuint framebuffer() const { return samples_ > 1 ? sampled_ : resolved_; }
   /// Brings what was drawn into the textures, all levels.
   void finish(vtkOpenGLRenderWindow* window);

@@ -509,6 +509,7 @@ FrameReport SceneRenderer::frameReport() const {
     report.mirrors.push_back(
         {m.node, m.state == MirrorState::Drawn, mirrorStateText(m.state), m.width, m.height, m.objects, m.hiding});
   }
+  report.mirrorBytes = impl_->mirrors.memoryBytes();
   return report;
 }
 
