@@ -50,8 +50,8 @@ std::string claimText(const LessonClaim& claim, const ClaimResult& result) {
   const LessonCondition& condition = claim.condition;
   std::string text = measuredText(result.value, claim.unit);
   if (result.divisor) {
-    const double ratio = *result.divisor != 0.0 ? result.value / *result.divisor : 0.0;
-    text += " against " + measuredText(*result.divisor, claim.unit) + ": " + measuredText(ratio, "") + " times";
+    text += " against " + measuredText(*result.divisor, claim.unit);
+    if (*result.divisor != 0.0) text += ": " + measuredText(result.value / *result.divisor, "") + " times";
   }
   const std::string limit =
       result.divisor ? measuredText(condition.limit, "") + " times" : measuredText(condition.limit, claim.unit);

@@ -181,8 +181,11 @@ std::optional<double> measureHere(const ShownScene& shown, const LessonMeasure& 
 std::optional<double> measureShown(const ShownScene& shown, const LessonMeasure& measure) {
   if (measure.kind == MeasureKind::Field) return measureHere(shown, measure);
   const Camera kept = shown.renderer.currentCamera();
+  const SurfaceViewSettings view = shown.renderer.view();
   shown.renderer.applyCamera(shown.camera);
+  shown.renderer.setView({});  // light is measured, whatever colours the step shows
   const auto value = measureHere(shown, measure);
+  shown.renderer.setView(view);
   shown.renderer.applyCamera(kept);
   return value;
 }

@@ -134,7 +134,11 @@ ImageRgbaF LessonPlayer::linear(std::size_t step) {
   if (kept != pictures_.end()) return kept->second;
   show(step);
   const int height = kMeasuredWidth * height_ / width_;
-  return pictures_[step] = renderer_->renderLinear(kMeasuredWidth, height, kPictureSamples);
+  const SurfaceViewSettings view = renderer_->view();
+  renderer_->setView({});
+  pictures_[step] = renderer_->renderLinear(kMeasuredWidth, height, kPictureSamples);
+  renderer_->setView(view);
+  return pictures_[step];
 }
 
 double LessonPlayer::measure(const LessonMeasure& measure, std::optional<std::size_t> here) {
