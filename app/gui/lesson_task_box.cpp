@@ -103,6 +103,7 @@ QString measureLabel(const LessonMeasure& measure) {
       return label;
     }
     case MeasureKind::Counter:
+    case MeasureKind::Broken:
     case MeasureKind::Field:
       break;
   }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/box_picture.h"
 #include "app/cli/explanation_json.h"
 #include "filters/core/surface_view.h"
 #include "filters/io/image_file.h"
@@ -99,6 +100,12 @@ double errorAgainstScene(const ShownScene& shown, const ImageRgbaF& picture, con
   return pictureDifference(picture, truth, region);
 }
 
+double errorAgainstBox(const ShownScene& shown, const PictureRegion& region) {
+  const BoxPictureSize size{shown.width, shown.height, 1, kTruthRays};
+  const ImageRgbaF truth = integrateBox(shown.renderer, boxMaps(shown.renderer, shown.scene), size).color;
+  return pictureDifference(shown.renderer.renderLinear(shown.width, shown.height, 1), truth, region);
+}
+
 std::optional<double> viewMean(const ShownScene& shown, const LessonMeasure& measure) {
   const auto view = findSurfaceView(measure.name);
   if (!view) return std::nullopt;
@@ -152,12 +159,17 @@ std::optional<double> bend(const ShownScene& shown, const std::vector<PicturePoi
   return glm::length(offset - glm::dot(offset, unit) * unit) / length;
 }
 
+ImageRgbaF pictureOf(const ShownScene& shown) {
+  return shown.picture != nullptr ? *shown.picture : shown.renderer.renderLinear(shown.width, shown.height, kSamples);
+}
+
 std::optional<double> measureHere(const ShownScene& shown, const LessonMeasure& measure) {
   switch (measure.kind) {
     case MeasureKind::Error:
-      return errorAgainstScene(shown, shown.renderer.renderLinear(shown.width, shown.height, kSamples), measure.region);
+      if (measure.box) return errorAgainstBox(shown, measure.region);
+      return errorAgainstScene(shown, pictureOf(shown), measure.region);
     case MeasureKind::Mean:
-      return finite(meanLight(shown.renderer.renderLinear(shown.width, shown.height, kSamples), measure));
+      return finite(meanLight(pictureOf(shown), measure));
     case MeasureKind::Explain: {
       const glm::ivec2 pixel = pixelAt(measure.points.front(), shown.width, shown.height);
       return numberIn(explanationJson(shown.renderer.explain(pixel.x, pixel.y, shown.width, shown.height)),
@@ -171,6 +183,7 @@ std::optional<double> measureHere(const ShownScene& shown, const LessonMeasure& 
       return sceneNumber(shown.scene, measure.name);
     case MeasureKind::Difference:
     case MeasureKind::Counter:
+    case MeasureKind::Broken:
       break;
   }
   return std::nullopt;

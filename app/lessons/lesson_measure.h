@@ -21,10 +21,12 @@ struct ShownScene {
   const std::vector<std::shared_ptr<const Model>>& models;
   Camera camera;                  ///< measured from here; the renderer's own is put back
   int width = 320, height = 200;  ///< pixels of the pictures that are measured
+  /// Linear, of that size: measured in place of what the renderer draws. Null: none.
+  const ImageRgbaF* picture = nullptr;
 };
 
-/// Of one picture: every kind but Difference and Counter. Nothing where it is not defined there (a pixel that shows the
-/// background, a field that does not exist, a number that is not finite).
+/// Of one picture: every kind but Difference, Counter and Broken. Nothing where it is not defined there (a pixel that
+/// shows the background, a field that does not exist, a number that is not finite).
 std::optional<double> measureShown(const ShownScene& shown, const LessonMeasure& measure);
 
 /// Root mean square of the differences, tone mapped, within a region.

@@ -8,6 +8,7 @@
 
 #include "app/cli/load_scene.h"
 #include "app/cli/offscreen_window.h"
+#include "app/lessons/published_picture.h"
 #include "filters/core/errors.h"
 #include "filters/io/lesson_file.h"
 #include "filters/io/scene_file.h"
@@ -59,6 +60,7 @@ void LessonPlayer::open(const Lesson& lesson) {
   shown_.reset();
   work_.clear();
   pictures_.clear();
+  broken_.clear();
 }
 
 void LessonPlayer::showScene(std::size_t step, Scene scene) {
@@ -125,15 +127,31 @@ void LessonPlayer::drawRays(const LessonStep& step) {
 }
 
 ImageRgba8 LessonPlayer::picture() {
+  if (shown_ && !lesson_->steps[*shown_].published.empty()) {
+    constexpr int kScale = 2;  // drawn on the CPU, pixel by pixel
+    PublishedPicture published(*renderer_, scene_, lesson_->steps[*shown_].published, width_ / kScale,
+                               height_ / kScale);
+    while (published.draw(height_)) {
+    }
+    return published.display(kScale);
+  }
   if (shown_) drawRays(lesson_->steps[*shown_]);
   return renderer_->renderDisplay();
 }
 
-ImageRgbaF LessonPlayer::linear(std::size_t step) {
+const ImageRgbaF& LessonPlayer::linear(std::size_t step) {
   const auto kept = pictures_.find(step);
   if (kept != pictures_.end()) return kept->second;
   show(step);
   const int height = kMeasuredWidth * height_ / width_;
+  const std::string& form = lesson_->steps[step].published;
+  if (!form.empty()) {
+    PublishedPicture published(*renderer_, scene_, form, kMeasuredWidth, height);
+    while (published.draw(height)) {
+    }
+    broken_[step] = published.brokenShare();
+    return pictures_[step] = published.linear();
+  }
   const SurfaceViewSettings view = renderer_->view();
   renderer_->setView({});
   pictures_[step] = renderer_->renderLinear(kMeasuredWidth, height, kPictureSamples);
@@ -143,19 +161,24 @@ ImageRgbaF LessonPlayer::linear(std::size_t step) {
 
 double LessonPlayer::measure(const LessonMeasure& measure, std::optional<std::size_t> here) {
   std::optional<double> value;
+  const std::size_t step = measure.step.value_or(here.value_or(0));
   if (measure.kind == MeasureKind::Difference) {
-    const ImageRgbaF picture = linear(measure.step.value_or(here.value_or(0)));
+    const ImageRgbaF& picture = linear(step);
     value = pictureDifference(picture, linear(measure.against), measure.region);
+  } else if (measure.kind == MeasureKind::Broken) {
+    linear(step);
+    value = broken_[step];
   } else {
     if (measure.step) show(*measure.step);
     if (measure.kind == MeasureKind::Counter) {
-      const std::size_t step = measure.step.value_or(here.value_or(0));
       value = counter(work_[step], measure.name);
     } else {
       rays_->setVisible(false);
       window_->MakeCurrent();
-      value = measureShown({*renderer_, scene_, models_, camera_, kMeasuredWidth, kMeasuredWidth * height_ / width_},
-                           measure);
+      const bool published = measure.step && !lesson_->steps[step].published.empty();
+      ShownScene shown{*renderer_, scene_, models_, camera_, kMeasuredWidth, kMeasuredWidth * height_ / width_};
+      if (published) shown.picture = &linear(step);
+      value = measureShown(shown, measure);
     }
   }
   if (!value) throw WorkError(lesson_->path + ": a measure is not defined where the lesson asks for it");

@@ -58,7 +58,7 @@ class LessonPlayer {
 
  private:
   double measure(const LessonMeasure& measure, std::optional<std::size_t> here);
-  ImageRgbaF linear(std::size_t step);
+  const ImageRgbaF& linear(std::size_t step);
   void drawRays(const LessonStep& step);
   void showScene(std::size_t step, Scene scene);
 
@@ -75,7 +75,8 @@ class LessonPlayer {
   Scene scene_;
   Camera camera_;
   std::map<std::size_t, Counters> work_;        ///< of each step, when it was first shown
-  std::map<std::size_t, ImageRgbaF> pictures_;  ///< linear, for differences
+  std::map<std::size_t, ImageRgbaF> pictures_;  ///< linear, for differences and published forms
+  std::map<std::size_t, double> broken_;        ///< of the latter, see PublishedPicture
 };
 
 }  // namespace boxprobe

@@ -23,9 +23,10 @@ enum class MeasureKind {
   Mean,        ///< mean linear light of the picture, before exposure
   Explain,     ///< a number of a pixel's explanation, as `boxprobe explain --json` names it
   View,        ///< mean of a view of the surfaces, where it is defined
-  Bend,        ///< of a straight line of the picture: how far from straight what it shows of the box is, over its length
+  Bend,     ///< of a straight line of the picture: how far from straight what it shows of the box is, over its length
   Counter,  ///< work counted since the step before
-  Field     ///< a number of the scene
+  Field,       ///< a number of the scene
+  Broken       ///< share of a published form's lookups that are not a number
 };
 
 struct LessonMeasure {
@@ -33,6 +34,7 @@ struct LessonMeasure {
   /// Index of the step whose picture it is; nothing: the one it is asked in.
   std::optional<std::size_t> step;
   std::size_t against = 0;  ///< Difference: the other step
+  bool box = false;         ///< Error: the truth is the box world, integrated: what is left is the technique's own
   PictureRegion region{0.0, 0.0, 1.0, 1.0};
   int channel = -1;                  ///< Mean: 0 to 2; -1: the mean of all three
   std::vector<PicturePoint> points;  ///< Explain: one; Bend: three that lie on a line
@@ -88,6 +90,7 @@ struct LessonStep {
   std::optional<Camera> camera;          ///< nothing: as in the step before
   std::string cameraName;                ///< or one of the scene's; empty: as in the step before
   std::string view;                      ///< id of a surface view; empty: the picture
+  std::string published;                 ///< the picture as a published form of the projection has it; empty: as it is
   bool reflections = true;               ///< false: neither probes nor sky
   bool boxes = false;                    ///< the probes' boxes are drawn
   std::vector<PicturePoint> rays;        ///< where to start rays that are drawn

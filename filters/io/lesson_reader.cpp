@@ -80,11 +80,16 @@ LessonMeasure readMeasure(const JsonCursor& entry, std::size_t steps) {
   LessonMeasure measure;
   measure.kind = static_cast<MeasureKind>(
       requiredValue(entry, "kind")
-          .choice({"error", "difference", "mean", "explain", "view", "bend", "counter", "field"}));
+          .choice({"error", "difference", "mean", "explain", "view", "bend", "counter", "field", "broken"}));
   if (const auto step = entry.find("step")) measure.step = readStep(*step, steps);
   if (const auto against = entry.find("against")) {
-    if (measure.kind != MeasureKind::Difference) against->fail("belongs to a difference");
-    measure.against = readStep(*against, steps);
+    if (measure.kind == MeasureKind::Error) {
+      measure.box = against->choice({"scene", "box"}) == 1;
+    } else if (measure.kind == MeasureKind::Difference) {
+      measure.against = readStep(*against, steps);
+    } else {
+      against->fail("belongs to an error or a difference");
+    }
   } else if (measure.kind == MeasureKind::Difference) {
     entry.fail("has no other step; add \"against\": 1");
   }
@@ -180,8 +185,8 @@ Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
 }
 
 LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std::string& folder) {
-  entry.requireObject({"title", "say", "formula", "set", "camera", "view", "reflections", "boxes", "rays", "mayMove",
-                       "question", "task"});
+  entry.requireObject({"title", "say", "formula", "set", "camera", "view", "published", "reflections", "boxes", "rays",
+                       "mayMove", "question", "task"});
   LessonStep step;
   step.title = required(entry, "title");
   step.say = required(entry, "say");
@@ -200,6 +205,10 @@ LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std:
       step.cameraName = camera->text();
     else
       step.camera = readStepCamera(*camera, folder);
+  }
+  if (const auto published = entry.find("published")) {
+    const char* const forms[] = {"behind", "select", "world", "rounded"};
+    step.published = forms[published->choice({"behind", "select", "world", "rounded"})];
   }
   if (const auto reflections = entry.find("reflections")) step.reflections = reflections->boolean();
   if (const auto boxes = entry.find("boxes")) step.boxes = boxes->boolean();

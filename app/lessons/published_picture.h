@@ -1,0 +1,42 @@
+// What published forms of the projection make of a picture, for lessons on their mistakes: the picture as the program
+// draws it, with every pixel's lookup done again by the other form, on the CPU. Called by the lesson player and the
+// window; none of these forms is a technique.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filters/core/model.h"
+#include "filters/core/scene.h"
+
+namespace boxprobe {
+
+class SceneRenderer;
+
+/// "behind", "select", "world", "rounded"; see published_picture.cpp.
+bool isPublishedForm(const std::string& id);
+
+/// A row at a time, so that a window can go on in between. The renderer's camera and maps must not change meanwhile.
+class PublishedPicture {
+ public:
+  PublishedPicture(SceneRenderer& renderer, const Scene& scene, std::string form, int width, int height);
+  /// So many more rows; false when the picture is complete.
+  bool draw(int rows);
+  /// Linear; what is not a number, as nothing else in a scene: magenta.
+  const ImageRgbaF& linear() const { return picture_; }
+  /// At the scene's exposure, so many times as large.
+  ImageRgba8 display(int scale) const;
+  /// Share of the pixels that reflect whose lookup is not a number.
+  double brokenShare() const;
+
+ private:
+  SceneRenderer& renderer_;
+  const Scene& scene_;
+  std::string form_;
+  ImageRgbaF picture_;
+  int next_ = 0;
+  long long reflecting_ = 0, broken_ = 0;
+};
+
+}  // namespace boxprobe

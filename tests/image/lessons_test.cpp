@@ -1,0 +1,77 @@
+// Every lesson held to what it says: each claim measured on the pictures it speaks of, each task tried with what solves
+// it and what does not. One test a lesson.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "app/lessons/lesson_player.h"
+#include "filters/core/errors.h"
+#include "filters/io/lesson_file.h"
+
+namespace {
+
+using namespace boxprobe;
+
+const LessonList& allLessons() {
+  static const LessonList list = loadLessons(BOXPROBE_DATA_DIR "/lessons");
+  return list;
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> result;
+  for (const Lesson& lesson : allLessons().lessons) result.push_back(lesson.name);
+  return result;
+}
+
+LessonPlayer& player() {
+  static LessonPlayer kept(560, 350);
+  return kept;
+}
+
+class Claims : public testing::TestWithParam<std::string> {};
+
+TEST_P(Claims, Hold) {
+  const Lesson& lesson = findLesson(allLessons(), GetParam());
+  EXPECT_FALSE(lesson.claims.empty()) << "a lesson that claims nothing teaches nothing";
+  player().open(lesson);
+  for (const LessonClaim& claim : lesson.claims) {
+    const ClaimResult result = player().check(claim.condition);
+    std::printf("  %s %.4g, limit %.4g\n", claim.say.c_str(), result.value, result.limit);
+    EXPECT_TRUE(result.holds) << claim.say << ": " << result.value << " against " << result.limit;
+  }
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    if (!lesson.steps[i].task) continue;
+    const LessonTask& task = *lesson.steps[i].task;
+    double value = 0.0;
+    player().show(i);
+    EXPECT_FALSE(player().done(task, i, &value)) << task.ask << ": done before it is begun, at " << value;
+    player().showChanged(i, task.mistake);
+    EXPECT_FALSE(player().done(task, i, &value)) << task.ask << ": " << value;
+    player().showChanged(i, task.solution);
+    EXPECT_TRUE(player().done(task, i, &value)) << task.ask << ": " << value;
+  }
+}
+
+// GoogleTest wants names of letters and digits.
+INSTANTIATE_TEST_SUITE_P(Lessons, Claims, testing::ValuesIn(names()), [](const auto& parameter) {
+  std::string name;
+  for (const char c : parameter.param) name += c == '-' ? '_' : c;
+  return name;
+});
+
+TEST(Lessons, AllCanBeRead) {
+  for (const std::string& error : allLessons().errors) ADD_FAILURE() << error;
+  EXPECT_GE(allLessons().lessons.size(), 28u);
+}
+
+// The measuring can fail.
+TEST(Lessons, ACheckThatDoesNotHoldSaysSo) {
+  Lesson lesson = findLesson(allLessons(), "floor-mirror");
+  ASSERT_FALSE(lesson.claims.empty());
+  LessonCondition condition = lesson.claims.front().condition;
+  condition.limit = 1.0e6;
+  player().open(lesson);
+  EXPECT_FALSE(player().check(condition).holds);
+}
+
+}  // namespace

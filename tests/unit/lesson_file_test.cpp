@@ -1,0 +1,116 @@
+// Lesson files: what is read, and the one line for each way of getting it wrong.
+#include "filters/io/lesson_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/lessons/formula_mathml.h"
+#include "tests/unit/error_text.h"
+#include "tests/unit/temporary_folder.h"
+
+namespace boxprobe {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class LessonFile : public TemporaryFolder {
+ protected:
+  /// A lesson over data/scenes/room with one step; `step` are further members of it, `lesson` of the lesson.
+  std::string lesson(const std::string& step, const std::string& lesson = "") const {
+    return "{\n\"format\": \"boxprobe-lesson\", \"version\": 1, \"title\": \"T\", \"chapter\": \"C\", \"summary\": "
+           "\"S\",\n"
+           "\"scene\": \"" BOXPROBE_DATA_DIR
+           "/scenes/room.boxprobe.json\",\n\"steps\": [{\"title\": \"t\", \"say\": \"s\"" +
+           (step.empty() ? "" : ",\n" + step) + "}]" + (lesson.empty() ? "" : ",\n" + lesson) + "}\n";
+  }
+  std::string error(const std::string& text) const {
+    const std::string path = write("1-wrong.lesson.json", text);
+    std::string line = errorText([&] { loadLessonFile(path); });
+    EXPECT_THAT(line, StartsWith(path));
+    return line.substr(std::min(line.size(), path.size()));
+  }
+};
+
+TEST_F(LessonFile, IsReadWithDefaultsAndNamedByItsFile) {
+  const Lesson read = loadLessonFile(write("07-a-name.lesson.json", lesson("\"camera\": \"A\"")));
+  EXPECT_EQ(read.name, "a-name");
+  ASSERT_EQ(read.steps.size(), 1u);
+  EXPECT_TRUE(read.steps[0].reflections);
+  const Scene scene = lessonScene(read, 0);
+  EXPECT_EQ(lessonCamera(read, 0, scene).verticalFovDegrees, 45.0);
+}
+
+TEST_F(LessonFile, StepsBuildOnThoseBefore) {
+  const std::string two = lesson(
+      "\"set\": {\"exposure\": 2}},\n{\"title\": \"u\", \"say\": \"s\", \"set\": "
+      "{\"probes.room.bounces\": 3}");
+  const Lesson read = loadLessonFile(write("1-two.lesson.json", two));
+  EXPECT_EQ(lessonScene(read, 0).probes[0].bounces, 1);
+  EXPECT_EQ(lessonScene(read, 1).probes[0].bounces, 3);
+  EXPECT_EQ(lessonScene(read, 1).exposure, 2.0);
+}
+
+TEST_F(LessonFile, EachMistakeIsOneLineWithItsPlace) {
+  EXPECT_THAT(error("{"), HasSubstr(":"));
+  EXPECT_THAT(error("{\"format\": \"boxprobe-scene\"}"), HasSubstr("is not a lesson"));
+  EXPECT_THAT(error(lesson("\"vieuw\": \"level\"")), HasSubstr(":5:"));
+  EXPECT_THAT(error(lesson("\"view\": \"levle\"")), HasSubstr("level"));
+  EXPECT_THAT(error(lesson("\"camera\": \"nowhere\"")), HasSubstr("no such camera"));
+  EXPECT_THAT(error(lesson("\"set\": {\"probes.hall.technique\": \"box\"}")), HasSubstr("hall"));
+  EXPECT_THAT(error(lesson("\"set\": {\"probes.room.technique\": \"boxx\"}")), HasSubstr("boxx"));
+  EXPECT_THAT(error(lesson("\"rays\": [[0.5, 1.5]]")), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(error(lesson("\"published\": \"mine\"")), HasSubstr("published"));
+  EXPECT_THAT(error(lesson("\"question\": {\"ask\": \"?\", \"answers\": [{\"text\": \"a\", \"reply\": \"b\"}]}")),
+              HasSubstr("needs two or more"));
+  EXPECT_THAT(error(lesson("", "\"claims\": [{\"say\": \"s\", \"measure\": {\"kind\": \"mean\"}, \"above\": 1}]")),
+              HasSubstr("step"));
+  EXPECT_THAT(
+      error(lesson("", "\"claims\": [{\"say\": \"s\", \"measure\": {\"kind\": \"mean\", \"step\": 2}, \"above\": 1}]")),
+      HasSubstr("counted from 1 to 1"));
+  EXPECT_THAT(error(lesson("", "\"claims\": [{\"say\": \"s\", \"measure\": {\"kind\": \"mean\", \"step\": 1}}]")),
+              HasSubstr("above, below and equals"));
+  std::string missing = lesson("");
+  missing.replace(missing.find("room.boxprobe"), 4, "cellar");
+  EXPECT_THAT(error(missing), HasSubstr("cellar"));
+}
+
+TEST_F(LessonFile, TheOthersStillList) {
+  write("1-good.lesson.json", lesson(""));
+  write("2-bad.lesson.json", "{");
+  write("3-also-good.lesson.json", lesson(""));
+  write("notes.txt", "no lesson");
+  const LessonList list = loadLessons(folder_.string());
+  ASSERT_EQ(list.lessons.size(), 2u);
+  EXPECT_EQ(list.lessons[1].name, "also-good");
+  ASSERT_EQ(list.errors.size(), 1u);
+  EXPECT_THAT(list.errors[0], HasSubstr("2-bad.lesson.json"));
+  EXPECT_THAT(errorText([&] { findLesson(list, "goood"); }), HasSubstr("good"));
+}
+
+TEST_F(LessonFile, AFolderWithoutLessonsIsRefused) {
+  EXPECT_THAT(errorText([&] { loadLessons(folder_.string()); }), HasSubstr("no lesson"));
+  EXPECT_THAT(errorText([&] { loadLessons(file("none")); }), HasSubstr("no such folder"));
+}
+
+TEST(FormulaMathml, SetsWhatLessonsWrite) {
+  EXPECT_EQ(formulaMathml("H = P"), "<mrow><mi>H</mi><mo>=</mo><mi>P</mi></mrow>");
+  EXPECT_EQ(formulaMathml("t_i"), "<mrow><msub><mi>t</mi><mi>i</mi></msub></mrow>");
+  EXPECT_EQ(formulaMathml("p^{2x}"), "<mrow><msup><mi>p</mi><mrow><mn>2</mn><mi>x</mi></mrow></msup></mrow>");
+  EXPECT_EQ(formulaMathml("\\min_i t"),
+            "<mrow><munder><mi mathvariant=\"normal\">min</mi><mi>i</mi></munder><mi>t</mi></mrow>");
+  EXPECT_EQ(formulaMathml("\\frac{1}{\\pi}"),
+            "<mrow><mfrac><mrow><mn>1</mn></mrow><mrow><mi>\u03c0</mi></mrow></mfrac></mrow>");
+  EXPECT_EQ(formulaMathml("a < b"), "<mrow><mi>a</mi><mo>&lt;</mo><mi>b</mi></mrow>");
+}
+
+TEST(FormulaMathml, IsTotal) {
+  for (const char* text :
+       {"", "_", "^", "a_", "{", "}", "\\frac", "\\frac{1", "\\text{open", "\\unknown", "\\", "\xc3"}) {
+    EXPECT_THAT(formulaMathml(text), StartsWith("<mrow>")) << text;
+  }
+  EXPECT_THAT(formulaMathml(std::string(100000, '{')), StartsWith("<mrow>"));
+}
+
+}  // namespace
+}  // namespace boxprobe
