@@ -16,6 +16,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/gui/explain_card.h"
+#include "app/gui/mirror_lines.h"
 #include "app/gui/panel_layout.h"
 #include "app/gui/ray_panel.h"
 #include "app/gui/schematic_inset.h"
@@ -38,9 +39,11 @@ DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document
                                        const int* size = viewport_.window3d()->GetSize();
                                        return PixelRays(seenFrom(), size[0], size[1]);
                                      })),
+      mirrors_(std::make_unique<MirrorLines>(renderer.renderer())),
       panel_(new QWidget),
       tool_(new QPushButton(tr("Explain pixels"), panel_)),
       schematicShown_(new QCheckBox(tr("Plan and elevation in the picture"), panel_)),
+      mirrorsShown_(new QCheckBox(tr("What planar mirrors see"), panel_)),
       surfacePanel_(new SurfaceViewPanel(panel_)),
       rayPanel_(new RayPanel(panel_)),
       card_(new ExplainCard([this](const std::string& probe) { return renderer_.mapsOnCpu(probe); })),
@@ -55,6 +58,7 @@ DebugView::~DebugView() = default;
 
 void DebugView::releaseGraphics() {
   rays_.reset();
+  mirrors_.reset();
 }
 
 void DebugView::buildPanel() {
@@ -69,6 +73,11 @@ void DebugView::buildPanel() {
   schematicShown_->setChecked(true);
   schematicShown_->setObjectName("schematicShown");
   form->addRow(schematicShown_);
+  mirrorsShown_->setObjectName("mirrorsShown");
+  mirrorsShown_->setToolTip(tr(
+      "The mirrored eye of each mirror that has a picture and what it sees through the mirror; of an explained pixel, "
+      "the reflected ray up to what moves"));
+  form->addRow(mirrorsShown_);
   layout->addWidget(surfacePanel_);
   layout->addWidget(rayPanel_);
   layout->addStretch(1);
@@ -98,6 +107,10 @@ void DebugView::connectParts() {
     inspector_.invalidate();
   });
   connect(surfacePanel_, &SurfaceViewPanel::changed, this, &DebugView::setSurfaceView);
+  connect(mirrorsShown_, &QCheckBox::toggled, this, [this](bool shown) {
+    mirrors_->setShown(shown);
+    emit pictureChanged();
+  });
   connect(rayPanel_, &RayPanel::changed, this, [this](const RaySettings& settings) {
     rays_->setSettings(settings);
     raysChanged();
@@ -144,6 +157,7 @@ PixelInspector::Explain DebugView::hold(const QPointF& position) {
 void DebugView::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
   inspector_.unpin();
   rays_->setModels(models);
+  mirrors_->setModels(models);
 }
 
 void DebugView::documentChanged(const Changes& changes) {
@@ -173,6 +187,21 @@ void DebugView::update() {
   inspector_.update();
   rays_->setPixelScale(pixelScale());
   rays_->update();
+  updateMirrors();
+}
+
+// Those of the picture before: which have one follows from the camera, and the next picture is not drawn yet.
+void DebugView::updateMirrors() {
+  if (!mirrors_->shown()) return;
+  std::vector<std::string> drawn;
+  for (const FrameReport::MirrorUse& mirror : renderer_.frameReport().mirrors) {
+    if (mirror.drawn) drawn.push_back(mirror.node);
+  }
+  vtkCamera* camera = seenFrom();
+  glm::dvec3 eye, forward;
+  camera->GetPosition(&eye.x);
+  camera->GetDirectionOfProjection(&forward.x);
+  mirrors_->update(document_.scene(), drawn, eye, forward, camera->GetParallelProjection() != 0);
 }
 
 void DebugView::setTool(bool on) {
@@ -192,14 +221,16 @@ bool DebugView::unpin() {
 void DebugView::show(const Explanation& explanation) {
   card_->show(explanation, document_.scene().exposure);
   schematic_->show(explanation, QPointF(explanation.x, explanation.y) / pixelScale());
-  if (rays_->explain(&explanation)) raysChanged();
+  mirrors_->explain(&explanation);
+  if (rays_->explain(&explanation) || mirrors_->shown()) raysChanged();
 }
 
 void DebugView::showNothing() {
   card_->showHint(inspector_.tool() ? tr("Move the pointer over the picture. A click pins what it explains.")
                                     : tr("Switch the Explain tool on (E), then move the pointer over the picture."));
   schematic_->clear();
-  if (rays_->explain(nullptr)) raysChanged();
+  mirrors_->explain(nullptr);
+  if (rays_->explain(nullptr) || mirrors_->shown()) raysChanged();
 }
 
 void DebugView::showReadout(const Explanation& explanation, const QPointF& position) {
@@ -215,7 +246,7 @@ void DebugView::setSurfaceView(const SurfaceViewSettings& settings) {
 }
 
 void DebugView::raysChanged() {
-  const bool drawn = rays_->update();
+  const bool drawn = rays_->update() || mirrors_->shown();
   rayPanel_->showStatus(QString::fromStdString(rays_->status()));
   if (drawn) emit pictureChanged();
 }

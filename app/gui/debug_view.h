@@ -22,6 +22,7 @@ class vtkCamera;
 namespace boxprobe {
 
 class ExplainCard;
+class MirrorLines;
 class RayPanel;
 class SceneRenderer;
 class SchematicInset;
@@ -43,6 +44,7 @@ class DebugView : public QObject {
   RayPanel* rayPanel() const { return rayPanel_; }
   const PixelInspector& inspector() const { return inspector_; }
   const RayRig& rays() const { return *rays_; }
+  const MirrorLines& mirrorLines() const { return *mirrors_; }
 
   void setModels(const std::vector<std::shared_ptr<const Model>>& models);
   void documentChanged(const Changes& changes);
@@ -83,6 +85,7 @@ class DebugView : public QObject {
   void showReadout(const Explanation& explanation, const QPointF& position);
   void setSurfaceView(const SurfaceViewSettings& settings);
   void raysChanged();
+  void updateMirrors();
   Explanation explain(const QPointF& position) const;
   PixelInspector::Explain hold(const QPointF& position);
   vtkCamera* seenFrom() const;
@@ -94,9 +97,11 @@ class DebugView : public QObject {
   vtkSmartPointer<vtkCamera> pinnedCamera_;  ///< null while nothing is pinned
   PixelInspector inspector_;
   std::unique_ptr<RayRig> rays_;
+  std::unique_ptr<MirrorLines> mirrors_;
   QWidget* panel_;
   QPushButton* tool_;
   QCheckBox* schematicShown_;
+  QCheckBox* mirrorsShown_;
   SurfaceViewPanel* surfacePanel_;
   RayPanel* rayPanel_;
   ExplainCard* card_;

@@ -70,6 +70,13 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
 std::vector<std::string> featuresNotUsed(const Scene& scene) {
   Remarks remarks;
   for (const Probe& probe : scene.probes) probeRemarks(remarks, probe);
+  const bool anyMoves =
+      std::any_of(scene.objects.begin(), scene.objects.end(), [](const auto& object) { return object.second.dynamic; });
+  for (const Probe& probe : scene.probes) {
+    if (scene.mirrors.empty() || !anyMoves || probe.mode != ProbeUpdate::Realtime) continue;
+    remark(remarks, {"probes", probe.name, "mode"},
+           "is realtime: it sees what moves, and a planar mirror in its reach shows that a second time.");
+  }
   return remarks;
 }
 

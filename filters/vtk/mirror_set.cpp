@@ -86,7 +86,7 @@ double blurMargin(const PictureView& view, const MirrorPlane& plane, double roug
 const char* mirrorStateText(MirrorState state) {
   switch (state) {
     case MirrorState::Disabled:
-      return "it is switched off, or hidden";
+      return "it is switched off, hidden, or not lit by probes";
     case MirrorState::Rough:
       return "it is rougher than its maxRoughness";
     case MirrorState::FacingAway:
@@ -200,6 +200,9 @@ MirrorState MirrorSet::plan(std::size_t index, const PictureView& view, const st
   plan.mirror = index;
   plan.plane = mirror.plane;
   if (!mirror.settings.enabled) return MirrorState::Disabled;
+  // Without probes nothing is looked up, in no picture either.
+  const ProbeBinding* binding = content_->objects[mirror.objects.front()].mapper->GetDrawnBinding();
+  if (binding == nullptr || binding->lighting != Lighting::Probes) return MirrorState::Disabled;
   if (tooRough(mirror.roughnessMin, mirror.settings)) return MirrorState::Rough;
   if (!mirror.usable) return MirrorState::NothingDynamic;
   if (!facesEye(plan.plane, view)) return MirrorState::FacingAway;
@@ -247,7 +250,8 @@ void MirrorSet::findHiding(Plan& plan, const std::vector<std::size_t>& own) {
   for (std::size_t i = 0; i < content_->objects.size(); ++i) {
     const DrawnObject& object = content_->objects[i];
     if (!object.settings.visible || object.settings.dynamic) continue;
-    if (object.material.alphaMode == AlphaMode::Blend) continue;  // hides only in part, which depth cannot say
+    // Hides only in part, which depth cannot say.
+    if (object.material.alphaMode == AlphaMode::Blend || object.surface->glass.drawn) continue;
     if (std::find(own.begin(), own.end(), i) != own.end()) continue;
     const Box box = worldBounds(object);
     if (highest(box, plan.plane) <= 0.0) continue;

@@ -139,6 +139,15 @@ TEST_F(BadInput, UnreadableModel) {
   expectRefused({"info", folder.write("empty.glb", "")}, {"empty.glb"});
 }
 
+TEST_F(BadInput, AMirrorThatIsNotPlanar) {
+  expectRefused({"info", demoScene("mirror-hall"), "--set", "mirrors.pillars.enabled=true"},
+                {"mirror-hall.boxprobe.json", "mirrors.pillars", "flat"});
+  expectRefused(
+      {"render", demoScene("mirror-hall"), "-o", folder.path("out.png"), "--set", "mirrors.figure.enabled=true"},
+      {"mirror-hall.boxprobe.json", "mirrors.figure", "flat"});
+  expectSceneRefused(scene(R"("mirrors": {"triangle": {"resolution": 9}})"), {"mirrors", "triangle", "resolution"});
+}
+
 TEST_F(BadInput, UnknownTechniqueOnTheCommandLine) {
   expectArgumentsRefused({"-o", folder.path("out.png"), "--technique", "cone"},
                          {"--technique", "cone", "infinite", "sphere"});
