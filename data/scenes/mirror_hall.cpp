@@ -55,37 +55,38 @@ glm::dvec3 ceiling(double x, double y) {
   return blend(color, {1.0, 0.98, 0.92}, softStep(-0.45, kSoft, -lamp));
 }
 
-/// A figure as if turned on a lathe, 1.7 m high: robe, belt, collar and head, told apart by the height.
-MeshBuilder figure() {
-  std::vector<glm::dvec2> profile, normals;
-  const std::vector<glm::dvec2> outline = {{0.0, 0.0},   {0.34, 0.0},  {0.36, 0.05}, {0.30, 0.30}, {0.22, 0.70},
-                                           {0.17, 0.95}, {0.20, 1.10}, {0.22, 1.25}, {0.16, 1.34}, {0.07, 1.38}};
-  profile = outline;
-  for (int i = 0; i <= 12; ++i) {  // the head, a sphere of 0.16 about 1.53
-    const double a = -1.2 + (1.5707963 + 1.2) * i / 12.0;
-    profile.emplace_back(i == 12 ? 0.0 : 0.16 * std::cos(a), 1.53 + 0.17 * std::sin(a));
-  }
+/// A profile of (radius, height) points turned about +Y, smooth along it.
+MeshBuilder turned(const std::vector<glm::dvec2>& profile) {
+  std::vector<glm::dvec2> normals;
   for (std::size_t i = 0; i < profile.size(); ++i) {
-    const glm::dvec2 before = profile[i == 0 ? 0 : i - 1], after = profile[std::min(i + 1, profile.size() - 1)];
-    const glm::dvec2 along = after - before;
+    const glm::dvec2 along = profile[std::min(i + 1, profile.size() - 1)] - profile[i == 0 ? 0 : i - 1];
     const double length = std::hypot(along.x, along.y);
     normals.emplace_back(along.y / length, -along.x / length);
   }
-  normals.front() = {0.0, -1.0};
-  normals.back() = {0.0, 1.0};
   MeshBuilder builder;
   builder.lathe(profile, normals, 40);
   return builder;
 }
 
-Picture figurePicture() {
-  return paint("figure", 64, 256, [](double u, double v) {
-    const double y = 1.0 - v;  // along the profile
-    glm::dvec3 color = blend({0.62, 0.08, 0.10}, {0.75, 0.20, 0.12}, softLines(u, 0.125, 0.03, 0.02));
-    color = blend(color, {0.90, 0.70, 0.18}, softStep(0.40, 0.02, y) * softStep(-0.47, 0.02, -y));
-    color = blend(color, {0.92, 0.90, 0.84}, softStep(0.62, 0.02, y));
-    return blend(color, {0.85, 0.62, 0.48}, softStep(0.72, 0.02, y));
+/// A figure of 1.7 m out of turned pieces, all of one node's name: robe, belt, collar and head.
+void addFigure(Composer& scene, glm::dvec3 at) {
+  const auto add = [&](const std::string& name, const std::vector<glm::dvec2>& profile, Material material) {
+    scene.place("figure", scene.mesh(turned(profile), name, scene.material(std::move(material))), at);
+  };
+  const Picture stripes = paint("robe", 64, 32, [](double u, double) {
+    return blend({0.62, 0.08, 0.10}, {0.78, 0.24, 0.12}, softLines(u, 0.125, 0.03, 0.02));
   });
+  add("robe", {{0.36, 0.0}, {0.33, 0.2}, {0.27, 0.5}, {0.21, 0.8}, {0.18, 1.0}}, lit("robe", stripes, 0.35f));
+  add("belt", {{0.215, 0.78}, {0.235, 0.81}, {0.235, 0.87}, {0.205, 0.90}},
+      lit("belt", glm::vec3(0.90f, 0.70f, 0.18f), 0.35f));
+  add("collar", {{0.18, 1.0}, {0.21, 1.1}, {0.225, 1.2}, {0.20, 1.3}, {0.14, 1.36}, {0.06, 1.39}},
+      lit("collar", glm::vec3(0.92f, 0.90f, 0.84f), 0.35f));
+  std::vector<glm::dvec2> head;
+  for (int i = 0; i <= 16; ++i) {
+    const double a = -1.3 + (1.5707963267948966 + 1.3) * i / 16.0;
+    head.emplace_back(i == 16 ? 0.0 : 0.16 * std::cos(a), 1.54 + 0.16 * std::sin(a));
+  }
+  add("head", head, lit("head", glm::vec3(0.85f, 0.62f, 0.48f), 0.35f));
 }
 
 Picture cratePicture() {
@@ -139,17 +140,16 @@ Model mirrorHall() {
   }
   scene.add("pillars", std::move(pillars), scene.material(lit("stone", glm::vec3(0.62f, 0.58f, 0.50f), 0.3f)));
 
-  const int figureMesh = scene.mesh(figure(), "figure", scene.material(lit("figure", figurePicture(), 0.35f)));
-  scene.place("figure", figureMesh, {-0.6, 0.0, -1.6});
+  addFigure(scene, {-0.6, 0.0, -1.6});
   MeshBuilder crate;
   crate.box({-0.35, 0.0, -0.35}, {0.35, 0.7, 0.35}, [](unsigned, glm::dvec2) { return UvRectangle{}; });
   const int crateMesh = scene.mesh(std::move(crate), "crate", scene.material(lit("crate", cratePicture(), 0.35f)));
   scene.place("crate", crateMesh, {1.5, 0.0, -2.6});
-  Material gold = perfectMirror("ball");
+  Material gold = perfectMirror("gold");
   gold.baseColor = glm::vec4(0.95f, 0.75f, 0.35f, 1.0f);
   gold.roughness = 0.2f;
-  const int ball = scene.mesh(sphere(0.35, 40), "ball", scene.material(gold));
-  scene.place("ball", ball, {-2.2, 0.35, -0.6});
+  const int ball = scene.mesh(sphere(0.35, 40), "golden ball", scene.material(gold));
+  scene.place("golden ball", ball, {-2.2, 0.35, -0.6});
   return std::move(scene).finish();
 }
 
