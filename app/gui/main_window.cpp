@@ -27,6 +27,7 @@
 #include "app/gui/frame_panel.h"
 #include "app/gui/lesson_panel.h"
 #include "app/gui/lesson_view.h"
+#include "app/gui/light_panel.h"
 #include "app/gui/material_panel.h"
 #include "app/gui/menu_bar.h"
 #include "app/gui/motion_preview.h"
@@ -131,6 +132,7 @@ void MainWindow::buildPanels() {
   capturePanel_ = new CapturePanel(*editor_);
   materialPanel_ = new MaterialPanel(*editor_);
   objectPanel_ = new ObjectPanel(*editor_);
+  lightPanel_ = new LightPanel(*editor_);
   picturePanel_ = new PicturePanel(*editor_);
 
   auto* content = new QWidget;
@@ -140,7 +142,7 @@ void MainWindow::buildPanels() {
   for (QWidget* panel :
        {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(bakePanel_), static_cast<QWidget*>(probePanel_),
         static_cast<QWidget*>(capturePanel_), static_cast<QWidget*>(materialPanel_),
-        static_cast<QWidget*>(objectPanel_), static_cast<QWidget*>(picturePanel_)}) {
+        static_cast<QWidget*>(objectPanel_), static_cast<QWidget*>(lightPanel_), static_cast<QWidget*>(picturePanel_)}) {
     layout->addWidget(panel);
   }
   layout->addStretch(1);
@@ -409,6 +411,7 @@ void MainWindow::documentChanged(const Changes& changes) {
   capturePanel_->update();
   materialPanel_->update();
   objectPanel_->update();
+  lightPanel_->update();
   picturePanel_->update();
   preview_->update();
   costPanel_->update();

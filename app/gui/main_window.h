@@ -21,6 +21,7 @@ class CapturePanel;
 class DebugView;
 class FileCommands;
 class LessonView;
+class LightPanel;
 class MaterialPanel;
 class ObjectPanel;
 class MenuBar;
@@ -125,6 +126,7 @@ class MainWindow : public QMainWindow {
   CapturePanel* capturePanel_ = nullptr;
   MaterialPanel* materialPanel_ = nullptr;
   ObjectPanel* objectPanel_ = nullptr;
+  LightPanel* lightPanel_ = nullptr;
   PicturePanel* picturePanel_ = nullptr;
   ProbePreview* preview_ = nullptr;
   CostPanel* costPanel_ = nullptr;

@@ -120,7 +120,8 @@ void RayPanel::buildKinds(QFormLayout* form) {
       QT_TR_NOOP("From P along R to what the scene itself has there"),
       QT_TR_NOOP("From the hit on the box to the true hit"),
       QT_TR_NOOP("Of glass: from P through the object to where the light leaves it"),
-      QT_TR_NOOP("Of glass: from there along the refracted direction to the hit on the probe's box")};
+      QT_TR_NOOP("Of glass: from there along the refracted direction to the hit on the probe's box"),
+      QT_TR_NOOP("From P towards each light that throws shadows, to where it leaves the probe's box")};
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     const std::string_view name = kRayKindNames[i];
     QString label = QString::fromUtf8(name.data(), static_cast<int>(name.size()));

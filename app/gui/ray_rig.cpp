@@ -49,6 +49,7 @@ void RayRig::setScene(const Scene& scene, bool geometry) {
   scene_ = scene;
   if (geometry) sources_.reset();
   filter_->SetProbes(scene.probes);
+  filter_->SetLights(scene.lights);
   stale_ = true;
 }
 

@@ -14,7 +14,8 @@ namespace boxprobe::scenes {
 namespace {
 
 const glm::dvec3 kLow(-4.0, 0.0, -3.0), kSize(8.0, 3.2, 6.0);
-// Metres from kLow. Every surface is cut where any opening begins or ends, so that neighbours meet in the same vertices.
+// Metres from kLow. Every surface is cut where any opening begins or ends, so that neighbours meet in the same
+// vertices.
 const std::vector<double> kCutsX = {0.0, 0.8, 1.0, 1.4, 1.8, 2.2, 2.6, 3.2, 4.6, 5.4, 5.8, 6.2, 8.0};
 const std::vector<double> kCutsY = {0.0, 0.4, 0.9, 1.2, 1.6, 1.68, 2.0, 2.4, 2.8, 3.2};
 const std::vector<double> kCutsZ = {0.0, 0.6, 1.2, 1.28, 1.9, 3.6, 4.3, 4.38, 5.1, 6.0};
@@ -31,8 +32,8 @@ struct Opening {
 const Opening kEast[] = {{0.6, 1.2, 0.4, 1.6}, {1.28, 1.9, 0.4, 1.6}, {0.6, 1.2, 1.68, 2.8}, {1.28, 1.9, 1.68, 2.8},
                          {3.6, 4.3, 0.9, 1.6}, {4.38, 5.1, 0.9, 1.6}, {3.6, 4.3, 1.68, 2.4}, {4.38, 5.1, 1.68, 2.4}};
 // South: x runs against x, from the east. Coloured glass first; a low one; three slits.
-const Opening kSouth[] = {{1.8, 2.6, 0.9, 2.4}, {3.4, 4.8, 0.4, 1.2}, {5.4, 5.8, 0.4, 2.8},
-                          {6.2, 6.6, 0.4, 2.8}, {7.0, 7.2, 0.4, 2.8}};
+const Opening kSouth[] = {
+    {1.8, 2.6, 0.9, 2.4}, {3.4, 4.8, 0.4, 1.2}, {5.4, 5.8, 0.4, 2.8}, {6.2, 6.6, 0.4, 2.8}, {7.0, 7.2, 0.4, 2.8}};
 constexpr std::size_t kStained = 0;
 
 std::vector<double> reversed(std::vector<double> cuts) {
@@ -64,13 +65,11 @@ glm::dvec3 plaster(glm::dvec3 color, double x, double y) {
   return blend(color, {0.20, 0.12, 0.07}, softStep(0.0, kSoft, 0.12 - y));
 }
 
-glm::dvec3 parquet(double x, double y) {
-  const double board = y / 0.2;
-  const int row = static_cast<int>(board);
-  const double shifted = x / 1.2 + hash(row, 0, 72);
-  const double tint = hash(static_cast<int>(shifted), row, 73);
-  const glm::dvec3 wood = blend({0.20, 0.10, 0.045}, {0.36, 0.21, 0.10}, tint);
-  return blend(wood, {0.06, 0.03, 0.015}, std::max(softLines(board, 1.0, 0.02, 0.05), softLines(shifted, 1.0, 0.004, 0.01)));
+glm::dvec3 tiles(double x, double y) {  // pale stone of half a metre
+  const double tint = hash(static_cast<int>(2.0 * x), static_cast<int>(2.0 * y), 72);
+  const glm::dvec3 stone =
+      blend({0.66, 0.62, 0.55}, {0.82, 0.80, 0.75}, tint) * (0.94 + 0.12 * noise(3.0 * x, 3.0 * y, 24, 18, 73));
+  return blend(stone, {0.34, 0.31, 0.27}, std::max(softLines(x, 0.5, 0.008, 0.02), softLines(y, 0.5, 0.008, 0.02)));
 }
 
 }  // namespace
@@ -83,17 +82,16 @@ Model windows() {
     return lit(name, paint(name, static_cast<int>(48 * metres.x), static_cast<int>(48 * metres.y), pattern), kGlow);
   };
   const auto wall = [&](const std::string& name, double width, glm::dvec3 color) {
-    return scene.material(painted(name, {width, kSize.y}, [=](double u, double v) {
-      return plaster(color, width * u, kSize.y * (1.0 - v));
-    }));
+    return scene.material(painted(name, {width, kSize.y},
+                                  [=](double u, double v) { return plaster(color, width * u, kSize.y * (1.0 - v)); }));
   };
   const auto anyOf = [](const auto& openings, std::size_t count) {
     return [&openings, count](double across, double up) {
       return std::none_of(openings, openings + count, [&](const Opening& o) { return o.holds(across, up); });
     };
   };
-  Material floor = painted("floor", {kSize.x, kSize.z},
-                           [](double u, double v) { return parquet(kSize.x * u, kSize.z * v); });
+  Material floor =
+      painted("floor", {kSize.x, kSize.z}, [](double u, double v) { return tiles(kSize.x * u, kSize.z * v); });
   floor.roughness = 0.3f;
   floor.emissive = glm::vec3(0.0f);
   floor.emissiveTexture = {};
@@ -104,8 +102,7 @@ Model windows() {
             wall("wall west", kSize.z, {0.36, 0.46, 0.50}));
   scene.add("wall east", part(kLow + x, z, y, kCutsZ, kCutsY, anyOf(kEast, std::size(kEast))),
             wall("wall east", kSize.z, {0.60, 0.56, 0.50}));
-  scene.add("wall south",
-            part(kLow + x + z, -x, y, reversed(kCutsX), kCutsY, anyOf(kSouth, std::size(kSouth))),
+  scene.add("wall south", part(kLow + x + z, -x, y, reversed(kCutsX), kCutsY, anyOf(kSouth, std::size(kSouth))),
             wall("wall south", kSize.x, {0.60, 0.56, 0.50}));
   Material glass;
   glass.name = "coloured glass";
@@ -113,9 +110,9 @@ Model windows() {
   glass.metallic = 0.0f;
   glass.roughness = 0.4f;
   glass.alphaMode = AlphaMode::Blend;
-  scene.add("coloured glass", part(kLow + x + z, -x, y, reversed(kCutsX), kCutsY, [](double across, double up) {
-              return kSouth[kStained].holds(across, up);
-            }),
+  scene.add("coloured glass",
+            part(kLow + x + z, -x, y, reversed(kCutsX), kCutsY,
+                 [](double across, double up) { return kSouth[kStained].holds(across, up); }),
             scene.material(glass));
 
   const int globe = scene.mesh(sphere(0.35, 48), "globe", scene.material(lit("globe", {0.70, 0.32, 0.10}, 0.0f)));

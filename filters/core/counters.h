@@ -30,7 +30,7 @@ struct Counters {
   std::array<std::uint64_t, 5> drawsByProbeCount{};  ///< of the last frame: draws that use 0, 1, 2, 3, 4 probes
   std::uint64_t drawsWithOpenSky = 0;   ///< of the last frame: those that look up the sky through a probe's openings
   std::uint64_t drawsWithCoverage = 0;  ///< of the last frame: those that look up what lets a light through
-  std::uint64_t shadowMapsDrawn = 0;    ///< of moving objects, for the last frame
+  std::uint64_t shadowMapsDrawn = 0;    ///< of moving objects, since the start
   std::uint64_t texelsClamped = 0;                   ///< captured samples above half-float range, brought down to it
   std::uint64_t texelsNotFinite = 0;                 ///< captured samples that were NaN or infinite, set to 0
   std::uint64_t uniformUpdates = 0;                  ///< draws whose probe uniforms were uploaded

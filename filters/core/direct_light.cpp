@@ -39,12 +39,14 @@ Lobe isotropicLobe(float nDotH, float nDotV, float nDotL, float hDotL, float rou
 }  // namespace
 
 glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec3& f90,
-                      const std::vector<Light>& lights) {
+                      const std::vector<Light>& lights, const std::vector<glm::vec3>* through) {
   const glm::vec3 n = s.normalWorld, v = s.viewWorld;
   const float nDotV = clampedCosine(n, v);
   glm::vec3 sum(0.0f);
-  for (const Light& light : lights) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Light& light = lights[i];
     glm::vec3 radiance = light.color * light.intensity;
+    if (through != nullptr) radiance *= (*through)[i];
     glm::vec3 l;
     if (light.type != LightType::Directional) {
       const glm::vec3 to(light.position - s.positionWorld);
@@ -68,10 +70,10 @@ glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec
       const float coatNDotL = clampedCosine(coatN, l);
       const Lobe coat = isotropicLobe(clampedCosine(coatN, h), clampedCosine(coatN, v), coatNDotL, hDotL,
                                       s.coatRoughness, glm::vec3(s.coatF0), glm::vec3(1.0f));
-      const glm::vec3 through = 1.0f - coat.fresnel * s.coatStrength;
+      const glm::vec3 under = 1.0f - coat.fresnel * s.coatStrength;
       sum += coat.specular * radiance * coatNDotL * s.coatStrength;
-      base.specular *= through * through;
-      diffuse *= through;
+      base.specular *= under * under;
+      diffuse *= under;
     }
     sum += radiance * (diffuse + base.specular) * nDotL;
   }

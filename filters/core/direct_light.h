@@ -8,8 +8,9 @@
 
 namespace boxprobe {
 
-/// Both lobes and the coat, before ambient occlusion. `f0` and `f90` as in the shader.
+/// Both lobes and the coat, before ambient occlusion. `f0` and `f90` as in the shader; `through`: how much of each
+/// light arrives, null for all of it.
 glm::vec3 directLight(const SurfacePoint& surface, const glm::vec3& f0, const glm::vec3& f90,
-                      const std::vector<Light>& lights);
+                      const std::vector<Light>& lights, const std::vector<glm::vec3>* through = nullptr);
 
 }  // namespace boxprobe

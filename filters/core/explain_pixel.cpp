@@ -8,8 +8,10 @@
 
 #include "filters/core/direct_light.h"
 #include "filters/core/fixed_text.h"
+#include "filters/core/explain_shadow.h"
 #include "filters/core/lookup_record.h"
 #include "filters/core/probe_shares.h"
+#include "filters/math/coverage.h"
 #include "filters/math/distance_cube.h"
 
 namespace boxprobe {
@@ -54,6 +56,37 @@ float brightest(const std::vector<Lookup>& lookups, const CubeMap& map) {
     }
   }
   return result;
+}
+
+/// The sky that shows where a probe's lookups cover nothing: along R for all of them, or each along its own way, as
+/// shaders/gpu/open_sky.glsl and fetch_probe_open.glsl.
+void explainOpening(ProbeExplanation& e, const RecordedLookups& record, const shading::ProbeShape& shape,
+                    const shading::ShadingPoint& point, const BakedMaps& sky, const glm::vec3& reflection,
+                    const glm::mat3* worldFromProbe, bool byLookup) {
+  const float maxLevel = sky.radiance.maxLevel();
+  e.openByLookup = byLookup;
+  if (!byLookup) {
+    e.coverage = std::clamp(record.value.a, 0.0f, 1.0f);
+    e.openSkyLevel = shading::levelForRoughness(point.roughness, maxLevel);
+    e.openSky = glm::vec3(sky.radiance.fetch(reflection, e.openSkyLevel));
+    e.openLookups = 1;
+    return;
+  }
+  glm::vec3 sum(0.0f);
+  float open = 0.0f;
+  for (const Lookup& lookup : record.lookups) {
+    const float share = std::clamp(1.0f - lookup.coverage, 0.0f, 1.0f);
+    if (share <= 0.0f) continue;
+    const glm::vec4 out =
+        shading::openLookup(shape, point.position, lookup.direction, lookup.level, point.roughness * point.roughness);
+    const glm::vec3 along = worldFromProbe != nullptr ? *worldFromProbe * glm::vec3(out) : glm::vec3(out);
+    e.openSkyLevel = shading::levelForRoughness(out.w, maxLevel);
+    sum += lookup.weight * share * glm::vec3(sky.radiance.fetch(along, e.openSkyLevel));
+    open += lookup.weight * share;
+    ++e.openLookups;
+  }
+  e.coverage = 1.0f - open;
+  e.openSky = open > 0.0f ? sum / open : sum;
 }
 
 /// What one probe gives: the technique run once more with every fetch recorded.
@@ -134,9 +167,9 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
     }
     e.specular = glm::vec3(record.value);
     if (probe.open && sky != nullptr) {
-      e.coverage = std::clamp(record.value.a, 0.0f, 1.0f);
-      e.openSkyLevel = shading::levelForRoughness(roughness, sky->radiance.maxLevel());
-      e.openSky = glm::vec3(sky->radiance.fetch(reflection, e.openSkyLevel));
+      const glm::mat3 worldFromProbe(g.worldFromProbe);
+      explainOpening(e, record, shape, point, *sky, reflection, g.rotated ? &worldFromProbe : nullptr,
+                     looksUpPieces(g.technique));
     }
     e.lookups = record.lookups;
     if (distances) {
@@ -219,11 +252,11 @@ Gathered gather(const ExplainInput& in, const glm::vec3& normal, float roughness
     given += share;
     out.specular += share * p.occlusion.value_or(1.0f) * p.specular;
     if (p.coverage) {
-      out.specular += share * (1.0f - *p.coverage) * p.openSky;
-      ++out.lookups;
+      out.specular += share * (p.openByLookup ? p.occlusion.value_or(1.0f) : 1.0f) * (1.0f - *p.coverage) * p.openSky;
+      out.lookups += p.openLookups;
       for (const TexelShare& t : in.skyMaps->radiance.footprint(reflection, p.openSkyLevel)) {
-        out.brightestTexel =
-            std::max(out.brightestTexel, largestComponent(in.skyMaps->radiance.texel(t.level, t.face, t.column, t.row)));
+        out.brightestTexel = std::max(out.brightestTexel,
+                                      largestComponent(in.skyMaps->radiance.texel(t.level, t.face, t.column, t.row)));
       }
     }
     out.irradiance += share * p.irradiance;
@@ -364,7 +397,10 @@ Explanation explainPixel(const ExplainInput& in) {
   e.f0 = glm::mix(glm::vec3(s.baseF0), s.albedo, s.metallic);
   const float f90 = std::clamp(glm::dot(e.f0, glm::vec3(50.0f * 0.33f)), 0.0f, 1.0f);
   const glm::vec3 edge = glm::mix(glm::vec3(f90), glm::vec3(1.0f), s.metallic);
-  e.direct = directLight(s, e.f0, edge, in.lights);
+  std::vector<glm::vec3> through(in.lights.size(), glm::vec3(1.0f));
+  if (in.lighting == ExplainInput::Lighting::Probes) e.shadows = explainShadows(in);
+  for (const LightShadow& shadow : e.shadows) through[static_cast<std::size_t>(shadow.light)] = shadow.through;
+  e.direct = directLight(s, e.f0, edge, in.lights, &through);
 
   if (in.lighting == ExplainInput::Lighting::Probes) {
     const std::optional<shading::GlassView> through =
@@ -394,6 +430,7 @@ Explanation explainPixel(const ExplainInput& in) {
     e.skyLevel = light.skyLevel;
     e.skyValue = light.skyValue;
     e.lookupCount = light.lookups;
+    for (const LightShadow& shadow : e.shadows) e.lookupCount += static_cast<int>(shadow.probes.size());
     e.brightestTexel = light.brightestTexel;
     if (s.coatStrength > 0.0f) {
       const float coatNDotV = std::clamp(glm::dot(s.coatNormalWorld, s.viewWorld), 1.0e-5f, 1.0f);

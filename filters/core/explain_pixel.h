@@ -3,6 +3,8 @@
 // GL.
 #pragma once
 
+#include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <string>
 #include <vector>
 
@@ -19,13 +21,23 @@ namespace boxprobe {
 /// A probe of the draw, most important first.
 struct ExplainedProbe {
   std::string name;
-  int index = 0;                    ///< in the scene's list
-  int group = 0;                    ///< of equal importance, from 0
-  ProbeGeometry geometry;           ///< its technique is what draws it
-  const BakedMaps* maps = nullptr;  ///< null: not captured yet
-  bool automatic = false;           ///< its technique was chosen for the object's roughness
-  bool open = false;                ///< the sky shows where it saw nothing
-  ShCoefficients openSky{};         ///< its diffuse light that comes in there
+  int index = 0;                      ///< in the scene's list
+  int group = 0;                      ///< of equal importance, from 0
+  ProbeGeometry geometry;             ///< its technique is what draws it
+  const BakedMaps* maps = nullptr;    ///< null: not captured yet
+  bool automatic = false;             ///< its technique was chosen for the object's roughness
+  bool open = false;                  ///< the sky shows where it saw nothing
+  ShCoefficients openSky{};           ///< its diffuse light that comes in there
+  const CubeMap* coverage = nullptr;  ///< what it lets through, in levels of plain means; null: not known yet
+  std::uint32_t shadowLights = 0;     ///< a bit for each light that its coverage stands before
+};
+
+/// A depth map of what moves, as a light sees it.
+struct MovingMap {
+  int light = 0;
+  int size = 0;
+  std::vector<float> depth;  ///< rows from the bottom
+  glm::dmat4 mapFromWorld{1.0};
 };
 
 struct ExplainInput {
@@ -43,6 +55,8 @@ struct ExplainInput {
   std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as such
   /// Of a planar mirror whose picture is shown, relative to the eye, its texels read back; null: none.
   const shading::MirrorLook* mirror = nullptr;
+  std::vector<int> shadowLights;  ///< those that this draw asks a probe's coverage about
+  std::vector<MovingMap> movingMaps;
 };
 
 /// Total: whatever is undefined is left out and said in `notes`.

@@ -48,6 +48,7 @@ struct Lookup {
   float roughness = 0.0f;  ///< what that level was baked for
   float weight = 0.0f;     ///< share of the technique's value
   glm::vec3 value{0.0f};   ///< what came back
+  float coverage = 1.0f;   ///< its alpha
   std::vector<TexelShare> texels;
 };
 
@@ -83,6 +84,8 @@ struct ProbeExplanation {
   std::optional<float> coverage;
   glm::vec3 openSky{0.0f};
   float openSkyLevel = 0.0f;
+  int openLookups = 0;        ///< of the sky, for that
+  bool openByLookup = false;  ///< it is the mean of what each lookup looked out to; the level is that of the last
   std::vector<Lookup> lookups;
 };
 
@@ -94,6 +97,24 @@ struct MirrorExplanation {
   float hitDistance = 0.0f;  ///< along R to what is met; meaningless without coverage
   float level = 0.0f;        ///< whose texels are as large as the lobe there
   int fetches = 0;
+};
+
+/// What one probe lets through of a light outside of its box.
+struct ProbeShadow {
+  std::string name;
+  float distance = 0.0f;  ///< along the way to the light to where it leaves the box, scene units
+  glm::dvec3 hitWorld{0.0};
+  float level = 0.0f;  ///< of the chain of what the probe lets through
+  glm::vec3 through{0.0f};
+};
+/// What stands between the surface and one light.
+struct LightShadow {
+  int light = 0;  ///< in the scene's list
+  glm::vec3 toLight{0.0f};
+  bool facesAway = false;           ///< the surface does: no light, no lookup
+  std::vector<ProbeShadow> probes;  ///< those whose coverage stands before it
+  std::optional<float> moving;      ///< factor of a map of what moves, if the light has one
+  glm::vec3 through{0.0f};          ///< in all, by the probes' shares
 };
 
 struct Explanation {
@@ -116,6 +137,7 @@ struct Explanation {
   glm::vec3 skyValue{0.0f};
   std::optional<MirrorExplanation> mirror;  ///< empty: no mirror, or one without a picture here
   std::vector<ProbeExplanation> probes;  ///< in the order of the draw, most important first
+  std::vector<LightShadow> shadows;      ///< of lights that ask for them
   glm::vec3 color{0.0f};                 ///< computed here
   std::optional<glm::vec3> rendered;     ///< the same pixel as the GPU drew it
   /// Position in `probes` of the one with the largest share of the pixel: the one that views show. -1: none.

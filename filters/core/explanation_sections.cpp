@@ -232,7 +232,9 @@ void addLookups(const Explanation& e, const ProbeExplanation& p, const Explanati
   rows.push_back(light("L_spec", p.specular, "the probe's reflected light: its fetches by their shares"));
   if (p.coverage) {
     rows.push_back(scalar("a", *p.coverage, "", "how much of that the probe covers; the sky shows for 1 - a"));
-    rows.push_back(light("L_sky", p.openSky, "the sky along R, uncorrected, at level " + fixedText(p.openSkyLevel, 2)));
+    rows.push_back(light("L_sky", p.openSky,
+                         p.openByLookup ? "the sky each lookup looks out to, their mean"
+                                        : "the sky along R, uncorrected, at level " + fixedText(p.openSkyLevel, 2)));
   }
   if (p.occlusion) rows.push_back(scalar("o", *p.occlusion, "", "factor of L_spec: box occlusion by the distance d"));
   rows.push_back(light("E/pi", p.irradiance, "its light from all around N, for the diffuse part"));
@@ -304,6 +306,21 @@ ExplanationSection mirrorSection(const Explanation& e) {
   return section;
 }
 
+ExplanationSection shadowSection(const LightShadow& shadow) {
+  ExplanationSection section{"Light " + std::to_string(shadow.light) + ": what lets it through", {}, -1};
+  auto& rows = section.rows;
+  rows.push_back(vector("L", shadow.toLight, "", "towards the light"));
+  for (const ProbeShadow& p : shadow.probes) {
+    rows.push_back(scalar("d", p.distance, kLength, "along L to where it leaves the box of probe \"" + p.name + "\""));
+    rows.push_back(vector("H", p.hitWorld, kLength, "there; what the probe's coverage is looked up for"));
+    rows.push_back(light("T", p.through, "1 - coverage, coloured by glass, at level " + fixedText(p.level, 2)));
+  }
+  if (shadow.moving) rows.push_back(scalar("m", *shadow.moving, "", "factor of the shadow map of what moves"));
+  rows.push_back(light("through", shadow.through,
+                       shadow.facesAway ? "none: the surface faces away from it" : "factor of the light in `direct`"));
+  return section;
+}
+
 ExplanationSection sumSection(const Explanation& e) {
   ExplanationSection section{"Sum", {}, -1};
   auto& rows = section.rows;
@@ -363,6 +380,7 @@ std::vector<ExplanationSection> explanationSections(const Explanation& e, const 
   if (e.skyWeight > 0.0f) sections.push_back(skySection(e));
   if (e.glass) sections.push_back(glassSection(e));
   if (e.mirror) sections.push_back(mirrorSection(e));
+  for (const LightShadow& shadow : e.shadows) sections.push_back(shadowSection(shadow));
   sections.push_back(sumSection(e));
   return sections;
 }

@@ -22,6 +22,7 @@ class Recorder : public shading::CubeSampler {
       lookup.texels = map_->footprint(inMap, level);
       value = map_->fetch(inMap, level);
       lookup.value = glm::vec3(value);
+      lookup.coverage = value.a;
     }
     lookups.push_back(std::move(lookup));
     return value;

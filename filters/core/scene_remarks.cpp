@@ -4,6 +4,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "filters/core/field_error.h"
+#include "filters/core/light_shadow.h"
 #include "filters/core/model.h"
 #include "filters/core/nearest_name.h"
 #include "filters/core/number_text.h"
@@ -65,6 +66,20 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   budgetRemarks(remarks, probe);
 }
 
+void lightRemarks(Remarks& remarks, const Scene& scene, std::size_t index) {
+  const Light& light = scene.lights[index];
+  if (light.shadows == LightShadows::None) return;
+  const KeyPath path{"lights", "[" + std::to_string(index) + "]", "shadows"};
+  if (scene.probes.empty()) return remark(remarks, path, "need a probe, whose coverage throws them.");
+  if (index >= kMostShadowLights) {
+    return remark(remarks, path, "are thrown of the first " + std::to_string(kMostShadowLights) + " lights only.");
+  }
+  for (const Probe& probe : scene.probes) {
+    if (lightOutside(light, probe)) continue;
+    remark(remarks, path, "has no effect in probe \"" + probe.name + "\", in whose box the light itself lies.");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> featuresNotUsed(const Scene& scene) {
@@ -77,6 +92,7 @@ std::vector<std::string> featuresNotUsed(const Scene& scene) {
     remark(remarks, {"probes", probe.name, "mode"},
            "is realtime: it sees what moves, and a planar mirror in its reach shows that a second time.");
   }
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) lightRemarks(remarks, scene, i);
   return remarks;
 }
 

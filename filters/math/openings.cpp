@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "filters/math/cube_filter.h"
+
 namespace boxprobe {
 
 CubeMap reducedCube(const CubeMap& cube) {
@@ -12,7 +14,8 @@ CubeMap reducedCube(const CubeMap& cube) {
     for (int row = 0; row < size; ++row) {
       for (int column = 0; column < size; ++column) {
         glm::vec4 sum(0.0f);
-        for (int k = 0; k < step * step; ++k) sum += cube.texel(0, face, column * step + k % step, row * step + k / step);
+        for (int k = 0; k < step * step; ++k)
+          sum += cube.texel(0, face, column * step + k % step, row * step + k / step);
         reduced.setTexel(0, face, column, row, share * sum);
       }
     }
@@ -52,6 +55,22 @@ ShCoefficients skyThroughOpenings(const CubeMap& coverage, const glm::dmat3& wor
     }
   }
   return irradianceCoefficients(faces, size, worldFromMap);
+}
+
+CubeMap throughChain(const CubeMap& coverage, const CubeMap* tint, bool openIfWhole) {
+  const int size = coverage.faceSize();
+  CubeMap chain(size, fullLevels(size));
+  const bool open = openIfWhole && !anyOpening(coverage);
+  for (int face = 0; face < 6; ++face) {
+    for (int i = 0; i < size * size; ++i) {
+      const int column = i % size, row = i / size;
+      const float through = open ? 1.0f : std::clamp(1.0f - coverage.texel(0, face, column, row).a, 0.0f, 1.0f);
+      const glm::vec3 color = tint != nullptr ? glm::vec3(tint->texel(0, face, column, row)) : glm::vec3(1.0f);
+      chain.setTexel(0, face, column, row, glm::vec4(through * color, 1.0f));
+    }
+  }
+  makeSourceLevels(chain);
+  return chain;
 }
 
 }  // namespace boxprobe

@@ -22,4 +22,8 @@ bool anyOpening(const CubeMap& coverage);
 /// premultiplied radiance. `worldFromMap`: rotation of the coverage's axes; the sky's are the world's.
 ShCoefficients skyThroughOpenings(const CubeMap& coverage, const glm::dmat3& worldFromMap, const CubeMap& sky);
 
+/// What a cube lets through, 1 - alpha of level 0, in levels of plain means down to one texel. `tint`: one level of the
+/// colour of glass, null where there is none; `openIfWhole`: a picture that covers everything says nothing of openings.
+CubeMap throughChain(const CubeMap& coverage, const CubeMap* tint = nullptr, bool openIfWhole = false);
+
 }  // namespace boxprobe

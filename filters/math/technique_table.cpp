@@ -46,6 +46,13 @@ Technique withoutProjection(Technique technique) {
   return technique;
 }
 
+bool looksUpPieces(Technique technique) {
+  const std::string_view projection = projectionRows()[static_cast<std::size_t>(technique.projection)].id;
+  const std::string_view evaluation = evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id;
+  return (projection == "box" || projection == "impostor") &&
+         (evaluation == "raytraced" || evaluation.substr(0, 9) == "footprint");
+}
+
 Technique standInFor(Technique technique) {
   const std::string_view id = evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn;
   if (!id.empty()) technique.evaluation = *rowOf(evaluationRows(), id);

@@ -11,9 +11,11 @@ namespace boxprobe {
 
 CaptureLight::CaptureLight(const Scene& scene, std::shared_ptr<const ImageRgbaF> skyImage)
     : sky_(scene.sky, std::move(skyImage), scene.skyRotationDegrees), brdf_(makeBrdfTable()), lights_(scene.lights) {
-  for (const Probe& probe : scene.probes) probes_.push_back(probeGeometry(probe, probe.origin));
+  for (const Probe& probe : scene.probes) {
+    probes_.push_back({probeGeometry(probe, probe.origin), std::holds_alternative<ClearToOpen>(probe.clear)});
+  }
   std::stable_sort(probes_.begin(), probes_.end(),
-                   [](const ProbeGeometry& a, const ProbeGeometry& b) { return a.importance > b.importance; });
+                   [](const auto& a, const auto& b) { return a.importance > b.importance; });
 }
 
 // The weights of shaders/gpu/probe_lighting.glsl, with no probe's map there yet.
@@ -23,11 +25,11 @@ CaptureLight::Shares CaptureLight::shares(const glm::dvec3& position) const {
     std::size_t end = first;
     float sum = 0.0f, lit = 0.0f;
     for (; end < probes_.size() && probes_[end].importance == probes_[first].importance; ++end) {
-      const ProbeGeometry& g = probes_[end];
+      const LightingProbe& g = probes_[end];
       const glm::vec3 p(glm::transpose(g.worldFromProbe) * (position - g.originWorld));
       const float weight = shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
       sum += weight;
-      lit += weight * g.intensity;
+      lit += g.open ? 0.0f : weight * g.intensity;
     }
     result.diffuse += result.sky * shading::groupScale(sum) * lit;
     result.sky = shading::remainingAfter(result.sky, sum);

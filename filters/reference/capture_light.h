@@ -42,7 +42,10 @@ class CaptureLight {
   ReferenceSky sky_;
   BrdfTable brdf_;
   std::vector<Light> lights_;
-  std::vector<ProbeGeometry> probes_;  ///< most important first
+  struct LightingProbe : ProbeGeometry {
+    bool open = false;  ///< its captures go without the sky's light
+  };
+  std::vector<LightingProbe> probes_;  ///< most important first
 };
 
 }  // namespace boxprobe

@@ -106,9 +106,11 @@ void BakeRunner::captureFace(const FaceSource& source, int face) {
     Drawing(const BakeItem& i, DrawState& s) : item(i), state(s) {
       if (item.drawing) item.drawing(true);
       state.firstBounce = item.reflectNothing;
+      state.movingShadowsOn = false;
     }
     ~Drawing() {
       state.firstBounce = false;
+      state.movingShadowsOn = true;
       if (item.drawing) item.drawing(false);
     }
   };

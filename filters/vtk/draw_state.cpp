@@ -25,6 +25,10 @@ bool ProbeBinding::open() const {
   return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->open; });
 }
 
+bool ProbeBinding::openByLookup(std::size_t slot) const {
+  return probes[slot]->open && looksUpPieces(technique(slot));
+}
+
 bool ProbeBinding::distances() const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (projectionRows()[static_cast<std::size_t>(technique(i).projection)].distances) return true;
@@ -108,6 +112,8 @@ std::string ProbeBinding::variantKey() const {
     if (probes[i]->geometry.occluded) key += 'o';
     if (probes[i]->open) key += 'y';
   }
+  for (const int light : shadowLights) key += " L" + std::to_string(light);
+  for (const int light : movingLights) key += " M" + std::to_string(light);
   return key;
 }
 

@@ -2,7 +2,9 @@
 // when they draw). Plain data.
 #pragma once
 
+#include <cstdint>
 #include <glm/ext/vector_int2.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -12,10 +14,12 @@
 #include <vector>
 
 #include "filters/core/counters.h"
+#include "filters/core/light_shadow.h"
 #include "filters/core/probe_geometry.h"
 #include "filters/math/automatic.h"
 #include "filters/math/cube_map.h"
 #include "filters/math/spherical_harmonics.h"
+#include "filters/vtk/coverage_texture.h"
 #include "filters/vtk/gl_objects.h"
 #include "filters/vtk/light_texture.h"
 #include "filters/vtk/relief_texture.h"
@@ -43,7 +47,12 @@ struct ProbeMaps {
   mutable ReliefTexture relief;
   /// Made when a probe that lets the sky through first shows these maps.
   mutable std::shared_ptr<const Openings> openings;
-  std::size_t bytes() const { return radiance.bytes() + distance.bytes() + light.bytes() + relief.bytes(); }
+  /// Made when a draw first asks what a light shines through.
+  mutable CoverageTexture coverage;
+  mutable std::shared_ptr<const CubeMap> tint;  ///< of the glass it shows (glass_tint.h); null: there is none
+  std::size_t bytes() const {
+    return radiance.bytes() + distance.bytes() + light.bytes() + relief.bytes() + coverage.bytes();
+  }
 };
 
 /// A probe as draws see it. `maps` is null until the first capture is complete; it then gives nothing.
@@ -53,8 +62,10 @@ struct DrawnProbe {
   std::shared_ptr<const ProbeMaps> maps;
   /// What `auto` goes by; null: by what was measured elsewhere.
   std::shared_ptr<const TechniqueErrors> errors;
-  bool open = false;          ///< the sky shows where the probe saw nothing, and there is such a place
-  ShCoefficients openSky{};   ///< its diffuse light that comes in there, to be added to the maps'
+  bool open = false;               ///< the sky shows where the probe saw nothing, and there is such a place
+  ShCoefficients openSky{};        ///< its diffuse light that comes in there, to be added to the maps'
+  std::uint32_t shadowLights = 0;  ///< a bit for each light that asks for shadows and lies outside of its box
+  bool imported = false;           ///< from a picture, which may have no coverage
 };
 
 enum class Lighting {
@@ -73,8 +84,10 @@ struct ProbeBinding {
   bool onlyProbes = false;    ///< what they leave to it goes to them, wherever one has weight
   std::vector<float> shares;  ///< of all of the object, in place of weights a pixel; empty: those
   float skyShare = 1.0f;      ///< beside `shares`
-  std::size_t leftOut = 0;    ///< probes that reach the object and are more than a draw can have
-  bool diffuse = true;        ///< false: the material is all metal
+  /// Lights that a probe's coverage stands before, and those of them with maps of what moves; in the scene's order.
+  std::vector<int> shadowLights, movingLights;
+  std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
+  bool diffuse = true;      ///< false: the material is all metal
 
   /// What draws each: the probe's own technique, or what `auto` chose for this object. Empty: their own.
   std::vector<Technique> techniques;
@@ -94,8 +107,9 @@ struct ProbeBinding {
   bool rotated() const;
   bool bevelled() const;
   bool occluded() const;
-  /// Does the sky show through a probe?
+  /// Does the sky show through a probe? And lookup by lookup?
   bool open() const;
+  bool openByLookup(std::size_t slot) const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
   /// Does a technique of a probe read the parameter, set to that choice?
@@ -113,6 +127,19 @@ struct DebugDraw {
   GLuint colorMap = 0;  ///< 256 x 1
 };
 
+/// Side of the maps of what moves, texels.
+constexpr int kMovingMapSize = 1024;
+struct MovingShadow {
+  int light = 0;
+  GLuint texture = 0;
+  glm::dmat4 mapFromWorld{1.0};
+};
+/// What a light that asks for shadows looks like.
+struct ShadowLight {
+  LightSize size;
+  float levelsPerUnit = -1.0f;  ///< negative: by its size; 0: the probe's own
+};
+
 /// One for all mappers of a scene renderer.
 struct DrawState {
   float exposure = 1.0f;     ///< negative: linear output
@@ -124,6 +151,10 @@ struct DrawState {
   GLuint blackCube = 0;  ///< stands in for maps not captured yet
   Counters counters;
   DebugDraw debug;
+  std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
+  std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about
+  std::vector<MovingShadow> movingShadows;
+  bool movingShadowsOn = true;     ///< not in captures of what stands still
   glm::ivec2 pixelOrigin{0};       ///< where in the picture the framebuffer's lower left lies
   int frame = 0;                   ///< of those that are averaged
   glm::vec4 heightPlaneView{0.0f};  ///< of the mirror whose picture is being drawn, view space; see mirrored_output.glsl

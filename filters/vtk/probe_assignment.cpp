@@ -87,6 +87,16 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
     const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();
     if (costly && object.roughnessMax <= 0.0) technique.evaluation = parseTechnique("none")->evaluation;
   }
+  for (std::size_t light = 0; light < std::min(scene.lights.size(), kMostShadowLights); ++light) {
+    const bool asked = std::any_of(binding->probes.begin(), binding->probes.end(),
+                                   [&](const auto& probe) { return (probe->shadowLights >> light & 1u) != 0; });
+    if (!asked) continue;
+    binding->shadowLights.push_back(static_cast<int>(light));
+    const bool moves = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                   [](const auto& entry) { return entry.second.dynamic && entry.second.visible; });
+    if (moves && scene.lights[light].shadows == LightShadows::CoverageAndMap)
+      binding->movingLights.push_back(static_cast<int>(light));
+  }
   if (object.settings.weights == WeightMode::Object && binding->weights && !order.empty()) {
     std::vector<float> weights;
     for (const std::size_t i : order) weights.push_back(static_cast<float>(objectWeight(scene.probes[i], bounds)));

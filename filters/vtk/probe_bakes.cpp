@@ -189,10 +189,12 @@ void ProbeSet::finish(const Job& job, FaceKeys faces, std::shared_ptr<const Prob
   const auto index = find(job.name);
   if (job.kind == JobKind::Drag) {
     // Dragged back to where it was: the final maps are there already.
+    if (index) addTint(*index, *maps);
     if (index && entries_[*index].shown != entries_[*index].wanted) show(*index, job.key, std::move(maps));
     replan();
     return;
   }
+  if (index) addTint(*index, *maps);
   // Maps of a bounce before the last are shown for the time being, but not in place of final ones.
   const bool last = index && job.key == entries_[*index].wanted;
   if (index && (last || stale(*index))) show(*index, job.key, maps);
@@ -267,6 +269,7 @@ void ProbeSet::finishRealtime(const Job& job, const Probe& as, const FaceKeys& f
     Entry& entry = entries_[*index];
     const std::string key = realtimeKey(as, faces);
     if (key == entry.wanted && entry.shown == key && entry.passes > 0) --entry.passes;
+    addTint(*index, *maps);
     show(*index, key, std::move(maps));
     entry.faces = keepsCapture(as) ? faces : FaceKeys{};
     entry.again = entry.fromFile = false;

@@ -71,6 +71,7 @@ void ProbeSet::updateShapes() {
     drawn.index = static_cast<int>(i);
     drawn.geometry = geometryOf(probe, drawn.maps.get());
   }
+  updateShadowLights();
   updateOpenings();  // the caller assigns
   index_ = ProbeIndex(content_->scene.probes);
 }

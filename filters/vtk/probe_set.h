@@ -134,6 +134,9 @@ class ProbeSet {
   /// Returns whether a probe begins or ceases to let the sky through: another program.
   bool updateOpenings();
   void showOpenings();
+  void updateShadowLights();
+  /// Adds to maps that are new what their coverage does not tell.
+  void addTint(std::size_t index, const ProbeMaps& maps) const;
   /// For a capture that must not change with the sky.
   std::function<void(bool)> withoutSky(std::function<void(bool)> drawing);
   bool capturesLast() const;

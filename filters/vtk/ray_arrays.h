@@ -17,10 +17,12 @@ enum class RayKind : int {
   Error = 6,      ///< H to the true hit
   Within = 7,     ///< of glass: P through it to where the light leaves, a line for each time it is mirrored
   Refracted = 8,  ///< of glass: from there to H; MaximumLength where there is no proxy to hit
+  Shadow = 9,     ///< P towards a light that asks for shadows, to where it leaves the probe's box
 };
-inline constexpr int kRayKinds = 9;
+inline constexpr int kRayKinds = 10;
 inline constexpr std::string_view kRayKindNames[kRayKinds] = {
-    "eye ray", "normal", "reflected ray", "lookup", "sample", "true hit", "error", "within glass", "refracted ray"};
+    "eye ray", "normal", "reflected ray", "lookup", "sample", "true hit", "error", "within glass", "refracted ray",
+    "shadow ray"};
 
 /// Array "status": 0, or the sum of what is unusual at the point or between point and probe.
 enum RayStatus : int {
@@ -47,6 +49,7 @@ inline constexpr const char* kLevel = "level";                // double, of the 
 inline constexpr const char* kWeight = "weight";              // double, the probe's share of the point, 0..1
 inline constexpr const char* kLookupShare = "lookupShare";    // double, the fetch's share of the technique's value
 inline constexpr const char* kTrueDistance = "trueDistance";  // double, P to the scene along R, scene units
+inline constexpr const char* kThrough = "through";            // double, of the light, mean of its colours, 0..1
 inline constexpr const char* kError = "error";                // double, H to the true hit, scene units
 // Field arrays of strings, so that a file explains itself.
 inline constexpr const char* kProbeNames = "probeNames";

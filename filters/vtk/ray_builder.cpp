@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "filters/core/explain_shadow.h"
+#include "filters/core/light_shadow.h"
 #include "filters/vtk/ray_scene.h"
 
 namespace boxprobe {
@@ -153,6 +155,7 @@ void RayBuilder::addProbe(int point, const SurfaceRay& ray, int probe, float sha
   }
   add(line);
   addLookups(line, found, p, ray);
+  addShadows(line, ray, probe);
   if (truth) {
     line.kind = RayKind::TrueHit;
     line.to = trueHit;
@@ -162,6 +165,29 @@ void RayBuilder::addProbe(int point, const SurfaceRay& ray, int probe, float sha
     line.kind = RayKind::Error;
     line.from = found.hitWorld;
     line.to = trueHit;
+    add(line);
+  }
+}
+
+void RayBuilder::addShadows(const RayLine& common, const SurfaceRay& ray, int probe) {
+  const RayProbe& p = settings_.probes[static_cast<std::size_t>(probe)];
+  ExplainedProbe explained;
+  explained.geometry = p.geometry;
+  explained.coverage = p.coverage.get();
+  for (std::size_t i = 0; i < std::min(settings_.lights.size(), kMostShadowLights); ++i) {
+    if ((p.shadowLights >> i & 1u) == 0) continue;
+    const ShadowRay found = shadowRay(explained, ray.positionWorld, ray.positionWorld, settings_.lights[i]);
+    if (glm::dot(ray.normalWorld, glm::dvec3(found.toLight)) <= 0.0) continue;
+    RayLine line = common;
+    line.kind = RayKind::Shadow;
+    line.to = line.hitPoint = found.shadow.hitWorld;
+    line.hitDistance = static_cast<double>(found.shadow.distance);
+    line.direction = found.shadow.hitWorld - p.geometry.originWorld;
+    line.face = -1;
+    line.trueDistance = line.error = -1.0;
+    line.level = p.coverage ? static_cast<double>(found.shadow.level) : -1.0;
+    const glm::vec3& t = found.shadow.through;
+    line.through = p.coverage ? static_cast<double>(t.x + t.y + t.z) / 3.0 : -1.0;
     add(line);
   }
 }

@@ -17,6 +17,7 @@ class RayScene;
 struct RaySettings {
   RayView view;
   std::vector<RayProbe> probes;
+  std::vector<Light> lights;
   std::array<bool, kRayKinds> kinds{};
   double maximumLength = 100.0;  ///< of what has no end of its own, scene units
   double normalLength = 0.25;
@@ -38,6 +39,7 @@ class RayBuilder {
   void add(const RayLine& line);
   void addSkyRay(int point, const SurfaceRay& ray);
   void addProbe(int point, const SurfaceRay& ray, int probe, float share, std::optional<double> sceneDistance);
+  void addShadows(const RayLine& common, const SurfaceRay& ray, int probe);
   void addLookups(const RayLine& common, const ProbeRay& found, const RayProbe& probe, const SurfaceRay& ray);
 
   const RaySettings& settings_;

@@ -3,6 +3,7 @@
 // called by vtkProjectionRays, which turns the values into lines. Knows no VTK.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -29,6 +30,8 @@ struct RayProbe {
   float maxLevel = 0.0f;                     ///< last level of its chain
   std::shared_ptr<const CubeMap> distances;  ///< null or empty: not known
   LazyRelief relief;                         ///< of them
+  std::shared_ptr<const CubeMap> coverage;   ///< what it lets through, levels of plain means; null: not known
+  std::uint32_t shadowLights = 0;            ///< a bit for each light that it stands before
 };
 
 /// What there is before any probe.

@@ -25,7 +25,8 @@ namespace {
 const std::vector<glm::vec3>& kindColors() {
   static const std::vector<glm::vec3> colors = {{0.45f, 0.78f, 1.00f}, {0.20f, 0.85f, 0.62f}, {1.00f, 0.65f, 0.10f},
                                                 {0.90f, 0.55f, 0.80f}, {0.97f, 0.91f, 0.35f}, {1.00f, 1.00f, 1.00f},
-                                                {1.00f, 0.36f, 0.16f}, {0.40f, 0.95f, 0.95f}, {0.30f, 0.60f, 1.00f}};
+                                                {1.00f, 0.36f, 0.16f}, {0.40f, 0.95f, 0.95f}, {0.30f, 0.60f, 1.00f},
+                                                {0.66f, 0.62f, 0.95f}};
   return colors;
 }
 

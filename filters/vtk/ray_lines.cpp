@@ -27,6 +27,7 @@ RayLines::RayLines() {
   lookupShare_->SetName(ray_array::kLookupShare);
   trueDistance_->SetName(ray_array::kTrueDistance);
   error_->SetName(ray_array::kError);
+  through_->SetName(ray_array::kThrough);
 }
 
 void RayLines::add(const RayLine& line) {
@@ -45,6 +46,7 @@ void RayLines::add(const RayLine& line) {
   lookupShare_->InsertNextValue(line.lookupShare);
   trueDistance_->InsertNextValue(line.trueDistance);
   error_->InsertNextValue(line.error);
+  through_->InsertNextValue(line.through);
 }
 
 void RayLines::writeTo(vtkPolyData* output, const std::vector<std::string>& probeNames) const {
@@ -58,7 +60,7 @@ void RayLines::writeTo(vtkPolyData* output, const std::vector<std::string>& prob
   output->SetLines(lines);
   for (vtkDataArray* array :
        std::initializer_list<vtkDataArray*>{kind_, status_, point_, probe_, face_, hitPoint_, hitDistance_, direction_,
-                                            level_, weight_, lookupShare_, trueDistance_, error_}) {
+                                            level_, weight_, lookupShare_, trueDistance_, error_, through_}) {
     output->GetCellData()->AddArray(array);
   }
   vtkNew<vtkStringArray> probes, kinds;

@@ -32,6 +32,7 @@ struct RayLine {
   double lookupShare = 0.0;
   double trueDistance = -1.0;
   double error = -1.0;
+  double through = -1.0;
 };
 
 class RayLines {
@@ -43,7 +44,8 @@ class RayLines {
  private:
   vtkNew<vtkDoubleArray> points_;
   vtkNew<vtkIntArray> kind_, status_, point_, probe_, face_;
-  vtkNew<vtkDoubleArray> hitPoint_, hitDistance_, direction_, level_, weight_, lookupShare_, trueDistance_, error_;
+  vtkNew<vtkDoubleArray> hitPoint_, hitDistance_, direction_, level_, weight_, lookupShare_, trueDistance_, error_,
+      through_;
 };
 
 }  // namespace boxprobe

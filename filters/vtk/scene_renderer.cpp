@@ -14,6 +14,7 @@
 #include "filters/vtk/cube_transfer.h"
 #include "filters/vtk/frame_recorder.h"
 #include "filters/vtk/mirror_set.h"
+#include "filters/vtk/moving_shadows.h"
 #include "filters/vtk/picture_frames.h"
 #include "filters/vtk/preview_sphere.h"
 #include "filters/vtk/probe_set.h"
@@ -34,7 +35,8 @@ struct SceneRenderer::Impl {
         inspector(w, state, &content),
         frames(w, renderer, state, &content),
         mirrors(w, state, &content),
-        sphere(w, renderer, state) {}
+        sphere(w, renderer, state),
+        shadows(w, state, &content) {}
 
   vtkOpenGLRenderWindow* window;
   std::shared_ptr<DrawState> state;
@@ -49,6 +51,7 @@ struct SceneRenderer::Impl {
   PictureFrames frames;
   MirrorSet mirrors;
   PreviewSphere sphere;
+  MovingShadows shadows;
   ViewLegend legend;
   SurfaceViewSettings view;
   bool interactive = false;
@@ -112,8 +115,9 @@ void SceneRenderer::Impl::beginFrame() {
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   state->exposure = static_cast<float>(content.scene.exposure);
   state->counters.drawsByProbeCount = {};
-  state->counters.drawsWithOpenSky = state->counters.drawsWithCoverage = state->counters.shadowMapsDrawn = 0;
+  state->counters.drawsWithOpenSky = state->counters.drawsWithCoverage = 0;
   state->counters.glassDraws = state->counters.glassPasses = 0;
+  shadows.update();
   resetClippingRange();
   frames.beginFrame(view.view != 0);
   if (sphere.shown()) {
@@ -218,7 +222,8 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   }
   if (models || changes.lights) content.rebuildLights(d.renderer);
   if (changes.sky) content.rebuildSky();
-  if (objects || probes) {
+  if (objects || probes || changes.lights) {
+    d.shadows.sceneChanged();
     d.probes.updateShapes();
     d.probes.assignToObjects();
   }
@@ -251,6 +256,7 @@ std::vector<Explanation> SceneRenderer::explain(const std::vector<glm::ivec2>& p
   Impl& d = *impl_;
   d.window->MakeCurrent();
   makeStaticTextures(d.window, *d.state);
+  d.shadows.update();
   d.resetClippingRange();
   vtkCamera* camera = d.renderer->GetActiveCamera();
   d.drawMirrors(camera, static_cast<double>(width) / height, width, height, kMirrorSamples);
@@ -401,6 +407,7 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
   d.window->MakeCurrent();
   d.probes.setMoving(false);
   makeStaticTextures(d.window, *d.state);
+  d.shadows.update();
   d.resetClippingRange();
   std::vector<vtkProp*> props = d.content.shownProps(d.renderer);
   // The sky has no value in the debug view: it stays transparent.
@@ -554,6 +561,7 @@ void SceneRenderer::releaseGraphics() {
   d.window->MakeCurrent();
   d.frames.release();
   d.mirrors.release();
+  d.shadows.release();
   d.sphere.release();
   d.probes.release();
   d.capture.release();

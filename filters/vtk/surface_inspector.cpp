@@ -120,6 +120,7 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
   state_->pixelOrigin = glm::ivec2(0);
   state_->countDraws = countDraws;
 
+  readMovingMaps();
   std::vector<Explanation> result;
   result.reserve(pixels.size());
   for (const glm::ivec2& p : pixels) {
@@ -138,6 +139,18 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
     result.push_back(std::move(e));
   }
   return result;
+}
+
+void SurfaceInspector::readMovingMaps() {
+  movingMaps_.clear();
+  for (const MovingShadow& shadow : state_->movingShadows) {
+    MovingMap map{shadow.light, kMovingMapSize, {}, shadow.mapFromWorld};
+    map.depth.resize(std::size_t{kMovingMapSize} * kMovingMapSize);
+    const BoundTexture bound(window_, GL_TEXTURE_2D, shadow.texture);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, map.depth.data());
+    movingMaps_.push_back(std::move(map));
+  }
 }
 
 Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
@@ -164,6 +177,8 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     probe.maps = onCpu(drawn.maps).get();
     probe.open = drawn.open;
     probe.openSky = drawn.openSky;
+    probe.shadowLights = drawn.shadowLights;
+    if (drawn.maps) probe.coverage = drawn.maps->coverage.chain().get();
     in.probes.push_back(std::move(probe));
   }
   in.weights = binding.weights;
@@ -188,6 +203,8 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     look.picture = mirror->texels.get();
     in.mirror = &look;
   }
+  in.shadowLights = binding.shadowLights;
+  in.movingMaps = movingMaps_;
   Explanation e = explainPixel(in);
   e.rendered = pixel.color;
   return e;

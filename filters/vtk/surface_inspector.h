@@ -41,12 +41,14 @@ class SurfaceInspector {
   vtkProp* twinOf(std::size_t object);
   std::vector<vtkProp*> twinsAt(vtkCamera* camera, double aspect, const glm::dvec2& center, const glm::dvec2& halfSize);
   Explanation explainOne(const SurfacePixel& pixel);
+  void readMovingMaps();
 
   vtkOpenGLRenderWindow* window_;
   std::shared_ptr<DrawState> state_;
   SceneContent* content_;
   SurfaceCapture capture_;
   BrdfTable brdf_;
+  std::vector<MovingMap> movingMaps_;  ///< as the last explanation saw them
   std::map<std::size_t, Twin> twins_;
   struct Copy {
     std::weak_ptr<const ProbeMaps> of;

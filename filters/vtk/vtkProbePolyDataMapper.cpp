@@ -21,6 +21,7 @@
 #include "filters/vtk/broken_shader.h"
 #include "filters/vtk/camera_uniforms.h"
 #include "filters/vtk/glass_draw.h"
+#include "filters/vtk/coverage_uniforms.h"
 #include "filters/vtk/plain_surface.h"
 #include "filters/vtk/static_textures.h"
 #include "filters/vtk/vtk_pbr_splice.h"
@@ -230,6 +231,7 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
   if (this->State->countDraws && !this->Again) {
     this->Frame = this->State->counters.renders;
     ++this->State->counters.drawsByProbeCount[probes ? this->Drawn->probes.size() : 0];
+    this->State->counters.drawsWithCoverage += probes && !this->Drawn->shadowLights.empty() ? 1 : 0;
     this->State->counters.drawsWithOpenSky += probes && this->Drawn->open() ? 1 : 0;
   }
 }
@@ -276,6 +278,11 @@ void vtkProbePolyDataMapper::UploadProbes(vtkShaderProgram* program, vtkRenderer
   }
   if (!this->Drawn->probes.empty()) {
     this->UploadSlots(program, renderer);
+  }
+  if (!this->Drawn->shadowLights.empty()) {
+    const double* eye = renderer->GetActiveCamera()->GetPosition();
+    boxprobe::uploadCoverage(program, vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), *this->State,
+                             *this->Drawn, glm::dvec3(eye[0], eye[1], eye[2]), this->Bound);
   }
   if (this->DrawsGlass()) {
     this->UploadGlass(program, renderer);

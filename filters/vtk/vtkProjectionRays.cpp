@@ -14,7 +14,9 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "filters/core/light_shadow.h"
 #include "filters/core/scene.h"
+#include "filters/math/openings.h"
 #include "filters/vtk/prefilter.h"
 #include "filters/vtk/ray_builder.h"
 #include "filters/vtk/ray_scene.h"
@@ -32,15 +34,20 @@ struct FilterProbe {
   glm::dvec3 capturedRotation{0.0};
   std::shared_ptr<const CubeMap> distances;
   LazyRelief relief;  // of them
+  std::shared_ptr<const CubeMap> coverage;
 };
 
-RayProbe rayProbe(const FilterProbe& p) {
+RayProbe rayProbe(const FilterProbe& p, const std::vector<Light>& lights) {
   RayProbe result;
   result.name = p.probe.name;
   result.geometry = probeGeometry(p.probe, p.capturedAt.value_or(p.probe.origin), p.capturedRotation);
   result.maxLevel = static_cast<float>(p.maximumLevel.value_or(prefilterLevels(p.probe.faceSize) - 1));
   result.distances = p.distances;
   result.relief = p.relief;
+  result.coverage = p.coverage;
+  for (std::size_t i = 0; i < std::min(lights.size(), kMostShadowLights); ++i) {
+    if (lights[i].shadows != LightShadows::None && lightOutside(lights[i], p.probe)) result.shadowLights |= 1u << i;
+  }
   return result;
 }
 
@@ -52,6 +59,7 @@ bool finite(const glm::dvec3& v) {
 
 struct vtkProjectionRays::Internals {
   std::vector<FilterProbe> probes;
+  std::vector<Light> lights;
   std::array<bool, kRayKinds> kinds{};
   std::vector<RayGlass> glass;
   // Kept from one execution to the next while the scene is the same: its search structure is dear.
@@ -96,10 +104,11 @@ int vtkProjectionRays::RequestData(vtkInformation*, vtkInformationVector** input
   }
   std::vector<std::string> names;
   for (const FilterProbe& probe : d.probes) {
-    settings.probes.push_back(rayProbe(probe));
+    settings.probes.push_back(rayProbe(probe, d.lights));
     names.push_back(probe.probe.name);
   }
   settings.kinds = d.kinds;
+  settings.lights = d.lights;
   settings.maximumLength = this->MaximumLength;
   settings.normalLength = this->NormalLength;
   settings.contributingOnly = this->ContributingProbesOnly != 0;
@@ -268,6 +277,18 @@ void vtkProjectionRays::SetProbeDistances(int index, std::shared_ptr<const CubeM
   if (this->EditProbe(index, true) == nullptr) return;
   this->Internal->probes[static_cast<std::size_t>(index)].distances = std::move(distances);
   this->Internal->probes[static_cast<std::size_t>(index)].relief = {};
+}
+
+void vtkProjectionRays::SetProbeCoverage(int index, const CubeMap& radiance) {
+  if (this->EditProbe(index, true) == nullptr) return;
+  this->Internal->probes[static_cast<std::size_t>(index)].coverage =
+      std::make_shared<const CubeMap>(throughChain(radiance));
+}
+
+void vtkProjectionRays::SetLights(const std::vector<Light>& lights) {
+  if (this->Internal->lights == lights) return;
+  this->Internal->lights = lights;
+  this->Modified();
 }
 
 void vtkProjectionRays::PrintSelf(ostream& os, vtkIndent indent) {

@@ -25,6 +25,7 @@
 
 namespace boxprobe {
 class CubeMap;
+struct Light;
 struct Probe;
 struct RayGlass;
 }  // namespace boxprobe
@@ -114,6 +115,10 @@ class vtkProjectionRays : public vtkPolyDataAlgorithm {
   void SetProbeCapturedRotation(int index, double xDegrees, double yDegrees, double zDegrees);
   /** From the capture origin to what was seen (BakedMaps::distance); null: not known. */
   void SetProbeDistances(int index, std::shared_ptr<const boxprobe::CubeMap> distances);
+  /** What it was captured with, radiance and coverage (BakedMaps::radiance): how much of a light comes through. */
+  void SetProbeCoverage(int index, const boxprobe::CubeMap& radiance);
+  /** Lights: shadow rays go to those that ask for shadows and lie outside of the probe's box. */
+  void SetLights(const std::vector<boxprobe::Light>& lights);
   ///@}
 
   ///@{

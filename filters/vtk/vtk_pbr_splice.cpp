@@ -187,6 +187,26 @@ std::string applyFalloffs(std::string& text) {
   return {};
 }
 
+// Each light that a probe's coverage stands before, times what it lets through: in the lights' own loop, so that coats
+// and both lobes have it alike.
+std::string applyCoverage(std::string& text, const ProbeBinding& binding) {
+  for (std::size_t k = 0; k < binding.shadowLights.size(); ++k) {
+    const std::string n = std::to_string(binding.shadowLights[k]);
+    const std::string positional = "radiance = lightColor" + n + " * attenuation;";
+    const std::string directional = "radiance = lightColor" + n + ";";
+    const bool far = text.find(positional) == std::string::npos;
+    const auto& moving = binding.movingLights;
+    const bool moves = std::find(moving.begin(), moving.end(), binding.shadowLights[k]) != moving.end();
+    const std::string& anchor = far ? directional : positional;
+    const std::string through = anchor + (k == 0 ? "\n  bpFindCovers(vertexVC.xyz);" : "") +
+                                "\n  radiance *= bpThrough(" + std::to_string(k) + ", " + n + ", vertexVC.xyz, N, L, " +
+                                (far ? "1.0" : "distanceVC") + ")" +
+                                (moves ? " * bpMovingShadow" + n + "(vertexVC.xyz)" : "") + ";";
+    if (!replaceOnce(text, anchor, through)) return missing("light's shadow", anchor);
+  }
+  return {};
+}
+
 // One varying from the vertices to the fragments: "bpUv0" is the attribute, bpUv0F what the fragment reads.
 struct Varying {
   const char* type;
@@ -302,10 +322,14 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
     std::string piece(pattern);
     // Only where the sky shows through: software renderers do not skip branches.
     const bool open = binding.probes[slot]->open;
+    const bool byLookup = binding.openByLookup(slot);
     replaceAll(piece, "@SPECULAR@",
-               open ? "  vec4 local = @EVALUATE@(bpMap@SLOT@, probe, point);\n  vec3 specular = local.rgb;\n"
-                    : "  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;\n");
-    replaceAll(piece, "@OPEN_SKY@", open ? std::string(shaderSource("gpu/open_sky.glsl")) : std::string());
+               byLookup
+                   ? "  bpOpenFrom = point.position;\n  bpOpenAlpha = roughness * roughness;\n  bpOpenHere = true;\n"
+                     "  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;\n  bpOpenHere = false;\n"
+               : open ? "  vec4 local = @EVALUATE@(bpMap@SLOT@, probe, point);\n  vec3 specular = local.rgb;\n"
+                      : "  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;\n");
+    replaceAll(piece, "@OPEN_SKY@", open && !byLookup ? std::string(shaderSource("gpu/open_sky.glsl")) : std::string());
     replaceAll(piece, "@SLOT@", std::to_string(slot));
     replaceAll(piece, "@GROUP@", std::to_string(groups[slot]));
     const ProbeGeometry& geometry = binding.probes[slot]->geometry;
@@ -335,6 +359,8 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
     return true;
   };
   std::string dispatch;
+  bool openByLookup = false;
+  for (std::size_t slot = 0; slot < binding.probes.size(); ++slot) openByLookup |= binding.openByLookup(slot);
   for (std::size_t slot = 0; slot < binding.probes.size(); ++slot) {
     const Technique t = binding.technique(slot);
     const ProjectionRow& projection = projectionRows()[static_cast<std::size_t>(t.projection)];
@@ -358,8 +384,9 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n#define DISTANCE_MAP "
          "samplerCube\n" +
          (debug ? joinShaderSources({"gpu/debug_distance.glsl", "shared/true_hit.glsl"}) : std::string()) +
-         joinShaderSources(
-             {"gpu/fetch_probe.glsl", "gpu/fetch_blue_noise.glsl", "gpu/fetch_light.glsl", "shared/level_curve.glsl"}) +
+         (openByLookup ? joinShaderSources({"shared/open_lookup.glsl", "gpu/fetch_probe_open.glsl"})
+                       : joinShaderSources({"gpu/fetch_probe.glsl"})) +
+         joinShaderSources({"gpu/fetch_blue_noise.glsl", "gpu/fetch_light.glsl", "shared/level_curve.glsl"}) +
          joinShaderSources(evaluationFiles);
 }
 
@@ -413,6 +440,30 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          (debug ? joinShaderSources({"shared/cube.glsl", "gpu/debug_trace.glsl"}) : std::string()) + lighting;
 }
 
+// What applyCoverage calls.
+std::string coverageDeclarations(const ProbeBinding& binding) {
+  if (binding.shadowLights.empty()) return {};
+  std::string text(shaderSource("gpu/coverage.glsl"));
+  replaceOnce(text, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
+  replaceOnce(text, "//BP::Covers", perSlot("  bpCovers[@SLOT@] = groupShare[@GROUP@] * weight[@SLOT@];\n", binding));
+  replaceOnce(
+      text, "//BP::Through",
+      perSlot(
+          "  if (bpCovers[@SLOT@] > 1.0e-5f)\n  {\n    through += bpCovers[@SLOT@] *\n"
+          "      ((bpShadowMask[@SLOT@] >> bit & 1) != 0 ? bpThroughSlot@SLOT@(position, toLight, tangent, perUnit) "
+          ": vec3(1.0f));\n  }\n",
+          binding));
+  std::string moving;
+  for (const int light : binding.movingLights) {
+    std::string piece(shaderSource("gpu/moving_shadow.glsl"));
+    replaceAll(piece, "@LIGHT@", std::to_string(light));
+    moving += piece;
+  }
+  return "#define BP_SHADOW_LIGHTS " + std::to_string(binding.shadowLights.size()) + "\n#define BP_MOVING_MAP_SIZE " +
+         std::to_string(kMovingMapSize) + ".0f\n" + joinShaderSources({"shared/coverage.glsl"}) +
+         perSlot(shaderSource("gpu/coverage_slot.glsl"), binding) + text + moving;
+}
+
 }  // namespace
 
 std::string parameterUniform(const ParameterRow& row) {
@@ -432,6 +483,7 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   std::string& text = spliced.fragment;
   std::string declarations =
       probes ? probeDeclarations(binding, writes, mirror) : std::string(shaderSource("gpu/output_uniforms.glsl"));
+  if (probes) declarations += coverageDeclarations(binding);
   declarations += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
   if (surface != nullptr) declarations += materialDeclarations(*surface);
   if (glass) declarations += glassDeclarations(surface->glass);
@@ -448,6 +500,7 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   if (failure.empty()) failure = applyFalloffs(text);
   if (failure.empty() && surface != nullptr) failure = spliceMaterial(text, coat);
   if (failure.empty() && surface != nullptr) failure = spliceVertices(spliced, *surface);
+  if (failure.empty() && probes) failure = applyCoverage(text, binding);
   if (failure.empty() && probes) failure = applyAnchors(text, lightingAnchors(), coat);
   if (failure.empty() && glass) failure = applyAnchors(text, glassAnchors(), coat);
   if (!failure.empty()) return failure;

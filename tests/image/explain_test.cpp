@@ -95,6 +95,15 @@ std::vector<Case> cases() {
   for (auto& [name, material] : plain.materials) material.roughness = 0.3f;
   result.push_back({kPlain, plain});
   result.push_back({"room, rough under a clear coat, sky from a picture", rough});
+  result.push_back({"windows: open to the sky, sun by coverage, a globe that moves", fileScene("windows")});
+  Scene lamps = fileScene("windows");
+  lamps.probes.front().rotationDegrees = {0.0, 8.0, 0.0};
+  lamps.probes.front().blendDistance = {glm::dvec3(1.0), glm::dvec3(1.0)};
+  lamps.lights.push_back({LightType::Point, {0, -1, 0}, {7.0, 2.5, -1.0}, {1.0f, 0.8f, 0.6f}, 90.0f});
+  lamps.lights.back().shadows = LightShadows::CoverageAndMap;
+  lamps.lights.back().radius = 0.3;
+  lamps.lights.front().shadowLevel = ShadowLevel::Distance;
+  result.push_back({"windows: turned, a lamp outside beside the sun", lamps});
   return result;
 }
 

@@ -26,6 +26,25 @@ TEST(SceneParse, AllThatIsLeftOutHasItsDefault) {
   EXPECT_EQ(parsed(""), Scene());
 }
 
+TEST(SceneParse, LightsThatThrowShadowsATurnedSkyAndAnOpenProbe) {
+  const Scene scene = parsed(R"("sky": {"color": [1, 1, 1], "rotationDegrees": 30},
+    "lights": [{"type": "directional", "shadows": "coverage+map", "angleDegrees": 2, "shadowLevel": "distance",
+                "levelsPerUnit": 0.08},
+               {"type": "point", "shadows": "coverage", "radius": 0.4}],
+    "probes": [{"name": "room", "clear": "open"}])");
+  EXPECT_EQ(scene.skyRotationDegrees, 30.0);
+  EXPECT_EQ(scene.lights[0].shadows, LightShadows::CoverageAndMap);
+  EXPECT_EQ(scene.lights[0].angleDegrees, 2.0);
+  EXPECT_EQ(scene.lights[0].shadowLevel, ShadowLevel::Distance);
+  EXPECT_EQ(scene.lights[0].levelsPerUnit, 0.08);
+  EXPECT_EQ(scene.lights[1].shadows, LightShadows::Coverage);
+  EXPECT_EQ(scene.lights[1].radius, 0.4);
+  EXPECT_EQ(scene.probes[0].clear, Clear(ClearToOpen{}));
+  EXPECT_EQ(parseScene(sceneText(scene, "folder"), "scene.json", "folder"), scene);
+  EXPECT_NE(problem(R"("lights": [{"type": "point", "angleDegrees": 2}])").find("use \"radius\""), std::string::npos);
+  EXPECT_NE(problem(R"("lights": [{"type": "point", "shadows": "soft"}])").find("coverage"), std::string::npos);
+}
+
 TEST(SceneParse, ReadsEveryKeyOfAProbe) {
   const Scene scene = parsed(R"("probes": [{
     "name": "room", "origin": [1, 2, 3], "box": {"min": [-1, -2, -3], "max": [4, 5, 6]}, "rotationDegrees": [0, 45, 0],

@@ -103,7 +103,9 @@ TEST_F(SceneSet, TheSkyChangesKind) {
   set("sky.ground[0]=0.5");
   EXPECT_EQ(std::get<SkyGradient>(scene.sky).ground.x, 0.5f);
   EXPECT_EQ(std::get<SkyGradient>(scene.sky).top.z, 1.0f);
+  set("sky.rotationDegrees=45");
   set("sky.image=sky.exr");
+  EXPECT_EQ(scene.skyRotationDegrees, 45.0);
   EXPECT_EQ(scene.sky, Sky(SkyImage{"sky.exr"}));
 }
 

@@ -69,7 +69,8 @@ TEST_P(CheckedInScene, MirrorBallsAreSmoothWhiteMetalThatProbesDoNotSee) {
       ASSERT_NEAR(glm::dot(glm::normalize(mesh.positions[i]), mesh.normals[i]), 1.0f, 1e-5f);
   }
   const std::map<std::string, int> expected = {{"building", 9}, {"room", 3},        {"furnished", 2},
-                                               {"gallery", 1},  {"mirror-hall", 0}, {"six-faces", 1}};
+                                               {"gallery", 1},  {"mirror-hall", 0}, {"six-faces", 1},
+                                               {"windows", 0}};
   EXPECT_EQ(balls, expected.at(GetParam()));
 }
 
@@ -107,7 +108,7 @@ TEST_P(CheckedInScene, NoTwoFacesFlickerInOnePlane) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CheckedInScene,
-                         testing::Values("building", "furnished", "gallery", "mirror-hall", "room", "six-faces"),
+                         testing::Values("building", "furnished", "gallery", "mirror-hall", "room", "six-faces", "windows"),
                          [](const auto& scene) { return std::string(scene.param).substr(0, 3); });
 
 TEST(SceneGenerator, WritesTheCheckedInFiles) {
@@ -117,7 +118,8 @@ TEST(SceneGenerator, WritesTheCheckedInFiles) {
                                                    {"room.glb", scenes::glbBytes(scenes::room())},
                                                    {"mirror-hall.glb", scenes::glbBytes(scenes::mirrorHall())},
                                                    {"six-faces.glb", scenes::glbBytes(scenes::sixFaces())},
-                                                   {"sky.hdr", scenes::skyHdr()}};
+                                                   {"sky.hdr", scenes::skyHdr()},
+                                                   {"windows.glb", scenes::glbBytes(scenes::windows())}};
   for (const auto& [name, bytes] : made) {
     const std::string stored = fileBytes(kFolder + name);
     const auto differ = std::mismatch(bytes.begin(), bytes.end(), stored.begin(), stored.end());

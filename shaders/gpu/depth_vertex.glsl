@@ -1,0 +1,8 @@
+// Positions alone, for a depth map.
+in vec3 bpPosition;
+uniform mat4 bpClipFromModel;
+
+void main()
+{
+  gl_Position = bpClipFromModel * vec4(bpPosition, 1.0);
+}
