@@ -397,10 +397,10 @@ Explanation explainPixel(const ExplainInput& in) {
   e.f0 = glm::mix(glm::vec3(s.baseF0), s.albedo, s.metallic);
   const float f90 = std::clamp(glm::dot(e.f0, glm::vec3(50.0f * 0.33f)), 0.0f, 1.0f);
   const glm::vec3 edge = glm::mix(glm::vec3(f90), glm::vec3(1.0f), s.metallic);
-  std::vector<glm::vec3> through(in.lights.size(), glm::vec3(1.0f));
+  std::vector<glm::vec3> arrives(in.lights.size(), glm::vec3(1.0f));
   if (in.lighting == ExplainInput::Lighting::Probes) e.shadows = explainShadows(in);
-  for (const LightShadow& shadow : e.shadows) through[static_cast<std::size_t>(shadow.light)] = shadow.through;
-  e.direct = directLight(s, e.f0, edge, in.lights, &through);
+  for (const LightShadow& shadow : e.shadows) arrives[static_cast<std::size_t>(shadow.light)] = shadow.through;
+  e.direct = directLight(s, e.f0, edge, in.lights, &arrives);
 
   if (in.lighting == ExplainInput::Lighting::Probes) {
     const std::optional<shading::GlassView> through =

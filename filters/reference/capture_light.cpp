@@ -67,11 +67,11 @@ std::optional<glm::dvec3> CaptureLight::capturedFrom(const glm::dvec3& position)
   return best->originWorld;
 }
 
-glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit) const {
+glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through) const {
   if (unlit) return s.emissive;
   const FresnelEnds ends = fresnelEnds(s);
   glm::vec3 sum = s.emissive;
-  if (!lights_.empty()) sum += directLight(s, ends.f0, ends.f90, lights_);
+  if (!lights_.empty()) sum += directLight(s, ends.f0, ends.f90, lights_, through);
   if (s.metallic < 1.0f) {
     sum += s.occlusion * shares(s.positionWorld).diffuse * (1.0f - ends.f0) * (1.0f - s.metallic) * s.albedo *
            sky_.irradiance(s.normalWorld);
@@ -79,8 +79,8 @@ glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit) const {
   return sum;
 }
 
-glm::vec3 CaptureLight::captured(const SurfacePoint& s, bool unlit) const {
-  glm::vec3 sum = unreflected(s, unlit);
+glm::vec3 CaptureLight::captured(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through) const {
+  glm::vec3 sum = unreflected(s, unlit, through);
   if (unlit) return sum;
   const float share = shares(s.positionWorld).sky;
   if (share <= 1.0e-5f) return sum;

@@ -23,10 +23,11 @@ class CaptureLight {
   const ReferenceSky& sky() const { return sky_; }
   const BrdfTable& brdf() const { return brdf_; }
 
-  /// Emission, light sources and diffuse light.
-  glm::vec3 unreflected(const SurfacePoint& surface, bool unlit) const;
+  const std::vector<Light>& lights() const { return lights_; }
+  /// Emission, light sources and diffuse light. `through`: how much of each light arrives, null for all of it.
+  glm::vec3 unreflected(const SurfacePoint& surface, bool unlit, const std::vector<glm::vec3>* through = nullptr) const;
   /// That and the sky's reflection: what a capture shows.
-  glm::vec3 captured(const SurfacePoint& surface, bool unlit) const;
+  glm::vec3 captured(const SurfacePoint& surface, bool unlit, const std::vector<glm::vec3>* through = nullptr) const;
 
   /// Where the probe was captured that has the largest share of a point's reflection; nothing where none reaches.
   std::optional<glm::dvec3> capturedFrom(const glm::dvec3& positionWorld) const;

@@ -6,6 +6,7 @@
 
 #include "filters/reference/reflecting_layers.h"
 #include "filters/reference/refraction_tracer.h"
+#include "filters/reference/shadow_light.h"
 #include "filters/reference/visible_normal_lobe.h"
 
 namespace boxprobe {
@@ -49,12 +50,28 @@ ReferenceScene::ReferenceScene(const Scene& scene, const std::vector<std::shared
                                std::shared_ptr<const ImageRgbaF> skyImage)
     : tracer_(makeTriangleScene(scene, models)), light_(scene, std::move(skyImage)) {}
 
+// How much of each light arrives; empty if none asks for shadows.
+std::vector<glm::vec3> ReferenceScene::throughTo(const TracedHit& hit, RaySees sees, int side) const {
+  std::vector<glm::vec3> through;
+  const std::vector<Light>& lights = light_.lights();
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (lights[i].shadows == LightShadows::None) continue;
+    through.resize(lights.size(), glm::vec3(1.0f));
+    through[i] = glm::vec3(lightThrough(tracer_, tracer_.awayFrom(hit), lights[i], side, sees));
+  }
+  return through;
+}
+
 glm::dvec3 ReferenceScene::seenFrom(const glm::dvec3& origin, const glm::dvec3& direction, RaySees sees) const {
   const auto hit = tracer_.firstHit(origin, direction, sees);
   if (!hit) return glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
   // Highlights and other gloss move with the eye; a probe has them as they are from its origin.
   const glm::dvec3 eye = sees == RaySees::Probes ? light_.capturedFrom(origin).value_or(origin) : origin;
-  return glm::dvec3(light_.captured(tracer_.surface(*hit, eye), tracer_.object(*hit).material.unlit));
+  // What is reflected is a mean of many: few rays to a light do.
+  constexpr int kShadowSide = 2;
+  const std::vector<glm::vec3> through = throughTo(*hit, sees, kShadowSide);
+  return glm::dvec3(light_.captured(tracer_.surface(*hit, eye), tracer_.object(*hit).material.unlit,
+                                    through.empty() ? nullptr : &through));
 }
 
 glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,
@@ -96,7 +113,10 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
       const double passes = material.transmits() ? static_cast<double>(material.transmission) *
                                                        (1.0 - static_cast<double>(surface.metallic))
                                                  : 0.0;
-      pixel.color += (1.0 - passes) * glm::dvec3(light_.unreflected(surface, unlit));
+      constexpr int kShadowSide = 6;
+      const std::vector<glm::vec3> through = throughTo(*hit, RaySees::Picture, kShadowSide);
+      pixel.color +=
+          (1.0 - passes) * glm::dvec3(light_.unreflected(surface, unlit, through.empty() ? nullptr : &through));
       if (unlit) continue;
       const std::uint64_t place =
           (static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)) *

@@ -2,9 +2,10 @@
 // lobe. What techniques are measured against. Called by the command line, the benchmark and tests; knows no GL.
 //
 // What it is, exactly:
-// - Surfaces are lit as by a probe's first capture (CaptureLight): emission, the scene's lights without shadows, the
-//   sky's diffuse light even indoors. A technique's picture has its probes' diffuse light there, so errors are to be
-//   measured on metals, or on the reflection alone.
+// - Surfaces are lit as by a probe's first capture (CaptureLight): emission, the scene's lights - without shadows, but
+//   for those that ask for them, which have a traced area light's (shadow_light.h) - the sky's diffuse light even
+//   indoors, though not where a probe is open to the sky. A technique's picture has its probes' diffuse light there, so
+//   errors are to be measured on metals, or on the reflection alone.
 // - Reflections: single-scatter GGX over visible normals, the mean radiance of the lobe times the split-sum factor of
 //   VTK 9.1. What a reflection ray hits shows what the first capture shows: a mirror in a mirror is black.
 // - Reflection rays see what the probes see, or, on request, what the picture shows. What the probes see
@@ -52,6 +53,8 @@ class ReferenceScene {
                           const ReferenceProgress& progress = {}) const;
 
  private:
+  std::vector<glm::vec3> throughTo(const TracedHit& hit, RaySees sees, int side) const;
+
   SceneTracer tracer_;
   CaptureLight light_;
 };

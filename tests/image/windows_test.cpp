@@ -65,7 +65,9 @@ class WindowSky : public ::testing::TestWithParam<double> {};
 TEST_P(WindowSky, CoverageIsNearerToTheTruthThanASkyPaintedOnTheWalls) {
   const double roughness = GetParam();
   ScenePicture picture(emptyWindows(roughness), kWidth, kHeight);
-  picture.scene.probes[0].technique = "box+footprint4";
+  picture.scene.probes[0].technique = std::getenv("OPEN_TECH") ? std::getenv("OPEN_TECH") : "box+footprint4";
+  if (std::getenv("OPEN_SIZE")) picture.scene.probes[0].faceSize = std::atoi(std::getenv("OPEN_SIZE"));
+  if (std::getenv("OPEN_FLAT")) picture.scene.sky = SkyColor{glm::vec3(0.9f)};
   const ReferenceScene reference = referenceOf(picture.scene);
   const Camera camera = cameraNamed(picture.scene, "floor");
   ReferenceSettings settings;
