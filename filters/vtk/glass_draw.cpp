@@ -45,6 +45,18 @@ int drawGlassPasses(vtkOpenGLState* state, const GlassSurface& glass, const std:
   const vtkOpenGLState::ScopedglDepthMask depth(state);
   const vtkOpenGLState::ScopedglColorMask color(state);
   int passes = 1;
+  if (glass.walls) {
+    // Each wall once, by the face of it that looks at the eye; blended in any order, for a wall takes little. Their
+    // depth afterwards.
+    state->vtkglEnable(GL_CULL_FACE);
+    state->vtkglCullFace(GL_BACK);
+    state->vtkglDepthMask(GL_FALSE);
+    draw(true);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw(false);
+    return passes;
+  }
   if (glass.form == GlassForm::TwoPass && !glass.sheet) {
     state->vtkglEnable(GL_CULL_FACE);
     state->vtkglCullFace(GL_FRONT);

@@ -21,6 +21,12 @@ glm::dvec3 middleOf(const Mesh& mesh) {
 // The published form leaves it to the artist; half is the least error on the glass scene's solids.
 constexpr float kBehindShare = 0.5f;
 
+// A solid that its middle does not see, no thicker than this share of its radius, is taken for hollow: light passes its
+// walls as it passes sheets, nearly straight.
+constexpr float kWallShare = 0.2f;
+// A rough wall shows its own lookup and not what is drawn behind: only the nearest counts.
+constexpr float kClearRoughness = 0.02f;
+
 GlassShell makeShell(const Mesh& mesh, const glm::dvec3& middle, const glm::dmat3& linear) {
   std::vector<glm::vec3> positions, normals;
   const glm::dmat3 normalMatrix = glm::transpose(glm::inverse(linear));
@@ -74,7 +80,7 @@ float GlassSurface::behindShare() const {
 
 ExplainedGlass GlassSurface::explained(const glm::dvec3& eyeWorld, int faceSize) const {
   ExplainedGlass glass;
-  glass.form = sheet ? "thin" : glassFormName(form);
+  glass.form = !sheet ? glassFormName(form) : thickness > 0.0f ? "thin walls" : "thin";
   glass.object = object(eyeWorld);
   glass.shell = shell ? &shell->shell() : nullptr;
   glass.transmission = transmission;
@@ -92,7 +98,8 @@ void GlassSurface::apply(const Material& material, const Mesh& mesh, const glm::
   ior = material.ior;
   transmission = material.transmission;
   thickness = sheet ? 0.0f : material.thickness;
-  attenuationDistance = sheet ? 0.0f : material.attenuationDistance;
+  attenuationDistance = material.attenuationDistance;
+  walls = false;
   attenuationColor = material.attenuationColor;
   form = material.glass;
   const glm::dvec3 middle = middleOf(mesh);
@@ -104,8 +111,11 @@ void GlassSurface::apply(const Material& material, const Mesh& mesh, const glm::
     builtFor_ = linear;
     radius = shell->shell().radius();
   }
-  if (form == GlassForm::Automatic)
-    form = shell && shell->shell().fits() ? GlassForm::TwoInterface : GlassForm::TwoPass;
+  if (form != GlassForm::Automatic) return;
+  form = shell && shell->shell().fits() ? GlassForm::TwoInterface : GlassForm::TwoPass;
+  const bool hollow = form == GlassForm::TwoPass && thickness > 0.0f && thickness < kWallShare * radius;
+  sheet = sheet || hollow;
+  walls = hollow && material.roughness <= kClearRoughness;
 }
 
 std::string glassFormName(GlassForm form) {

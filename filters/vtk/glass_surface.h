@@ -33,6 +33,7 @@ struct GlassSurface {
   bool drawn = false;                     ///< does the material transmit light?
   GlassForm form = GlassForm::Automatic;  ///< once resolved: any but Automatic
   bool sheet = false;
+  bool walls = false;  ///< a hollow solid, drawn by its walls as sheets, those behind others, too
   float ior = 1.5f;
   float transmission = 0.0f;
   float thickness = 0.0f;            ///< scene units

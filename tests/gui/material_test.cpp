@@ -1,12 +1,14 @@
 // Roughness and exposure: the sliders show live and commit when let go.
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QSlider>
 #include <QStyle>
 #include <QStyleOptionSlider>
 #include <QTest>
 
+#include "app/gui/value_field.h"
 #include "app/gui/viewport.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"
@@ -53,6 +55,44 @@ TEST_F(MaterialTest, TheRoughnessSliderIsLiveAndOneStep) {
   document().undo();
   EXPECT_FALSE(document().canUndo());
   EXPECT_EQ(document().scene().materials.count("mirror"), 0u);
+}
+
+// The sphere becomes glass and is drawn anew at once; each value is one step to undo, and all go back together.
+TEST_F(MaterialTest, GlassIsSetLiveAndUndone) {
+  auto* materials = window_->findChild<QComboBox*>("material");
+  ASSERT_GE(materials->findText("mirror"), 0);
+  materials->setCurrentIndex(materials->findText("mirror"));
+  emit materials->activated(materials->currentIndex());
+  auto* transmission = window_->findChild<ValueField*>("transmission");
+  auto* ior = window_->findChild<ValueField*>("ior");
+  auto* form = window_->findChild<QComboBox*>("glassForm");
+  auto* thin = window_->findChild<QCheckBox*>("thin");
+  ASSERT_TRUE(transmission && ior && form && thin);
+  EXPECT_FALSE(form->isEnabled()) << "nothing is transmitted yet";
+  const auto now = [&] { return document().scene().materials.at("mirror"); };
+  emit transmission->committed(1.0);
+  EXPECT_EQ(now().transmission, 1.0f);
+  EXPECT_TRUE(form->isEnabled());
+  EXPECT_EQ(document().undoLabel(), "Set transmission of mirror");
+  waitUntilIdle();
+  EXPECT_GE(counters().glassDraws, 1u) << "the picture follows";
+  emit ior->previewed(2.4);
+  EXPECT_TRUE(document().previewing());
+  EXPECT_EQ(now().ior, 2.4f);
+  emit ior->committed(2.4);
+  EXPECT_FALSE(document().previewing());
+  emit form->activated(2);
+  EXPECT_EQ(now().glass, GlassForm::TwoPass);
+  thin->click();
+  EXPECT_EQ(now().thin, false) << "the model's, which has no thickness, is thin";
+  for (const char* label : {"Set thinness of mirror", "Set form of mirror", "Set index of mirror"}) {
+    EXPECT_EQ(document().undoLabel(), label);
+    document().undo();
+  }
+  document().undo();
+  EXPECT_FALSE(document().canUndo());
+  waitUntilIdle();
+  EXPECT_EQ(counters().glassDraws, 0u);
 }
 
 TEST_F(MaterialTest, ExposureBrightensThePicture) {
