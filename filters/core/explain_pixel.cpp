@@ -413,7 +413,7 @@ Explanation explainPixel(const ExplainInput& in) {
     e.specular = s.occlusion * light.specular * (e.f0 * e.brdf.x + edge * e.brdf.y);
     e.diffuse = s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo;
     if (through) {
-      const float reflected = through->reflectance * (e.brdf.x + e.brdf.y);
+      const float reflected = through->reflectance >= 1.0f ? 1.0f : through->reflectance * (e.brdf.x + e.brdf.y);
       const glm::vec3 factor = glm::mix(reflected * mirrorTransmittance(*in.glass, s, *through),
                                         e.f0 * e.brdf.x + edge * e.brdf.y, s.metallic);
       e.specular = s.occlusion * light.specular * factor;

@@ -125,7 +125,7 @@ const std::vector<Anchor>& glassAnchors() {
        false},
       {"glass: reflectance",
        {kPbrMark},
-       {"vec3 bpReflected = vec3(bpGlass.seen.reflectance * (brdf.r + brdf.g));\n  vec3 specularBrdf = "
+       {"vec3 bpReflected = vec3(bpGlassReflected(bpGlass, brdf));\n  vec3 specularBrdf = "
         "mix(bpReflected * bpGlass.mirrorTransmittance, F0 * brdf.r + F90 * brdf.g, metallic);"},
        false},
       {"glass: light from beyond",

@@ -83,6 +83,13 @@ vec3 bpLookUpThrough(BpGlass glass)
       .specular;
 }
 
+// Factor of the reflection. What a rough surface's facets lose between them (A + B of the split sum fall short of 1) passes, but
+// where all is reflected there is nowhere else for it to go.
+float bpGlassReflected(BpGlass glass, vec2 brdf)
+{
+  return glass.seen.reflectance >= 1.0f ? 1.0f : glass.seen.reflectance * (brdf.x + brdf.y);
+}
+
 // Share of the light behind that passes, by colour: what the surface reflects is gone.
 vec3 bpGlassPassed(BpGlass glass, vec3 reflected, vec3 albedo, float metallic)
 {

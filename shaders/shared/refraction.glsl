@@ -10,10 +10,11 @@ float safeEta(float eta)
   return clamp(eta, 1.0e-6f, 1.0e6f);
 }
 
-// Squared cosine on the far side; negative: totally reflected.
+// Squared cosine on the far side, 1 - eta² (1 - cosine²); negative: totally reflected. In this order it is the cosine's square
+// itself at eta 1, however flat the view: the other loses it to rounding, and an index of 1 would mirror at its outline.
 float refractedCosine2(float cosine, float eta)
 {
-  return 1.0f - eta * eta * max(1.0f - cosine * cosine, 0.0f);
+  return (1.0f - eta * eta) + eta * eta * (cosine * cosine);
 }
 
 // Share that is reflected, unpolarised, of light at `cosine` to the normal.

@@ -19,7 +19,7 @@ namespace {
 using namespace boxprobe;
 using namespace boxprobe::test;
 
-constexpr int kWidth = 200, kHeight = 160;
+constexpr int kWidth = 160, kHeight = 128;
 const std::vector<std::string> kSolids = {"ball", "block", "prism", "ring", "cup"};
 
 Scene glassScene() {
@@ -104,7 +104,7 @@ Measured measure(const std::string& object, const std::string& camera, float rou
   scene.materials[object].ior = ior;
   const Camera view = cameraNamed(scene, camera);
   const ReferenceScene reference = referenceOf(scene);
-  const ReferencePicture truth = traced(reference, view, roughness > 0.0f ? 128 : 4);
+  const ReferencePicture truth = traced(reference, view, roughness > 0.0f ? 64 : 4);
   const std::vector<bool> shows = pixelsOf(reference, view, object);
   keepPicture(truth.color, "glass " + camera + " " + std::to_string(roughness).substr(0, 3) + " " +
                                std::to_string(ior).substr(0, 4) + " reference");
@@ -161,7 +161,7 @@ TEST(Glass, IndicesFromOneToDiamondFromOutsideAndFromWithin) {
   for (const char* camera : {"ball", "inside ball", "block", "inside block"}) {
     const std::string object = std::string(camera).find("ball") != std::string::npos ? "ball" : "block";
     std::printf("  %-13s", camera);
-    for (const float ior : {1.0f, 1.1f, 1.33f, 1.5f, 1.8f, 2.4f}) {
+    for (const float ior : {1.0f, 1.33f, 1.8f, 2.4f}) {
       const Measured m = measure(object, camera, 0.0f, ior, {GlassForm::TwoInterface});
       const GlassError& error = m.forms.at(GlassForm::TwoInterface);
       std::printf("  %.2f: %.4f", static_cast<double>(ior), error.rmse);
@@ -258,7 +258,7 @@ TEST(Glass, APaneBendsNothingAndReflectsWithBothFaces) {
   const Measured m = measure("pane", "pane", 0.0f, 1.5f, {GlassForm::Automatic});
   const GlassError& error = m.forms.at(GlassForm::Automatic);
   std::printf("  pane: RMSE %.4f over %d pixels, largest %.3f\n", error.rmse, error.pixels, error.largest);
-  EXPECT_GT(error.pixels, 3000);
+  EXPECT_GT(error.pixels, 2000);
   EXPECT_LT(error.rmse, 0.012);
   const Measured rough = measure("pane", "pane", 0.5f, 1.5f, {GlassForm::Automatic});
   std::printf("  pane, roughness 0.5: RMSE %.4f\n", rough.forms.at(GlassForm::Automatic).rmse);
