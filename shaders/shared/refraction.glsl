@@ -69,23 +69,28 @@ vec3 glassTransmittance(vec3 color, float reach, float distance)
 
 // Distance from a point within the shell along `direction` to where it is left, and in `xyz` the normal there, outward. A texel of the
 // shell is the plane of the surface seen there. The sphere around it all is left too far out, where a plane of the shell lies before
-// the point: each step goes back to the plane found there. Of a convex shell the true exit is never passed.
+// the point: each step goes back to the plane found there. Of a convex shell the true exit is never passed. The normal is that of the
+// plane that was met last, not of the texel it was met in: between two faces the texels' mean belongs to neither.
 vec4 shellExit(GLASS_SHELL shell, GlassObject glass, vec3 position, vec3 direction)
 {
-  const int kSteps = 5;
+  const int kSteps = 6;
   vec3 p = position - glass.center;
   float along = dot(p, direction);
   float t = max(sqrt(max(along * along - dot(p, p) + glass.radius * glass.radius, 0.0f)) - along, 0.0f);
-  vec4 plane = fetchGlassShell(shell, p + t * direction);
+  vec3 normal = vec3(0.0f);
   for (int i = 0; i < kSteps; ++i)
   {
-    float rise = dot(vec3(plane.x, plane.y, plane.z), direction);
-    float gap = plane.w - dot(vec3(plane.x, plane.y, plane.z), p);
+    vec4 plane = fetchGlassShell(shell, p + t * direction);
+    vec3 n = vec3(plane.x, plane.y, plane.z);
+    float rise = dot(n, direction);
+    float gap = max(plane.w - dot(n, p), 0.0f);
     // A plane along the ray tells nothing: 1e-4 of its normal's length.
-    if (rise > 1.0e-4f) { t = clamp(gap / rise, 0.0f, t); }
-    plane = fetchGlassShell(shell, p + t * direction);
+    if (rise > 1.0e-4f && (gap < t * rise || i == 0))
+    {
+      t = min(gap / rise, t);
+      normal = n;
+    }
   }
-  vec3 normal = vec3(plane.x, plane.y, plane.z);
   float size = length(normal);
   return vec4(size > 1.0e-6f ? normal / size : direction, t);
 }
