@@ -7,6 +7,7 @@
 #include "filters/stress/exact.h"
 #include "filters/stress/stress_map.h"
 #include "filters/stress/stress_subjects.h"
+#include "filters/stress/subject_glass.h"
 
 namespace boxprobe::stress {
 
@@ -255,6 +256,7 @@ const std::vector<StressSubject>& termSubjects() {
       {"term:level", {}, tryLevel, nullptr, 0.0, {}},
       {"term:lobe-frame", {}, tryFrame, nullptr, 0.0, {}},
       {"term:texel-centre", {}, tryTexelCentre, nullptr, 0.0, {}},
+      {"term:glass", {}, tryGlass, nullptr, 0.0, {}},
       {"term:true-hit", {}, tryTrueHit, nullptr, 0.0, {}},
   };
   return subjects;

@@ -18,7 +18,7 @@ glm::dvec3 middleOf(const Mesh& mesh) {
   return 0.5 * (glm::dvec3(low) + glm::dvec3(high));
 }
 
-// The published form leaves it to the artist; half is the least error on the glass scene's solids.
+// The published form leaves it to the artist; half prefers neither.
 constexpr float kBehindShare = 0.5f;
 
 // A solid that its middle does not see, no thicker than this share of its radius, is taken for hollow: light passes its

@@ -15,6 +15,7 @@
 #include "filters/vtk/frame_recorder.h"
 #include "filters/vtk/mirror_set.h"
 #include "filters/vtk/moving_shadows.h"
+#include "filters/vtk/glass_remarks.h"
 #include "filters/vtk/picture_frames.h"
 #include "filters/vtk/preview_sphere.h"
 #include "filters/vtk/probe_set.h"
@@ -474,6 +475,8 @@ std::vector<std::string> SceneRenderer::remarks() const {
   }
   const std::vector<std::string> leftOut = leftOutLines(frameReport());
   constexpr std::size_t kNamed = 5;
+  const std::vector<std::string> glass = glassRemarks(d.content);
+  texts.insert(texts.end(), glass.begin(), glass.begin() + static_cast<long>(std::min(glass.size(), kNamed)));
   texts.insert(texts.end(), leftOut.begin(), leftOut.begin() + static_cast<long>(std::min(leftOut.size(), kNamed)));
   if (leftOut.size() > kNamed) {
     texts.push_back("and " + std::to_string(leftOut.size() - kNamed) + " more objects that more probes reach");

@@ -329,6 +329,18 @@ TEST(Glass, IsExplainedAsItIsDrawn) {
   EXPECT_GT(glass, 1000);
 }
 
+TEST(Glass, AProbeThatSeesWhatItIsLookedThroughIsNamed) {
+  ScenePicture picture(glassScene(), 64, 48);
+  picture.show(cameraNamed(picture.scene, "ball"));
+  EXPECT_TRUE(picture.renderer->remarks().empty());
+  std::vector<std::string>& hides = picture.scene.probes[*findProbe(picture.scene, "ball")].hides;
+  hides.erase(std::find(hides.begin(), hides.end(), "ball"));
+  picture.show(cameraNamed(picture.scene, "ball"));
+  ASSERT_EQ(picture.renderer->remarks().size(), 1u);
+  EXPECT_EQ(picture.renderer->remarks().front().rfind("probes.ball.hides: the probe sees \"ball\"", 0), 0u)
+      << picture.renderer->remarks().front();
+}
+
 // Without glass nothing of it is compiled, drawn or counted; with it, its passes are.
 TEST(Glass, CostsNothingWhereThereIsNone) {
   ScenePicture picture = ScenePicture::fromFile("scenes/six-faces.boxprobe.json", 96, 96);

@@ -115,6 +115,7 @@ TEST(SceneGenerator, WritesTheCheckedInFiles) {
   const std::map<std::string, std::string> made = {{"building.glb", scenes::glbBytes(scenes::building())},
                                                    {"furnished.glb", scenes::glbBytes(scenes::furnished())},
                                                    {"gallery.glb", scenes::glbBytes(scenes::gallery())},
+                                                   {"glass.glb", scenes::glbBytes(scenes::glassRoom())},
                                                    {"room.glb", scenes::glbBytes(scenes::room())},
                                                    {"mirror-hall.glb", scenes::glbBytes(scenes::mirrorHall())},
                                                    {"six-faces.glb", scenes::glbBytes(scenes::sixFaces())},

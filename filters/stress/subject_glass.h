@@ -1,0 +1,10 @@
+// Glass under test: see subject_glass.cpp. Called by the table of terms.
+#pragma once
+
+#include "filters/stress/stress_trial.h"
+
+namespace boxprobe::stress {
+
+Trial tryGlass(const StressInput& input, const StressClass& c, TrialLog* log);
+
+}  // namespace boxprobe::stress
