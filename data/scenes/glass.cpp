@@ -47,13 +47,8 @@ MeshBuilder prism(double side, double length) {
   builder.quadrilateral(a, b, b + back, a + back);
   builder.quadrilateral(b, c, c + back, b + back);
   builder.quadrilateral(c, a, a + back, c + back);
-  // The ends as two quadrilaterals each would have a corner on an edge: thirds about the middle line up with all of it.
-  const auto end = [&builder](glm::dvec3 p, glm::dvec3 q, glm::dvec3 r) {
-    const glm::dvec3 m = (p + q + r) / 3.0, pq = 0.5 * (p + q), qr = 0.5 * (q + r), rp = 0.5 * (r + p);
-    builder.quadrilateral(p, pq, m, rp);
-    builder.quadrilateral(q, qr, m, pq);
-    builder.quadrilateral(r, rp, m, qr);
-  };
+  // A triangle: its last corner twice.
+  const auto end = [&builder](glm::dvec3 p, glm::dvec3 q, glm::dvec3 r) { builder.quadrilateral(p, q, r, r); };
   end(c, b, a);
   end(a + back, b + back, c + back);
   return builder;
