@@ -31,6 +31,8 @@ void showAbout(QWidget* parent) {
       row(QObject::tr("Ctrl+Z, Ctrl+Shift+Z"), QObject::tr("undo, redo")) +
       row(QObject::tr("Ctrl+1 ... 9, Home"), QObject::tr("the scene's cameras, reset view")) +
       row(QObject::tr("Ctrl+B, Ctrl+R"), QObject::tr("boxes, reflections on and off")) +
+      row(QObject::tr("F1, F11"), QObject::tr("the lessons; the picture and the lesson alone, for a projector")) +
+      row(QObject::tr("Right, Left, Page Down, Page Up"), QObject::tr("next and last step of a lesson")) +
       row(QObject::tr("F5, Shift+F5"), QObject::tr("captures the selected probe again, all probes")) + "</table><p>" +
       QObject::tr(
           "Orange: the projection box. Dashed: inside it the probe has its full weight. Built on VTK, Qt, OpenEXR and "

@@ -31,14 +31,16 @@ void LessonVisit::show(const Lesson& lesson, std::size_t step) {
 
   hooks_.beforeStep();
   keepTry();
-  if (!own_) {
+  const bool entering = !own_;
+  if (entering) {
     own_ = Own{document_.state(), hooks_.shownModels()};
     hooks_.entered();
   }
   lesson_ = lesson;
   step_ = step;
   stepScene_ = std::move(scene);
-  const bool others = models != hooks_.shownModels();
+  // On entering, too, where the learner's own scene has the same models: its baked files are not the lesson's.
+  const bool others = entering || models != hooks_.shownModels();
   if (others) hooks_.showModels(models, "");
   document_.restore(std::move(state), others ? Changes::all() : Changes());
   hooks_.stepShown();
@@ -52,10 +54,8 @@ void LessonVisit::leave() {
   stepScene_.reset();
   const Own own = std::move(*own_);
   own_.reset();
-  const bool others = own.models != hooks_.shownModels();
-  // Where the files of baked probes are looked for changes even if the models do not.
   hooks_.showModels(own.models, own.state.path());
-  document_.restore(own.state, others ? Changes::all() : Changes());
+  document_.restore(own.state, Changes::all());
   hooks_.left();
 }
 

@@ -420,7 +420,9 @@ void MainWindow::documentChanged(const Changes& changes) {
   lessons_->documentChanged();
   updateTitle();
   const bool empty = document_.scene().models.empty();
-  viewport_->showInvitation(empty ? tr("Drop a scene or a model here, or open one with Ctrl+O") : QString());
+  viewport_->showInvitation(empty ? tr("Drop a scene or a model here, or open one with Ctrl+O.\nNew to reflection "
+                                       "probes? F1 opens the lessons.")
+                                  : QString());
   scheduler_->sceneChanged();
 }
 

@@ -63,7 +63,7 @@ class OwnSceneTest : public LessonTest {
 TEST_F(OwnSceneTest, ComesBackWholeWithItsView) {
   drag({300, 300}, {380, 330});  // the camera
   const Camera camera = window_->renderer().currentCamera();
-  const int view = *findSurfaceView("normal");
+  const int view = findSurfaceView("hit-error").value();
   window_->debugView().surfacePanel()->choose(view);
   window_->findChild<QAction*>("showReflections")->setChecked(false);
   const auto models = window_->models();
