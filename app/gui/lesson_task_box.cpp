@@ -88,6 +88,8 @@ QString measureLabel(const LessonMeasure& measure) {
       return LessonTaskBox::tr("Mean light");
     case MeasureKind::Bend:
       return LessonTaskBox::tr("Bend of the line");
+    case MeasureKind::Broken:
+      return LessonTaskBox::tr("Share of lookups that are no number");
     case MeasureKind::View:
       if (const auto row = findSurfaceView(measure.name)) {
         const std::string_view label = surfaceViews()[static_cast<std::size_t>(*row)].label;

@@ -46,6 +46,7 @@ LessonView::LessonView(const Parts& parts, std::string folder, QObject* parent)
       panel_(new LessonPanel),
       stage_(parts.renderer, parts.viewport, parts.debugView, parts.menu),
       held_(parts.viewport),
+      published_(parts.renderer, parts.viewport, parts.document),
       visit_(parts.document, parts.editor,
              {parts.shownModels,
               [this](const Scene& scene) {
@@ -56,6 +57,7 @@ LessonView::LessonView(const Parts& parts, std::string folder, QObject* parent)
                 stage_.leave();
                 models_.forget();
                 check_.setTask({});
+                published_.show({});
                 panel_->showList();
                 panel_->list()->setLessonOpen(false);
                 showProgress();
@@ -202,6 +204,7 @@ void LessonView::stepShown() {
                        {progress.solved.contains(solvedQuestion(index)), progress.solved.contains(solvedTask(index))});
   panel_->showStep();
   check_.setTask(visit_.shownStep().task);
+  published_.show(visit_.shownStep().published);
   updateTry();
   // Hidden buttons hand the focus on to whatever comes next, which looks chosen.
   if (panel_->isAncestorOf(QApplication::focusWidget())) parts_.viewport.setFocus();
@@ -279,6 +282,7 @@ void LessonView::documentChanged() {
   if (!visit_.lesson()) return;
   if (!parts_.document.previewing()) updateTry();
   check_.invalidate();
+  published_.invalidate();
 }
 
 void LessonView::pictureDrawn() {
@@ -289,11 +293,13 @@ void LessonView::pictureDrawn() {
 void LessonView::workEnded() {
   held_.release();
   check_.invalidate();
+  published_.invalidate();
 }
 
 void LessonView::shapeChanged() {
   if (!visit_.lesson()) return;
   stage_.shapeChanged();
+  published_.invalidate();
   check_.invalidate();  // it may have waited for the first picture
 }
 

@@ -14,6 +14,7 @@
 #include "app/gui/lesson_models.h"
 #include "app/gui/lesson_stage.h"
 #include "app/gui/lesson_visit.h"
+#include "app/gui/published_overlay.h"
 #include "filters/io/lesson_file.h"
 
 class QWidget;
@@ -63,12 +64,14 @@ class LessonView : public QObject {
   bool mayWrite(const QString& path) const;
   const LessonVisit& visit() const { return visit_; }
   const LessonCheck& check() const { return check_; }
+  const PublishedOverlay& published() const { return published_; }
 
   /// The scene changed, or an edit came to rest.
   void documentChanged();
   void pictureDrawn();
   void workEnded();
   void shapeChanged();
+  void cameraMoved() { published_.invalidate(); }
 
  signals:
   void shown();  ///< the panel has something to look at
@@ -101,6 +104,7 @@ class LessonView : public QObject {
   LessonModels models_;
   LessonStage stage_;
   HeldPicture held_;
+  PublishedOverlay published_;
   LessonVisit visit_;
   LessonCheck check_;
   std::vector<QShortcut*> keys_;

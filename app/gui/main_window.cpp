@@ -268,6 +268,7 @@ void MainWindow::connectLessons() {
   connect(editor_.get(), &Editor::settled, lessons_, &LessonView::documentChanged);
   connect(scheduler_, &RenderScheduler::rendered, lessons_, &LessonView::pictureDrawn);
   connect(scheduler_, &RenderScheduler::workEnded, lessons_, &LessonView::workEnded);
+  connect(viewport_, &Viewport::cameraMoved, lessons_, &LessonView::cameraMoved);
   connect(viewport_, &Viewport::becameReady, lessons_, &LessonView::shapeChanged);
 }
 

@@ -183,6 +183,19 @@ TEST_F(LessonTest, ADragOfTheBoxDoesTheTask) {
   EXPECT_NE(face(), 4.0) << "undo works on the try";
 }
 
+TEST_F(LessonTest, ThePanelOfAStep) {
+  window_->openLesson(kMirror, 1);
+  waitUntilIdle();
+  click("answer1");
+  EXPECT_TRUE(text("reply").startsWith("Right."));
+  const QWidget* formula = window_->findChild<QWidget*>("stepFormula");
+  EXPECT_TRUE(formula->isVisible());
+  EXPECT_GT(formula->height(), 20);
+  const QString folder = qEnvironmentVariable("BOXPROBE_TEST_OUTPUT");
+  if (!folder.isEmpty()) window_->findChild<QDockWidget*>("lessons")->grab().save(folder + "/lesson_panel.png");
+  keepPicture("lesson_rays");
+}
+
 TEST_F(LessonTest, ATryIsKeptBesideTheLessonsScene) {
   window_->openLesson(kMirror, kTask);
   EXPECT_FALSE(shown("showTry"));

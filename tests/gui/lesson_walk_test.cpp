@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QTest>
 
 #include "app/gui/debug_view.h"
 #include "app/gui/lesson_progress.h"
@@ -36,6 +37,14 @@ class LessonWalkTest : public LessonWindowTest, public ::testing::WithParamInter
     EXPECT_EQ(window_->debugView().surfacePanel()->settings().view, findSurfaceView(step.view).value_or(0));
     EXPECT_EQ(window_->findChild<QAction*>("showBoxes")->isChecked(), step.boxes);
     EXPECT_EQ(window_->findChild<QAction*>("showReflections")->isChecked(), step.reflections);
+    if (!step.published.empty()) {
+      waitUntilIdle();
+      ASSERT_TRUE(QTest::qWaitFor([this] { return lessons().published().complete(); }, 60000));
+      EXPECT_TRUE(shown("publishedPicture"));
+      keepPicture("lesson_published_" + QString::fromStdString(step.published));
+    } else {
+      EXPECT_FALSE(shown("publishedPicture"));
+    }
     if (step.rays.empty()) return;
     waitUntilIdle();
     EXPECT_GT(window_->debugView().rays().rays(), 0) << "no ray starts where the step says";
