@@ -105,7 +105,6 @@ QString measureLabel(const LessonMeasure& measure) {
       return label;
     }
     case MeasureKind::Counter:
-    case MeasureKind::Broken:
     case MeasureKind::Field:
       break;
   }
