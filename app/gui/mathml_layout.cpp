@@ -225,7 +225,9 @@ class Layout {
     bool operand = false;  // is there something on the left that an operator can take?
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const Node& what = core(nodes[i]);
-      const bool op = what.tag == "mo";
+      // Written as operators by some, but they are what operators work on.
+      const bool noun = QString::fromUtf8("∞…").contains(what.text) && !what.text.isEmpty();
+      const bool op = what.tag == "mo" && !noun;
       const bool fence = op && isFence(what.text);
       const bool word = what.text.size() > 1 && what.text[0].isLetter() && (op || what.tag == "mi");
       const double lean = op && !fence ? line.slant * 0.5 : (fence ? line.slant : 0.0);

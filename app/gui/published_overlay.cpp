@@ -36,6 +36,7 @@ PublishedOverlay::PublishedOverlay(SceneRenderer& renderer, Viewport& viewport, 
   picture_->setScaledContents(true);
   note_->setStyleSheet(
       "QLabel { color: #f4f4f4; background: rgba(16, 18, 22, 210); border-radius: 5px; padding: 6px 10px; }");
+  note_->setWordWrap(true);
   for (QLabel* label : {picture_, note_}) {
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
     label->hide();
@@ -61,6 +62,7 @@ void PublishedOverlay::invalidate() {
 }
 
 void PublishedOverlay::place() {
+  note_->setFixedWidth(std::min(viewport_.width() - 24, 460));
   note_->adjustSize();
   note_->move(12, 12);
   note_->show();

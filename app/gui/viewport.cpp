@@ -60,6 +60,8 @@ Viewport::Viewport(QWidget* parent)
         "QLabel { color: #f4f4f4; background: rgba(16, 18, 22, 210); border-radius: 5px; padding: 6px 10px; }");
     label->hide();
   }
+  invitation_->setWordWrap(true);
+  invitation_->setAlignment(Qt::AlignCenter);
 }
 
 Viewport::~Viewport() = default;
@@ -111,6 +113,8 @@ void Viewport::showInvitation(const QString& text) {
 }
 
 void Viewport::placeInvitation() {
+  constexpr int kWidest = 460, kBeside = 12;
+  invitation_->setFixedWidth(std::clamp(width() - 2 * kBeside, 1, kWidest));
   invitation_->adjustSize();
   invitation_->move((width() - invitation_->width()) / 2, (height() - invitation_->height()) / 2);
 }

@@ -70,6 +70,9 @@ TEST(Formula, OperatorsKeepTheirDistance) {
   EXPECT_GT(sum.width, letters.width + math("<mo>+</mo>").width + 0.3);
   const MathBox negative = math("<mo>-</mo><mi>b</mi>"), less = math("<mi>a</mi><mo>-</mo><mi>b</mi>");
   EXPECT_LT(negative.width, less.width - math("<mi>a</mi>").width - 0.3) << "a sign stands at its number";
+  EXPECT_NEAR(math("<mo>∞</mo><mo>,</mo><mi>b</mi>").width,
+              math("<mi mathvariant='normal'>∞</mi><mo>,</mo><mi>b</mi>").width, 1e-9)
+      << "infinity is a number here";
   EXPECT_GT(math("<mo>-</mo>").width, mathText("-", MathFont::Upright, 1.0).width) << "a minus sign is no hyphen";
 }
 

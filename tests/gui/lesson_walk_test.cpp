@@ -109,6 +109,10 @@ TEST_P(LessonWalkTest, FromTheListToItsEnd) {
     EXPECT_FALSE(!last && progress().done);
     if (lesson.steps[i].question) answer(*lesson.steps[i].question, i);
     if (lesson.steps[i].task) perform(*lesson.steps[i].task, i);
+    if (!qEnvironmentVariable("BOXPROBE_TEST_OUTPUT").isEmpty()) {
+      waitUntilIdle();
+      keepPicture(QString("lesson_%1_%2").arg(QString::fromStdString(lesson.name)).arg(i + 1));
+    }
     if (i % 2 == 0) {
       key(i % 4 == 0 ? Qt::Key_Right : Qt::Key_PageDown);
     } else {
