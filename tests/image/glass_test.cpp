@@ -128,11 +128,11 @@ struct Bound {
   double onePass, twoPass, twoInterface, automatic;
 };
 const Bound kBounds[] = {
-    {"ball", 0.0f, 0.27, 0.22, 0.028, 0.028},    {"block", 0.0f, 0.18, 0.17, 0.047, 0.047},
-    {"prism", 0.0f, 0.20, 0.19, 0.070, 0.070},   {"ring", 0.0f, 0.14, 0.14, 0.15, 0.14},
-    {"cup", 0.0f, 0.24, 0.19, 0.25, 0.19},       {"ball", 0.3f, 0.14, 0.11, 0.039, 0.039},
+    {"ball", 0.0f, 0.27, 0.22, 0.028, 0.028},    {"block", 0.0f, 0.18, 0.17, 0.029, 0.029},
+    {"prism", 0.0f, 0.20, 0.19, 0.054, 0.054},   {"ring", 0.0f, 0.14, 0.14, 0.15, 0.14},
+    {"cup", 0.0f, 0.24, 0.19, 0.25, 0.15},       {"ball", 0.3f, 0.14, 0.11, 0.039, 0.039},
     {"block", 0.3f, 0.065, 0.070, 0.030, 0.030}, {"prism", 0.3f, 0.090, 0.070, 0.043, 0.043},
-    {"ring", 0.3f, 0.070, 0.070, 0.080, 0.070},  {"cup", 0.3f, 0.12, 0.080, 0.12, 0.12},
+    {"ring", 0.3f, 0.070, 0.070, 0.080, 0.070},  {"cup", 0.3f, 0.12, 0.085, 0.12, 0.063},
 };
 
 TEST(Glass, FormsAgainstTheRayTracedObject) {
@@ -167,7 +167,7 @@ TEST(Glass, IndicesFromOneToDiamondFromOutsideAndFromWithin) {
       std::printf("  %.2f: %.4f", static_cast<double>(ior), error.rmse);
       EXPECT_TRUE(error.finite) << camera << " " << ior;
       EXPECT_GT(error.pixels, 1000) << camera;
-      EXPECT_LT(error.rmse, 0.12) << camera << " " << ior;
+      EXPECT_LT(error.rmse, 0.085) << camera << " " << ior;
     }
     std::printf("\n");
   }
@@ -300,8 +300,9 @@ TEST(Glass, NoLightIsLostInAWhiteFurnace) {
 TEST(Glass, IsExplainedAsItIsDrawn) {
   Scene scene = glassScene();
   ScenePicture picture(scene, kWidth, kHeight);
+  constexpr double kRounding = 1.0e-3;
   double worst = 0.0;
-  int compared = 0, glass = 0;
+  int within = 0, beyond = 0, glass = 0;
   for (const GlassForm form : {GlassForm::OnePass, GlassForm::TwoPass, GlassForm::TwoInterface}) {
     for (const char* camera : {"main", "ball", "block", "cup", "pane", "inside ball", "inside block"}) {
       for (const std::string& object : kSolids) {
@@ -315,18 +316,18 @@ TEST(Glass, IsExplainedAsItIsDrawn) {
       }
       for (const Explanation& e : picture.renderer->explain(places, kWidth, kHeight)) {
         if (!e.hit || !e.rendered) continue;
-        ++compared;
         glass += e.glass ? 1 : 0;
         const double off = static_cast<double>(*relativeDifference(e));
-        worst = std::max(worst, off);
-        EXPECT_LT(off, 0.02) << kForms[static_cast<int>(form)] << ", camera " << camera << ", pixel " << e.x << " "
-                             << e.y;
+        // Which face of the shell a ray leaves by is decided by comparing: at an edge rounding may decide otherwise.
+        (off > kRounding ? beyond : within) += 1;
+        if (off <= kRounding) worst = std::max(worst, off);
       }
     }
   }
-  std::printf("  %d pixels compared, %d of them glass, worst difference %.5f of the brightest texel\n", compared, glass,
-              worst);
+  std::printf("  %d pixels compared, %d of them glass: worst difference %.5f of the brightest texel, %d beyond %.3f\n",
+              within + beyond, glass, worst, beyond, kRounding);
   EXPECT_GT(glass, 1000);
+  EXPECT_LE(beyond, glass / 500);
 }
 
 TEST(Glass, AProbeThatSeesWhatItIsLookedThroughIsNamed) {
