@@ -198,6 +198,23 @@ TEST(WindowSky, AnotherSkyCostsNoCapture) {
   EXPECT_EQ(picture.renderer->counters().facesCaptured, faces);
 }
 
+// A picture without alpha covers everything: no sky shows through it, and lights outside shine through walls it says
+// nothing of.
+TEST(WindowSky, APictureWithoutCoverageIsWhole) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/windows.boxprobe.json", 64, 36);
+  picture.scene.objects["globe"].visible = false;
+  Probe& probe = picture.scene.probes[0];
+  probe.mode = ProbeUpdate::Custom;
+  probe.image = pictureFile("windows_whole.exr", [](double, double) { return glm::vec4(0.4f, 0.4f, 0.4f, 1.0f); });
+  picture.show(picture.scene.cameras.front());
+  picture.window->Render();
+  EXPECT_EQ(picture.renderer->counters().drawsWithOpenSky, 0u);
+  const Explanation e = picture.renderer->explain(32, 30, 64, 36);
+  ASSERT_EQ(e.surface.object, "floor");
+  ASSERT_EQ(e.shadows.size(), 1u);
+  EXPECT_EQ(e.shadows[0].through, glm::vec3(1.0f));
+}
+
 TEST(WindowSky, ARoomWithoutOpeningsLooksUpNoSky) {
   const auto draws = [](const std::string& scene, const Clear& clear) {
     ScenePicture picture = ScenePicture::fromFile("scenes/" + scene + ".boxprobe.json", 64, 36);
