@@ -7,8 +7,8 @@
 #include <glm/matrix.hpp>
 
 #include "filters/core/direct_light.h"
-#include "filters/core/fixed_text.h"
 #include "filters/core/explain_shadow.h"
+#include "filters/core/fixed_text.h"
 #include "filters/core/lookup_record.h"
 #include "filters/core/probe_shares.h"
 #include "filters/math/coverage.h"
@@ -207,10 +207,10 @@ MirrorExplanation explainMirror(const shading::MirrorLook& look, const SurfacePo
   const glm::vec4 value = shading::mirroredLight(look, position, normal, s.viewWorld, roughness);
   e.light = glm::vec3(value);
   e.coverage = value.w;
-  e.fetches = shading::mirrorFetches(look, normal, roughness);
+  e.fetches = shading::mirrorFetches(look, position, normal, s.viewWorld, roughness);
   const glm::vec3 reflection = shading::reflectedView(normal, s.viewWorld);
   const float alpha = roughness * roughness, solidAngle = 12.5663706f * alpha * alpha;
-  const float height = shading::mirrorHeight(look, position, reflection, solidAngle) * look.farHeight;
+  const float height = shading::mirrorHeight(look, position, reflection, solidAngle, 3) * look.farHeight;
   e.hitDistance = height / std::max(glm::dot(reflection, look.normal), 1.0e-2f);
   e.level = shading::mirrorLevel(look, position + e.hitDistance * reflection, e.hitDistance, solidAngle);
   return e;

@@ -27,8 +27,8 @@ namespace boxprobe::shading {
 #undef MIRROR_PICTURE
 
 vec2 mirrorPlace(MirrorLook look, vec3 position);
-float mirrorHeight(MirrorLook look, vec3 position, vec3 reflection, float solidAngle);
-int mirrorFetches(MirrorLook look, vec3 normal, float roughness);
+float mirrorHeight(MirrorLook look, vec3 position, vec3 reflection, float solidAngle, int steps);
+int mirrorFetches(MirrorLook look, vec3 position, vec3 normal, vec3 view, float roughness);
 float mirrorLevel(MirrorLook look, vec3 met, float distance, float solidAngle);
 vec4 mirroredLight(MirrorLook look, vec3 position, vec3 normal, vec3 view, float roughness);
 

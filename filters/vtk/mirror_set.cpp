@@ -161,8 +161,11 @@ void MirrorSet::update() {
     if (!mirror.usable) mirror.target->release();
     mirrors_.push_back(std::move(mirror));
   }
-  // Once for each: going through none in between would make its program anew.
-  for (std::size_t i = 0; i < pictures.size(); ++i) content_->objects[i].mapper->SetMirror(std::move(pictures[i]));
+  // Those that had a picture keep their program; the others get it with their first (see draw).
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    vtkProbePolyDataMapper& mapper = *content_->objects[i].mapper;
+    if (mapper.GetMirror() != pictures[i]) mapper.SetMirror(nullptr);
+  }
 }
 
 void MirrorSet::count(MirrorState state) {
@@ -298,7 +301,14 @@ void MirrorSet::draw(vtkCamera* camera, double aspect, int width, int height, in
     report.plane = p.plane;
     report.eye = p.view.eye;
   }
-  for (const MirrorReport& report : reports_) count(report.state);
+  // Another program for those that have none: what a frame cannot show is not looked up in it either.
+  for (std::size_t i = 0; i < mirrors_.size(); ++i) {
+    const Mirror& mirror = mirrors_[i];
+    for (const std::size_t object : mirror.objects) {
+      content_->objects[object].mapper->SetMirror(mirror.picture->shown ? mirror.picture : nullptr);
+    }
+    count(reports_[i].state);
+  }
   if (!plans.empty()) camera->Modified();  // see CubeCapture::prepare: shared programs were lit for another camera
 }
 
@@ -329,6 +339,8 @@ void MirrorSet::paint(const Plan& plan, const PictureView& view, int samples) {
   look.eye = glm::vec3(plan.view.eye - view.eye);
   look.texelSize = static_cast<float>(texelSize(view) / plan.resolution);
   look.parallel = view.parallel ? 1.0f : 0.0f;
+  look.sizeX = static_cast<float>(mirror.target->width());
+  look.sizeY = static_cast<float>(mirror.target->rows());
   look.maxLevel = static_cast<float>(mirror.target->levels() - 1);
   look.sharpLevel = std::min(static_cast<float>(std::log2(std::max(plan.resolution, 1.0))), look.maxLevel);
   picture.shown = true;

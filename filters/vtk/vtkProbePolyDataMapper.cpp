@@ -317,6 +317,8 @@ void vtkProbePolyDataMapper::UploadMirror(vtkShaderProgram* program, vtkRenderer
   program->SetUniform4f("bpMirrorEye", &eye.x);
   const glm::vec3 levels(look.parallel, look.maxLevel, look.sharpLevel);
   program->SetUniform3f("bpMirrorLevels", &levels.x);
+  const glm::vec2 size(look.sizeX, look.sizeY);
+  program->SetUniform2f("bpMirrorSize", &size.x);
 }
 
 void vtkProbePolyDataMapper::UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer) {

@@ -6,6 +6,7 @@ uniform vec4 bpMirrorPlaces[3];
 uniform vec4 bpMirrorNormal;   // w: farHeight
 uniform vec4 bpMirrorEye;      // w: texelSize
 uniform vec3 bpMirrorLevels;   // parallel, maxLevel, sharpLevel
+uniform vec2 bpMirrorSize;     // texels
 
 MirrorLook bpMirrorLook()
 {
@@ -20,6 +21,8 @@ MirrorLook bpMirrorLook()
   look.parallel = bpMirrorLevels.x;
   look.maxLevel = bpMirrorLevels.y;
   look.sharpLevel = bpMirrorLevels.z;
+  look.sizeX = bpMirrorSize.x;
+  look.sizeY = bpMirrorSize.y;
   look.picture = 0;
   return look;
 }

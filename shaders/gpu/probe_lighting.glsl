@@ -156,7 +156,7 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
     vec4 moving = mirroredLight(bpMirrorLook(), position, normal, view, roughness);
     light.specular = (1.0f - moving.w) * light.specular + (light.share + remaining) * vec3(moving);
 #if BP_DEBUG
-    bpLookups += float(mirrorFetches(bpMirrorLook(), normal, roughness));
+    bpLookups += float(mirrorFetches(bpMirrorLook(), position, normal, view, roughness));
 #endif
 #if BP_SAMPLED
     light.sampled = (1.0f - moving.w) * light.sampled;

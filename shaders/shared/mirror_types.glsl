@@ -10,6 +10,8 @@ struct MirrorLook
   float texelSize;    // of the finest level: at distance 1 from the mirrored eye, or anywhere under parallel projection
   float parallel;     // 1 under parallel projection
   float maxLevel;
+  float sizeX;        // texels of the finest level
+  float sizeY;
   float sharpLevel;   // whose texels are pixels of the screen, or larger
   MIRROR_PICTURE picture;
 };

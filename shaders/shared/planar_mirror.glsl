@@ -30,12 +30,31 @@ float mirrorLevel(MirrorLook look, vec3 met, float distance, float solidAngle)
   return clamp(0.5f * log2(max(solidAngle * wide * wide, 1.0e-6f)), look.sharpLevel, look.maxLevel);
 }
 
+// Is anything that moves near what the lobe can reach, from the mirror itself to the farthest height? One fetch from a level whose texels
+// are as large as all of that: coverage is never below 0, so that a mean of 0 means none. Rays are drawn by a loop that then has no
+// passes: software renderers skip those, not branches.
+bool mirrorReaches(MirrorLook look, vec3 position, vec3 reflection, float alpha)
+{
+  float far = look.farHeight / max(dot(reflection, look.normal), kMirrorGrazing);
+  vec3 end = position + far * reflection;
+  vec2 first = mirrorPlace(look, position);
+  vec2 last = mirrorPlace(look, end);
+  if (last.x < -1.5f) { return true; }  // reaches behind the mirrored eye: not known
+  // Texels: half the way, and three times the lobe's half width, which leaves a few thousandths of it out.
+  vec3 away = end - look.eye;
+  float scale = look.parallel > 0.5f ? 1.0f : length(away);
+  float lobe = 3.0f * alpha * far / max(look.texelSize * scale, 1.0e-30f);
+  float way = 0.5f * length(vec2((last.x - first.x) * look.sizeX, (last.y - first.y) * look.sizeY));
+  float level = ceil(log2(max(2.0f * (way + lobe), 1.0f)));
+  return level > look.maxLevel || fetchMirrorColor(look, 0.5f * (first + last), level).w > 0.0f;
+}
+
 // How high what the reflected ray meets is, in parts of farHeight: searched from the farthest inwards, with the whole lobe's width.
-float mirrorHeight(MirrorLook look, vec3 position, vec3 reflection, float solidAngle)
+float mirrorHeight(MirrorLook look, vec3 position, vec3 reflection, float solidAngle, int steps)
 {
   float along = max(dot(reflection, look.normal), kMirrorGrazing);
   float height = 1.0f;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < steps; ++i)
   {
     float distance = height * look.farHeight / along;
     vec3 met = position + distance * reflection;
@@ -45,11 +64,22 @@ float mirrorHeight(MirrorLook look, vec3 position, vec3 reflection, float solidA
   return height;
 }
 
+// Rays for a lobe that covers texels of `level`: one where it lies within a texel.
+int mirrorRays(float level)
+{
+  return level < 0.25f ? 1 : min(int(6.0f * exp2(level)), kMirrorRays);
+}
+
 // Fetches of the lookup below.
-int mirrorFetches(MirrorLook look, vec3 normal, float roughness)
+int mirrorFetches(MirrorLook look, vec3 position, vec3 normal, vec3 view, float roughness)
 {
   if (roughness < kMirrorFlat) { return 1.0f - dot(normal, look.normal) < 1.0e-6f ? 1 : 4; }
-  return 3 + kMirrorRays;
+  vec3 reflection = reflectedView(normal, view);
+  float alpha = roughness * roughness;
+  if (!mirrorReaches(look, position, reflection, alpha)) { return 1; }
+  float solidAngle = 12.5663706f * alpha * alpha;
+  float distance = mirrorHeight(look, position, reflection, solidAngle, 3) * look.farHeight / max(dot(reflection, look.normal), kMirrorGrazing);
+  return 4 + mirrorRays(mirrorLevel(look, position + distance * reflection, distance, solidAngle));
 }
 
 // Premultiplied light and coverage, the mean over the lobe. All relative to the eye, world axes.
@@ -61,12 +91,15 @@ vec4 mirroredLight(MirrorLook look, vec3 position, vec3 normal, vec3 view, float
   vec3 reflection = reflectedView(normal, view);
   float alpha = roughness * roughness;
   // The solid angle of GGX around its middle: 1 / density there.
-  float height = mirrorHeight(look, position, reflection, 12.5663706f * alpha * alpha);
-  if (roughness < kMirrorFlat)
-  {
-    float along = max(dot(reflection, look.normal), kMirrorGrazing);
-    return fetchMirrorColor(look, mirrorPlace(look, position + height * look.farHeight / along * reflection), look.sharpLevel);
-  }
+  float whole = 12.5663706f * alpha * alpha;
+  float along = max(dot(reflection, look.normal), kMirrorGrazing);
+  bool flatLobe = roughness < kMirrorFlat;
+  int searched = flatLobe || mirrorReaches(look, position, reflection, alpha) ? 3 : 0;
+  float height = mirrorHeight(look, position, reflection, whole, searched);
+  vec3 middle = position + height * look.farHeight / along * reflection;
+  float level = flatLobe ? look.sharpLevel : mirrorLevel(look, middle, height * look.farHeight / along, whole);
+  int rays = searched == 0 ? 0 : flatLobe ? 1 : mirrorRays(level);
+  if (rays == 1) { return fetchMirrorColor(look, mirrorPlace(look, middle), level); }
 
   // Visible normals by the spherical cap (Dupuy and Benyoub 2023), in the frame of the normal with V in the plane of x and z.
   float nv = clamp(dot(normal, view), 1.0e-4f, 1.0f);
@@ -80,11 +113,11 @@ vec4 mirroredLight(MirrorLook look, vec3 position, vec3 normal, vec3 view, float
   vec3 stretched = normalize(vec3(alpha * v.x, 0.0f, nv));
   vec4 sum = vec4(0.0f);
   float weights = 0.0f;
-  for (int i = 0; i < kMirrorRays; ++i)
+  for (int i = 0; i < rays; ++i)
   {
     // A spiral of golden angles, the same in every pixel: what lies between two rays the levels fill.
     float turn = 2.39996323f * float(i);
-    float cap = (float(i) + 0.5f) / float(kMirrorRays) * (1.0f + stretched.z);
+    float cap = (float(i) + 0.5f) / float(rays) * (1.0f + stretched.z);
     float radius = sqrt(cap * max(2.0f - cap, 0.0f));
     vec3 c = vec3(radius * cos(turn) + stretched.x, radius * sin(turn), max(1.0f - cap + stretched.z, 0.0f));
     vec3 h = vec3(alpha * c.x, alpha * c.y, c.z);
@@ -96,7 +129,7 @@ vec4 mirroredLight(MirrorLook look, vec3 position, vec3 normal, vec3 view, float
       float maskLight = sqrt(a2 + (1.0f - a2) * l.z * l.z);
       float weight = l.z * (nv + maskView) / (nv * maskLight + l.z * maskView);
       float q = dot(c, c) / h2;
-      float solidAngle = 6.2831853f * (nv + maskView) * a2 * q * q / float(kMirrorRays);
+      float solidAngle = 6.2831853f * (nv + maskView) * a2 * q * q / float(rays);
       vec3 direction = normalize(tangent * l.x + bitangent * l.y + normal * l.z);
       float distance = height * look.farHeight / max(dot(direction, look.normal), kMirrorGrazing);
       vec3 met = position + distance * direction;
