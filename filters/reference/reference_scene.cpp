@@ -13,23 +13,31 @@ namespace boxprobe {
 
 namespace {
 
-/// Rays through a picture as vtkCamera projects it: the field of view is the vertical one, pixels are square.
+/// Rays through a picture as vtkCamera projects it: the field of view is the vertical one, pixels are square; in
+/// parallel projection all rays are, and each starts at its own place beside the camera's.
 class PictureRays {
  public:
-  PictureRays(const Camera& camera, int width, int height) : width_(width), height_(height) {
+  PictureRays(const Camera& camera, int width, int height)
+      : width_(width), height_(height), eye_(camera.position), parallel_(camera.parallelHeight > 0.0) {
     forward_ = glm::normalize(camera.target - camera.position);
-    const double tangent = std::tan(0.5 * glm::radians(camera.verticalFovDegrees));
+    const double half =
+        parallel_ ? 0.5 * camera.parallelHeight : std::tan(0.5 * glm::radians(camera.verticalFovDegrees));
     const glm::dvec3 right = glm::normalize(glm::cross(forward_, camera.up));
-    right_ = right * (tangent * width / height);
-    up_ = glm::cross(right, forward_) * tangent;
+    right_ = right * (half * width / height);
+    up_ = glm::cross(right, forward_) * half;
   }
-  /// Pixels from the top left; not unit.
-  glm::dvec3 direction(double x, double y) const {
-    return forward_ + (2.0 * x / width_ - 1.0) * right_ + (1.0 - 2.0 * y / height_) * up_;
-  }
+  /// Pixels from the top left.
+  glm::dvec3 origin(double x, double y) const { return parallel_ ? eye_ + beside(x, y) : eye_; }
+  /// Not unit.
+  glm::dvec3 direction(double x, double y) const { return parallel_ ? forward_ : forward_ + beside(x, y); }
 
  private:
+  glm::dvec3 beside(double x, double y) const {
+    return (2.0 * x / width_ - 1.0) * right_ + (1.0 - 2.0 * y / height_) * up_;
+  }
   int width_, height_;
+  glm::dvec3 eye_;
+  bool parallel_;
   glm::dvec3 forward_, right_, up_;
 };
 
@@ -100,14 +108,15 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
     ProgressivePicture::Pixel pixel;
     pixel.exact = true;
     for (int k = 0; k < side * side; ++k) {
-      const glm::dvec3 direction = rays.direction(x + (k % side + 0.5) / side, y + (k / side + 0.5) / side);
-      const auto hit = tracer_.firstHit(camera.position, direction);
+      const double across = x + (k % side + 0.5) / side, down = y + (k / side + 0.5) / side;
+      const glm::dvec3 eye = rays.origin(across, down), direction = rays.direction(across, down);
+      const auto hit = tracer_.firstHit(eye, direction);
       if (!hit) {
         pixel.color += glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
         continue;
       }
       pixel.alpha += 1.0;
-      const SurfacePoint surface = tracer_.surface(*hit, camera.position);
+      const SurfacePoint surface = tracer_.surface(*hit, eye);
       const bool unlit = tracer_.object(*hit).material.unlit;
       const Material& material = tracer_.object(*hit).material;
       const double passes = material.transmits() ? static_cast<double>(material.transmission) *

@@ -255,6 +255,27 @@ TEST(ReferenceScene, StandardErrorsAreHonestAndFallWithRays) {
   EXPECT_LT(manySum, errorSum / std::sqrt(8.0));
 }
 
+// A square of 2 x 2 in a picture 8 high and as wide: a sixteenth of it, from however far away.
+TEST(ReferenceScene, ParallelCamerasSeeByTheHeightOfThePicture) {
+  const std::vector<std::shared_ptr<Model>> models = {floorModel({})};
+  const Scene scene = sceneOf(models);
+  ReferenceSettings settings;
+  settings.width = settings.height = 64;
+  settings.samplesPerPixel = 1;
+  settings.raysPerPixel = 1;
+  for (const double distance : {2.0, 50.0}) {
+    Camera camera;
+    camera.position = {0.0, distance, 0.0};
+    camera.target = {0.0, 0.0, 0.0};
+    camera.up = {0.0, 0.0, -1.0};
+    camera.parallelHeight = 8.0;
+    const ImageRgbaF picture = ReferenceScene(scene, constant(models), nullptr).render(camera, settings).color;
+    double covered = 0.0;
+    for (std::size_t i = 3; i < picture.pixels.size(); i += 4) covered += picture.pixels[i];
+    EXPECT_NEAR(covered / (64.0 * 64.0), 1.0 / 16.0, 1e-9) << distance;
+  }
+}
+
 TEST(ReferenceScene, StopsWhenAsked) {
   const std::vector<std::shared_ptr<Model>> models = {floorModel({})};
   Scene scene = sceneOf(models);
