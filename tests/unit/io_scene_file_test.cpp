@@ -210,7 +210,7 @@ TEST(SceneErrors, WrongTypesNameTheKeyWhatIsWantedAndWhatIsThere) {
             "scene.json:2:25: sky.color[2]: 1e+200 is too large; use a smaller number");
   EXPECT_EQ(problem(R"("probes": [{"name": "room", "box": {"min": [0, 0, 0]}}])"),
             "scene.json:2:29: probes.room.box: has no max; give both min and max");
-  EXPECT_NE(problem(R"("probes": [{"name": "room", "clear": "black"}])").find("\"sky\", \"none\" or a color"),
+  EXPECT_NE(problem(R"("probes": [{"name": "room", "clear": "black"}])").find("\"sky\", \"open\", \"none\" or a color"),
             std::string::npos);
 }
 
