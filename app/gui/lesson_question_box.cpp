@@ -54,7 +54,9 @@ void LessonQuestionBox::choose(std::size_t index) {
   const LessonAnswer& answer = question_.answers[index];
   for (TextButton* button : buttons_) button->setMark(TextButton::Mark::Empty);
   buttons_[index]->setMark(answer.right ? TextButton::Mark::Right : TextButton::Mark::Wrong);
-  reply_->setText((answer.right ? tr("Right. %1") : tr("Not this one. %1")).arg(QString::fromStdString(answer.reply)));
+  const QString why = QString::fromStdString(answer.reply);
+  const bool saysSo = why.startsWith(tr("Yes"));
+  reply_->setText(answer.right ? (saysSo ? why : tr("Right. %1").arg(why)) : tr("Not this one. %1").arg(why));
   reply_->show();
   emit answered(answer.right);
 }
