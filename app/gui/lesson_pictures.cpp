@@ -33,6 +33,8 @@ QImage LessonPhotographer::picture(const LessonStep& step) {
 
 LessonPictures LessonPhotographer::take(const Lesson& lesson) {
   LessonPictures pictures;
+  player_.window()->MakeCurrent();
+  boxes_.reset();  // drawn over the renderer there was
   player_.open(lesson);
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     player_.show(i);

@@ -189,7 +189,11 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
   }
   const Output output(options);
   requireDisplay("boxprobe lessons");
-  const QGuiApplication application(argc, argv);  // fonts
+  // Qt is here for its fonts; what it remarks on its surroundings is not the user's business.
+  qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& line) {
+    if (type == QtCriticalMsg || type == QtFatalMsg) printError(line.toStdString());
+  });
+  const QGuiApplication application(argc, argv);
   produce(lessons, options, output);
 }
 

@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "app/cli/load_scene.h"
@@ -33,6 +34,13 @@ std::optional<double> counter(const Counters& counters, const std::string& name)
   return std::nullopt;
 }
 
+std::unique_ptr<RayLayer> makeRayLayer(SceneRenderer& renderer) {
+  auto layer = std::make_unique<RayLayer>(renderer.renderer());
+  layer->setLegendVisible(false);
+  layer->setLineWidth(2.5);
+  return layer;
+}
+
 }  // namespace
 
 LessonPlayer::LessonPlayer(int width, int height, std::function<bool()> goOn)
@@ -41,10 +49,8 @@ LessonPlayer::LessonPlayer(int width, int height, std::function<bool()> goOn)
       goOn_(std::move(goOn)),
       window_(makeOffscreenWindow(width, height, kPictureSamples)),
       renderer_(std::make_unique<SceneRenderer>(window_)),
-      rays_(std::make_unique<RayLayer>(renderer_->renderer())),
+      rays_(makeRayLayer(*renderer_)),
       rayFilter_(vtkSmartPointer<vtkProjectionRays>::New()) {
-  rays_->setLegendVisible(false);
-  rays_->setLineWidth(2.5);
   rayFilter_->SetKindEnabled(RayKind::TrueHit, false);
   rayFilter_->SetKindEnabled(RayKind::Error, false);
 }
@@ -55,7 +61,19 @@ LessonPlayer::~LessonPlayer() {
   renderer_->releaseGraphics();
 }
 
+// Work is counted from nothing: what lessons before have captured would otherwise be found again.
+void LessonPlayer::forgetCaptures() {
+  window_->MakeCurrent();
+  rays_.reset();
+  renderer_->releaseGraphics();
+  renderer_ = std::make_unique<SceneRenderer>(window_);
+  rays_ = makeRayLayer(*renderer_);
+  modelFiles_.clear();
+}
+
 void LessonPlayer::open(const Lesson& lesson) {
+  const auto counts = [](const LessonClaim& claim) { return claim.condition.measure.kind == MeasureKind::Counter; };
+  if (std::any_of(lesson.claims.begin(), lesson.claims.end(), counts)) forgetCaptures();
   lesson_ = &lesson;
   shown_.reset();
   work_.clear();

@@ -61,6 +61,7 @@ class LessonPlayer {
   const ImageRgbaF& linear(std::size_t step);
   void drawRays(const LessonStep& step);
   void showScene(std::size_t step, Scene scene);
+  void forgetCaptures();
 
   int width_, height_;
   std::function<bool()> goOn_;

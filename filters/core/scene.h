@@ -92,7 +92,7 @@ struct Light {
 
 /// How a material that transmits light is drawn.
 enum class GlassForm {
-  Automatic,     ///< TwoInterface where the object's shell describes it, else OnePass
+  Automatic,     ///< TwoInterface where its shell describes the object, thin walls where it is hollow, else TwoPass
   OnePass,       ///< bent once, at the front, then looked up
   TwoPass,       ///< the same of the back faces first, and the front faces blended over them
   TwoInterface,  ///< followed through the object: bent at the front and where it leaves, mirrored within

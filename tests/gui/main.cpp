@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QStandardPaths>
+#include <QTemporaryDir>
 
 #include "app/gui/window_style.h"
 #include "tests/gui/window_test.h"
@@ -11,7 +11,9 @@ int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   boxprobe::setSurfaceFormat();
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QStandardPaths::setTestModeEnabled(true);
+  // Preferences of this run alone: several run at once.
+  const QTemporaryDir own;
+  for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) qputenv(place, own.path().toUtf8());
   QApplication application(argc, argv);
   boxprobe::applyWindowStyle(application);
   const int result = RUN_ALL_TESTS();
