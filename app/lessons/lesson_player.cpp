@@ -4,7 +4,6 @@
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "app/cli/load_scene.h"
@@ -61,19 +60,19 @@ LessonPlayer::~LessonPlayer() {
   renderer_->releaseGraphics();
 }
 
-// Work is counted from nothing: what lessons before have captured would otherwise be found again.
+// What lessons before have captured would be found again: work would not be counted, and what a capture's second bounce
+// shows is kept while boxes and techniques change.
 void LessonPlayer::forgetCaptures() {
   window_->MakeCurrent();
   rays_.reset();
-  renderer_->releaseGraphics();
+  renderer_.reset();
   renderer_ = std::make_unique<SceneRenderer>(window_);
   rays_ = makeRayLayer(*renderer_);
-  modelFiles_.clear();
+  modelsShown_ = false;
 }
 
 void LessonPlayer::open(const Lesson& lesson) {
-  const auto counts = [](const LessonClaim& claim) { return claim.condition.measure.kind == MeasureKind::Counter; };
-  if (std::any_of(lesson.claims.begin(), lesson.claims.end(), counts)) forgetCaptures();
+  if (lesson_ != nullptr) forgetCaptures();
   lesson_ = &lesson;
   shown_.reset();
   work_.clear();
@@ -83,12 +82,13 @@ void LessonPlayer::open(const Lesson& lesson) {
 
 void LessonPlayer::showScene(std::size_t step, Scene scene) {
   const Counters before = renderer_->counters();
-  const bool sameModels = scene.models == modelFiles_;
-  if (!sameModels) {
+  if (scene.models != modelFiles_) {
     models_ = loadModels(scene);
     modelFiles_ = scene.models;
-    renderer_->setModels(models_);
+    modelsShown_ = false;
   }
+  const bool sameModels = std::exchange(modelsShown_, true);
+  if (!sameModels) renderer_->setModels(models_);
   const Changes changes = sameModels ? difference(scene_, scene) : Changes::all();
   scene_ = std::move(scene);
   camera_ = lessonCamera(*lesson_, step, scene_);

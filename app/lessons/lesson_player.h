@@ -37,7 +37,7 @@ class LessonPlayer {
   LessonPlayer(const LessonPlayer&) = delete;
   LessonPlayer& operator=(const LessonPlayer&) = delete;
 
-  /// The lesson must outlive its use here. Models that the lesson before has, too, are not read again.
+  /// The lesson must outlive its use here. Nothing of the lesson before is kept but programs and models.
   void open(const Lesson& lesson);
   /// All captured, ready to be drawn. What is drawn over it beyond rays is the caller's.
   void show(std::size_t step);
@@ -72,6 +72,7 @@ class LessonPlayer {
   const Lesson* lesson_ = nullptr;
   std::vector<ModelFile> modelFiles_;
   std::vector<std::shared_ptr<const Model>> models_;
+  bool modelsShown_ = false;          ///< the renderer has them
   std::optional<std::size_t> shown_;  ///< nothing: not a step as the lesson has it
   Scene scene_;
   Camera camera_;
