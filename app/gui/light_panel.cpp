@@ -3,6 +3,7 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -45,7 +46,7 @@ void LightPanel::addPlace(QFormLayout* form) {
   connect(lights_, QOverload<int>::of(&QComboBox::activated), this, &LightPanel::update);
   place_ = new VectorRow({-1e6, 1e6, 0.05, 3, ""},
                          tr("The way a directional light travels; where any other stands, metres"), this);
-  addRow(form, tr("Direction or position"), place_,
+  addRow(form, tr("Direction"), place_,
          tr("The way a directional light travels; where any other stands, metres"));
   const auto moved = [](int axis, double value) {
     return [axis, value](Light& light) {
@@ -156,6 +157,9 @@ void LightPanel::update() {
     field->setEnabled(of != nullptr);
   if (of == nullptr) return;
   const bool directional = of->type == LightType::Directional, shadowed = of->shadows != LightShadows::None;
+  if (auto* label = qobject_cast<QLabel*>(form_->labelForField(place_))) {
+    label->setText(directional ? tr("Direction") : tr("Position"));
+  }
   place_->show(directional ? of->direction : of->position);
   intensity_->show(static_cast<double>(of->intensity));
   showChoice(shadows_, static_cast<int>(of->shadows));

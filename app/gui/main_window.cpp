@@ -51,7 +51,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kPanelWidth = 420;
+constexpr int kPanelWidth = 450;  // the widest panel, its margins and a scroll bar
 constexpr int kLessonWidth = 400;
 
 }  // namespace
