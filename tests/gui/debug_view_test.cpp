@@ -88,7 +88,7 @@ class DebugViewTest : public WindowTest {
     window_->grab().save(folder + "/" + name + ".png");
   }
 
-  QPointF sky_{320.0, 150.0};
+  QPointF sky_{305.0, 150.0};
   QPointF shiny_;  ///< a sphere in the probe, off all handles
 };
 
