@@ -36,7 +36,8 @@ GlassFields::GlassFields(Editor& editor, QWidget* parent) : QWidget(parent), edi
   form_ = new QuietCombo(this);
   form_->setObjectName("glassForm");
   const std::pair<QString, QString> forms[] = {
-      {tr("Automatic"), tr("Two-interface where the object's shell describes it; as thin walls where it is hollow; else two-pass")},
+      {tr("Automatic"),
+       tr("Two-interface where the object's shell describes it; as thin walls where it is hollow; else two-pass")},
       {tr("One-pass"), tr("Bent once, at the front, then looked up: the published form")},
       {tr("Two-pass"), tr("The same of the back faces first, and the front faces blended over them: published, too")},
       {tr("Two-interface"), tr("Followed through the object by its shell: bent at the front and where it leaves")}};

@@ -82,7 +82,7 @@ class LessonVisit : public QObject {
   std::optional<Lesson> lesson_;
   std::size_t step_ = 0;
   std::shared_ptr<const Scene> stepScene_;
-  std::map<TryKey, Document::State> tries_;  ///< of this session
+  std::map<TryKey, Document::State> tries_;  ///< until the program ends
 };
 
 }  // namespace boxprobe

@@ -46,8 +46,7 @@ void LightPanel::addPlace(QFormLayout* form) {
   connect(lights_, QOverload<int>::of(&QComboBox::activated), this, &LightPanel::update);
   place_ = new VectorRow({-1e6, 1e6, 0.05, 3, ""},
                          tr("The way a directional light travels; where any other stands, metres"), this);
-  addRow(form, tr("Direction"), place_,
-         tr("The way a directional light travels; where any other stands, metres"));
+  addRow(form, tr("Direction"), place_, tr("The way a directional light travels; where any other stands, metres"));
   const auto moved = [](int axis, double value) {
     return [axis, value](Light& light) {
       glm::dvec3& v = light.type == LightType::Directional ? light.direction : light.position;

@@ -139,10 +139,10 @@ void MainWindow::buildPanels() {
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(6);
-  for (QWidget* panel :
-       {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(bakePanel_), static_cast<QWidget*>(probePanel_),
-        static_cast<QWidget*>(capturePanel_), static_cast<QWidget*>(materialPanel_),
-        static_cast<QWidget*>(objectPanel_), static_cast<QWidget*>(lightPanel_), static_cast<QWidget*>(picturePanel_)}) {
+  for (QWidget* panel : {static_cast<QWidget*>(probeList_), static_cast<QWidget*>(bakePanel_),
+                         static_cast<QWidget*>(probePanel_), static_cast<QWidget*>(capturePanel_),
+                         static_cast<QWidget*>(materialPanel_), static_cast<QWidget*>(objectPanel_),
+                         static_cast<QWidget*>(lightPanel_), static_cast<QWidget*>(picturePanel_)}) {
     layout->addWidget(panel);
   }
   layout->addStretch(1);

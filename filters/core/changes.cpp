@@ -85,8 +85,8 @@ Changes difference(const Scene& before, const Scene& after) {
   if (&before == &after) return changes;
   compareProbes(changes, before.probes, after.probes);
   changes.materials = before.materials != after.materials;
-  changes.objects = before.objects != after.objects || before.mirrors != after.mirrors ||
-                    before.mirrorBudget != after.mirrorBudget;
+  changes.objects =
+      before.objects != after.objects || before.mirrors != after.mirrors || before.mirrorBudget != after.mirrorBudget;
   changes.lights = !(before.lights == after.lights);
   changes.sky = !(before.sky == after.sky) || before.skyRotationDegrees != after.skyRotationDegrees;
   changes.models = !(before.models == after.models);

@@ -31,11 +31,11 @@ struct Counters {
   std::uint64_t drawsWithOpenSky = 0;   ///< of the last frame: those that look up the sky through a probe's openings
   std::uint64_t drawsWithCoverage = 0;  ///< of the last frame: those that look up what lets a light through
   std::uint64_t shadowMapsDrawn = 0;    ///< of moving objects, since the start
-  std::uint64_t texelsClamped = 0;                   ///< captured samples above half-float range, brought down to it
-  std::uint64_t texelsNotFinite = 0;                 ///< captured samples that were NaN or infinite, set to 0
-  std::uint64_t uniformUpdates = 0;                  ///< draws whose probe uniforms were uploaded
-  std::uint64_t glassDraws = 0;                      ///< of the last frame: objects that transmit light
-  std::uint64_t glassPasses = 0;                     ///< and how often their faces were drawn in colour
+  std::uint64_t texelsClamped = 0;      ///< captured samples above half-float range, brought down to it
+  std::uint64_t texelsNotFinite = 0;    ///< captured samples that were NaN or infinite, set to 0
+  std::uint64_t uniformUpdates = 0;     ///< draws whose probe uniforms were uploaded
+  std::uint64_t glassDraws = 0;         ///< of the last frame: objects that transmit light
+  std::uint64_t glassPasses = 0;        ///< and how often their faces were drawn in colour
   MirrorCounters mirrors;
 };
 

@@ -136,10 +136,10 @@ struct Explanation {
   float skyLevel = 0.0f;
   glm::vec3 skyValue{0.0f};
   std::optional<MirrorExplanation> mirror;  ///< empty: no mirror, or one without a picture here
-  std::vector<ProbeExplanation> probes;  ///< in the order of the draw, most important first
-  std::vector<LightShadow> shadows;      ///< of lights that ask for them
-  glm::vec3 color{0.0f};                 ///< computed here
-  std::optional<glm::vec3> rendered;     ///< the same pixel as the GPU drew it
+  std::vector<ProbeExplanation> probes;     ///< in the order of the draw, most important first
+  std::vector<LightShadow> shadows;         ///< of lights that ask for them
+  glm::vec3 color{0.0f};                    ///< computed here
+  std::optional<glm::vec3> rendered;        ///< the same pixel as the GPU drew it
   /// Position in `probes` of the one with the largest share of the pixel: the one that views show. -1: none.
   int dominant = -1;
   float brightestTexel = 0.0f;  ///< largest component of any texel fetched

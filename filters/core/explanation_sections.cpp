@@ -292,14 +292,15 @@ ExplanationSection glassSection(const Explanation& e) {
 
 ExplanationSection mirrorSection(const Explanation& e) {
   const MirrorExplanation& m = *e.mirror;
-  ExplanationSection section{"Planar mirror: objects that move take " + percent(m.coverage) + " of the reflection", {},
-                             -1};
+  ExplanationSection section{
+      "Planar mirror: objects that move take " + percent(m.coverage) + " of the reflection", {}, -1};
   auto& rows = section.rows;
   rows.push_back(scalar("a", m.coverage, "", "coverage of the mirror's picture over the lobe; the probes keep 1 - a"));
   if (m.coverage > 0.0f) {
     rows.push_back(scalar("d_dyn", m.hitDistance, kLength, "along R to what moves, by its height over the mirror"));
-    rows.push_back(scalar("level", m.level, "", "whose texels are as large as the lobe at that distance; " +
-                                                    std::to_string(m.fetches) + " fetches"));
+    rows.push_back(
+        scalar("level", m.level, "",
+               "whose texels are as large as the lobe at that distance; " + std::to_string(m.fetches) + " fetches"));
     rows.push_back(light("L_dyn", m.light, "its light, times a"));
   }
   if (m.share != 1.0f) rows.push_back(scalar("s", m.share, "", "factor of L_dyn: share and intensity of the probes"));

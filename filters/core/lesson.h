@@ -25,8 +25,8 @@ enum class MeasureKind {
   View,        ///< mean of a view of the surfaces, where it is defined
   Bend,     ///< of a straight line of the picture: how far from straight what it shows of the box is, over its length
   Counter,  ///< work counted since the step before
-  Field,       ///< a number of the scene
-  Broken       ///< share of a published form's lookups that are not a number
+  Field,    ///< a number of the scene
+  Broken    ///< share of a published form's lookups that are not a number
 };
 
 struct LessonMeasure {

@@ -231,7 +231,7 @@ struct Scene {
   std::vector<ModelFile> models;
   Sky sky;
   double skyRotationDegrees = 0.0;  ///< of what it shows, about +Y: 90 takes +Z to +X
-  std::vector<Camera> cameras;  ///< in file order, names unique
+  std::vector<Camera> cameras;      ///< in file order, names unique
   std::vector<Light> lights;
   std::map<std::string, MaterialOverride> materials;
   std::map<std::string, ObjectOverride> objects;

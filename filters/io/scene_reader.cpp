@@ -68,9 +68,8 @@ Camera readCamera(const JsonCursor& entry) {
 }
 
 Light readLight(const JsonCursor& entry) {
-  entry.requireObject(
-      {"type", "direction", "position", "color", "intensity", "innerConeDegrees", "outerConeDegrees", "range",
-       "shadows", "angleDegrees", "radius", "shadowLevel", "levelsPerUnit"});
+  entry.requireObject({"type", "direction", "position", "color", "intensity", "innerConeDegrees", "outerConeDegrees",
+                       "range", "shadows", "angleDegrees", "radius", "shadowLevel", "levelsPerUnit"});
   Light light;
   const auto type = entry.find("type");
   if (!type) entry.fail("has no type; add \"type\": \"directional\", \"point\" or \"spot\"");

@@ -1,5 +1,5 @@
-// shaders/shared/coverage.glsl and open_lookup.glsl as C++: what explanations compute a light's shadow and the sky through
-// openings with.
+// shaders/shared/coverage.glsl and open_lookup.glsl as C++: what explanations compute a light's shadow and the sky
+// through openings with.
 #pragma once
 
 #include "filters/math/shared_math.h"

@@ -11,10 +11,10 @@
 namespace boxprobe::shading {
 
 using glm::abs;
+using glm::ceil;
 using glm::clamp;
 using glm::cos;
 using glm::cross;
-using glm::ceil;
 using glm::dot;
 using glm::exp2;
 using glm::length;

@@ -58,7 +58,8 @@ std::optional<Technique> parseTechnique(std::string_view id);
 Technique withoutProjection(Technique technique);
 /// The same projection, cheaply evaluated; the technique itself where its row names no stand-in.
 Technique standInFor(Technique technique);
-/// Does it look up pieces of its lobe one by one where a box says they hit? Then each can look out of an opening by itself.
+/// Does it look up pieces of its lobe one by one where a box says they hit? Then each can look out of an opening by
+/// itself.
 bool looksUpPieces(Technique technique);
 /// The parameters it reads, in the order of a form.
 std::vector<const ParameterRow*> parametersOf(Technique technique);

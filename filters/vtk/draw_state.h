@@ -154,10 +154,11 @@ struct DrawState {
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
   std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about
   std::vector<MovingShadow> movingShadows;
-  bool movingShadowsOn = true;     ///< not in captures of what stands still
-  glm::ivec2 pixelOrigin{0};       ///< where in the picture the framebuffer's lower left lies
-  int frame = 0;                   ///< of those that are averaged
-  glm::vec4 heightPlaneView{0.0f};  ///< of the mirror whose picture is being drawn, view space; see mirrored_output.glsl
+  bool movingShadowsOn = true;  ///< not in captures of what stands still
+  glm::ivec2 pixelOrigin{0};    ///< where in the picture the framebuffer's lower left lies
+  int frame = 0;                ///< of those that are averaged
+  glm::vec4 heightPlaneView{
+      0.0f};                       ///< of the mirror whose picture is being drawn, view space; see mirrored_output.glsl
   bool countDraws = true;          ///< of the frame on the screen, not of captures
   std::set<const void*> programs;  ///< seen so far, to count compilations
   std::string error;               ///< first failure since the models were set

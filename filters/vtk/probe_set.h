@@ -187,7 +187,7 @@ class ProbeSet {
   std::vector<Entry> entries_;  ///< in the order of scene.probes
   std::string skyWanted_, skyShown_;
   std::shared_ptr<const ProbeMaps> skyKept_;  ///< what draws see, while a capture goes without
-  std::vector<std::string> contentKeys_;  ///< of the objects
+  std::vector<std::string> contentKeys_;      ///< of the objects
   int contentGeneration_ = -1;
   std::weak_ptr<const ImageRgbaF> skyImage_;
   std::string skyPixels_;

@@ -21,8 +21,8 @@ enum class RayKind : int {
 };
 inline constexpr int kRayKinds = 10;
 inline constexpr std::string_view kRayKindNames[kRayKinds] = {
-    "eye ray", "normal", "reflected ray", "lookup", "sample", "true hit", "error", "within glass", "refracted ray",
-    "shadow ray"};
+    "eye ray",  "normal", "reflected ray", "lookup",        "sample",
+    "true hit", "error",  "within glass",  "refracted ray", "shadow ray"};
 
 /// Array "status": 0, or the sum of what is unusual at the point or between point and probe.
 enum RayStatus : int {

@@ -58,8 +58,7 @@ class LineReader {
 };
 
 bool headed(RayKind kind) {
-  return kind == RayKind::Normal || kind == RayKind::Reflected || kind == RayKind::Lookup ||
-         kind == RayKind::Refracted;
+  return kind == RayKind::Normal || kind == RayKind::Reflected || kind == RayKind::Lookup || kind == RayKind::Refracted;
 }
 
 }  // namespace

@@ -76,9 +76,9 @@ class vtkProjectionRays : public vtkPolyDataAlgorithm {
       /** Objects that transmit light; a point's optional array "glass" names one: 2 x its index, + 1 from inside. */
       void SetGlass(std::vector<boxprobe::RayGlass> glass);
 
-      ///@{
-      /** Which kinds of lines are made: by default all. */
-      void SetKindEnabled(boxprobe::RayKind kind, bool enabled);
+  ///@{
+  /** Which kinds of lines are made: by default all. */
+  void SetKindEnabled(boxprobe::RayKind kind, bool enabled);
   bool GetKindEnabled(boxprobe::RayKind kind) const;
   ///@}
 

@@ -26,7 +26,7 @@ void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
 }
 
 void vtkSkyProp::SetSky(const boxprobe::Sky& sky, double rotationDegrees,
-                         std::shared_ptr<const boxprobe::ImageRgbaF> image) {
+                        std::shared_ptr<const boxprobe::ImageRgbaF> image) {
   this->RotationDegrees = rotationDegrees;
   if (const auto* gradient = std::get_if<boxprobe::SkyGradient>(&sky)) {
     this->Gradient = *gradient;

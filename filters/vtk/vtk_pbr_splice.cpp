@@ -509,8 +509,8 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   std::string output = unlit ? "color = emissiveColor;\n" : "";
   // Explained as it is, not mixed with what lies behind it.
   if (glass && !debug) output += shaderSource("gpu/glass_output.glsl");
-  // VTK discards what is wholly transparent. Glass has a depth all the same, and without that test a pass for depth alone
-  // need not work out a colour.
+  // VTK discards what is wholly transparent. Glass has a depth all the same, and without that test a pass for depth
+  // alone need not work out a colour.
   if (glass) replaceOnce(text, "if (gl_FragData[0].a <= 0.0)", "if (false)");
   output += debug ? "color = bpViewColor(color);\n" : "color = bpOutput(color);\n";
   // VTK 9.1 gives the colour of visible edges to ambient light alone, which its physically based shading has not, and

@@ -68,9 +68,8 @@ TEST_P(CheckedInScene, MirrorBallsAreSmoothWhiteMetalThatProbesDoNotSee) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
       ASSERT_NEAR(glm::dot(glm::normalize(mesh.positions[i]), mesh.normals[i]), 1.0f, 1e-5f);
   }
-  const std::map<std::string, int> expected = {{"building", 9}, {"room", 3},        {"furnished", 2},
-                                               {"gallery", 1},  {"mirror-hall", 0}, {"six-faces", 1},
-                                               {"windows", 0}};
+  const std::map<std::string, int> expected = {{"building", 9},    {"room", 3},      {"furnished", 2}, {"gallery", 1},
+                                               {"mirror-hall", 0}, {"six-faces", 1}, {"windows", 0}};
   EXPECT_EQ(balls, expected.at(GetParam()));
 }
 
@@ -108,7 +107,8 @@ TEST_P(CheckedInScene, NoTwoFacesFlickerInOnePlane) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CheckedInScene,
-                         testing::Values("building", "furnished", "gallery", "mirror-hall", "room", "six-faces", "windows"),
+                         testing::Values("building", "furnished", "gallery", "mirror-hall", "room", "six-faces",
+                                         "windows"),
                          [](const auto& scene) { return std::string(scene.param).substr(0, 3); });
 
 TEST(SceneGenerator, WritesTheCheckedInFiles) {
