@@ -13,20 +13,11 @@
 #include "filters/core/errors.h"
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
+#include "filters/vtk/software_driver.h"
 
 namespace boxprobe {
 
 namespace {
-
-/// Mesa's renderers that draw with the CPU: a clock of the driver's would only tell the same time again.
-bool drawsOnCpu() {
-  const char* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string renderer = text != nullptr ? text : "";
-  for (const char* software : {"llvmpipe", "softpipe", "SWR", "swrast", "Software"}) {
-    if (renderer.find(software) != std::string::npos) return true;
-  }
-  return false;
-}
 
 /// A renderer and what it shows now.
 struct Shown {

@@ -10,8 +10,6 @@
 #include <QLabel>
 #include <QLineF>
 #include <QMouseEvent>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
@@ -19,6 +17,7 @@
 #include <utility>
 
 #include "app/gui/probe_widget.h"
+#include "filters/vtk/software_driver.h"
 
 namespace boxprobe {
 
@@ -123,9 +122,7 @@ void Viewport::initializeGL() {
   QVTKOpenGLNativeWidget::initializeGL();
   // Where the processor draws, four samples a pixel make a picture take three times as long: following the mouse comes
   // first there.
-  const auto* name = reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
-  const QString renderer = QString::fromLatin1(name != nullptr ? name : "");
-  softwareRenderer_ = renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("SWR");
+  softwareRenderer_ = drawsOnCpu();
   constexpr int kSamples = 4;
   window_->SetMultiSamples(softwareRenderer_ ? 0 : kSamples);
 }

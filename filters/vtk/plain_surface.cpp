@@ -10,6 +10,8 @@
 
 #include <cstring>
 
+#include "filters/vtk/software_driver.h"
+
 namespace boxprobe {
 
 namespace {
@@ -24,7 +26,7 @@ vtkSmartPointer<vtkTexture> plainTexture(const SurfaceTexture& given) {
   texture->SetInputData(data);
   texture->InterpolateOn();
   texture->MipmapOn();
-  texture->SetMaximumAnisotropicFiltering(8.0f);
+  texture->SetMaximumAnisotropicFiltering(textureAnisotropy());
   texture->SetUseSRGBColorSpace(given.srgb());
   texture->SetColorModeToDirectScalars();
   texture->SetWrap(given.wrap() == Wrap::ClampToEdge      ? vtkTexture::ClampToEdge

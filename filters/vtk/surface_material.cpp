@@ -1,5 +1,7 @@
 #include "filters/vtk/surface_material.h"
 
+#include "filters/vtk/software_driver.h"
+
 namespace boxprobe {
 
 namespace {
@@ -32,8 +34,7 @@ GLuint SurfaceTexture::handle() const {
   glTexImage2D(GL_TEXTURE_2D, 0, srgb_ ? GL_SRGB8_ALPHA8 : GL_RGBA8, image_->width, image_->height, 0, GL_RGBA,
                GL_UNSIGNED_BYTE, image_->pixels.data());
   glGenerateMipmap(GL_TEXTURE_2D);
-  constexpr float kAnisotropy = 8.0f;
-  glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, nearest_ ? 1.0f : kAnisotropy);
+  glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, nearest_ ? 1.0f : textureAnisotropy());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, nearest_ ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest_ ? GL_NEAREST : GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapMode(wrapS_));

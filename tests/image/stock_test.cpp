@@ -30,6 +30,7 @@
 
 #include "filters/math/brdf_table.h"
 #include "filters/math/shared_math.h"
+#include "filters/vtk/software_driver.h"
 #include "filters/vtk/vtkProbePolyDataMapper.h"
 #include "tests/support/scene_picture.h"
 
@@ -117,7 +118,7 @@ vtkSmartPointer<vtkTexture> stockTexture(bool srgb) {
   texture->SetInputData(data);
   texture->InterpolateOn();
   texture->MipmapOn();
-  texture->SetMaximumAnisotropicFiltering(8.0f);
+  texture->SetMaximumAnisotropicFiltering(textureAnisotropy());
   texture->SetUseSRGBColorSpace(srgb);
   texture->SetColorModeToDirectScalars();
   return texture;
