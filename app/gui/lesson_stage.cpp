@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
-#include "app/gui/menu_bar.h"
 #include "app/gui/surface_view_panel.h"
 #include "app/gui/viewport.h"
 #include "filters/vtk/scene_renderer.h"
@@ -39,18 +39,18 @@ bool sameView(const Camera& a, const Camera& b) {
 
 }  // namespace
 
-LessonStage::LessonStage(SceneRenderer& renderer, Viewport& viewport, DebugView& debugView, MenuBar& menu)
-    : renderer_(renderer), viewport_(viewport), debugView_(debugView), menu_(menu) {}
+LessonStage::LessonStage(SceneRenderer& renderer, Viewport& viewport, DebugView& debugView, ViewSwitches switches)
+    : renderer_(renderer), viewport_(viewport), debugView_(debugView), switches_(std::move(switches)) {}
 
 void LessonStage::enter() {
-  own_ = Settings{renderer_.currentCamera(), debugView_.surfacePanel()->settings(), menu_.reflectionsAreShown(),
-                  menu_.boxesAreShown(), debugView_.drawnRays()};
+  own_ = Settings{renderer_.currentCamera(), debugView_.surfacePanel()->settings(), switches_.reflections(),
+                  switches_.boxes(), debugView_.drawnRays()};
 }
 
 void LessonStage::setUp(const LessonStep& step, const Camera& camera) {
   debugView_.unpin();
-  menu_.setReflectionsShown(step.reflections);
-  menu_.setBoxesShown(step.boxes);
+  switches_.showReflections(step.reflections);
+  switches_.showBoxes(step.boxes);
   debugView_.surfacePanel()->choose(findSurfaceView(step.view).value_or(0));
   DebugView::Rays rays = own_ ? own_->rays : DebugView::Rays();
   rays.clicks.clear();
@@ -91,8 +91,8 @@ void LessonStage::leave() {
   fitted_.reset();
   if (!own_) return;
   debugView_.unpin();
-  menu_.setReflectionsShown(own_->reflections);
-  menu_.setBoxesShown(own_->boxes);
+  switches_.showReflections(own_->reflections);
+  switches_.showBoxes(own_->boxes);
   debugView_.surfacePanel()->show(own_->view);
   debugView_.drawRays(own_->rays);
   renderer_.applyCamera(own_->camera);

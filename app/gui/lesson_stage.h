@@ -2,6 +2,7 @@
 // what the learner had before the lessons. Called by the lesson view; knows no document.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,13 +12,18 @@
 
 namespace boxprobe {
 
-class MenuBar;
 class SceneRenderer;
 class Viewport;
 
+/// The window's switches that a step sets and that are put back after the lessons.
+struct ViewSwitches {
+  std::function<bool()> reflections, boxes;  ///< whether they are shown
+  std::function<void(bool)> showReflections, showBoxes;
+};
+
 class LessonStage {
  public:
-  LessonStage(SceneRenderer& renderer, Viewport& viewport, DebugView& debugView, MenuBar& menu);
+  LessonStage(SceneRenderer& renderer, Viewport& viewport, DebugView& debugView, ViewSwitches switches);
 
   /// Remembers what the learner has.
   void enter();
@@ -41,7 +47,7 @@ class LessonStage {
   SceneRenderer& renderer_;
   Viewport& viewport_;
   DebugView& debugView_;
-  MenuBar& menu_;
+  ViewSwitches switches_;
   std::optional<Settings> own_;
   Camera camera_;                 ///< of the step
   std::optional<Camera> fitted_;  ///< as it was fitted to the window last

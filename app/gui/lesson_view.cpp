@@ -44,7 +44,7 @@ LessonView::LessonView(const Parts& parts, std::string folder, QObject* parent)
       parts_(parts),
       folder_(std::move(folder)),
       panel_(new LessonPanel),
-      stage_(parts.renderer, parts.viewport, parts.debugView, parts.menu),
+      stage_(parts.renderer, parts.viewport, parts.debugView, parts.switches),
       held_(parts.viewport),
       published_(parts.renderer, parts.viewport, parts.document),
       visit_(parts.document, parts.editor,

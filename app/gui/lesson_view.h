@@ -34,7 +34,7 @@ class LessonView : public QObject {
     SceneRenderer& renderer;
     Viewport& viewport;
     DebugView& debugView;
-    MenuBar& menu;
+    ViewSwitches switches;
     std::function<void()> cancelDrag;
     std::function<LessonModels::List()> shownModels;
     std::function<void(const LessonModels::List&, const std::string& path)> showModels;

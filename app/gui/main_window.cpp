@@ -87,8 +87,11 @@ MainWindow::MainWindow()
       debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
       menu_(new MenuBar(this)),
       lessons_(new LessonView(
-          {this, document_, *editor_, *renderer_, *viewport_, *debugView_, *menu_, [this] { probeWidget_->cancel(); },
-           [this] { return models_; },
+          {this, document_, *editor_, *renderer_, *viewport_, *debugView_,
+           ViewSwitches{[this] { return menu_->reflectionsAreShown(); }, [this] { return menu_->boxesAreShown(); },
+                        [this](bool shown) { menu_->setReflectionsShown(shown); },
+                        [this](bool shown) { menu_->setBoxesShown(shown); }},
+           [this] { probeWidget_->cancel(); }, [this] { return models_; },
            [this](const LessonModels::List& models, const std::string& path) { showModels(models, path); }},
           std::string(BOXPROBE_DATA_DIR) + "/lessons", this)),
       status_(new StatusLine(statusBar())) {

@@ -112,7 +112,7 @@ void SurfaceViewPanel::apply() {
 }
 
 QString surfaceViewReadout(const SurfaceViewRow& row, const Explanation& explanation) {
-  const auto value = row.value(explanation);
+  const auto value = surfaceValue(row, explanation);
   const QString label = text(row.label) + ": ";
   if (!value)
     return label + (explanation.hit ? SurfaceViewPanel::tr("not defined here") : SurfaceViewPanel::tr("background"));

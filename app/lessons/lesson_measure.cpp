@@ -10,6 +10,7 @@
 
 #include "app/cli/box_picture.h"
 #include "app/cli/explanation_json.h"
+#include "filters/core/surface_value.h"
 #include "filters/core/surface_view.h"
 #include "filters/io/image_file.h"
 #include "filters/io/scene_file.h"
@@ -120,7 +121,7 @@ std::optional<double> viewMean(const ShownScene& shown, const LessonMeasure& mea
   double sum = 0.0;
   int count = 0;
   for (const Explanation& e : shown.renderer.explain(places, shown.width, shown.height)) {
-    const auto value = surfaceViews()[static_cast<std::size_t>(*view)].value(e);
+    const auto value = surfaceValue(surfaceViews()[static_cast<std::size_t>(*view)], e);
     if (!value || !std::isfinite(value->x)) continue;
     sum += value->x;
     ++count;

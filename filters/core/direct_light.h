@@ -1,10 +1,12 @@
-// Light sources on a surface as VTK 9.1's physically based shader adds them up, for explanations. CPU only.
+// Light sources on a surface as VTK 9.1's physically based shader adds them up. Called by explanations and by the
+// ray-traced reference; CPU only.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <vector>
 
-#include "filters/core/explanation.h"
 #include "filters/core/scene.h"
+#include "filters/core/surface_point.h"
 
 namespace boxprobe {
 

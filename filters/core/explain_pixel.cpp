@@ -356,21 +356,6 @@ void addNotes(Explanation& e) {
 
 }  // namespace
 
-glm::vec2 sampleBrdf(const BrdfTable& table, float nDotV, float roughness) {
-  const auto texel = [&](int column, int row) {
-    const glm::vec2 t = table.texels[static_cast<std::size_t>(std::clamp(row, 0, table.rows - 1) * table.columns +
-                                                              std::clamp(column, 0, table.columns - 1))];
-    return glm::vec2(glm::unpackHalf1x16(glm::packHalf1x16(t.x)), glm::unpackHalf1x16(glm::packHalf1x16(t.y)));
-  };
-  const float u = nDotV * static_cast<float>(table.columns) - 0.5f,
-              v = roughness * static_cast<float>(table.rows) - 0.5f;
-  const float column = std::floor(u), row = std::floor(v);
-  const float a = u - column, b = v - row;
-  const int i = static_cast<int>(column), j = static_cast<int>(row);
-  return (1.0f - b) * ((1.0f - a) * texel(i, j) + a * texel(i + 1, j)) +
-         b * ((1.0f - a) * texel(i, j + 1) + a * texel(i + 1, j + 1));
-}
-
 Explanation explainPixel(const ExplainInput& in) {
   Explanation e;
   e.hit = true;

@@ -3,66 +3,12 @@
 // GL.
 #pragma once
 
-#include <cstdint>
-#include <glm/mat4x4.hpp>
-#include <string>
-#include <vector>
-
-#include "filters/core/baked_probe.h"
-#include "filters/core/explain_glass.h"
+#include "filters/core/explain_input.h"
 #include "filters/core/explanation.h"
-#include "filters/core/probe_geometry.h"
-#include "filters/core/scene.h"
-#include "filters/math/brdf_table.h"
-#include "filters/math/mirror_math.h"
 
 namespace boxprobe {
 
-/// A probe of the draw, most important first.
-struct ExplainedProbe {
-  std::string name;
-  int index = 0;                      ///< in the scene's list
-  int group = 0;                      ///< of equal importance, from 0
-  ProbeGeometry geometry;             ///< its technique is what draws it
-  const BakedMaps* maps = nullptr;    ///< null: not captured yet
-  bool automatic = false;             ///< its technique was chosen for the object's roughness
-  bool open = false;                  ///< the sky shows where it saw nothing
-  ShCoefficients openSky{};           ///< its diffuse light that comes in there
-  const CubeMap* coverage = nullptr;  ///< what it lets through, in levels of plain means; null: not known yet
-  std::uint32_t shadowLights = 0;     ///< a bit for each light that its coverage stands before
-};
-
-/// A depth map of what moves, as a light sees it.
-struct MovingMap {
-  int light = 0;
-  int size = 0;
-  std::vector<float> depth;  ///< rows from the bottom
-  glm::dmat4 mapFromWorld{1.0};
-};
-
-struct ExplainInput {
-  SurfacePoint surface;
-  enum class Lighting { Plain, Unlit, Probes } lighting = Lighting::Probes;
-  std::vector<ExplainedProbe> probes;
-  bool weights = true;        ///< false: one probe at full weight, nothing left for the sky
-  bool sky = true;            ///< false: the probes leave nothing to it
-  bool onlyProbes = false;    ///< what they leave to it goes to them, wherever one has weight
-  std::vector<float> shares;  ///< of all of the object, in place of weights at the point; empty: those
-  float skyShare = 1.0f;      ///< beside `shares`
-  const BakedMaps* skyMaps = nullptr;
-  const BrdfTable* brdf = nullptr;
-  std::vector<Light> lights;
-  std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as such
-  /// Of a planar mirror whose picture is shown, relative to the eye, its texels read back; null: none.
-  const shading::MirrorLook* mirror = nullptr;
-  std::vector<int> shadowLights;  ///< those that this draw asks a probe's coverage about
-  std::vector<MovingMap> movingMaps;
-};
-
 /// Total: whatever is undefined is left out and said in `notes`.
 Explanation explainPixel(const ExplainInput& input);
-
-/// Factors of F0 and F90 as the GPU reads them: half precision, bilinear, clamped at the edges.
-glm::vec2 sampleBrdf(const BrdfTable& table, float nDotV, float roughness);
 
 }  // namespace boxprobe

@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "filters/core/explain_pixel.h"
+#include "filters/core/explain_input.h"
+#include "filters/core/explanation.h"
 
 namespace boxprobe {
 

@@ -1,13 +1,11 @@
 // What the surfaces can be coloured by instead of their own look: the debug view's table. The numbers are computed in
-// the shader (shaders/gpu/surface_view.glsl) and, for saved data and tests, by the explanation of a pixel; combo box,
-// command line and tests iterate these rows.
+// the shader (shaders/gpu/surface_view.glsl) and, for saved data and tests, from the explanation of a pixel
+// (surface_value.h); combo box, command line and tests iterate these rows.
 #pragma once
 
 #include <optional>
 #include <string_view>
 #include <vector>
-
-#include "filters/core/explanation.h"
 
 namespace boxprobe {
 
@@ -25,9 +23,6 @@ struct SurfaceViewRow {
   std::string_view help;  ///< one line
   ViewKind kind;
   double low, high;  ///< range shown unless the user or the scene says otherwise; equal: from the scene's size
-  /// The view's value of a pixel, from its explanation; the same number the shader writes. Nothing where it is not
-  /// defined (background, no probe at the pixel).
-  std::optional<glm::vec3> (*value)(const Explanation&);
 };
 
 /// Row 0 is the picture itself.

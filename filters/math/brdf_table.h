@@ -17,4 +17,7 @@ struct BrdfTable {
 glm::vec2 integrateBrdf(float cosine, float roughness, int samples);
 BrdfTable makeBrdfTable(int columns = 128, int rows = 64, int samples = 64);
 
+/// Factors of F0 and F90 as the GPU reads them: half precision, bilinear, clamped at the edges.
+glm::vec2 sampleBrdf(const BrdfTable& table, float nDotV, float roughness);
+
 }  // namespace boxprobe

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/explanation.h"
+#include "filters/core/surface_point.h"
 #include "filters/core/model.h"
 #include "filters/core/scene.h"
 #include "filters/reference/bench_result.h"

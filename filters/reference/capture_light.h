@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "filters/core/explanation.h"
+#include "filters/core/surface_point.h"
 #include "filters/core/probe_geometry.h"
 #include "filters/core/scene.h"
 #include "filters/math/brdf_table.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "filters/core/baked_probe.h"
-#include "filters/core/explanation.h"
+#include "filters/core/surface_point.h"
 #include "filters/math/brdf_table.h"
 #include "filters/reference/bright_directions.h"
 #include "filters/reference/visible_normal_lobe.h"

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/core/explain_pixel.h"
-
 namespace boxprobe {
 
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "filters/core/explanation.h"
+#include "filters/core/surface_point.h"
 #include "filters/math/brdf_table.h"
 
 namespace boxprobe {

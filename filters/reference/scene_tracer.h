@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "filters/core/explanation.h"
+#include "filters/core/surface_point.h"
 #include "filters/reference/triangle_scene.h"
 
 namespace boxprobe {

@@ -4,7 +4,6 @@
 
 #include "filters/vtk/cpu_time.h"
 #include "filters/vtk/cube_transfer.h"
-#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 

@@ -9,10 +9,9 @@
 #include "filters/math/cube_map.h"
 #include "filters/vtk/cube_capture.h"
 #include "filters/vtk/prefilter.h"
+#include "filters/vtk/work_times.h"
 
 namespace boxprobe {
-
-struct Times;
 
 /// Where one face comes from.
 struct FaceSource {

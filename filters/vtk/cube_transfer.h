@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "filters/core/baked_probe.h"
-#include "filters/vtk/draw_state.h"
+#include "filters/vtk/probe_maps.h"
 
 namespace boxprobe {
 

@@ -1,24 +1,15 @@
-// How glass is drawn: which faces in which pass, and its uniforms. Called by the mapper for materials that transmit
-// light; passes ask what is glass, to draw it after what lies behind it. Knows no scene.
+// How one glass object is drawn: which faces in which pass, and its uniforms. Called by the mapper for materials that
+// transmit light. Knows no scene.
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "filters/vtk/glass_surface.h"
 
-class vtkCamera;
 class vtkOpenGLState;
-class vtkProp;
 class vtkShaderProgram;
 
 namespace boxprobe {
-
-/// Is it drawn as glass now: a material that transmits light, lit by probes and sky?
-bool isGlass(vtkProp* prop);
-
-/// `props` with glass after all else, farthest first: what it is blended over has to be there.
-std::vector<vtkProp*> glassLast(const std::vector<vtkProp*>& props, vtkCamera* camera);
 
 /// Calls `draw` once a pass, with faces, depth and colours set for it; `colored` is false of a pass for depth alone.
 /// Returns how many were drawn. What is set is put back.

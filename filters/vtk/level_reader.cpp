@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "filters/vtk/draw_state.h"
+#include "filters/vtk/probe_maps.h"
 
 namespace boxprobe {
 

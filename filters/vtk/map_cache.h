@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/vtk/draw_state.h"
+#include "filters/vtk/probe_maps.h"
 
 namespace boxprobe {
 

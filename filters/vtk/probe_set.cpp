@@ -5,7 +5,6 @@
 #include "filters/core/errors.h"
 #include "filters/vtk/content_hash.h"
 #include "filters/vtk/prefilter.h"
-#include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/texture_memory.h"
 
 namespace boxprobe {

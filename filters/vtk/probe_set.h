@@ -19,6 +19,7 @@
 
 #include "filters/io/bake_folder.h"
 #include "filters/vtk/bake_runner.h"
+#include "filters/vtk/bake_state.h"
 #include "filters/vtk/bounce_keys.h"
 #include "filters/vtk/capture_key.h"
 #include "filters/vtk/custom_pictures.h"
@@ -26,8 +27,6 @@
 #include "filters/vtk/scene_content.h"
 
 namespace boxprobe {
-
-enum class BakeState;
 
 class ProbeSet {
  public:

@@ -10,8 +10,6 @@
 
 #include <vtkSmartPointer.h>
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -27,9 +25,11 @@
 #include "filters/core/model.h"
 #include "filters/core/scene.h"
 #include "filters/core/surface_view.h"
+#include "filters/vtk/bake_state.h"
 #include "filters/vtk/frame_count.h"
 #include "filters/vtk/frame_report.h"
 #include "filters/vtk/preview_settings.h"
+#include "filters/vtk/work_times.h"
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -37,28 +37,6 @@ class vtkRenderer;
 namespace boxprobe {
 
 struct ProbeMaps;
-
-/// What one bounce of all probes took.
-struct BounceCost {
-  std::uint64_t faces = 0;  ///< captured
-  double cpuSeconds = 0.0;  ///< capture and filtering, all threads
-};
-
-/// CPU seconds of this process, all threads, by kind of work.
-struct Times {
-  std::array<BounceCost, 5> bounces;  ///< probes only, the first bounce first
-  double captureCpuSeconds = 0.0;
-  double prefilterCpuSeconds = 0.0;
-};
-
-/// How far a probe's maps are.
-enum class BakeState {
-  NotUsed,    ///< no visible object lies in its influence: nothing is made for it
-  Stale,      ///< an input changed, or nothing was made yet: work is pending
-  Capturing,  ///< being made now
-  UpToDate,
-  FromFile,  ///< up to date, from a baked file
-};
 
 class SceneRenderer {
  public:

@@ -18,7 +18,7 @@
 #include <algorithm>
 
 #include "filters/core/errors.h"
-#include "filters/vtk/glass_draw.h"
+#include "filters/vtk/glass_order.h"
 #include "filters/vtk/vtkTargetPass.h"
 
 vtkStandardNewMacro(vtkPicturePass);

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "filters/vtk/gl_objects.h"
-#include "filters/vtk/glass_draw.h"
+#include "filters/vtk/glass_order.h"
 
 vtkStandardNewMacro(vtkTargetPass);
 

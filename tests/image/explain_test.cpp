@@ -15,6 +15,7 @@
 #include <random>
 
 #include "filters/core/explanation_text.h"
+#include "filters/core/surface_value.h"
 #include "filters/core/surface_view.h"
 #include "filters/math/technique_table.h"
 #include "filters/vtk/ray_sources.h"
@@ -307,7 +308,7 @@ TEST(Views, SameNumbersAsTheExplanation) {
       for (const Explanation& e : explanations) {
         const float* p = &image.pixels[static_cast<std::size_t>(e.y * kWidth + e.x) * 4];
         if (!e.hit) continue;
-        const auto value = row.value(e);
+        const auto value = surfaceValue(row, e);
         ++compared[view];
         defined[view] += value.has_value();
         const glm::vec3 expected = value.value_or(glm::vec3(-1.0f));

@@ -1,4 +1,4 @@
-#include "filters/vtk/draw_state.h"
+#include "filters/vtk/probe_binding.h"
 
 #include <algorithm>
 
