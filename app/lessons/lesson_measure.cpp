@@ -8,14 +8,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/box_picture.h"
-#include "app/cli/explanation_json.h"
-#include "filters/core/surface_value.h"
-#include "filters/core/surface_view.h"
-#include "filters/io/image_file.h"
-#include "filters/io/scene_file.h"
-#include "filters/reference/metrics.h"
-#include "filters/reference/reference_scene.h"
+#include "app/session/box_picture.h"
+#include "app/session/explanation_json.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/explain/surface_value.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/reference/light/reference_scene.h"
+#include "filters/reference/measure/metrics.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {

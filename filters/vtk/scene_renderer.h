@@ -18,18 +18,18 @@
 #include <utility>
 #include <vector>
 
-#include "filters/core/baked_probe.h"
-#include "filters/core/counters.h"
-#include "filters/core/document.h"
-#include "filters/core/explanation.h"
-#include "filters/core/model.h"
-#include "filters/core/scene.h"
-#include "filters/core/surface_view.h"
-#include "filters/vtk/bake_state.h"
-#include "filters/vtk/frame_count.h"
-#include "filters/vtk/frame_report.h"
-#include "filters/vtk/preview_settings.h"
-#include "filters/vtk/work_times.h"
+#include "filters/core/base/counters.h"
+#include "filters/core/picture/baked_probe.h"
+#include "filters/core/scene/document.h"
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/explain/explanation.h"
+#include "filters/vtk/capture/work_times.h"
+#include "filters/vtk/frame/frame_count.h"
+#include "filters/vtk/frame/frame_report.h"
+#include "filters/vtk/inspect/preview_settings.h"
+#include "filters/vtk/probes/bake_state.h"
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;

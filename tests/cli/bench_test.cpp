@@ -12,9 +12,9 @@
 #include <sstream>
 #include <thread>
 
-#include "filters/core/front.h"
-#include "filters/io/front_file.h"
-#include "filters/io/image_file.h"
+#include "filters/core/picture/front.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/front_file.h"
 #include "tests/cli/program.h"
 
 namespace boxprobe::test {

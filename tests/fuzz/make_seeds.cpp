@@ -9,10 +9,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "filters/core/errors.h"
-#include "filters/io/cube_file.h"
-#include "filters/io/image_file.h"
-#include "filters/io/scene_file.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/cube/cube_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/unit/io_glb_builder.h"
 
 namespace {

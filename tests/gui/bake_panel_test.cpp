@@ -1,6 +1,6 @@
 // Baking from the window: every field of a capture edits what it says, the buttons make what they say, the state tells
 // it, and what was saved is found again.
-#include "app/gui/bake_panel.h"
+#include "app/gui/panels/bake_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -21,16 +21,16 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "app/gui/file_commands.h"
-#include "app/gui/hides_list.h"
-#include "app/gui/probe_list.h"
-#include "app/gui/recent_files.h"
-#include "app/gui/render_scheduler.h"
-#include "app/gui/time_left.h"
-#include "app/gui/value_field.h"
-#include "app/gui/vector_row.h"
-#include "filters/io/image_file.h"
-#include "filters/io/scene_file.h"
+#include "app/gui/panels/hides_list.h"
+#include "app/gui/panels/probe_list.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/widgets/recent_files.h"
+#include "app/gui/widgets/time_left.h"
+#include "app/gui/widgets/value_field.h"
+#include "app/gui/widgets/vector_row.h"
+#include "app/gui/window/file_commands.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/dialogs.h"
 #include "tests/gui/window_test.h"

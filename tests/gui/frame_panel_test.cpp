@@ -1,5 +1,5 @@
 // The dock that says what a frame does: its numbers are those of the picture, and an object's mode can be set in it.
-#include "app/gui/frame_panel.h"
+#include "app/gui/panels/frame_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <QTreeWidget>
 #include <cstdlib>
 
-#include "app/gui/quiet_combo.h"
+#include "app/gui/widgets/quiet_combo.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "filters/io/bake_folder.h"
-#include "filters/io/image_file.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/image/image_file.h"
 #include "tests/image/quad_world.h"
 
 namespace boxprobe::test {

@@ -14,12 +14,12 @@
 #include <glm/vector_relational.hpp>
 #include <random>
 
-#include "filters/core/explanation_text.h"
-#include "filters/core/surface_value.h"
-#include "filters/core/surface_view.h"
-#include "filters/math/technique_table.h"
-#include "filters/vtk/ray_sources.h"
-#include "filters/vtk/vtkProjectionRays.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/explain/explanation_text.h"
+#include "filters/explain/surface_value.h"
+#include "filters/math/technique/technique_table.h"
+#include "filters/vtk/rays/ray_sources.h"
+#include "filters/vtk/rays/vtkProjectionRays.h"
 #include "tests/support/scene_picture.h"
 
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "filters/math/brdf_table.h"
-#include "filters/reference/reference_box.h"
-#include "filters/reference/visible_normal_lobe.h"
+#include "filters/math/sampling/brdf_table.h"
+#include "filters/reference/light/reference_box.h"
+#include "filters/reference/trace/visible_normal_lobe.h"
 #include "tests/support/scene_picture.h"
 
 namespace boxprobe::test {

@@ -8,9 +8,9 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
-#include "filters/io/image_file.h"
-#include "filters/io/model_file.h"
-#include "filters/reference/reference_scene.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/reference/light/reference_scene.h"
 #include "tests/support/scene_picture.h"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "filters/core/technique_parameters.h"
-#include "filters/math/technique_table.h"
+#include "filters/core/scene/technique_parameters.h"
+#include "filters/math/technique/technique_table.h"
 
 namespace boxprobe::test {
 

@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "filters/core/errors.h"
-#include "filters/reference/bench_noise.h"
-#include "filters/reference/bench_result.h"
-#include "filters/reference/bench_technique.h"
-#include "filters/reference/bench_text.h"
-#include "filters/reference/reference_box.h"
+#include "filters/core/base/errors.h"
+#include "filters/reference/bench/bench_noise.h"
+#include "filters/reference/bench/bench_result.h"
+#include "filters/reference/bench/bench_text.h"
+#include "filters/reference/light/reference_box.h"
+#include "filters/reference/study/bench_technique.h"
 #include "tests/unit/error_text.h"
 
 namespace boxprobe {

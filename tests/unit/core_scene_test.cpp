@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "filters/core/document.h"
-#include "filters/core/model.h"
-#include "filters/core/nearest_name.h"
-#include "filters/core/number_text.h"
-#include "filters/core/scene.h"
+#include "filters/core/base/nearest_name.h"
+#include "filters/core/base/number_text.h"
+#include "filters/core/scene/document.h"
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
 #include "tests/unit/two_probes.h"
 
 namespace boxprobe {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
-#include "filters/core/field_error.h"
-#include "filters/core/scene.h"
+#include "filters/core/base/field_error.h"
+#include "filters/core/scene/scene.h"
 #include "tests/unit/error_text.h"
 
 namespace boxprobe {

@@ -7,8 +7,8 @@
 
 #include <limits>
 
-#include "filters/core/probe_geometry.h"
-#include "filters/io/exr_reader.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/io/image/exr_reader.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "filters/io/scene_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 
