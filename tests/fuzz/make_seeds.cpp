@@ -53,7 +53,7 @@ Scene fullScene() {
   ObjectOverride& ball = scene.objects["ball"];
   ball.visible = false;
   ball.dynamic = true;
-  ball.probeMode = ProbeMode::Simple;
+  ball.probeUsage = ProbeUsage::Simple;
   ball.translation = {1, 0, 2};
   scene.mirrors["wall"].maxRoughness = 0.2;
   scene.skyRotationDegrees = 30.0;
@@ -71,7 +71,7 @@ Scene fullScene() {
   scene.probes = {probe};
   probe.name = "hall";
   probe.clear = glm::vec3(1, 0.5f, 0);
-  probe.mode = ProbeUpdate::Custom;
+  probe.mode = ProbeMode::Custom;
   probe.image = "sky.exr";
   probe.imageLayout = CubeLayout::Cross;
   probe.filter = FilterKind::Gaussian;

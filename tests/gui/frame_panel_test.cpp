@@ -80,7 +80,7 @@ TEST_F(FramePanelTest, AnObjectsProbesAreChosenHere) {
   mode->setCurrentIndex(0);
   emit mode->activated(0);
   waitUntilIdle();
-  EXPECT_EQ(document().scene().objects.at("sphere 9").probeMode, ProbeMode::Off);
+  EXPECT_EQ(document().scene().objects.at("sphere 9").probeUsage, ProbeUsage::Off);
   QTreeWidgetItem* ball = find(section("Objects and their probes"), "sphere 9");
   EXPECT_EQ(find(ball, "room"), nullptr);
   EXPECT_EQ(find(ball, "sky")->text(1), "100 %");

@@ -207,7 +207,7 @@ TEST(Custom, APictureTakesThePlaceOfACapture) {
   saveExr(file, picture);
   Scene scene = darkScene();
   scene.probes = {cubeProbe("hdri", glm::dvec3(0.0), 1.2)};
-  scene.probes[0].mode = ProbeUpdate::Custom;
+  scene.probes[0].mode = ProbeMode::Custom;
   scene.probes[0].image = file;
   QuadWorld world(scene, {room("a", 0.0f)}, 9, 9);
   world.show();

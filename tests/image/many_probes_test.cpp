@@ -163,10 +163,10 @@ TEST_F(ManyProbes, NothingThatReflectsCapturesNothing) {
   EXPECT_EQ(picture.renderer->counters().levelsFiltered, 0u);
 
   picture.scene = roomWithFloorOnly();
-  picture.scene.objects["floor"].probeMode = ProbeMode::Off;
+  picture.scene.objects["floor"].probeUsage = ProbeUsage::Off;
   picture.show(cameraNamed(scene, "main"));
   EXPECT_EQ(picture.renderer->counters().facesCaptured, 0u) << "told to use none";
-  picture.scene.objects["floor"].probeMode = ProbeMode::BlendAndSky;
+  picture.scene.objects["floor"].probeUsage = ProbeUsage::BlendAndSky;
   picture.show(cameraNamed(scene, "main"));
   EXPECT_EQ(picture.renderer->counters().facesCaptured, 6u);
 }

@@ -160,7 +160,7 @@ TEST(PlanarMirror, AgainstTheMirroredCameraThatSeesEverything) {
 
 /// What is lit as the ray tracer has it: lights and its own glow, no light from around.
 void lightAsTraced(Scene& scene) {
-  for (const char* node : {"figure", "crate", "golden ball"}) scene.objects[node].probeMode = ProbeMode::Off;
+  for (const char* node : {"figure", "crate", "golden ball"}) scene.objects[node].probeUsage = ProbeUsage::Off;
 }
 
 ReferenceScene tracerOf(const Scene& scene) {

@@ -203,11 +203,11 @@ TEST(NoiseFigures, TellGrainFromStains) {
 }
 
 TEST(MarkFront, LeavesOutWhatAnotherBeats) {
-  std::vector<FrontPoint> points = {{"a", "", 1.0, 0.5}, {"b", "", 2.0, 0.2}, {"c", "", 2.0, 0.3}, {"d", "", 3.0, 0.2},
-                                    {"e", "", 9.0, 0.1}, {"f", "", 0.9, 0.6}, {"g", "", 0.9, 0.6}};
-  markFront(points);
+  std::vector<ParetoPoint> points = {{"a", "", 1.0, 0.5}, {"b", "", 2.0, 0.2}, {"c", "", 2.0, 0.3}, {"d", "", 3.0, 0.2},
+                                     {"e", "", 9.0, 0.1}, {"f", "", 0.9, 0.6}, {"g", "", 0.9, 0.6}};
+  markParetoFront(points);
   std::string front;
-  for (const FrontPoint& p : points) front += p.onFront ? p.id : "";
+  for (const ParetoPoint& p : points) front += p.onParetoFront ? p.id : "";
   EXPECT_EQ(front, "abefg") << "equal points do not beat each other";
 }
 
@@ -251,7 +251,7 @@ TEST(Summaries, PutRowsTogetherByTheirPixels) {
   EXPECT_LE(list[1].cpuRatioToBox.low, list[1].cpuRatioToBox.value);
   EXPECT_GE(list[1].cpuRatioToBox.high, list[1].cpuRatioToBox.value);
   EXPECT_EQ(list[0].worstEnergy.brightnessRatio, 1.1) << "five pixels say nothing";
-  EXPECT_TRUE(list[0].onFront);
+  EXPECT_TRUE(list[0].onParetoFront);
 }
 
 TEST(BenchText, IsJsonWithARowForEachAndATableForPeople) {

@@ -207,7 +207,7 @@ TEST(Validate, ParametersHaveNamesKindsAndRanges) {
 }
 
 TEST(Validate, CustomModeNeedsAnImage) {
-  EXPECT_EQ(problem([](Scene& s) { s.probes[0].mode = ProbeUpdate::Custom; }),
+  EXPECT_EQ(problem([](Scene& s) { s.probes[0].mode = ProbeMode::Custom; }),
             "probes.room.image: is missing; mode \"custom\" needs an image file");
 }
 

@@ -44,7 +44,7 @@ std::vector<std::string> chooseProbes(const Scene& scene, const std::vector<std:
   std::vector<std::string> all, baked;
   for (const Probe& probe : scene.probes) {
     all.push_back(probe.name);
-    if (probe.mode == ProbeUpdate::Baked) baked.push_back(probe.name);
+    if (probe.mode == ProbeMode::Baked) baked.push_back(probe.name);
   }
   for (const std::string& name : wanted) {
     const auto index = findProbe(scene, name);
@@ -52,7 +52,7 @@ std::vector<std::string> chooseProbes(const Scene& scene, const std::vector<std:
       throw InputError("--probe " + name + ": the scene has no such probe; " +
                        (all.empty() ? "it has none" : "there are: " + nameList(all)));
     }
-    if (scene.probes[*index].mode != ProbeUpdate::Baked) {
+    if (scene.probes[*index].mode != ProbeMode::Baked) {
       throw InputError("--probe " + name + ": its mode is not baked, so there is nothing to bake");
     }
   }

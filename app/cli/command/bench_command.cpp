@@ -26,7 +26,7 @@
 #include "filters/io/image/image_file.h"
 #include "filters/reference/bench/bench_text.h"
 #include "filters/reference/measure/metrics.h"
-#include "filters/vtk/charts/front_chart.h"
+#include "filters/vtk/charts/pareto_chart.h"
 #include "filters/vtk/gl/cpu_time.h"
 
 namespace boxprobe {
@@ -63,7 +63,8 @@ void printSummary(const BenchResult& result, const std::string& folder) {
   std::printf("%-34s %8s %8s %7s %8s %7s\n", "technique", "lookups", "frame", "error", "/ hdrp", "light");
   for (const BenchSummary& s : summaries(result, Truth::Box)) {
     std::printf("%-34s %8.1f %8.2f %7.4f %8.2f %7.3f%s\n", result.techniques[s.technique].label().c_str(), s.lookups,
-                s.cpuRatioToBox.value, s.error, s.errorRatioToHdrp, s.brightnessRatio, s.onFront ? "  front" : "");
+                s.cpuRatioToBox.value, s.error, s.errorRatioToHdrp, s.brightnessRatio,
+                s.onParetoFront ? "  front" : "");
   }
   std::printf("%s: bench.json, bench.csv, report.md, front.png, front-scene.png, contact.png\n", folder.c_str());
 }
@@ -123,7 +124,7 @@ void saveChart(const std::string& path, const BenchResult& result, Truth truth) 
                (truth == Truth::Box ? "integral over the box" : "traced scene");
   text.costAxis = "CPU time of a frame over plain box projection's, " + std::to_string(result.timedWidth) + " x " +
                   std::to_string(result.timedHeight);
-  savePng(path, frontChartPicture(frontPoints(result, truth), text, 1400, 900));
+  savePng(path, frontChartPicture(paretoPoints(result, truth), text, 1400, 900));
 }
 
 void runBench(const BenchOptions& options) {

@@ -72,15 +72,15 @@ std::size_t probeTextureBytes(int faceSize) {
   return bytes;
 }
 
-std::string_view probeModeId(ProbeMode mode) {
+std::string_view probeModeId(ProbeUsage mode) {
   switch (mode) {
-    case ProbeMode::Off:
+    case ProbeUsage::Off:
       return "off";
-    case ProbeMode::Simple:
+    case ProbeUsage::Simple:
       return "simple";
-    case ProbeMode::Blend:
+    case ProbeUsage::Blend:
       return "blend";
-    case ProbeMode::BlendAndSky:
+    case ProbeUsage::BlendAndSky:
       return "blend+sky";
   }
   return "";
@@ -100,7 +100,7 @@ Json objectsReport(const LoadedScene& loaded) {
                          {"visible", object.visible},
                          {"seenByProbes", object.seenByProbes},
                          {"dynamic", object.dynamic},
-                         {"probeMode", probeModeId(object.probeMode)},
+                         {"probeMode", probeModeId(object.probeUsage)},
                          {"weights", object.weights == WeightMode::Pixel ? "pixel" : "object"}});
     }
   }

@@ -78,7 +78,7 @@ void BakePanel::update() {
   }
   const bool busy = renderer_.workPending() && !scheduler_.workStopped();
   bool baked = false;
-  for (const Probe& probe : editor_.scene().probes) baked |= probe.mode == ProbeUpdate::Baked;
+  for (const Probe& probe : editor_.scene().probes) baked |= probe.mode == ProbeMode::Baked;
   bake_->setEnabled(selected.has_value());
   bakeAll_->setEnabled(!looks.empty());
   stop_->setEnabled(busy);
@@ -144,7 +144,7 @@ void BakePanel::saveBaked() {
   notFinished_.clear();
   toSave_ = {std::string()};  // the sky, which completes the set
   for (auto it = editor_.scene().probes.rbegin(); it != editor_.scene().probes.rend(); ++it) {
-    if (it->mode == ProbeUpdate::Baked) toSave_.push_back(it->name);
+    if (it->mode == ProbeMode::Baked) toSave_.push_back(it->name);
   }
   update();
   saveNext();

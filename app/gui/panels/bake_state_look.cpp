@@ -17,8 +17,8 @@ QString tr(const char* text) {
 }
 
 QString goodText(const Probe& probe) {
-  if (probe.mode == ProbeUpdate::Realtime) return tr("Follows the scene");
-  if (probe.mode == ProbeUpdate::Custom) {
+  if (probe.mode == ProbeMode::Realtime) return tr("Follows the scene");
+  if (probe.mode == ProbeMode::Custom) {
     return tr("Custom image %1").arg(QFileInfo(QString::fromStdString(probe.image)).fileName());
   }
   return tr("Up to date");
@@ -27,7 +27,7 @@ QString goodText(const Probe& probe) {
 }  // namespace
 
 BakeStateLook bakeStateLook(const Probe& probe, BakeState state, bool stopped) {
-  const bool custom = probe.mode == ProbeUpdate::Custom;
+  const bool custom = probe.mode == ProbeMode::Custom;
   switch (state) {
     case BakeState::NotUsed:
       return {tr("Not used: no visible object is in its influence"), kUnused, false};
@@ -35,7 +35,7 @@ BakeStateLook bakeStateLook(const Probe& probe, BakeState state, bool stopped) {
       if (stopped) return {tr("Stale: capturing was stopped"), kWaiting, false};
       return {custom ? tr("Waits for its image") : tr("Stale: waits to be captured"), kWaiting, false};
     case BakeState::Capturing:
-      if (probe.mode == ProbeUpdate::Realtime) return {tr("Follows the scene"), kBusy, true};
+      if (probe.mode == ProbeMode::Realtime) return {tr("Follows the scene"), kBusy, true};
       return {stopped  ? tr("Stale: capturing was stopped")
               : custom ? tr("Filtering its image")
                        : tr("Capturing"),

@@ -64,14 +64,14 @@ CapturePanel::CapturePanel(Editor& editor, QWidget* parent) : QWidget(parent), e
 }
 
 void CapturePanel::buildMode(QFormLayout* form) {
-  mode_ = addProbeChoice(
-      form, tr("Mode"),
-      {{tr("Baked"), static_cast<int>(ProbeUpdate::Baked), tr("Captured when an input changes, and kept")},
-       {tr("Realtime"), static_cast<int>(ProbeUpdate::Realtime),
-        tr("Captured over and over, one face a picture, so that moving objects are seen")},
-       {tr("Custom image"), static_cast<int>(ProbeUpdate::Custom),
-        tr("Not captured: an environment picture takes the capture's place")}},
-      tr("Where the probe's light comes from. Default: baked"), [this](int mode) { chooseMode(mode); });
+  mode_ =
+      addProbeChoice(form, tr("Mode"),
+                     {{tr("Baked"), static_cast<int>(ProbeMode::Baked), tr("Captured when an input changes, and kept")},
+                      {tr("Realtime"), static_cast<int>(ProbeMode::Realtime),
+                       tr("Captured over and over, one face a picture, so that moving objects are seen")},
+                      {tr("Custom image"), static_cast<int>(ProbeMode::Custom),
+                       tr("Not captured: an environment picture takes the capture's place")}},
+                     tr("Where the probe's light comes from. Default: baked"), [this](int mode) { chooseMode(mode); });
 
   imageRow_ = new QWidget(this);
   auto* row = new QHBoxLayout(imageRow_);
@@ -177,9 +177,9 @@ void CapturePanel::chooseMode(int mode) {
   const Probe* probe = editor_.probe();
   if (!probe) return;
   // A custom probe needs its image from the start.
-  if (static_cast<ProbeUpdate>(mode) == ProbeUpdate::Custom && probe->image.empty()) return chooseImage();
+  if (static_cast<ProbeMode>(mode) == ProbeMode::Custom && probe->image.empty()) return chooseImage();
   editor_.commitProbe(probeEditLabel(editor_, tr("mode")),
-                      [mode](Probe& edited) { edited.mode = static_cast<ProbeUpdate>(mode); });
+                      [mode](Probe& edited) { edited.mode = static_cast<ProbeMode>(mode); });
 }
 
 void CapturePanel::chooseImage() {
@@ -192,7 +192,7 @@ void CapturePanel::chooseImage() {
       // Found out now, while the probe can stay as it was.
       loadCube(path.toStdString(), probe ? probe->imageLayout : CubeLayout::Automatic);
       editor_.commitProbe(probeEditLabel(editor_, tr("image")), [&path](Probe& edited) {
-        edited.mode = ProbeUpdate::Custom;
+        edited.mode = ProbeMode::Custom;
         edited.image = path.toStdString();
       });
     } catch (const std::exception& error) {
@@ -220,7 +220,7 @@ void CapturePanel::update() {
   setEnabled(probe != nullptr);
   if (!probe) return;
   showChoice(mode_, static_cast<int>(probe->mode));
-  const bool custom = probe->mode == ProbeUpdate::Custom;
+  const bool custom = probe->mode == ProbeMode::Custom;
   showRow(imageRow_, custom);
   showRow(layout_, custom);
   showChoice(layout_, static_cast<int>(probe->imageLayout));

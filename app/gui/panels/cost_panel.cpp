@@ -20,9 +20,9 @@
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/scene/technique_parameters.h"
 #include "filters/io/cube/bake_folder.h"
-#include "filters/io/scene/front_file.h"
+#include "filters/io/scene/pareto_front_file.h"
 #include "filters/reference/study/bench_technique.h"
-#include "filters/vtk/charts/front_chart.h"
+#include "filters/vtk/charts/pareto_chart.h"
 
 namespace boxprobe {
 
@@ -35,7 +35,7 @@ enum Column { kTechnique, kCost, kError };
 // Sorts by value, not by text.
 class Row : public QTreeWidgetItem {
  public:
-  Row(const FrontPoint& point, const FrontPoint* hdrp) {
+  Row(const ParetoPoint& point, const ParetoPoint* hdrp) {
     setText(kTechnique, QString::fromStdString(point.label));
     setText(kCost, QString::number(point.cost, 'f', 2) + QChar(0x00d7));
     setText(kError, QString::number(point.error, 'f', 4));
@@ -194,7 +194,7 @@ void CostPanel::load() {
   const bool there = !path.empty() && QFileInfo::exists(QString::fromStdString(path));
   if (there) {
     try {
-      points_ = loadFront(path);
+      points_ = loadParetoFront(path);
     } catch (const InputError& error) {
       emit failed(QString::fromUtf8(error.what()));
     }
@@ -207,13 +207,13 @@ void CostPanel::load() {
 
 void CostPanel::fillTable() {
   const auto hdrp =
-      std::find_if(points_.begin(), points_.end(), [](const FrontPoint& p) { return p.id == kErrorBaseline; });
+      std::find_if(points_.begin(), points_.end(), [](const ParetoPoint& p) { return p.id == kErrorBaseline; });
   table_->setSortingEnabled(false);
   table_->clear();
-  for (const FrontPoint& point : points_) {
+  for (const ParetoPoint& point : points_) {
     auto* row = new Row(point, hdrp != points_.end() ? &*hdrp : nullptr);
     QFont font = row->font(kTechnique);
-    font.setBold(point.onFront);
+    font.setBold(point.onParetoFront);
     row->setFont(kTechnique, font);
     table_->addTopLevelItem(row);
   }
@@ -232,7 +232,7 @@ std::string CostPanel::currentLabel() const {
     if (set != probe->parameters.end()) current.parameters[set->first] = set->second;
   }
   const auto known = [this](const std::string& label) {
-    return std::any_of(points_.begin(), points_.end(), [&](const FrontPoint& p) { return p.label == label; });
+    return std::any_of(points_.begin(), points_.end(), [&](const ParetoPoint& p) { return p.label == label; });
   };
   if (known(current.label())) return current.label();
   current.parameters.clear();
@@ -252,7 +252,7 @@ void CostPanel::showCurrent(bool always) {
     QTreeWidgetItem* item = table_->topLevelItem(i);
     item->setSelected(item->text(kTechnique).toStdString() == label);
   }
-  const auto at = std::find_if(points_.begin(), points_.end(), [&](const FrontPoint& p) { return p.label == label; });
+  const auto at = std::find_if(points_.begin(), points_.end(), [&](const ParetoPoint& p) { return p.label == label; });
   QString text;
   if (scenePath_.empty()) {
     text = tr("Save the scene to measure what each technique costs in it and how wrong it is.");
@@ -261,8 +261,9 @@ void CostPanel::showCurrent(bool always) {
         tr("Not measured yet in this scene: every technique's frame time, and its error against the integral it "
            "stands for.");
   } else if (at != points_.end()) {
-    text = at->onFront ? tr("%1 is on the front: nothing measured is both cheaper and better.").arg(label.c_str())
-                       : tr("%1 is not on the front: something measured is as cheap and better.").arg(label.c_str());
+    text = at->onParetoFront
+               ? tr("%1 is on the front: nothing measured is both cheaper and better.").arg(label.c_str())
+               : tr("%1 is not on the front: something measured is as cheap and better.").arg(label.c_str());
   } else {
     text = tr("The probe's technique is not among those measured.");
   }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/gui/edit/editor.h"
-#include "filters/core/picture/front.h"
+#include "filters/core/picture/pareto_front.h"
 
 class QLabel;
 class QProgressBar;
@@ -58,7 +58,7 @@ class CostPanel : public QWidget {
 
   Editor& editor_;
   std::string scenePath_;
-  std::vector<FrontPoint> points_;
+  std::vector<ParetoPoint> points_;
   std::string shownLabel_;
   bool watched_ = false;
   QByteArray output_;

@@ -95,7 +95,7 @@ FramePanel::FramePanel(Editor& editor, Hooks hooks, QWidget* parent)
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, &FramePanel::selectionChanged);
   connect(mode_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     changeObject(tr("Set probes of %1").arg(text(object_)),
-                 [index](ObjectOverride& object) { object.probeMode = static_cast<ProbeMode>(index); });
+                 [index](ObjectOverride& object) { object.probeUsage = static_cast<ProbeUsage>(index); });
   });
   connect(weights_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     changeObject(tr("Set weights of %1").arg(text(object_)),
@@ -207,7 +207,7 @@ void FramePanel::showModes() {
   const auto found = editor_.scene().objects.find(object_);
   const ObjectOverride object = found != editor_.scene().objects.end() ? found->second : ObjectOverride{};
   objectName_->setText(text(object_));
-  mode_->setCurrentIndex(static_cast<int>(object.probeMode));
+  mode_->setCurrentIndex(static_cast<int>(object.probeUsage));
   weights_->setCurrentIndex(static_cast<int>(object.weights));
 }
 

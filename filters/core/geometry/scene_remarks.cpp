@@ -61,7 +61,7 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   };
   if (flat(probe.box)) say("box", "is flat: no ray hits it inside, so the probe is not projected there.");
   if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe shows nowhere.");
-  if (probe.mode != ProbeUpdate::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
+  if (probe.mode != ProbeMode::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
   parameterRemarks(remarks, probe);
   budgetRemarks(remarks, probe);
 }
@@ -88,7 +88,7 @@ std::vector<std::string> featuresNotUsed(const Scene& scene) {
   const bool anyMoves =
       std::any_of(scene.objects.begin(), scene.objects.end(), [](const auto& object) { return object.second.dynamic; });
   for (const Probe& probe : scene.probes) {
-    if (scene.mirrors.empty() || !anyMoves || probe.mode != ProbeUpdate::Realtime) continue;
+    if (scene.mirrors.empty() || !anyMoves || probe.mode != ProbeMode::Realtime) continue;
     remark(remarks, {"probes", probe.name, "mode"},
            "is realtime: it sees what moves, and a planar mirror in its reach shows that a second time.");
   }

@@ -44,8 +44,8 @@ bool MaterialOverride::operator==(const MaterialOverride& o) const {
 }
 
 bool ObjectOverride::operator==(const ObjectOverride& o) const {
-  return std::tie(visible, seenByProbes, dynamic, probeMode, weights, translation, rotationDegrees) ==
-         std::tie(o.visible, o.seenByProbes, o.dynamic, o.probeMode, o.weights, o.translation, o.rotationDegrees);
+  return std::tie(visible, seenByProbes, dynamic, probeUsage, weights, translation, rotationDegrees) ==
+         std::tie(o.visible, o.seenByProbes, o.dynamic, o.probeUsage, o.weights, o.translation, o.rotationDegrees);
 }
 
 bool PlanarMirror::operator==(const PlanarMirror& o) const {

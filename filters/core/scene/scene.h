@@ -111,7 +111,7 @@ struct MaterialOverride {
   bool operator==(const MaterialOverride&) const;
 };
 
-enum class ProbeMode { Off, Simple, Blend, BlendAndSky };  ///< of an object: which probes it uses
+enum class ProbeUsage { Off, Simple, Blend, BlendAndSky };  ///< of an object: which probes it uses
 enum class WeightMode { Pixel, Object };
 
 /// Overrides of a glTF node by its name.
@@ -119,7 +119,7 @@ struct ObjectOverride {
   bool visible = true;
   bool seenByProbes = true;
   bool dynamic = false;  ///< moves: baked probes leave it out, so that its movement does not undo them
-  ProbeMode probeMode = ProbeMode::BlendAndSky;
+  ProbeUsage probeUsage = ProbeUsage::BlendAndSky;
   WeightMode weights = WeightMode::Pixel;
   /// On top of where its model puts it: turned about its node's own origin, then moved. World axes, in double.
   glm::dvec3 translation{0.0};
@@ -153,7 +153,7 @@ struct BlendDistance {
   bool operator==(const BlendDistance&) const;
 };
 
-enum class ProbeUpdate {
+enum class ProbeMode {
   Baked,     ///< kept until an input of its capture changes
   Realtime,  ///< follows what it shows, objects that move included, one face a frame
   Custom,    ///< filtered from a picture
@@ -213,7 +213,7 @@ struct Probe {
   std::map<std::string, ParameterValue> parameters;
   int faceSize = 256;  ///< texels, a power of two from 16 to 2048
   int bounces = 1;     ///< 1 to 5
-  ProbeUpdate mode = ProbeUpdate::Baked;
+  ProbeMode mode = ProbeMode::Baked;
   std::string image;  ///< custom mode
   CubeLayout imageLayout = CubeLayout::Automatic;
   FilterKind filter = FilterKind::Ggx;

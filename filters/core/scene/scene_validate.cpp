@@ -269,7 +269,7 @@ void checkCapture(const Fields& fields, const Probe& probe) {
   if (probe.samplesPerPixel != 1 && probe.samplesPerPixel != 4 && probe.samplesPerPixel != 16) {
     fields.fail("samplesPerPixel", "is " + std::to_string(probe.samplesPerPixel) + " and must be 1, 4 or 16");
   }
-  if (probe.mode == ProbeUpdate::Custom && probe.image.empty()) {
+  if (probe.mode == ProbeMode::Custom && probe.image.empty()) {
     fields.fail("image", "is missing; mode \"custom\" needs an image file");
   }
 }

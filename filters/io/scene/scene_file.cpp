@@ -31,7 +31,7 @@ void requireFiles(const Scene& scene, const Json& root) {
   }
   if (const auto* image = std::get_if<SkyImage>(&scene.sky)) requireFile(image->file, {"sky", "image"}, "picture");
   for (const Probe& probe : scene.probes) {
-    if (probe.mode == ProbeUpdate::Custom) requireFile(probe.image, {"probes", probe.name, "image"}, "picture");
+    if (probe.mode == ProbeMode::Custom) requireFile(probe.image, {"probes", probe.name, "image"}, "picture");
   }
 }
 

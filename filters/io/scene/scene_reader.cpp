@@ -137,7 +137,7 @@ ObjectOverride readObject(const JsonCursor& entry) {
   readInto(entry, "seenByProbes", object.seenByProbes, &JsonCursor::boolean);
   readInto(entry, "dynamic", object.dynamic, &JsonCursor::boolean);
   if (const auto mode = entry.find("probeMode")) {
-    object.probeMode = static_cast<ProbeMode>(mode->choice({"off", "simple", "blend", "blend+sky"}));
+    object.probeUsage = static_cast<ProbeUsage>(mode->choice({"off", "simple", "blend", "blend+sky"}));
   }
   if (const auto weights = entry.find("weights")) {
     object.weights = static_cast<WeightMode>(weights->choice({"pixel", "object"}));
@@ -225,7 +225,7 @@ void readProbeCapture(const JsonCursor& entry, Probe& probe, const std::string& 
   readInto(entry, "faceSize", probe.faceSize, &JsonCursor::whole);
   readInto(entry, "bounces", probe.bounces, &JsonCursor::whole);
   if (const auto mode = entry.find("mode")) {
-    probe.mode = static_cast<ProbeUpdate>(mode->choice({"baked", "realtime", "custom"}));
+    probe.mode = static_cast<ProbeMode>(mode->choice({"baked", "realtime", "custom"}));
   }
   if (const auto image = entry.find("image")) probe.image = resolved(image->text(), folder);
   if (const auto layout = entry.find("imageLayout")) {

@@ -203,7 +203,7 @@ Json objectJson(const ObjectOverride& object, JsonForm form) {
   out.put("visible", object.visible, standard.visible);
   out.put("seenByProbes", object.seenByProbes, standard.seenByProbes);
   out.put("dynamic", object.dynamic, standard.dynamic);
-  out.putJson("probeMode", modes[static_cast<int>(object.probeMode)], object.probeMode == standard.probeMode);
+  out.putJson("probeMode", modes[static_cast<int>(object.probeUsage)], object.probeUsage == standard.probeUsage);
   out.putJson("weights", object.weights == WeightMode::Pixel ? "pixel" : "object", object.weights == standard.weights);
   out.put("translation", object.translation, standard.translation);
   out.put("rotationDegrees", object.rotationDegrees, standard.rotationDegrees);

@@ -111,7 +111,7 @@ Json summaryJson(const BenchResult& result, const BenchSummary& s) {
     json["frameGpuRatioInterval"] = ratioJson(*s.gpuRatioToBox);
   }
   json["ownCpuRatioToBox"] = rounded(s.ownCpuRatioToBox, 3);
-  json["onFront"] = s.onFront;
+  json["onFront"] = s.onParetoFront;
   for (const auto& [roughness, error] : s.errorByRoughness) {
     json["errorByRoughness"].push_back({{"roughness", roughness}, {"error", rounded(error, 6)}});
   }

@@ -67,7 +67,7 @@ std::string measuredText(const BenchResult& result) {
 std::string nameText(const BenchResult& result, const BenchSummary& s) {
   const BenchTechnique& t = result.techniques[s.technique];
   const std::string name = t.label() + (t.ours ? " \\*" : "");
-  return s.onFront ? "**" + name + "**" : name;
+  return s.onParetoFront ? "**" + name + "**" : name;
 }
 
 std::string mainTable(const BenchResult& result, const std::vector<BenchSummary>& list) {

@@ -90,18 +90,19 @@ std::vector<BenchSummary> summaries(const BenchResult& result, Truth truth) {
     if (technique.id != kErrorBaseline || !technique.parameters.empty() || !(baseline.error > 0.0)) continue;
     for (BenchSummary& s : list) s.errorRatioToHdrp = s.error / baseline.error;
   }
-  std::vector<FrontPoint> points;
+  std::vector<ParetoPoint> points;
   for (const BenchSummary& s : list) points.push_back({{}, {}, s.cpuRatioToBox.value, s.error, false, false});
-  markFront(points);
-  for (std::size_t i = 0; i < list.size(); ++i) list[i].onFront = points[i].onFront;
+  markParetoFront(points);
+  for (std::size_t i = 0; i < list.size(); ++i) list[i].onParetoFront = points[i].onParetoFront;
   return list;
 }
 
-std::vector<FrontPoint> frontPoints(const BenchResult& result, Truth truth) {
-  std::vector<FrontPoint> points;
+std::vector<ParetoPoint> paretoPoints(const BenchResult& result, Truth truth) {
+  std::vector<ParetoPoint> points;
   for (const BenchSummary& s : summaries(result, truth)) {
     const BenchTechnique& technique = result.techniques[s.technique];
-    points.push_back({technique.id, technique.label(), s.cpuRatioToBox.value, s.error, s.onFront, technique.ours});
+    points.push_back(
+        {technique.id, technique.label(), s.cpuRatioToBox.value, s.error, s.onParetoFront, technique.ours});
   }
   return points;
 }

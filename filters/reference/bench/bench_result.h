@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/picture/front.h"
+#include "filters/core/picture/pareto_front.h"
 #include "filters/reference/measure/interleaved.h"
 #include "filters/reference/study/bench_technique.h"
 #include "filters/reference/study/study.h"
@@ -106,7 +106,7 @@ struct BenchSummary {
   double ownCpuRatioToBox = 0.0;
   std::optional<bench::Ratio> gpuRatioToBox;  ///< the same by the driver's clock
   EnergyBucket worstEnergy;                   ///< of the buckets with enough pixels to judge
-  bool onFront = false;
+  bool onParetoFront = false;
 };
 
 struct BenchResult {
@@ -136,6 +136,6 @@ inline constexpr std::size_t kLeastBucketPixels = 200;
 std::vector<BenchSummary> summaries(const BenchResult& result, Truth truth);
 
 /// The points of the chart.
-std::vector<FrontPoint> frontPoints(const BenchResult& result, Truth truth);
+std::vector<ParetoPoint> paretoPoints(const BenchResult& result, Truth truth);
 
 }  // namespace boxprobe

@@ -16,7 +16,7 @@ bool seenByAnyProbe(const Scene& scene, const std::string& node, const ObjectOve
   if (!settings.seenByProbes) return false;
   if (scene.probes.empty()) return !settings.dynamic;
   return std::any_of(scene.probes.begin(), scene.probes.end(), [&](const Probe& probe) {
-    if (settings.dynamic && probe.mode != ProbeUpdate::Realtime) return false;
+    if (settings.dynamic && probe.mode != ProbeMode::Realtime) return false;
     return std::find(probe.hides.begin(), probe.hides.end(), node) == probe.hides.end();
   });
 }

@@ -97,7 +97,7 @@ void PictureFrames::beginFrame(bool plain) {
   plain_ = plain;
   const int rays = plain ? 0 : blurredRays();
   active_ = !plain && (frames > 0 || rays > 0);
-  for (const DrawnObject& object : content_->objects) object.mapper->SetApart(rays > 0);
+  for (const DrawnObject& object : content_->objects) object.mapper->SetSeparateSpecular(rays > 0);
   if (!active_) {
     if (screen_) renderer_->SetPass(nullptr);
     return;
@@ -121,7 +121,7 @@ void PictureFrames::beginFrame(bool plain) {
 
 vtkPicturePass* PictureFrames::linearPass(int frames) {
   const int rays = blurredRays();
-  for (const DrawnObject& object : content_->objects) object.mapper->SetApart(rays > 0);
+  for (const DrawnObject& object : content_->objects) object.mapper->SetSeparateSpecular(rays > 0);
   if (rays == 0 && (frames <= 1 || !averages())) return nullptr;
   if (!linear_) linear_ = makePass();
   linear_->Restart();

@@ -15,8 +15,8 @@ std::vector<std::string> glassRemarks(const SceneContent& content) {
     if (!object.settings.visible || !object.settings.seenByProbes || !object.mapper->DrawsGlass()) continue;
     for (const auto& drawn : object.mapper->GetBinding()->probes) {
       const Probe& probe = content.scene.probes[static_cast<std::size_t>(drawn->index)];
-      const bool custom = probe.mode == ProbeUpdate::Custom;
-      const bool left = object.settings.dynamic && probe.mode != ProbeUpdate::Realtime;
+      const bool custom = probe.mode == ProbeMode::Custom;
+      const bool left = object.settings.dynamic && probe.mode != ProbeMode::Realtime;
       const bool hidden = std::find(probe.hides.begin(), probe.hides.end(), object.node) != probe.hides.end();
       if (custom || left || hidden || !said.insert({drawn->index, object.node}).second) continue;
       texts.push_back("probes." + probe.name + ".hides: the probe sees \"" + object.node +

@@ -213,7 +213,7 @@ std::string importKey(const Probe& probe, const CubeMap& picture) {
 }
 
 bool captureShows(const Probe& probe, const CaptureObject& object) {
-  if (!object.seenByProbes || (object.dynamic && probe.mode != ProbeUpdate::Realtime)) return false;
+  if (!object.seenByProbes || (object.dynamic && probe.mode != ProbeMode::Realtime)) return false;
   return std::find(probe.hides.begin(), probe.hides.end(), object.node) == probe.hides.end();
 }
 

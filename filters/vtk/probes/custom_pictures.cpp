@@ -9,7 +9,7 @@ namespace boxprobe {
 void CustomPictures::update(const Scene& scene) {
   error_.clear();
   for (const Probe& probe : scene.probes) {
-    if (probe.mode != ProbeUpdate::Custom) continue;
+    if (probe.mode != ProbeMode::Custom) continue;
     const std::string place = "probes." + probe.name + ".image: ";
     const auto it = pictures_.find(probe.name);
     if (it == pictures_.end() || it->second.file != probe.image || it->second.layout != probe.imageLayout) {

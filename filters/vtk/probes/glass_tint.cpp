@@ -13,7 +13,7 @@ namespace {
 
 bool seesObject(const Probe& probe, const DrawnObject& object) {
   return object.settings.visible && object.settings.seenByProbes &&
-         (!object.settings.dynamic || probe.mode == ProbeUpdate::Realtime) &&
+         (!object.settings.dynamic || probe.mode == ProbeMode::Realtime) &&
          std::find(probe.hides.begin(), probe.hides.end(), object.node) == probe.hides.end();
 }
 

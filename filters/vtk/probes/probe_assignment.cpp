@@ -39,7 +39,7 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
   binding->lighting = Lighting::Probes;
 
   binding->diffuse = !object.allMetal;
-  if (object.settings.probeMode == ProbeMode::Off) return binding;
+  if (object.settings.probeUsage == ProbeUsage::Off) return binding;
   const Box bounds = worldBounds(object);
   std::vector<std::size_t> order = std::move(meeting);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -47,7 +47,7 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
     const Probe& q = scene.probes[b];
     return p.importance != q.importance ? p.importance > q.importance : p.name < q.name;
   });
-  if (object.settings.probeMode == ProbeMode::Simple) keepOne(order, scene, bounds);
+  if (object.settings.probeUsage == ProbeUsage::Simple) keepOne(order, scene, bounds);
   const auto covers = [&](std::size_t i) { return fullWeightEverywhere(scene.probes[i], bounds); };
   if (!general) {
     // Nothing is left for probes less important than one that covers the object.
@@ -68,10 +68,10 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
     binding->sky = false;
     binding->weights = order.size() > 1;
   }
-  if (object.settings.probeMode == ProbeMode::Simple && !order.empty()) {
+  if (object.settings.probeUsage == ProbeUsage::Simple && !order.empty()) {
     binding->weights = binding->sky = false;
   }
-  binding->onlyProbes = object.settings.probeMode == ProbeMode::Blend;
+  binding->onlyProbes = object.settings.probeUsage == ProbeUsage::Blend;
   for (const std::size_t i : order) {
     binding->probes.push_back(drawn[i]);
     const ProbeGeometry& geometry = drawn[i]->geometry;

@@ -16,7 +16,7 @@ void ProbeSet::updateShadowLights() {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     DrawnProbe& drawn = *entries_[i].drawn;
     drawn.shadowLights = 0;
-    drawn.imported = probe(i).mode == ProbeUpdate::Custom;
+    drawn.imported = probe(i).mode == ProbeMode::Custom;
     for (std::size_t light = 0; light < std::min(lights.size(), kMostShadowLights); ++light) {
       const bool asks = lights[light].shadows != LightShadows::None && lightOutside(lights[light], probe(i));
       if (asks) drawn.shadowLights |= 1u << light;

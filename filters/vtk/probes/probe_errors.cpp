@@ -29,7 +29,7 @@ bool ProbeSet::errorsStale(std::size_t index) const {
   const Entry& entry = entries_[index];
   const ProbeGeometry& geometry = entry.drawn->geometry;
   if (!entry.used || !entry.drawn->maps || !isAutomatic(geometry.technique)) return false;
-  const bool realtime = probe(index).mode == ProbeUpdate::Realtime;
+  const bool realtime = probe(index).mode == ProbeMode::Realtime;
   if (!realtime && entry.shown != entry.wanted) return false;
   const Measured& measured = entry.measured;
   return !entry.drawn->errors || measured.boxMin != geometry.boxMin || measured.boxMax != geometry.boxMax ||

@@ -85,14 +85,14 @@ void ProbeSet::prepareOne() {
   if (!object.settings.visible || !prepared_.insert(general->variantKey() + object.materialName).second) return;
   const auto binding = object.mapper->GetSharedBinding();
   variantsUsed_.insert(general->variantKey());
-  const bool apart = object.mapper->GetApart();
-  object.mapper->SetApart(apart && general->blurredSamples() > 0);
+  const bool apart = object.mapper->GetSeparateSpecular();
+  object.mapper->SetSeparateSpecular(apart && general->blurredSamples() > 0);
   object.mapper->SetBinding(std::move(general));
   CaptureSettings settings;
   settings.originWorld = worldBounds(object).center();
   capture_->drawOnce(settings, {object.actor}, content_->lightPointers());
   object.mapper->SetBinding(binding);
-  object.mapper->SetApart(apart);
+  object.mapper->SetSeparateSpecular(apart);
 }
 
 }  // namespace boxprobe

@@ -29,7 +29,7 @@ bool lit(const DrawnObject& object) {
 // A picture of the user's has no capture origin: it belongs where the probe stands now.
 ProbeGeometry ProbeSet::geometryOf(const Probe& probe, const ProbeMaps* maps) {
   if (maps == nullptr) return probeGeometry(probe, probe.origin, probe.rotationDegrees);
-  const bool imported = probe.mode == ProbeUpdate::Custom;
+  const bool imported = probe.mode == ProbeMode::Custom;
   return probeGeometry(probe, imported ? probe.origin : maps->capturedAt, maps->capturedRotation);
 }
 
@@ -126,8 +126,8 @@ void ProbeSet::updateWorld() {
 BounceKeys::Input ProbeSet::bounceInput(const Probe& probe) const {
   BounceKeys::Input input;
   input.bounces = probe.bounces;
-  input.imported = probe.mode == ProbeUpdate::Custom;
-  input.realtime = probe.mode == ProbeUpdate::Realtime;
+  input.imported = probe.mode == ProbeMode::Custom;
+  input.realtime = probe.mode == ProbeMode::Realtime;
   CaptureView view = probeView(world_, probe);
   input.view = input.imported ? pictures_.key(probe) : view.key;
   input.lighting = std::move(view.lighting);
@@ -154,7 +154,7 @@ BounceKeys ProbeSet::bounceKeys() const {
   };
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const bool target = targets_.count(probes[i].name) != 0;
-    if (needed(i) || target || !entries_[i].shown.empty() || probes[i].mode == ProbeUpdate::Realtime)
+    if (needed(i) || target || !entries_[i].shown.empty() || probes[i].mode == ProbeMode::Realtime)
       ask(i, probes[i].bounces);
   }
   while (!open.empty()) {
@@ -188,7 +188,7 @@ void ProbeSet::updateKeys() {
       continue;
     }
     entry.wanted =
-        probe(i).mode == ProbeUpdate::Realtime ? realtimeKey(probe(i), realtimeFaces(probe(i))) : keys_.finalKey(i);
+        probe(i).mode == ProbeMode::Realtime ? realtimeKey(probe(i), realtimeFaces(probe(i))) : keys_.finalKey(i);
     if (entry.wanted != before) entry.passes = keys_.input(i).lighting.empty() ? 0 : probe(i).bounces - 1;
   }
 }
@@ -272,7 +272,7 @@ bool ProbeSet::stale(std::size_t index) const {
     return entry.shown != entry.wanted && !folder_.has(entry.wanted);
   }
   if (!needed(index)) return false;
-  if (probe(index).mode == ProbeUpdate::Realtime) return entry.shown != entry.wanted || entry.passes > 0;
+  if (probe(index).mode == ProbeMode::Realtime) return entry.shown != entry.wanted || entry.passes > 0;
   return entry.shown != entry.wanted && !(interactive_ && entry.shown == entry.wanted + kDuringDrag);
 }
 
@@ -309,9 +309,9 @@ void ProbeSet::replan() {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       if (!stale(i)) continue;
       const Probe& p = probe(i);
-      if (p.mode == ProbeUpdate::Realtime) {
+      if (p.mode == ProbeMode::Realtime) {
         jobs_.push_back({JobKind::Realtime, p.name, 1, {}, p.faceSize});
-      } else if (p.mode == ProbeUpdate::Custom) {
+      } else if (p.mode == ProbeMode::Custom) {
         jobs_.push_back({JobKind::Picture, p.name, 1, entries_[i].wanted, pictures_.picture(p.name)->faceSize()});
       } else if (interactive_) {
         jobs_.push_back({JobKind::Drag, p.name, 1, entries_[i].wanted + kDuringDrag, p.faceSize});
@@ -369,7 +369,7 @@ bool ProbeSet::keepsCurrent() const {
   if (!current_ || !enabled_) return false;
   const auto index = find(current_->name);
   if (current_->kind == JobKind::Realtime) {
-    return index && probe(*index).mode == ProbeUpdate::Realtime && probe(*index).faceSize == current_->faceSize;
+    return index && probe(*index).mode == ProbeMode::Realtime && probe(*index).faceSize == current_->faceSize;
   }
   if (current_->kind == JobKind::Drag) return interactive_ && index && baked(*index);
   return std::find(jobs_.begin(), jobs_.end(), *current_) != jobs_.end();
@@ -391,7 +391,7 @@ std::string ProbeSet::memoryProblem() const {
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const bool wanted = targets_.empty() ? needed(i) : targets_.count(entries_[i].name) != 0;
     if (!wanted || entries_[i].wanted.empty()) continue;
-    const bool custom = probe(i).mode == ProbeUpdate::Custom;
+    const bool custom = probe(i).mode == ProbeMode::Custom;
     const auto picture = custom ? pictures_.picture(probe(i).name) : nullptr;
     const int size = picture ? picture->faceSize() : probe(i).faceSize;
     const std::size_t bytes = probeMapsBytes(size, !custom);
@@ -458,7 +458,7 @@ std::size_t ProbeSet::memoryBytes() const {
   std::size_t bytes = cache_.bytes();
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto& maps = entries_[i].drawn->maps;
-    if (maps && probe(i).mode == ProbeUpdate::Realtime) bytes += maps->bytes();
+    if (maps && probe(i).mode == ProbeMode::Realtime) bytes += maps->bytes();
   }
   return bytes;
 }

@@ -143,7 +143,7 @@ class ProbeSet {
   std::optional<std::size_t> find(const std::string& name) const;
   const Probe& probe(std::size_t index) const { return content_->scene.probes[index]; }
   static ProbeGeometry geometryOf(const Probe& probe, const ProbeMaps* maps);
-  bool baked(std::size_t index) const { return probe(index).mode == ProbeUpdate::Baked; }
+  bool baked(std::size_t index) const { return probe(index).mode == ProbeMode::Baked; }
   bool stale(std::size_t index) const;
   void updateWorld();
   void updateKeys();

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "filters/core/geometry/box_tree.h"
-#include "filters/vtk/gl/occlusion_test.h"
+#include "filters/vtk/gl/occlusion_query.h"
 
 class vtkCulledRenderer : public vtkOpenGLRenderer {
  public:
@@ -58,7 +58,7 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
 
   std::vector<vtkProp*> Culled;
   boxprobe::BoxTree Tree;
-  boxprobe::OcclusionTest Test;
+  boxprobe::OcclusionQuery Test;
   std::vector<std::size_t> Drawn;
   std::uint64_t DrawnGeneration = 0;
   std::uint64_t BoxesAsked = 0;

@@ -84,9 +84,9 @@ void vtkProbePolyDataMapper::UpdateDrawn() {
   }
 }
 
-void vtkProbePolyDataMapper::SetApart(bool apart) {
-  if (apart != this->Apart) {
-    this->Apart = apart;
+void vtkProbePolyDataMapper::SetSeparateSpecular(bool apart) {
+  if (apart != this->SeparateSpecular) {
+    this->SeparateSpecular = apart;
     this->Refused = false;
     this->Modified();
   }
@@ -175,11 +175,11 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
   using boxprobe::SurfaceOutput;
   const bool blended = actor->HasTranslucentPolygonalGeometry() != 0 || this->DrawsGlass();
   const bool samples = this->Drawn->blurredSamples() > 0 && !blended;
-  const SurfaceOutput output = this->Debug     ? SurfaceOutput::Debug
-                               : this->Heights ? SurfaceOutput::Heights
-                               : !this->Apart  ? SurfaceOutput::Picture
-                               : samples       ? SurfaceOutput::ReflectionApart
-                                               : SurfaceOutput::NothingApart;
+  const SurfaceOutput output = this->Debug               ? SurfaceOutput::Debug
+                               : this->Heights           ? SurfaceOutput::Heights
+                               : !this->SeparateSpecular ? SurfaceOutput::Picture
+                               : samples                 ? SurfaceOutput::SpecularSeparate
+                                                         : SurfaceOutput::SpecularSeparateNone;
   const std::string failure =
       boxprobe::splicePbr(sources, *this->Drawn, this->Surface.get(), output, this->Mirror != nullptr);
   if (!failure.empty() && this->State->error.empty()) {

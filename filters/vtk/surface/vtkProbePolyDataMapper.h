@@ -34,8 +34,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */
   void SetStandIn(bool standIn);
   /** Keeps what techniques sample apart from the rest, in further attachments (see reflection_apart.glsl). */
-  void SetApart(bool apart);
-  bool GetApart() const { return this->Apart; }
+  void SetSeparateSpecular(bool apart);
+  bool GetSeparateSpecular() const { return this->SeparateSpecular; }
   /** Writes colour and height over a planar mirror, for the mirror's picture (see mirrored_output.glsl). */
   void SetHeights(bool heights);
   /** The surface is a planar mirror and looks that picture up where it is shown; null: it is none. */
@@ -85,7 +85,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<const boxprobe::ProbeBinding> Binding;
   std::shared_ptr<const boxprobe::ProbeBinding> Drawn;
   bool StandIn = false;
-  bool Apart = false;
+  bool SeparateSpecular = false;
   bool Heights = false;
   std::shared_ptr<const boxprobe::MirrorPicture> Mirror;
   std::string VariantKey;

@@ -429,7 +429,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          define("BP_CONSTANT_SHARES", binding.weights && !binding.shares.empty()) +
          define("BP_ONLY_PROBES", binding.onlyProbes) + define("BP_SKY", binding.sky) +
          define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
-         define("BP_SAMPLED", output == SurfaceOutput::ReflectionApart) +
+         define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
          (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +
@@ -520,9 +520,9 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   }
   if (debug) output += shaderSource("gpu/surface_output.glsl");
   if (writes == SurfaceOutput::Heights) output += shaderSource("gpu/mirrored_output.glsl");
-  if (writes == SurfaceOutput::ReflectionApart || writes == SurfaceOutput::NothingApart) {
+  if (writes == SurfaceOutput::SpecularSeparate || writes == SurfaceOutput::SpecularSeparateNone) {
     // A surface without probes has nothing to keep apart, whatever it was asked.
-    const bool sampled = probes && writes == SurfaceOutput::ReflectionApart;
+    const bool sampled = probes && writes == SurfaceOutput::SpecularSeparate;
     output += std::string("#define BP_APART ") + (sampled ? "1\n" : "2\n");
     output += shaderSource("gpu/reflection_apart.glsl");
   }

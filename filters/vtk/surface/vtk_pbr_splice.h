@@ -12,11 +12,11 @@ namespace boxprobe {
 
 /// What a program writes.
 enum class SurfaceOutput {
-  Picture,          ///< the colour
-  Debug,            ///< any row of surfaceViews(), and what the surface is into further attachments
-  ReflectionApart,  ///< the colour, and what its techniques sample into further attachments
-  NothingApart,     ///< the same of a surface that keeps nothing apart
-  Heights,          ///< the colour, and the height over a planar mirror into another attachment
+  Picture,               ///< the colour
+  Debug,                 ///< any row of surfaceViews(), and what the surface is into further attachments
+  SpecularSeparate,      ///< the colour, and what its techniques sample into further attachments
+  SpecularSeparateNone,  ///< the same of a surface that keeps nothing apart
+  Heights,               ///< the colour, and the height over a planar mirror into another attachment
 };
 
 /// The shaders of one program as VTK has written them.

@@ -1,4 +1,4 @@
-#include "filters/vtk/charts/front_chart.h"
+#include "filters/vtk/charts/pareto_chart.h"
 
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>
@@ -20,20 +20,20 @@
 #include <cmath>
 
 #include "filters/core/base/number_text.h"
-#include "filters/vtk/charts/vtkFrontLabels.h"
+#include "filters/vtk/charts/vtkParetoLabels.h"
 
 namespace boxprobe {
 
 namespace {
 
 /// Points of one kind, at the logarithms of their values; names for a pointer that rests on one.
-vtkSmartPointer<vtkTable> tableOf(const std::vector<FrontPoint>& points) {
+vtkSmartPointer<vtkTable> tableOf(const std::vector<ParetoPoint>& points) {
   vtkNew<vtkDoubleArray> x, y;
   vtkNew<vtkStringArray> names;
   x->SetName("cost");
   y->SetName("error");
   names->SetName("name");
-  for (const FrontPoint& p : points) {
+  for (const ParetoPoint& p : points) {
     x->InsertNextValue(std::log10(p.cost));
     y->InsertNextValue(std::log10(p.error));
     char text[160];
@@ -54,7 +54,7 @@ struct Look {
   unsigned char color[3];
 };
 
-void addPoints(vtkChartXY* chart, const std::vector<FrontPoint>& points, const Look& look) {
+void addPoints(vtkChartXY* chart, const std::vector<ParetoPoint>& points, const Look& look) {
   if (points.empty()) return;
   const auto table = tableOf(points);
   vtkNew<vtkPlotPoints> plot;
@@ -68,16 +68,16 @@ void addPoints(vtkChartXY* chart, const std::vector<FrontPoint>& points, const L
   chart->AddPlot(plot);
 }
 
-std::vector<FrontPoint> frontOf(const std::vector<FrontPoint>& points) {
-  std::vector<FrontPoint> front;
-  for (const FrontPoint& p : points) {
-    if (p.onFront) front.push_back(p);
+std::vector<ParetoPoint> frontOf(const std::vector<ParetoPoint>& points) {
+  std::vector<ParetoPoint> front;
+  for (const ParetoPoint& p : points) {
+    if (p.onParetoFront) front.push_back(p);
   }
   std::sort(front.begin(), front.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
   return front;
 }
 
-void addFrontLine(vtkChartXY* chart, const std::vector<FrontPoint>& front) {
+void addFrontLine(vtkChartXY* chart, const std::vector<ParetoPoint>& front) {
   if (front.size() < 2) return;
   vtkNew<vtkPlotLine> line;
   line->SetInputData(tableOf(front), 0, 1);
@@ -116,9 +116,9 @@ void setAxis(vtkAxis* axis, double low, double high, const std::string& title) {
   axis->GetGridPen()->SetColor(225, 225, 228, 255);
 }
 
-std::vector<FrontPoint> drawable(const std::vector<FrontPoint>& points) {
-  std::vector<FrontPoint> result;
-  for (const FrontPoint& p : points) {
+std::vector<ParetoPoint> drawable(const std::vector<ParetoPoint>& points) {
+  std::vector<ParetoPoint> result;
+  for (const ParetoPoint& p : points) {
     if (p.cost > 0.0 && p.error > 0.0 && std::isfinite(p.cost) && std::isfinite(p.error)) result.push_back(p);
   }
   return result;
@@ -126,18 +126,18 @@ std::vector<FrontPoint> drawable(const std::vector<FrontPoint>& points) {
 
 }  // namespace
 
-void showFrontChart(vtkContextScene* scene, const std::vector<FrontPoint>& all, const FrontChartText& text) {
+void showFrontChart(vtkContextScene* scene, const std::vector<ParetoPoint>& all, const FrontChartText& text) {
   scene->ClearItems();
-  const std::vector<FrontPoint> points = drawable(all);
+  const std::vector<ParetoPoint> points = drawable(all);
   vtkNew<vtkChartXY> chart;
   chart->SetTitle(text.title);
   chart->GetTitleProperties()->SetFontSize(17);
   double low[2] = {0.0, -1.0}, high[2] = {0.0, -1.0};
-  std::vector<FrontPoint> ours, published, current;
-  const std::vector<FrontPoint> front = frontOf(points);
-  std::vector<vtkFrontLabels::Label> labels;
+  std::vector<ParetoPoint> ours, published, current;
+  const std::vector<ParetoPoint> front = frontOf(points);
+  std::vector<vtkParetoLabels::Label> labels;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const FrontPoint& p = points[i];
+    const ParetoPoint& p = points[i];
     const double at[2] = {std::log10(p.cost), std::log10(p.error)};
     for (int k = 0; k < 2; ++k) {
       low[k] = i == 0 ? at[k] : std::min(low[k], at[k]);
@@ -145,7 +145,7 @@ void showFrontChart(vtkContextScene* scene, const std::vector<FrontPoint>& all, 
     }
     (p.ours ? ours : published).push_back(p);
     if (!text.current.empty() && p.label == text.current) current.push_back(p);
-    labels.push_back({at[0], at[1], p.label, p.onFront || p.label == text.current});
+    labels.push_back({at[0], at[1], p.label, p.onParetoFront || p.label == text.current});
   }
   // The line between two neighbours of the front is no place for a name.
   for (std::size_t i = 1; i < front.size(); ++i) {
@@ -164,13 +164,14 @@ void showFrontChart(vtkContextScene* scene, const std::vector<FrontPoint>& all, 
   chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
   chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
   scene->AddItem(chart);
-  vtkNew<vtkFrontLabels> names;
+  vtkNew<vtkParetoLabels> names;
   names->SetChart(chart);
   names->SetLabels(std::move(labels));
   scene->AddItem(names);
 }
 
-ImageRgba8 frontChartPicture(const std::vector<FrontPoint>& points, const FrontChartText& text, int width, int height) {
+ImageRgba8 frontChartPicture(const std::vector<ParetoPoint>& points, const FrontChartText& text, int width,
+                             int height) {
   vtkNew<vtkContextView> view;
   vtkRenderWindow* window = view->GetRenderWindow();
   window->SetOffScreenRendering(1);

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/picture/front.h"
+#include "filters/core/picture/pareto_front.h"
 
 namespace boxprobe {
 
 /// Against `reference`, "box" or "scene". Throws InputError naming the file and what to do.
-std::vector<FrontPoint> loadFront(const std::string& path, const std::string& reference = "box");
+std::vector<ParetoPoint> loadParetoFront(const std::string& path, const std::string& reference = "box");
 
 }  // namespace boxprobe

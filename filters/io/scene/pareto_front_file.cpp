@@ -1,4 +1,4 @@
-#include "filters/io/scene/front_file.h"
+#include "filters/io/scene/pareto_front_file.h"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -7,20 +7,20 @@
 
 namespace boxprobe {
 
-std::vector<FrontPoint> loadFront(const std::string& path, const std::string& reference) {
+std::vector<ParetoPoint> loadParetoFront(const std::string& path, const std::string& reference) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path + ": cannot be read; write it with boxprobe bench");
-  std::vector<FrontPoint> points;
+  std::vector<ParetoPoint> points;
   try {
     const nlohmann::json json = nlohmann::json::parse(stream);
     for (const auto& entry : json.at("summary")) {
       if (entry.at("reference") != reference) continue;
-      FrontPoint point;
+      ParetoPoint point;
       point.id = entry.at("technique").get<std::string>();
       point.label = entry.at("label").get<std::string>();
       point.cost = entry.at("frameCpuRatioToBox").get<double>();
       point.error = entry.at("error").get<double>();
-      point.onFront = entry.at("onFront").get<bool>();
+      point.onParetoFront = entry.at("onFront").get<bool>();
       point.ours = entry.at("ours").get<bool>();
       points.push_back(point);
     }

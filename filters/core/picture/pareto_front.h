@@ -7,16 +7,16 @@
 
 namespace boxprobe {
 
-struct FrontPoint {
+struct ParetoPoint {
   std::string id;      ///< full technique id
   std::string label;   ///< with the parameters that differ from their defaults
   double cost = 0.0;   ///< frame time over plain box projection's
   double error = 0.0;  ///< tone-mapped RMSE
-  bool onFront = false;
+  bool onParetoFront = false;
   bool ours = false;  ///< false: as published elsewhere
 };
 
-/// Sets `onFront` of each: no other is at most as costly and at most as wrong, and better in one of the two.
-void markFront(std::vector<FrontPoint>& points);
+/// Sets `onParetoFront` of each: no other is at most as costly and at most as wrong, and better in one of the two.
+void markParetoFront(std::vector<ParetoPoint>& points);
 
 }  // namespace boxprobe

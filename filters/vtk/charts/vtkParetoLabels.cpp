@@ -1,4 +1,4 @@
-#include "filters/vtk/charts/vtkFrontLabels.h"
+#include "filters/vtk/charts/vtkParetoLabels.h"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-vtkStandardNewMacro(vtkFrontLabels);
+vtkStandardNewMacro(vtkParetoLabels);
 
 namespace {
 
@@ -35,17 +35,17 @@ double along(vtkAxis* axis, int component, double value) {
 
 }  // namespace
 
-void vtkFrontLabels::SetChart(vtkChartXY* chart) {
+void vtkParetoLabels::SetChart(vtkChartXY* chart) {
   this->Chart = chart;
 }
 
-void vtkFrontLabels::SetLabels(std::vector<Label> labels) {
+void vtkParetoLabels::SetLabels(std::vector<Label> labels) {
   this->Labels = std::move(labels);
   std::stable_sort(this->Labels.begin(), this->Labels.end(),
                    [](const Label& a, const Label& b) { return a.Important && !b.Important; });
 }
 
-bool vtkFrontLabels::Paint(vtkContext2D* painter) {
+bool vtkParetoLabels::Paint(vtkContext2D* painter) {
   if (!this->Chart) return true;
   vtkAxis* bottom = this->Chart->GetAxis(vtkAxis::BOTTOM);
   vtkAxis* left = this->Chart->GetAxis(vtkAxis::LEFT);

@@ -1,5 +1,5 @@
 /**
- * @class   vtkFrontLabels
+ * @class   vtkParetoLabels
  * @brief   names beside the points of a chart, none over another
  *
  * Painted after its chart, whose axes say where a point lies on the screen. Each name goes to the nearest of some
@@ -15,10 +15,10 @@
 
 class vtkChartXY;
 
-class vtkFrontLabels : public vtkContextItem {
+class vtkParetoLabels : public vtkContextItem {
  public:
-  static vtkFrontLabels* New();
-  vtkTypeMacro(vtkFrontLabels, vtkContextItem)
+  static vtkParetoLabels* New();
+  vtkTypeMacro(vtkParetoLabels, vtkContextItem)
 
       /// Without a text: a place to keep clear.
       struct Label {
@@ -32,12 +32,12 @@ class vtkFrontLabels : public vtkContextItem {
   bool Paint(vtkContext2D* painter) override;
 
  protected:
-  vtkFrontLabels() = default;
-  ~vtkFrontLabels() override = default;
+  vtkParetoLabels() = default;
+  ~vtkParetoLabels() override = default;
 
  private:
-  vtkFrontLabels(const vtkFrontLabels&) = delete;
-  void operator=(const vtkFrontLabels&) = delete;
+  vtkParetoLabels(const vtkParetoLabels&) = delete;
+  void operator=(const vtkParetoLabels&) = delete;
 
   vtkWeakPointer<vtkChartXY> Chart;
   std::vector<Label> Labels;

@@ -15,12 +15,12 @@ class vtkShaderProgram;
 
 namespace boxprobe {
 
-class OcclusionTest {
+class OcclusionQuery {
  public:
-  OcclusionTest() = default;
-  ~OcclusionTest();
-  OcclusionTest(const OcclusionTest&) = delete;
-  OcclusionTest& operator=(const OcclusionTest&) = delete;
+  OcclusionQuery() = default;
+  ~OcclusionQuery();
+  OcclusionQuery(const OcclusionQuery&) = delete;
+  OcclusionQuery& operator=(const OcclusionQuery&) = delete;
 
   /// For each box: could something in it be seen past what has been drawn so far? A box about the eye always could.
   std::vector<bool> visible(vtkRenderer* renderer, const std::vector<Box>& boxes);

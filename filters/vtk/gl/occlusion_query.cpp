@@ -1,4 +1,4 @@
-#include "filters/vtk/gl/occlusion_test.h"
+#include "filters/vtk/gl/occlusion_query.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
@@ -35,9 +35,9 @@ glm::dmat4 clipFromEye(vtkCamera* camera, double aspect, const glm::dvec3& eye) 
 
 }  // namespace
 
-OcclusionTest::~OcclusionTest() = default;
+OcclusionQuery::~OcclusionQuery() = default;
 
-std::vector<bool> OcclusionTest::visible(vtkRenderer* renderer, const std::vector<Box>& boxes) {
+std::vector<bool> OcclusionQuery::visible(vtkRenderer* renderer, const std::vector<Box>& boxes) {
   std::vector<bool> result(boxes.size(), true);
   if (boxes.empty()) return result;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -103,7 +103,7 @@ std::vector<bool> OcclusionTest::visible(vtkRenderer* renderer, const std::vecto
   return result;
 }
 
-void OcclusionTest::release() {
+void OcclusionQuery::release() {
   if (!queries_.empty()) glDeleteQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
   queries_.clear();
   if (vertexArray_ != 0) glDeleteVertexArrays(1, &vertexArray_);

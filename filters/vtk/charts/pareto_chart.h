@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/picture/front.h"
+#include "filters/core/picture/pareto_front.h"
 #include "filters/core/scene/model.h"
 
 class vtkContextScene;
@@ -22,9 +22,9 @@ struct FrontChartText {
 
 /// Adds the chart to a scene of a context view, in place of what an earlier call added. Points without a cost or error
 /// above 0 are left out: both axes are logarithmic.
-void showFrontChart(vtkContextScene* scene, const std::vector<FrontPoint>& points, const FrontChartText& text);
+void showFrontChart(vtkContextScene* scene, const std::vector<ParetoPoint>& points, const FrontChartText& text);
 
 /// The chart as a picture, drawn in a window of its own that does not show. A display must be there.
-ImageRgba8 frontChartPicture(const std::vector<FrontPoint>& points, const FrontChartText& text, int width, int height);
+ImageRgba8 frontChartPicture(const std::vector<ParetoPoint>& points, const FrontChartText& text, int width, int height);
 
 }  // namespace boxprobe
