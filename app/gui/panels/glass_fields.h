@@ -29,9 +29,8 @@ class GlassFields : public QWidget {
   void show(const std::string& name, const Material& model);
 
  private:
-  using Edit = std::function<void(MaterialOverride&, double)>;
-  ValueField* addNumber(QFormLayout* form, const QString& name, const char* id, double minimum, double maximum,
-                        double step, const QString& suffix, const QString& tip, Edit edit);
+  /// A number of the material, by its key in the scene file.
+  ValueField* addNumber(QFormLayout* form, const QString& name, const char* key, double step);
   void preview(const QString& what, const std::function<void(MaterialOverride&)>& edit);
   void commit(const QString& what, const std::function<void(MaterialOverride&)>& edit);
   glm::vec3 shownColor() const;
