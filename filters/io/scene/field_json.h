@@ -74,7 +74,7 @@ void writeField(Json& object, const FieldRow<Part>& row, const Part& part, const
 template <typename Part>
 Json writtenPart(const std::vector<FieldRow<Part>>& rows, const Part& part, const Writing& how) {
   Json object = Json::object();
-  const Part standard;
+  static const Part standard;
   for (const FieldRow<Part>& row : rows) writeField(object, row, part, standard, how);
   return object;
 }
