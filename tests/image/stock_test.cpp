@@ -28,9 +28,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "filters/math/brdf_table.h"
-#include "filters/math/shared_math.h"
-#include "filters/vtk/vtkProbePolyDataMapper.h"
+#include "filters/math/sampling/brdf_table.h"
+#include "filters/math/shared/shared_math.h"
+#include "filters/vtk/gl/software_driver.h"
+#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 #include "tests/support/scene_picture.h"
 
 namespace {
@@ -117,7 +118,7 @@ vtkSmartPointer<vtkTexture> stockTexture(bool srgb) {
   texture->SetInputData(data);
   texture->InterpolateOn();
   texture->MipmapOn();
-  texture->SetMaximumAnisotropicFiltering(8.0f);
+  texture->SetMaximumAnisotropicFiltering(textureAnisotropy());
   texture->SetUseSRGBColorSpace(srgb);
   texture->SetColorModeToDirectScalars();
   return texture;

@@ -1,12 +1,12 @@
 // PLY files that VTK's reader would crash on, misread or print about: each is refused in one line or read right.
-#include "filters/vtk/ply_guard.h"
+#include "filters/vtk/import/ply_guard.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstring>
 
-#include "filters/vtk/model_reader.h"
+#include "filters/vtk/import/model_reader.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 

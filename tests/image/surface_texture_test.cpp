@@ -1,0 +1,38 @@
+// How textures of materials are sampled on the driver at hand.
+#include <gtest/gtest.h>
+
+#include "filters/vtk/gl/software_driver.h"
+#include "filters/vtk/surface/surface_material.h"
+#include "tests/support/gpu_window.h"
+
+namespace {
+
+using namespace boxprobe;
+
+/// GL_TEXTURE_MAX_ANISOTROPY_EXT of a 2 x 2 picture as a material's texture.
+float anisotropyOf(bool nearest) {
+  TextureUse use;
+  auto image = std::make_shared<ImageRgba8>();
+  image->width = image->height = 2;
+  image->pixels.assign(16, 255);
+  use.image = image;
+  use.nearest = nearest;
+  const SurfaceTexture texture(use, false);
+  GLfloat value = 0.0f;
+  glBindTexture(GL_TEXTURE_2D, texture.handle());
+  glGetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &value);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return value;
+}
+
+TEST(SurfaceTexture, SoftwareRenderersGetNoAnisotropicSampling) {
+  EXPECT_EQ(textureAnisotropy(), 1.0f) << "without a context nothing is known of the driver";
+  const auto window = test::makeWindow();
+  const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const bool software = renderer.find("llvmpipe") != std::string::npos;
+  EXPECT_EQ(drawsOnCpu(), software) << renderer;
+  EXPECT_EQ(anisotropyOf(false), software ? 1.0f : 8.0f);
+  EXPECT_EQ(anisotropyOf(true), 1.0f);
+}
+
+}  // namespace
