@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # Records what a boxprobe binary does, seen from outside and the same in every run: see README.md.
-# record.sh PROGRAM OUT_DIR [DATA_DIR]    DATA_DIR holds scenes/ and lessons/; default: those beside this folder
+# record.sh PROGRAM OUT_DIR [DATA_DIR]    DATA_DIR holds scenes/ and lessons/; default: this checkout's data
+# Environment: SCENES="room glass" records only these scenes and no lessons; ALL_VIEWS=1 every debug view through every
+# camera (default: all through the first, a third of them through each other one, taken in turns).
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
@@ -24,6 +26,7 @@ log=$out/log.txt
 jobs=$work/jobs
 scenes=()
 for file in "$out"/scenes/*.boxprobe.json; do scenes+=("$(basename "$file" .boxprobe.json)"); done
+if [[ -n ${SCENES:-} ]]; then read -ra scenes <<<"$SCENES"; fi
 
 say() { echo "record.sh: $* ($SECONDS s)" >&2; }
 scene() { echo "$out/scenes/$1.boxprobe.json"; }
@@ -36,7 +39,7 @@ run_jobs() {
   xvfb-run -a -n 700 -s "-screen 0 1600x1000x24 -noreset" xargs -a "$jobs" -d '\n' -P 2 -n 1 bash -c
 }
 
-# shellcheck source=tests/compare/record_lists.sh
+# shellcheck source=record_lists.sh
 source "$here/record_lists.sh"
 
 record_flags
@@ -53,13 +56,16 @@ mapfile -t techniques <"$out/lists/techniques.txt"
 for s in "${scenes[@]}"; do
   mapfile -t cameras < <("$tool" names "$out/json/info-$s.json" cameras)
   mkdir -p "$out"/{pictures,views}/"$s"
-  for camera in "${cameras[@]}"; do
+  for c in "${!cameras[@]}"; do
+    camera=${cameras[c]}
     for technique in box footprint8 impostor; do
       job /dev/null render "$(scene "$s")" -o "$out/pictures/$s/$camera $technique.png" --size 320x180 --quiet \
         --camera "$camera" --technique "$technique" --stats "$out/json/render-$s-$camera-$technique.json"
     done
-    for view in "${views[@]}"; do
+    for v in "${!views[@]}"; do
+      view=${views[v]}
       [[ $view == all ]] && continue
+      ((c == 0 || (c + v) % 3 == 0)) || [[ -n ${ALL_VIEWS:-} ]] || continue
       job /dev/null render "$(scene "$s")" -o "$out/views/$s/$camera $view.exr" --size 160x90 --quiet \
         --camera "$camera" --view "$view"
     done
@@ -73,7 +79,8 @@ for s in "${scenes[@]}"; do
     job "$out/json/explain-$s-$pixel.json" explain "$(scene "$s")" --pixel "$pixel" --size 160x90 --json --quiet
   done
 done >"$work/pictures"
-room=$(scene room)
+room=$(scene room)  # every technique and option once
+mkdir -p "$out/pictures/room"
 for technique in "${techniques[@]}"; do
   job /dev/null render "$room" -o "$out/pictures/room/every $technique.png" --size 160x90 --quiet --technique "$technique"
   job "$out/json/explain-$technique.json" explain "$room" --pixel 80,70 --size 160x90 --technique "$technique" --json --quiet
@@ -91,7 +98,7 @@ done >>"$work/pictures"
   job "$out/json/stress.json" stress --count 200000 --json --quiet
   job "$out/json/stress-published.json" stress --count 50000 --published --technique box --json --quiet
   job "$out/json/bench.json" bench "$(scene gallery)" -o "$work/bench" --quick --techniques footprint1 --roughness 0.5 \
-    --size 48x27 --rooms 1 --set probes.room.faceSize=64 --json --quiet
+    --size 48x27 --rooms 1 --set probes.gallery.faceSize=64 --json --quiet
   job /dev/null lessons fresnel -o "$work/sheets" --folder "$out/lessons" --quiet
   job "$out/json/lesson-fresnel.json" lessons fresnel -o "$work/page.htm" --folder "$out/lessons" --json --quiet
 } >>"$work/pictures"
@@ -102,8 +109,11 @@ record_files
 xvfb-run -a -n 700 -s "-screen 0 1600x1000x24 -noreset" "$here/record_exits.sh" "$program" "$work" >"$out/lists/exits.txt"
 say "exit statuses are recorded"
 
-job "$out/json/lessons-check.json" lessons -o "$work/all.html" --folder "$out/lessons" --json --quiet | run_jobs
-record_lesson_pictures "$work/all.html"
-say "lessons are recorded"
-times | tail -1 | sed 's/^/record.sh: CPU time, user and system: /' >&2
+if [[ -z ${SCENES:-} ]]; then
+  job "$out/json/lessons-check.json" lessons -o "$work/all.html" --folder "$out/lessons" --json --quiet | run_jobs
+  record_lesson_pictures "$work/all.html"
+  say "lessons are recorded"
+fi
+times >"$work/times"
+say "CPU time, user and system: $(tail -1 "$work/times")"
 ! grep '^failed: ' "$log" >&2

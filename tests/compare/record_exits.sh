@@ -47,7 +47,13 @@ for kind in png jpg jpeg htm html; do try "lesson .$kind" lessons divided-by-zer
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >model.obj
 printf 'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n' >model.stl
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >model.ply
-for model in model.obj model.stl model.ply; do try "$model" render "$model" -o OUT.png --size 32x18 --quiet; done
+cat >model.vtp <<'XML'
+<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData><Piece NumberOfPoints="3" NumberOfPolys="1">
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0</DataArray></Points>
+<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">3</DataArray></Polys></Piece></PolyData></VTKFile>
+XML
+for model in model.obj model.stl model.ply model.vtp; do try "$model" render "$model" -o OUT.png --size 32x18 --quiet; done
 
 # Bad usage.
 try "no such command" frobnicate
