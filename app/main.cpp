@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/bake_command.h"
-#include "app/cli/bench_command.h"
-#include "app/cli/display_check.h"
-#include "app/cli/explain_command.h"
-#include "app/cli/info_command.h"
-#include "app/cli/messages.h"
-#include "app/cli/output_check.h"
-#include "app/cli/render_command.h"
-#include "app/cli/stress_command.h"
-#include "app/gui/lessons_command.h"
-#include "app/gui/window_app.h"
-#include "filters/core/errors.h"
+#include "app/cli/command/bake_command.h"
+#include "app/cli/command/bench_command.h"
+#include "app/cli/command/explain_command.h"
+#include "app/cli/command/info_command.h"
+#include "app/cli/command/render_command.h"
+#include "app/cli/command/stress_command.h"
+#include "app/gui/window/lessons_command.h"
+#include "app/gui/window/window_app.h"
+#include "app/session/display_check.h"
+#include "app/session/messages.h"
+#include "app/session/output_check.h"
+#include "filters/core/base/errors.h"
 
 namespace {
 

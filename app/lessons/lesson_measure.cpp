@@ -8,13 +8,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/box_picture.h"
-#include "app/cli/explanation_json.h"
-#include "filters/core/surface_view.h"
-#include "filters/io/image_file.h"
-#include "filters/io/scene_file.h"
-#include "filters/reference/metrics.h"
-#include "filters/reference/reference_scene.h"
+#include "app/session/box_picture.h"
+#include "app/session/explanation_json.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/explain/surface_value.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/reference/light/reference_scene.h"
+#include "filters/reference/measure/metrics.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -120,7 +121,7 @@ std::optional<double> viewMean(const ShownScene& shown, const LessonMeasure& mea
   double sum = 0.0;
   int count = 0;
   for (const Explanation& e : shown.renderer.explain(places, shown.width, shown.height)) {
-    const auto value = surfaceViews()[static_cast<std::size_t>(*view)].value(e);
+    const auto value = surfaceValue(surfaceViews()[static_cast<std::size_t>(*view)], e);
     if (!value || !std::isfinite(value->x)) continue;
     sum += value->x;
     ++count;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/lesson.h"
-#include "filters/core/model.h"
+#include "filters/core/scene/lesson.h"
+#include "filters/core/scene/model.h"
 
 namespace boxprobe {
 

@@ -6,13 +6,13 @@
 
 #include <utility>
 
-#include "app/cli/load_scene.h"
-#include "app/cli/offscreen_window.h"
 #include "app/lessons/published_picture.h"
-#include "filters/core/errors.h"
-#include "filters/io/lesson_file.h"
-#include "filters/io/scene_file.h"
-#include "filters/vtk/ray_sources.h"
+#include "app/session/load_scene.h"
+#include "app/session/offscreen_window.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/scene/lesson_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/vtk/rays/ray_sources.h"
 
 namespace boxprobe {
 

@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "app/lessons/lesson_measure.h"
-#include "filters/core/counters.h"
-#include "filters/core/lesson.h"
-#include "filters/vtk/ray_layer.h"
+#include "filters/core/base/counters.h"
+#include "filters/core/scene/lesson.h"
+#include "filters/vtk/rays/ray_layer.h"
+#include "filters/vtk/rays/vtkProjectionRays.h"
 #include "filters/vtk/scene_renderer.h"
-#include "filters/vtk/vtkProjectionRays.h"
 
 namespace boxprobe {
 

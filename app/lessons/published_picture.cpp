@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "filters/stress/published_math.h"
+#include "filters/math/published/published_math.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {

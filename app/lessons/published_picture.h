@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/model.h"
-#include "filters/core/scene.h"
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
 
 namespace boxprobe {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "data/scenes/mesh_builder.h"
-#include "filters/core/model.h"
+#include "filters/core/scene/model.h"
 
 namespace boxprobe::scenes {
 

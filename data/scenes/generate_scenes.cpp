@@ -9,8 +9,8 @@
 
 #include "data/scenes/glb_writer.h"
 #include "data/scenes/scenes.h"
-#include "filters/core/errors.h"
-#include "filters/io/scene_file.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/scene/scene_file.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "data/scenes/picture.h"
-#include "filters/core/errors.h"
+#include "filters/core/base/errors.h"
 
 namespace boxprobe::scenes {
 namespace {

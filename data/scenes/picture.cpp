@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "filters/core/errors.h"
+#include "filters/core/base/errors.h"
 
 namespace boxprobe::scenes {
 namespace {

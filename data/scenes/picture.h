@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/model.h"
+#include "filters/core/scene/model.h"
 
 namespace boxprobe::scenes {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "filters/core/model.h"
-#include "filters/core/scene.h"
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
 
 namespace boxprobe::scenes {
 

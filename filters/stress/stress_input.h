@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "filters/math/parameter_table.h"
-#include "filters/math/shared_math.h"
+#include "filters/math/shared/shared_math.h"
+#include "filters/math/technique/parameter_table.h"
 
 namespace boxprobe::stress {
 

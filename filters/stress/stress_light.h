@@ -2,7 +2,7 @@
 // GPU. Called by stress_map and the program of the GPU.
 #pragma once
 
-#include "filters/math/light_table.h"
+#include "filters/math/cube/light_table.h"
 
 namespace boxprobe::stress {
 

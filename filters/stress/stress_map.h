@@ -8,8 +8,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "filters/math/relief.h"
-#include "filters/math/shared_math.h"
+#include "filters/math/cube/relief.h"
+#include "filters/math/shared/shared_math.h"
 #include "filters/stress/stress_light.h"
 #include "filters/stress/stress_trial.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/math/technique_table.h"
+#include "filters/math/technique/technique_table.h"
 #include "filters/stress/stress_classes.h"
 #include "filters/stress/stress_input.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/math/refraction.h"
+#include "filters/math/shared/refraction.h"
 #include "filters/stress/stress_subjects.h"
 
 namespace boxprobe::stress {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "filters/math/published/published_math.h"
 #include "filters/stress/exact.h"
-#include "filters/stress/published_math.h"
 #include "filters/stress/stress_map.h"
 #include "filters/stress/stress_subjects.h"
 

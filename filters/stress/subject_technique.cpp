@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "filters/math/technique_table.h"
+#include "filters/math/technique/technique_table.h"
 #include "filters/stress/exact.h"
 #include "filters/stress/stress_map.h"
 #include "filters/stress/stress_subjects.h"

@@ -9,21 +9,21 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/core/errors.h"
-#include "filters/vtk/cube_capture.h"
-#include "filters/vtk/cube_transfer.h"
-#include "filters/vtk/frame_recorder.h"
-#include "filters/vtk/glass_remarks.h"
-#include "filters/vtk/mirror_set.h"
-#include "filters/vtk/moving_shadows.h"
-#include "filters/vtk/picture_frames.h"
-#include "filters/vtk/preview_sphere.h"
-#include "filters/vtk/probe_set.h"
-#include "filters/vtk/scene_content.h"
-#include "filters/vtk/static_textures.h"
-#include "filters/vtk/surface_inspector.h"
-#include "filters/vtk/view_legend.h"
-#include "filters/vtk/vtkCulledRenderer.h"
+#include "filters/core/base/errors.h"
+#include "filters/vtk/capture/cube_capture.h"
+#include "filters/vtk/frame/mirror_set.h"
+#include "filters/vtk/frame/moving_shadows.h"
+#include "filters/vtk/frame/picture_frames.h"
+#include "filters/vtk/inspect/frame_recorder.h"
+#include "filters/vtk/inspect/glass_remarks.h"
+#include "filters/vtk/inspect/preview_sphere.h"
+#include "filters/vtk/inspect/surface_inspector.h"
+#include "filters/vtk/inspect/view_legend.h"
+#include "filters/vtk/maps/cube_transfer.h"
+#include "filters/vtk/probes/probe_set.h"
+#include "filters/vtk/scene/scene_content.h"
+#include "filters/vtk/scene/vtkCulledRenderer.h"
+#include "filters/vtk/surface/static_textures.h"
 
 namespace boxprobe {
 

@@ -10,8 +10,6 @@
 
 #include <vtkSmartPointer.h>
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -20,16 +18,18 @@
 #include <utility>
 #include <vector>
 
-#include "filters/core/baked_probe.h"
-#include "filters/core/counters.h"
-#include "filters/core/document.h"
-#include "filters/core/explanation.h"
-#include "filters/core/model.h"
-#include "filters/core/scene.h"
-#include "filters/core/surface_view.h"
-#include "filters/vtk/frame_count.h"
-#include "filters/vtk/frame_report.h"
-#include "filters/vtk/preview_settings.h"
+#include "filters/core/base/counters.h"
+#include "filters/core/picture/baked_probe.h"
+#include "filters/core/scene/document.h"
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/explain/explanation.h"
+#include "filters/vtk/capture/work_times.h"
+#include "filters/vtk/frame/frame_count.h"
+#include "filters/vtk/frame/frame_report.h"
+#include "filters/vtk/inspect/preview_settings.h"
+#include "filters/vtk/probes/bake_state.h"
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
@@ -37,28 +37,6 @@ class vtkRenderer;
 namespace boxprobe {
 
 struct ProbeMaps;
-
-/// What one bounce of all probes took.
-struct BounceCost {
-  std::uint64_t faces = 0;  ///< captured
-  double cpuSeconds = 0.0;  ///< capture and filtering, all threads
-};
-
-/// CPU seconds of this process, all threads, by kind of work.
-struct Times {
-  std::array<BounceCost, 5> bounces;  ///< probes only, the first bounce first
-  double captureCpuSeconds = 0.0;
-  double prefilterCpuSeconds = 0.0;
-};
-
-/// How far a probe's maps are.
-enum class BakeState {
-  NotUsed,    ///< no visible object lies in its influence: nothing is made for it
-  Stale,      ///< an input changed, or nothing was made yet: work is pending
-  Capturing,  ///< being made now
-  UpToDate,
-  FromFile,  ///< up to date, from a baked file
-};
 
 class SceneRenderer {
  public:

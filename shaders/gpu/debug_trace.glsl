@@ -1,5 +1,5 @@
 // The debug view's side of a draw: what the lookups were, noted while they are made. Only in programs compiled for the debug
-// view; spliced in before gpu/fetch_probe.glsl. The numbers are those of filters/core/surface_view.cpp.
+// view; spliced in before gpu/fetch_probe.glsl. The numbers are those of filters/core/scene/surface_view.cpp.
 uniform int bpView;            // row of surfaceViews(); 0: the picture itself
 uniform vec3 bpSkyColor;       // stands for the sky's share in the view of weights
 struct BpTrace

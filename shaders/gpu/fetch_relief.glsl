@@ -1,4 +1,4 @@
-// The GPU's side of what projection `impostor` asks of a probe: its relief (filters/math/relief.h), nearest texel, and blocks. GLSL
+// The GPU's side of what projection `impostor` asks of a probe: its relief (filters/math/cube/relief.h), nearest texel, and blocks. GLSL
 // has no arrays of samplers to choose from, so the slot is chosen by comparisons, which the compiler decides: it is a constant.
 // Needs shared/relief.glsl.
 #define BP_MOST_BLOCKS 8

@@ -1,5 +1,5 @@
 // One face of one prefiltered level: a lobe around each texel's direction over the captured radiance. The lookups are the
-// same for every texel, so the host computes them once a level (filters/math/filter_lobe.h); filters/math/cube_filter.cpp
+// same for every texel, so the host computes them once a level (filters/math/sampling/filter_lobe.h); filters/math/cube/cube_filter.cpp
 // is this file's twin on the CPU. Needs shared/cube.glsl, shared/lobe_frame.glsl, shared/edge_fixup.glsl,
 // gpu/nearest_half.glsl.
 uniform samplerCube bpSource;

@@ -1,5 +1,5 @@
 // What the surface is at a pixel, beside its colour, for a framebuffer with further attachments: read by
-// filters/vtk/surface_capture.cpp, explained by filters/core/explain_pixel.cpp. Lies within VTK's main(), debug view only.
+// filters/vtk/inspect/surface_capture.cpp, explained by filters/explain/explain_pixel.cpp. Lies within VTK's main(), debug view only.
   gl_FragData[1] = vec4(bpViewToWorld * vertexVC.xyz, bpObject); // relative to the eye, world axes
   gl_FragData[2] = vec4(bpViewToWorld * N, roughness);
   gl_FragData[3] = vec4(albedo, metallic);

@@ -1,4 +1,4 @@
-// The debug view's output: the value of the chosen row of filters/core/surface_view.cpp, as a colour on the screen, as the
+// The debug view's output: the value of the chosen row of filters/core/scene/surface_view.cpp, as a colour on the screen, as the
 // number itself into linear pictures. Spliced in for the debug view only.
 uniform vec2 bpViewRange;      // of scalars
 uniform sampler2D bpViewColors; // colour map, 256 x 1

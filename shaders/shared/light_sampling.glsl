@@ -1,6 +1,6 @@
 // Rays towards what is bright: directions drawn by the brightness of the probe's capture, as seen from the capture origin C, and
 // their density as seen from the shading point P. For lamps too small for the lobe's own samples to find. Needs shared/cube.glsl and
-// shared/slab.glsl; the host supplies, of a probe's light table (filters/math/light_table.h), probeLightSize, the cells along a face, 0 without one, and
+// shared/slab.glsl; the host supplies, of a probe's light table (filters/math/cube/light_table.h), probeLightSize, the cells along a face, 0 without one, and
 // fetchProbeLight; and mapFromProbe and probeFromMap, which turn directions between the probe's axes and its map's.
 
 // Can rays be aimed at what the map shows in a direction from C? At walls of the box from anywhere in it if C is in it too, and at the

@@ -1,4 +1,4 @@
-// A direction kept in one float, 12 bits for each of an octahedron's two coordinates: see Relief::farCode in filters/math/relief.h.
+// A direction kept in one float, 12 bits for each of an octahedron's two coordinates: see Relief::farCode in filters/math/cube/relief.h.
 vec3 reliefDirection(float code)
 {
   float row = floor(code / 4096.0f);

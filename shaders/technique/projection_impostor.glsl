@@ -1,5 +1,5 @@
 // The box's hit, refined by what the probe saw (a distance impostor), for rooms that are not boxes. The distance cubemap has been
-// prepared (filters/math/relief.h): a lookup gives the plane q of the surface seen in a direction, {x : dot(q, x) = 1}, so that a
+// prepared (filters/math/cube/relief.h): a lookup gives the plane q of the surface seen in a direction, {x : dot(q, x) = 1}, so that a
 // point X lies behind what was seen where s = dot(q, X) is above 1, in front of it below 1, and a flat surface is met exactly
 // in one step. Blocks are boxes around what stands in the room. With at most `steps` lookups:
 //   a block the ray meets is looked at just behind where the ray enters, then where it leaves;

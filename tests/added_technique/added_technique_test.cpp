@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "filters/math/technique_table.h"
+#include "filters/math/technique/technique_table.h"
 #include "tests/support/scene_picture.h"
 
 namespace boxprobe {

@@ -1,6 +1,6 @@
 # Run as a script: does what the section "Add a technique" of README says, to a copy. The section's blocks of code follow lines
 # that name where they go in `backquotes`: a .glsl block is a new file, the .cpp block is a row above that of `auto`.
-#   README, SOURCE: the README and the source tree; OUTPUT: folder for shaders/, shared_math.cpp and technique_files.inc
+#   README, SOURCE: the README and the source tree; OUTPUT: folder for shaders/, compiled_shaders.cpp and technique_files.inc
 file(READ "${README}" text)
 string(REPLACE ";" "\\;" text "${text}")
 string(REGEX MATCH "### Add a technique\n.*" section "${text}")
@@ -10,7 +10,7 @@ if(NOT section MATCHES "`(shaders/technique/[a-z0-9_]+\\.glsl)`[^\n]*\n+```glsl\
 endif()
 set(shader_file "${CMAKE_MATCH_1}")
 set(shader_text "${CMAKE_MATCH_2}")
-if(NOT section MATCHES "`(filters/math/[a-z_]+\\.cpp)`[^\n]*\n+```cpp\n([^`]+)```")
+if(NOT section MATCHES "`(filters/math/[a-z_/]+\\.cpp)`[^\n]*\n+```cpp\n([^`]+)```")
   message(FATAL_ERROR "README.md, Add a technique: no row and the file it goes to")
 endif()
 set(row_file "${CMAKE_MATCH_1}")
@@ -31,7 +31,7 @@ if(at LESS 0)
 endif()
 string(SUBSTRING "${rows}" 0 ${at} before)
 string(SUBSTRING "${rows}" ${at} -1 after)
-file(WRITE "${OUTPUT}/shared_math.cpp" "${before}${row}${after}")
+file(WRITE "${OUTPUT}/compiled_shaders.cpp" "${before}${row}${after}")
 
 file(GLOB files RELATIVE "${OUTPUT}" "${OUTPUT}/shaders/technique/*.glsl")
 list(SORT files)

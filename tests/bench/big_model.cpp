@@ -13,13 +13,13 @@
 #include <fstream>
 #include <vector>
 
-#include "app/cli/load_scene.h"
-#include "app/cli/offscreen_window.h"
-#include "filters/core/errors.h"
-#include "filters/io/image_file.h"
-#include "filters/io/image_pool.h"
-#include "filters/io/read_file.h"
-#include "filters/vtk/cpu_time.h"
+#include "app/session/load_scene.h"
+#include "app/session/offscreen_window.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/files/read_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/image/image_pool.h"
+#include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/unit/io_glb_builder.h"
 

@@ -4,8 +4,8 @@
 
 #include <exception>
 
-#include "app/cli/messages.h"
-#include "filters/core/errors.h"
+#include "app/session/messages.h"
+#include "filters/core/base/errors.h"
 
 namespace boxprobe {
 

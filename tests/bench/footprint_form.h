@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/reference/study_tally.h"
+#include "filters/reference/study/study_tally.h"
 
 namespace boxprobe::bench {
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "app/cli/load_scene.h"
-#include "filters/core/errors.h"
-#include "filters/io/cube_file.h"
-#include "filters/vtk/gl_objects.h"
+#include "app/session/load_scene.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/cube/cube_file.h"
+#include "filters/vtk/gl/gl_objects.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe::bench {

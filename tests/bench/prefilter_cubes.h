@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/math/cube_map.h"
+#include "filters/math/cube/cube_map.h"
 
 class vtkOpenGLRenderWindow;
 

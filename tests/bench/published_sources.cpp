@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "filters/math/shader_source.h"
+#include "filters/math/shared/shader_source.h"
 
 namespace boxprobe {
 

@@ -11,16 +11,16 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/display_check.h"
-#include "app/cli/offscreen_window.h"
-#include "app/cli/vtk_messages.h"
-#include "filters/reference/interleaved.h"
+#include "app/session/display_check.h"
+#include "app/session/offscreen_window.h"
+#include "app/session/vtk_messages.h"
+#include "filters/reference/measure/interleaved.h"
 #include "filters/stress/stress_light.h"
 #include "filters/stress/stress_subjects.h"
-#include "filters/vtk/cpu_time.h"
-#include "filters/vtk/full_screen_pass.h"
-#include "filters/vtk/gl_objects.h"
-#include "filters/vtk/stress_program.h"
+#include "filters/stress_gpu/stress_program.h"
+#include "filters/vtk/gl/cpu_time.h"
+#include "filters/vtk/gl/full_screen_pass.h"
+#include "filters/vtk/gl/gl_objects.h"
 #include "tests/bench/exit_status.h"
 
 namespace {

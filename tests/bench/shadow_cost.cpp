@@ -9,14 +9,14 @@
 #include <cstdio>
 #include <string>
 
-#include "app/cli/display_check.h"
-#include "app/cli/load_scene.h"
-#include "app/cli/offscreen_window.h"
-#include "app/cli/render_options.h"
-#include "app/cli/vtk_messages.h"
-#include "filters/core/errors.h"
-#include "filters/reference/interleaved.h"
-#include "filters/vtk/cpu_time.h"
+#include "app/cli/options/render_options.h"
+#include "app/session/display_check.h"
+#include "app/session/load_scene.h"
+#include "app/session/offscreen_window.h"
+#include "app/session/vtk_messages.h"
+#include "filters/core/base/errors.h"
+#include "filters/reference/measure/interleaved.h"
+#include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/bench/exit_status.h"
 

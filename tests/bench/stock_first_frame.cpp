@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <variant>
 
-#include "app/cli/load_scene.h"
-#include "app/cli/offscreen_window.h"
-#include "filters/core/errors.h"
-#include "filters/vtk/cpu_time.h"
+#include "app/session/load_scene.h"
+#include "app/session/offscreen_window.h"
+#include "filters/core/base/errors.h"
+#include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/bench/stock_renderer.h"
 

@@ -11,8 +11,8 @@
 
 #include <algorithm>
 
-#include "filters/vtk/cpu_time.h"
-#include "filters/vtk/gl_objects.h"
+#include "filters/vtk/gl/cpu_time.h"
+#include "filters/vtk/gl/gl_objects.h"
 
 namespace boxprobe::bench {
 

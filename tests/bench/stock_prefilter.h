@@ -3,7 +3,7 @@
 
 #include <vtkSmartPointer.h>
 
-#include "filters/math/cube_map.h"
+#include "filters/math/cube/cube_map.h"
 
 class vtkOpenGLRenderWindow;
 class vtkPBRPrefilterTexture;

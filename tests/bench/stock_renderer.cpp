@@ -19,9 +19,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "filters/math/shared_math.h"
-#include "filters/vtk/plain_surface.h"
-#include "filters/vtk/vtkProbePolyDataMapper.h"
+#include "filters/math/shared/shared_math.h"
+#include "filters/vtk/surface/plain_surface.h"
+#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 
 namespace boxprobe::bench {
 

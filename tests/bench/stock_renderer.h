@@ -3,7 +3,7 @@
 
 #include <vtkSmartPointer.h>
 
-#include "filters/core/scene.h"
+#include "filters/core/scene/scene.h"
 
 class vtkOpenGLRenderer;
 class vtkRenderer;

@@ -12,9 +12,9 @@
 #include <sstream>
 #include <thread>
 
-#include "filters/core/front.h"
-#include "filters/io/front_file.h"
-#include "filters/io/image_file.h"
+#include "filters/core/picture/pareto_front.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/pareto_front_file.h"
 #include "tests/cli/program.h"
 
 namespace boxprobe::test {
@@ -72,7 +72,7 @@ TEST(Bench, FilesOfASmallRunAgreeWithEachOther) {
     squares += own * own * row["pixels"].get<double>();
     pixels += row["pixels"].get<double>();
   }
-  std::vector<FrontPoint> points;
+  std::vector<ParetoPoint> points;
   for (const auto& summary : json["summary"]) {
     const auto& [squares, pixels] = pooled[{summary["reference"], summary["technique"]}];
     EXPECT_NEAR(summary["error"].get<double>(), std::sqrt(squares / pixels), 2e-5) << summary;
@@ -95,12 +95,12 @@ TEST(Bench, FilesOfASmallRunAgreeWithEachOther) {
     EXPECT_TRUE(summary["ownCpuRatioToBox"].is_number()) << summary;
   }
   // The front is what it says, and what a window reads from the file.
-  markFront(points);
-  const std::vector<FrontPoint> loaded = loadFront(folder.path("out/bench.json"));
+  markParetoFront(points);
+  const std::vector<ParetoPoint> loaded = loadParetoFront(folder.path("out/bench.json"));
   ASSERT_EQ(loaded.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_EQ(loaded[i].id, points[i].id);
-    EXPECT_EQ(loaded[i].onFront, points[i].onFront) << points[i].id;
+    EXPECT_EQ(loaded[i].onParetoFront, points[i].onParetoFront) << points[i].id;
   }
   // The references know their colours far better than any technique, and agree in a room that is the box.
   for (const auto& reference : json["references"]) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "filters/core/surface_view.h"
-#include "filters/io/image_file.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/io/image/image_file.h"
 #include "tests/cli/program.h"
 
 namespace boxprobe::test {

@@ -5,9 +5,9 @@
 
 #include <cstdlib>
 
-#include "filters/math/filter_lobe.h"
-#include "filters/vtk/gl_objects.h"
-#include "filters/vtk/texture_memory.h"
+#include "filters/math/sampling/filter_lobe.h"
+#include "filters/vtk/gl/gl_objects.h"
+#include "filters/vtk/gl/texture_memory.h"
 #include "tests/cli/program.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"

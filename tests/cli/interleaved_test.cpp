@@ -1,5 +1,5 @@
 // The statistics the benchmarks judge by, on samples whose answer is known.
-#include "filters/reference/interleaved.h"
+#include "filters/reference/measure/interleaved.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "app/cli/fit_scene.h"
+#include "app/session/fit_scene.h"
 
 namespace boxprobe::test {
 namespace {

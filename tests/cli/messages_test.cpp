@@ -1,5 +1,5 @@
 // Messages stay one line each, whatever their texts hold and whoever reports.
-#include "app/cli/messages.h"
+#include "app/session/messages.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/cli/vtk_messages.h"
+#include "app/session/vtk_messages.h"
 
 namespace boxprobe::test {
 namespace {

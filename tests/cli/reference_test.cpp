@@ -12,8 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "filters/io/image_file.h"
-#include "filters/reference/metrics.h"
+#include "filters/io/image/image_file.h"
+#include "filters/reference/measure/metrics.h"
 #include "tests/cli/program.h"
 
 namespace boxprobe::test {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "filters/io/image_file.h"
+#include "filters/io/image/image_file.h"
 #include "tests/cli/program.h"
 
 namespace boxprobe::test {
@@ -57,9 +57,9 @@ std::size_t differentPixels(const ImageRgba8& a, const ImageRgba8& b) {
 // From here llvmpipe meets footprints in the floor so thin that its anisotropic sampling took minutes over the frame.
 TEST_F(Render, ACameraCloseToTheFloorIsDrawnAsFastAsAnyOther) {
   const std::string path = folder.path("floor.png");
-  const Outcome drawn = runProgram(
-      {"render", demoScene("building"), "-o", path, "--size", "1115x908", "--samples", "1", "--set",
-       "cameras.main.position=[-2.107173441870109,0.41330816937452697,0.49739732604817877]"});
+  const Outcome drawn =
+      runProgram({"render", demoScene("building"), "-o", path, "--size", "1115x908", "--samples", "1", "--set",
+                  "cameras.main.position=[-2.107173441870109,0.41330816937452697,0.49739732604817877]"});
   EXPECT_EQ(drawn.exitStatus, 0) << drawn.err;
   EXPECT_EQ(loadImage8(path).width, 1115);
 }

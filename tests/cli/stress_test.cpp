@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "filters/math/technique_table.h"
+#include "filters/math/technique/technique_table.h"
 #include "filters/stress/stress_classes.h"
 #include "tests/cli/program.h"
 

@@ -58,7 +58,7 @@ accepts() {
 
 # Names of files that commands make by themselves.
 record_files() {
-  (cd "$work" && find bench sheets -type f || true) | sort >"$out/lists/files.txt"
+  (cd "$work" && find . -type f \( -path './bench/*' -o -path './sheets/*' \)) | sort >"$out/lists/files.txt"
   (cd "$out" && find scenes -name '*.exr') | sort >>"$out/lists/files.txt"
 }
 

@@ -3,7 +3,7 @@
 #include <vtkPlaneSource.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include "filters/vtk/vtkProjectionRays.h"
+#include "filters/vtk/rays/vtkProjectionRays.h"
 
 int main(int argc, char** argv) {
   vtkNew<vtkPlaneSource> floor;  // points with normals (up): 9 x 9 of a floor, 4 m a side

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <limits>
 
-#include "filters/core/errors.h"
-#include "filters/io/bake_folder.h"
-#include "filters/io/cube_file.h"
-#include "filters/io/image_file.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/cube/cube_file.h"
+#include "filters/io/image/image_file.h"
 #include "tests/fuzz/parse_target.h"
 #include "tests/fuzz/scratch_file.h"
 

@@ -9,10 +9,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "filters/core/errors.h"
-#include "filters/io/cube_file.h"
-#include "filters/io/image_file.h"
-#include "filters/io/scene_file.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/cube/cube_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/unit/io_glb_builder.h"
 
 namespace {
@@ -53,7 +53,7 @@ Scene fullScene() {
   ObjectOverride& ball = scene.objects["ball"];
   ball.visible = false;
   ball.dynamic = true;
-  ball.probeMode = ProbeMode::Simple;
+  ball.probeUsage = ProbeUsage::Simple;
   ball.translation = {1, 0, 2};
   scene.mirrors["wall"].maxRoughness = 0.2;
   scene.skyRotationDegrees = 30.0;
@@ -71,7 +71,7 @@ Scene fullScene() {
   scene.probes = {probe};
   probe.name = "hall";
   probe.clear = glm::vec3(1, 0.5f, 0);
-  probe.mode = ProbeUpdate::Custom;
+  probe.mode = ProbeMode::Custom;
   probe.image = "sky.exr";
   probe.imageLayout = CubeLayout::Cross;
   probe.filter = FilterKind::Gaussian;

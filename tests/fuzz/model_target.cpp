@@ -3,9 +3,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/core/errors.h"
-#include "filters/io/image_detail.h"
-#include "filters/io/model_file.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/image/image_detail.h"
 #include "tests/fuzz/parse_target.h"
 #include "tests/fuzz/scratch_file.h"
 

@@ -2,9 +2,9 @@
 // numbers for the mathematics.
 #include <cmath>
 
-#include "filters/core/errors.h"
-#include "filters/core/probe_geometry.h"
-#include "filters/io/scene_file.h"
+#include "filters/core/base/errors.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/fuzz/parse_target.h"
 
 namespace boxprobe::fuzz {

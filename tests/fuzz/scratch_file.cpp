@@ -5,7 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "filters/core/one_line.h"
+#include "filters/core/base/one_line.h"
 #include "tests/fuzz/parse_target.h"
 
 namespace boxprobe::fuzz {

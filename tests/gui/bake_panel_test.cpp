@@ -1,6 +1,6 @@
 // Baking from the window: every field of a capture edits what it says, the buttons make what they say, the state tells
 // it, and what was saved is found again.
-#include "app/gui/bake_panel.h"
+#include "app/gui/panels/bake_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -21,16 +21,16 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "app/gui/file_commands.h"
-#include "app/gui/hides_list.h"
-#include "app/gui/probe_list.h"
-#include "app/gui/recent_files.h"
-#include "app/gui/render_scheduler.h"
-#include "app/gui/time_left.h"
-#include "app/gui/value_field.h"
-#include "app/gui/vector_row.h"
-#include "filters/io/image_file.h"
-#include "filters/io/scene_file.h"
+#include "app/gui/panels/hides_list.h"
+#include "app/gui/panels/probe_list.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/widgets/recent_files.h"
+#include "app/gui/widgets/time_left.h"
+#include "app/gui/widgets/value_field.h"
+#include "app/gui/widgets/vector_row.h"
+#include "app/gui/window/file_commands.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/dialogs.h"
 #include "tests/gui/window_test.h"
@@ -94,10 +94,10 @@ TEST_F(BakePanelTest, EveryFieldOfACaptureReachesItsPlaceAsOneStep) {
   EXPECT_EQ(probe().samplesPerPixel, 16);
   choose("filter", static_cast<int>(FilterKind::Gaussian));
   EXPECT_EQ(probe().filter, FilterKind::Gaussian);
-  choose("mode", static_cast<int>(ProbeUpdate::Realtime));
-  EXPECT_EQ(probe().mode, ProbeUpdate::Realtime);
-  choose("mode", static_cast<int>(ProbeUpdate::Baked));
-  EXPECT_EQ(probe().mode, ProbeUpdate::Baked);
+  choose("mode", static_cast<int>(ProbeMode::Realtime));
+  EXPECT_EQ(probe().mode, ProbeMode::Realtime);
+  choose("mode", static_cast<int>(ProbeMode::Baked));
+  EXPECT_EQ(probe().mode, ProbeMode::Baked);
   choose("clear", 1);
   EXPECT_TRUE(std::holds_alternative<ClearToNone>(probe().clear));
   EXPECT_FALSE(named<VectorRow>("clearColor")->isVisible());
@@ -199,14 +199,14 @@ TEST_F(BakePanelTest, WhatIsSavedBesideTheSceneIsLoadedWithIt) {
 
 TEST_F(BakePanelTest, ACustomProbeTakesItsImageFromTheDialogAndRefusesWhatIsNone) {
   answerFileDialog(environment(64, 32));
-  choose("mode", static_cast<int>(ProbeUpdate::Custom));
-  ASSERT_EQ(probe().mode, ProbeUpdate::Custom);
+  choose("mode", static_cast<int>(ProbeMode::Custom));
+  ASSERT_EQ(probe().mode, ProbeMode::Custom);
   EXPECT_TRUE(QString::fromStdString(probe().image).endsWith("light64.exr"));
   EXPECT_FALSE(named<ValueField>("near")->isVisible()) << "an image is not captured";
   waitUntilIdle();
   EXPECT_EQ(state(), "Custom image light64.exr");
   document().undo();
-  EXPECT_EQ(probe().mode, ProbeUpdate::Baked);
+  EXPECT_EQ(probe().mode, ProbeMode::Baked);
 
   QFile bad(folder_.filePath("bad.exr"));
   ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
@@ -215,12 +215,12 @@ TEST_F(BakePanelTest, ACustomProbeTakesItsImageFromTheDialogAndRefusesWhatIsNone
   answerFileDialog(bad.fileName());
   std::shared_ptr<SeenDialog> box;
   QTimer::singleShot(200, [&] { box = answerMessageBox(QMessageBox::Ok); });
-  choose("mode", static_cast<int>(ProbeUpdate::Custom));
+  choose("mode", static_cast<int>(ProbeMode::Custom));
   ASSERT_TRUE(box);
   EXPECT_TRUE(box->text.contains("bad.exr")) << box->text.toStdString();
   EXPECT_FALSE(box->text.contains('\n'));
-  EXPECT_EQ(probe().mode, ProbeUpdate::Baked);
-  EXPECT_EQ(named<QComboBox>("mode")->currentData().toInt(), static_cast<int>(ProbeUpdate::Baked));
+  EXPECT_EQ(probe().mode, ProbeMode::Baked);
+  EXPECT_EQ(named<QComboBox>("mode")->currentData().toInt(), static_cast<int>(ProbeMode::Baked));
   waitUntilIdle();
 }
 

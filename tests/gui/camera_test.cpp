@@ -9,7 +9,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/gui/viewport.h"
+#include "app/gui/view/viewport.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/window_test.h"
 

@@ -1,6 +1,6 @@
 // The dock of run time against error: an earlier benchmark's points, the current choice among them, and measuring from
 // the window as a process that can be stopped.
-#include "app/gui/cost_panel.h"
+#include "app/gui/panels/cost_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 #include <QTreeWidget>
 #include <cstdlib>
 
-#include "filters/io/scene_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {

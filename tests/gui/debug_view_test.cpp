@@ -1,5 +1,5 @@
 // The debug view as its user drives it: the tool, the pointer, a click, colours of surfaces, rays.
-#include "app/gui/debug_view.h"
+#include "app/gui/explain/debug_view.h"
 
 #include <gtest/gtest.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -20,14 +20,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/gui/explain_card.h"
-#include "app/gui/footprint_view.h"
-#include "app/gui/ray_panel.h"
-#include "app/gui/render_scheduler.h"
-#include "app/gui/schematic_inset.h"
-#include "app/gui/surface_view_panel.h"
-#include "app/gui/viewport.h"
-#include "filters/vtk/cpu_time.h"
+#include "app/gui/explain/explain_card.h"
+#include "app/gui/explain/footprint_view.h"
+#include "app/gui/explain/ray_panel.h"
+#include "app/gui/explain/schematic_inset.h"
+#include "app/gui/explain/surface_view_panel.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
+#include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/dialogs.h"
 #include "tests/gui/pictures.h"

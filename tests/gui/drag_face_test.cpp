@@ -7,10 +7,10 @@
 #include <QTest>
 #include <cmath>
 
-#include "app/gui/probe_widget.h"
-#include "app/gui/render_scheduler.h"
-#include "app/gui/viewport.h"
-#include "filters/core/probe_geometry.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
+#include "filters/core/geometry/probe_geometry.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/window_test.h"
 

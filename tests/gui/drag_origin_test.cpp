@@ -4,9 +4,9 @@
 #include <QMouseEvent>
 #include <QTest>
 
-#include "app/gui/probe_widget.h"
-#include "app/gui/render_scheduler.h"
-#include "app/gui/viewport.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/window_test.h"
 

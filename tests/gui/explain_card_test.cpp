@@ -1,13 +1,13 @@
 // The card by itself: what it sets, what it leaves while hidden, and the texels it shows on the cubemap.
-#include "app/gui/explain_card.h"
+#include "app/gui/explain/explain_card.h"
 
 #include <gtest/gtest.h>
 
 #include <QImage>
 #include <QTest>
 
-#include "app/gui/explanation_html.h"
-#include "app/gui/footprint_view.h"
+#include "app/gui/explain/explanation_html.h"
+#include "app/gui/explain/footprint_view.h"
 #include "tests/unit/explained_room.h"
 
 namespace boxprobe {

@@ -8,8 +8,8 @@
 #include <QTest>
 #include <QUrl>
 
-#include "app/gui/file_commands.h"
-#include "filters/io/scene_file.h"
+#include "app/gui/window/file_commands.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/gui/dialogs.h"
 #include "tests/gui/window_test.h"
 

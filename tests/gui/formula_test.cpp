@@ -3,8 +3,8 @@
 
 #include <QGuiApplication>
 
-#include "app/gui/formula_picture.h"
-#include "app/gui/mathml_layout.h"
+#include "app/gui/formula/formula_picture.h"
+#include "app/gui/formula/mathml_layout.h"
 
 namespace boxprobe {
 namespace {

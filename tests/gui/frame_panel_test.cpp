@@ -1,5 +1,5 @@
 // The dock that says what a frame does: its numbers are those of the picture, and an object's mode can be set in it.
-#include "app/gui/frame_panel.h"
+#include "app/gui/panels/frame_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <QTreeWidget>
 #include <cstdlib>
 
-#include "app/gui/quiet_combo.h"
+#include "app/gui/widgets/quiet_combo.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {
@@ -80,7 +80,7 @@ TEST_F(FramePanelTest, AnObjectsProbesAreChosenHere) {
   mode->setCurrentIndex(0);
   emit mode->activated(0);
   waitUntilIdle();
-  EXPECT_EQ(document().scene().objects.at("sphere 9").probeMode, ProbeMode::Off);
+  EXPECT_EQ(document().scene().objects.at("sphere 9").probeUsage, ProbeUsage::Off);
   QTreeWidgetItem* ball = find(section("Objects and their probes"), "sphere 9");
   EXPECT_EQ(find(ball, "room"), nullptr);
   EXPECT_EQ(find(ball, "sky")->text(1), "100 %");

@@ -1,5 +1,5 @@
 // From mouse rays to metres.
-#include "app/gui/handle_drag.h"
+#include "app/gui/handles/handle_drag.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include <QTest>
 #include <QWindow>
 
-#include "app/gui/lesson_progress.h"
-#include "app/gui/projector.h"
-#include "app/gui/render_scheduler.h"
-#include "filters/io/scene_file.h"
+#include "app/gui/lessons/lesson_progress.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/window/projector.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {

@@ -6,8 +6,8 @@
 #include <QString>
 #include <string>
 
-#include "app/gui/lesson_view.h"
-#include "filters/io/lesson_file.h"
+#include "app/gui/lessons/lesson_view.h"
+#include "filters/io/scene/lesson_file.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {

@@ -5,9 +5,9 @@
 #include <QAction>
 #include <QTest>
 
-#include "app/gui/debug_view.h"
-#include "app/gui/lesson_progress.h"
-#include "app/gui/surface_view_panel.h"
+#include "app/gui/explain/debug_view.h"
+#include "app/gui/explain/surface_view_panel.h"
+#include "app/gui/lessons/lesson_progress.h"
 #include "tests/gui/lesson_steps.h"
 
 namespace boxprobe {

@@ -3,7 +3,7 @@
 
 #include <QComboBox>
 
-#include "app/gui/value_field.h"
+#include "app/gui/widgets/value_field.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"
 

@@ -4,7 +4,7 @@
 #include <QApplication>
 #include <QTemporaryDir>
 
-#include "app/gui/window_style.h"
+#include "app/gui/widgets/window_style.h"
 #include "tests/gui/window_test.h"
 
 int main(int argc, char** argv) {

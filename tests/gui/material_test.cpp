@@ -8,8 +8,8 @@
 #include <QStyleOptionSlider>
 #include <QTest>
 
-#include "app/gui/value_field.h"
-#include "app/gui/viewport.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/widgets/value_field.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"
 

@@ -1,16 +1,16 @@
 // Cheaper techniques while something moves, and means of frames while nothing does, by real events.
-#include "app/gui/motion_preview.h"
+#include "app/gui/view/motion_preview.h"
 
 #include <gtest/gtest.h>
 
 #include <QLabel>
 #include <QTest>
 
-#include "app/gui/axis_colors.h"
-#include "app/gui/preferences.h"
-#include "app/gui/probe_widget.h"
-#include "app/gui/render_scheduler.h"
-#include "app/gui/viewport.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/widgets/axis_colors.h"
+#include "app/gui/widgets/preferences.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"

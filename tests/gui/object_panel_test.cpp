@@ -6,10 +6,10 @@
 #include <QLabel>
 #include <QTest>
 
-#include "app/gui/debug_view.h"
-#include "app/gui/mirror_lines.h"
-#include "app/gui/vector_row.h"
-#include "app/gui/viewport.h"
+#include "app/gui/explain/debug_view.h"
+#include "app/gui/explain/mirror_lines.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/widgets/vector_row.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"
 

@@ -5,10 +5,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/gui/axis_colors.h"
-#include "app/gui/file_commands.h"
-#include "app/gui/viewport.h"
-#include "filters/io/image_file.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/widgets/axis_colors.h"
+#include "app/gui/window/file_commands.h"
+#include "filters/io/image/image_file.h"
 #include "tests/gui/dialogs.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/gui/viewport.h"
+#include "app/gui/view/viewport.h"
 
 namespace boxprobe {
 

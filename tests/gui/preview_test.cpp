@@ -16,10 +16,10 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "app/gui/cube_view.h"
-#include "app/gui/probe_preview.h"
-#include "app/gui/probe_widget.h"
-#include "app/gui/viewport.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/panels/probe_preview.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/widgets/cube_view.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"

@@ -1,12 +1,12 @@
 // Boxes in the world: rotations, faces, the box of full weight, moving a face.
-#include "app/gui/probe_frame.h"
+#include "app/gui/handles/probe_frame.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "filters/core/probe_geometry.h"
+#include "filters/core/geometry/probe_geometry.h"
 
 namespace boxprobe {
 namespace {

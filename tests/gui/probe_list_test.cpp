@@ -1,5 +1,5 @@
 // The list of probes: add, duplicate, delete, rename, select; each undone in one step.
-#include "app/gui/probe_list.h"
+#include "app/gui/panels/probe_list.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gui/probe_widget.h"
-#include "app/gui/viewport.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/view/viewport.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/window_test.h"
 

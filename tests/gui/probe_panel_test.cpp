@@ -8,13 +8,13 @@
 #include <QLineEdit>
 #include <QTest>
 
-#include "app/gui/axis_colors.h"
-#include "app/gui/blend_row.h"
-#include "app/gui/technique_chooser.h"
-#include "app/gui/value_field.h"
-#include "app/gui/vector_row.h"
-#include "app/gui/viewport.h"
-#include "filters/math/technique_table.h"
+#include "app/gui/panels/blend_row.h"
+#include "app/gui/panels/technique_chooser.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/widgets/axis_colors.h"
+#include "app/gui/widgets/value_field.h"
+#include "app/gui/widgets/vector_row.h"
+#include "filters/math/technique/technique_table.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"

@@ -4,7 +4,7 @@
 #include <QImage>
 #include <QPainter>
 
-#include "app/gui/schematic_painter.h"
+#include "app/gui/explain/schematic_painter.h"
 #include "tests/unit/explained_room.h"
 
 namespace boxprobe {

@@ -1,5 +1,5 @@
 // Steps, wheel and scrubbing: previewed as they go, one undo step in the end.
-#include "app/gui/value_field.h"
+#include "app/gui/widgets/value_field.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <QTest>
 #include <QWheelEvent>
 
-#include "app/gui/scrub_label.h"
-#include "app/gui/vector_row.h"
-#include "app/gui/viewport.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/widgets/scrub_label.h"
+#include "app/gui/widgets/vector_row.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {

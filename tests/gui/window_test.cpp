@@ -5,10 +5,10 @@
 #include <QTest>
 #include <QWindow>
 
-#include "app/gui/motion_preview.h"
-#include "app/gui/probe_widget.h"
-#include "app/gui/render_scheduler.h"
-#include "app/gui/viewport.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/view/motion_preview.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/main_window.h"
-#include "app/gui/probe_frame.h"
-#include "filters/core/counters.h"
+#include "app/gui/handles/probe_frame.h"
+#include "app/gui/window/main_window.h"
+#include "filters/core/base/counters.h"
 
 class QWidget;
 

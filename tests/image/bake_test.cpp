@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "filters/io/bake_folder.h"
-#include "filters/io/image_file.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/image/image_file.h"
 #include "tests/image/quad_world.h"
 
 namespace boxprobe::test {
@@ -207,7 +207,7 @@ TEST(Custom, APictureTakesThePlaceOfACapture) {
   saveExr(file, picture);
   Scene scene = darkScene();
   scene.probes = {cubeProbe("hdri", glm::dvec3(0.0), 1.2)};
-  scene.probes[0].mode = ProbeUpdate::Custom;
+  scene.probes[0].mode = ProbeMode::Custom;
   scene.probes[0].image = file;
   QuadWorld world(scene, {room("a", 0.0f)}, 9, 9);
   world.show();

@@ -11,9 +11,9 @@
 #include "data/scenes/glb_writer.h"
 #include "data/scenes/mesh_builder.h"
 #include "data/scenes/picture.h"
-#include "filters/core/probe_geometry.h"
-#include "filters/io/model_file.h"
-#include "filters/reference/reference_scene.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/reference/light/reference_scene.h"
 #include "tests/support/line_chart.h"
 #include "tests/support/scene_picture.h"
 #include "tests/unit/temporary_folder.h"
@@ -325,8 +325,8 @@ TEST_F(Blending, ObjectModesAndWeightsOfAnObject) {
   camera.position = place + glm::dvec3(1.6, 0.9, 2.2);
   camera.target = place;
   camera.verticalFovDegrees = 20.0;
-  const auto explained = [&](ProbeMode mode, WeightMode weights) {
-    picture.scene.objects["walker"].probeMode = mode;
+  const auto explained = [&](ProbeUsage mode, WeightMode weights) {
+    picture.scene.objects["walker"].probeUsage = mode;
     picture.scene.objects["walker"].weights = weights;
     picture.show(camera);
     double drawn = 0.0, worst = 0.0;
@@ -346,25 +346,25 @@ TEST_F(Blending, ObjectModesAndWeightsOfAnObject) {
     }
     return 0.0f;
   };
-  const Explanation usual = explained(ProbeMode::BlendAndSky, WeightMode::Pixel);
+  const Explanation usual = explained(ProbeUsage::BlendAndSky, WeightMode::Pixel);
   const float lawn = weightOf(usual, "lawn");
   EXPECT_GT(lawn, 0.2f);
   EXPECT_LT(lawn, 0.99f);
   EXPECT_NEAR(usual.skyWeight, 1.0f - lawn, 1.0e-4f);
-  EXPECT_EQ(explained(ProbeMode::Off, WeightMode::Pixel).skyWeight, 1.0f);
-  const Explanation simple = explained(ProbeMode::Simple, WeightMode::Pixel);
+  EXPECT_EQ(explained(ProbeUsage::Off, WeightMode::Pixel).skyWeight, 1.0f);
+  const Explanation simple = explained(ProbeUsage::Simple, WeightMode::Pixel);
   EXPECT_EQ(weightOf(simple, "lawn"), 1.0f);
   EXPECT_EQ(simple.skyWeight, 0.0f);
   EXPECT_EQ(simple.lookupCount, 1);
-  const Explanation blend = explained(ProbeMode::Blend, WeightMode::Pixel);
+  const Explanation blend = explained(ProbeUsage::Blend, WeightMode::Pixel);
   EXPECT_NEAR(weightOf(blend, "lawn"), 1.0f, 1.0e-5f);
   EXPECT_EQ(blend.skyWeight, 0.0f);
   // All of the sphere lies inside the influence box, so that is its weight, whatever the blend distance.
-  EXPECT_NEAR(weightOf(explained(ProbeMode::BlendAndSky, WeightMode::Object), "lawn"), 1.0f, 1.0e-6f);
+  EXPECT_NEAR(weightOf(explained(ProbeUsage::BlendAndSky, WeightMode::Object), "lawn"), 1.0f, 1.0e-6f);
   picture.scene.models[1].translation.x += 0.8;  // centre on the box's face: 0.5, of which groupScale makes 0.625
   camera.position.x += 0.8;
   camera.target.x += 0.8;
-  const Explanation half = explained(ProbeMode::BlendAndSky, WeightMode::Object);
+  const Explanation half = explained(ProbeUsage::BlendAndSky, WeightMode::Object);
   EXPECT_NEAR(weightOf(half, "lawn"), 0.625f, 1.0e-3f);
   EXPECT_NEAR(half.skyWeight, 0.375f, 1.0e-3f);
 }

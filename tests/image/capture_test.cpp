@@ -7,11 +7,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/math/shared_math.h"
-#include "filters/math/spherical_harmonics.h"
-#include "filters/vtk/draw_state.h"
-#include "filters/vtk/prefilter.h"
-#include "filters/vtk/vtkProbePolyDataMapper.h"
+#include "filters/math/cube/spherical_harmonics.h"
+#include "filters/math/shared/shared_math.h"
+#include "filters/vtk/capture/prefilter.h"
+#include "filters/vtk/surface/draw_state.h"
+#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"
 

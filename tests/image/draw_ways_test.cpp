@@ -22,9 +22,9 @@
 #include <glm/trigonometric.hpp>
 #include <optional>
 
-#include "filters/io/model_file.h"
-#include "filters/io/scene_file.h"
-#include "filters/math/shared_math.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/math/shared/shared_math.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/support/scene_picture.h"
 

@@ -14,11 +14,12 @@
 #include <glm/vector_relational.hpp>
 #include <random>
 
-#include "filters/core/explanation_text.h"
-#include "filters/core/surface_view.h"
-#include "filters/math/technique_table.h"
-#include "filters/vtk/ray_sources.h"
-#include "filters/vtk/vtkProjectionRays.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/explain/explanation_text.h"
+#include "filters/explain/surface_value.h"
+#include "filters/math/technique/technique_table.h"
+#include "filters/vtk/rays/ray_sources.h"
+#include "filters/vtk/rays/vtkProjectionRays.h"
 #include "tests/support/scene_picture.h"
 
 namespace {
@@ -307,7 +308,7 @@ TEST(Views, SameNumbersAsTheExplanation) {
       for (const Explanation& e : explanations) {
         const float* p = &image.pixels[static_cast<std::size_t>(e.y * kWidth + e.x) * 4];
         if (!e.hit) continue;
-        const auto value = row.value(e);
+        const auto value = surfaceValue(row, e);
         ++compared[view];
         defined[view] += value.has_value();
         const glm::vec3 expected = value.value_or(glm::vec3(-1.0f));

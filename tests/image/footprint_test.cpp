@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "filters/reference/reference_box.h"
-#include "filters/reference/visible_normal_lobe.h"
+#include "filters/reference/light/reference_box.h"
+#include "filters/reference/trace/visible_normal_lobe.h"
 #include "tests/support/scene_picture.h"
 
 namespace {

@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "filters/core/document.h"
-#include "filters/reference/metrics.h"
+#include "filters/core/scene/document.h"
+#include "filters/reference/measure/metrics.h"
 #include "tests/image/noisy_room.h"
 
 namespace {

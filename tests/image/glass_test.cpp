@@ -9,9 +9,9 @@
 #include <glm/trigonometric.hpp>
 #include <map>
 
-#include "filters/core/explanation_sections.h"
-#include "filters/io/model_file.h"
-#include "filters/reference/reference_scene.h"
+#include "filters/explain/explanation_sections.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/reference/light/reference_scene.h"
 #include "tests/support/scene_picture.h"
 
 namespace {

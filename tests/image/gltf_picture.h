@@ -6,9 +6,9 @@
 #include <glm/gtc/constants.hpp>
 #include <memory>
 
-#include "app/cli/load_scene.h"
-#include "filters/io/image_file.h"
-#include "filters/reference/reference_scene.h"
+#include "app/session/load_scene.h"
+#include "filters/io/image/image_file.h"
+#include "filters/reference/light/reference_scene.h"
 #include "tests/support/scene_picture.h"
 #include "tests/unit/io_glb_builder.h"
 #include "tests/unit/temporary_folder.h"

@@ -11,12 +11,12 @@
 #include <glm/trigonometric.hpp>
 #include <map>
 
-#include "filters/io/model_file.h"
-#include "filters/math/technique_table.h"
-#include "filters/reference/metrics.h"
-#include "filters/reference/reference_scene.h"
-#include "filters/reference/reflecting_layers.h"
-#include "filters/reference/visible_normal_lobe.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/math/technique/technique_table.h"
+#include "filters/reference/light/reference_scene.h"
+#include "filters/reference/light/reflecting_layers.h"
+#include "filters/reference/measure/metrics.h"
+#include "filters/reference/trace/visible_normal_lobe.h"
 #include "tests/support/scene_picture.h"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "app/lessons/lesson_player.h"
-#include "filters/core/errors.h"
-#include "filters/io/lesson_file.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/scene/lesson_file.h"
 
 namespace {
 

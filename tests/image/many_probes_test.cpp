@@ -11,8 +11,8 @@
 #include "data/scenes/glb_writer.h"
 #include "data/scenes/mesh_builder.h"
 #include "data/scenes/scenes.h"
-#include "filters/io/model_file.h"
-#include "filters/vtk/vtkCulledRenderer.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/vtk/scene/vtkCulledRenderer.h"
 #include "tests/bench/stock_renderer.h"
 #include "tests/support/scene_picture.h"
 #include "tests/unit/temporary_folder.h"
@@ -163,10 +163,10 @@ TEST_F(ManyProbes, NothingThatReflectsCapturesNothing) {
   EXPECT_EQ(picture.renderer->counters().levelsFiltered, 0u);
 
   picture.scene = roomWithFloorOnly();
-  picture.scene.objects["floor"].probeMode = ProbeMode::Off;
+  picture.scene.objects["floor"].probeUsage = ProbeUsage::Off;
   picture.show(cameraNamed(scene, "main"));
   EXPECT_EQ(picture.renderer->counters().facesCaptured, 0u) << "told to use none";
-  picture.scene.objects["floor"].probeMode = ProbeMode::BlendAndSky;
+  picture.scene.objects["floor"].probeUsage = ProbeUsage::BlendAndSky;
   picture.show(cameraNamed(scene, "main"));
   EXPECT_EQ(picture.renderer->counters().facesCaptured, 6u);
 }

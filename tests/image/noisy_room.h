@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "filters/math/brdf_table.h"
-#include "filters/reference/reference_box.h"
-#include "filters/reference/visible_normal_lobe.h"
+#include "filters/math/sampling/brdf_table.h"
+#include "filters/reference/light/reference_box.h"
+#include "filters/reference/trace/visible_normal_lobe.h"
 #include "tests/support/scene_picture.h"
 
 namespace boxprobe::test {
@@ -60,7 +60,7 @@ inline NoisyRoomTruth truthOf(ScenePicture& picture) {
     constexpr int kRays = 512;
     const bool lit = e.hit && !e.probes.empty();
     const glm::dvec3 color =
-        lit ? referenceBoxColor(e, maps, brdf, kRays, stirred(static_cast<std::uint64_t>(e.y * kWidth + e.x)))
+        lit ? referenceBoxColor(litPoint(e), maps, brdf, kRays, stirred(static_cast<std::uint64_t>(e.y * kWidth + e.x)))
             : glm::dvec3(e.color);
     for (int c = 0; c < 3; ++c) truth.picture.pixels.push_back(static_cast<float>(color[c]));
     truth.picture.pixels.push_back(1.0f);

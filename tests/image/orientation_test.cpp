@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/math/shared_math.h"
+#include "filters/math/shared/shared_math.h"
 #include "tests/support/scene_picture.h"
 
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "filters/core/explanation_sections.h"
-#include "filters/io/model_file.h"
-#include "filters/reference/reference_scene.h"
+#include "filters/explain/explanation_sections.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/reference/light/reference_scene.h"
 #include "tests/support/scene_picture.h"
 
 namespace {
@@ -160,7 +160,7 @@ TEST(PlanarMirror, AgainstTheMirroredCameraThatSeesEverything) {
 
 /// What is lit as the ray tracer has it: lights and its own glow, no light from around.
 void lightAsTraced(Scene& scene) {
-  for (const char* node : {"figure", "crate", "golden ball"}) scene.objects[node].probeMode = ProbeMode::Off;
+  for (const char* node : {"figure", "crate", "golden ball"}) scene.objects[node].probeUsage = ProbeUsage::Off;
 }
 
 ReferenceScene tracerOf(const Scene& scene) {

@@ -1,11 +1,11 @@
 // The prefilter on the graphics side: equal to the CPU's, whatever the face size and the filter; and that a probe's
 // filter reaches its maps.
-#include "filters/vtk/prefilter.h"
+#include "filters/vtk/capture/prefilter.h"
 
 #include <gtest/gtest.h>
 
-#include "filters/math/cube_filter.h"
-#include "filters/vtk/cube_transfer.h"
+#include "filters/math/cube/cube_filter.h"
+#include "filters/vtk/maps/cube_transfer.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"
 #include "tests/unit/filter_cubes.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/document.h"
+#include "filters/core/scene/document.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/support/gpu_window.h"
 

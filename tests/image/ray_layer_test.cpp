@@ -1,5 +1,5 @@
 // Projection rays in the picture: width, halo, hidden parts, colours; nothing of them where they do not belong.
-#include "filters/vtk/ray_layer.h"
+#include "filters/vtk/rays/ray_layer.h"
 
 #include <gtest/gtest.h>
 #include <vtkActor.h>
@@ -18,11 +18,11 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 
-#include "filters/io/model_file.h"
-#include "filters/vtk/ray_arrays.h"
-#include "filters/vtk/ray_lines.h"
-#include "filters/vtk/ray_sources.h"
-#include "filters/vtk/vtkProjectionRays.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/vtk/rays/ray_arrays.h"
+#include "filters/vtk/rays/ray_lines.h"
+#include "filters/vtk/rays/ray_sources.h"
+#include "filters/vtk/rays/vtkProjectionRays.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"
 

@@ -21,7 +21,7 @@ Model lamp() {
   return model;
 }
 
-QuadWorld movingLamp(ProbeUpdate mode) {
+QuadWorld movingLamp(ProbeMode mode) {
   Scene scene = darkScene();
   scene.probes = {cubeProbe("probe", glm::dvec3(0.0), 2.0, 64)};
   scene.probes[0].mode = mode;
@@ -34,7 +34,7 @@ float redTowards(QuadWorld& world, const glm::vec3& direction) {
 }
 
 TEST(Realtime, OneFaceAFrameAndAStatedLatency) {
-  QuadWorld world = movingLamp(ProbeUpdate::Realtime);
+  QuadWorld world = movingLamp(ProbeMode::Realtime);
   world.show();
   EXPECT_GT(redTowards(world, {1, 0, 0}), 3.9f);
   EXPECT_FALSE(world.renderer->workPending()) << "an idle window does nothing";
@@ -63,7 +63,7 @@ TEST(Realtime, OneFaceAFrameAndAStatedLatency) {
 }
 
 TEST(Realtime, EveryFrameOfAMovementIsFlat) {
-  QuadWorld world = movingLamp(ProbeUpdate::Realtime);
+  QuadWorld world = movingLamp(ProbeMode::Realtime);
   world.scene.probes[0].bounces = 2;
   world.show();
   int shown = 0;
@@ -86,7 +86,7 @@ TEST(Realtime, EveryFrameOfAMovementIsFlat) {
   EXPECT_GE(shown, 1) << "the movement shows while it goes on";
   world.renderer->finishWork();
   // At rest it is what a probe that never saw another place shows.
-  QuadWorld still = movingLamp(ProbeUpdate::Realtime);
+  QuadWorld still = movingLamp(ProbeMode::Realtime);
   still.scene = world.scene;
   still.show();
   for (const glm::vec3& d : {glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(-1, 0.1f, 0.2f), glm::vec3(0, 0, -1)}) {
@@ -95,7 +95,7 @@ TEST(Realtime, EveryFrameOfAMovementIsFlat) {
 }
 
 TEST(Realtime, WhatMovesIsLeftOutOfBakedProbes) {
-  QuadWorld world = movingLamp(ProbeUpdate::Baked);
+  QuadWorld world = movingLamp(ProbeMode::Baked);
   world.show();
   EXPECT_EQ(redTowards(world, {1, 0, 0}), 0.0f);
   const std::uint64_t faces = world.faces();

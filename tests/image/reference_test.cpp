@@ -6,13 +6,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "filters/core/direct_light.h"
-#include "filters/io/model_file.h"
-#include "filters/reference/metrics.h"
-#include "filters/reference/reference_box.h"
-#include "filters/reference/reference_scene.h"
-#include "filters/reference/reflecting_layers.h"
-#include "filters/reference/visible_normal_lobe.h"
+#include "filters/core/surface/direct_light.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/reference/light/reference_box.h"
+#include "filters/reference/light/reference_scene.h"
+#include "filters/reference/light/reflecting_layers.h"
+#include "filters/reference/measure/metrics.h"
+#include "filters/reference/trace/visible_normal_lobe.h"
 #include "tests/support/scene_picture.h"
 
 namespace {

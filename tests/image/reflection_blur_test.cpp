@@ -1,7 +1,7 @@
 // Smoothing of sampled reflections: nearer to the integral with few rays, at edges too, and nothing else touched.
 #include <gtest/gtest.h>
 
-#include "filters/reference/metrics.h"
+#include "filters/reference/measure/metrics.h"
 #include "tests/image/noisy_room.h"
 
 namespace {

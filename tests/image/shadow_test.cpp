@@ -9,12 +9,12 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "filters/core/explain_shadow.h"
-#include "filters/core/light_shadow.h"
-#include "filters/io/model_file.h"
-#include "filters/math/openings.h"
-#include "filters/reference/reference_scene.h"
-#include "filters/reference/shadow_light.h"
+#include "filters/core/geometry/light_shadow.h"
+#include "filters/explain/explain_shadow.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/math/cube/openings.h"
+#include "filters/reference/light/reference_scene.h"
+#include "filters/reference/trace/shadow_light.h"
 #include "tests/support/line_chart.h"
 #include "tests/support/scene_picture.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "filters/vtk/vtk_pbr_splice.h"
+#include "filters/vtk/surface/vtk_pbr_splice.h"
 #include "tests/image/quad_world.h"
 #include "tests/support/scene_picture.h"
 

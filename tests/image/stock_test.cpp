@@ -28,10 +28,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "filters/math/brdf_table.h"
-#include "filters/math/shared_math.h"
-#include "filters/vtk/software_driver.h"
-#include "filters/vtk/vtkProbePolyDataMapper.h"
+#include "filters/math/sampling/brdf_table.h"
+#include "filters/math/shared/shared_math.h"
+#include "filters/vtk/gl/software_driver.h"
+#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 #include "tests/support/scene_picture.h"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "filters/math/technique_table.h"
+#include "filters/math/technique/technique_table.h"
 #include "tests/image/quad_world.h"
 
 namespace boxprobe::test {

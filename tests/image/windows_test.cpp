@@ -8,9 +8,9 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
-#include "filters/io/image_file.h"
-#include "filters/io/model_file.h"
-#include "filters/reference/reference_scene.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/reference/light/reference_scene.h"
 #include "tests/support/scene_picture.h"
 
 namespace {
@@ -117,7 +117,7 @@ TEST(WindowEdge, VanishesWhereWallAndSkyAreAlike) {
   });
   for (const double roughness : {0.0, 0.15, 0.3, 0.6, 1.0}) {
     ScenePicture picture(emptyWindows(roughness), kWidth, kHeight);
-    picture.scene.probes[0].mode = ProbeUpdate::Custom;
+    picture.scene.probes[0].mode = ProbeMode::Custom;
     picture.scene.probes[0].image = file;
     picture.scene.sky = SkyColor{glm::vec3(kLight)};
     picture.show(cameraNamed(picture.scene, "floor"));
@@ -204,7 +204,7 @@ TEST(WindowSky, APictureWithoutCoverageIsWhole) {
   ScenePicture picture = ScenePicture::fromFile("scenes/windows.boxprobe.json", 64, 36);
   picture.scene.objects["globe"].visible = false;
   Probe& probe = picture.scene.probes[0];
-  probe.mode = ProbeUpdate::Custom;
+  probe.mode = ProbeMode::Custom;
   probe.image = pictureFile("windows_whole.exr", [](double, double) { return glm::vec4(0.4f, 0.4f, 0.4f, 1.0f); });
   picture.show(picture.scene.cameras.front());
   picture.window->Render();

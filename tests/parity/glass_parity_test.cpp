@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "filters/math/refraction.h"
-#include "filters/math/shader_source.h"
+#include "filters/math/shared/refraction.h"
+#include "filters/math/shared/shader_source.h"
 #include "tests/support/gpu_window.h"
 
 namespace {

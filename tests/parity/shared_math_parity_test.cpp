@@ -6,12 +6,12 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "filters/math/blue_noise.h"
-#include "filters/math/light_table.h"
-#include "filters/math/relief.h"
-#include "filters/math/shader_source.h"
-#include "filters/math/shared_math.h"
-#include "filters/math/technique_table.h"
+#include "filters/math/cube/light_table.h"
+#include "filters/math/cube/relief.h"
+#include "filters/math/sampling/blue_noise.h"
+#include "filters/math/shared/shader_source.h"
+#include "filters/math/shared/shared_math.h"
+#include "filters/math/technique/technique_table.h"
 #include "tests/support/gpu_window.h"
 
 namespace {

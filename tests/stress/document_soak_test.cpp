@@ -2,9 +2,9 @@
 // every moment what a plain list of scenes says it should be, and everything can be undone to the beginning.
 #include <gtest/gtest.h>
 
-#include "filters/core/document.h"
-#include "filters/core/errors.h"
-#include "filters/io/scene_file.h"
+#include "filters/core/base/errors.h"
+#include "filters/core/scene/document.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/stress/random_edits.h"
 #include "tests/unit/temporary_folder.h"
 

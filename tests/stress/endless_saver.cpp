@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "filters/io/bake_folder.h"
-#include "filters/io/scene_file.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/scene/scene_file.h"
 
 namespace {
 

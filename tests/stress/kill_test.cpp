@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <random>
 
-#include "filters/io/bake_folder.h"
-#include "filters/io/scene_file.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxprobe {

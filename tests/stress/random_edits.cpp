@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "filters/core/technique_parameters.h"
-#include "filters/math/technique_table.h"
+#include "filters/core/scene/technique_parameters.h"
+#include "filters/math/technique/technique_table.h"
 
 namespace boxprobe::test {
 
@@ -103,10 +103,10 @@ void RandomEdits::changeCapture(Probe& probe) {
       probe.hides = oneIn(2) ? std::vector<std::string>{of(limits_.nodes)} : std::vector<std::string>();
       break;
     case 7:
-      probe.mode = oneIn(2) ? ProbeUpdate::Baked : ProbeUpdate::Realtime;
+      probe.mode = oneIn(2) ? ProbeMode::Baked : ProbeMode::Realtime;
       break;
     default:
-      probe.mode = ProbeUpdate::Custom;
+      probe.mode = ProbeMode::Custom;
       probe.image = limits_.folder + "/pictures/sky " + std::to_string(below(3)) + ".exr";
       probe.imageLayout = static_cast<CubeLayout>(below(5));
   }

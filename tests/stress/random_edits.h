@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/scene.h"
+#include "filters/core/scene/scene.h"
 
 namespace boxprobe::test {
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "filters/core/document.h"
+#include "filters/core/scene/document.h"
 #include "tests/stress/random_edits.h"
 #include "tests/support/scene_picture.h"
 

@@ -1,5 +1,5 @@
 // A million adversarial inputs through the shaders that draw: every result is a number, and C++ agrees.
-#include "filters/vtk/stress_gpu.h"
+#include "filters/stress_gpu/stress_gpu.h"
 
 #include <gtest/gtest.h>
 

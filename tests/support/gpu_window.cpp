@@ -7,8 +7,8 @@
 
 #include <memory>
 
-#include "filters/vtk/full_screen_pass.h"
-#include "filters/vtk/gl_objects.h"
+#include "filters/vtk/gl/full_screen_pass.h"
+#include "filters/vtk/gl/gl_objects.h"
 
 namespace boxprobe::test {
 

@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "filters/io/image_file.h"
-#include "filters/io/model_file.h"
-#include "filters/io/scene_file.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/support/gpu_window.h"
 
 namespace boxprobe::test {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "filters/core/model.h"
-#include "filters/core/scene.h"
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe::test {

@@ -1,10 +1,10 @@
 // What `auto` chooses, for any budget and roughness: nothing that costs more than something else that keeps the budget.
-#include "filters/math/automatic.h"
+#include "filters/math/technique/automatic.h"
 
 #include <gtest/gtest.h>
 
-#include "filters/core/probe_geometry.h"
-#include "filters/core/scene.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/scene/scene.h"
 
 namespace boxprobe {
 namespace {

@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "filters/core/errors.h"
-#include "filters/reference/bench_noise.h"
-#include "filters/reference/bench_result.h"
-#include "filters/reference/bench_technique.h"
-#include "filters/reference/bench_text.h"
-#include "filters/reference/reference_box.h"
+#include "filters/core/base/errors.h"
+#include "filters/reference/bench/bench_noise.h"
+#include "filters/reference/bench/bench_result.h"
+#include "filters/reference/bench/bench_text.h"
+#include "filters/reference/light/reference_box.h"
+#include "filters/reference/study/bench_technique.h"
 #include "tests/unit/error_text.h"
 
 namespace boxprobe {
@@ -145,9 +145,9 @@ TEST(BoxSurroundings, RaysTowardsLampsFindTheSameMean) {
   ReferenceBoxMaps plain, helped;
   plain.probes = helped.probes = {baked};
   helped.findBright();
-  Explanation pixel;
+  LitPoint pixel;
   pixel.hit = true;
-  ProbeExplanation probe;
+  ProbeAtPoint probe;
   probe.weight = 1.0f;
   probe.boxMin = {-3.0f, -1.0f, -2.0f};
   probe.boxMax = {2.0f, 2.0f, 4.0f};
@@ -203,11 +203,11 @@ TEST(NoiseFigures, TellGrainFromStains) {
 }
 
 TEST(MarkFront, LeavesOutWhatAnotherBeats) {
-  std::vector<FrontPoint> points = {{"a", "", 1.0, 0.5}, {"b", "", 2.0, 0.2}, {"c", "", 2.0, 0.3}, {"d", "", 3.0, 0.2},
-                                    {"e", "", 9.0, 0.1}, {"f", "", 0.9, 0.6}, {"g", "", 0.9, 0.6}};
-  markFront(points);
+  std::vector<ParetoPoint> points = {{"a", "", 1.0, 0.5}, {"b", "", 2.0, 0.2}, {"c", "", 2.0, 0.3}, {"d", "", 3.0, 0.2},
+                                     {"e", "", 9.0, 0.1}, {"f", "", 0.9, 0.6}, {"g", "", 0.9, 0.6}};
+  markParetoFront(points);
   std::string front;
-  for (const FrontPoint& p : points) front += p.onFront ? p.id : "";
+  for (const ParetoPoint& p : points) front += p.onParetoFront ? p.id : "";
   EXPECT_EQ(front, "abefg") << "equal points do not beat each other";
 }
 
@@ -251,7 +251,7 @@ TEST(Summaries, PutRowsTogetherByTheirPixels) {
   EXPECT_LE(list[1].cpuRatioToBox.low, list[1].cpuRatioToBox.value);
   EXPECT_GE(list[1].cpuRatioToBox.high, list[1].cpuRatioToBox.value);
   EXPECT_EQ(list[0].worstEnergy.brightnessRatio, 1.1) << "five pixels say nothing";
-  EXPECT_TRUE(list[0].onFront);
+  EXPECT_TRUE(list[0].onParetoFront);
 }
 
 TEST(BenchText, IsJsonWithARowForEachAndATableForPeople) {

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/scene.h"
-#include "filters/io/model_file.h"
-#include "filters/io/scene_file.h"
-#include "filters/math/shared_math.h"
+#include "filters/core/scene/scene.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/math/shared/shared_math.h"
 #include "tests/unit/scene_triangles.h"
 
 namespace boxprobe {

@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 
-#include "filters/core/divide_model.h"
+#include "filters/core/geometry/divide_model.h"
 
 namespace boxprobe {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include "filters/core/document.h"
-#include "filters/core/errors.h"
+#include "filters/core/base/errors.h"
+#include "filters/core/scene/document.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/two_probes.h"
 

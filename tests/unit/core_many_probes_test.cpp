@@ -5,10 +5,10 @@
 #include <cmath>
 #include <random>
 
-#include "filters/core/probe_geometry.h"
-#include "filters/core/probe_index.h"
-#include "filters/core/probe_shares.h"
-#include "filters/math/shared_math.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/geometry/probe_index.h"
+#include "filters/core/geometry/probe_shares.h"
+#include "filters/math/shared/shared_math.h"
 
 namespace boxprobe {
 namespace {

@@ -4,9 +4,9 @@
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/geometric.hpp>
 
-#include "filters/core/field_error.h"
-#include "filters/core/mirror_plane.h"
-#include "filters/core/mirror_view.h"
+#include "filters/core/base/field_error.h"
+#include "filters/core/geometry/mirror_plane.h"
+#include "filters/core/geometry/mirror_view.h"
 #include "tests/unit/error_text.h"
 
 namespace boxprobe {

@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "filters/core/document.h"
-#include "filters/core/model.h"
-#include "filters/core/nearest_name.h"
-#include "filters/core/number_text.h"
-#include "filters/core/scene.h"
+#include "filters/core/base/nearest_name.h"
+#include "filters/core/base/number_text.h"
+#include "filters/core/scene/document.h"
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
 #include "tests/unit/two_probes.h"
 
 namespace boxprobe {
@@ -92,7 +92,7 @@ TEST(Difference, NamesTheKindOfEachProbeField) {
            [](Probe& p) { p.origin.x = 1; }, [](Probe& p) { p.nearDistance = 0.1; },
            [](Probe& p) { p.farDistance = 9; }, [](Probe& p) { p.clear = ClearToNone{}; },
            [](Probe& p) { p.clear = glm::vec3(1, 0, 0); }, [](Probe& p) { p.faceSize = 64; },
-           [](Probe& p) { p.bounces = 2; }, [](Probe& p) { p.mode = ProbeUpdate::Realtime; },
+           [](Probe& p) { p.bounces = 2; }, [](Probe& p) { p.mode = ProbeMode::Realtime; },
            [](Probe& p) { p.image = "a.exr"; }, [](Probe& p) { p.filter = FilterKind::Gaussian; },
            [](Probe& p) { p.samplesPerPixel = 1; }, [](Probe& p) { p.imageLayout = CubeLayout::Strip; },
            [](Probe& p) { p.hides = {"mirror"}; }}) {
@@ -138,10 +138,10 @@ TEST(Remarks, PlainScenesHaveNone) {
 TEST(Remarks, EachFeatureThatIsNotUsedIsNamedWithItsKey) {
   Scene scene = twoProbes();
   scene.objects["car"].dynamic = true;  // is used, as is all else of objects and the probe's mode
-  scene.objects["car"].probeMode = ProbeMode::Simple;
+  scene.objects["car"].probeUsage = ProbeUsage::Simple;
   scene.objects["car"].weights = WeightMode::Object;
   Probe& probe = scene.probes[0];
-  probe.mode = ProbeUpdate::Realtime;
+  probe.mode = ProbeMode::Realtime;
   probe.filter = FilterKind::Gaussian;
   probe.parameters["power"] = 4.0;
   probe.bevel = Bevel{0.1, 0.0};     // is used

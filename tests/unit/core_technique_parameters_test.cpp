@@ -1,8 +1,8 @@
 // What a scene says of a technique's parameters, as the mathematics reads it.
 #include <gtest/gtest.h>
 
-#include "filters/core/probe_geometry.h"
-#include "filters/core/technique_parameters.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/scene/technique_parameters.h"
 
 namespace boxprobe {
 namespace {

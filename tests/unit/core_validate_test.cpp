@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
-#include "filters/core/field_error.h"
-#include "filters/core/scene.h"
+#include "filters/core/base/field_error.h"
+#include "filters/core/scene/scene.h"
 #include "tests/unit/error_text.h"
 
 namespace boxprobe {
@@ -207,7 +207,7 @@ TEST(Validate, ParametersHaveNamesKindsAndRanges) {
 }
 
 TEST(Validate, CustomModeNeedsAnImage) {
-  EXPECT_EQ(problem([](Scene& s) { s.probes[0].mode = ProbeUpdate::Custom; }),
+  EXPECT_EQ(problem([](Scene& s) { s.probes[0].mode = ProbeMode::Custom; }),
             "probes.room.image: is missing; mode \"custom\" needs an image file");
 }
 

@@ -1,5 +1,5 @@
 // A cube as a flat picture: right way round, and every direction and texel found again where it was drawn.
-#include "filters/core/cube_picture.h"
+#include "filters/core/picture/cube_picture.h"
 
 #include <gtest/gtest.h>
 

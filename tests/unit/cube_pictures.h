@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/io/cube_file.h"
+#include "filters/io/cube/cube_file.h"
 
 namespace boxprobe {
 

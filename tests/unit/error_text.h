@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "filters/core/errors.h"
+#include "filters/core/base/errors.h"
 
 namespace boxprobe {
 

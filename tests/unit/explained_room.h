@@ -2,7 +2,7 @@
 // explanation's text, JSON and drawings start from.
 #pragma once
 
-#include "filters/core/explain_pixel.h"
+#include "filters/explain/explain_pixel.h"
 
 namespace boxprobe {
 

@@ -1,5 +1,5 @@
 // The JSON of an explained pixel: the documented fields, with null for what is undefined.
-#include "app/cli/explanation_json.h"
+#include "app/session/explanation_json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // What is said of a pixel: the numbers of the calculation, in columns, and what is undefined where it is.
-#include "filters/core/explanation_text.h"
+#include "filters/explain/explanation_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "filters/core/fixed_text.h"
+#include "filters/core/base/fixed_text.h"
 #include "tests/unit/explained_room.h"
 
 namespace boxprobe {

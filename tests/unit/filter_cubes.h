@@ -6,7 +6,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
-#include "filters/math/cube_map.h"
+#include "filters/math/cube/cube_map.h"
 
 namespace boxprobe::test {
 

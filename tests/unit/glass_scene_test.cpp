@@ -8,9 +8,9 @@
 #include <map>
 #include <utility>
 
-#include "filters/io/model_file.h"
-#include "filters/io/scene_file.h"
-#include "filters/math/glass_shell.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/math/cube/glass_shell.h"
 
 namespace boxprobe {
 namespace {

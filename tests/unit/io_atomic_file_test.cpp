@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "filters/io/atomic_file.h"
+#include "filters/io/files/atomic_file.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 

@@ -7,8 +7,8 @@
 
 #include <limits>
 
-#include "filters/core/probe_geometry.h"
-#include "filters/io/exr_reader.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/io/image/exr_reader.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
@@ -40,7 +40,7 @@ BakedProbeFile example(int faceSize = 32, int levels = 6) {
   probe.parameters = {{"samples", 64.0}, {"animated", true}, {"pattern", std::string("blue")}};
   probe.faceSize = faceSize;
   probe.bounces = 3;
-  probe.mode = ProbeUpdate::Custom;
+  probe.mode = ProbeMode::Custom;
   probe.image = "room.exr";
   probe.filter = FilterKind::Gaussian;
   probe.hides = {"lamp", "mirror [1]"};

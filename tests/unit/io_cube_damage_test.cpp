@@ -15,7 +15,7 @@
 #include <iostream>
 #include <limits>
 
-#include "filters/io/exr_writer.h"
+#include "filters/io/image/exr_writer.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"

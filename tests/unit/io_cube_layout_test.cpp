@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/io/cube_layout.h"
+#include "filters/io/cube/cube_layout.h"
 
 namespace boxprobe {
 namespace {

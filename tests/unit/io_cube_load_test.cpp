@@ -10,7 +10,7 @@
 
 #include <limits>
 
-#include "filters/io/image_file.h"
+#include "filters/io/image/image_file.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"

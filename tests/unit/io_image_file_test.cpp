@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "filters/io/image_file.h"
+#include "filters/io/image/image_file.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 

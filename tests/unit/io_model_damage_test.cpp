@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "filters/io/model_file.h"
+#include "filters/io/gltf/model_file.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/io_glb_builder.h"
 #include "tests/unit/temporary_folder.h"

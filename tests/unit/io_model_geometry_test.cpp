@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "filters/io/model_file.h"
+#include "filters/io/gltf/model_file.h"
 #include "tests/unit/io_glb_builder.h"
 #include "tests/unit/temporary_folder.h"
 

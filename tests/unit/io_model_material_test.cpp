@@ -1,9 +1,9 @@
 // Materials, textures and images out of glTF files.
 #include <gtest/gtest.h>
 
-#include "filters/io/image_file.h"
-#include "filters/io/image_pool.h"
-#include "filters/io/model_file.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/image/image_pool.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/io_glb_builder.h"
 #include "tests/unit/temporary_folder.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "filters/io/scene_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 
@@ -73,7 +73,7 @@ TEST(SceneParse, ReadsEveryKeyOfAProbe) {
   expected.parameters = {{"samples", 8.0}, {"pattern", std::string("r2")}, {"animated", true}};
   expected.faceSize = 64;
   expected.bounces = 3;
-  expected.mode = ProbeUpdate::Custom;
+  expected.mode = ProbeMode::Custom;
   expected.image = "folder/room.exr";
   expected.filter = FilterKind::Gaussian;
   expected.samplesPerPixel = 16;
@@ -143,7 +143,7 @@ TEST(SceneParse, ReadsOverridesAndExposure) {
   EXPECT_EQ(floor.thin, false);
   EXPECT_EQ(floor.glass, GlassForm::TwoPass);
   EXPECT_EQ(scene.objects.at("mirror"),
-            (ObjectOverride{false, false, true, ProbeMode::Simple, WeightMode::Object, {1, 2, 3}, {0, 90, 0}}));
+            (ObjectOverride{false, false, true, ProbeUsage::Simple, WeightMode::Object, {1, 2, 3}, {0, 90, 0}}));
   EXPECT_EQ(scene.mirrors.at("mirror"), (PlanarMirror{false, 0.5, 2.0}));
   EXPECT_EQ(scene.mirrorBudget, 1.0e6);
 }

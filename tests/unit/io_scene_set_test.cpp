@@ -1,7 +1,7 @@
 // Single fields set from the command line: what each form reaches, and what each mistake is told.
 #include <gtest/gtest.h>
 
-#include "filters/io/scene_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "tests/unit/error_text.h"
 
 namespace boxprobe {

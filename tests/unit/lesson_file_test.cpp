@@ -1,5 +1,5 @@
 // Lesson files: what is read, and the one line for each way of getting it wrong.
-#include "filters/io/lesson_file.h"
+#include "filters/io/scene/lesson_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "filters/math/rgbm.h"
+#include "filters/math/cube/rgbm.h"
 
 namespace boxprobe {
 namespace {

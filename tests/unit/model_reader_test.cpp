@@ -1,6 +1,6 @@
 // OBJ with MTL, PLY, STL and VTP through VTK's readers: values, missing normals, units and up axis; and files that are
 // broken on purpose, each refused in one line.
-#include "filters/vtk/model_reader.h"
+#include "filters/vtk/import/model_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
-#include "filters/core/model_placement.h"
-#include "filters/io/image_file.h"
+#include "filters/core/geometry/model_placement.h"
+#include "filters/io/image/image_file.h"
 #include "tests/unit/error_text.h"
 #include "tests/unit/temporary_folder.h"
 

@@ -2,8 +2,8 @@
 // the frosty filter as wide as its law.
 #include <gtest/gtest.h>
 
-#include "filters/math/cube_filter.h"
-#include "filters/math/cube_filter_reference.h"
+#include "filters/math/cube/cube_filter.h"
+#include "filters/math/cube/cube_filter_reference.h"
 #include "tests/unit/filter_cubes.h"
 
 namespace {

@@ -20,11 +20,11 @@
 #include <limits>
 #include <random>
 
-#include "filters/core/probe_geometry.h"
-#include "filters/core/scene.h"
-#include "filters/math/cube_map.h"
-#include "filters/vtk/ray_arrays.h"
-#include "filters/vtk/vtkProjectionRays.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/scene/scene.h"
+#include "filters/math/cube/cube_map.h"
+#include "filters/vtk/rays/ray_arrays.h"
+#include "filters/vtk/rays/vtkProjectionRays.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace {

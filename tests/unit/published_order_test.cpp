@@ -8,8 +8,8 @@
 #include <map>
 #include <string>
 
-#include "filters/math/technique_table.h"
-#include "filters/reference/study_tally.h"
+#include "filters/math/technique/technique_table.h"
+#include "filters/reference/study/study_tally.h"
 
 namespace boxprobe {
 namespace {

@@ -1,5 +1,5 @@
 // Rays through glass in the debug view: their corners and their hit on the box against geometry.
-#include "filters/vtk/ray_glass.h"
+#include "filters/vtk/rays/ray_glass.h"
 
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
@@ -11,10 +11,10 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "filters/io/model_file.h"
-#include "filters/io/scene_file.h"
-#include "filters/vtk/ray_sources.h"
-#include "filters/vtk/vtkProjectionRays.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/vtk/rays/ray_sources.h"
+#include "filters/vtk/rays/vtkProjectionRays.h"
 
 namespace boxprobe {
 namespace {

@@ -1,5 +1,5 @@
 // Points on surfaces to start rays from, in the scenes that come with the program; against every triangle in turn.
-#include "filters/vtk/ray_sources.h"
+#include "filters/vtk/rays/ray_sources.h"
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
@@ -16,11 +16,11 @@
 #include <map>
 #include <set>
 
-#include "filters/core/probe_geometry.h"
-#include "filters/io/model_file.h"
-#include "filters/io/scene_file.h"
-#include "filters/vtk/ray_arrays.h"
-#include "filters/vtk/vtkProjectionRays.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/vtk/rays/ray_arrays.h"
+#include "filters/vtk/rays/vtkProjectionRays.h"
 #include "tests/unit/scene_triangles.h"
 
 namespace {

@@ -8,11 +8,11 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "filters/math/blue_noise.h"
-#include "filters/math/light_table.h"
-#include "filters/math/technique_table.h"
-#include "filters/math/void_and_cluster.h"
-#include "filters/reference/study_tally.h"
+#include "filters/math/cube/light_table.h"
+#include "filters/math/sampling/blue_noise.h"
+#include "filters/math/sampling/void_and_cluster.h"
+#include "filters/math/technique/technique_table.h"
+#include "filters/reference/study/study_tally.h"
 
 namespace boxprobe {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "filters/reference/visible_normal_lobe.h"
+#include "filters/reference/trace/visible_normal_lobe.h"
 
 namespace boxprobe {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "filters/core/errors.h"
-#include "filters/reference/flip.h"
-#include "filters/reference/metrics.h"
+#include "filters/core/base/errors.h"
+#include "filters/reference/measure/flip.h"
+#include "filters/reference/measure/metrics.h"
 
 namespace boxprobe {
 namespace {

@@ -1,15 +1,15 @@
 // The ray tracer on scenes whose answer is known beforehand: what is hit, what it looks like, what is reflected.
-#include "filters/reference/reference_scene.h"
+#include "filters/reference/light/reference_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "filters/core/explain_pixel.h"
-#include "filters/io/model_file.h"
-#include "filters/io/scene_file.h"
-#include "filters/reference/surface_texture.h"
+#include "filters/explain/explain_pixel.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/reference/trace/surface_texture.h"
 
 namespace boxprobe {
 namespace {

@@ -1,5 +1,5 @@
 // Glass on its own: Fresnel and Snell against their definitions, the way through a ball and a block against geometry.
-#include "filters/math/refraction.h"
+#include "filters/math/shared/refraction.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "data/scenes/mesh_builder.h"
-#include "filters/math/glass_shell.h"
+#include "filters/math/cube/glass_shell.h"
 
 namespace boxprobe {
 namespace {

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "filters/math/shared_math.h"
+#include "filters/math/shared/shared_math.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Plan and elevation: every point where the calculation has it, the deciding plane marked, labels clear of the lines.
-#include "filters/core/schematic.h"
+#include "filters/explain/schematic.h"
 
 #include <gtest/gtest.h>
 

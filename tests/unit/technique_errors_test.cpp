@@ -1,6 +1,6 @@
 // Probes that measure their techniques' errors themselves: in rooms made up by chance, against the integral at other
 // points than those they measure at.
-#include "filters/math/technique_errors.h"
+#include "filters/math/technique/technique_errors.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 
-#include "filters/reference/study_tally.h"
+#include "filters/reference/study/study_tally.h"
 
 namespace boxprobe {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "filters/math/technique_table.h"
+#include "filters/math/technique/technique_table.h"
 
 namespace boxprobe {
 namespace {

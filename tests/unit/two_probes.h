@@ -2,7 +2,7 @@
 // values.
 #pragma once
 
-#include "filters/core/scene.h"
+#include "filters/core/scene/scene.h"
 
 namespace boxprobe {
 

@@ -1,0 +1,175 @@
+// See bake_command.h.
+#include "app/cli/command/bake_command.h"
+
+#include <unistd.h>
+#include <vtkOpenGLRenderWindow.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include "app/session/display_check.h"
+#include "app/session/interrupt.h"
+#include "app/session/load_scene.h"
+#include "app/session/messages.h"
+#include "app/session/offscreen_window.h"
+#include "app/session/output_check.h"
+#include "app/session/progress_line.h"
+#include "app/session/scene_work.h"
+#include "app/session/stats_json.h"
+#include "app/session/vtk_messages.h"
+#include "filters/core/base/errors.h"
+#include "filters/core/base/nearest_name.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BakeOptions {
+  std::string scenePath;
+  std::string folder;  ///< empty: beside the scene
+  std::vector<std::string> probes;
+  std::vector<std::string> assignments;
+  ReportOptions report;
+};
+
+/// The probes to make: those named, else every baked one.
+std::vector<std::string> chooseProbes(const Scene& scene, const std::vector<std::string>& wanted) {
+  std::vector<std::string> all, baked;
+  for (const Probe& probe : scene.probes) {
+    all.push_back(probe.name);
+    if (probe.mode == ProbeMode::Baked) baked.push_back(probe.name);
+  }
+  for (const std::string& name : wanted) {
+    const auto index = findProbe(scene, name);
+    if (!index) {
+      throw InputError("--probe " + name + ": the scene has no such probe; " +
+                       (all.empty() ? "it has none" : "there are: " + nameList(all)));
+    }
+    if (scene.probes[*index].mode != ProbeMode::Baked) {
+      throw InputError("--probe " + name + ": its mode is not baked, so there is nothing to bake");
+    }
+  }
+  return wanted.empty() ? baked : wanted;
+}
+
+/// Before hours of work, not after them.
+void requireFolder(const std::string& folder) {
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+    throw InputError(folder + ": this is a file; -o names a folder");
+  }
+  fs::create_directories(folder, error);
+  if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
+  if (access(folder.c_str(), W_OK) != 0) throw WorkError(folder + ": cannot write into this folder");
+}
+
+/// Makes what is missing and writes each probe as soon as it is finished, so that work that is stopped goes on from
+/// there. Returns the files written.
+std::vector<std::string> bakeProbes(SceneRenderer& renderer, const std::vector<std::string>& probes,
+                                    const std::string& folder, const InterruptGuard& interrupt, bool quiet) {
+  std::vector<std::string> files;
+  std::set<std::string> toWrite(probes.begin(), probes.end());
+  bool skyToWrite = true;
+  const auto writeFinished = [&] {
+    const auto save = [&](const std::string& name) {
+      requireHealthy(renderer);
+      const std::string path = renderer.saveBaked(name, folder, "Boxprobe " BOXPROBE_VERSION);
+      if (!path.empty()) files.push_back(path);
+      return !path.empty();
+    };
+    if (skyToWrite && renderer.counters().skyFacesCaptured > 0) skyToWrite = !save({});
+    for (auto it = toWrite.begin(); it != toWrite.end();) {
+      const bool finished = renderer.bakeState(*it) == BakeState::UpToDate && save(*it);
+      it = finished ? toWrite.erase(it) : std::next(it);
+    }
+  };
+  ProgressLine line("baking probes", !quiet);
+  renderer.finishWork([&](double fraction) {
+    writeFinished();
+    line.show(fraction);
+    return !interrupt.interrupted();
+  });
+  return files;
+}
+
+void runBake(const BakeOptions& options) {
+  if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  const InterruptGuard interrupt;
+  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet);
+  const std::vector<std::string> probes = chooseProbes(loaded.scene, options.probes);
+  if (!options.report.quiet) printWarnings(loaded.warnings);
+  const std::string folder = options.folder.empty() ? BakeFolder::besideScene(options.scenePath) : options.folder;
+  interrupt.check();
+
+  requireDisplay("boxprobe bake");
+  requireFolder(folder);
+  installVtkMessages(options.report.quiet, false);
+  const vtkSmartPointer<vtkOpenGLRenderWindow> window = makeOffscreenWindow(16, 16, 1);
+  SceneRenderer renderer(window);
+  renderer.useBakedFiles(folder);
+  renderer.setModels(loaded.models);
+  renderer.sync(loaded.scene, Changes::all());
+  if (!renderer.pictureError().empty()) throw InputError(renderer.pictureError());
+  std::vector<std::string> files;
+  if (!probes.empty()) {
+    renderer.setBakeTargets(probes);
+    files = bakeProbes(renderer, probes, folder, interrupt, options.report.quiet);
+  }
+  requireHealthy(renderer);
+  if (!options.report.quiet) printWarnings(renderer.remarks());
+  if (interrupt.interrupted()) {
+    throw WorkError("interrupted: " + std::to_string(files.size()) + " files are complete in " + folder +
+                    "; the same command goes on from there");
+  }
+
+  const RunStats stats = collectStats(renderer, window);
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
+  if (options.report.json) {
+    std::fputs(statsJson(stats).c_str(), stdout);
+  } else if (!options.report.quiet) {
+    for (const std::string& file : files) std::printf("%s\n", file.c_str());
+    std::printf("%s: %zu baked probe(s), %zu file(s) written, %llu faces captured, %llu levels filtered\n",
+                folder.c_str(), probes.size(), files.size(),
+                static_cast<unsigned long long>(stats.counters.facesCaptured),
+                static_cast<unsigned long long>(stats.counters.levelsFiltered));
+  }
+  renderer.releaseGraphics();
+}
+
+}  // namespace
+
+Subcommand addBakeCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("bake", "Capture and filter the baked probes of a scene into files");
+  const auto options = std::make_shared<BakeOptions>();
+  command
+      ->add_option("SCENE", options->scenePath,
+                   "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+      ->required();
+  command
+      ->add_option(
+          "-o,--output", options->folder,
+          "Folder for the EXR files (default: SCENE.probes beside the scene, where render and the window look)")
+      ->type_name("DIR");
+  command->add_option("--probe", options->probes, "Only this probe (repeatable; default: every baked one)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
+      ->type_name("FIELD=VALUE")
+      ->allow_extra_args(false);
+  addReportOptions(*command, options->report, "Print what --stats writes");
+  command->footer(
+      "Probes whose file was made from the same inputs are skipped, so a second call goes on where the first was\n"
+      "stopped, and does nothing if nothing changed.\n"
+      "Example:\n"
+      "  boxprobe bake data/scenes/building.boxprobe.json -o out/building.probes --stats bake.json");
+  return {command, [options] { runBake(*options); }};
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,194 @@
+// See bench_command.h.
+#include "app/cli/command/bench_command.h"
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "app/cli/command/bench_host.h"
+#include "app/cli/options/bench_options.h"
+#include "app/cli/report/contact_sheet.h"
+#include "app/session/display_check.h"
+#include "app/session/interrupt.h"
+#include "app/session/load_scene.h"
+#include "app/session/messages.h"
+#include "app/session/output_check.h"
+#include "app/session/progress_line.h"
+#include "app/session/stats_json.h"
+#include "app/session/vtk_messages.h"
+#include "filters/core/base/errors.h"
+#include "filters/core/base/number_text.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/reference/bench/bench_text.h"
+#include "filters/reference/measure/metrics.h"
+#include "filters/vtk/charts/pareto_chart.h"
+#include "filters/vtk/gl/cpu_time.h"
+
+namespace boxprobe {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string processorName() {
+  std::ifstream stream("/proc/cpuinfo");
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
+  }
+  return "unknown";
+}
+
+/// A folder that can be written into, before minutes of work.
+void requireFolder(const std::string& folder) {
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+    throw InputError("-o " + folder + ": this is a file; -o names a folder");
+  }
+  fs::create_directories(folder, error);
+  if (error) throw InputError("-o " + folder + ": cannot create this folder: " + error.message());
+  requireWritable("-o", folder + "/bench.json");
+}
+
+std::shared_ptr<const ImageRgbaF> skyImage(const Scene& scene) {
+  const auto* image = std::get_if<SkyImage>(&scene.sky);
+  return image != nullptr ? std::make_shared<ImageRgbaF>(loadHdrImage(image->file)) : nullptr;
+}
+
+void printSummary(const BenchResult& result, const std::string& folder) {
+  std::printf("%-34s %8s %8s %7s %8s %7s\n", "technique", "lookups", "frame", "error", "/ hdrp", "light");
+  for (const BenchSummary& s : summaries(result, Truth::Box)) {
+    std::printf("%-34s %8.1f %8.2f %7.4f %8.2f %7.3f%s\n", result.techniques[s.technique].label().c_str(), s.lookups,
+                s.cpuRatioToBox.value, s.error, s.errorRatioToHdrp, s.brightnessRatio,
+                s.onParetoFront ? "  front" : "");
+  }
+  std::printf("%s: bench.json, bench.csv, report.md, front.png, front-scene.png, contact.png\n", folder.c_str());
+}
+
+/// The pictures of one view, kept while they pass by.
+class Contacts {
+ public:
+  explicit Contacts(const BenchPlan& plan) : camera_(plan.cameras.front().name) {
+    // A roughness at which techniques differ the most, or the nearest there is.
+    constexpr double kWanted = 0.5;
+    for (const double r : plan.roughnesses) {
+      if (std::abs(r - kWanted) < std::abs(roughness_ - kWanted)) roughness_ = r;
+    }
+  }
+  void take(const BenchPictures& seen) {
+    if (seen.camera->name != camera_ || seen.roughness != roughness_) return;
+    ContactPicture picture{seen.technique->label(), *seen.picture, {}};
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < seen.mask->size(); ++i) {
+      if (!(*seen.mask)[i]) {
+        picture.error.push_back(-1.0f);
+        continue;
+      }
+      double sum = 0.0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double d = toneMapped(seen.picture->pixels[4 * i + c]) - toneMapped(seen.truth->pixels[4 * i + c]);
+        sum += d * d;
+      }
+      squares += sum;
+      ++count;
+      picture.error.push_back(static_cast<float>(std::sqrt(sum / 3.0)));
+    }
+    char error[32];
+    std::snprintf(error, sizeof(error), ": %.4f", std::sqrt(squares / (3.0 * static_cast<double>(count))));
+    picture.label += error;
+    pictures_.push_back(std::move(picture));
+    truth_ = *seen.truth;
+  }
+  /// Nothing if that view was left out.
+  void save(const std::string& path, const std::string& scene, double exposure) const {
+    if (pictures_.empty()) return;
+    const std::string title = scene + ", camera " + camera_ + ", roughness " + numberText(roughness_);
+    savePng(path, contactSheet(title, truth_, pictures_, exposure, 0.15));
+  }
+
+ private:
+  std::string camera_;
+  double roughness_ = 1.0e3;
+  ImageRgbaF truth_;
+  std::vector<ContactPicture> pictures_;
+};
+
+void saveChart(const std::string& path, const BenchResult& result, Truth truth) {
+  FrontChartText text;
+  text.title = std::string("Run time against error: ") + result.scene + ", against the " +
+               (truth == Truth::Box ? "integral over the box" : "traced scene");
+  text.costAxis = "CPU time of a frame over plain box projection's, " + std::to_string(result.timedWidth) + " x " +
+                  std::to_string(result.timedHeight);
+  savePng(path, frontChartPicture(paretoPoints(result, truth), text, 1400, 900));
+}
+
+void runBench(const BenchOptions& options) {
+  if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  const InterruptGuard interrupt;
+  const std::string scenePath =
+      options.scenePath.empty() ? BOXPROBE_DATA_DIR "/scenes/gallery.boxprobe.json" : options.scenePath;
+  const LoadedScene loaded = loadScene(scenePath, options.assignments);
+  const BenchPlan plan = benchPlan(options, loaded.scene);
+  if (!options.report.quiet) printWarnings(loaded.warnings);
+  requireDisplay("boxprobe bench");
+  requireFolder(options.folder);
+  installVtkMessages(options.report.quiet, false);
+  interrupt.check();
+
+  const FrameSize timed = timedFrameSize(options);
+  VtkBenchHost host(loaded.models, skyImage(loaded.scene), timed.width, timed.height, [] {});
+  Contacts contacts(plan);
+  BenchResult result = [&] {
+    ProgressLine line("measuring", !options.report.quiet);
+    const auto progress = [&](double done) {
+      line.show(done);
+      return !interrupt.interrupted();
+    };
+    return runBenchmark(plan, loaded.scene, loaded.models, host, progress,
+                        [&](const BenchPictures& seen) { contacts.take(seen); });
+  }();
+  const RunStats stats = collectStats(host.renderer(), host.window());
+  result.scene = fs::path(scenePath).filename().string();
+  result.machine = processorName();
+  result.glRenderer = stats.glRenderer;
+  result.glVersion = stats.glVersion;
+  result.timedWidth = timed.width;
+  result.timedHeight = timed.height;
+  const std::string json = benchJson(result);
+  if (!result.complete) {
+    const std::string partial = options.folder + "/bench.json.partial";
+    writeTextAtomically(partial, json);
+    throw WorkError("interrupted: what there was of the benchmark is in " + partial);
+  }
+  writeTextAtomically(options.folder + "/bench.json", json);
+  writeTextAtomically(options.folder + "/bench.csv", benchCsv(result));
+  writeTextAtomically(options.folder + "/report.md", benchReport(result));
+  saveChart(options.folder + "/front.png", result, Truth::Box);
+  saveChart(options.folder + "/front-scene.png", result, Truth::Scene);
+  contacts.save(options.folder + "/contact.png", result.scene, loaded.scene.exposure);
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
+  if (!options.report.quiet) {
+    for (const std::string& remark : result.remarks) printWarnings({remark});
+  }
+  if (options.report.json) {
+    std::fputs(json.c_str(), stdout);
+  } else if (!options.report.quiet) {
+    printSummary(result, options.folder);
+  }
+}
+
+}  // namespace
+
+Subcommand addBenchCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("bench", "Measure run time against error of every technique");
+  const auto options = std::make_shared<BenchOptions>();
+  addBenchOptions(*command, *options);
+  return {command, [options] { runBench(*options); }};
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,123 @@
+// See explain_command.h.
+#include "app/cli/command/explain_command.h"
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/options/render_options.h"
+#include "app/session/display_check.h"
+#include "app/session/explanation_json.h"
+#include "app/session/interrupt.h"
+#include "app/session/load_scene.h"
+#include "app/session/messages.h"
+#include "app/session/offscreen_window.h"
+#include "app/session/output_check.h"
+#include "app/session/scene_work.h"
+#include "app/session/stats_json.h"
+#include "app/session/vtk_messages.h"
+#include "filters/core/base/errors.h"
+#include "filters/explain/explanation_text.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/math/technique/technique_table.h"
+#include "filters/vtk/gl/cpu_time.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+struct ExplainOptions {
+  std::string scenePath;
+  std::string pixel;
+  std::string size = "1280x720";
+  std::string camera;
+  std::string technique;
+  std::vector<std::string> assignments;
+  ReportOptions report;
+};
+
+glm::ivec2 parsePixel(const std::string& text, const FrameSize& size) {
+  glm::ivec2 pixel(0);
+  int used = 0;
+  const bool two = std::sscanf(text.c_str(), "%d,%d%n", &pixel.x, &pixel.y, &used) == 2;
+  if (!two || static_cast<std::size_t>(used) != text.size()) {
+    throw InputError("--pixel " + text + ": expected X,Y in pixels from the top left, as in 640,360");
+  }
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) {
+    throw InputError("--pixel " + text + ": outside the picture of " + std::to_string(size.width) + " x " +
+                     std::to_string(size.height) + "; X and Y count from 0 at the top left, --size sets the picture");
+  }
+  return pixel;
+}
+
+void runExplain(const ExplainOptions& options) {
+  const FrameSize size = parseFrameSize(options.size);
+  const glm::ivec2 pixel = parsePixel(options.pixel, size);
+  if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+
+  const InterruptGuard interrupt;
+  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet);
+  chooseTechnique(loaded.scene, options.technique);
+  loaded.warnings = sceneWarnings(loaded.scene, loaded.models);  // of the technique that is used
+  const Camera camera = chooseCamera(loaded.scene, options.camera);
+  if (!options.report.quiet) printWarnings(loaded.warnings);
+  interrupt.check();
+
+  requireDisplay("boxprobe explain");
+  installVtkMessages(options.report.quiet, false);
+  const vtkSmartPointer<vtkOpenGLRenderWindow> window = makeOffscreenWindow(size.width, size.height, 1);
+  SceneRenderer renderer(window);
+  renderer.useBakedFiles(BakeFolder::besideScene(options.scenePath));
+  renderer.setModels(loaded.models);
+  renderer.sync(loaded.scene, Changes::all());
+  renderer.applyCamera(camera);
+  captureProbes(renderer, interrupt, options.report.quiet);
+  requireHealthy(renderer);
+  interrupt.check();
+  const Explanation explanation = renderer.explain(pixel.x, pixel.y, size.width, size.height);
+  requireHealthy(renderer);
+  std::fputs((options.report.json ? explanationJson(explanation) : explanationText(explanation)).c_str(), stdout);
+
+  if (!options.report.statsPath.empty()) {
+    RunStats stats = collectStats(renderer, window);
+    stats.startToFirstFrameCpuSeconds = processCpuSeconds();
+    writeTextAtomically(options.report.statsPath, statsJson(stats));
+  }
+  renderer.releaseGraphics();
+}
+
+}  // namespace
+
+Subcommand addExplainCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("explain", "Say how the colour of one pixel comes about, step by step");
+  const auto options = std::make_shared<ExplainOptions>();
+  command
+      ->add_option("SCENE", options->scenePath,
+                   "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+      ->required();
+  command->add_option("--pixel", options->pixel, "The pixel, from 0,0 at the top left of the picture")
+      ->type_name("X,Y")
+      ->required();
+  command->add_option("--size", options->size, "Width and height of the picture (default 1280x720)")->type_name("WxH");
+  command->add_option("--camera", options->camera, "Camera of the scene (default: main, else the first)")
+      ->type_name("NAME");
+  command
+      ->add_option("--technique", options->technique,
+                   "Technique of every probe (default: as in the scene): " + techniqueIdList())
+      ->type_name("ID");
+  command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
+      ->type_name("FIELD=VALUE")
+      ->allow_extra_args(false);
+  addReportOptions(*command, options->report, "Print the same as JSON");
+  command->footer(
+      "Example:\n"
+      "  boxprobe explain data/scenes/building.boxprobe.json --pixel 640,500");
+  return {command, [options] { runExplain(*options); }};
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,65 @@
+// See info_command.h.
+#include "app/cli/command/info_command.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/report/frame_info.h"
+#include "app/cli/report/report_text.h"
+#include "app/cli/report/scene_report.h"
+#include "app/session/load_scene.h"
+#include "app/session/output_check.h"
+#include "app/session/stats_json.h"
+#include "filters/io/files/atomic_file.h"
+
+namespace boxprobe {
+
+namespace {
+
+struct InfoOptions {
+  std::string scenePath;
+  std::vector<std::string> assignments;
+  bool frame = false;
+  std::string camera, size = "1280x720";
+  ReportOptions report;
+};
+
+void runInfo(const InfoOptions& options) {
+  if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
+  nlohmann::ordered_json report = sceneReport(loaded);
+  std::string text = options.report.json ? std::string() : sceneReportText(report);
+  if (options.frame) {
+    const FrameReport frame =
+        drawnFrameReport(loaded, options.scenePath, options.camera, options.size, options.report.quiet);
+    report["frame"] = frameReportJson(frame);
+    text += frameReportText(frame);
+  }
+  std::fputs(options.report.json ? (report.dump(2) + "\n").c_str() : text.c_str(), stdout);
+  // Without --frame nothing is drawn or captured here; with it, what that took is in the report.
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
+}
+
+}  // namespace
+
+Subcommand addInfoCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("info", "Say what is in a scene, and what would be skipped");
+  const auto options = std::make_shared<InfoOptions>();
+  command
+      ->add_option("SCENE", options->scenePath,
+                   "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+      ->required();
+  command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
+      ->type_name("FIELD=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--frame", options->frame, "Draw a frame and say what it did and what it left out");
+  command->add_option("--camera", options->camera, "Of that frame: a camera of the scene");
+  command->add_option("--size", options->size, "Of that frame: pixels")->type_name("WxH")->capture_default_str();
+  addReportOptions(*command, options->report, "Print the same as JSON");
+  command->footer("Example:\n  boxprobe info data/scenes/building.boxprobe.json");
+  return {command, [options] { runInfo(*options); }};
+}
+
+}  // namespace boxprobe

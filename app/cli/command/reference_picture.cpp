@@ -1,0 +1,190 @@
+// See reference_picture.h.
+#include "app/cli/command/reference_picture.h"
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "app/session/box_picture.h"
+#include "app/session/display_check.h"
+#include "app/session/interrupt.h"
+#include "app/session/load_scene.h"
+#include "app/session/messages.h"
+#include "app/session/offscreen_window.h"
+#include "app/session/progress_line.h"
+#include "app/session/scene_work.h"
+#include "app/session/vtk_messages.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/reference/light/reference_scene.h"
+#include "filters/vtk/gl/cpu_time.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr const char* kBox = "reference-box";
+constexpr const char* kScene = "reference-scene";
+
+ReferencePicture traceScene(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
+                            const ReferenceProgress& progress) {
+  std::shared_ptr<const ImageRgbaF> skyImage;
+  if (const auto* image = std::get_if<SkyImage>(&loaded.scene.sky)) {
+    skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file));
+  }
+  const FrameSize size = parseFrameSize(options.size);
+  ReferenceSettings settings;
+  settings.width = size.width;
+  settings.height = size.height;
+  settings.samplesPerPixel = options.samples;
+  settings.raysPerPixel = options.rays;
+  settings.full = options.full;
+  return ReferenceScene(loaded.scene, loaded.models, skyImage).render(camera, settings, progress);
+}
+
+/// The chain a probe of this filter holds is blurred already.
+ReferenceBoxMaps readMaps(SceneRenderer& renderer, const Scene& scene, bool quiet) {
+  for (const Probe& probe : scene.probes) {
+    if (probe.filter == FilterKind::Gaussian && !quiet) {
+      printWarnings({"probes." + probe.name +
+                     ".filter: gaussian blurs what was captured, and reference-box integrates "
+                     "over that; for the lobe alone set it to ggx"});
+    }
+  }
+  return boxMaps(renderer, scene);
+}
+
+ReferencePicture boxPicture(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
+                            const InterruptGuard& interrupt, const ReferenceProgress& progress) {
+  const FrameSize size = parseFrameSize(options.size);
+  requireDisplay("boxprobe render");
+  installVtkMessages(options.report.quiet, false);
+  const vtkSmartPointer<vtkOpenGLRenderWindow> window = makeOffscreenWindow(size.width, size.height, 1);
+  SceneRenderer renderer(window);
+  renderer.useBakedFiles(BakeFolder::besideScene(options.scenePath));
+  renderer.setModels(loaded.models);
+  renderer.sync(loaded.scene, Changes::all());
+  renderer.applyCamera(camera);
+  captureProbes(renderer, interrupt, options.report.quiet);
+  requireHealthy(renderer);
+  interrupt.check();
+  ReferencePicture picture = integrateBox(renderer, readMaps(renderer, loaded.scene, options.report.quiet),
+                                          {size.width, size.height, options.samples, options.rays}, progress);
+  requireHealthy(renderer);
+  renderer.releaseGraphics();
+  return picture;
+}
+
+void savePicture(const std::string& path, const ReferencePicture& picture, bool linear, double exposure) {
+  if (linear) {
+    std::vector<ExtraChannel> errors;
+    for (const std::size_t c : {0u, 1u, 2u}) {
+      ExtraChannel channel{std::string("standardError.") + "RGB" [c], {}};
+      for (std::size_t i = c; i < picture.standardError.pixels.size(); i += 4) {
+        channel.values.push_back(picture.standardError.pixels[i]);
+      }
+      errors.push_back(std::move(channel));
+    }
+    saveExr(path, picture.color, errors);
+    return;
+  }
+  ImageRgba8 display{picture.color.width, picture.color.height, {}, {}};
+  for (std::size_t i = 0; i < picture.color.pixels.size(); ++i) {
+    const double shown = std::clamp(exposure * picture.color.pixels[i], 0.0, 1.0);
+    display.pixels.push_back(i % 4 == 3 ? 255
+                                        : static_cast<std::uint8_t>(std::lround(255.0 * std::pow(shown, 1.0 / 2.2))));
+  }
+  savePng(path, display);
+}
+
+struct ErrorSummary {
+  double rootMeanSquare = 0.0, largest = 0.0;
+};
+
+ErrorSummary summary(const ReferencePicture& picture) {
+  ErrorSummary result;
+  const std::vector<float>& errors = picture.standardError.pixels;
+  for (const float e : errors) {
+    result.rootMeanSquare += static_cast<double>(e) * e;
+    result.largest = std::max(result.largest, static_cast<double>(e));
+  }
+  result.rootMeanSquare = std::sqrt(result.rootMeanSquare / std::max(0.75 * static_cast<double>(errors.size()), 1.0));
+  return result;
+}
+
+std::string referenceJson(const RenderOptions& options, const ErrorSummary& error, double cpuSeconds) {
+  const nlohmann::ordered_json json = {{"reference",
+                                        {{"technique", options.technique},
+                                         {"raysPerPixel", options.rays},
+                                         {"samplesPerPixel", options.samples},
+                                         {"full", options.full},
+                                         {"standardErrorRms", error.rootMeanSquare},
+                                         {"standardErrorMax", error.largest}}},
+                                       {"times", {{"referenceCpuSeconds", cpuSeconds}}}};
+  return json.dump(2) + "\n";
+}
+
+void refuse(const std::string& option, const RenderOptions& options) {
+  throw InputError(option + " is not for --technique " + options.technique + ": leave one of them out");
+}
+
+}  // namespace
+
+bool isReference(const std::string& technique) {
+  return technique == kBox || technique == kScene;
+}
+
+void refuseReferenceOptions(const RenderOptions& options) {
+  const std::string advice = " is for --technique reference-scene or reference-box alone";
+  if (options.full) throw InputError("--full" + advice);
+  if (options.rays != kDefaultReferenceRays) throw InputError("--rays " + std::to_string(options.rays) + advice);
+}
+
+void renderReference(const RenderOptions& options, bool linear) {
+  if (!options.view.empty()) refuse("--view " + options.view, options);
+  if (options.frames > 0) refuse("--frames " + std::to_string(options.frames), options);
+  if (options.probes != "on") refuse("--probes " + options.probes, options);
+  const bool box = options.technique == kBox;
+  if (box && options.full) refuse("--full", options);
+
+  const InterruptGuard interrupt;
+  const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
+  const Camera camera = chooseCamera(loaded.scene, options.camera);
+  if (!options.report.quiet) printWarnings(loaded.warnings);
+  interrupt.check();
+
+  const double start = processCpuSeconds();
+  const ReferencePicture picture = [&] {
+    ProgressLine line(options.technique, !options.report.quiet);  // wiped before anything else is printed
+    const auto progress = [&](double done) {
+      line.show(done);
+      return !interrupt.interrupted();
+    };
+    return box ? boxPicture(loaded, camera, options, interrupt, progress)
+               : traceScene(loaded, camera, options, progress);
+  }();
+  if (!picture.complete) {
+    const std::string partial = options.outputPath + ".partial";
+    savePicture(partial, picture, linear, loaded.scene.exposure);
+    throw WorkError("interrupted: what there was of the picture is in " + partial);
+  }
+  savePicture(options.outputPath, picture, linear, loaded.scene.exposure);
+  const ErrorSummary error = summary(picture);
+  const std::string json = referenceJson(options, error, processCpuSeconds() - start);
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, json);
+  if (options.report.json) {
+    std::fputs(json.c_str(), stdout);
+  } else if (!options.report.quiet) {
+    std::printf("%s: %d x %d, camera %s, %s, %d rays a pixel, standard error %.2g (root mean square), %.2g at most\n",
+                options.outputPath.c_str(), picture.color.width, picture.color.height, camera.name.c_str(),
+                options.technique.c_str(), options.rays, error.rootMeanSquare, error.largest);
+  }
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,116 @@
+#include "app/cli/options/bench_options.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+#include "filters/core/base/errors.h"
+
+namespace boxprobe {
+
+namespace {
+
+std::vector<double> parsedRoughnesses(const std::string& list) {
+  std::vector<double> values;
+  std::istringstream stream(list);
+  for (std::string word; std::getline(stream, word, ',');) {
+    double value = 0.0;
+    char rest = 0;
+    if (std::sscanf(word.c_str(), "%lf%c", &value, &rest) != 1 || !(value >= 0.0 && value <= 1.0)) {
+      throw InputError("--roughness " + list + ": expected numbers from 0 to 1 with commas between, as in 0.1,0.5");
+    }
+    if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+std::vector<Camera> chosenCameras(const BenchOptions& options, const Scene& scene) {
+  std::vector<Camera> cameras;
+  std::istringstream stream(options.cameras);
+  for (std::string name; std::getline(stream, name, ',');) cameras.push_back(chooseCamera(scene, name));
+  if (!cameras.empty()) return cameras;
+  const Camera first = chooseCamera(scene, "");
+  cameras.push_back(first);
+  for (const Camera& camera : scene.cameras) {
+    if (!options.quick && !(camera == first)) cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+}  // namespace
+
+void addBenchOptions(CLI::App& command, BenchOptions& options) {
+  command.add_option("SCENE", options.scenePath,
+                     "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp); without: the "
+                     "scene made for it");
+  command.add_option("-o,--output", options.folder, "Folder for bench.json, bench.csv, report.md and the pictures")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command.add_flag("--quick", options.quick,
+                   "One camera, three roughnesses, small pictures, few frames: under a minute");
+  command
+      .add_option("--techniques", options.techniques,
+                  "Only these, commas between: ids, or one setting of one as in raytraced:samples=16:filtered=true "
+                  "(box and hdrp are always measured)")
+      ->type_name("LIST");
+  command
+      .add_option("--roughness", options.roughnesses, "Of every reflecting material (default 0,0.1,0.25,0.5,0.75,1)")
+      ->type_name("LIST");
+  command.add_option("--camera", options.cameras, "Only these cameras; frames are timed through the first")
+      ->type_name("NAMES");
+  command.add_option("--size", options.size, "Pixels of the pictures that errors are measured in (default 200x112)")
+      ->type_name("WxH");
+  command.add_option("--rooms", options.rooms, "Random rooms beside the scene (default 192, with --quick 8; 0: none)")
+      ->check(CLI::Range(0, 1000));
+  command.add_option("--seed", options.seed, "Of the references' rays")->capture_default_str();
+  command.add_option("--set", options.assignments, "Change a field of the scene first (repeatable)")
+      ->type_name("FIELD=VALUE")
+      ->allow_extra_args(false);
+  addReportOptions(command, options.report, "Print bench.json");
+  command.footer(
+      "Every technique, at every roughness, through every camera, against two references: the integral over the\n"
+      "probe's box, and the ray-traced scene. Takes some minutes; Ctrl-C keeps what there is as bench.json.partial.\n"
+      "Examples:\n"
+      "  boxprobe bench -o out/bench\n"
+      "  boxprobe bench data/scenes/building.boxprobe.json -o out/building --techniques box,hdrp,footprint4 --quick");
+}
+
+FrameSize timedFrameSize(const BenchOptions& options) {
+  return options.quick ? FrameSize{320, 180} : FrameSize{640, 360};
+}
+
+BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
+  BenchPlan plan;
+  plan.techniques = chooseBenchTechniques(options.techniques);
+  plan.cameras = chosenCameras(options, scene);
+  plan.roughnesses = options.roughnesses.empty()
+                         ? parsedRoughnesses(options.quick ? "0.1,0.5,1" : "0,0.1,0.25,0.5,0.75,1")
+                         : parsedRoughnesses(options.roughnesses);
+  if (plan.roughnesses.empty()) throw InputError("--roughness: no number in it");
+  const FrameSize size = !options.size.empty() ? parseFrameSize(options.size)
+                         : options.quick       ? FrameSize{160, 90}
+                                               : FrameSize{200, 112};
+  plan.width = size.width;
+  plan.height = size.height;
+  plan.seed = options.seed;
+  plan.boxTruth.seed = stirred(options.seed);
+  // Few large passes: points that are spread evenly gain by being many.
+  plan.boxTruth.raysPerPass = options.quick ? 128 : 256;
+  plan.boxTruth.standardError = options.quick ? 0.002 : 0.0012;
+  plan.boxTruth.leastPasses = 3;
+  plan.boxTruth.mostPasses = 16;
+  plan.sceneTruth = plan.boxTruth;
+  plan.sceneTruth.seed = stirred(plan.boxTruth.seed);
+  plan.sceneTruth.raysPerPass = options.quick ? 48 : 64;
+  plan.sceneTruth.standardError = 1.5 * plan.boxTruth.standardError;
+  plan.sceneTruth.mostPasses = 12;
+  plan.lookupPixels = options.quick ? 8 : 16;
+  plan.mostPairs = options.quick ? 3 : 9;
+  plan.pairSeconds = options.quick ? 0.1 : 0.6;
+  plan.study.rooms = options.rooms.value_or(options.quick ? 8 : 192);
+  if (options.quick) plan.study.faceSize = 64, plan.study.rays = 1024;
+  return plan;
+}
+
+}  // namespace boxprobe

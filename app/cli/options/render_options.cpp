@@ -1,0 +1,133 @@
+// See render_options.h.
+#include "app/cli/options/render_options.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "filters/core/base/errors.h"
+#include "filters/math/technique/technique_table.h"
+
+namespace boxprobe {
+
+namespace {
+
+std::string surfaceViewIdList() {
+  std::string list;
+  for (const SurfaceViewRow& row : surfaceViews()) list += (list.empty() ? "" : ", ") + std::string(row.id);
+  return list;
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("SCENE", options.scenePath,
+                  "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+      ->required();
+  command.add_option("-o,--output", options.outputPath, "Picture: .png (display colours) or .exr (linear, float RGBA)")
+      ->type_name("FILE")
+      ->required();
+  command.add_option("--size", options.size, "Width and height in pixels (default 1280x720)")->type_name("WxH");
+  command.add_option("--camera", options.camera, "Camera of the scene (default: main, else the first)")
+      ->type_name("NAME");
+  command
+      .add_option("--technique", options.technique,
+                  "Technique of every probe (default: as in the scene): " + techniqueIdList() +
+                      "; or a reference: reference-box (the lobe integrated over what the probe holds, at exact box "
+                      "hits), reference-scene (ray traced, one bounce; needs no display)")
+      ->type_name("ID");
+  command.add_option("--samples", options.samples, "Samples a pixel: 1, 4 or 16 (default 4)")
+      ->check(CLI::IsMember({1, 4, 16}).description(""))
+      ->type_name("N");
+  command.add_option("--rays", options.rays, "Reflection rays a pixel of a reference (default 256)")
+      ->check(CLI::Range(1, 65536).description(""))
+      ->type_name("N");
+  command.add_flag("--full", options.full, "reference-scene: reflections show what the probes do not see, too");
+  command.add_option("--probes", options.probes, "off: no reflections of probes or sky, VTK's plain program")
+      ->check(CLI::IsMember({"on", "off"}).description(""))
+      ->type_name("on|off");
+  command
+      .add_option(
+          "--frames", options.frames,
+          "Of an animated technique: the mean of N frames. Of any other: draw N more. --stats holds their CPU times")
+      ->check(CLI::Range(0, 100000).description(""))
+      ->type_name("N");
+  command
+      .add_option(
+          "--view", options.view,
+          "Colour the surfaces by (PNG: with its scale; EXR: the numbers, -1 where undefined), or all: a sheet of "
+          "every view side by side: " +
+              surfaceViewIdList())
+      ->type_name("ID");
+  command.add_option("--range", options.range, "Numbers at the ends of the scale of --view (default: by the scene)")
+      ->type_name("LOW,HIGH");
+  command.add_option("--set", options.assignments, "Change a field of the scene: probes.NAME.FIELD=VALUE (repeatable)")
+      ->type_name("FIELD=VALUE")
+      ->allow_extra_args(false);
+  addReportOptions(command, options.report, "Print what --stats writes");
+  command.footer(
+      "Examples:\n"
+      "  boxprobe render data/scenes/building.boxprobe.json -o building.png --size 1920x1080\n"
+      "  boxprobe render data/scenes/room.boxprobe.json -o room.exr --technique infinite --set "
+      "materials.floor.roughness=0.25\n"
+      "  boxprobe render data/scenes/room.boxprobe.json -o truth.exr --technique reference-scene --rays 1024");
+}
+
+FrameSize parseFrameSize(const std::string& text) {
+  constexpr int most = 16384;
+  FrameSize size;
+  char rest = 0;
+  const bool digitsOnly = text.find_first_not_of("0123456789x") == std::string::npos;
+  if (!digitsOnly || std::sscanf(text.c_str(), "%5dx%5d%c", &size.width, &size.height, &rest) != 2 || size.width < 1 ||
+      size.height < 1 || size.width > most || size.height > most) {
+    throw InputError("--size " + text + ": expected WIDTHxHEIGHT in pixels, each from 1 to 16384, as in 1280x720");
+  }
+  return size;
+}
+
+SurfaceViewSettings parseView(const std::string& id, const std::string& range) {
+  SurfaceViewSettings settings;
+  if (!id.empty() && id != kAllViews) {
+    const std::optional<int> view = findSurfaceView(id);
+    if (!view) throw InputError("--view " + id + ": no such view; there are: all, " + surfaceViewIdList());
+    settings.view = *view;
+  }
+  if (range.empty()) return settings;
+  const SurfaceViewRow& row = surfaceViews()[static_cast<std::size_t>(settings.view)];
+  if (row.kind != ViewKind::Scalar) {
+    throw InputError("--range " + range + ": only a view of a number has a scale; choose one with --view");
+  }
+  double low = 0.0, high = 0.0;
+  int used = 0;
+  const bool two = std::sscanf(range.c_str(), "%lf,%lf%n", &low, &high, &used) == 2;
+  if (!two || static_cast<std::size_t>(used) != range.size() || !std::isfinite(low) || !std::isfinite(high) ||
+      low >= high) {
+    throw InputError("--range " + range + ": expected two numbers, the lower first, as in 0,8");
+  }
+  settings.low = low;
+  settings.high = high;
+  return settings;
+}
+
+Camera chooseCamera(const Scene& scene, const std::string& name) {
+  const std::string wanted = name.empty() ? "main" : name;
+  std::string names;
+  for (const Camera& camera : scene.cameras) {
+    if (camera.name == wanted) return camera;
+    names += (names.empty() ? "" : ", ") + camera.name;
+  }
+  if (!name.empty()) {
+    throw InputError("--camera " + name +
+                     ": no camera of that name; the scene has: " + (names.empty() ? "none" : names));
+  }
+  return scene.cameras.empty() ? Camera{} : scene.cameras.front();
+}
+
+void chooseTechnique(Scene& scene, const std::string& id) {
+  if (id.empty()) return;
+  if (!parseTechnique(id))
+    throw InputError("--technique " + id + ": no such technique; there are: " + techniqueIdList());
+  for (Probe& probe : scene.probes) probe.technique = id;
+}
+
+}  // namespace boxprobe

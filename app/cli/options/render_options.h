@@ -1,0 +1,57 @@
+// The command line of `render` as values, checked as far as that goes without reading a file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/options/subcommand.h"
+#include "filters/core/scene/scene.h"
+#include "filters/core/scene/surface_view.h"
+
+namespace boxprobe {
+
+struct FrameSize {
+  int width = 1280;
+  int height = 720;
+};
+
+/// Reflection rays a pixel of a reference, over all of its samples.
+inline constexpr int kDefaultReferenceRays = 256;
+
+struct RenderOptions {
+  std::string scenePath;
+  std::string outputPath;
+  std::string size = "1280x720";
+  std::string camera;     ///< empty: "main", else the first
+  std::string technique;  ///< empty: as in the scene
+  int samples = 4;
+  std::string probes = "on";
+  int frames = 0;
+  int rays = kDefaultReferenceRays;  ///< of a reference: reflection rays a pixel
+  bool full = false;                 ///< of reference-scene: reflection rays see what the picture shows
+  std::string view;                  ///< id of a row of surfaceViews(); empty: the picture
+  std::string range;                 ///< LOW,HIGH; empty: the view's own
+  std::vector<std::string> assignments;
+  ReportOptions report;
+};
+
+/// Adds the options of `render` to `command`, with their help.
+void addRenderOptions(CLI::App& command, RenderOptions& options);
+
+/// "1280x720": two whole numbers from 1 to 16384. Throws InputError.
+FrameSize parseFrameSize(const std::string& text);
+
+/// What --view takes for a sheet of all rows.
+inline constexpr const char* kAllViews = "all";
+
+/// A row of the debug view's table and its range. Throws InputError listing the ids there are.
+SurfaceViewSettings parseView(const std::string& id, const std::string& range);
+
+/// The camera of that name; without a name "main", else the first, else the default camera. Throws InputError listing
+/// the names there are.
+Camera chooseCamera(const Scene& scene, const std::string& name);
+
+/// Gives every probe this technique; an empty id leaves them alone. Throws InputError listing the ids there are.
+void chooseTechnique(Scene& scene, const std::string& id);
+
+}  // namespace boxprobe

@@ -1,0 +1,144 @@
+// See frame_info.h.
+#include "app/cli/report/frame_info.h"
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/cli/options/render_options.h"
+#include "app/session/display_check.h"
+#include "app/session/interrupt.h"
+#include "app/session/offscreen_window.h"
+#include "app/session/scene_work.h"
+#include "app/session/vtk_messages.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kListed = 40;  // lines of a kind, for people
+
+std::string number(const char* format, double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string objectLine(const FrameReport::Object& object) {
+  std::string line = "  " + object.node;
+  if (!object.drawn) return line + ": not drawn";
+  if (object.unlit) return line + ": unlit";
+  line += ":";
+  for (const FrameReport::Share& share : object.probes) {
+    line += " " + share.probe + number(" %.0f %%,", 100.0 * share.weight);
+  }
+  return line + number(" sky %.0f %%", 100.0 * object.sky);
+}
+
+}  // namespace
+
+FrameReport drawnFrameReport(const LoadedScene& loaded, const std::string& scenePath, const std::string& camera,
+                             const std::string& size, bool quiet) {
+  const FrameSize frame = parseFrameSize(size);
+  const Camera view = chooseCamera(loaded.scene, camera);
+  const InterruptGuard interrupt;
+  requireDisplay("boxprobe info --frame");
+  installVtkMessages(quiet, false);
+  const auto window = makeOffscreenWindow(frame.width, frame.height, 1);
+  SceneRenderer renderer(window);
+  renderer.useBakedFiles(BakeFolder::besideScene(scenePath));
+  renderer.setModels(loaded.models);
+  renderer.sync(loaded.scene, Changes::all());
+  renderer.applyCamera(view);
+  captureProbes(renderer, interrupt, quiet);
+  window->Render();
+  requireHealthy(renderer);
+  FrameReport report = renderer.frameReport();
+  report.lookups = renderer.measureLookups(frame.width, frame.height);
+  requireHealthy(renderer);
+  renderer.releaseGraphics();
+  return report;
+}
+
+Json frameReportJson(const FrameReport& report) {
+  Json json;
+  json["drawsByProbeCount"] = report.drawsByProbeCount;
+  json["variants"] = report.variants;
+  if (report.lookups) {
+    json["lookupsPerPixelMean"] = report.lookups->mean;
+    json["lookupsPerPixelMax"] = report.lookups->most;
+  }
+  json["memoryBytes"] = report.bytes;
+  json["mirrorBytes"] = report.mirrorBytes;
+  json["skipped"] = skippedLines(report);
+  json["mirrors"] = Json::array();
+  for (const FrameReport::MirrorUse& mirror : report.mirrors) {
+    json["mirrors"].push_back({{"name", mirror.node},
+                               {"drawn", mirror.drawn},
+                               {"why", mirror.why},
+                               {"width", mirror.width},
+                               {"height", mirror.height},
+                               {"objects", mirror.objects},
+                               {"hiding", mirror.hiding}});
+  }
+  json["leftOut"] = leftOutLines(report);
+  json["objects"] = Json::array();
+  for (const FrameReport::Object& object : report.objects) {
+    Json shares = Json::object();
+    for (const FrameReport::Share& share : object.probes) shares[share.probe] = share.weight;
+    json["objects"].push_back({{"name", object.node},
+                               {"material", object.material},
+                               {"drawn", object.drawn},
+                               {"probes", shares},
+                               {"sky", object.sky},
+                               {"leftOut", object.leftOut}});
+  }
+  json["probes"] = Json::array();
+  for (const FrameReport::ProbeUse& probe : report.probes) {
+    json["probes"].push_back(
+        {{"name", probe.name}, {"objects", probe.objects}, {"drawn", probe.drawn}, {"memoryBytes", probe.bytes}});
+  }
+  return json;
+}
+
+std::string frameReportText(const FrameReport& report) {
+  std::string text = "frame\n  draws with 0, 1, 2, 3, 4 probes:";
+  for (const std::size_t draws : report.drawsByProbeCount) text += " " + std::to_string(draws);
+  text += "\n  kinds of program: " + std::to_string(report.variants) + "\n";
+  if (report.lookups) {
+    text += "  lookups a pixel:" + number(" mean %.3f,", report.lookups->mean) +
+            number(" at most %.0f\n", report.lookups->most);
+  }
+  text += "  maps: " + number("%.1f MiB\n", static_cast<double>(report.bytes) / 1048576.0);
+  const std::vector<std::string> mirrors = mirrorLines(report);
+  if (!mirrors.empty()) text += "planar mirrors\n";
+  for (const std::string& line : mirrors) text += "  " + line + "\n";
+  text += "left out of the frame\n";
+  for (const std::string& line : skippedLines(report)) text += "  " + line + "\n";
+  for (const std::string& line : leftOutLines(report)) text += "  " + line + "\n";
+  text += "probes of the drawn objects, as shares of their bounds\n";
+  std::size_t listed = 0;
+  for (const FrameReport::Object& object : report.objects) {
+    if (object.drawn && ++listed <= kListed) text += objectLine(object) + "\n";
+  }
+  if (listed > kListed) text += "  and " + std::to_string(listed - kListed) + " more; --json has them\n";
+  text += "memory by probe\n";
+  std::vector<FrameReport::ProbeUse> held;
+  for (const FrameReport::ProbeUse& probe : report.probes) {
+    if (probe.bytes > 0) held.push_back(probe);
+  }
+  std::stable_sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.bytes > b.bytes; });
+  for (std::size_t i = 0; i < held.size() && i < kListed; ++i) {
+    text += "  " + held[i].name + ": " + number("%.2f MiB", static_cast<double>(held[i].bytes) / 1048576.0) +
+            ", lights " + std::to_string(held[i].objects) + " objects, " + std::to_string(held[i].drawn) +
+            " of them drawn\n";
+  }
+  return text;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,19 @@
+// `info --frame`: one frame of a scene is drawn, and what that took is told. Needs a display.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/session/load_scene.h"
+#include "filters/vtk/frame/frame_report.h"
+
+namespace boxprobe {
+
+/// Captures what the view of `camera` needs, draws it and reports.
+FrameReport drawnFrameReport(const LoadedScene& loaded, const std::string& scenePath, const std::string& camera,
+                             const std::string& size, bool quiet);
+
+nlohmann::ordered_json frameReportJson(const FrameReport& report);
+std::string frameReportText(const FrameReport& report);
+
+}  // namespace boxprobe

@@ -1,0 +1,96 @@
+// See report_text.h.
+#include "app/cli/report/report_text.h"
+
+#include <cstdio>
+
+namespace boxprobe {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string vector3(const Json& v) {
+  return "(" + number(v[0].get<double>()) + ", " + number(v[1].get<double>()) + ", " + number(v[2].get<double>()) + ")";
+}
+
+std::string box(const Json& b) {
+  return vector3(b["min"]) + " to " + vector3(b["max"]);
+}
+
+std::string mebibytes(const Json& bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f MiB", bytes.get<double>() / (1024.0 * 1024.0));
+  return text;
+}
+
+std::string word(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string modelLine(const Json& m) {
+  std::string materials;
+  for (const Json& name : m["materials"]) materials += (materials.empty() ? "" : ", ") + word(name);
+  return word(m["file"]) + ": " + word(m["meshes"]) + " meshes, " + word(m["triangles"]) + " triangles (" +
+         mebibytes(m["arrayBytes"]) + "), " + word(m["textures"]) + " textures (" + mebibytes(m["textureBytes"]) +
+         ")\n    materials: " + (materials.empty() ? "none" : materials);
+}
+
+std::string objectLine(const Json& o) {
+  std::string line = word(o["name"]);
+  if (!o["visible"].get<bool>()) line += ", not visible";
+  if (!o["seenByProbes"].get<bool>()) line += ", not seen by probes";
+  if (o["dynamic"].get<bool>()) line += ", dynamic";
+  if (o["probeMode"] != "blend+sky") line += ", probes: " + word(o["probeMode"]);
+  if (o["weights"] != "pixel") line += ", weights by " + word(o["weights"]);
+  return line;
+}
+
+std::string probeLine(const Json& p) {
+  std::string line = word(p["name"]) + ": technique " + word(p["technique"]) +
+                     (p["projection"].get<bool>() ? "" : " (projection off)") + ", " + word(p["faceSize"]) +
+                     " texels a face, " + word(p["bounces"]) + " bounce" + (p["bounces"] == 1 ? "" : "s") + ", " +
+                     mebibytes(p["textureBytes"]) + "\n    origin " + vector3(p["origin"]) + ", box " + box(p["box"]);
+  if (p["influence"] != p["box"]) line += "\n    influence " + box(p["influence"]);
+  return line;
+}
+
+std::string skyLine(const Json& sky) {
+  if (sky["kind"] == "color") return "colour " + vector3(sky["color"]);
+  if (sky["kind"] == "image") return word(sky["file"]) + ", " + word(sky["width"]) + " x " + word(sky["height"]);
+  return "top " + vector3(sky["top"]) + ", horizon " + vector3(sky["horizon"]) + ", ground " + vector3(sky["ground"]);
+}
+
+std::string cameraLine(const Json& c) {
+  return word(c["name"]) + ": at " + vector3(c["position"]) + ", towards " + vector3(c["target"]) + ", " +
+         number(c["verticalFovDegrees"].get<double>()) + " degrees high";
+}
+
+std::string lightLine(const Json& l) {
+  const bool directional = l["type"] == "directional";
+  return word(l["type"]) + (directional ? ", direction " + vector3(l["direction"]) : ", at " + vector3(l["position"])) +
+         ", colour " + vector3(l["color"]) + ", intensity " + number(l["intensity"].get<double>());
+}
+
+template <class Line>
+std::string section(const std::string& title, const Json& things, Line line) {
+  std::string text = title + " (" + std::to_string(things.size()) + ")\n";
+  for (const Json& thing : things) text += "  " + line(thing) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string sceneReportText(const Json& report) {
+  return section("models", report["models"], modelLine) + section("objects", report["objects"], objectLine) +
+         section("probes", report["probes"], probeLine) + "sky\n  " + skyLine(report["sky"]) + "\n" +
+         section("cameras", report["cameras"], cameraLine) + section("lights", report["lights"], lightLine) +
+         section("skipped or not used", report["warnings"], word);
+}
+
+}  // namespace boxprobe

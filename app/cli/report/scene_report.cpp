@@ -1,0 +1,193 @@
+// See scene_report.h.
+#include "app/cli/report/scene_report.h"
+
+#include <set>
+#include <string_view>
+#include <variant>
+
+#include "filters/io/image/image_file.h"
+#include "filters/vtk/capture/prefilter.h"
+
+namespace boxprobe {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Vector>
+Json vector3(const Vector& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+Json boxReport(const Box& box) {
+  return {{"min", vector3(box.min)}, {"max", vector3(box.max)}};
+}
+
+/// RGBA8 with its mip chain, a third more than level 0.
+std::size_t textureBytes(const ImageRgba8& image) {
+  const std::size_t level0 = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
+  return level0 + level0 / 3;
+}
+
+/// What a model's vertices and triangles take in memory.
+std::size_t arrayBytes(const Model& model) {
+  std::size_t bytes = 0;
+  const auto add = [&bytes](const auto& values) { bytes += values.size() * sizeof(values[0]); };
+  for (const Mesh& mesh : model.meshes) {
+    add(mesh.positions);
+    add(mesh.normals);
+    add(mesh.tangents);
+    add(mesh.uv);
+    add(mesh.uv1);
+    add(mesh.colors);
+    add(mesh.indices);
+  }
+  return bytes;
+}
+
+Json modelReport(const ModelFile& file, const Model& model) {
+  std::set<const ImageRgba8*> images;
+  std::size_t bytes = 0;
+  for (const Material& m : model.materials) {
+    for (const TextureUse* use : m.textures()) {
+      if (use->image && images.insert(use->image.get()).second) bytes += textureBytes(*use->image);
+    }
+  }
+  Json names = Json::array();
+  for (const Material& material : model.materials) names.push_back(material.name);
+  return {{"file", file.file},
+          {"meshes", model.meshes.size()},
+          {"triangles", model.triangleCount()},
+          {"materials", names},
+          {"textures", images.size()},
+          {"textureBytes", bytes},
+          {"arrayBytes", arrayBytes(model)}};
+}
+
+/// What one probe holds on the graphics side once captured: the prefiltered chain (RGBA16F) and distances (R32F).
+std::size_t probeTextureBytes(int faceSize) {
+  const auto texels = [](int size) { return 6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size); };
+  std::size_t bytes = 4 * texels(faceSize);
+  for (int level = 0; level < prefilterLevels(faceSize); ++level) bytes += 8 * texels(faceSize >> level);
+  return bytes;
+}
+
+std::string_view probeModeId(ProbeUsage mode) {
+  switch (mode) {
+    case ProbeUsage::Off:
+      return "off";
+    case ProbeUsage::Simple:
+      return "simple";
+    case ProbeUsage::Blend:
+      return "blend";
+    case ProbeUsage::BlendAndSky:
+      return "blend+sky";
+  }
+  return "";
+}
+
+/// Every node of the models once, with what the scene overrides.
+Json objectsReport(const LoadedScene& loaded) {
+  Json objects = Json::array();
+  std::set<std::string> seen;
+  for (const auto& model : loaded.models) {
+    for (const Instance& instance : model->instances) {
+      if (!seen.insert(instance.node).second) continue;
+      const auto found = loaded.scene.objects.find(instance.node);
+      const ObjectOverride object = found == loaded.scene.objects.end() ? ObjectOverride{} : found->second;
+      objects.push_back({{"name", instance.node},
+                         {"overridden", found != loaded.scene.objects.end()},
+                         {"visible", object.visible},
+                         {"seenByProbes", object.seenByProbes},
+                         {"dynamic", object.dynamic},
+                         {"probeMode", probeModeId(object.probeUsage)},
+                         {"weights", object.weights == WeightMode::Pixel ? "pixel" : "object"}});
+    }
+  }
+  return objects;
+}
+
+Json probeReport(const Probe& probe) {
+  return {{"name", probe.name},
+          {"origin", vector3(probe.origin)},
+          {"box", boxReport(probe.box)},
+          {"influence", boxReport(probe.influenceBox())},
+          {"rotationDegrees", vector3(probe.rotationDegrees)},
+          {"technique", probe.technique},
+          {"projection", probe.projection},
+          {"faceSize", probe.faceSize},
+          {"bounces", probe.bounces},
+          {"textureBytes", probeTextureBytes(probe.faceSize)}};
+}
+
+Json skyReport(const Sky& sky) {
+  if (const auto* color = std::get_if<SkyColor>(&sky)) return {{"kind", "color"}, {"color", vector3(color->color)}};
+  if (const auto* image = std::get_if<SkyImage>(&sky)) {
+    std::size_t notFinite = 0;
+    const ImageRgbaF pixels = loadHdrImage(image->file, &notFinite);  // one that cannot be read is found out here, too
+    return {{"kind", "image"},
+            {"file", image->file},
+            {"width", pixels.width},
+            {"height", pixels.height},
+            {"texelsNotFinite", notFinite}};
+  }
+  const SkyGradient& gradient = std::get<SkyGradient>(sky);
+  return {{"kind", "gradient"},
+          {"top", vector3(gradient.top)},
+          {"horizon", vector3(gradient.horizon)},
+          {"ground", vector3(gradient.ground)}};
+}
+
+Json cameraReport(const Camera& camera) {
+  Json report = {{"name", camera.name},
+                 {"position", vector3(camera.position)},
+                 {"target", vector3(camera.target)},
+                 {"verticalFovDegrees", camera.verticalFovDegrees}};
+  if (camera.parallelHeight > 0.0) report["parallelHeight"] = camera.parallelHeight;
+  return report;
+}
+
+Json lightReport(const Light& light) {
+  const bool directional = light.type == LightType::Directional;
+  const char* const types[] = {"directional", "point", "spot"};
+  Json report = {{"type", types[static_cast<int>(light.type)]},
+                 {directional ? "direction" : "position", vector3(directional ? light.direction : light.position)},
+                 {"color", vector3(light.color)},
+                 {"intensity", light.intensity}};
+  if (light.type == LightType::Spot) {
+    report["direction"] = vector3(light.direction);
+    report["innerConeDegrees"] = light.innerConeDegrees;
+    report["outerConeDegrees"] = light.outerConeDegrees;
+  }
+  if (light.shadows != LightShadows::None) {
+    report["shadows"] = light.shadows == LightShadows::Coverage ? "coverage" : "coverage+map";
+    report[directional ? "angleDegrees" : "radius"] = directional ? light.angleDegrees : light.radius;
+  }
+  return report;
+}
+
+}  // namespace
+
+Json sceneReport(const LoadedScene& loaded) {
+  const Scene& scene = loaded.scene;
+  Json report;
+  report["path"] = loaded.path;
+  for (const char* key : {"models", "objects", "probes", "cameras", "lights"}) report[key] = Json::array();
+  for (std::size_t i = 0; i < scene.models.size(); ++i) {
+    report["models"].push_back(modelReport(scene.models[i], *loaded.models[i]));
+  }
+  report["objects"] = objectsReport(loaded);
+  for (const Probe& probe : scene.probes) report["probes"].push_back(probeReport(probe));
+  report["sky"] = skyReport(scene.sky);
+  if (scene.skyRotationDegrees != 0.0) report["sky"]["rotationDegrees"] = scene.skyRotationDegrees;
+  for (const Camera& camera : scene.cameras) report["cameras"].push_back(cameraReport(camera));
+  for (const Light& light : scene.lights) report["lights"].push_back(lightReport(light));
+  report["warnings"] = loaded.warnings;
+  if (report["sky"].value("texelsNotFinite", 0) > 0) {
+    report["warnings"].push_back("sky.image: " + std::to_string(report["sky"]["texelsNotFinite"].get<std::size_t>()) +
+                                 " texels are NaN or infinite and count as 0");
+  }
+  return report;
+}
+
+}  // namespace boxprobe

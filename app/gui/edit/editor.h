@@ -1,0 +1,57 @@
+// The way of the window's edits into the Document: previews of one control are committed before another control edits,
+// so that nothing half done is lost or ends up under a wrong label; errors become one line for the status bar. Every
+// view edits through here; it knows no view.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <optional>
+
+#include "filters/core/scene/document.h"
+
+namespace boxprobe {
+
+class Editor : public QObject {
+  Q_OBJECT
+
+ public:
+  using ProbeEdit = std::function<void(Probe&)>;
+
+  explicit Editor(Document& document, QObject* parent = nullptr);
+
+  const Document& document() const { return document_; }
+  const Scene& scene() const { return document_.scene(); }
+  /// The selected probe as shown now, or null.
+  const Probe* probe() const;
+
+  /// Shows `edit` without an undo step. The same `label` goes on with the preview under way; another one commits that
+  /// first.
+  void preview(const QString& label, const Document::Edit& edit);
+  void commit(const QString& label, const Document::Edit& edit);
+  /// The same for the selected probe; nothing without one.
+  void previewProbe(const QString& label, const ProbeEdit& edit);
+  void commitProbe(const QString& label, const ProbeEdit& edit);
+  /// Commits the preview under way, if any.
+  void finish();
+  void cancel();
+
+  void undo();
+  void redo();
+  void selectProbe(std::optional<std::size_t> index);
+
+ signals:
+  /// An edit was committed, cancelled, undone or redone. The document does not tell its observers when what a preview
+  /// shows becomes a step, for the scene stays as it is shown; the undo stack and the end of the preview are told here.
+  void settled();
+  void failed(const QString& line);
+
+ private:
+  template <typename Work>
+  void guarded(const Work& work);
+
+  Document& document_;
+  QString pendingLabel_;  ///< of the preview under way
+};
+
+}  // namespace boxprobe

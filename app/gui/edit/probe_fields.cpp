@@ -1,0 +1,51 @@
+// See probe_fields.h.
+#include "app/gui/edit/probe_fields.h"
+
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QSignalBlocker>
+
+#include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/quiet_combo.h"
+
+namespace boxprobe {
+
+QString probeEditLabel(const Editor& editor, const QString& what) {
+  const Probe* probe = editor.probe();
+  return probe ? Editor::tr("Set %1 of %2").arg(what, QString::fromStdString(probe->name)) : QString();
+}
+
+ValueField* addProbeNumber(Editor& editor, QFormLayout* form, const QString& label, const ValueField::Format& format,
+                           const QString& toolTip, const std::function<void(Probe&, double value)>& edit) {
+  auto* field = new ValueField(format, form->parentWidget());
+  addRow(form, label, field, toolTip);
+  const QString what = label.toLower();
+  QObject::connect(field, &ValueField::previewed, field, [&editor, what, edit](double value) {
+    editor.previewProbe(probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
+  });
+  QObject::connect(field, &ValueField::committed, field, [&editor, what, edit](double value) {
+    editor.commitProbe(probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
+  });
+  return field;
+}
+
+QComboBox* addProbeChoice(QFormLayout* form, const QString& label, const QVector<ProbeChoice>& choices,
+                          const QString& toolTip, const std::function<void(int value)>& chosen) {
+  auto* combo = new QuietCombo(form->parentWidget());
+  for (const ProbeChoice& choice : choices) {
+    combo->addItem(choice.text, choice.value);
+    if (!choice.toolTip.isEmpty()) combo->setItemData(combo->count() - 1, choice.toolTip, Qt::ToolTipRole);
+  }
+  addRow(form, label, combo, toolTip);
+  QObject::connect(combo, QOverload<int>::of(&QComboBox::activated), combo,
+                   [combo, chosen] { chosen(combo->currentData().toInt()); });
+  return combo;
+}
+
+void showChoice(QComboBox* combo, int value, const QString& pattern) {
+  const QSignalBlocker quiet(combo);
+  if (combo->findData(value) < 0) combo->addItem(pattern.arg(value), value);
+  combo->setCurrentIndex(combo->findData(value));
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,34 @@
+// Fields that edit the selected probe, ready connected to the editor: a number, a choice. Called by the panels.
+#pragma once
+
+#include <QString>
+#include <QVariant>
+#include <QVector>
+#include <functional>
+
+#include "app/gui/edit/editor.h"
+#include "app/gui/widgets/value_field.h"
+
+class QComboBox;
+class QFormLayout;
+
+namespace boxprobe {
+
+/// "Set near of room": the undo step of a field.
+QString probeEditLabel(const Editor& editor, const QString& what);
+
+ValueField* addProbeNumber(Editor& editor, QFormLayout* form, const QString& label, const ValueField::Format& format,
+                           const QString& toolTip, const std::function<void(Probe&, double value)>& edit);
+
+struct ProbeChoice {
+  QString text;
+  int value;  ///< item data
+  QString toolTip = {};
+};
+/// A combo box whose choice calls `chosen` with the item's value.
+QComboBox* addProbeChoice(QFormLayout* form, const QString& label, const QVector<ProbeChoice>& choices,
+                          const QString& toolTip, const std::function<void(int value)>& chosen);
+/// Shows a value of the document; one that is not among the choices joins them as `pattern` says ("%1").
+void showChoice(QComboBox* combo, int value, const QString& pattern = "%1");
+
+}  // namespace boxprobe

@@ -1,0 +1,131 @@
+// See explain_card.h.
+#include "app/gui/explain/explain_card.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTextBrowser>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "app/gui/explain/explanation_html.h"
+#include "app/gui/explain/footprint_view.h"
+#include "app/session/explanation_json.h"
+#include "filters/explain/explanation_text.h"
+
+namespace boxprobe {
+
+namespace {
+
+QToolButton* button(const QString& text, const QString& toolTip, QWidget* parent) {
+  auto* made = new QToolButton(parent);
+  made->setText(text);
+  made->setToolTip(toolTip);
+  return made;
+}
+
+}  // namespace
+
+ExplainCard::ExplainCard(MapsOf mapsOf, QWidget* parent)
+    : QWidget(parent),
+      mapsOf_(std::move(mapsOf)),
+      state_(new QLabel(this)),
+      follow_(button(tr("Follow the pointer"), tr("Unpins the card (Esc)"), this)),
+      copyText_(button(tr("Copy text"), tr("The whole calculation as text, to the clipboard"), this)),
+      copyJson_(button(tr("Copy JSON"), tr("As `boxprobe explain --json` prints it, to the clipboard"), this)),
+      text_(new QTextBrowser(this)),
+      footprint_(new FootprintView(this)) {
+  setObjectName("explainCard");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  auto* row = new QHBoxLayout;
+  row->addWidget(state_, 1);
+  for (QToolButton* each : {follow_, copyText_, copyJson_}) row->addWidget(each);
+  layout->addLayout(row);
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  splitter->addWidget(text_);
+  splitter->addWidget(footprint_);
+  splitter->setStretchFactor(0, 1);
+  splitter->setCollapsible(0, false);
+  splitter->setSizes({420, 260});
+  layout->addWidget(splitter, 1);
+  text_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  text_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // its coming and going would lay the text out twice
+  text_->setOpenLinks(false);
+  connect(follow_, &QToolButton::clicked, this, &ExplainCard::unpinRequested);
+  connect(copyText_, &QToolButton::clicked, this, &ExplainCard::copyText);
+  connect(copyJson_, &QToolButton::clicked, this, &ExplainCard::copyJson);
+  setPinned(false);
+  showHint({});
+}
+
+void ExplainCard::show(const Explanation& explanation, double exposure) {
+  explanation_ = explanation;
+  exposure_ = exposure;
+  stale_ = true;
+  if (isVisible()) fill();
+}
+
+void ExplainCard::showHint(const QString& hint) {
+  explanation_.reset();
+  stale_ = false;
+  footprint_->hide();
+  text_->setHtml("<p>" + hint.toHtmlEscaped() + "</p>");
+  copyText_->setEnabled(false);
+  copyJson_->setEnabled(false);
+}
+
+void ExplainCard::setPinned(bool pinned) {
+  state_->setText(pinned ? tr("Pinned") : tr("Under the pointer"));
+  follow_->setVisible(pinned);
+}
+
+ExplanationDetail ExplainCard::detail() const {
+  ExplanationDetail detail;
+  detail.texelValue = [this](const ProbeExplanation& probe, const TexelShare& t) -> std::optional<glm::vec3> {
+    const auto maps = mapsOf_(probe.name);
+    if (!maps || t.level >= maps->radiance.levels()) return std::nullopt;
+    return glm::vec3(maps->radiance.texel(t.level, t.face, t.column, t.row));
+  };
+  return detail;
+}
+
+void ExplainCard::fill() {
+  stale_ = false;
+  const Explanation& e = *explanation_;
+  // Who reads further down keeps his place while the numbers change.
+  const int scrolled = text_->verticalScrollBar()->value();
+  text_->setHtml(explanationHtml(e, detail(), exposure_));
+  text_->verticalScrollBar()->setValue(scrolled);
+  footprint_->setVisible(e.dominant >= 0);
+  if (e.dominant >= 0) {
+    const ProbeExplanation& probe = e.probes[static_cast<std::size_t>(e.dominant)];
+    footprint_->show(probe, mapsOf_(probe.name), exposure_);
+  }
+  copyText_->setEnabled(true);
+  copyJson_->setEnabled(true);
+}
+
+void ExplainCard::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (stale_) fill();
+}
+
+void ExplainCard::copyText() const {
+  if (explanation_)
+    QApplication::clipboard()->setText(QString::fromStdString(explanationText(*explanation_, detail())));
+}
+
+void ExplainCard::copyJson() const {
+  if (explanation_) QApplication::clipboard()->setText(QString::fromStdString(explanationJson(*explanation_)));
+}
+
+QString ExplainCard::text() const {
+  return text_->toPlainText();
+}
+
+}  // namespace boxprobe

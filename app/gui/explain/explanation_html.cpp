@@ -1,0 +1,129 @@
+// See explanation_html.h.
+#include "app/gui/explain/explanation_html.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace boxprobe {
+
+namespace {
+
+constexpr const char* kDim = "#aab0b9";
+constexpr const char* kAccent = "#ffb31a";
+constexpr const char* kDeciding = "#4a3a12";
+constexpr int kColumns = 5;  ///< symbol, three numbers, swatch
+
+QString plain(const std::string& text) {
+  return QString::fromStdString(text).toHtmlEscaped();
+}
+
+QString numberHtml(const std::string& number) {
+  return plain(number).replace('-', QString::fromUtf8("\u2212"));
+}
+
+QString cell(const QString& content, const QString& attributes = {}) {
+  return "<td " + attributes + ">" + content + "</td>";
+}
+
+QString swatchCell(const ExplanationRow& row, double exposure) {
+  if (!row.color) return cell({});
+  return cell("&nbsp;", "width=\"26\" bgcolor=\"" + displayColor(*row.color, exposure).name() + "\"");
+}
+
+QString small(const QString& html) {
+  return QString("<span style=\"color:%1; font-size:small\">%2</span>").arg(kDim, html);
+}
+
+QString rowHtml(const ExplanationRow& row, double exposure) {
+  const QString background = row.marked ? QString(" bgcolor=\"%1\"").arg(kDeciding) : QString();
+  QString html = "<tr" + background + ">";
+  QString symbol = row.detail ? small(plain(row.symbol)) : symbolHtml(row.symbol);
+  if (row.sum) symbol = "<b>" + symbol + "</b>";
+  html += cell(symbol, row.detail ? "align=\"right\"" : "");
+  const QString meaning =
+      small(formulaHtml(row.meaning) + (row.marked ? QString(" <b style=\"color:%1\">smallest</b>").arg(kAccent) : ""));
+  // One number leaves room for what it means beside it; three have it below.
+  if (row.numbers.size() < 3) {
+    if (row.numbers.empty()) {
+      html += cell(meaning, "colspan=\"3\"") + swatchCell(row, exposure);
+    } else {
+      html += cell(numberHtml(row.numbers[0]), "align=\"right\"") + cell(meaning, "colspan=\"3\"");
+    }
+    return html + "</tr>";
+  }
+  for (const std::string& number : row.numbers) {
+    const QString text = row.detail ? small(numberHtml(number)) : numberHtml(number);
+    html += cell(row.sum ? "<b>" + text + "</b>" : text, "align=\"right\"");
+  }
+  html += swatchCell(row, exposure) + "</tr>";
+  if (!row.meaning.empty()) {
+    html += "<tr>" + cell(small("&emsp;&emsp;&emsp;") + meaning, QString("colspan=\"%1\"").arg(kColumns)) + "</tr>";
+  }
+  return html;
+}
+
+QString noteHtml(const std::string& note) {
+  return QString(
+             "<table width=\"100%\" cellpadding=\"6\" cellspacing=\"0\"><tr><td bgcolor=\"#5a4312\">"
+             "<b style=\"color:%1\">!</b>&nbsp; %2</td></tr></table>")
+      .arg(kAccent, plain(note));
+}
+
+}  // namespace
+
+QColor displayColor(const glm::vec3& linear, double exposure) {
+  const auto channel = [exposure](float value) {
+    const double shown = std::pow(std::max(exposure * static_cast<double>(value), 0.0), 1.0 / 2.2);
+    return static_cast<int>(std::lround(255.0 * std::clamp(shown, 0.0, 1.0)));
+  };
+  return {channel(linear.x), channel(linear.y), channel(linear.z)};
+}
+
+QString symbolHtml(const std::string& symbol) {
+  QString text = QString::fromStdString(symbol);
+  // A word is a name, a letter is a symbol.
+  const int underscore = text.indexOf('_');
+  const QString letter = underscore < 0 ? text : text.left(underscore);
+  const bool word = letter.size() > 1 && letter.contains(QRegularExpression("^[a-z0-9 ]+$"));
+  QString html = letter.toHtmlEscaped();
+  html.replace("N.V", QString::fromUtf8("N\u00b7V")).replace("E/pi", QString::fromUtf8("E/\u03c0"));
+  html.replace(" - ", QString::fromUtf8(" \u2212 "));
+  if (!word) html = "<span style=\"font-family:serif; font-style:italic\">" + html + "</span>";
+  if (underscore >= 0) html += "<sub>" + text.mid(underscore + 1).toHtmlEscaped() + "</sub>";
+  return html;
+}
+
+QString formulaHtml(const std::string& text) {
+  QString html = plain(text);
+  html.replace(" - ", QString::fromUtf8(" \u2212 "));
+  html.replace("(-", QString::fromUtf8("(\u2212")).replace("/ -", QString::fromUtf8("/ \u2212"));
+  html.replace("^2", "<sup>2</sup>");
+  for (const char* name : {"t_x", "t_y", "t_z", "F_0", "F_90"}) html.replace(name, symbolHtml(name));
+  html.replace("alpha", QString::fromUtf8("<i>\u03b1</i>"));
+  return html;
+}
+
+QString explanationHtml(const Explanation& e, const ExplanationDetail& detail, double exposure) {
+  const std::vector<ExplanationSection> sections = explanationSections(e, detail);
+  // One table for all: numbers of all sections stand under each other.
+  QStringList parts = {"<table width=\"100%\" cellpadding=\"1\" cellspacing=\"0\">"};
+  const auto wide = [](const QString& content) {
+    return QString("<tr><td colspan=\"%1\">%2</td></tr>").arg(kColumns).arg(content);
+  };
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    parts += wide(QString("<p style=\"margin-top:7px; margin-bottom:2px\"><b style=\"color:%1\">%2</b></p>")
+                      .arg(kAccent, plain(sections[i].title)));
+    if (i == 0) {
+      for (const std::string& note : e.notes) parts += wide(noteHtml(note));
+    }
+    for (const ExplanationRow& row : sections[i].rows) parts += rowHtml(row, exposure);
+  }
+  parts += "</table><p>" +
+           small("Lengths in scene units, directions without, colours linear; swatches as the picture shows them.") +
+           "</p>";
+  return parts.join(QString());
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,25 @@
+// The lines of an explained pixel, typeset: what the card shows. Rich text as QTextDocument understands it. Called by
+// the explain card; the content comes from filters/explain/explanation_sections.h, nothing is said here that is not
+// there.
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <glm/vec3.hpp>
+
+#include "filters/explain/explanation_sections.h"
+
+namespace boxprobe {
+
+/// As the picture shows it: exposure, then gamma 2.2.
+QColor displayColor(const glm::vec3& linear, double exposure);
+
+/// "t_x" as an italic letter with its subscript, "N.V" with a centred dot.
+QString symbolHtml(const std::string& symbol);
+/// A formula within a line: symbols, subscripts, wide minus signs.
+QString formulaHtml(const std::string& text);
+
+/// Notes first, in a box of their own.
+QString explanationHtml(const Explanation& e, const ExplanationDetail& detail, double exposure);
+
+}  // namespace boxprobe

@@ -1,0 +1,69 @@
+// See schematic_inset.h.
+#include "app/gui/explain/schematic_inset.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <algorithm>
+
+#include "app/gui/explain/schematic_painter.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kMargin = 10;
+/// Of the picture's width, within what is legible and what is needed; logical pixels.
+constexpr double kShareOfWidth = 0.6;
+constexpr int kSmallestWidth = 380, kLargestWidth = 680;
+constexpr double kLargestShareOfHeight = 0.45;
+
+}  // namespace
+
+SchematicInset::SchematicInset(QWidget* parent) : QWidget(parent) {
+  setObjectName("schematic");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  parent->installEventFilter(this);
+  hide();
+}
+
+void SchematicInset::show(const Explanation& explanation, const QPointF& position) {
+  if (!shown_) return;
+  position_ = position;
+  schematic_ = schematic(explanation);
+  setVisible(schematic_.has_value());
+  place();
+  update();
+}
+
+void SchematicInset::clear() {
+  schematic_.reset();
+  hide();
+}
+
+void SchematicInset::setShown(bool shown) {
+  shown_ = shown;
+  if (!shown) clear();
+}
+
+void SchematicInset::place() {
+  const QSize room = parentWidget()->size();
+  const int wanted = std::clamp(static_cast<int>(kShareOfWidth * room.width()), kSmallestWidth, kLargestWidth);
+  const int width = std::min(wanted, room.width() - 2 * kMargin);
+  const int height = std::min(width / 2, static_cast<int>(kLargestShareOfHeight * room.height()));
+  QRect place(room.width() - width - kMargin, room.height() - height - kMargin, width, height);
+  if (place.adjusted(-kMargin, -kMargin, kMargin, kMargin).contains(position_.toPoint())) place.moveTop(kMargin);
+  setGeometry(place);
+}
+
+void SchematicInset::paintEvent(QPaintEvent*) {
+  if (!schematic_) return;
+  QPainter painter(this);
+  paintSchematic(painter, QRectF(rect()), *schematic_);
+}
+
+bool SchematicInset::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parentWidget() && event->type() == QEvent::Resize) place();
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,61 @@
+// The wire boxes of the probes in a vtkRenderer: the selected probe's box and, dashed, the box inside which it has its
+// full weight; the other probes' boxes thin. Called by the probe widget; knows no mouse.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <QColor>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "filters/core/scene/scene.h"
+
+class vtkActor;
+class vtkCamera;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace boxprobe {
+
+struct LineLook {
+  QColor color;
+  double widthPixels = 1.0;
+  double opacity = 1.0;
+  bool halo = true;  ///< a wider dark line behind it, so that it is read before light and dark
+};
+
+/// A set of world-space segments.
+class HaloLines {
+ public:
+  HaloLines(vtkRenderer* renderer, const LineLook& look);
+  void setSegments(const std::vector<glm::dvec3>& endpointPairsWorld);
+  void setVisible(bool visible);
+  /// Draws everything `factor` times as far from `eyeWorld`: the same on the screen, but nearer in depth.
+  void pullTowards(const glm::dvec3& eyeWorld, double factor);
+
+ private:
+  void placeActors();
+
+  vtkSmartPointer<vtkPolyData> lines_;
+  vtkSmartPointer<vtkActor> core_, halo_;  ///< halo_ may be null
+  glm::dvec3 anchorWorld_{0.0};  ///< the points are relative to it, so that float keeps their precision far from 0
+  glm::dvec3 eyeWorld_{0.0};
+  double pull_ = 1.0;
+  bool empty_ = true;
+};
+
+class WireActors {
+ public:
+  /// `faint`: the lines where the scene hides them; another layer draws what it does not hide.
+  WireActors(vtkRenderer* renderer, bool faint);
+
+  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected);
+  void setVisible(bool visible);
+  void pullTowards(const glm::dvec3& eyeWorld, double factor);
+
+ private:
+  HaloLines idle_, influence_, blend_, box_;
+};
+
+}  // namespace boxprobe

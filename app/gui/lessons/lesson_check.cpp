@@ -1,0 +1,65 @@
+// See lesson_check.h.
+#include "app/gui/lessons/lesson_check.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "app/lessons/lesson_measure.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// A few times a second is as fast as a number can be read.
+constexpr int kApartMilliseconds = 250;
+/// A measurement that costs more would be felt in a drag.
+constexpr qint64 kCheapMilliseconds = 15;
+
+}  // namespace
+
+LessonCheck::LessonCheck(Hooks hooks, QObject* parent) : QObject(parent), hooks_(std::move(hooks)) {
+  timer_.setSingleShot(true);
+  connect(&timer_, &QTimer::timeout, this, &LessonCheck::measure);
+  sinceMeasure_.start();
+}
+
+void LessonCheck::setTask(std::optional<LessonTask> task) {
+  task_ = std::move(task);
+  result_.reset();
+  lastCost_ = kCheapMilliseconds + 1;  // unknown: not in a drag
+  timer_.stop();
+  invalidate();
+}
+
+void LessonCheck::invalidate() {
+  stale_ = true;
+  if (!task_ || timer_.isActive()) return;
+  timer_.start(static_cast<int>(std::max<qint64>(kApartMilliseconds - sinceMeasure_.elapsed(), 0)));
+}
+
+void LessonCheck::measure() {
+  // What ends the drag or the captures invalidates again.
+  if (!task_ || !hooks_.ready() || (hooks_.dragging() && lastCost_ > kCheapMilliseconds)) return;
+  QElapsedTimer clock;
+  clock.start();
+  try {
+    const LessonCondition& condition = task_->done;
+    Result result;
+    result.value = hooks_.measure(condition.measure);
+    const auto times = condition.times ? hooks_.measure(*condition.times) : std::optional<double>(1.0);
+    result.limit = conditionLimit(condition, times.value_or(0.0));
+    result.done = result.value && times && conditionHolds(condition, *result.value, *times);
+    result_ = result;
+    stale_ = false;
+  } catch (const std::exception& error) {
+    task_.reset();  // it would fail again at every change
+    emit failed(QString::fromUtf8(error.what()));
+    return;
+  }
+  lastCost_ = clock.elapsed();
+  sinceMeasure_.restart();
+  emit measured();
+}
+
+}  // namespace boxprobe

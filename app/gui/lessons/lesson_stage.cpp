@@ -1,0 +1,103 @@
+// See lesson_stage.h.
+#include "app/gui/lessons/lesson_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+#include "app/gui/explain/surface_view_panel.h"
+#include "app/gui/view/viewport.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// Lessons are made for pictures of this width by height, as sheets have them.
+constexpr double kLessonAspect = 16.0 / 10.0;
+
+/// Wide enough for all of the lesson's picture, which a window that is narrower would cut at both sides.
+Camera fittedTo(Camera camera, double aspect) {
+  const double grow = std::max(kLessonAspect / aspect, 1.0);
+  const double half = 0.5 * glm::radians(camera.verticalFovDegrees);
+  constexpr double kWidestDegrees = 150.0;
+  camera.verticalFovDegrees = std::min(glm::degrees(2.0 * std::atan(grow * std::tan(half))), kWidestDegrees);
+  camera.parallelHeight *= grow;
+  return camera;
+}
+
+double aspectOf(const Viewport& viewport) {
+  return static_cast<double>(std::max(viewport.width(), 1)) / std::max(viewport.height(), 1);
+}
+
+/// Names apart; where it stands goes through VTK and back without a change.
+bool sameView(const Camera& a, const Camera& b) {
+  return a.position == b.position && a.target == b.target && a.verticalFovDegrees == b.verticalFovDegrees &&
+         a.parallelHeight == b.parallelHeight;
+}
+
+}  // namespace
+
+LessonStage::LessonStage(SceneRenderer& renderer, Viewport& viewport, DebugView& debugView, ViewSwitches switches)
+    : renderer_(renderer), viewport_(viewport), debugView_(debugView), switches_(std::move(switches)) {}
+
+void LessonStage::enter() {
+  own_ = Settings{renderer_.currentCamera(), debugView_.surfacePanel()->settings(), switches_.reflections(),
+                  switches_.boxes(), debugView_.drawnRays()};
+}
+
+void LessonStage::setUp(const LessonStep& step, const Camera& camera) {
+  debugView_.unpin();
+  switches_.showReflections(step.reflections);
+  switches_.showBoxes(step.boxes);
+  debugView_.surfacePanel()->choose(findSurfaceView(step.view).value_or(0));
+  DebugView::Rays rays = own_ ? own_->rays : DebugView::Rays();
+  rays.clicks.clear();
+  rays.settings.maximumLength = debugView_.drawnRays().settings.maximumLength;  // it goes with the scene
+  debugView_.drawRays(rays);
+  camera_ = camera;
+  fitCamera();
+  pendingRays_ = step.rays;
+}
+
+void LessonStage::fitCamera() {
+  renderer_.applyCamera(fittedTo(camera_, aspectOf(viewport_)));
+  fitted_ = renderer_.currentCamera();
+  debugView_.cameraMoved();
+}
+
+void LessonStage::shapeChanged() {
+  if (fitted_ && sameView(*fitted_, renderer_.currentCamera())) fitCamera();
+}
+
+bool LessonStage::pictureDrawn() {
+  if (pendingRays_.empty()) return false;
+  std::vector<QPointF> positions;
+  // Shares of the lesson's picture, which is in the middle of the window's and as large as that has room for.
+  const double width = std::min<double>(viewport_.width(), viewport_.height() * kLessonAspect);
+  const double height = width / kLessonAspect;
+  for (const PicturePoint& point : pendingRays_) {
+    positions.emplace_back(0.5 * viewport_.width() + (point[0] - 0.5) * width,
+                           0.5 * viewport_.height() + (point[1] - 0.5) * height);
+  }
+  pendingRays_.clear();
+  debugView_.drawRaysAt(positions);
+  return true;
+}
+
+void LessonStage::leave() {
+  pendingRays_.clear();
+  fitted_.reset();
+  if (!own_) return;
+  debugView_.unpin();
+  switches_.showReflections(own_->reflections);
+  switches_.showBoxes(own_->boxes);
+  debugView_.surfacePanel()->show(own_->view);
+  debugView_.drawRays(own_->rays);
+  renderer_.applyCamera(own_->camera);
+  debugView_.cameraMoved();
+  own_.reset();
+}
+
+}  // namespace boxprobe

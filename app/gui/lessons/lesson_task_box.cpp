@@ -1,0 +1,114 @@
+// See lesson_task_box.h.
+#include "app/gui/lessons/lesson_task_box.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QStringList>
+#include <QVBoxLayout>
+
+#include "app/lessons/lesson_measure.h"
+#include "filters/core/scene/surface_view.h"
+
+namespace boxprobe {
+
+LessonTaskBox::LessonTaskBox(QWidget* parent)
+    : QFrame(parent),
+      ask_(new QLabel(this)),
+      value_(new QLabel(this)),
+      praise_(new QLabel(this)),
+      answer_(new QPushButton(tr("Show the answer"), this)) {
+  setObjectName("lessonTask");
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  for (QLabel* label : {ask_, value_, praise_}) {
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    layout->addWidget(label);
+  }
+  ask_->setStyleSheet("font-weight: bold");
+  value_->setObjectName("taskValue");
+  praise_->setObjectName("taskPraise");
+  praise_->setStyleSheet("color: #5fc87a");
+  answer_->setObjectName("taskAnswer");
+  answer_->setToolTip(tr("Does it for you, as an edit that can be undone"));
+  layout->addWidget(answer_, 0, Qt::AlignLeft);
+  connect(answer_, &QPushButton::clicked, this, &LessonTaskBox::answerRequested);
+}
+
+void LessonTaskBox::show(const LessonTask& task, bool solved) {
+  task_ = task;
+  solved_ = solved;
+  ask_->setText(QString::fromStdString(task.ask));
+  value_->setText(tr("Measuring..."));
+  praise_->setText(solved ? tr("You have done this.") : QString());
+  praise_->setVisible(solved);
+  answer_->setVisible(!task.solution.empty());
+}
+
+void LessonTaskBox::showResult(const LessonCheck::Result& result) {
+  const QString name = measureLabel(task_.done.measure);
+  const QString now =
+      result.value ? QString::fromStdString(measuredText(*result.value, task_.unit)) : tr("not defined here");
+  const QString limit = QString::fromStdString(measuredText(result.limit, task_.unit));
+  QString wanted;
+  switch (task_.done.comparison) {
+    case Comparison::Above:
+      wanted = tr("done above %1").arg(limit);
+      break;
+    case Comparison::Below:
+      wanted = tr("done below %1").arg(limit);
+      break;
+    case Comparison::Within:
+      wanted = tr("done at %1, give or take %2")
+                   .arg(limit, QString::fromStdString(measuredText(task_.done.tolerance, task_.unit)));
+      break;
+  }
+  value_->setText(tr("%1: %2 (%3)").arg(name, now, wanted));
+  solved_ = solved_ || result.done;
+  praise_->setVisible(solved_);
+  if (result.done) {
+    praise_->setText(tr("Done. %1").arg(QString::fromStdString(task_.praise)));
+  } else if (solved_) {
+    praise_->setText(tr("You have done this."));
+  }
+}
+
+void LessonTaskBox::showFailure(const QString& line) {
+  value_->setText(line);
+}
+
+QString measureLabel(const LessonMeasure& measure) {
+  switch (measure.kind) {
+    case MeasureKind::Error:
+      return LessonTaskBox::tr("Error of the picture");
+    case MeasureKind::Difference:
+      return LessonTaskBox::tr("Difference of the pictures");
+    case MeasureKind::Mean:
+      return LessonTaskBox::tr("Mean light");
+    case MeasureKind::Bend:
+      return LessonTaskBox::tr("Bend of the line");
+    case MeasureKind::Broken:
+      return LessonTaskBox::tr("Share of lookups that are no number");
+    case MeasureKind::View:
+      if (const auto row = findSurfaceView(measure.name)) {
+        const std::string_view label = surfaceViews()[static_cast<std::size_t>(*row)].label;
+        return QString::fromUtf8(label.data(), static_cast<int>(label.size()));
+      }
+      break;
+    case MeasureKind::Explain: {
+      // The last key of the pointer says what it is, an index alone does not.
+      const QStringList keys = QString::fromStdString(measure.name).split('/');
+      const bool index = !keys.last().isEmpty() && keys.last()[0].isDigit() && keys.size() > 1;
+      QString label = index ? keys[keys.size() - 2] + " " + keys.last() : keys.last();
+      if (!label.isEmpty()) label[0] = label[0].toUpper();
+      return label;
+    }
+    case MeasureKind::Counter:
+    case MeasureKind::Field:
+      break;
+  }
+  return QString::fromStdString(measure.name);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,113 @@
+// The lessons' parts put together: the panel, the visit to the lesson that is open, the stage that is set for its
+// steps, the check of its tasks. Called by the main window, which tells it what changed and was drawn.
+#pragma once
+
+#include <QObject>
+#include <QShortcut>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/gui/lessons/lesson_check.h"
+#include "app/gui/lessons/lesson_models.h"
+#include "app/gui/lessons/lesson_stage.h"
+#include "app/gui/lessons/lesson_visit.h"
+#include "app/gui/lessons/published_overlay.h"
+#include "app/gui/view/held_picture.h"
+#include "filters/io/scene/lesson_file.h"
+
+class QWidget;
+
+namespace boxprobe {
+
+class LessonPanel;
+
+class LessonView : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    QWidget* window;
+    Document& document;
+    Editor& editor;
+    SceneRenderer& renderer;
+    Viewport& viewport;
+    DebugView& debugView;
+    ViewSwitches switches;
+    std::function<void()> cancelDrag;
+    std::function<LessonModels::List()> shownModels;
+    std::function<void(const LessonModels::List&, const std::string& path)> showModels;
+  };
+
+  /// `folder`: where the lessons are.
+  LessonView(const Parts& parts, std::string folder, QObject* parent);
+  ~LessonView() override;
+
+  LessonPanel* panel() const { return panel_; }
+  /// Another folder of lessons, read when the list is shown next.
+  void setFolder(const std::string& folder);
+
+  void showList();
+  /// At the step, or where the learner left off. An unknown name is told by `failed`.
+  void open(const QString& name, std::optional<std::size_t> step = {});
+  bool lessonOpen() const { return visit_.lesson() != nullptr; }
+  void leave();
+  /// Another scene was opened over the lesson's.
+  void drop() { visit_.drop(); }
+  void next();
+  void back();
+
+  /// Name of the scene on show, for the title; empty: not a lesson's.
+  QString sceneName() const;
+  /// False for the file that the open lesson stands on.
+  bool mayWrite(const QString& path) const;
+  const LessonVisit& visit() const { return visit_; }
+  const LessonCheck& check() const { return check_; }
+  const PublishedOverlay& published() const { return published_; }
+
+  /// The scene changed, or an edit came to rest.
+  void documentChanged();
+  void pictureDrawn();
+  void workEnded();
+  void shapeChanged();
+  void cameraMoved() { published_.invalidate(); }
+
+ signals:
+  void shown();  ///< the panel has something to look at
+  void openChanged(bool open);
+  void pictureChanged();
+  void message(const QString& line);
+  void failed(const QString& line);
+
+ private:
+  void connectPanel();
+  void connectKeys();
+  void readLessons();
+  template <typename Work>
+  void guarded(const Work& work);
+  void stepShown();
+  void answered(bool right);
+  void measured();
+  void keepSolved(const QString& what);
+  void finish();
+  void showProgress();
+  void updateTry();
+  void updateKeys();
+  std::optional<double> measure(const LessonMeasure& measure);
+
+  Parts parts_;
+  std::string folder_;
+  LessonList list_;
+  bool read_ = false;
+  LessonPanel* panel_;
+  LessonModels models_;
+  LessonStage stage_;
+  HeldPicture held_;
+  PublishedOverlay published_;
+  LessonVisit visit_;
+  LessonCheck check_;
+  std::vector<QShortcut*> keys_;
+};
+
+}  // namespace boxprobe

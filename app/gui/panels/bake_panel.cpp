@@ -1,0 +1,180 @@
+// See bake_panel.h.
+#include "app/gui/panels/bake_panel.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <exception>
+
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/widgets/panel_layout.h"
+#include "filters/io/cube/bake_folder.h"
+
+namespace boxprobe {
+
+BakePanel::BakePanel(Editor& editor, SceneRenderer& renderer, RenderScheduler& scheduler, QWidget* parent)
+    : QWidget(parent),
+      editor_(editor),
+      renderer_(renderer),
+      scheduler_(scheduler),
+      mark_(new QLabel(this)),
+      state_(new QLabel(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  QFormLayout* form = addSection(this, tr("Bake"));
+  auto* line = new QWidget(this);
+  auto* row = new QHBoxLayout(line);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(mark_);
+  row->addWidget(state_, 1);
+  state_->setObjectName("bakeState");
+  state_->setWordWrap(true);
+  addRow(form, tr("State"), line, tr("How far the selected probe's cubemap is"));
+
+  auto* buttons = new QHBoxLayout;
+  bake_ = addButton(tr("Bake"), "bake", tr("Captures and filters the selected probe again"), &BakePanel::bakeSelected);
+  bakeAll_ = addButton(tr("Bake all"), "bakeAll", tr("Captures and filters every probe again"), &BakePanel::bakeAll);
+  stop_ =
+      addButton(tr("Stop"), "stopBake", tr("Leaves the rest until the scene changes again (Esc)"), &BakePanel::stop);
+  save_ = addButton(tr("Save files..."), "saveBaked",
+                    tr("Writes every baked probe as an OpenEXR file into a folder; beside the scene they are loaded "
+                       "with it in place of captures"),
+                    &BakePanel::saveBaked);
+  for (QToolButton* button : {bake_, bakeAll_, stop_, save_}) buttons->addWidget(button);
+  buttons->addStretch(1);
+  form->addRow(buttons);
+
+  connect(&scheduler_, &RenderScheduler::workProgressed, this, &BakePanel::update);
+  connect(&scheduler_, &RenderScheduler::workEnded, this, &BakePanel::update);
+}
+
+QToolButton* BakePanel::addButton(const QString& text, const char* name, const QString& toolTip,
+                                  void (BakePanel::*action)()) {
+  auto* button = new QToolButton(this);
+  button->setText(text);
+  button->setObjectName(name);
+  button->setToolTip(toolTip);
+  connect(button, &QToolButton::clicked, this, action);
+  return button;
+}
+
+void BakePanel::update() {
+  const auto selected = editor_.document().selectedProbe();
+  std::vector<BakeStateLook> looks;
+  for (const Probe& probe : editor_.scene().probes) {
+    looks.push_back(bakeStateLook(probe, renderer_.bakeState(probe.name), scheduler_.workStopped()));
+  }
+  const BakeStateLook look = selected ? looks[*selected] : BakeStateLook{tr("No probe selected"), QColor(), false};
+  if (state_->text() != look.text) {
+    state_->setText(look.text);
+    mark_->setPixmap(selected ? stateIcon(look).pixmap(16, 16) : QPixmap());
+  }
+  const bool busy = renderer_.workPending() && !scheduler_.workStopped();
+  bool baked = false;
+  for (const Probe& probe : editor_.scene().probes) baked |= probe.mode == ProbeMode::Baked;
+  bake_->setEnabled(selected.has_value());
+  bakeAll_->setEnabled(!looks.empty());
+  stop_->setEnabled(busy);
+  save_->setEnabled(baked && toSave_.empty());
+  if (looks != shown_) {
+    shown_ = looks;
+    emit statesChanged(shown_);
+  }
+  if (renderer_.pictureError() != pictureError_) {
+    pictureError_ = renderer_.pictureError();
+    if (!pictureError_.empty()) emit failed(QString::fromStdString(pictureError_));
+  }
+}
+
+void BakePanel::useFilesBeside(const std::string& scenePath) {
+  renderer_.useBakedFiles(scenePath.empty() ? std::string() : BakeFolder::besideScene(scenePath));
+}
+
+void BakePanel::bake(const std::vector<std::string>& names) {
+  editor_.finish();
+  renderer_.requestBake(names);
+  scheduler_.sceneChanged();
+  update();
+}
+
+void BakePanel::bakeSelected() {
+  if (const Probe* probe = editor_.probe()) bake({probe->name});
+}
+
+void BakePanel::bakeAll() {
+  std::vector<std::string> names;
+  for (const Probe& probe : editor_.scene().probes) names.push_back(probe.name);
+  bake(names);
+}
+
+void BakePanel::stop() {
+  scheduler_.stopWork();
+  update();
+}
+
+QString BakePanel::chooseFolder() {
+  const std::string& scene = editor_.document().path();
+  const QString start = scene.empty() ? QString() : QFileInfo(QString::fromStdString(scene)).absolutePath();
+  if (!scene.empty()) {
+    const QString beside = QString::fromStdString(BakeFolder::besideScene(scene));
+    QMessageBox box(QMessageBox::Question, tr("Save baked probes"),
+                    tr("Save the baked probes into %1, where the scene finds them again?").arg(beside),
+                    QMessageBox::Save | QMessageBox::Cancel, window());
+    const auto* other = box.addButton(tr("Another folder..."), QMessageBox::ActionRole);
+    box.setDefaultButton(QMessageBox::Save);
+    const int answer = box.exec();
+    if (box.clickedButton() != other) return answer == QMessageBox::Save ? beside : QString();
+  }
+  return QFileDialog::getExistingDirectory(window(), tr("Save baked probes into a folder"), start);
+}
+
+void BakePanel::saveBaked() {
+  editor_.finish();
+  if (!toSave_.empty()) return;
+  folder_ = chooseFolder();
+  if (folder_.isEmpty()) return;
+  saved_ = 0;
+  notFinished_.clear();
+  toSave_ = {std::string()};  // the sky, which completes the set
+  for (auto it = editor_.scene().probes.rbegin(); it != editor_.scene().probes.rend(); ++it) {
+    if (it->mode == ProbeMode::Baked) toSave_.push_back(it->name);
+  }
+  update();
+  saveNext();
+}
+
+void BakePanel::saveNext() {
+  try {
+    const std::string name = toSave_.back();
+    toSave_.pop_back();
+    const std::string path = renderer_.saveBaked(name, folder_.toStdString(), "Boxprobe " BOXPROBE_VERSION);
+    if (!path.empty()) ++saved_;
+    if (path.empty() && !name.empty()) notFinished_.push_back(QString::fromStdString(name));
+    if (!toSave_.empty()) {
+      emit message(tr("Saving baked probes: %1 to go").arg(toSave_.size()));
+      QTimer::singleShot(0, this, &BakePanel::saveNext);
+      return;
+    }
+    // What was written now need not be captured again after an undo.
+    useFilesBeside(editor_.document().path());
+    const QString done = tr("Wrote %1 files into %2").arg(saved_).arg(folder_);
+    if (notFinished_.isEmpty()) {
+      emit message(done);
+    } else {
+      emit failed(tr("%1; not finished, so not written: %2").arg(done, notFinished_.join(", ")));
+    }
+  } catch (const std::exception& error) {
+    toSave_.clear();
+    emit failed(QString::fromUtf8(error.what()));
+  }
+  update();
+}
+
+}  // namespace boxprobe

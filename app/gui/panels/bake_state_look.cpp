@@ -1,0 +1,63 @@
+// See bake_state_look.h.
+#include "app/gui/panels/bake_state_look.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QPainter>
+#include <QPixmap>
+
+namespace boxprobe {
+
+namespace {
+
+const QColor kGood(0x6c, 0xc2, 0x6c), kWaiting(0xff, 0xb3, 0x1a), kBusy(0x5a, 0xb0, 0xff), kUnused(0x85, 0x8a, 0x92);
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("BakeState", text);
+}
+
+QString goodText(const Probe& probe) {
+  if (probe.mode == ProbeMode::Realtime) return tr("Follows the scene");
+  if (probe.mode == ProbeMode::Custom) {
+    return tr("Custom image %1").arg(QFileInfo(QString::fromStdString(probe.image)).fileName());
+  }
+  return tr("Up to date");
+}
+
+}  // namespace
+
+BakeStateLook bakeStateLook(const Probe& probe, BakeState state, bool stopped) {
+  const bool custom = probe.mode == ProbeMode::Custom;
+  switch (state) {
+    case BakeState::NotUsed:
+      return {tr("Not used: no visible object is in its influence"), kUnused, false};
+    case BakeState::Stale:
+      if (stopped) return {tr("Stale: capturing was stopped"), kWaiting, false};
+      return {custom ? tr("Waits for its image") : tr("Stale: waits to be captured"), kWaiting, false};
+    case BakeState::Capturing:
+      if (probe.mode == ProbeMode::Realtime) return {tr("Follows the scene"), kBusy, true};
+      return {stopped  ? tr("Stale: capturing was stopped")
+              : custom ? tr("Filtering its image")
+                       : tr("Capturing"),
+              stopped ? kWaiting : kBusy, !stopped};
+    case BakeState::UpToDate:
+      return {goodText(probe), kGood, true};
+    case BakeState::FromFile:
+      return {tr("Loaded from disk, up to date"), kGood, true};
+  }
+  return {};
+}
+
+QIcon stateIcon(const BakeStateLook& look) {
+  constexpr int kSize = 16;
+  QPixmap pixmap(kSize, kSize);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(look.color, 2.0));
+  painter.setBrush(look.filled ? QBrush(look.color) : QBrush(Qt::NoBrush));
+  painter.drawEllipse(QRectF(4.0, 4.0, 8.0, 8.0));
+  return pixmap;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,72 @@
+// See blend_row.h.
+#include "app/gui/panels/blend_row.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <algorithm>
+
+#include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/value_field.h"
+#include "app/gui/widgets/vector_row.h"
+
+namespace boxprobe {
+
+namespace {
+
+const ValueField::Format kFormat{0.0, 1e7, 0.1, 3, " m"};
+
+BlendDistance everyFace(double distance) {
+  return {glm::dvec3(distance), glm::dvec3(distance)};
+}
+
+double largest(const BlendDistance& b) {
+  return std::max({b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z});
+}
+
+}  // namespace
+
+BlendRow::BlendRow(QWidget* parent) : QWidget(parent), all_(new ValueField(kFormat, this)), faces_(new QWidget(this)) {
+  auto* form = new QFormLayout(faces_);
+  form->setContentsMargins(0, 0, 0, 0);
+  const QString tip = tr("metres inside this face over which the probe's weight rises from 0 to 1");
+  min_ = new VectorRow(kFormat, tip, faces_);
+  max_ = new VectorRow(kFormat, tip, faces_);
+  form->addRow(tr("- faces"), min_);
+  form->addRow(tr("+ faces"), max_);
+
+  all_->setToolTip(
+      tr("Metres inside the influence box over which the probe's weight rises from 0 at its faces to 1 at the dashed "
+         "inner box. Sets all six faces."));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(all_, 1);
+  layout->addWidget(unfoldButton(faces_, tr("One distance for each of the six faces"), this));
+
+  connect(all_, &ValueField::previewed, this, [this](double value) { emit previewed(everyFace(value)); });
+  connect(all_, &ValueField::committed, this, [this](double value) { emit committed(everyFace(value)); });
+  const auto connectFaces = [this](VectorRow* row, glm::dvec3 BlendDistance::*side) {
+    const auto with = [this, side](int axis, double value) {
+      BlendDistance blend = shown_;
+      (blend.*side)[axis] = value;
+      return blend;
+    };
+    connect(row, &VectorRow::previewed, this,
+            [this, with](int axis, double value) { emit previewed(with(axis, value)); });
+    connect(row, &VectorRow::committed, this,
+            [this, with](int axis, double value) { emit committed(with(axis, value)); });
+  };
+  connectFaces(min_, &BlendDistance::min);
+  connectFaces(max_, &BlendDistance::max);
+}
+
+void BlendRow::show(const BlendDistance& blend) {
+  shown_ = blend;
+  const double most = largest(blend);
+  all_->setPrefix(blend == everyFace(most) ? QString() : tr("up to "));
+  all_->show(most);
+  min_->show(blend.min);
+  max_->show(blend.max);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,54 @@
+// How the selected probe is captured and filtered: mode, image, size, samples, bounces, depth range, background, hidden
+// objects. Every field of the scene file that makes a capture. Called by the main window; knows neither the picture nor
+// the work that an edit causes.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/gui/edit/editor.h"
+#include "filters/core/scene/model.h"
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QToolButton;
+
+namespace boxprobe {
+
+class HidesList;
+class ValueField;
+class VectorRow;
+
+class CapturePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CapturePanel(Editor& editor, QWidget* parent = nullptr);
+
+  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
+  /// The document changed.
+  void update();
+
+ private:
+  void buildMode(QFormLayout* form);
+  void buildSampling(QFormLayout* form);
+  void buildView(QFormLayout* form);
+  void chooseMode(int mode);
+  void chooseImage();
+  void showRow(QWidget* field, bool shown);
+
+  Editor& editor_;
+  QFormLayout* form_ = nullptr;
+  QComboBox *mode_ = nullptr, *layout_ = nullptr, *faceSize_ = nullptr, *samples_ = nullptr, *bounces_ = nullptr,
+            *filter_ = nullptr, *filterSamples_ = nullptr, *clear_ = nullptr;
+  QWidget* imageRow_ = nullptr;
+  QLabel* image_ = nullptr;
+  ValueField *near_ = nullptr, *far_ = nullptr;
+  VectorRow* clearColor_ = nullptr;
+  HidesList* hides_ = nullptr;
+};
+
+}  // namespace boxprobe

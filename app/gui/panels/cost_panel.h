@@ -1,0 +1,77 @@
+// What each technique costs and how wrong it is in the open scene: the chart that `boxprobe bench` draws, with the
+// selected probe's technique ringed, and the numbers behind it; a technique is chosen by double-clicking its row. The
+// measuring itself is a process of its own, so the window stays live and the times are not its times. Called by the
+// main window; measures nothing.
+#pragma once
+
+#include <QProcess>
+#include <QWidget>
+#include <string>
+#include <vector>
+
+#include "app/gui/edit/editor.h"
+#include "filters/core/picture/pareto_front.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTimer;
+class QTreeWidget;
+
+namespace boxprobe {
+
+class CostPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CostPanel(Editor& editor, QWidget* parent = nullptr);
+  ~CostPanel() override;
+
+  /// The document changed; another file: what an earlier benchmark left beside it is shown.
+  void update();
+  /// What measures: this program itself, unless a test says otherwise.
+  void setProgram(const QString& path) { program_ = path; }
+  /// Draws only while it can be seen.
+  void setWatched(bool watched);
+  bool measuring() const;
+
+  /// Where the results of a scene lie: `room.bench` beside `room.boxprobe.json`.
+  static std::string folderBeside(const std::string& scenePath);
+
+ signals:
+  void message(const QString& text);
+  void failed(const QString& line);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void useScene(const std::string& scenePath);
+  void measure(bool quick);
+  void readProgress();
+  void measured(int exitCode, QProcess::ExitStatus status);
+  void load();
+  void showCurrent(bool always);
+  void fillTable();
+  void drawChart();
+  std::string currentLabel() const;
+
+  Editor& editor_;
+  std::string scenePath_;
+  std::vector<ParetoPoint> points_;
+  std::string shownLabel_;
+  bool watched_ = false;
+  QByteArray output_;
+  QString program_;
+  QProcess process_;
+  QLabel* chart_;
+  QLabel* state_;
+  QTreeWidget* table_;
+  QProgressBar* progress_;
+  QPushButton* quick_;
+  QPushButton* full_;
+  QPushButton* stop_;
+  QTimer* redraw_;
+};
+
+}  // namespace boxprobe

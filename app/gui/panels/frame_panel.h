@@ -1,0 +1,59 @@
+// What a frame does and leaves out: draws by their number of probes, programs, lookups, which object uses which probes
+// with which weights, what each probe holds. Of the object selected here, which probes it may use. Called by the main
+// window after each picture; while it cannot be seen it asks for nothing.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+#include "app/gui/edit/editor.h"
+#include "filters/vtk/frame/frame_report.h"
+
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace boxprobe {
+
+class QuietCombo;
+
+class FramePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Hooks {
+    std::function<FrameReport()> report;
+    std::function<FrameReport::Lookups()> lookups;  ///< draws
+  };
+  FramePanel(Editor& editor, Hooks hooks, QWidget* parent = nullptr);
+
+  /// A picture was drawn.
+  void update();
+  void setWatched(bool watched);
+  void showHeatMap(bool shown);  ///< told from elsewhere
+
+ signals:
+  void heatMapSwitched(bool on);
+
+ private:
+  QTreeWidgetItem* section(const QString& title);
+  void fill(const FrameReport& report);
+  void countLookups();
+  void selectionChanged();
+  void showModes();
+  void changeObject(const QString& label, const std::function<void(ObjectOverride&)>& change);
+
+  Editor& editor_;
+  Hooks hooks_;
+  bool watched_ = false;
+  QLabel* summary_;
+  QTreeWidget* tree_;
+  QPushButton *count_, *heatMap_;
+  QWidget* objectPart_;
+  QLabel* objectName_;
+  QuietCombo *mode_, *weights_;
+  std::string object_;  ///< node of the selected one
+};
+
+}  // namespace boxprobe

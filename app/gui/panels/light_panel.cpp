@@ -1,0 +1,175 @@
+// See light_panel.h.
+#include "app/gui/panels/light_panel.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/edit/probe_fields.h"
+#include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/quiet_combo.h"
+#include "app/gui/widgets/value_field.h"
+#include "app/gui/widgets/vector_row.h"
+
+namespace boxprobe {
+
+LightPanel::LightPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  form_ = addSection(this, tr("Sky and lights"));
+  addSky(form_);
+  addPlace(form_);
+  addShadows(form_);
+  update();
+}
+
+void LightPanel::addSky(QFormLayout* form) {
+  turn_ = new ValueField({-360.0, 360.0, 5.0, 1, tr("°")}, this);
+  turn_->setObjectName("skyTurn");
+  const QString tip =
+      tr("Turns a sky of a picture about the vertical. Probes that clear to open follow without a capture");
+  turn_->setToolTip(tip);
+  addRow(form, tr("Sky turned by"), turn_, tip);
+  const auto turned = [](double value) { return [value](Scene& scene) { scene.skyRotationDegrees = value; }; };
+  connect(turn_, &ValueField::previewed, this,
+          [this, turned](double value) { editor_.preview(tr("Turn the sky"), turned(value)); });
+  connect(turn_, &ValueField::committed, this,
+          [this, turned](double value) { editor_.commit(tr("Turn the sky"), turned(value)); });
+}
+
+void LightPanel::addPlace(QFormLayout* form) {
+  lights_ = new QuietCombo(this);
+  lights_->setObjectName("light");
+  addRow(form, tr("Light"), lights_, tr("Light of the scene, in the order of its file"));
+  connect(lights_, QOverload<int>::of(&QComboBox::activated), this, &LightPanel::update);
+  place_ = new VectorRow({-1e6, 1e6, 0.05, 3, ""},
+                         tr("The way a directional light travels; where any other stands, metres"), this);
+  addRow(form, tr("Direction"), place_, tr("The way a directional light travels; where any other stands, metres"));
+  const auto moved = [](int axis, double value) {
+    return [axis, value](Light& light) {
+      glm::dvec3& v = light.type == LightType::Directional ? light.direction : light.position;
+      v[axis] = value;
+    };
+  };
+  connect(place_, &VectorRow::previewed, this,
+          [this, moved](int axis, double value) { edit(true, tr("place"), moved(axis, value)); });
+  connect(place_, &VectorRow::committed, this,
+          [this, moved](int axis, double value) { edit(false, tr("place"), moved(axis, value)); });
+  intensity_ = new ValueField({0.0, 1e6, 0.25, 3, ""}, this);
+  addRow(form, tr("Intensity"), intensity_, tr("Irradiance of a directional light, radiant intensity of any other"));
+  const auto brighter = [](double value) {
+    return [value](Light& light) { light.intensity = static_cast<float>(value); };
+  };
+  connect(intensity_, &ValueField::previewed, this,
+          [this, brighter](double value) { edit(true, tr("intensity"), brighter(value)); });
+  connect(intensity_, &ValueField::committed, this,
+          [this, brighter](double value) { edit(false, tr("intensity"), brighter(value)); });
+}
+
+ValueField* LightPanel::addNumber(QFormLayout* form, const QString& text, double most, double step, int decimals,
+                                  const QString& suffix, const QString& toolTip, double Light::*member) {
+  auto* field = new ValueField({0.0, most, step, decimals, suffix}, this);
+  field->setToolTip(toolTip);
+  addRow(form, text, field, toolTip);
+  connect(field, &ValueField::previewed, this,
+          [=](double value) { edit(true, text, [=](Light& light) { light.*member = value; }); });
+  connect(field, &ValueField::committed, this,
+          [=](double value) { edit(false, text, [=](Light& light) { light.*member = value; }); });
+  return field;
+}
+
+void LightPanel::addShadows(QFormLayout* form) {
+  shadows_ = addProbeChoice(form, tr("Shadows"),
+                            {{tr("None"), 0, tr("The light goes through walls")},
+                             {tr("By coverage"), 1, tr("Where the probe saw an opening the light comes in")},
+                             {tr("And of what moves"), 2, tr("And a shadow map of objects that move")}},
+                            tr("Of a light outside of a probe's box"), [this](int value) {
+                              edit(false, tr("shadows"),
+                                   [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
+                            });
+  shadows_->setObjectName("lightShadows");
+  angle_ = addNumber(form, tr("Angle"), 90.0, 0.25, 2, tr("°"),
+                     tr("Whole angle the light is seen under: the sun's is 0.53. Softens the shadows"),
+                     &Light::angleDegrees);
+  angle_->setObjectName("lightAngle");
+  radius_ = addNumber(form, tr("Radius"), 1e4, 0.05, 3, tr(" m"), tr("Of the light's sphere. Softens the shadows"),
+                      &Light::radius);
+  level_ = addProbeChoice(form, tr("Softness"),
+                          {{tr("By size"), 0, tr("The light's size, laid on the wall")},
+                           {tr("By distance"), 1, tr("Levels in proportion to the distance, as published")}},
+                          tr("What chooses the coverage's level"), [this](int value) {
+                            edit(false, tr("softness"),
+                                 [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
+                          });
+  perUnit_ = addNumber(form, tr("Levels a metre"), 100.0, 0.05, 3, "",
+                       tr("0: all levels over the longest distance in the probe's box"), &Light::levelsPerUnit);
+}
+
+void LightPanel::showRow(QWidget* field, bool shown) {
+  field->setVisible(shown);
+  if (QWidget* label = form_->labelForField(field)) label->setVisible(shown);
+}
+
+std::optional<std::size_t> LightPanel::index() const {
+  const int row = lights_->currentIndex();
+  const std::size_t count = editor_.scene().lights.size();
+  if (count == 0) return std::nullopt;
+  return row < 0 ? 0 : std::min(static_cast<std::size_t>(row), count - 1);
+}
+
+const Light* LightPanel::light() const {
+  const auto at = index();
+  return at ? &editor_.scene().lights[*at] : nullptr;
+}
+
+QString LightPanel::label(const QString& what) const {
+  return tr("Set %1 of light %2").arg(what.toLower()).arg(static_cast<int>(index().value_or(0)) + 1);
+}
+
+void LightPanel::edit(bool preview, const QString& what, const LightEdit& change) {
+  const auto at = index();
+  if (!at) return;
+  const Document::Edit whole = [at, change](Scene& scene) {
+    if (*at < scene.lights.size()) change(scene.lights[*at]);
+  };
+  preview ? editor_.preview(label(what), whole) : editor_.commit(label(what), whole);
+}
+
+void LightPanel::update() {
+  const Scene& scene = editor_.scene();
+  turn_->show(scene.skyRotationDegrees);
+  if (lights_->count() != static_cast<int>(scene.lights.size())) {
+    const QSignalBlocker quiet(lights_);
+    const int row = std::max(lights_->currentIndex(), 0);
+    lights_->clear();
+    const QString names[] = {tr("directional"), tr("point"), tr("spot")};
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+      lights_->addItem(tr("%1: %2").arg(static_cast<int>(i) + 1).arg(names[static_cast<int>(scene.lights[i].type)]));
+    }
+    lights_->setCurrentIndex(std::min(row, lights_->count() - 1));
+  }
+  const Light* of = light();
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{lights_, place_, intensity_, shadows_, angle_, radius_, level_, perUnit_})
+    field->setEnabled(of != nullptr);
+  if (of == nullptr) return;
+  const bool directional = of->type == LightType::Directional, shadowed = of->shadows != LightShadows::None;
+  if (auto* label = qobject_cast<QLabel*>(form_->labelForField(place_))) {
+    label->setText(directional ? tr("Direction") : tr("Position"));
+  }
+  place_->show(directional ? of->direction : of->position);
+  intensity_->show(static_cast<double>(of->intensity));
+  showChoice(shadows_, static_cast<int>(of->shadows));
+  angle_->show(of->angleDegrees);
+  radius_->show(of->radius);
+  showChoice(level_, static_cast<int>(of->shadowLevel));
+  perUnit_->show(of->levelsPerUnit);
+  showRow(angle_, shadowed && directional);
+  showRow(radius_, shadowed && !directional);
+  showRow(level_, shadowed);
+  showRow(perUnit_, shadowed && of->shadowLevel == ShadowLevel::Distance);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,49 @@
+// The scene's probes by name: select, add, duplicate, delete, and rename in place. Called by the main window; the menu
+// calls its actions too.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+#include "app/gui/edit/editor.h"
+#include "app/gui/panels/bake_state_look.h"
+
+class QListWidget;
+class QListWidgetItem;
+class QToolButton;
+
+namespace boxprobe {
+
+class ProbeList : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Hooks {
+    std::function<glm::dvec3()> cameraTargetWorld;  ///< where a new probe is captured
+    std::function<Box()> sceneBounds;               ///< what its box is fitted to
+  };
+
+  ProbeList(Editor& editor, Hooks hooks, QWidget* parent = nullptr);
+
+  /// The document changed.
+  void update();
+
+  /// How far each probe's maps are, in the scene's order.
+  void showStates(const std::vector<boxprobe::BakeStateLook>& looks);
+
+  void addProbe();
+  void duplicateProbe();
+  void deleteProbe();
+  QListWidget* list() const { return list_; }
+
+ private:
+  void rename(QListWidgetItem* item);
+  QToolButton* addButton(const QString& text, const QString& toolTip, void (ProbeList::*action)());
+
+  Editor& editor_;
+  Hooks hooks_;
+  QListWidget* list_;
+  QToolButton *duplicate_ = nullptr, *delete_ = nullptr;
+};
+
+}  // namespace boxprobe

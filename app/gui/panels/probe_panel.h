@@ -1,0 +1,62 @@
+// Place, influence and look of the selected probe in numbers: shows the document's values and turns entries into edits
+// through the editor. Called by the main window; knows neither the picture nor the list of probes, nor how it is
+// captured (capture_panel.h).
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "app/gui/edit/editor.h"
+#include "app/gui/widgets/value_field.h"
+
+class QCheckBox;
+class QFormLayout;
+class QLabel;
+
+namespace boxprobe {
+
+class BlendRow;
+class TechniqueChooser;
+class TechniqueParametersPanel;
+class VectorRow;
+
+class ProbePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ProbePanel(Editor& editor, QWidget* parent = nullptr);
+
+  /// The document changed.
+  void update();
+
+ private:
+  using VectorEdit = std::function<void(Probe&, int axis, double value)>;
+
+  void buildPlace();
+  void buildInfluence();
+  void buildLook();
+  void buildEdges(QFormLayout* form);
+  void connectVector(VectorRow* row, const QString& what, const VectorEdit& edit);
+  void updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box);
+  QString label(const QString& what) const;
+
+  Editor& editor_;
+  VectorRow *origin_ = nullptr, *boxMin_ = nullptr, *boxMax_ = nullptr, *rotation_ = nullptr;
+  QLabel* size_ = nullptr;
+  QCheckBox* ownInfluence_ = nullptr;
+  QWidget* influenceFields_ = nullptr;
+  VectorRow *influenceMin_ = nullptr, *influenceMax_ = nullptr;
+  BlendRow* blend_ = nullptr;
+  ValueField *importance_ = nullptr, *intensity_ = nullptr;
+  TechniqueChooser* technique_ = nullptr;
+  QLabel* techniqueHelp_ = nullptr;
+  TechniqueParametersPanel* parameters_ = nullptr;
+  QCheckBox* projection_ = nullptr;
+  ValueField *bevelRadius_ = nullptr, *bevelFromRoughness_ = nullptr;
+  QCheckBox* occluded_ = nullptr;
+  QWidget* occlusionFields_ = nullptr;
+  ValueField *occlusionMultiplier_ = nullptr, *occlusionPower_ = nullptr, *occlusionStrength_ = nullptr;
+};
+
+}  // namespace boxprobe

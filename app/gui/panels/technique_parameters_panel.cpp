@@ -1,0 +1,104 @@
+// See technique_parameters_panel.h.
+#include "app/gui/panels/technique_parameters_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/edit/probe_fields.h"
+#include "app/gui/widgets/panel_layout.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/scene/technique_parameters.h"
+
+namespace boxprobe {
+
+namespace {
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
+}
+
+bool someTechniqueReads(const ParameterRow& parameter) {
+  const auto reads = [&](const auto& row) {
+    return std::find(row.parameters.begin(), row.parameters.end(), parameter.name) != row.parameters.end();
+  };
+  return std::any_of(evaluationRows().begin(), evaluationRows().end(), reads) ||
+         std::any_of(projectionRows().begin(), projectionRows().end(), reads);
+}
+
+QString defaultText(const ParameterRow& p) {
+  if (p.kind == ParameterKind::Choice) return text(p.choices[static_cast<std::size_t>(p.standard)]);
+  if (p.kind == ParameterKind::Switch) return p.standard != 0.0 ? "on" : "off";
+  return (QString::number(p.standard) + " " + text(p.unit)).trimmed();
+}
+
+}  // namespace
+
+TechniqueParametersPanel::TechniqueParametersPanel(Editor& editor, QWidget* parent)
+    : QWidget(parent), editor_(editor), form_(new QFormLayout(this)) {
+  form_->setContentsMargins(0, 0, 0, 0);
+  for (const ParameterRow& parameter : parameterRows()) {
+    if (!someTechniqueReads(parameter)) continue;
+    rows_.push_back(addField(parameter));
+    Row& row = rows_.back();
+    row.field->setObjectName(text(parameter.name));
+    row.label = form_->labelForField(row.field);
+    const QString tip = tr("%1 Default: %2.").arg(text(parameter.help), defaultText(parameter));
+    row.field->setToolTip(tip);
+    row.label->setToolTip(tip);
+  }
+}
+
+TechniqueParametersPanel::Row TechniqueParametersPanel::addField(const ParameterRow& parameter) {
+  if (parameter.kind == ParameterKind::Choice) return addChoice(parameter);
+  if (parameter.kind == ParameterKind::Switch) return addSwitch(parameter);
+  return addNumber(parameter);
+}
+
+TechniqueParametersPanel::Row TechniqueParametersPanel::addNumber(const ParameterRow& p) {
+  const int decimals = p.kind == ParameterKind::WholeNumber ? 0 : 3;
+  // What rounds to 0 on display would be refused where 0 is: the least number is one that can be shown.
+  const double least = p.min > 0.0 ? std::max(p.min, std::pow(10.0, -decimals)) : p.min;
+  const ValueField::Format format{least, p.max, p.unit.empty() ? 1.0 : 0.1, decimals,
+                                  p.unit.empty() ? QString() : " " + text(p.unit)};
+  auto* field = addProbeNumber(editor_, form_, text(p.label), format, text(p.help),
+                               [&p](Probe& probe, double value) { setParameter(probe, p, value); });
+  return {&p, nullptr, field, [field](double number) { field->show(number); }};
+}
+
+TechniqueParametersPanel::Row TechniqueParametersPanel::addChoice(const ParameterRow& p) {
+  QVector<ProbeChoice> choices;
+  for (std::size_t i = 0; i < p.choices.size(); ++i) choices.push_back({text(p.choices[i]), static_cast<int>(i)});
+  const QString what = text(p.label).toLower();
+  QComboBox* combo = addProbeChoice(form_, text(p.label), choices, text(p.help), [this, &p, what](int value) {
+    editor_.commitProbe(probeEditLabel(editor_, what), [&p, value](Probe& probe) { setParameter(probe, p, value); });
+  });
+  return {&p, nullptr, combo, [combo](double number) { showChoice(combo, static_cast<int>(number)); }};
+}
+
+TechniqueParametersPanel::Row TechniqueParametersPanel::addSwitch(const ParameterRow& p) {
+  auto* box = new QCheckBox(this);
+  addRow(form_, text(p.label), box);
+  const QString what = text(p.label).toLower();
+  connect(box, &QCheckBox::clicked, this, [this, &p, what](bool on) {
+    editor_.commitProbe(probeEditLabel(editor_, what), [&p, on](Probe& probe) { setParameter(probe, p, on ? 1 : 0); });
+  });
+  return {&p, nullptr, box, [box](double number) { box->setChecked(number != 0.0); }};
+}
+
+void TechniqueParametersPanel::show(const Probe& probe) {
+  const std::vector<const ParameterRow*> used = parametersOf(probeTechnique(probe));
+  for (const Row& row : rows_) {
+    const bool shown = std::find(used.begin(), used.end(), row.parameter) != used.end();
+    row.label->setVisible(shown);
+    row.field->setVisible(shown);
+    row.show(parameterNumber(probe, *row.parameter));
+  }
+  setVisible(!used.empty());
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,201 @@
+// See viewport.h.
+#include "app/gui/view/viewport.h"
+
+#include <QVTKInteractor.h>
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineF>
+#include <QMouseEvent>
+#include <QTimer>
+#include <QWheelEvent>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "app/gui/handles/probe_widget.h"
+#include "filters/vtk/gl/software_driver.h"
+
+namespace boxprobe {
+
+namespace {
+
+std::optional<int> axisOfKey(int key) {
+  if (key == Qt::Key_X) return 0;
+  if (key == Qt::Key_Y) return 1;
+  if (key == Qt::Key_Z) return 2;
+  return std::nullopt;
+}
+
+CameraController::Motion motionFor(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+  using Motion = CameraController::Motion;
+  if (button == Qt::MiddleButton) return Motion::Pan;
+  if (button == Qt::RightButton) return Motion::Zoom;
+  if (button != Qt::LeftButton) return Motion::None;
+  if (modifiers.testFlag(Qt::ShiftModifier)) return Motion::Pan;
+  if (modifiers.testFlag(Qt::ControlModifier)) return Motion::Zoom;
+  return Motion::Orbit;
+}
+
+constexpr double kClickPixels = 4.0;  ///< a press that moves less is a click
+constexpr double kWheelStep = 120.0;  ///< eighths of a degree: one notch of a usual wheel
+
+}  // namespace
+
+Viewport::Viewport(QWidget* parent)
+    : QVTKOpenGLNativeWidget(parent), readout_(new QLabel(this)), invitation_(new QLabel(this)) {
+  setRenderWindow(window_.Get());
+  // VTK's own mouse interaction would render at every event, and knows nothing of handles.
+  interactor()->SetInteractorStyle(nullptr);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setMinimumSize(320, 240);
+  for (QLabel* label : {readout_, invitation_}) {
+    label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    label->setStyleSheet(
+        "QLabel { color: #f4f4f4; background: rgba(16, 18, 22, 210); border-radius: 5px; padding: 6px 10px; }");
+    label->hide();
+  }
+  invitation_->setWordWrap(true);
+  invitation_->setAlignment(Qt::AlignCenter);
+}
+
+Viewport::~Viewport() = default;
+
+vtkGenericOpenGLRenderWindow* Viewport::window3d() const {
+  return window_.Get();
+}
+
+void Viewport::setCamera(std::function<vtkCamera*()> camera) {
+  camera_ = std::move(camera);
+}
+
+void Viewport::setProbeWidget(ProbeWidget* widget) {
+  probeWidget_ = widget;
+  connect(widget, &ProbeWidget::cursorWanted, this,
+          [this](Qt::CursorShape shape) { setCursor(picking_ && shape == Qt::ArrowCursor ? Qt::CrossCursor : shape); });
+  connect(widget, &ProbeWidget::readout, this, &Viewport::showReadout);
+}
+
+ViewProjection Viewport::view() const {
+  return {camera_(), static_cast<double>(width()), static_cast<double>(height())};
+}
+
+bool Viewport::readyToDraw() const {
+  return isValid() && isVisible() && window_->GetReadyForRendering();
+}
+
+void Viewport::showReadout(const QString& text, const QPointF& atPixel) {
+  readout_->setVisible(!text.isEmpty());
+  if (text.isEmpty()) return;
+  readout_->setText(text);
+  readout_->adjustSize();
+  constexpr int kBesidePointer = 22;
+  const int x = std::min(static_cast<int>(atPixel.x()) + kBesidePointer, width() - readout_->width());
+  const int y = std::min(static_cast<int>(atPixel.y()) + kBesidePointer, height() - readout_->height());
+  readout_->move(std::max(x, 0), std::max(y, 0));
+}
+
+void Viewport::setPicking(bool on) {
+  picking_ = on;
+  pressed_.reset();
+  setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void Viewport::showInvitation(const QString& text) {
+  invitation_->setText(text);
+  invitation_->setVisible(!text.isEmpty());
+  placeInvitation();
+}
+
+void Viewport::placeInvitation() {
+  constexpr int kWidest = 460, kBeside = 12;
+  invitation_->setFixedWidth(std::clamp(width() - 2 * kBeside, 1, kWidest));
+  invitation_->adjustSize();
+  invitation_->move((width() - invitation_->width()) / 2, (height() - invitation_->height()) / 2);
+}
+
+void Viewport::initializeGL() {
+  QVTKOpenGLNativeWidget::initializeGL();
+  // Where the processor draws, four samples a pixel make a picture take three times as long: following the mouse comes
+  // first there.
+  softwareRenderer_ = drawsOnCpu();
+  constexpr int kSamples = 4;
+  window_->SetMultiSamples(softwareRenderer_ ? 0 : kSamples);
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  event->accept();
+  if (cameraController_.motion() != CameraController::Motion::None) return;
+  if (event->button() == Qt::LeftButton && probeWidget_->press(event->localPos(), event->modifiers())) return;
+  if (probeWidget_->dragging()) return;
+  if (picking_ && event->button() == Qt::LeftButton) pressed_ = event->localPos();
+  cameraController_.begin(motionFor(event->button(), event->modifiers()), event->localPos());
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  event->accept();
+  if (cameraController_.motion() == CameraController::Motion::None) {
+    probeWidget_->move(event->localPos(), event->modifiers());
+    if (!probeWidget_->dragging()) emit pointerMoved(event->localPos());
+  } else if (pressed_ && QLineF(*pressed_, event->localPos()).length() < kClickPixels) {
+    return;  // a hand is never quite still
+  } else {
+    pressed_.reset();
+    if (cameraController_.move(camera_(), event->localPos(), height())) emit cameraMoved();
+  }
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  event->accept();
+  if (event->button() == Qt::LeftButton) probeWidget_->release(event->localPos(), event->modifiers());
+  if (event->buttons() == Qt::NoButton) cameraController_.end();
+  if (event->button() != Qt::LeftButton || !pressed_) return;
+  const QPointF pressed = *pressed_;
+  pressed_.reset();
+  if (QLineF(pressed, event->localPos()).length() < kClickPixels) emit clicked(event->localPos());
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  event->accept();
+  CameraController::zoom(camera_(), event->angleDelta().y() / kWheelStep);
+  emit cameraMoved();
+}
+
+void Viewport::leaveEvent(QEvent* event) {
+  probeWidget_->leave();
+  emit pointerLeft();
+  QVTKOpenGLNativeWidget::leaveEvent(event);
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+  if (const auto axis = axisOfKey(event->key()); axis && !event->isAutoRepeat()) probeWidget_->setHeldAxis(axis);
+  QVTKOpenGLNativeWidget::keyPressEvent(event);
+}
+
+void Viewport::keyReleaseEvent(QKeyEvent* event) {
+  if (axisOfKey(event->key()) && !event->isAutoRepeat()) probeWidget_->setHeldAxis(std::nullopt);
+  QVTKOpenGLNativeWidget::keyReleaseEvent(event);
+}
+
+void Viewport::focusOutEvent(QFocusEvent* event) {
+  probeWidget_->setHeldAxis(std::nullopt);  // its release will go elsewhere
+  QVTKOpenGLNativeWidget::focusOutEvent(event);
+}
+
+void Viewport::showEvent(QShowEvent* event) {
+  QVTKOpenGLNativeWidget::showEvent(event);
+  // The context exists once the first paint event has been handled.
+  QTimer::singleShot(0, this, &Viewport::becameReady);
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+  QVTKOpenGLNativeWidget::resizeEvent(event);
+  placeInvitation();
+  emit becameReady();
+}
+
+}  // namespace boxprobe

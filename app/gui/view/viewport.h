@@ -1,0 +1,81 @@
+// The picture in the window: a GL widget that hands the mouse to the probes' handles first and to the camera after.
+// Called by the main window, which renders into its vtkGenericOpenGLRenderWindow; knows no document.
+#pragma once
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkNew.h>
+
+#include <functional>
+#include <optional>
+
+#include "app/gui/handles/handle_picking.h"
+#include "app/gui/view/camera_controller.h"
+
+class QLabel;
+class vtkCamera;
+class vtkGenericOpenGLRenderWindow;
+
+namespace boxprobe {
+
+class ProbeWidget;
+
+class Viewport : public QVTKOpenGLNativeWidget {
+  Q_OBJECT
+
+ public:
+  explicit Viewport(QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  vtkGenericOpenGLRenderWindow* window3d() const;
+  void setCamera(std::function<vtkCamera*()> camera);
+  void setProbeWidget(ProbeWidget* widget);
+  /// The view as it is now, in logical pixels.
+  ViewProjection view() const;
+  /// A GL context exists and the widget is on a screen.
+  bool readyToDraw() const;
+  /// The processor draws, not a graphics card. Known once there is a context.
+  bool softwareRenderer() const { return softwareRenderer_; }
+  /// Numbers beside the pointer; an empty text hides them.
+  void showReadout(const QString& text, const QPointF& atPixel);
+  /// While on, a click without a drag is told by `clicked`, and the camera waits until a drag is one.
+  void setPicking(bool on);
+  /// A line in the middle while there is nothing to see; an empty text hides it.
+  void showInvitation(const QString& text);
+
+ signals:
+  void cameraMoved();
+  void becameReady();
+  /// Over the picture, no button held; logical pixels.
+  void pointerMoved(const QPointF& position);
+  void pointerLeft();
+  /// On no handle. Only while picking is on.
+  void clicked(const QPointF& position);
+
+ protected:
+  void initializeGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void placeInvitation();
+
+  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  CameraController cameraController_;
+  std::function<vtkCamera*()> camera_;
+  ProbeWidget* probeWidget_ = nullptr;
+  bool picking_ = false;
+  bool softwareRenderer_ = false;
+  std::optional<QPointF> pressed_;  ///< while what began there may still become a click
+  QLabel* readout_;
+  QLabel* invitation_;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,39 @@
+// See recent_files.h.
+#include "app/gui/widgets/recent_files.h"
+
+#include <QFileInfo>
+#include <QSettings>
+#include <QStandardPaths>
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kMost = 9;  ///< as many as there are digits for their keys
+constexpr const char* kKey = "recentFiles";
+
+/// By QStandardPaths, not QSettings' own place: tests redirect the former.
+QString settingsFile() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/recent.ini";
+}
+
+}  // namespace
+
+QStringList recentFiles() {
+  QStringList present;
+  for (const QString& path : QSettings(settingsFile(), QSettings::IniFormat).value(kKey).toStringList()) {
+    if (QFileInfo::exists(path)) present.push_back(path);
+  }
+  return present;
+}
+
+void rememberFile(const QString& path) {
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  QStringList files = recentFiles();
+  files.removeAll(absolute);
+  files.push_front(absolute);
+  while (files.size() > kMost) files.pop_back();
+  QSettings(settingsFile(), QSettings::IniFormat).setValue(kKey, files);
+}
+
+}  // namespace boxprobe

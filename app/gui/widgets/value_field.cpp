@@ -1,0 +1,112 @@
+// See value_field.h.
+#include "app/gui/widgets/value_field.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QWheelEvent>
+#include <algorithm>
+#include <limits>
+
+namespace boxprobe {
+
+namespace {
+
+/// Steps of wheel and keys that follow each other faster than this are one edit.
+constexpr int kRestMilliseconds = 400;
+
+}  // namespace
+
+ValueField::ValueField(const Format& format, QWidget* parent) : QDoubleSpinBox(parent) {
+  setDecimals(format.decimals);
+  setRange(format.minimum, format.maximum);
+  setSingleStep(format.step);
+  setSuffix(format.suffix);
+  setKeyboardTracking(false);
+  setFocusPolicy(Qt::StrongFocus);  // not by the wheel: scrolling the panel must not change values
+  setAlignment(Qt::AlignRight);
+  setAccelerated(true);
+  restTimer_.setSingleShot(true);
+  restTimer_.setInterval(kRestMilliseconds);
+  connect(&restTimer_, &QTimer::timeout, this, &ValueField::commitPreview);
+  connect(this, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &ValueField::changed);
+}
+
+void ValueField::show(double value) {
+  if (hasFocus() && lineEdit()->isModified()) return;
+  const QSignalBlocker quiet(this);
+  if (QDoubleSpinBox::value() != value) setValue(value);
+}
+
+void ValueField::setBounds(double minimum, double maximum) {
+  const QSignalBlocker quiet(this);
+  setRange(std::min(minimum, value()), std::max(maximum, value()));
+}
+
+void ValueField::scrubTo(double value) {
+  stepping_ = true;
+  setValue(value);
+  stepping_ = false;
+  restTimer_.stop();
+}
+
+void ValueField::endScrub() {
+  commitPreview();
+}
+
+void ValueField::stepBy(int steps) {
+  stepping_ = true;
+  QDoubleSpinBox::stepBy(steps);
+  stepping_ = false;
+}
+
+void ValueField::changed(double value) {
+  if (stepping_) {
+    previewing_ = true;
+    emit previewed(value);
+    restTimer_.start();
+    return;
+  }
+  previewing_ = false;
+  restTimer_.stop();
+  emit committed(value);
+}
+
+void ValueField::commitPreview() {
+  // An arrow held down repeats slower than the timer at first.
+  if (QApplication::mouseButtons().testFlag(Qt::LeftButton) && hasFocus() && underMouse()) return restTimer_.start();
+  restTimer_.stop();
+  if (!previewing_) return;
+  previewing_ = false;
+  emit committed(value());
+}
+
+void ValueField::wheelEvent(QWheelEvent* event) {
+  if (!hasFocus()) return event->ignore();
+  QDoubleSpinBox::wheelEvent(event);
+}
+
+void ValueField::mouseReleaseEvent(QMouseEvent* event) {
+  QDoubleSpinBox::mouseReleaseEvent(event);
+  if (previewing_) restTimer_.start(0);
+}
+
+void ValueField::focusOutEvent(QFocusEvent* event) {
+  QDoubleSpinBox::focusOutEvent(event);
+  if (previewing_) restTimer_.start(0);
+}
+
+bool ValueField::event(QEvent* event) {
+  // Unless text is being typed, undo and redo are the document's and not the text's.
+  if (event->type() == QEvent::ShortcutOverride && !lineEdit()->isModified()) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return false;
+    }
+  }
+  return QDoubleSpinBox::event(event);
+}
+
+}  // namespace boxprobe

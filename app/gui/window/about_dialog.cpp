@@ -1,0 +1,48 @@
+// See about_dialog.h.
+#include "app/gui/window/about_dialog.h"
+
+#include <QMessageBox>
+#include <QObject>
+
+namespace boxprobe {
+
+namespace {
+
+QString row(const QString& what, const QString& does) {
+  return QString("<tr><td style='padding-right:18px'><b>%1</b></td><td>%2</td></tr>").arg(what, does);
+}
+
+}  // namespace
+
+void showAbout(QWidget* parent) {
+  const QString text =
+      QObject::tr(
+          "<h3>Boxprobe %1</h3><p>Reflection probes whose reflections are projected onto a box: move the box and the "
+          "capture origin and see what the reflections do.</p>")
+          .arg(BOXPROBE_VERSION) +
+      "<table>" + row(QObject::tr("Drag a ball"), QObject::tr("moves that face of the box; with Ctrl both sides")) +
+      row(QObject::tr("Drag the diamond"), QObject::tr("moves the capture origin, parallel to the screen")) +
+      row(QObject::tr("Shift, or X, Y, Z held"), QObject::tr("the origin moves up and down, or along that axis")) +
+      row(QObject::tr("Esc"), QObject::tr("cancels the drag, else stops capturing")) +
+      row(QObject::tr("Click a white diamond"), QObject::tr("selects that probe")) +
+      row(QObject::tr("Drag elsewhere"), QObject::tr("turns the view; Shift or middle button: moves it")) +
+      row(QObject::tr("Wheel, right button"), QObject::tr("closer and farther")) +
+      row(QObject::tr("Drag X, Y, Z labels"), QObject::tr("changes the number beside them; with Shift finely")) +
+      row(QObject::tr("Ctrl+Z, Ctrl+Shift+Z"), QObject::tr("undo, redo")) +
+      row(QObject::tr("Ctrl+1 ... 9, Home"), QObject::tr("the scene's cameras, reset view")) +
+      row(QObject::tr("Ctrl+B, Ctrl+R"), QObject::tr("boxes, reflections on and off")) +
+      row(QObject::tr("F1, F11"), QObject::tr("the lessons; the picture and the lesson alone, for a projector")) +
+      row(QObject::tr("Right, Left, Page Down, Page Up"), QObject::tr("next and last step of a lesson")) +
+      row(QObject::tr("F5, Shift+F5"), QObject::tr("captures the selected probe again, all probes")) + "</table><p>" +
+      QObject::tr(
+          "Orange: the projection box. Dashed: inside it the probe has its full weight. Built on VTK, Qt, OpenEXR and "
+          "GLM.") +
+      "</p>";
+  QMessageBox box(parent);
+  box.setWindowTitle(QObject::tr("About Boxprobe"));
+  box.setTextFormat(Qt::RichText);
+  box.setText(text);
+  box.exec();
+}
+
+}  // namespace boxprobe

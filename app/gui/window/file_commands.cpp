@@ -1,0 +1,168 @@
+// See file_commands.h.
+#include "app/gui/window/file_commands.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressDialog>
+#include <QUrl>
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "app/gui/edit/editor.h"
+#include "app/gui/widgets/recent_files.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/vtk/import/model_reader.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr const char* kSceneSuffix = ".boxprobe.json";
+
+bool canOpen(const QString& path) {
+  return path.endsWith(".json", Qt::CaseInsensitive) || isModelPath(path.toStdString());
+}
+
+/// A sky that cannot be read must be found out while the open scene can still stay.
+void requireSky(const Scene& scene) {
+  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) loadHdrImage(image->file);
+}
+
+}  // namespace
+
+FileCommands::FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window)
+    : QObject(window), document_(document), editor_(editor), hooks_(std::move(hooks)), window_(window) {}
+
+QString FileCommands::displayName() const {
+  if (const QString borrowed = hooks_.borrowedName(); !borrowed.isEmpty()) return borrowed;
+  if (!document_.path().empty()) return QFileInfo(QString::fromStdString(document_.path())).fileName();
+  const auto& models = document_.scene().models;
+  if (models.empty()) return tr("no scene");
+  return tr("%1 (not saved)").arg(QFileInfo(QString::fromStdString(models.front().file)).fileName());
+}
+
+QString FileCommands::folder() const {
+  if (!document_.path().empty()) return QFileInfo(QString::fromStdString(document_.path())).absolutePath();
+  const auto& models = document_.scene().models;
+  return models.empty() ? QString() : QFileInfo(QString::fromStdString(models.front().file)).absolutePath();
+}
+
+void FileCommands::showError(const QString& title, const QString& line) {
+  QMessageBox::warning(window_, title, line);
+}
+
+bool FileCommands::confirmLeaving() {
+  hooks_.showOwnScene();
+  editor_.finish();
+  if (!document_.modified()) return true;
+  const auto answer =
+      QMessageBox::question(window_, tr("Unsaved changes"), tr("Save the changes to %1?").arg(displayName()),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) return save();
+  return answer == QMessageBox::Discard;
+}
+
+void FileCommands::open() {
+  const QString path = QFileDialog::getOpenFileName(window_, tr("Open"), folder(),
+                                                    tr("Scenes and models (*.boxprobe.json *.json %1);;Scenes "
+                                                       "(*.boxprobe.json *.json);;Models (%1)")
+                                                        .arg(QString::fromStdString(modelFilePatterns())));
+  if (!path.isEmpty()) openPath(path);
+}
+
+bool FileCommands::openPath(const QString& path) {
+  if (!confirmLeaving()) return false;
+  try {
+    QProgressDialog shown(tr("Loading %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 100, window_);
+    shown.setWindowModality(Qt::WindowModal);
+    shown.setMinimumDuration(500);  // what is there at once needs none
+    LoadedScene loaded = loadScene(path.toStdString(), {}, [&shown](double fraction) {
+      shown.setValue(std::min(static_cast<int>(100.0 * fraction), 99));  // lets events through
+      return !shown.wasCanceled();
+    });
+    shown.reset();
+    requireSky(loaded.scene);
+    const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
+    const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
+    hooks_.show(std::move(loaded));
+    remember(path);
+    emit message(warning.isEmpty() ? tr("Opened %1").arg(path)
+                 : more == 0       ? warning
+                                   : tr("%1 (and %2 more; see `boxprobe info`)").arg(warning).arg(more));
+    return true;
+  } catch (const LoadCancelled&) {
+    emit message(tr("Loading was stopped; the open scene stays"));
+    return false;
+  } catch (const std::exception& error) {
+    showError(tr("Cannot open"), QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+void FileCommands::remember(const QString& path) {
+  rememberFile(path);
+  emit recentChanged(recentFiles());
+}
+
+bool FileCommands::save() {
+  return document_.path().empty() ? saveAs() : saveTo(QString::fromStdString(document_.path()));
+}
+
+bool FileCommands::saveAs() {
+  QString path = QFileDialog::getSaveFileName(window_, tr("Save as"), folder(), tr("Scenes (*%1)").arg(kSceneSuffix));
+  if (path.isEmpty()) return false;
+  if (!path.endsWith(".json", Qt::CaseInsensitive)) {
+    path += kSceneSuffix;
+    // The dialog asked about the name as typed, not about this one.
+    if (QFileInfo::exists(path) &&
+        QMessageBox::question(window_, tr("Save as"), tr("%1 is there already. Replace it?").arg(path)) !=
+            QMessageBox::Yes) {
+      return false;
+    }
+  }
+  return saveTo(path);
+}
+
+bool FileCommands::saveTo(const QString& path) {
+  editor_.finish();
+  try {
+    if (!hooks_.mayWrite(path))
+      throw InputError(path.toStdString() + ": the lesson stands on this file; choose another name");
+    saveSceneFile(document_.scene(), path.toStdString());
+    document_.markSaved(path.toStdString());
+    remember(path);
+    emit message(tr("Saved %1").arg(path));
+    return true;
+  } catch (const std::exception& error) {
+    showError(tr("Cannot save"), QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+void FileCommands::exportImage() {
+  QString path = QFileDialog::getSaveFileName(window_, tr("Export image"), folder(),
+                                              tr("Display colours (*.png);;Linear light (*.exr)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ".png";
+  try {
+    hooks_.exportTo(path.toStdString());
+    emit message(tr("Wrote %1").arg(path));
+  } catch (const std::exception& error) {
+    showError(tr("Cannot export"), QString::fromUtf8(error.what()));
+  }
+}
+
+QString FileCommands::droppedFile(const QMimeData* data) {
+  if (!data->hasUrls()) return {};
+  for (const QUrl& url : data->urls()) {
+    if (url.isLocalFile() && canOpen(url.toLocalFile())) return url.toLocalFile();
+  }
+  return {};
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,66 @@
+// Open, save, save as and export from the window: the dialogs, the question about unsaved changes, and errors as one
+// line that leaves the open scene as it is. Called by the menu, by dropped files and by the closing window.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+
+#include "app/session/load_scene.h"
+#include "filters/core/scene/document.h"
+
+class QMimeData;
+class QWidget;
+
+namespace boxprobe {
+
+class Editor;
+
+class FileCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Hooks {
+    std::function<void(LoadedScene)> show;                  ///< makes a scene that was read the one on show
+    std::function<void(const std::string& path)> exportTo;  ///< writes the picture as PNG or EXR
+    /// What is shown for a while in place of the user's own scene goes away.
+    std::function<void()> showOwnScene;
+    std::function<QString()> borrowedName;              ///< of such a scene; empty: the own one is shown
+    std::function<bool(const QString& path)> mayWrite;  ///< false for a file such a scene stands on
+  };
+
+  FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window);
+
+  void open();
+  /// After asking about unsaved changes. False if the user kept the scene or the file could not be read.
+  bool openPath(const QString& path);
+  bool save();
+  bool saveAs();
+  void exportImage();
+  /// True if nothing is lost by leaving the scene: saved, or the user said so.
+  bool confirmLeaving();
+
+  /// The first file of a drop that can be opened; empty if none.
+  static QString droppedFile(const QMimeData* data);
+  /// Name of what is open, for the title: the file's, or the model's of a scene never saved.
+  QString displayName() const;
+
+  /// `path` was opened or saved: it leads the list of recent files.
+  void remember(const QString& path);
+
+ signals:
+  void message(const QString& text);
+  void recentChanged(const QStringList& paths);
+
+ private:
+  bool saveTo(const QString& path);
+  QString folder() const;
+  void showError(const QString& title, const QString& line);
+
+  Document& document_;
+  Editor& editor_;
+  Hooks hooks_;
+  QWidget* window_;
+};
+
+}  // namespace boxprobe

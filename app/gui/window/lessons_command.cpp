@@ -1,0 +1,225 @@
+// See lessons_command.h.
+#include "app/gui/window/lessons_command.h"
+
+#include <QBuffer>
+#include <QGuiApplication>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/lessons/lesson_page.h"
+#include "app/gui/lessons/lesson_sheet.h"
+#include "app/gui/window/window_app.h"
+#include "app/session/display_check.h"
+#include "app/session/interrupt.h"
+#include "app/session/messages.h"
+#include "app/session/output_check.h"
+#include "app/session/progress_line.h"
+#include "app/session/stats_json.h"
+#include "app/session/vtk_messages.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/io/scene/lesson_file.h"
+
+namespace boxprobe {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kPictureWidth = 560, kPictureHeight = 350;
+constexpr int kJpegQuality = 90;
+
+struct LessonsOptions {
+  std::string name;
+  std::string outputPath;
+  std::string folder = BOXPROBE_DATA_DIR "/lessons";
+  bool check = false;
+  ReportOptions report;
+};
+
+std::string extensionOf(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool isPicture(const std::string& path) {
+  const std::string extension = extensionOf(path);
+  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
+void saveSheet(const std::string& path, const QImage& sheet) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  const bool png = extensionOf(path) == ".png";
+  if (!sheet.save(&buffer, png ? "PNG" : "JPEG", png ? -1 : kJpegQuality)) {
+    throw WorkError(path + ": the picture could not be encoded");
+  }
+  writeTextAtomically(path, bytes.toStdString());
+}
+
+nlohmann::ordered_json listJson(const LessonList& list) {
+  nlohmann::ordered_json json = {{"lessons", nlohmann::ordered_json::array()}, {"errors", list.errors}};
+  for (const Lesson& lesson : list.lessons) {
+    json["lessons"].push_back({{"name", lesson.name},
+                               {"title", lesson.title},
+                               {"chapter", lesson.chapter},
+                               {"summary", lesson.summary},
+                               {"scene", lesson.scene},
+                               {"steps", lesson.steps.size()},
+                               {"claims", lesson.claims.size()}});
+  }
+  return json;
+}
+
+void printList(const LessonList& list) {
+  std::string chapter;
+  for (const Lesson& lesson : list.lessons) {
+    if (lesson.chapter != chapter) std::printf("%s%s\n", chapter.empty() ? "" : "\n", lesson.chapter.c_str());
+    chapter = lesson.chapter;
+    std::printf("  %-22s %s\n", lesson.name.c_str(), lesson.title.c_str());
+  }
+}
+
+/// The broken ones are told, and the rest goes on.
+void warnOfBroken(const LessonList& list, const LessonsOptions& options) {
+  if (!options.report.quiet) printWarnings(list.errors);
+}
+
+std::vector<const Lesson*> chosen(const LessonList& list, const std::string& name) {
+  std::vector<const Lesson*> lessons;
+  if (!name.empty()) return {&findLesson(list, name)};
+  for (const Lesson& lesson : list.lessons) lessons.push_back(&lesson);
+  return lessons;
+}
+
+struct Output {
+  explicit Output(const LessonsOptions& options)
+      : path(options.outputPath),
+        page(extensionOf(path) == ".html" || extensionOf(path) == ".htm"),
+        sheet(!page && isPicture(path)) {
+    if (path.empty()) return;
+    if (sheet && options.name.empty()) {
+      throw InputError("-o " + path + ": a picture holds one lesson; name it, or give a folder for all sheets, or " +
+                       "a .html file for a page of all");
+    }
+    if (page || sheet) {
+      requireWritable("-o", path);
+      return;
+    }
+    if (!extensionOf(path).empty()) {
+      throw InputError("-o " + path + ": give a .png or .jpg for a sheet, a .html for a page, a folder for all sheets");
+    }
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error) throw InputError("-o " + path + ": " + error.message());
+  }
+  std::string path;
+  bool page, sheet;
+};
+
+void writeStats(const LessonsOptions& options, LessonPlayer& player) {
+  if (!options.report.statsPath.empty()) {
+    writeTextAtomically(options.report.statsPath, statsJson(collectStats(player.renderer(), player.window())));
+  }
+}
+
+/// Draws, writes and checks. Throws WorkError if a claim does not hold.
+void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& options, const Output& output) {
+  const InterruptGuard interrupt;
+  requireDisplay("boxprobe lessons");
+  installVtkMessages(options.report.quiet, false);
+  LessonPhotographer photographer(kPictureWidth, kPictureHeight, [&] { return !interrupt.interrupted(); });
+  LessonPage page;
+  std::size_t broken = 0, claims = 0;
+  nlohmann::ordered_json report = nlohmann::ordered_json::array();
+  for (const Lesson* lesson : lessons) {
+    interrupt.check();
+    const LessonPictures pictures = photographer.take(*lesson);
+    interrupt.check();
+    for (const LessonPictures::Claim& claim : pictures.claims) {
+      ++claims;
+      broken += claim.holds ? 0 : 1;
+      report.push_back(
+          {{"lesson", lesson->name}, {"claim", claim.say}, {"measured", claim.measured}, {"holds", claim.holds}});
+      if (options.report.json || options.report.quiet) continue;
+      std::printf("%-22s %s %s\n  %s\n", lesson->name.c_str(),
+                  claim.holds ? "holds:" : "DOES NOT HOLD:", claim.say.c_str(), claim.measured.c_str());
+    }
+    if (output.page) page.add(*lesson, pictures);
+    if (!output.page && !output.path.empty()) {
+      const std::string path = output.sheet ? output.path : output.path + "/" + lesson->name + ".jpg";
+      saveSheet(path, lessonSheet(*lesson, pictures));
+    }
+    std::fflush(stdout);
+  }
+  if (output.page) writeTextAtomically(output.path, page.text());
+  writeStats(options, photographer.player());
+  if (options.report.json) std::puts(report.dump(2).c_str());
+  if (broken > 0) {
+    throw WorkError(std::to_string(broken) + " of " + std::to_string(claims) + " claims of the lessons do not hold");
+  }
+}
+
+void runLessons(const LessonsOptions& options, int& argc, char** argv) {
+  const LessonList list = loadLessons(options.folder);
+  warnOfBroken(list, options);
+  const bool draws = options.check || !options.outputPath.empty();
+  if (options.name.empty() && !draws) {
+    if (options.report.json) {
+      std::puts(listJson(list).dump(2).c_str());
+    } else {
+      printList(list);
+    }
+    return;
+  }
+  const std::vector<const Lesson*> lessons = chosen(list, options.name);
+  if (!draws) {
+    requireDisplay("boxprobe lessons");
+    WindowOptions window;
+    window.statsPath = options.report.statsPath;
+    window.lesson = options.name;
+    runWindow(argc, argv, {}, window);
+    return;
+  }
+  const Output output(options);
+  requireDisplay("boxprobe lessons");
+  // Qt is here for its fonts; what it remarks on its surroundings is not the user's business.
+  qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& line) {
+    if (type == QtCriticalMsg || type == QtFatalMsg) printError(line.toStdString());
+  });
+  const QGuiApplication application(argc, argv);
+  produce(lessons, options, output);
+}
+
+}  // namespace
+
+Subcommand addLessonsCommand(CLI::App& program, int& argc, char** argv) {
+  CLI::App* command = program.add_subcommand("lessons", "List the lessons, open one, or draw them on sheets or a page");
+  const auto options = std::make_shared<LessonsOptions>();
+  command->add_option("NAME", options->name, "The lesson to open in the window, or to draw");
+  command
+      ->add_option("-o,--output", options->outputPath,
+                   "Draw instead: a sheet (.png, .jpg) of the lesson; a page (.html) of it, or of all without NAME; or "
+                   "a folder for the sheets of all")
+      ->type_name("FILE");
+  command->add_flag("--check", options->check,
+                    "Measure what the lessons claim; exit status 1 if a claim does not hold");
+  command->add_option("--folder", options->folder, "Where the lesson files are (default: those of the program)")
+      ->type_name("DIR");
+  addReportOptions(*command, options->report, "Print the list, or the claims as measured, as JSON");
+  command->footer(
+      "Examples:\n"
+      "  boxprobe lessons\n"
+      "  boxprobe lessons floor-mirror\n"
+      "  boxprobe lessons floor-mirror -o floor-mirror.png\n"
+      "  boxprobe lessons -o lessons.html");
+  return {command, [options, &argc, argv] { runLessons(*options, argc, argv); }};
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,139 @@
+// Puts the window together: constructs the document's views and connects them. Decides nothing else. Called by
+// runWindow and by tests.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gui/edit/editor.h"
+#include "app/session/load_scene.h"
+#include "filters/core/scene/document.h"
+
+class QDockWidget;
+
+namespace boxprobe {
+
+class BakePanel;
+class CapturePanel;
+class DebugView;
+class FileCommands;
+class LessonView;
+class LightPanel;
+class MaterialPanel;
+class ObjectPanel;
+class MenuBar;
+class MotionPreview;
+class PicturePanel;
+class ProbeList;
+class ProbeOverlay;
+class ProbePanel;
+class ProbePreview;
+class ProbeWidget;
+class Projector;
+class RenderScheduler;
+class SceneRenderer;
+class CostPanel;
+class FramePanel;
+class StatusLine;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow();
+  ~MainWindow() override;
+
+  /// Shows a scene that was read, from its first camera.
+  void showScene(LoadedScene loaded);
+
+  /// The list of lessons beside the picture; the scene on show stays.
+  void showLessons();
+  /// A lesson, from that step (0 the first) or where the learner left off. The scene on show comes back afterwards.
+  void openLesson(const QString& name, std::optional<std::size_t> step = {});
+
+  Document& document() { return document_; }
+  Editor& editor() { return *editor_; }
+  Viewport& viewport() { return *viewport_; }
+  ProbeWidget& probeWidget() { return *probeWidget_; }
+  RenderScheduler& scheduler() { return *scheduler_; }
+  FileCommands& files() { return *files_; }
+  DebugView& debugView() { return *debugView_; }
+  LessonView& lessons() { return *lessons_; }
+  Projector& projector() { return *projector_; }
+  MotionPreview& motionPreview() { return *motion_; }
+  const SceneRenderer& renderer() const { return *renderer_; }
+  /// On show, in the order of scene.models.
+  const std::vector<std::shared_ptr<const Model>>& models() const { return models_; }
+
+ signals:
+  /// Before anything is torn down; `renderer` and its GL context still live.
+  void closing();
+  /// The first picture with all captures done is on the screen.
+  void firstPictureComplete();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void buildPanels();
+  void buildPreviewDock(QDockWidget* beside);
+  void buildDebugDocks(class QDockWidget* beside);
+  void buildCostDock(QDockWidget* beside);
+  void buildFrameDock(QDockWidget* beside);
+  void buildLessonDock();
+  void connectViews();
+  void connectMenu();
+  void connectDebugView();
+  void connectWork();
+  void connectBaking();
+  void connectMotion();
+  void connectLessons();
+  void showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path);
+  void documentChanged(const Changes& changes);
+  void resetView();
+  void applyCamera(int index);
+  template <typename Work>
+  void guarded(const Work& work);
+  void drawPicture();
+  void exportPicture(const std::string& path);
+  void updateTitle();
+
+  Document document_;
+  std::unique_ptr<Editor> editor_;
+  Viewport* viewport_;
+  std::unique_ptr<SceneRenderer> renderer_;
+  std::unique_ptr<ProbeOverlay> overlay_;
+  ProbeWidget* probeWidget_;
+  RenderScheduler* scheduler_;
+  MotionPreview* motion_;
+  FileCommands* files_;
+  std::unique_ptr<DebugView> debugView_;
+  MenuBar* menu_;
+  LessonView* lessons_;
+  QDockWidget* lessonDock_ = nullptr;
+  Projector* projector_ = nullptr;
+  StatusLine* status_;
+  ProbeList* probeList_ = nullptr;
+  ProbePanel* probePanel_ = nullptr;
+  BakePanel* bakePanel_ = nullptr;
+  CapturePanel* capturePanel_ = nullptr;
+  MaterialPanel* materialPanel_ = nullptr;
+  ObjectPanel* objectPanel_ = nullptr;
+  LightPanel* lightPanel_ = nullptr;
+  PicturePanel* picturePanel_ = nullptr;
+  ProbePreview* preview_ = nullptr;
+  CostPanel* costPanel_ = nullptr;
+  FramePanel* framePanel_ = nullptr;
+  std::vector<std::shared_ptr<const Model>> models_;
+  bool firstPictureDone_ = false;
+  std::string shownError_;
+};
+
+}  // namespace boxprobe

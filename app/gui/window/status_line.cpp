@@ -1,0 +1,99 @@
+// See status_line.h.
+#include "app/gui/window/status_line.h"
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QToolButton>
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kMessageMilliseconds = 8000;
+
+}  // namespace
+
+StatusLine::StatusLine(QStatusBar* bar)
+    : QObject(bar),
+      bar_(bar),
+      picture_(new QLabel(bar)),
+      counters_(new QLabel(bar)),
+      progress_(new QProgressBar(bar)),
+      stop_(new QToolButton(bar)),
+      resume_(new QToolButton(bar)) {
+  progress_->setRange(0, 100);
+  progress_->setFixedWidth(210);
+  clock_.start();
+  stop_->setText(tr("Stop"));
+  stop_->setToolTip(tr("Leaves the rest of the capture until the scene changes again (Esc)"));
+  resume_->setText(tr("Go on capturing"));
+  counters_->setToolTip(
+      tr("What ran since the start: cubemap faces captured, prefiltered levels, shader programs compiled, pictures "
+         "drawn; and of the "
+         "last picture, how many draws used no probe, one, two or more."));
+  bar_->addPermanentWidget(progress_);
+  bar_->addPermanentWidget(stop_);
+  bar_->addPermanentWidget(resume_);
+  picture_->setObjectName("pictureState");
+  bar_->addPermanentWidget(picture_);
+  bar_->addPermanentWidget(counters_);
+  connect(stop_, &QToolButton::clicked, this, &StatusLine::stopRequested);
+  connect(resume_, &QToolButton::clicked, this, &StatusLine::resumeRequested);
+  hideProgress(false);
+  showCounters({});
+  showPicture({}, false);
+}
+
+void StatusLine::showPicture(const FrameCount& frames, bool preview) {
+  picture_->setVisible(preview || frames.wanted > 0);
+  if (preview) {
+    picture_->setText(tr("preview while moving"));
+    picture_->setToolTip(tr("A cheaper technique is shown until things come to rest (View menu)"));
+  } else if (frames.wanted > 0) {
+    picture_->setText(tr("%1 of %2 frames averaged").arg(frames.averaged).arg(frames.wanted));
+    picture_->setToolTip(tr("The mean since anything that shows was last changed"));
+  }
+}
+
+void StatusLine::showCounters(const Counters& c) {
+  std::uint64_t more = 0;
+  for (std::size_t i = 2; i < c.drawsByProbeCount.size(); ++i) more += c.drawsByProbeCount[i];
+  counters_->setText(tr("faces %1   levels %2   programs %3   renders %4   draws with 0/1/2+ probes: %5/%6/%7")
+                         .arg(c.facesCaptured)
+                         .arg(c.levelsFiltered)
+                         .arg(c.programsCompiled)
+                         .arg(c.renders)
+                         .arg(c.drawsByProbeCount[0])
+                         .arg(c.drawsByProbeCount[1])
+                         .arg(more));
+}
+
+void StatusLine::showProgress(double fraction) {
+  const auto seconds = timeLeft_.update(fraction, 1e-3 * static_cast<double>(clock_.elapsed()));
+  const QString text = tr("Capturing %p %");
+  progress_->setFormat(seconds ? text + ", " + TimeLeft::text(*seconds) : text);
+  progress_->setValue(static_cast<int>(100.0 * fraction));
+  progress_->show();
+  stop_->show();
+  resume_->hide();
+}
+
+void StatusLine::hideProgress(bool stopped) {
+  timeLeft_.restart();
+  progress_->hide();
+  stop_->hide();
+  resume_->setVisible(stopped);
+}
+
+void StatusLine::showMessage(const QString& text) {
+  bar_->setStyleSheet({});
+  bar_->showMessage(text);
+}
+
+void StatusLine::showError(const QString& text) {
+  bar_->setStyleSheet("QStatusBar { color: #ff8f80; font-weight: bold; }");
+  bar_->showMessage(text, kMessageMilliseconds);
+}
+
+}  // namespace boxprobe

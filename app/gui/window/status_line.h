@@ -1,0 +1,48 @@
+// The line under the picture: messages, what ran (counters) and the progress of capture with a button to stop it.
+// Called by the main window.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include "app/gui/widgets/time_left.h"
+#include "filters/core/base/counters.h"
+#include "filters/vtk/frame/frame_count.h"
+
+class QLabel;
+class QProgressBar;
+class QStatusBar;
+class QToolButton;
+
+namespace boxprobe {
+
+class StatusLine : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StatusLine(QStatusBar* bar);
+
+  void showCounters(const Counters& counters);
+  void showProgress(double fraction);
+  void hideProgress(bool stopped);
+  /// Of the picture on the screen: how many frames it is the mean of, or that it stands in for a better one.
+  void showPicture(const FrameCount& frames, bool preview);
+  void showMessage(const QString& text);
+  void showError(const QString& text);
+
+ signals:
+  void stopRequested();
+  void resumeRequested();
+
+ private:
+  QStatusBar* bar_;
+  QLabel* picture_;
+  QLabel* counters_;
+  QProgressBar* progress_;
+  QToolButton* stop_;
+  QToolButton* resume_;
+  QElapsedTimer clock_;
+  TimeLeft timeLeft_;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,77 @@
+// See window_app.h.
+#include "app/gui/window/window_app.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include <QApplication>
+#include <exception>
+#include <optional>
+
+#include "app/gui/view/viewport.h"
+#include "app/gui/widgets/window_style.h"
+#include "app/gui/window/file_commands.h"
+#include "app/gui/window/main_window.h"
+#include "app/session/load_scene.h"
+#include "app/session/messages.h"
+#include "app/session/stats_json.h"
+#include "app/session/vtk_messages.h"
+#include "filters/core/base/errors.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/vtk/gl/cpu_time.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// Exceptions must not pass through Qt's event loop: what slips out of a handler is a message, and the window goes on.
+class Application : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    try {
+      return QApplication::notify(receiver, event);
+    } catch (const std::exception& error) {
+      printError(error.what());
+      return false;
+    }
+  }
+};
+
+}  // namespace
+
+int runWindow(int& argc, char** argv, const std::string& scenePath, const WindowOptions& options) {
+  LoadedScene loaded;
+  if (!scenePath.empty()) loaded = loadScene(scenePath);  // first: bad input is told without a window flashing up
+  printWarnings(loaded.warnings);
+
+  installVtkMessages(false, true);
+  setSurfaceFormat();
+  QCoreApplication::setApplicationName("Boxprobe");
+  Application application(argc, argv);
+  applyWindowStyle(application);
+
+  MainWindow window;
+  RunStats stats;
+  std::optional<double> startToFirstFrame;
+  std::string pictureError;
+  QObject::connect(&window, &MainWindow::firstPictureComplete, [&] { startToFirstFrame = processCpuSeconds(); });
+  QObject::connect(&window, &MainWindow::closing, [&] {
+    window.viewport().window3d()->MakeCurrent();
+    stats = collectStats(window.renderer(), window.viewport().window3d());
+    pictureError = window.renderer().error();
+  });
+  if (!scenePath.empty()) {
+    window.showScene(std::move(loaded));
+    window.files().remember(QString::fromStdString(scenePath));
+  }
+  window.show();
+  if (!options.lesson.empty()) window.openLesson(QString::fromStdString(options.lesson));
+  QApplication::exec();
+
+  stats.startToFirstFrameCpuSeconds = startToFirstFrame;
+  if (!options.statsPath.empty()) writeTextAtomically(options.statsPath, statsJson(stats));
+  if (!pictureError.empty()) throw WorkError(pictureError);
+  return 0;
+}
+
+}  // namespace boxprobe

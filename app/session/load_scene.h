@@ -1,0 +1,38 @@
+// From a path on the command line to a scene with its models: a *.boxprobe.json file, or a bare model that gets a
+// fitted probe and camera. Called by the sub-commands and the window; needs no display.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
+#include "filters/io/gltf/model_file.h"
+
+namespace boxprobe {
+
+struct LoadedScene {
+  Scene scene;
+  std::vector<std::shared_ptr<const Model>> models;  ///< in the order of scene.models
+  std::string path;                                  ///< the scene file; empty for a bare model: never saved
+  std::vector<std::string> warnings;                 ///< sceneWarnings() of it
+  double loadCpuSeconds = 0.0;                       ///< all threads
+};
+
+/// `assignments` are those of --set, applied in order before anything but a bare model is read, then validated
+/// together. Throws InputError naming file and place.
+LoadedScene loadScene(const std::string& path, const std::vector<std::string>& assignments = {},
+                      const LoadProgress& progress = {});
+
+/// The models a scene names, in its order. A file named twice is read once. Throws LoadCancelled if `progress` says so.
+std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const LoadProgress& progress = {});
+
+/// What will not show as the files ask, one sentence each: what the model files hold and the program does not support,
+/// features of the scene that are accepted but not used yet, overrides and hides that name nothing in the models.
+std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
+
+/// True for the extensions of model files, which can be opened without a scene, in any case.
+bool isModelPath(const std::string& path);
+
+}  // namespace boxprobe

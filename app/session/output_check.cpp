@@ -1,0 +1,47 @@
+// See output_check.h.
+#include "app/session/output_check.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "filters/core/base/errors.h"
+
+namespace boxprobe {
+
+namespace fs = std::filesystem;
+
+void requireWritable(const std::string& option, const std::string& path) {
+  const std::string place = option + " " + path + ": ";
+  std::error_code ignored;
+  fs::path folder = fs::path(path).parent_path();
+  if (folder.empty()) folder = ".";
+  if (!fs::exists(folder, ignored))
+    throw InputError(place + "the folder " + folder.string() + " does not exist; create it first");
+  if (!fs::is_directory(folder, ignored)) throw InputError(place + folder.string() + " is a file, not a folder");
+  if (fs::is_directory(path, ignored)) throw InputError(place + "this is a folder; name a file in it");
+  // Permissions, read-only mounts and root's privileges are the kernel's to weigh: a file is created and removed.
+  std::string probe = (folder / ".boxprobe-XXXXXX").string();
+  const int file = mkstemp(probe.data());
+  if (file < 0) throw InputError(place + "cannot write into " + folder.string() + ": " + std::strerror(errno));
+  close(file);
+  unlink(probe.c_str());
+}
+
+std::string requireExtension(const std::string& option, const std::string& path,
+                             const std::vector<std::string>& extensions) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) return extension;
+  std::string list;
+  for (const std::string& known : extensions) list += (list.empty() ? "" : " or ") + known;
+  throw InputError(option + " " + path + ": the file name must end in " + list);
+}
+
+}  // namespace boxprobe

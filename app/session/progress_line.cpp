@@ -1,0 +1,59 @@
+// See progress_line.h.
+#include "app/session/progress_line.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+namespace boxprobe {
+
+namespace {
+
+// For a program that starts this one, such as the window's measurements: BOXPROBE_PROGRESS=lines.
+bool progressAsLines() {
+  const char* form = std::getenv("BOXPROBE_PROGRESS");
+  return form != nullptr && std::strcmp(form, "lines") == 0;
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(std::string label, bool enabled)
+    : label_(std::move(label)),
+      lines_(progressAsLines()),
+      enabled_(enabled && (lines_ || isatty(STDERR_FILENO) == 1)) {}
+
+ProgressLine::~ProgressLine() {
+  if (shownPercent_ >= 0 && !lines_) std::fputs("\r\x1b[K", stderr);
+}
+
+// By what was done so far; nothing while that says little.
+std::string ProgressLine::timeLeft(double fraction) const {
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+  if (fraction < 0.03 || fraction >= 1.0 || passed.count() < 1.0) return {};
+  const auto seconds = static_cast<long>(passed.count() * (1.0 - fraction) / fraction + 0.5);
+  if (seconds < 100) return ", " + std::to_string(seconds) + " s left";
+  return ", " + std::to_string((seconds + 30) / 60) + " min left";
+}
+
+void ProgressLine::show(double fraction) {
+  const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
+  if (!enabled_ || percent == shownPercent_) return;
+  shownPercent_ = percent;
+  if (lines_) {
+    std::fprintf(stderr, "progress %d\n", percent);
+    std::fflush(stderr);
+    return;
+  }
+  constexpr int width = 30;
+  const int filled = percent * width / 100;
+  std::fprintf(stderr, "\r%s [%s%s] %3d %%%s\x1b[K", label_.c_str(),
+               std::string(static_cast<std::size_t>(filled), '#').c_str(),
+               std::string(static_cast<std::size_t>(width - filled), '.').c_str(), percent, timeLeft(fraction).c_str());
+  std::fflush(stderr);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,129 @@
+// What a scene asks for that will not be seen in the picture: features this version accepts without acting on them, and
+// names that the models do not have. Called by `info`, by rendering (as warnings) and by the window.
+#include <algorithm>
+#include <glm/vector_relational.hpp>
+
+#include "filters/core/base/field_error.h"
+#include "filters/core/base/nearest_name.h"
+#include "filters/core/base/number_text.h"
+#include "filters/core/base/one_line.h"
+#include "filters/core/geometry/light_shadow.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
+#include "filters/core/scene/technique_parameters.h"
+#include "filters/math/technique/automatic.h"
+
+namespace boxprobe {
+
+namespace {
+
+using Remarks = std::vector<std::string>;
+
+void remark(Remarks& remarks, const KeyPath& path, const std::string& sentence) {
+  remarks.push_back(oneLine(keyPathText(path) + ": " + sentence));
+}
+
+bool flat(const Box& box) {
+  return glm::any(glm::equal(box.min, box.max));
+}
+
+// Not refused: what one technique does not read waits for the next, so that trying another loses nothing.
+void parameterRemarks(Remarks& remarks, const Probe& probe) {
+  const Technique technique = probeTechnique(probe);
+  std::vector<std::string> names;
+  for (const ParameterRow* row : parametersOf(technique)) names.emplace_back(row->name);
+  for (const auto& [name, value] : probe.parameters) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    remark(remarks, {"probes", probe.name, "parameters", name},
+           "is not used by technique " + techniqueId(technique) + ", whose parameters are: " + nameList(names) + ".");
+  }
+}
+
+void budgetRemarks(Remarks& remarks, const Probe& probe) {
+  const Technique technique = probeTechnique(probe);
+  if (!isAutomatic(technique)) return;
+  const double budget = parameterNumber(probe, *findParameter("budget"));
+  for (const double roughness : measuredRoughness()) {
+    const AutomaticChoice choice = chooseAutomatic(roughness, roughness, budget);
+    if (choice.withinBudget) continue;
+    remark(remarks, {"probes", probe.name, "parameters", "budget"},
+           "no technique stays within " + numberText(budget) + " at every roughness; at roughness " +
+               numberText(roughness) + " the nearest is " + techniqueId(choice.technique) + " with " +
+               numberText(choice.error) + ", which is used.");
+    return;
+  }
+}
+
+void probeRemarks(Remarks& remarks, const Probe& probe) {
+  const auto say = [&](const char* key, const std::string& sentence) {
+    remark(remarks, {"probes", probe.name, key}, sentence);
+  };
+  if (flat(probe.box)) say("box", "is flat: no ray hits it inside, so the probe is not projected there.");
+  if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe shows nowhere.");
+  if (probe.mode != ProbeMode::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
+  parameterRemarks(remarks, probe);
+  budgetRemarks(remarks, probe);
+}
+
+void lightRemarks(Remarks& remarks, const Scene& scene, std::size_t index) {
+  const Light& light = scene.lights[index];
+  if (light.shadows == LightShadows::None) return;
+  const KeyPath path{"lights", "[" + std::to_string(index) + "]", "shadows"};
+  if (scene.probes.empty()) return remark(remarks, path, "need a probe, whose coverage throws them.");
+  if (index >= kMostShadowLights) {
+    return remark(remarks, path, "are thrown of the first " + std::to_string(kMostShadowLights) + " lights only.");
+  }
+  for (const Probe& probe : scene.probes) {
+    if (lightOutside(light, probe)) continue;
+    remark(remarks, path, "has no effect in probe \"" + probe.name + "\", in whose box the light itself lies.");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> featuresNotUsed(const Scene& scene) {
+  Remarks remarks;
+  for (const Probe& probe : scene.probes) probeRemarks(remarks, probe);
+  const bool anyMoves =
+      std::any_of(scene.objects.begin(), scene.objects.end(), [](const auto& object) { return object.second.dynamic; });
+  for (const Probe& probe : scene.probes) {
+    if (scene.mirrors.empty() || !anyMoves || probe.mode != ProbeMode::Realtime) continue;
+    remark(remarks, {"probes", probe.name, "mode"},
+           "is realtime: it sees what moves, and a planar mirror in its reach shows that a second time.");
+  }
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) lightRemarks(remarks, scene, i);
+  return remarks;
+}
+
+std::vector<std::string> unmatchedOverrides(const Scene& scene, const std::vector<const Model*>& models) {
+  std::vector<std::string> materials, nodes;
+  for (const Model* model : models) {
+    for (const Material& material : model->materials) materials.push_back(material.name);
+    for (const Instance& instance : model->instances) nodes.push_back(instance.node);
+  }
+  for (auto* names : {&materials, &nodes}) {
+    std::sort(names->begin(), names->end());
+    names->erase(std::unique(names->begin(), names->end()), names->end());
+  }
+  Remarks remarks;
+  const auto check = [&remarks](const KeyPath& path, const std::string& name, const std::vector<std::string>& known,
+                                const std::string& kind) {
+    if (std::binary_search(known.begin(), known.end(), name)) return;
+    const std::string guess = didYouMean(name, known);
+    remark(remarks, path,
+           "no " + kind + " of the models is called \"" + name + "\"" +
+               (guess.empty() ? "; they are " + nameList(known) + "." : guess));
+  };
+  for (const auto& [name, material] : scene.materials) check({"materials", name}, name, materials, "material");
+  for (const auto& [name, object] : scene.objects) check({"objects", name}, name, nodes, "node");
+  for (const auto& [name, mirror] : scene.mirrors) check({"mirrors", name}, name, nodes, "node");
+  for (const Probe& probe : scene.probes) {
+    for (std::size_t i = 0; i < probe.hides.size(); ++i) {
+      check({"probes", probe.name, "hides", "[" + std::to_string(i) + "]"}, probe.hides[i], nodes, "node");
+    }
+  }
+  return remarks;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,63 @@
+// A cubemap as a flat picture: the cross or the latitude-longitude map, seen from inside, and where a direction or a
+// texel lies in it, so that what was looked up can be drawn on top. Called by previews and by explanations; knows
+// neither Qt nor files.
+//
+// Both pictures are what someone inside sees, +Y up, with +Z in the middle and +X to its left (the world is
+// right-handed). The latitude-longitude map is OpenEXR's: the left edge is -Z, the top row +Y. The cross is
+//
+//           +Y
+//     +X    +Z    -X    -Z
+//           -Y
+//
+// OpenGL stores faces as seen from outside: every face is mirrored left to right here.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "filters/core/scene/model.h"
+#include "filters/math/cube/cube_map.h"
+
+namespace boxprobe {
+
+enum class CubePictureKind { Cross, LatLong };
+
+/// Where things lie in such a picture. Positions are pixels from the top left corner, pixel centres at .5.
+class CubePicture {
+ public:
+  /// `width` is rounded down to a multiple of 4 (cross) or 2 (latitude-longitude), at least 4.
+  CubePicture(CubePictureKind kind, int width);
+
+  CubePictureKind kind() const { return kind_; }
+  int width() const { return width_; }
+  int height() const { return kind_ == CubePictureKind::Cross ? 3 * width_ / 4 : width_ / 2; }
+
+  /// `direction` need not be unit.
+  glm::dvec2 position(const glm::vec3& direction) const;
+  /// Not unit; nothing outside the picture and in the empty corners of the cross.
+  std::optional<glm::vec3> direction(const glm::dvec2& position) const;
+  /// The border of a texel of a face of `faceSize`² texels, the last point not repeated. On the latitude-longitude map
+  /// neighbouring points are never half a picture apart: an outline across the seam runs past the picture's edge (draw
+  /// it again a width to the other side), and one around a pole does not close.
+  std::vector<glm::dvec2> texelOutline(int faceSize, int face, int column, int row) const;
+
+ private:
+  glm::dvec2 facePosition(const CubePoint& point) const;
+
+  CubePictureKind kind_;
+  int width_;
+};
+
+/// (exposure * linear)^(1/2.2) as the program shows it, 0..255.
+std::uint8_t displayByte(float linear, float exposure);
+
+/// A level in display colours. Texels larger than a pixel are squares in the cross and interpolated, as lookups do, on
+/// the latitude-longitude map; smaller ones are averaged in linear light. Opaque but for the cross's empty corners.
+ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& picture, float exposure);
+
+/// A level as a latitude-longitude map in linear light, alpha as in the cube; `width` / 2 rows.
+ImageRgbaF latLongImage(const CubeMap& cube, int level, int width);
+
+}  // namespace boxprobe

@@ -1,0 +1,119 @@
+// A model as plain arrays, whatever file it came from: what the VTK layer turns into actors and what the ray tracer
+// traces. Knows neither VTK nor the file format.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x2.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "filters/core/scene/scene.h"
+
+namespace boxprobe {
+
+/// 8-bit RGBA, rows from the top of the picture down (glTF's v = 0 is the first row).
+struct ImageRgba8 {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;  ///< width * height * 4
+  std::string name;                  ///< for messages
+};
+
+/// Linear float RGBA, rows from the top of the picture down.
+struct ImageRgbaF {
+  int width = 0;
+  int height = 0;
+  std::vector<float> pixels;  ///< width * height * 4
+};
+
+enum class Wrap { Repeat, ClampToEdge, MirroredRepeat };
+
+struct TextureUse {
+  std::shared_ptr<const ImageRgba8> image;  ///< null: no texture
+  Wrap wrapS = Wrap::Repeat;
+  Wrap wrapT = Wrap::Repeat;
+  int uvSet = 0;                                                ///< which of the mesh's two sets of coordinates
+  glm::mat3x2 uvTransform{1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};  ///< of (u, v, 1), by columns; KHR_texture_transform
+  bool nearest = false;                                         ///< magnified without interpolation
+};
+
+/// What a material's alpha means (glTF 2.0, section 3.9.4).
+enum class AlphaMode {
+  Opaque,  ///< nothing
+  Mask,    ///< shown where it is not below the cutoff, and whole there
+  Blend,   ///< covers by that much
+};
+
+/// glTF metallic-roughness. Colours linear; baseColor and emissive textures sRGB; metallicRoughness as glTF packs it
+/// (G roughness, B metallic).
+struct Material {
+  std::string name;
+  glm::vec4 baseColor{1.0f};
+  float metallic = 1.0f;
+  float roughness = 1.0f;    ///< perceptual
+  glm::vec3 emissive{0.0f};  ///< factor times KHR_materials_emissive_strength: may exceed 1
+  float normalScale = 1.0f;
+  float occlusionStrength = 1.0f;
+  float coat = 0.0f;
+  float coatRoughness = 0.0f;
+  float coatNormalScale = 1.0f;
+  float transmission = 0.0f;  ///< KHR_materials_transmission
+  float ior = 1.5f;
+  bool thin = true;                  ///< a sheet that bends nothing (KHR_materials_volume: thickness 0), not a solid
+  float thickness = 0.0f;            ///< of a solid, where its true one is not known: scene units
+  float attenuationDistance = 0.0f;  ///< white light has attenuationColor left after it; 0: nothing is absorbed
+  glm::vec3 attenuationColor{1.0f};
+  GlassForm glass = GlassForm::Automatic;
+  bool unlit = false;  ///< KHR_materials_unlit: shows baseColor times its texture, no light
+  bool doubleSided = false;
+  AlphaMode alphaMode = AlphaMode::Opaque;
+  float alphaCutoff = 0.5f;  ///< of AlphaMode::Mask
+  TextureUse baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
+  TextureUse coatTexture, coatRoughnessTexture, coatNormalTexture;  ///< R, G, a tangent-space normal
+  TextureUse transmissionTexture;                                   ///< R
+
+  /// Shows what lies behind it, bent.
+  bool transmits() const { return transmission > 0.0f && !unlit; }
+
+  /// All of them, those without an image too.
+  std::vector<TextureUse*> textures();
+  std::vector<const TextureUse*> textures() const;
+};
+
+/// Triangles. Arrays other than positions may be empty; if not, they have one entry a position.
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;
+  std::vector<glm::vec4> tangents;     ///< w = handedness, glTF convention
+  std::vector<glm::vec2> uv;           ///< v = 0 at the top of the picture, as in glTF
+  std::vector<glm::vec2> uv1;          ///< second set
+  std::vector<glm::vec4> colors;       ///< linear, multiply the base colour and its alpha
+  std::vector<std::uint32_t> indices;  ///< three a triangle
+  int material = -1;                   ///< index into Model::materials, -1: the default material
+};
+
+/// A mesh placed in the world.
+struct Instance {
+  std::string node;  ///< glTF node name; what scene files call an object
+  int mesh = 0;
+  glm::dmat4 worldFromModel{1.0};
+};
+
+struct Model {
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Instance> instances;
+  std::vector<Light> lights;          ///< in the file's frame, as instances are
+  std::vector<Camera> cameras;        ///< likewise, names unique
+  std::vector<std::string> warnings;  ///< what the file asks for and is not supported, named once
+
+  std::size_t triangleCount() const;  ///< over all instances
+};
+
+}  // namespace boxprobe

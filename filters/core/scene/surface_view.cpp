@@ -1,0 +1,42 @@
+#include "filters/core/scene/surface_view.h"
+
+namespace boxprobe {
+
+// The order is the shader's: shaders/gpu/surface_view.glsl switches on the row's index.
+const std::vector<SurfaceViewRow>& surfaceViews() {
+  static const std::vector<SurfaceViewRow> rows = {
+      {"picture", "Picture", "", "The surfaces as they are.", ViewKind::Picture, 0, 1},
+      {"hit-distance", "Hit distance", "scene units",
+       "From the surface along the reflected ray to where it leaves the probe's proxy: the d of the projection.",
+       ViewKind::Scalar, 0, 0},
+      {"true-distance", "True distance", "scene units",
+       "Along the reflected ray to what the probe's distance cubemap holds there.", ViewKind::Scalar, 0, 0},
+      {"hit-error", "Hit error", "scene units",
+       "Between the proxy's hit and the true one: 0 where the scene is the box.", ViewKind::Scalar, 0, 0},
+      {"direction-error", "Lookup error", "degrees",
+       "Seen from the capture origin, the angle between the direction looked up and the one to the true hit.",
+       ViewKind::Scalar, 0, 30},
+      {"level", "Level", "", "The level of the prefiltered chain that is fetched; a mean if there are several fetches.",
+       ViewKind::Scalar, 0, 0},
+      {"roughness", "Effective roughness", "",
+       "The roughness that level was baked for: what the technique makes of it.", ViewKind::Scalar, 0, 1},
+      {"direction", "Lookup direction", "", "The direction looked up, x y z from -1 to 1 as red, green and blue.",
+       ViewKind::Color, 0, 1},
+      {"weights", "Probe weights", "", "Each probe's colour by its share of the pixel; dark grey is the sky's share.",
+       ViewKind::Color, 0, 1},
+      {"face", "Face hit", "", "The face of the box that the reflected ray hits: -x +x -y +y -z +z.",
+       ViewKind::Category, 0, 5},
+      {"lookups", "Lookups", "", "Fetches from cubemaps at this pixel.", ViewKind::Scalar, 0, 8},
+  };
+  return rows;
+}
+
+std::optional<int> findSurfaceView(std::string_view id) {
+  const auto& rows = surfaceViews();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].id == id) return static_cast<int>(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,83 @@
+// The terms and their clamps are vtkPBRFunctions.glsl's of VTK 9.1.0, its masking term with roughness in place of alpha
+// included, and the guard of filters/vtk/surface/vtk_pbr_splice.cpp against 0/0: this must give what is on the screen.
+#include "filters/core/surface/direct_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "filters/math/shared/shared_math.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr float kReciprocalPi = 0.31830988618f;
+
+float clampedCosine(const glm::vec3& a, const glm::vec3& b) {
+  return std::clamp(glm::dot(a, b), 1.0e-5f, 1.0f);
+}
+
+struct Lobe {
+  glm::vec3 specular;
+  glm::vec3 fresnel;
+};
+
+Lobe isotropicLobe(float nDotH, float nDotV, float nDotL, float hDotL, float roughness, const glm::vec3& f0,
+                   const glm::vec3& f90) {
+  const float alpha = roughness * roughness, a2 = alpha * alpha;
+  const float d = std::max((nDotH * a2 - nDotH) * nDotH + 1.0f, std::max(a2, 1.0e-12f));
+  const float distribution = a2 / (3.14159265359f * d * d);
+  const float r2 = roughness * roughness;
+  const float masking = 0.5f / (nDotL * std::sqrt(r2 + nDotV * (nDotV - r2 * nDotV)) +
+                                nDotV * std::sqrt(r2 + nDotL * (nDotL - r2 * nDotL)));
+  const glm::vec3 fresnel = f0 + (f90 - f0) * std::pow(1.0f - hDotL, 5.0f);
+  return {distribution * masking * fresnel, fresnel};
+}
+
+}  // namespace
+
+glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec3& f90,
+                      const std::vector<Light>& lights, const std::vector<glm::vec3>* through) {
+  const glm::vec3 n = s.normalWorld, v = s.viewWorld;
+  const float nDotV = clampedCosine(n, v);
+  glm::vec3 sum(0.0f);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Light& light = lights[i];
+    glm::vec3 radiance = light.color * light.intensity;
+    if (through != nullptr) radiance *= (*through)[i];
+    glm::vec3 l;
+    if (light.type != LightType::Directional) {
+      const glm::vec3 to(light.position - s.positionWorld);
+      const float distance = glm::length(to);
+      l = to / std::max(distance, 1.0e-18f);  // at the lamp itself it has no direction
+      radiance *= shading::distanceFalloff(distance, light.range > 0.0 ? static_cast<float>(1.0 / light.range) : 0.0f);
+      if (light.type == LightType::Spot) {
+        const auto cosine = [](double degrees) { return static_cast<float>(std::cos(glm::radians(degrees))); };
+        radiance *= shading::coneFalloff(glm::dot(-l, glm::vec3(glm::normalize(light.direction))),
+                                         cosine(light.outerConeDegrees), cosine(light.innerConeDegrees));
+      }
+    } else {
+      l = glm::vec3(-glm::normalize(light.direction));
+    }
+    const glm::vec3 h = glm::normalize(v + l);
+    const float hDotL = clampedCosine(h, l), nDotL = clampedCosine(n, l), nDotH = clampedCosine(n, h);
+    Lobe base = isotropicLobe(nDotH, nDotV, nDotL, hDotL, s.roughness, f0, f90);
+    glm::vec3 diffuse = (1.0f - s.metallic) * (1.0f - base.fresnel) * s.albedo * kReciprocalPi;
+    if (s.coatStrength > 0.0f) {
+      const glm::vec3 coatN = s.coatNormalWorld;
+      const float coatNDotL = clampedCosine(coatN, l);
+      const Lobe coat = isotropicLobe(clampedCosine(coatN, h), clampedCosine(coatN, v), coatNDotL, hDotL,
+                                      s.coatRoughness, glm::vec3(s.coatF0), glm::vec3(1.0f));
+      const glm::vec3 under = 1.0f - coat.fresnel * s.coatStrength;
+      sum += coat.specular * radiance * coatNDotL * s.coatStrength;
+      base.specular *= under * under;
+      diffuse *= under;
+    }
+    sum += radiance * (diffuse + base.specular) * nDotL;
+  }
+  return sum;
+}
+
+}  // namespace boxprobe

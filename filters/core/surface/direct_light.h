@@ -1,0 +1,18 @@
+// Light sources on a surface as VTK 9.1's physically based shader adds them up. Called by explanations and by the
+// ray-traced reference; CPU only.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "filters/core/scene/scene.h"
+#include "filters/core/surface/surface_point.h"
+
+namespace boxprobe {
+
+/// Both lobes and the coat, before ambient occlusion. `f0` and `f90` as in the shader; `through`: how much of each
+/// light arrives, null for all of it.
+glm::vec3 directLight(const SurfacePoint& surface, const glm::vec3& f0, const glm::vec3& f90,
+                      const std::vector<Light>& lights, const std::vector<glm::vec3>* through = nullptr);
+
+}  // namespace boxprobe

@@ -1,0 +1,61 @@
+// Everything the explanation of a pixel is calculated from: the surface, the draw's probes with their maps, lights,
+// glass, mirror. Plain values; filled by the surface inspector, read by explain_pixel and explain_shadow.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <string>
+#include <vector>
+
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/picture/baked_probe.h"
+#include "filters/core/scene/scene.h"
+#include "filters/core/surface/surface_point.h"
+#include "filters/explain/explain_glass.h"
+#include "filters/math/sampling/brdf_table.h"
+#include "filters/math/shared/mirror_math.h"
+
+namespace boxprobe {
+
+/// A probe of the draw, most important first.
+struct ExplainedProbe {
+  std::string name;
+  int index = 0;                      ///< in the scene's list
+  int group = 0;                      ///< of equal importance, from 0
+  ProbeGeometry geometry;             ///< its technique is what draws it
+  const BakedMaps* maps = nullptr;    ///< null: not captured yet
+  bool automatic = false;             ///< its technique was chosen for the object's roughness
+  bool open = false;                  ///< the sky shows where it saw nothing
+  ShCoefficients openSky{};           ///< its diffuse light that comes in there
+  const CubeMap* coverage = nullptr;  ///< what it lets through, in levels of plain means; null: not known yet
+  std::uint32_t shadowLights = 0;     ///< a bit for each light that its coverage stands before
+};
+
+/// A depth map of what moves, as a light sees it.
+struct MovingMap {
+  int light = 0;
+  int size = 0;
+  std::vector<float> depth;  ///< rows from the bottom
+  glm::dmat4 mapFromWorld{1.0};
+};
+
+struct ExplainInput {
+  SurfacePoint surface;
+  enum class Lighting { Plain, Unlit, Probes } lighting = Lighting::Probes;
+  std::vector<ExplainedProbe> probes;
+  bool weights = true;        ///< false: one probe at full weight, nothing left for the sky
+  bool sky = true;            ///< false: the probes leave nothing to it
+  bool onlyProbes = false;    ///< what they leave to it goes to them, wherever one has weight
+  std::vector<float> shares;  ///< of all of the object, in place of weights at the point; empty: those
+  float skyShare = 1.0f;      ///< beside `shares`
+  const BakedMaps* skyMaps = nullptr;
+  const BrdfTable* brdf = nullptr;
+  std::vector<Light> lights;
+  std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as such
+  /// Of a planar mirror whose picture is shown, relative to the eye, its texels read back; null: none.
+  const shading::MirrorLook* mirror = nullptr;
+  std::vector<int> shadowLights;  ///< those that this draw asks a probe's coverage about
+  std::vector<MovingMap> movingMaps;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,132 @@
+#include "filters/explain/explain_shadow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <utility>
+
+#include "filters/core/geometry/light_shadow.h"
+#include "filters/core/geometry/probe_shares.h"
+#include "filters/math/shared/coverage.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// What the probe lets through of what comes from `toLight`.
+ProbeShadow probeShadow(const ExplainedProbe& probe, const SurfacePoint& s, const glm::vec3& toLight, float tangent,
+                        const Light& light) {
+  const ProbeGeometry& g = probe.geometry;
+  ProbeShadow shadow;
+  shadow.name = probe.name;
+  const glm::mat3 probeFromWorld = glm::transpose(glm::mat3(g.worldFromProbe));
+  const glm::vec3 offset = glm::vec3(s.positionWorld - s.eyeWorld) - glm::vec3(g.originWorld - s.eyeWorld);
+  const glm::vec3 from = g.rotated ? probeFromWorld * offset : offset;
+  const glm::vec3 along = g.rotated ? probeFromWorld * toLight : toLight;
+  const glm::vec3 factors = shading::slabFactors(from, along, g.boxMin, g.boxMax);
+  shadow.distance = std::min({factors.x, factors.y, factors.z});
+  const glm::vec3 hit = from + shadow.distance * along;
+  shadow.hitWorld = g.originWorld + g.worldFromProbe * glm::dvec3(hit);
+  if (probe.coverage == nullptr) return shadow;
+  const float maxLevel = probe.coverage->maxLevel();
+  const auto perUnit = static_cast<float>(light.levelsPerUnit);
+  shadow.level =
+      light.shadowLevel == ShadowLevel::Size
+          ? shading::coverageLevel(hit, factors, along, tangent, static_cast<float>(probe.coverage->faceSize()))
+          : shadow.distance * (perUnit > 0.0f ? perUnit : levelsPerUnit(g.boxMin, g.boxMax, maxLevel));
+  shadow.level = std::clamp(shadow.level, 0.0f, maxLevel);
+  const glm::vec3 inMap = g.mapTurned ? glm::mat3(g.mapFromProbe) * hit : hit;
+  shadow.through = glm::vec3(probe.coverage->fetch(shading::lookupDirection(inMap), shadow.level));
+  return shadow;
+}
+
+/// Unit direction and distance; of a directional light 1.
+std::pair<glm::vec3, float> wayTo(const Light& light, const glm::dvec3& positionWorld) {
+  if (light.type == LightType::Directional) return {glm::vec3(-glm::normalize(light.direction)), 1.0f};
+  const glm::vec3 to(light.position - positionWorld);
+  const float distance = glm::length(to);
+  return {to / std::max(distance, 1.0e-18f), distance};
+}
+
+}  // namespace
+
+ShadowRay shadowRay(const ExplainedProbe& probe, const glm::dvec3& positionWorld, const glm::dvec3& eyeWorld,
+                    const Light& light) {
+  SurfacePoint surface;
+  surface.positionWorld = positionWorld;
+  surface.eyeWorld = eyeWorld;
+  const auto [toLight, distance] = wayTo(light, positionWorld);
+  return {toLight, probeShadow(probe, surface, toLight, lightSize(light).tangentAt(distance), light)};
+}
+
+float movingShadowAt(const MovingMap& map, const glm::dvec3& positionWorld) {
+  const glm::dvec4 clip = map.mapFromWorld * glm::dvec4(positionWorld, 1.0);
+  if (clip.w <= 0.0) return 1.0f;
+  const glm::dvec3 at = glm::dvec3(clip) / clip.w;
+  if (at.x < 0.0 || at.x > 1.0 || at.y < 0.0 || at.y > 1.0 || at.z < 0.0) return 1.0f;
+  const auto reference = static_cast<float>(std::min(at.z, 1.0));
+  const auto lit = [&](int column, int row) {
+    const int c = std::clamp(column, 0, map.size - 1), r = std::clamp(row, 0, map.size - 1);
+    const auto texel = static_cast<std::size_t>(r) * static_cast<std::size_t>(map.size) + static_cast<std::size_t>(c);
+    return reference <= map.depth[texel] ? 1.0f : 0.0f;
+  };
+  float sum = 0.0f;
+  for (int i = 0; i < 9; ++i) {
+    const double x = at.x * map.size + i % 3 - 1 - 0.5, y = at.y * map.size + i / 3 - 1 - 0.5;
+    const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+    const auto a = static_cast<float>(x - column), b = static_cast<float>(y - row);
+    sum += (1.0f - b) * ((1.0f - a) * lit(column, row) + a * lit(column + 1, row)) +
+           b * ((1.0f - a) * lit(column, row + 1) + a * lit(column + 1, row + 1));
+  }
+  return sum / 9.0f;
+}
+
+std::vector<LightShadow> explainShadows(const ExplainInput& in) {
+  const SurfacePoint& s = in.surface;
+  std::vector<float> influences;
+  std::vector<int> groups;
+  for (const ExplainedProbe& probe : in.probes) {
+    const ProbeGeometry& g = probe.geometry;
+    const glm::vec3 offset = glm::vec3(s.positionWorld - s.eyeWorld) - glm::vec3(g.originWorld - s.eyeWorld);
+    const glm::vec3 p = g.rotated ? glm::transpose(glm::mat3(g.worldFromProbe)) * offset : offset;
+    influences.push_back(shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax));
+    groups.push_back(probe.group);
+  }
+  ProbeShares shares =
+      in.shares.empty() ? shareOut(influences, groups, in.onlyProbes) : ProbeShares{in.shares, in.skyShare};
+  if (!in.weights) shares = {std::vector<float>(in.probes.size(), 1.0f), 0.0f};
+
+  std::vector<LightShadow> result;
+  for (const int index : in.shadowLights) {
+    const Light& light = in.lights[static_cast<std::size_t>(index)];
+    LightShadow shadow;
+    shadow.light = index;
+    const auto [toLight, distance] = wayTo(light, s.positionWorld);
+    const float tangent = lightSize(light).tangentAt(distance);
+    shadow.toLight = toLight;
+    if (glm::dot(s.normalWorld, toLight) <= 0.0f) {
+      shadow.facesAway = true;
+      result.push_back(shadow);
+      continue;
+    }
+    glm::vec3 through(shares.sky);
+    for (std::size_t i = 0; i < in.probes.size(); ++i) {
+      if (shares.probes[i] <= 1.0e-5f) continue;
+      if ((in.probes[i].shadowLights >> index & 1u) == 0) {
+        through += glm::vec3(shares.probes[i]);
+        continue;
+      }
+      shadow.probes.push_back(probeShadow(in.probes[i], s, toLight, tangent, light));
+      through += shares.probes[i] * shadow.probes.back().through;
+    }
+    for (const MovingMap& map : in.movingMaps) {
+      if (map.light == index) shadow.moving = movingShadowAt(map, s.positionWorld);
+    }
+    shadow.through = shadow.moving.value_or(1.0f) * through;
+    result.push_back(shadow);
+  }
+  return result;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,60 @@
+// The plan and the side elevation of one pixel's projection, as a textbook draws them: box, capture origin, ray, hit.
+// Geometry only, in scene units along the box's axes relative to the capture origin; the window paints it. Plain
+// values.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filters/explain/explanation.h"
+
+namespace boxprobe {
+
+enum class SchematicLine { Eye, Normal, Reflected, Lookup, TrueHit, Slab };
+enum class SchematicPoint { Eye, Shading, Hit, Origin, TrueHit, SlabPlane };
+
+/// One of the two drawings. Points are (right, up) on the paper, scene units.
+struct SchematicView {
+  std::string title;          ///< "Plan", "Elevation"
+  int right = 0, up = 1;      ///< which axis of the box each direction of the paper is
+  bool rightFlipped = false;  ///< towards the negative axis
+  bool upFlipped = false;
+  glm::dvec2 low{0.0}, high{0.0};  ///< what has to be seen: box, P, C, H
+  std::optional<glm::dvec2> boxLow, boxHigh;
+
+  struct Line {
+    SchematicLine kind;
+    glm::dvec2 from, to;
+    std::string label;            ///< beside it; may be empty
+    double foreshortening = 1.0;  ///< its length on the paper over its length in space
+  };
+  struct Point {
+    SchematicPoint kind;
+    glm::dvec2 at;
+    std::string label;
+    glm::dvec2 labelDirection{0.0, 1.0};  ///< unit: where no line leaves the point
+  };
+  /// A plane of the box seen edge-on: where the ray, prolonged, crosses it.
+  struct Plane {
+    glm::dvec2 from, to;
+    glm::dvec2 crossing;
+    std::string label;      ///< "t_x = 2.12"
+    bool smallest = false;  ///< the one that decides
+  };
+  std::vector<Line> lines;
+  std::vector<Point> points;
+  std::vector<Plane> planes;
+};
+
+struct Schematic {
+  SchematicView plan;       ///< from above: x to the right, z towards the reader
+  SchematicView elevation;  ///< from the side in which the ray is least foreshortened, y upwards
+  std::string caption;      ///< "d = min(t_x, t_y, t_z) = 2.12", or why there is none
+};
+
+/// Nothing without a surface, a normal or a probe to draw.
+std::optional<Schematic> schematic(const Explanation& e);
+
+}  // namespace boxprobe

@@ -1,0 +1,118 @@
+#include "filters/io/cube/bake_folder.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+
+#include "filters/core/base/errors.h"
+
+namespace boxprobe {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string joined(const std::vector<std::string>& views) {
+  std::string text;
+  for (const std::string& view : views) text += (text.empty() ? "" : ",") + view;
+  return text.empty() ? "-" : text;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> views;
+  if (text == "-") return views;
+  std::istringstream in(text);
+  for (std::string view; std::getline(in, view, ',');) views.push_back(view);
+  return views;
+}
+
+}  // namespace
+
+std::string BakeRecord::text() const {
+  return key + " " + view + " " + joined(sees) + " " + joined(known);
+}
+
+std::optional<BakeRecord> BakeRecord::parse(const std::string& text) {
+  std::istringstream in(text);
+  BakeRecord record;
+  std::string sees, known, rest;
+  if (!(in >> record.key >> record.view >> sees >> known) || in >> rest) return std::nullopt;
+  record.sees = split(sees);
+  record.known = split(known);
+  return record;
+}
+
+BakeFolder::BakeFolder(std::string path) : path_(std::move(path)) {
+  std::error_code error;
+  for (fs::directory_iterator it(path_, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().extension() != ".exr") continue;
+    const std::string file = it->path().string();
+    const auto hash = bakedProbeHash(file);
+    const auto record = hash ? BakeRecord::parse(*hash) : std::nullopt;
+    if (record) files_[record->key] = {file, *record};
+  }
+}
+
+std::optional<BakeRecord> BakeFolder::record(const std::string& view) const {
+  for (const auto& [key, file] : files_) {
+    if (file.record.view == view) return file.record;
+  }
+  return std::nullopt;
+}
+
+BakedMaps BakeFolder::load(const std::string& key) const {
+  return loadBakedProbe(files_.at(key).path).maps;
+}
+
+void BakeFolder::forget(const std::string& key) {
+  files_.erase(key);
+}
+
+std::string BakeFolder::save(const std::string& folder, const Probe& probe, const BakeRecord& record,
+                             const BakedMaps& maps, const std::string& program) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
+  const std::string path = (fs::path(folder) / fileName(probe.name)).string();
+  BakedProbeFile file;
+  file.maps = maps;
+  file.info.probe = probe;
+  if (probe.name.empty()) file.info.probe.name = "sky";  // a probe without a name is no valid one to read back
+  file.info.inputHash = record.text();
+  file.info.program = program;
+  saveBakedProbe(path, file);
+  return path;
+}
+
+std::string BakeFolder::fileName(const std::string& probeName) {
+  if (probeName.empty()) return "_sky.exr";
+  std::string name;
+  for (const char c : probeName) {
+    const bool letter = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
+    // Not first: `_sky` is the sky's, and a leading dot hides a file.
+    const bool inner = !name.empty() && (c == '_' || c == '.' || c == ' ');
+    if (letter || inner) {
+      name += c;
+    } else {
+      char escaped[4];
+      std::snprintf(escaped, sizeof escaped, "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+      name += escaped;
+    }
+  }
+  return name + ".exr";
+}
+
+std::string BakeFolder::besideScene(const std::string& scenePath) {
+  std::string stem = scenePath;
+  for (const char* ending : {".json", ".boxprobe", ".glb", ".gltf"}) {
+    const std::string end(ending);
+    if (stem.size() > end.size() && stem.compare(stem.size() - end.size(), end.size(), end) == 0) {
+      stem.resize(stem.size() - end.size());
+    }
+  }
+  return stem + ".probes";
+}
+
+}  // namespace boxprobe

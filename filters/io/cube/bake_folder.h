@@ -1,0 +1,60 @@
+// A folder of baked probes, one EXR file each, and what says whether one still holds. Written by `boxprobe bake` and
+// the window, read by everything that draws a scene. Knows neither VTK nor Qt.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filters/io/cube/cube_file.h"
+
+namespace boxprobe {
+
+/// What a probe's maps were made from.
+struct BakeRecord {
+  std::string key;   ///< of the maps: equal keys, equal pictures
+  std::string view;  ///< of what the capture shows directly: the key without the light that other probes throw into it
+  /// Views of the probes its later bounces show, and of all probes there were. Kept so that moving a probe's box, which
+  /// changes what it lights, does not undo the bake, while a probe that is new does.
+  std::vector<std::string> sees, known;
+
+  /// One line; the hash in a file's header.
+  std::string text() const;
+  static std::optional<BakeRecord> parse(const std::string& text);
+};
+
+class BakeFolder {
+ public:
+  BakeFolder() = default;
+  /// Looks at the header of every EXR file in `path`. A folder that is not there is an empty one.
+  explicit BakeFolder(std::string path);
+
+  const std::string& path() const { return path_; }
+  bool has(const std::string& key) const { return files_.count(key) != 0; }
+  /// The record of a file whose capture showed `view`.
+  std::optional<BakeRecord> record(const std::string& view) const;
+  /// Throws InputError if the file with these maps was damaged since.
+  BakedMaps load(const std::string& key) const;
+  /// From here on as if the file were not there.
+  void forget(const std::string& key);
+
+  /// Writes `folder`/fileName(name), creating the folder. Throws WorkError.
+  static std::string save(const std::string& folder, const Probe& probe, const BakeRecord& record,
+                          const BakedMaps& maps, const std::string& program);
+  /// A probe's name as a file name: what is special to any file system or shell is written %XX. The empty name is the
+  /// sky.
+  static std::string fileName(const std::string& probeName);
+  /// Where a scene's probes lie if nothing else is said: NAME.probes beside NAME.boxprobe.json.
+  static std::string besideScene(const std::string& scenePath);
+
+ private:
+  struct File {
+    std::string path;
+    BakeRecord record;
+  };
+  std::string path_;
+  std::map<std::string, File> files_;  ///< by key
+};
+
+}  // namespace boxprobe

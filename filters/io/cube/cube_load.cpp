@@ -1,0 +1,250 @@
+// Any environment picture as a cube: its faces copied where they are OpenGL's texels, or resampled where the directions
+// differ.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <glm/matrix.hpp>
+
+#include "filters/core/base/errors.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/io/cube/cube_file.h"
+#include "filters/io/cube/cube_names.h"
+#include "filters/io/cube/cube_resample.h"
+#include "filters/io/cube/cube_source.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kLargestFace = 4096;
+constexpr int kLargestAutomaticFace = 2048, kSmallestAutomaticFace = 16;  // what a probe may have
+
+/// A picture's value at a pixel: its colour, or its distance in red.
+using PixelReader = std::function<glm::vec4(const CubeSource&, int column, int row)>;
+glm::vec4 colorAt(const CubeSource& source, int column, int row) {
+  const ImageRgbaF& image = source.picture.image;
+  const float* p = &image.pixels[4 * (static_cast<std::size_t>(row) * image.width + column)];
+  return {p[0], p[1], p[2], p[3]};
+}
+glm::vec4 distanceAt(const CubeSource& source, int column, int row) {
+  return {source.picture.distance[static_cast<std::size_t>(row) * source.picture.image.width + column], 0.0f, 0.0f,
+          0.0f};
+}
+
+/// Six faces in OpenGL's orientation, texels where the picture has them.
+struct Faces {
+  std::array<const CubeSource*, 6> sources{};
+  FaceCells cells{};
+  int size = 0;
+  bool openExr = false;
+
+  CubeMap copy(const PixelReader& read) const {
+    CubeMap cube(size, 1);
+    for (int face = 0; face < 6; ++face) {
+      const FaceCell cell = cells[static_cast<std::size_t>(face)];
+      const bool vertical = face == 2 || face == 3;
+      const bool flipColumns = openExr ? !vertical : cell.turned, flipRows = openExr ? vertical : cell.turned;
+      for (int row = 0; row < size; ++row) {
+        for (int column = 0; column < size; ++column) {
+          const int x = flipColumns ? size - 1 - column : column, y = flipRows ? size - 1 - row : row;
+          cube.setTexel(0, face, column, row,
+                        read(*sources[static_cast<std::size_t>(face)], cell.column * size + x, cell.row * size + y));
+        }
+      }
+    }
+    return cube;
+  }
+};
+
+int nearestFaceSize(double texels) {
+  const int power = static_cast<int>(std::lround(std::log2(std::max(texels, 1.0))));
+  return std::clamp(1 << std::min(power, 20), kSmallestAutomaticFace, kLargestAutomaticFace);
+}
+
+/// Distances are not averaged: half way between a near and a far surface there is neither.
+CubeMap nearestToCube(const std::function<glm::vec4(const glm::vec3&)>& nearest, int faceSize) {
+  return resampleToCube(nearest, faceSize, 1);
+}
+
+int nearestIndex(double coordinate, int count, TexelPlacement placement) {
+  return std::clamp(static_cast<int>(std::lround(texelPosition(coordinate, count, placement))), 0, count - 1);
+}
+
+/// Faces that lie as OpenGL's do, or with their texels on the edges.
+void convertCube(CubeMap radiance, CubeMap distance, TexelPlacement placement, int faceSize, LoadedCube& result) {
+  const int size = radiance.faceSize();
+  if (faceSize == 0) faceSize = nearestFaceSize(size);
+  if (placement == TexelPlacement::Centres && faceSize == size && (distance.empty() || distance.faceSize() == size)) {
+    result.radiance = std::move(radiance);
+    result.distance = std::move(distance);
+    return;
+  }
+  const DirectionSampler source = placement == TexelPlacement::Edges
+                                      ? edgeCubeSampler(radiance)
+                                      : [&](const glm::vec3& direction) { return radiance.fetch(direction, 0.0f); };
+  result.radiance = resampleToCube(source, faceSize, samplesForRatio(static_cast<double>(size) / faceSize));
+  if (distance.empty()) return;
+  const auto nearest = [&](const glm::vec3& direction) {
+    const CubePoint point = cubePoint(direction);
+    const int side = distance.faceSize();
+    return distance.texel(0, point.face, nearestIndex(point.s, side, placement),
+                          nearestIndex(point.t, side, placement));
+  };
+  result.distance = nearestToCube(nearest, faceSize);
+}
+
+void convertFaces(const Faces& faces, int faceSize, LoadedCube& result) {
+  const bool distances = std::all_of(faces.sources.begin(), faces.sources.end(),
+                                     [](const CubeSource* source) { return !source->picture.distance.empty(); });
+  convertCube(faces.copy(colorAt), distances ? faces.copy(distanceAt) : CubeMap(),
+              faces.openExr ? TexelPlacement::Edges : TexelPlacement::Centres, faceSize, result);
+}
+
+LoadedCube fromBaked(BakedProbeFile file, int faceSize) {
+  CubeMap finest(file.maps.radiance.faceSize(), 1);
+  LoadedCube result;
+  result.layout = CubeLayout::Strip;
+  result.texelsNotFinite = file.texelsNotFinite;
+  const int count = 6 * finest.faceSize() * finest.faceSize();
+  for (int texel = 0; texel < count; ++texel) {
+    const float* from = file.maps.radiance.face(0, 0) + std::ptrdiff_t(4) * texel;
+    float* to = finest.face(0, 0) + std::ptrdiff_t(4) * texel;
+    std::transform(from, from + 4, to, [](float v) { return std::clamp(v, -kHalfMax, kHalfMax); });
+    if (!std::equal(from, from + 4, to)) ++result.texelsClamped;  // a file of floats; halves cannot exceed it
+  }
+  CubeMap distance = std::move(file.maps.distance);
+  if (file.maps.capturedRotation != glm::dvec3(0.0)) {
+    // As other programs read it: along the world's axes.
+    const glm::mat3 mapFromWorld(glm::transpose(rotationMatrix(file.maps.capturedRotation)));
+    const CubeMap turned = std::move(finest), seen = std::move(distance);
+    finest = resampleToCube([&](const glm::vec3& d) { return turned.fetch(mapFromWorld * d, 0.0f); }, turned.faceSize(),
+                            samplesForRatio(1.0));
+    distance = CubeMap();
+    if (!seen.empty()) {
+      const auto nearest = [&](const glm::vec3& d) {
+        const CubePoint point = cubePoint(mapFromWorld * d);
+        const int side = seen.faceSize();
+        return seen.texel(0, point.face, nearestIndex(point.s, side, TexelPlacement::Centres),
+                          nearestIndex(point.t, side, TexelPlacement::Centres));
+      };
+      distance = nearestToCube(nearest, seen.faceSize());
+    }
+  }
+  convertCube(std::move(finest), std::move(distance), TexelPlacement::Centres, faceSize, result);
+  return result;
+}
+
+void convertLatLong(const CubeSource& source, int faceSize, LoadedCube& result) {
+  const ImageRgbaF& image = source.picture.image;
+  if (std::abs(image.width - 2 * image.height) > 2) {
+    throw InputError(source.path + ": is " + sizeText(image.width, image.height) +
+                     "; a latitude-longitude map is twice as wide as high");
+  }
+  // As many texels over the sphere: 6 N² = W²/2.
+  if (faceSize == 0) faceSize = nearestFaceSize(image.width / std::sqrt(12.0));
+  // Only a file that says so has OpenEXR's texels on the edges; every other one has them at the centres of its cells.
+  const TexelPlacement placement = source.picture.envmap ? TexelPlacement::Edges : TexelPlacement::Centres;
+  constexpr double kPi = 3.14159265358979323846;
+  const double ratio = image.width / (kPi * faceSize);  // texels of the picture a texel in the middle of a face
+  result.radiance = resampleToCube(latLongSampler(image, placement), faceSize, samplesForRatio(ratio));
+  if (source.picture.distance.empty()) return;
+  const auto nearest = [&](const glm::vec3& direction) {
+    const glm::dvec2 point = latLongPoint(direction);
+    return distanceAt(source, nearestIndex(point.x, image.width, placement),
+                      nearestIndex(point.y, image.height, placement));
+  };
+  result.distance = nearestToCube(nearest, faceSize);
+}
+
+void convertPicture(const CubeSource& source, CubeLayout layout, int faceSize, LoadedCube& result) {
+  if (layout == CubeLayout::LatLong) return convertLatLong(source, faceSize, result);
+  const ImageRgbaF& image = source.picture.image;
+  Faces faces;
+  faces.sources.fill(&source);
+  faces.openExr = layout == CubeLayout::Strip && source.picture.envmap == EnvmapKind::Cube;
+  const bool wide = image.width > image.height;
+  if (layout == CubeLayout::Strip) {
+    faces.cells = wide ? kRow : kColumn;
+    faces.size = std::min(image.width, image.height);
+    const bool fits =
+        faces.openExr ? image.height == 6 * image.width : std::max(image.width, image.height) == 6 * faces.size;
+    if (!fits) {
+      throw InputError(source.path + ": is " + sizeText(image.width, image.height) +
+                       (faces.openExr ? "; attribute envmap says cube, which is six times as high as wide"
+                                      : "; a strip of six faces is six times as long as wide"));
+    }
+  } else {
+    faces.cells = wide ? kCrossWide : kCrossTall;
+    faces.size = wide ? image.width / 4 : image.width / 3;
+    if (layoutOfShape(image.width, image.height) != CubeLayout::Cross) {
+      throw InputError(source.path + ": is " + sizeText(image.width, image.height) +
+                       "; a cross of faces is 4:3 or 3:4 and a whole number of faces wide");
+    }
+  }
+  convertFaces(faces, faceSize, result);
+}
+
+LoadedCube loadSixFiles(const std::string& path, int faceSize) {
+  const auto names = findSixNames(path);
+  if (!names) {
+    throw InputError(path +
+                     ": the six files of a cube were not found; name them NAME_px, NAME_nx, NAME_py, NAME_ny, "
+                     "NAME_pz and NAME_nz, or use a 2:1 latitude-longitude map, a 6:1 strip or a 4:3 cross");
+  }
+  std::array<CubeSource, 6> sources;
+  LoadedCube result;
+  result.layout = CubeLayout::SixFiles;
+  Faces faces;
+  faces.openExr = names->openExr;
+  for (std::size_t i = 0; i < 6; ++i) {
+    sources[i] = readCubeSource(names->paths[i]);
+    const ImageRgbaF& image = sources[i].picture.image;
+    if (image.width != image.height) {
+      throw InputError(names->paths[i] + ": is " + sizeText(image.width, image.height) + "; a face must be square");
+    }
+    if (i == 0) faces.size = image.width;
+    if (image.width != faces.size) {
+      throw InputError(names->paths[i] + ": is " + sizeText(image.width, image.height) + " and " + names->paths[0] +
+                       " is " + sizeText(faces.size, faces.size) + "; the six faces must be equal in size");
+    }
+    faces.sources[i] = &sources[i];
+    result.texelsNotFinite += sources[i].texelsNotFinite;
+    result.texelsClamped += sources[i].texelsClamped;
+  }
+  convertFaces(faces, faceSize, result);
+  return result;
+}
+
+}  // namespace
+
+LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize) {
+  if (faceSize < 0 || faceSize > kLargestFace || (faceSize & (faceSize - 1)) != 0) {
+    throw InputError(path + ": a face size of " + std::to_string(faceSize) +
+                     " was asked for; use a power of two up to " + std::to_string(kLargestFace));
+  }
+  std::error_code ignored;
+  const bool pattern = path.find('%') != std::string::npos && !std::filesystem::exists(path, ignored);
+  if (layout == CubeLayout::SixFiles || pattern) return loadSixFiles(path, faceSize);
+  // Of a probe of ours the exact level and its distances, which other readers' part does not have.
+  const bool mayBeBaked = layout == CubeLayout::Automatic || layout == CubeLayout::Strip;
+  if (mayBeBaked && bakedProbeHash(path)) return fromBaked(loadBakedProbe(path), faceSize);
+  CubeSource source = readCubeSource(path);
+  if (layout == CubeLayout::Automatic) layout = detectLayout(source);
+  const ImageRgbaF& image = source.picture.image;
+  if (layout == CubeLayout::Automatic) {
+    if (image.width == image.height) return loadSixFiles(path, faceSize);
+    throw InputError(path + ": is " + sizeText(image.width, image.height) +
+                     ", which is no layout of a cube; use a 2:1 latitude-longitude map, a 6:1 or 1:6 strip, a 4:3 or "
+                     "3:4 cross, or six square files");
+  }
+  LoadedCube result;
+  result.layout = layout;
+  result.texelsNotFinite = source.texelsNotFinite;
+  result.texelsClamped = source.texelsClamped;
+  convertPicture(source, layout, faceSize, result);
+  return result;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,210 @@
+// Meshes of a glTF file: one Mesh for each primitive of triangles, whatever its mode and its number formats.
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "filters/io/gltf/gltf_parts.h"
+
+namespace boxprobe {
+
+namespace {
+
+template <typename Vector>
+std::vector<Vector> asVectors(const std::vector<float>& values) {
+  constexpr int kLength = Vector::length();
+  std::vector<Vector> vectors(values.size() / kLength);
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    for (int c = 0; c < kLength; ++c) vectors[i][c] = values[i * kLength + static_cast<std::size_t>(c)];
+  }
+  return vectors;
+}
+
+/// An attribute if the primitive has it; refused if it has not one entry a position.
+template <typename Vector>
+std::vector<Vector> readAttribute(const GltfFile& file, const tinygltf::Primitive& primitive, const std::string& name,
+                                  std::size_t positions, const std::string& place) {
+  const auto found = primitive.attributes.find(name);
+  if (found == primitive.attributes.end()) return {};
+  const std::string where = place + ": " + name;
+  auto vectors = asVectors<Vector>(readFloats(file, found->second, Vector::length(), where));
+  if (vectors.size() != positions) {
+    file.fail(where,
+              "has " + std::to_string(vectors.size()) + " entries for " + std::to_string(positions) + " positions");
+  }
+  return vectors;
+}
+
+/// glTF 2.0, section 3.7.2.1: vertex order of the three modes, all with the first triangle's winding.
+std::vector<std::uint32_t> triangleList(const std::vector<std::uint32_t>& order, int mode) {
+  if (mode == TINYGLTF_MODE_TRIANGLES)
+    return {order.begin(), order.end() - static_cast<std::ptrdiff_t>(order.size() % 3)};
+  std::vector<std::uint32_t> list;
+  for (std::size_t i = 0; i + 2 < order.size(); ++i) {
+    if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+      const std::size_t odd = i % 2;
+      list.insert(list.end(), {order[i], order[i + 1 + odd], order[i + 2 - odd]});
+    } else {
+      list.insert(list.end(), {order[i + 1], order[i + 2], order[0]});
+    }
+  }
+  return list;
+}
+
+/// Without normals each triangle is flat (glTF 2.0, section 3.7.2.1), so its corners cannot be shared. Tangents belong
+/// to the normals that are not there and go.
+void makeFlat(Mesh& mesh) {
+  Mesh flat;
+  flat.name = mesh.name;
+  flat.material = mesh.material;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const glm::dvec3 a = mesh.positions[mesh.indices[i]];
+    const glm::dvec3 b = mesh.positions[mesh.indices[i + 1]];
+    const glm::dvec3 c = mesh.positions[mesh.indices[i + 2]];
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    const double length = glm::length(normal);
+    // A triangle without area is never seen; its normal has only to be a unit vector.
+    const glm::vec3 unit = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f, 1.0f, 0.0f);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t source = mesh.indices[i + corner];
+      flat.positions.push_back(mesh.positions[source]);
+      flat.normals.push_back(unit);
+      if (!mesh.uv.empty()) flat.uv.push_back(mesh.uv[source]);
+      if (!mesh.uv1.empty()) flat.uv1.push_back(mesh.uv1[source]);
+      if (!mesh.colors.empty()) flat.colors.push_back(mesh.colors[source]);
+      flat.indices.push_back(static_cast<std::uint32_t>(i + corner));
+    }
+  }
+  mesh = std::move(flat);
+}
+
+/// Quantized normals are not quite unit, and a zero one would end as NaN in every shader.
+void makeUnit(GltfFile& file, std::vector<glm::vec3>& normals) {
+  for (glm::vec3& normal : normals) {
+    const double length = glm::length(glm::dvec3(normal));
+    if (length > 0.0) {
+      normal = glm::vec3(glm::dvec3(normal) / length);
+    } else {
+      file.warn("has normals of length 0, which were set to +Y");
+      normal = glm::vec3(0.0f, 1.0f, 0.0f);
+    }
+  }
+}
+
+void warnOfTheRest(GltfFile& file, const tinygltf::Primitive& primitive) {
+  if (!primitive.targets.empty()) file.warn("has morph targets, which are not supported; the base shape is used");
+  for (const char* name : {"COLOR_1", "TEXCOORD_2"}) {
+    if (primitive.attributes.count(name) > 0) file.warn("has " + std::string(name) + ", which is left out");
+  }
+}
+
+/// COLOR_0: three or four components; without alpha it is 1 (glTF 2.0, section 3.7.2.1).
+std::vector<glm::vec4> readColors(const GltfFile& file, const tinygltf::Primitive& primitive, std::size_t positions,
+                                  const std::string& place) {
+  const auto found = primitive.attributes.find("COLOR_0");
+  if (found == primitive.attributes.end()) return {};
+  std::vector<glm::vec4> colors;
+  if (componentCount(file, found->second, place + ": COLOR_0") == 3) {
+    for (const glm::vec3& rgb : readAttribute<glm::vec3>(file, primitive, "COLOR_0", positions, place)) {
+      colors.emplace_back(rgb, 1.0f);
+    }
+  } else {
+    colors = readAttribute<glm::vec4>(file, primitive, "COLOR_0", positions, place);
+  }
+  for (glm::vec4& color : colors) color = glm::clamp(color, 0.0f, 1.0f);
+  return colors;
+}
+
+/// Normal maps of a material that need tangents: the set of texture coordinates they lie on; -1: none does.
+int normalMapSet(const Mesh& mesh, const Material& material) {
+  for (const TextureUse* use : {&material.normalTexture, &material.coatNormalTexture}) {
+    if (use->image && !(use->uvSet == 1 ? mesh.uv1 : mesh.uv).empty()) return use->uvSet;
+  }
+  return -1;
+}
+
+Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mode, const std::string& place,
+                   const std::vector<Material>& materials) {
+  Mesh mesh;
+  const auto position = primitive.attributes.find("POSITION");
+  if (position == primitive.attributes.end()) file.fail(place, "has no POSITION attribute; export it again");
+  mesh.positions = asVectors<glm::vec3>(readFloats(file, position->second, 3, place + ": POSITION"));
+  const std::size_t count = mesh.positions.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec3 reach = glm::abs(mesh.positions[i]);
+    if (std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(kLargestNumber)) continue;
+    file.fail(place + ": POSITION", "entry " + std::to_string(i) + " lies beyond 1e18; repair the model");
+  }
+  if (count > 0xffffffffu) file.fail(place, "has more than 2^32 positions; split it");
+  mesh.normals = readAttribute<glm::vec3>(file, primitive, "NORMAL", count, place);
+  mesh.tangents = readAttribute<glm::vec4>(file, primitive, "TANGENT", count, place);
+  mesh.uv = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_0", count, place);
+  mesh.uv1 = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_1", count, place);
+  mesh.colors = readColors(file, primitive, count, place);
+
+  std::vector<std::uint32_t> order;
+  if (primitive.indices >= 0) {
+    order = readIndices(file, primitive.indices, place + ": indices");
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (order[i] >= count) {
+        file.fail(place + ": indices", "index " + std::to_string(i) + " is " + std::to_string(order[i]) +
+                                           ", but there are " + std::to_string(count) +
+                                           " positions; the file is damaged");
+      }
+    }
+  } else {
+    order.resize(count);
+    for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(i);
+  }
+  if (mode == TINYGLTF_MODE_TRIANGLES && order.size() % 3 != 0) {
+    file.warn("has triangle lists whose length is no multiple of 3; the incomplete triangle is left out");
+  }
+  mesh.indices = triangleList(order, mode);
+
+  if (primitive.material >= 0 && static_cast<std::size_t>(primitive.material) >= file.gltf.materials.size()) {
+    file.fail(place, "material " + std::to_string(primitive.material) + " does not exist; the file has " +
+                         std::to_string(file.gltf.materials.size()));
+  }
+  mesh.material = primitive.material < 0 ? -1 : primitive.material;
+  if (mesh.normals.empty()) {
+    makeFlat(mesh);
+  } else {
+    makeUnit(file, mesh.normals);
+  }
+  if (mesh.material >= 0 && mesh.tangents.empty()) {
+    const int set = normalMapSet(mesh, materials[static_cast<std::size_t>(mesh.material)]);
+    if (set >= 0) addTangents(mesh, set);
+  }
+  warnOfTheRest(file, primitive);
+  return mesh;
+}
+
+}  // namespace
+
+GltfMeshes readMeshes(GltfFile& file, const std::vector<Material>& materials,
+                      const std::function<void(double)>& progress) {
+  GltfMeshes result;
+  for (std::size_t m = 0; m < file.gltf.meshes.size(); ++m) {
+    const tinygltf::Mesh& source = file.gltf.meshes[m];
+    const std::string name = source.name.empty() ? "mesh" + std::to_string(m) : source.name;
+    std::vector<int> members;
+    for (std::size_t p = 0; p < source.primitives.size(); ++p) {
+      const tinygltf::Primitive& primitive = source.primitives[p];
+      const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+      if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+        file.warn("has points or lines, which are not supported and left out");
+        continue;
+      }
+      const std::string place = "mesh " + std::to_string(m) + " \"" + name + "\": primitive " + std::to_string(p);
+      Mesh mesh = readPrimitive(file, primitive, mode, place, materials);
+      mesh.name = name;
+      if (mesh.indices.empty()) continue;
+      members.push_back(static_cast<int>(result.meshes.size()));
+      result.meshes.push_back(std::move(mesh));
+    }
+    result.primitives.push_back(std::move(members));
+    if (progress) progress(static_cast<double>(m + 1) / static_cast<double>(file.gltf.meshes.size()));
+  }
+  return result;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,206 @@
+#include "filters/io/image/exr_reader.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "filters/core/base/errors.h"
+#include "filters/core/base/one_line.h"
+#include "filters/io/image/exr_header_check.h"
+#include "filters/io/image/image_detail.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr std::size_t kPixelBytes = 4 * sizeof(float);
+const char* const kChannelNames[4] = {"R", "G", "B", "A"};
+
+std::string partName(const std::string& path, int part) {
+  return path + ": part " + std::to_string(part);
+}
+
+bool isFlat(const Imf::Header& header) {
+  return !header.hasType() || Imf::isImage(header.type());
+}
+
+bool hasColor(const Imf::ChannelList& channels) {
+  return channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B");
+}
+// Luminance alone; beside RY and BY it is subsampled colour, which is no picture of ours.
+bool hasGrey(const Imf::ChannelList& channels) {
+  return channels.findChannel("Y") != nullptr && channels.findChannel("RY") == nullptr;
+}
+
+/// Which stored channel fills each of R, G, B, A; null where none does.
+struct ChannelPlan {
+  const char* source[4] = {nullptr, nullptr, nullptr, nullptr};
+  const char* distance = nullptr;
+};
+
+ChannelPlan planChannels(const Imf::ChannelList& channels, const std::string& where) {
+  ChannelPlan plan;
+  if (channels.findChannel("A") != nullptr) plan.source[3] = "A";
+  if (hasColor(channels)) {
+    for (int i = 0; i < 3; ++i) plan.source[i] = kChannelNames[i];
+  } else if (hasGrey(channels)) {
+    plan.source[0] = "Y";  // grey: copied to green and blue once read
+  } else {
+    std::string names;
+    for (auto it = channels.begin(); it != channels.end(); ++it)
+      names += std::string(names.empty() ? "" : ", ") + it.name();
+    throw InputError(oneLine(where + " has the channels " + (names.empty() ? "(none)" : names) +
+                             "; R, G and B, or Y alone, are needed"));
+  }
+  for (const char* name : {"Z", "distance"}) {
+    if (channels.findChannel(name) != nullptr) plan.distance = name;
+  }
+  for (const char* source : {plan.source[0], plan.source[1], plan.source[2], plan.source[3], plan.distance}) {
+    if (source == nullptr) continue;
+    const Imf::Channel& channel = channels[source];
+    if (channel.xSampling != 1 || channel.ySampling != 1) {
+      throw InputError(where + ": channel " + source + " is subsampled; save it at full resolution");
+    }
+  }
+  return plan;
+}
+
+struct Size {
+  long long width, height;
+};
+Size sizeOf(const Imath::Box2i& window) {
+  return {static_cast<long long>(window.max.x) - window.min.x + 1,
+          static_cast<long long>(window.max.y) - window.min.y + 1};
+}
+
+void requireFlat(const Imf::Header& header, const std::string& where) {
+  if (!isFlat(header)) throw InputError(where + " is deep data (" + oneLine(header.type()) + "); flatten it first");
+}
+
+}  // namespace
+
+void withExrFile(const std::string& path, const std::function<void(Imf::MultiPartInputFile&)>& read) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) throw InputError(path + ": does not exist; check the path");
+  if (std::filesystem::is_directory(status)) throw InputError(path + ": is not a file; name a file");
+  checkExrHeader(path);
+  try {
+    Imf::MultiPartInputFile file(path.c_str());
+    if (file.parts() < 1) throw InputError(path + ": has no parts; save it again");
+    read(file);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& problem) {
+    // The library's sentences name the file too, once or twice; the path stands in front already.
+    std::string reason = oneLine(problem.what());
+    for (const std::string& named : {"\"" + path + "\"", path}) {
+      for (std::size_t at = reason.find(named); at != std::string::npos; at = reason.find(named)) {
+        reason.replace(at, named.size(), "it");
+      }
+    }
+    throw InputError(path + ": is not an OpenEXR picture, or is damaged (" + reason + "); save it again");
+  }
+}
+
+int picturePart(const Imf::MultiPartInputFile& file, const std::string& path) {
+  int first = -1;
+  for (int part = 0; part < file.parts(); ++part) {
+    const Imf::Header& header = file.header(part);
+    const bool picture = isFlat(header) && (hasColor(header.channels()) || hasGrey(header.channels()));
+    if (!picture) continue;
+    if (Imf::hasEnvmap(header)) return part;
+    if (first < 0) first = part;
+  }
+  if (first >= 0) return first;
+  requireFlat(file.header(0), partName(path, 0));
+  planChannels(file.header(0).channels(), partName(path, 0));  // says what is missing
+  return 0;
+}
+
+ExrPicture readExrPart(Imf::MultiPartInputFile& file, int index, const std::string& path) {
+  const std::string where = partName(path, index);
+  const Imf::Header& header = file.header(index);
+  requireFlat(header, where);
+  const Imath::Box2i window = header.dataWindow();
+  const Size size = sizeOf(window);
+  checkImageSize(path, size.width, size.height);
+  const ChannelPlan plan = planChannels(header.channels(), where);
+  // Here, too, before memory is asked for: a header may promise what the file never had.
+  if (!file.partComplete(index)) throw InputError(where + " is not complete; save it again");
+
+  ExrPicture picture;
+  ImageRgbaF& image = picture.image;
+  image.width = static_cast<int>(size.width);
+  image.height = static_cast<int>(size.height);
+  const auto texels = static_cast<std::size_t>(size.width * size.height);
+  image.pixels.assign(texels * 4, 0.0f);
+  picture.hasAlpha = plan.source[3] != nullptr;
+  Imf::FrameBuffer buffer;
+  for (int i = 0; i < 4; ++i) {
+    if (plan.source[i] == nullptr) continue;
+    buffer.insert(plan.source[i], Imf::Slice::Make(Imf::FLOAT, image.pixels.data() + i, window, kPixelBytes,
+                                                   kPixelBytes * image.width));
+  }
+  if (plan.distance != nullptr) {
+    picture.distance.assign(texels, 0.0f);
+    buffer.insert(plan.distance, Imf::Slice::Make(Imf::FLOAT, picture.distance.data(), window));
+  }
+  Imf::InputPart part(file, index);
+  part.setFrameBuffer(buffer);
+  part.readPixels(window.min.y, window.max.y);
+  for (std::size_t texel = 0; texel < image.pixels.size(); texel += 4) {
+    if (plan.source[1] == nullptr) image.pixels[texel + 1] = image.pixels[texel + 2] = image.pixels[texel];
+    if (plan.source[3] == nullptr) image.pixels[texel + 3] = 1.0f;
+  }
+
+  if (Imf::hasEnvmap(header)) {
+    const int kind = static_cast<int>(Imf::envmap(header));
+    if (kind != Imf::ENVMAP_LATLONG && kind != Imf::ENVMAP_CUBE) {
+      throw InputError(where + ": attribute envmap is " + std::to_string(kind) +
+                       "; 0 (lat-long) and 1 (cube) are known");
+    }
+    picture.envmap = kind == Imf::ENVMAP_CUBE ? EnvmapKind::Cube : EnvmapKind::LatLong;
+  }
+  const Imath::Box2i display = header.displayWindow();
+  const Size displaySize = sizeOf(display);
+  const auto asInt = [](long long value) { return static_cast<int>(std::clamp(value, -(1LL << 30), 1LL << 30)); };
+  picture.displayWidth = asInt(displaySize.width);
+  picture.displayHeight = asInt(displaySize.height);
+  picture.offsetX = asInt(static_cast<long long>(window.min.x) - display.min.x);
+  picture.offsetY = asInt(static_cast<long long>(window.min.y) - display.min.y);
+  return picture;
+}
+
+std::vector<float> readExrChannel(Imf::MultiPartInputFile& file, int index, const std::string& channel, int width,
+                                  int height, const std::string& path) {
+  const std::string where = partName(path, index);
+  const Imf::Header& header = file.header(index);
+  requireFlat(header, where);
+  const Imath::Box2i window = header.dataWindow();
+  const Size size = sizeOf(window);
+  if (size.width != width || size.height != height) {
+    throw InputError(where + ": is " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                     " pixels and must be " + std::to_string(width) + " x " + std::to_string(height) +
+                     "; bake it again");
+  }
+  if (!file.partComplete(index)) throw InputError(where + " is not complete; save it again");
+  const Imf::Channel* found = header.channels().findChannel(channel);
+  if (found == nullptr || found->xSampling != 1 || found->ySampling != 1) {
+    throw InputError(where + ": has no channel " + channel + " at full resolution; bake it again");
+  }
+  std::vector<float> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  Imf::FrameBuffer buffer;
+  buffer.insert(channel, Imf::Slice::Make(Imf::FLOAT, values.data(), window));
+  Imf::InputPart part(file, index);
+  part.setFrameBuffer(buffer);
+  part.readPixels(window.min.y, window.max.y);
+  return values;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,158 @@
+// PNG, JPEG and Radiance HDR through stb; see the header. OpenEXR is in exr_file.cpp.
+#include "filters/io/image/image_file.h"
+
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "filters/core/base/errors.h"
+#include "filters/core/base/one_line.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/io/files/read_file.h"
+#include "filters/io/image/image_detail.h"
+#include "filters/io/image/radiance_check.h"
+
+namespace boxprobe {
+
+namespace {
+
+struct StbFree {
+  void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+
+const unsigned char* asBytes(const std::string& text) {
+  return reinterpret_cast<const unsigned char*>(text.data());
+}
+
+// The decoder's reason may quote the file: the name of a chunk is any four bytes.
+InputError damaged(const std::string& name) {
+  return InputError(oneLine(name + ": is damaged (" + stbi_failure_reason() + "); save it again"));
+}
+
+ImageRgbaF loadRadiance(const std::string& path) {
+  const std::string bytes = readWholeFile(path);
+  const int length = static_cast<int>(bytes.size());
+  if (bytes.size() > kLargestEncodedImage || stbi_is_hdr_from_memory(asBytes(bytes), length) == 0) {
+    throw InputError(path + ": is not a Radiance HDR picture; save it as .exr or .hdr");
+  }
+  ImageRgbaF image;
+  int channels = 0;
+  if (stbi_info_from_memory(asBytes(bytes), length, &image.width, &image.height, &channels) == 0) {
+    throw damaged(path);
+  }
+  checkImageSize(path, image.width, image.height);
+  // Its shortest runs: 127 values of one of the four channels in 2 bytes, so 16 pixels a byte at most.
+  constexpr long long kMostPixelsAByte = 16;
+  checkEncodedSize(path, image.width, image.height, bytes.size(), kMostPixelsAByte);
+  if (!radianceRunsAreWhole(bytes, image.width, image.height)) {
+    throw InputError(path + ": is damaged (a row's runs end early or run over); save it again");
+  }
+  const std::unique_ptr<float, StbFree> pixels(
+      stbi_loadf_from_memory(asBytes(bytes), length, &image.width, &image.height, &channels, 4));
+  if (!pixels) throw damaged(path);
+  image.pixels.assign(pixels.get(), pixels.get() + std::size_t(4) * image.width * image.height);
+  return image;
+}
+
+}  // namespace
+
+void checkImageSize(const std::string& name, long long width, long long height) {
+  if (width <= 0 || height <= 0) throw InputError(name + ": has no pixels; save it again");
+  if (width > kLargestImageSide || height > kLargestImageSide) {
+    throw InputError(name + ": is " + std::to_string(width) + " x " + std::to_string(height) + " pixels; at most " +
+                     std::to_string(kLargestImageSide) + " a side are read");
+  }
+  if (width * height > kMostPixels) {
+    throw InputError(name + ": is " + std::to_string(width) + " x " + std::to_string(height) + " pixels; at most " +
+                     std::to_string(kMostPixels) + " in all are read");
+  }
+}
+
+void checkEncodedSize(const std::string& name, long long width, long long height, std::size_t bytes,
+                      long long mostPixelsAByte) {
+  if (width * height / mostPixelsAByte <= static_cast<long long>(bytes)) return;
+  throw InputError(name + ": is damaged: " + std::to_string(width) + " x " + std::to_string(height) +
+                   " pixels are promised in " + std::to_string(bytes) + " bytes; save it again");
+}
+
+ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name) {
+  ImageRgba8 image;
+  image.name = name;
+  int channels = 0;
+  const int length = static_cast<int>(std::min(size, kLargestEncodedImage));
+  if (size == 0 || size > kLargestEncodedImage ||
+      stbi_info_from_memory(bytes, length, &image.width, &image.height, &channels) == 0) {
+    throw InputError(name + ": is not a PNG or JPEG picture; save it as one of these");
+  }
+  checkImageSize(name, image.width, image.height);
+  // PNG: deflate makes 1032 bytes of one, each of 8 pixels at the lowest depth. JPEG: a bit for a block of 64 pixels.
+  const bool png = size >= 4 && std::equal(bytes, bytes + 4, "\x89PNG",
+                                           [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
+  constexpr long long kPngPixelsAByte = 8 * 1032, kJpegPixelsAByte = 8 * 64;
+  checkEncodedSize(name, image.width, image.height, size, png ? kPngPixelsAByte : kJpegPixelsAByte);
+  const std::unique_ptr<unsigned char, StbFree> pixels(
+      stbi_load_from_memory(bytes, length, &image.width, &image.height, &channels, 4));
+  if (!pixels) throw damaged(name);
+  image.pixels.assign(pixels.get(), pixels.get() + std::size_t(4) * image.width * image.height);
+  return image;
+}
+
+ImageRgba8 loadImage8(const std::string& path) {
+  const std::string bytes = readWholeFile(path);
+  return decodeImage8(asBytes(bytes), bytes.size(), path);
+}
+
+void savePng(const std::string& path, const ImageRgba8& image) {
+  checkPixelCount(path, image.width, image.height, image.pixels.size());
+  if (std::size_t(4) * image.width * image.height + image.height > kLargestEncodedImage) {
+    throw WorkError(path + ": " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                    " pixels are more than the PNG encoder takes; write a smaller picture or an EXR");
+  }
+  // Through memory: the encoder's own file output does not notice a full disk.
+  std::string encoded;
+  const auto append = [](void* target, void* data, int size) {
+    static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+  };
+  if (stbi_write_png_to_func(append, &encoded, image.width, image.height, 4, image.pixels.data(), image.width * 4) ==
+      0) {
+    throw WorkError(path + ": the picture could not be encoded; is there memory left?");
+  }
+  writeTextAtomically(path, encoded);
+}
+
+void checkPixelCount(const std::string& path, int width, int height, std::size_t values) {
+  if (width <= 0 || height <= 0 || values != std::size_t(4) * width * height) {
+    throw WorkError(path + ": not written: " + std::to_string(width) + " x " + std::to_string(height) +
+                    " pixels do not match " + std::to_string(values) + " values");
+  }
+}
+
+ImageRgbaF loadHdrImage(const std::string& path, std::size_t* notFinite) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  ImageRgbaF image;
+  if (extension == ".exr") {
+    image = loadExr(path);
+  } else if (extension == ".hdr") {
+    image = loadRadiance(path);
+  } else {
+    throw InputError(path + ": has an extension that is not read; use .exr or .hdr");
+  }
+  std::size_t count = 0;
+  for (std::size_t texel = 0; texel < image.pixels.size(); texel += 4) {
+    float* rgba = image.pixels.data() + texel;
+    if (std::all_of(rgba, rgba + 4, [](float v) { return std::isfinite(v); })) continue;
+    ++count;
+    std::replace_if(
+        rgba, rgba + 4, [](float v) { return !std::isfinite(v); }, 0.0f);
+  }
+  if (notFinite != nullptr) *notFinite = count;
+  return image;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,30 @@
+// Pictures in and out: PNG for display colours, OpenEXR for linear ones, Radiance HDR in. Every output is written to a
+// temporary file beside its target and renamed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "filters/core/scene/model.h"
+
+namespace boxprobe {
+
+void savePng(const std::string& path, const ImageRgba8& image);
+
+/// A channel beside a picture's own: one value a pixel, rows from the top.
+struct ExtraChannel {
+  std::string name;
+  std::vector<float> values;
+};
+
+/// Float RGBA, ZIP compressed, scan lines.
+void saveExr(const std::string& path, const ImageRgbaF& image, const std::vector<ExtraChannel>& extra = {});
+
+/// By extension: .exr or .hdr. Non-finite texels are set to 0 and counted in `*notFinite` when given. Throws
+/// InputError.
+ImageRgbaF loadHdrImage(const std::string& path, std::size_t* notFinite = nullptr);
+
+/// 8-bit PNG or JPEG.
+ImageRgba8 loadImage8(const std::string& path);
+
+}  // namespace boxprobe

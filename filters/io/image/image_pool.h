@@ -1,0 +1,51 @@
+// Decoded pictures of the whole process, by the bytes they were decoded from: the same picture in two models, or a
+// model that is opened again while it is shown, is decoded once. Nothing is kept alive by it. Called by readers of
+// models.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "filters/core/scene/model.h"
+
+namespace boxprobe {
+
+struct EncodedImage {
+  const unsigned char* data = nullptr;
+  std::size_t size = 0;
+  std::string place;  ///< for messages: file and image
+  std::string name;   ///< what the picture is called
+};
+
+struct ImageCounts {
+  std::uint64_t decoded = 0;  ///< since the program started
+  std::uint64_t shared = 0;   ///< asked for and found in memory
+};
+
+class ImagePool {
+ public:
+  /// PNG or JPEG pictures in the order asked for, decoded on as many threads as the machine has cores. `progress` is
+  /// called between pictures, from one thread at a time, with the share that is done; what it throws ends the work.
+  /// Throws InputError of the first picture, in order, that cannot be read.
+  std::vector<std::shared_ptr<const ImageRgba8>> decode(const std::vector<EncodedImage>& images,
+                                                        const std::function<void(double)>& progress);
+  ImageCounts counts() const;
+
+ private:
+  using Key = std::array<std::uint64_t, 2>;
+  static Key keyOf(const EncodedImage& image);
+
+  mutable std::mutex mutex_;
+  std::map<Key, std::weak_ptr<const ImageRgba8>> known_;
+  ImageCounts counts_;
+};
+
+ImagePool& imagePool();
+
+}  // namespace boxprobe

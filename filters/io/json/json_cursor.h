@@ -1,0 +1,53 @@
+// A value in a scene file together with where it stands: every accessor checks the type and throws a FieldError that
+// names the key path. Called by the scene reader; knows JSON, not scenes.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filters/core/base/field_error.h"
+#include "filters/io/json/json_text.h"
+
+namespace boxprobe {
+
+class JsonCursor {
+ public:
+  JsonCursor(const Json& value, KeyPath path) : value_(&value), path_(std::move(path)) {}
+
+  const Json& json() const { return *value_; }
+  const KeyPath& path() const { return path_; }
+  /// The same value under another path: a list entry once its name is known.
+  JsonCursor at(KeyPath path) const { return {*value_, std::move(path)}; }
+
+  [[noreturn]] void fail(const std::string& reason) const { throw FieldError(path_, reason); }
+
+  /// Refuses what is not an object, and keys that are not in `known`, with the nearest one proposed.
+  void requireObject(std::initializer_list<const char*> known) const;
+  void requireObject() const;
+  void requireArray() const;
+
+  std::optional<JsonCursor> find(const char* key) const;  ///< of an object that was checked
+  std::vector<JsonCursor> elements() const;               ///< of an array
+  std::vector<JsonCursor> members() const;                ///< of an object, in file order
+  const std::string& key() const { return path_.back(); }
+
+  double number() const;
+  float numberFloat() const;  ///< refuses what float cannot hold
+  int whole() const;
+  bool boolean() const;
+  std::string text() const;
+  glm::dvec3 vector() const;
+  glm::vec3 color() const;
+  /// The index of the text in `choices`.
+  std::size_t choice(std::initializer_list<const char*> choices) const;
+
+ private:
+  [[noreturn]] void wrongType(const std::string& wanted) const;
+  const Json* value_;
+  KeyPath path_;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,255 @@
+// Parsing in two passes: the library checks the grammar and builds the values, then a small scanner, which may rely on
+// correct text, notes where each key and element starts (the library does not say).
+#include "filters/io/json/json_text.h"
+
+#include <set>
+#include <vector>
+
+#include "filters/core/base/errors.h"
+#include "filters/core/base/one_line.h"
+
+namespace boxprobe {
+
+namespace {
+
+TextPlace placeOf(const std::string& text, std::size_t offset) {
+  TextPlace place{1, 1};
+  for (std::size_t i = 0; i < offset && i < text.size(); ++i) {
+    if (text[i] == '\n') {
+      ++place.line;
+      place.column = 1;
+    } else if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) {  // UTF-8 continuation bytes take no column
+      ++place.column;
+    }
+  }
+  return place;
+}
+
+std::string at(const std::string& name, const TextPlace& place) {
+  return name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": ";
+}
+
+/// The library's message without its own code and place: "[json.exception.parse_error.101] parse error at line 1,
+/// column 2: syntax error while ..." becomes "syntax error while ...".
+std::string reasonOnly(const std::string& what) {
+  std::size_t start = 0;
+  if (const auto bracket = what.find("] "); what.rfind('[', 0) == 0 && bracket != std::string::npos)
+    start = bracket + 2;
+  if (what.compare(start, 11, "parse error") == 0) {
+    if (const auto colon = what.find(": ", start); colon != std::string::npos) start = colon + 2;
+  }
+  return oneLine(what.substr(start));
+}
+
+/// Takes the place of the library's handler to learn where an error is: exceptions for numbers out of range carry none.
+struct SyntaxCheck : nlohmann::json_sax<Json> {
+  explicit SyntaxCheck(const std::string& checked) : text(checked) {}
+  const std::string& text;
+  std::size_t errorOffset = 0;
+  std::string reason;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return open(); }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return close(); }
+  bool start_array(std::size_t) override { return open(); }
+  bool end_array() override { return close(); }
+  /// `position` is behind the last character read; the place to show is where the token starts.
+  bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
+    const std::size_t length = std::max<std::size_t>(token.size(), 1);
+    const bool atToken =
+        position >= length && position <= text.size() && text.compare(position - length, length, token) == 0;
+    errorOffset = atToken ? position - length : position > 0 ? position - 1 : 0;
+    reason = reasonOnly(error.what());
+    return false;
+  }
+
+ private:
+  bool open() {
+    constexpr std::size_t kDeepest = 128;
+    if (++depth_ <= kDeepest) return true;
+    reason = "nested more than " + std::to_string(kDeepest) + " levels deep";
+    return false;
+  }
+  bool close() {
+    --depth_;
+    return true;
+  }
+  std::size_t depth_ = 0;
+};
+
+/// Walks text that is known to be JSON.
+class PlaceScanner {
+ public:
+  PlaceScanner(const std::string& text, JsonText& result) : text_(text), result_(result) {}
+
+  void scan() {
+    if (text_.compare(0, 3, "\xef\xbb\xbf") == 0) position_ = counted_ = 3;  // byte order mark
+    for (; position_ < text_.size(); ++position_) {
+      const char c = text_[position_];
+      if (c == '"') {
+        string();
+      } else if (c == '{' || c == '[') {
+        startValue(position_);
+        levels_.push_back({c == '{', 0, {}, {}});
+      } else if (c == '}' || c == ']') {
+        levels_.pop_back();
+        inValue_ = false;
+      } else if (c == ',') {
+        inValue_ = false;
+        ++levels_.back().index;
+        levels_.back().key.clear();
+        levels_.back().haveKey = false;
+      } else if (c != ' ' && c != '\t' && c != '\n' && c != '\r' && c != ':') {
+        startValue(position_);  // the first character of a number or word
+      }
+    }
+  }
+
+ private:
+  struct Level {
+    bool object = false;
+    std::size_t index = 0;
+    std::string key;
+    std::set<std::string> keys;
+    bool haveKey = false;
+  };
+
+  /// Offsets only grow, so the walk to each place starts at the one before: a megabyte on one line stays cheap.
+  TextPlace here(std::size_t offset) {
+    for (; counted_ < offset; ++counted_) {
+      if (text_[counted_] == '\n') {
+        ++place_.line;
+        place_.column = 1;
+      } else if ((static_cast<unsigned char>(text_[counted_]) & 0xc0) != 0x80) {
+        ++place_.column;
+      }
+    }
+    return place_;
+  }
+
+  std::string pointer() const {
+    Json::json_pointer pointer;
+    for (const Level& level : levels_) {
+      if (level.object) {
+        pointer.push_back(level.key);
+      } else {
+        pointer /= level.index;
+      }
+    }
+    return pointer.to_string();
+  }
+
+  void startValue(std::size_t offset) {
+    if (inValue_) return;
+    inValue_ = true;
+    const bool member = !levels_.empty() && levels_.back().object;
+    if (!member) result_.places[pointer()] = here(offset);  // a member's place is its key's
+    if (text_[offset] == '{' || text_[offset] == '[') inValue_ = false;
+  }
+
+  void string() {
+    const std::size_t start = position_;
+    for (++position_; text_[position_] != '"'; ++position_) {
+      if (text_[position_] == '\\') ++position_;
+    }
+    if (levels_.empty() || !levels_.back().object || levels_.back().haveKey) {
+      startValue(start);
+      return;
+    }
+    Level& level = levels_.back();
+    level.key = Json::parse(text_.substr(start, position_ + 1 - start)).get<std::string>();  // undoes escapes
+    level.haveKey = true;
+    if (!level.keys.insert(level.key).second) {
+      throw InputError(at(result_.name, here(start)) + "the key \"" + oneLine(level.key) +
+                       "\" stands here a second time; remove one");
+    }
+    result_.places[pointer()] = here(start);
+  }
+
+  const std::string& text_;
+  JsonText& result_;
+  std::size_t position_ = 0, counted_ = 0;
+  TextPlace place_{1, 1};  // of counted_
+  bool inValue_ = false;
+  std::vector<Level> levels_;
+};
+
+constexpr std::size_t kLineWidth = 100;
+
+void write(std::string& out, const Json& value, std::size_t indent, std::size_t used) {
+  const std::string flat = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (!value.is_structured() || value.empty()) {
+    out += flat;
+    return;
+  }
+  const bool object = value.is_object();
+  // One line if it fits and is no more than plain values, or a few short lists: [1, 2], {"min": [..], "max": [..]}.
+  bool simple = true;
+  for (const Json& child : value) {
+    if (!child.is_structured()) continue;
+    simple = simple && child.is_array() && value.size() <= 3;
+    for (const Json& grandchild : child) simple = simple && !grandchild.is_structured();
+  }
+  // Separators gain a space each when spread out, which `flat` lacks.
+  const std::size_t spaced = flat.size() + 2 * value.size() + 8;
+  const bool oneLine = indent > 0 && used + spaced <= kLineWidth && simple;
+  const std::string pad(oneLine ? 0 : indent + 2, ' ');
+  out += object ? '{' : '[';
+  bool first = true;
+  for (auto it = value.begin(); it != value.end(); ++it) {
+    if (!first) out += oneLine ? ", " : ",";
+    first = false;
+    if (!oneLine) out += "\n" + pad;
+    const std::string key = object ? Json(it.key()).dump(-1, ' ', false, Json::error_handler_t::replace) + ": " : "";
+    out += key;
+    write(out, it.value(), indent + 2, oneLine ? 0 : pad.size() + key.size());
+  }
+  if (!oneLine) out += "\n" + std::string(indent, ' ');
+  out += object ? '}' : ']';
+}
+
+}  // namespace
+
+std::string JsonText::placeText(const Json::json_pointer& pointer) const {
+  for (Json::json_pointer p = pointer;; p = p.parent_pointer()) {
+    if (const auto found = places.find(p.to_string()); found != places.end() && found->second.line > 0) {
+      return name + ":" + std::to_string(found->second.line) + ":" + std::to_string(found->second.column);
+    }
+    if (p.empty()) return name;
+  }
+}
+
+void checkJsonSyntax(const std::string& text, const std::string& name) {
+  SyntaxCheck check(text);
+  if (Json::sax_parse(text, &check)) return;
+  const std::string place = check.errorOffset > 0 ? at(name, placeOf(text, check.errorOffset)) : name + ": ";
+  throw InputError(place + "not valid JSON: " + check.reason);
+}
+
+JsonText parseJsonText(const std::string& text, const std::string& name) {
+  // The library takes a zero byte for the end of the text and is content; the scanner below would walk on.
+  if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+    throw InputError(at(name, placeOf(text, zero)) + "not valid JSON: there is a zero byte; save it as plain text");
+  }
+  checkJsonSyntax(text, name);
+  JsonText result;
+  result.name = name;
+  result.root = Json::parse(text);
+  PlaceScanner(text, result).scan();
+  return result;
+}
+
+std::string formatJson(const Json& value) {
+  std::string out;
+  write(out, value, 0, 0);
+  return out + "\n";
+}
+
+}  // namespace boxprobe

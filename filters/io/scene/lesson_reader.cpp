@@ -1,0 +1,258 @@
+// The lesson file's grammar: one function an object, each naming the keys it knows. See lesson_file.h.
+#include <filesystem>
+
+#include "filters/core/base/nearest_name.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/io/json/json_cursor.h"
+#include "filters/io/scene/lesson_json.h"
+
+namespace boxprobe {
+
+namespace {
+
+std::string required(const JsonCursor& entry, const char* key) {
+  const auto value = entry.find(key);
+  if (!value) entry.fail(std::string("has no ") + key + "; add \"" + key + "\": \"...\"");
+  std::string text = value->text();
+  if (text.empty()) value->fail("is empty");
+  return text;
+}
+
+std::string optional(const JsonCursor& entry, const char* key) {
+  const auto value = entry.find(key);
+  return value ? value->text() : std::string();
+}
+
+JsonCursor requiredValue(const JsonCursor& entry, const char* key) {
+  const auto value = entry.find(key);
+  if (!value) entry.fail(std::string("has no ") + key);
+  return *value;
+}
+
+double share(const JsonCursor& value) {
+  const double number = value.number();
+  if (!(number >= 0.0 && number <= 1.0)) value.fail("is a share of the picture, from 0 to 1");
+  return number;
+}
+
+template <std::size_t N>
+std::array<double, N> shares(const JsonCursor& value, const char* wanted) {
+  value.requireArray();
+  const auto elements = value.elements();
+  if (elements.size() != N) value.fail(std::string("must be ") + wanted);
+  std::array<double, N> result{};
+  for (std::size_t i = 0; i < N; ++i) result[i] = share(elements[i]);
+  return result;
+}
+
+std::vector<PicturePoint> readPoints(const JsonCursor& value) {
+  value.requireArray();
+  std::vector<PicturePoint> points;
+  for (const JsonCursor& point : value.elements()) points.push_back(shares<2>(point, "[x, y], shares of the picture"));
+  return points;
+}
+
+/// Assignments of the command line from an object of key paths; pictures' names are relative to the lesson's folder.
+std::vector<std::string> readAssignments(const JsonCursor& set, const std::string& folder) {
+  set.requireObject();
+  std::vector<std::string> assignments;
+  for (const JsonCursor& value : set.members()) {
+    const std::string& key = value.key();
+    const bool file = key.size() > 6 && key.compare(key.size() - 6, 6, ".image") == 0;
+    Json json = value.json();
+    if (file) json = (std::filesystem::path(folder) / value.text()).lexically_normal().string();
+    assignments.push_back(key + "=" + json.dump());
+  }
+  return assignments;
+}
+
+/// From 1, as people count.
+std::size_t readStep(const JsonCursor& value, std::size_t steps) {
+  const int step = value.whole();
+  if (step < 1 || static_cast<std::size_t>(step) > steps) {
+    value.fail("names a step; they are counted from 1 to " + std::to_string(steps));
+  }
+  return static_cast<std::size_t>(step - 1);
+}
+
+LessonMeasure readMeasure(const JsonCursor& entry, std::size_t steps) {
+  entry.requireObject({"kind", "step", "against", "region", "channel", "points", "name"});
+  LessonMeasure measure;
+  measure.kind = static_cast<MeasureKind>(
+      requiredValue(entry, "kind")
+          .choice({"error", "difference", "mean", "explain", "view", "bend", "counter", "field", "broken"}));
+  if (const auto step = entry.find("step")) measure.step = readStep(*step, steps);
+  if (const auto against = entry.find("against")) {
+    if (measure.kind == MeasureKind::Error) {
+      measure.box = against->choice({"scene", "box"}) == 1;
+    } else if (measure.kind == MeasureKind::Difference) {
+      measure.against = readStep(*against, steps);
+    } else {
+      against->fail("belongs to an error or a difference");
+    }
+  } else if (measure.kind == MeasureKind::Difference) {
+    entry.fail("has no other step; add \"against\": 1");
+  }
+  if (const auto region = entry.find("region")) {
+    measure.region = shares<4>(*region, "[left, top, right, bottom], shares of the picture");
+    if (!(measure.region[0] < measure.region[2] && measure.region[1] < measure.region[3])) {
+      region->fail("is empty; give left, top, right, bottom");
+    }
+  }
+  if (const auto channel = entry.find("channel")) {
+    measure.channel = static_cast<int>(channel->choice({"red", "green", "blue"}));
+  }
+  if (const auto points = entry.find("points")) measure.points = readPoints(*points);
+  const std::size_t wanted = measure.kind == MeasureKind::Explain ? 1 : measure.kind == MeasureKind::Bend ? 3 : 0;
+  if (measure.points.size() != wanted) entry.fail("needs " + std::to_string(wanted) + " points");
+  const bool named = measure.kind == MeasureKind::Explain || measure.kind == MeasureKind::View ||
+                     measure.kind == MeasureKind::Counter || measure.kind == MeasureKind::Field;
+  if (named) measure.name = required(entry, "name");
+  if (!named && entry.find("name")) entry.find("name")->fail("does not belong to a measure of this kind");
+  if (measure.kind == MeasureKind::View && !findSurfaceView(measure.name)) {
+    entry.find("name")->fail("is no view");
+  }
+  return measure;
+}
+
+LessonCondition readCondition(const JsonCursor& entry, std::size_t steps) {
+  LessonCondition condition;
+  condition.measure = readMeasure(requiredValue(entry, "measure"), steps);
+  const auto above = entry.find("above"), below = entry.find("below"), equals = entry.find("equals");
+  if ((above ? 1 : 0) + (below ? 1 : 0) + (equals ? 1 : 0) != 1) entry.fail("needs one of above, below and equals");
+  const auto times = entry.find("times");
+  if (times) condition.times = readMeasure(*times, steps);
+  if (equals) {
+    condition.comparison = Comparison::Within;
+    condition.limit = equals->number();
+    condition.tolerance = requiredValue(entry, "within").number();
+  } else {
+    condition.comparison = above ? Comparison::Above : Comparison::Below;
+    condition.limit = (above ? above : below)->number();
+  }
+  return condition;
+}
+
+LessonClaim readClaim(const JsonCursor& entry, std::size_t steps) {
+  entry.requireObject({"say", "unit", "measure", "above", "below", "equals", "within", "times"});
+  LessonClaim claim;
+  claim.say = required(entry, "say");
+  claim.unit = optional(entry, "unit");
+  claim.condition = readCondition(entry, steps);
+  return claim;
+}
+
+LessonQuestion readQuestion(const JsonCursor& entry) {
+  entry.requireObject({"ask", "answers"});
+  LessonQuestion question;
+  question.ask = required(entry, "ask");
+  const JsonCursor answers = requiredValue(entry, "answers");
+  answers.requireArray();
+  int right = 0;
+  for (const JsonCursor& answer : answers.elements()) {
+    answer.requireObject({"text", "right", "reply"});
+    const auto isRight = answer.find("right");
+    question.answers.push_back({required(answer, "text"), isRight && isRight->boolean(), required(answer, "reply")});
+    right += question.answers.back().right ? 1 : 0;
+  }
+  if (right != 1 || question.answers.size() < 2) answers.fail("needs two or more, one of them \"right\": true");
+  return question;
+}
+
+LessonTask readTask(const JsonCursor& entry, std::size_t steps, const std::string& folder) {
+  entry.requireObject(
+      {"ask", "unit", "measure", "above", "below", "equals", "within", "times", "praise", "solution", "mistake"});
+  LessonTask task;
+  task.ask = required(entry, "ask");
+  task.unit = optional(entry, "unit");
+  task.praise = required(entry, "praise");
+  task.done = readCondition(entry, steps);
+  task.solution = readAssignments(requiredValue(entry, "solution"), folder);
+  task.mistake = readAssignments(requiredValue(entry, "mistake"), folder);
+  return task;
+}
+
+/// By the scene file's own grammar.
+Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
+  value.requireObject();
+  Json scene = {{"format", "boxprobe-scene"}, {"version", 1}};
+  scene["cameras"]["lesson"] = value.json();
+  try {
+    return sceneFromJson(scene, folder).cameras.front();
+  } catch (const FieldError& error) {
+    value.fail(error.reason());
+  }
+}
+
+LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std::string& folder) {
+  entry.requireObject({"title", "say", "formula", "set", "camera", "view", "published", "reflections", "boxes", "rays",
+                       "mayMove", "question", "task"});
+  LessonStep step;
+  step.title = required(entry, "title");
+  step.say = required(entry, "say");
+  step.formula = optional(entry, "formula");
+  step.mayMove = optional(entry, "mayMove");
+  step.view = optional(entry, "view");
+  if (!step.view.empty() && !findSurfaceView(step.view)) {
+    std::vector<std::string> ids;
+    for (const SurfaceViewRow& row : surfaceViews()) ids.emplace_back(row.id);
+    const std::string guess = didYouMean(step.view, ids);
+    entry.find("view")->fail("is no view" + (guess.empty() ? "; there are " + nameList(ids, ids.size()) : guess));
+  }
+  if (const auto set = entry.find("set")) step.assignments = readAssignments(*set, folder);
+  if (const auto camera = entry.find("camera")) {
+    if (camera->json().is_string())
+      step.cameraName = camera->text();
+    else
+      step.camera = readStepCamera(*camera, folder);
+  }
+  if (const auto published = entry.find("published")) {
+    const char* const forms[] = {"behind", "select", "world", "rounded"};
+    step.published = forms[published->choice({"behind", "select", "world", "rounded"})];
+  }
+  if (const auto reflections = entry.find("reflections")) step.reflections = reflections->boolean();
+  if (const auto boxes = entry.find("boxes")) step.boxes = boxes->boolean();
+  if (const auto rays = entry.find("rays")) step.rays = readPoints(*rays);
+  if (const auto question = entry.find("question")) step.question = readQuestion(*question);
+  if (const auto task = entry.find("task")) step.task = readTask(*task, steps, folder);
+  return step;
+}
+
+void readHeader(const JsonCursor& root) {
+  const auto format = root.find("format");
+  if (!format || format->json() != "boxprobe-lesson") {
+    root.fail("is not a lesson; it starts with { \"format\": \"boxprobe-lesson\", \"version\": 1, ...");
+  }
+  const JsonCursor version = requiredValue(root, "version");
+  if (version.whole() != 1) version.fail("is not 1, the one this program reads; get a newer program");
+}
+
+}  // namespace
+
+Lesson lessonFromJson(const Json& json, const std::string& folder) {
+  const JsonCursor root(json, {});
+  root.requireObject();
+  readHeader(root);
+  root.requireObject({"format", "version", "title", "chapter", "summary", "scene", "set", "steps", "claims"});
+  Lesson lesson;
+  lesson.title = required(root, "title");
+  lesson.chapter = required(root, "chapter");
+  lesson.summary = required(root, "summary");
+  lesson.scene = (std::filesystem::path(folder) / required(root, "scene")).lexically_normal().string();
+  if (const auto set = root.find("set")) lesson.assignments = readAssignments(*set, folder);
+  const JsonCursor steps = requiredValue(root, "steps");
+  steps.requireArray();
+  const auto entries = steps.elements();
+  if (entries.empty()) steps.fail("is empty; a lesson has one step or more");
+  for (const JsonCursor& step : entries) lesson.steps.push_back(readStepObject(step, entries.size(), folder));
+  if (const auto claims = root.find("claims")) {
+    claims->requireArray();
+    for (const JsonCursor& claim : claims->elements()) {
+      lesson.claims.push_back(readClaim(claim, entries.size()));
+      if (!lesson.claims.back().condition.measure.step) claim.fail("needs the step its measure is of: \"step\": 1");
+    }
+  }
+  return lesson;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,183 @@
+// One assignment from the command line. It goes through the JSON form of the scene, so that keys, types and ranges are
+// the scene file's and there is one parser.
+#include <algorithm>
+#include <vector>
+
+#include "filters/core/base/nearest_name.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/io/scene/scene_json.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// "a.b[1].c" as {"a", "b", "[1]", "c"}; a plain number between dots is an index where it meets an array.
+std::vector<std::string> splitKeys(const std::string& text, std::size_t start) {
+  std::vector<std::string> keys;
+  std::string key;
+  for (std::size_t i = start; i < text.size(); ++i) {
+    if (text[i] == '.' || text[i] == '[') {
+      if (!key.empty()) keys.push_back(key);
+      key.clear();
+      if (text[i] == '[') key = "[";
+    } else {
+      key += text[i];
+    }
+  }
+  if (!key.empty()) keys.push_back(key);
+  return keys;
+}
+
+std::vector<std::string> knownNames(const Json& list) {
+  std::vector<std::string> names;
+  if (list.is_object()) {
+    for (const auto& item : list.items()) names.push_back(item.key());
+  } else {
+    for (const Json& entry : list) names.push_back(entry["name"].get<std::string>());
+  }
+  return names;
+}
+
+/// Splits "probes.NAME.field..." where NAME may itself have dots and brackets: the longest known name that fits wins;
+/// else NAME ends at the first dot.
+std::pair<std::string, std::size_t> splitName(const std::string& path, std::size_t start,
+                                              const std::vector<std::string>& names) {
+  std::string best;
+  for (const std::string& name : names) {
+    const std::size_t end = start + name.size();
+    const bool fits = path.compare(start, name.size(), name) == 0 && (end == path.size() || path[end] == '.');
+    if (fits && name.size() > best.size()) best = name;
+  }
+  if (best.empty()) best = path.substr(start, path.find('.', start) - start);
+  return {best, std::min(path.size(), start + best.size() + 1)};
+}
+
+bool isIndex(const std::string& key) {
+  return !key.empty() && key.size() <= 9 &&
+         std::all_of(key.begin(), key.end(), [](unsigned char c) { return c >= '0' && c <= '9'; });
+}
+
+/// The value at `key`, made where the file's grammar lets a key be absent.
+Json& descend(Json& value, const std::string& key, KeyPath& path) {
+  const bool bracketed = key.size() > 2 && key.front() == '[' && key.back() == ']';
+  const std::string digits = bracketed ? key.substr(1, key.size() - 2) : key;
+  if (value.is_array() && isIndex(digits)) {
+    path.push_back("[" + digits + "]");
+    const std::size_t index = std::stoul(digits);
+    if (index >= value.size()) {
+      throw FieldError(path, "there are " + std::to_string(value.size()) + " elements, counted from 0");
+    }
+    return value[index];
+  }
+  if (value.is_null() && bracketed)
+    return value;  // an element of what is not there: the parser says what belongs there
+  path.push_back(key);
+  if (bracketed || !(value.is_object() || value.is_null())) {
+    throw FieldError(path, value.is_array() ? "is not an element; use an index such as [0]"
+                                            : "has nothing below it; end the key before it");
+  }
+  return value[key];  // a key that does not belong here is the parser's to refuse
+}
+
+Json parseValue(const std::string& text, const std::string& name) {
+  if (Json::accept(text)) return parseJsonText(text, name).root;
+  const char first = text.empty() ? '\0' : text.front();
+  const bool meantAsJson =
+      first == '[' || first == '{' || first == '"' || first == '-' || isIndex(std::string(1, first));
+  if (meantAsJson) return parseJsonText(text, name).root;  // for its message
+  return text;
+}
+
+/// The sky is one of three kinds: naming a key of another kind changes the kind.
+void chooseSkyKind(Json& root, const std::string& key) {
+  Json& sky = root["sky"];
+  const bool gradientKey = key == "top" || key == "horizon" || key == "ground";
+  if (key == "image" || key == "color") {
+    if (!sky.contains(key)) {
+      const Json turn = sky["rotationDegrees"];
+      sky = Json::object();
+      sky["rotationDegrees"] = turn;
+    }
+  } else if (gradientKey && !sky.contains("top")) {
+    Scene standard;
+    if (sky.contains("rotationDegrees")) standard.skyRotationDegrees = sky["rotationDegrees"].get<double>();
+    sky = sceneToJson(standard, "", JsonForm::Complete)["sky"];
+  }
+}
+
+/// Walks from the root to the value to replace. Fills `path` for messages.
+Json& locate(Json& root, const std::string& keys, KeyPath& path) {
+  const std::size_t dot = keys.find('.');
+  const std::string group = keys.substr(0, dot);
+  const bool named =
+      group == "probes" || group == "cameras" || group == "materials" || group == "objects" || group == "mirrors";
+  if (!named || dot == std::string::npos) {
+    const std::vector<std::string> list = splitKeys(keys, 0);
+    if (list.empty()) throw FieldError({}, "names no key; write KEY=VALUE");
+    if (list[0] == "model") root.erase("models");
+    if (list[0] == "sky" && list.size() > 1) chooseSkyKind(root, list[1]);
+    Json* value = &root;
+    for (const std::string& key : list) value = &descend(*value, key, path);
+    return *value;
+  }
+  Json& entries = root[group];
+  const std::vector<std::string> names = knownNames(entries);
+  const auto [name, rest] = splitName(keys, dot + 1, names);
+  path = {group, name};
+  const auto found = std::find(names.begin(), names.end(), name);
+  if ((group == "probes" || group == "cameras") && found == names.end()) {
+    throw FieldError(path,
+                     "there is no such " + group.substr(0, group.size() - 1) + "; the scene has " + nameList(names));
+  }
+  Json* value = entries.is_array() ? &entries[static_cast<std::size_t>(found - names.begin())] : &entries[name];
+  const std::vector<std::string> fields = splitKeys(keys, rest);
+  if (value->is_null()) *value = Json::object();
+  if (group == "probes" && !fields.empty() && fields[0] == "influence" && !value->contains("influence")) {
+    (*value)["influence"] = (*value)["box"];  // what it stands for while left out
+  }
+  for (const std::string& key : fields) value = &descend(*value, key, path);
+  return *value;
+}
+
+}  // namespace
+
+void setSceneFields(Scene& scene, const std::vector<std::string>& assignments) {
+  Scene result = scene;
+  std::string name;
+  try {
+    for (const std::string& assignment : assignments) {
+      name = "--set " + assignment;
+      const std::size_t equals = assignment.find('=');
+      if (equals == std::string::npos || equals == 0)
+        throw InputError(name + ": is not an assignment; write KEY=VALUE");
+      Json value = parseValue(assignment.substr(equals + 1), name);
+      Json root = sceneToJson(result, "", JsonForm::Complete);
+      KeyPath path;
+      locate(root, assignment.substr(0, equals), path) = std::move(value);
+      result = sceneFromJson(root, "");
+    }
+    // Only now: two ends of a box may have to move before it is a box again.
+    if (assignments.size() > 1) name = "--set";
+    validate(result);
+  } catch (const FieldError& error) {
+    throw InputError(name + ": " + error.what());
+  }
+  scene = std::move(result);
+}
+
+std::optional<double> sceneNumber(const Scene& scene, const std::string& keys) {
+  Json root = sceneToJson(scene, "", JsonForm::Complete);
+  try {
+    KeyPath path;
+    const Json& value = locate(root, keys, path);
+    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+  } catch (const FieldError&) {
+    return std::nullopt;
+  }
+}
+
+void setSceneField(Scene& scene, const std::string& assignment) {
+  setSceneFields(scene, {assignment});
+}
+
+}  // namespace boxprobe

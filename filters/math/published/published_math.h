@@ -1,0 +1,20 @@
+// shaders/published, compiled as C++ as shared_math.h does with the program's own: forms found elsewhere, put to the
+// same test. No technique uses them.
+#pragma once
+
+#include "filters/math/shared/shared_math.h"
+
+namespace boxprobe::shading {
+
+ProbeHit publishedBoxSelect(ProbeShape probe, vec3 position, vec3 reflection);
+ProbeHit publishedBoxMax(ProbeShape probe, vec3 position, vec3 reflection);
+ProbeHit publishedBoxWorld(ProbeShape probe, vec3 origin, vec3 position, vec3 reflection);
+ProbeHit publishedRoundedBox(ProbeShape probe, vec3 position, vec3 reflection);
+ProbeHit publishedSphere(ProbeShape probe, vec3 position, vec3 reflection);
+float publishedDistanceRoughness(float hitDistance, vec3 lookup, float roughness);
+float publishedFootprintScale(ProbeShape probe, ProbeHit hit, vec3 direction);
+float publishedDistribution(float nh, float alpha);
+float publishedMasking(float nv, float alpha);
+float publishedInfluence(vec3 position, vec3 influenceMin, vec3 influenceMax, float blendDistance);
+
+}  // namespace boxprobe::shading

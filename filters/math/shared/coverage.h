@@ -1,0 +1,12 @@
+// shaders/shared/coverage.glsl and open_lookup.glsl as C++: what explanations compute a light's shadow and the sky
+// through openings with.
+#pragma once
+
+#include "filters/math/shared/shared_math.h"
+
+namespace boxprobe::shading {
+
+float coverageLevel(vec3 hit, vec3 factors, vec3 toLight, float tangent, float faceSize);
+vec4 openLookup(ProbeShape probe, vec3 position, vec3 direction, float level, float alpha);
+
+}  // namespace boxprobe::shading

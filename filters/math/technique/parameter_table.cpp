@@ -1,0 +1,155 @@
+#include "filters/math/technique/parameter_table.h"
+
+namespace boxprobe {
+
+const std::vector<ParameterRow>& parameterRows() {
+  using Kind = ParameterKind;
+  using Values = shading::TechniqueParameters;
+  static const std::vector<ParameterRow> rows = {
+      {"samples",
+       "Samples",
+       "",
+       "Reflected rays a pixel, each one lookup.",
+       Kind::WholeNumber,
+       1,
+       256,
+       64,
+       {},
+       &Values::samples},
+      {"pattern",
+       "Pattern",
+       "",
+       "How rays are spread: at random, evenly with fine-grained noise (blue), evenly with a shift by pixel (r2), or "
+       "the same in "
+       "every pixel, which shows ghosts in place of noise.",
+       Kind::Choice,
+       0,
+       0,
+       1,
+       {"white", "blue", "r2", "deterministic"},
+       nullptr,
+       &Values::pattern},
+      {"animated", "Animated", "", "A new pattern every frame, gathered over time.", Kind::Switch, 0, 0, 0, {}},
+      {"levelOffset",
+       "Level offset",
+       "",
+       "Blurs each ray's lookup by its share of the lobe and the distance to what it hits.",
+       Kind::Switch,
+       0,
+       0,
+       0,
+       {},
+       nullptr,
+       &Values::levelOffset},
+      {"filtered",
+       "Filtered",
+       "",
+       "Blurs each ray's lookup by the patch of wall it stands for: far less noise and error.",
+       Kind::Switch,
+       0,
+       0,
+       0,
+       {},
+       nullptr,
+       &Values::filtered},
+      {"sampling",
+       "Sampling",
+       "",
+       "What rays are drawn from: the surface's lobe, or half of them from the probe's brightness, for small lamps. "
+       "Rays that "
+       "are blurred find lamps by themselves and come from the lobe alone.",
+       Kind::Choice,
+       0,
+       0,
+       0,
+       {"ggx", "luminance"},
+       nullptr,
+       &Values::sampling},
+      {"blur", "Blur", "", "Smooths the sampled picture, normals kept apart.", Kind::Switch, 0, 0, 0, {}},
+      {"power",
+       "Power",
+       "",
+       "Exponent of the Fresnel-like factor (1 - N.V)^power: the higher, the closer to grazing it sets in. Published: "
+       "4; "
+       "2 and 3 are cheaper forms.",
+       Kind::Number,
+       0.01,
+       16,
+       4,
+       {},
+       &Values::power},
+      {"hardeningLength",
+       "Hardening length",
+       "m",
+       "Distance from the surface to what it reflects at which the reflection has the surface's full roughness. "
+       "Published: 6.",
+       Kind::Number,
+       1e-6,  // divided by, so never 0
+       1e6,
+       6,
+       {},
+       &Values::hardeningLength},
+      {"fresnel",
+       "Fresnel",
+       "",
+       "What sets in towards grazing angles: the factor above, or the surface's own Fresnel reflectance.",
+       Kind::Choice,
+       0,
+       0,
+       0,
+       {"power", "surface"},
+       nullptr,
+       &Values::fresnel},
+      {"curve",
+       "Level curve",
+       "",
+       "From roughness to the level looked up. Own is what the levels were filtered for; the others show a mismatch.",
+       Kind::Choice,
+       0,
+       0,
+       0,
+       {"own", "unity", "linear", "exact", "marmoset", "three-level"},
+       nullptr,
+       &Values::curve},
+      {"steps",
+       "Steps",
+       "",
+       "Lookups of the probe's distances that refine the box's hit: 1 at the hit, 2 also on the way to it, from 3 on "
+       "secant steps.",
+       Kind::WholeNumber,
+       1,
+       4,
+       3,
+       {},
+       &Values::steps},
+      {"budget",
+       "Error budget",
+       "",
+       "The largest error accepted, RMSE of (x/(1+x))^(1/2.2) as `boxprobe bench` measures it.",
+       Kind::Number,
+       0,
+       1,
+       0.04,
+       {},
+       &Values::budget},
+  };
+  return rows;
+}
+
+const ParameterRow* findParameter(std::string_view name) {
+  for (const ParameterRow& row : parameterRows()) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
+shading::TechniqueParameters standardParameters() {
+  shading::TechniqueParameters values{};
+  for (const ParameterRow& row : parameterRows()) {
+    if (row.number != nullptr) values.*row.number = static_cast<float>(row.standard);
+    if (row.choice != nullptr) values.*row.choice = static_cast<int>(row.standard);
+  }
+  return values;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,94 @@
+#include "filters/reference/light/capture_light.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "filters/core/surface/direct_light.h"
+#include "filters/reference/light/reflecting_layers.h"
+
+namespace boxprobe {
+
+CaptureLight::CaptureLight(const Scene& scene, std::shared_ptr<const ImageRgbaF> skyImage)
+    : sky_(scene.sky, std::move(skyImage), scene.skyRotationDegrees), brdf_(makeBrdfTable()), lights_(scene.lights) {
+  for (const Probe& probe : scene.probes) {
+    probes_.push_back({probeGeometry(probe, probe.origin), std::holds_alternative<ClearToOpen>(probe.clear)});
+  }
+  std::stable_sort(probes_.begin(), probes_.end(),
+                   [](const auto& a, const auto& b) { return a.importance > b.importance; });
+}
+
+// The weights of shaders/gpu/probe_lighting.glsl, with no probe's map there yet.
+CaptureLight::Shares CaptureLight::shares(const glm::dvec3& position) const {
+  Shares result{0.0f, 1.0f};
+  for (std::size_t first = 0; first < probes_.size();) {
+    std::size_t end = first;
+    float sum = 0.0f, lit = 0.0f;
+    for (; end < probes_.size() && probes_[end].importance == probes_[first].importance; ++end) {
+      const LightingProbe& g = probes_[end];
+      const glm::vec3 p(glm::transpose(g.worldFromProbe) * (position - g.originWorld));
+      const float weight = shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
+      sum += weight;
+      lit += g.open ? 0.0f : weight * g.intensity;
+    }
+    result.diffuse += result.sky * shading::groupScale(sum) * lit;
+    result.sky = shading::remainingAfter(result.sky, sum);
+    first = end;
+  }
+  result.diffuse += result.sky;
+  return result;
+}
+
+std::optional<glm::dvec3> CaptureLight::capturedFrom(const glm::dvec3& position) const {
+  const ProbeGeometry* best = nullptr;
+  float most = 0.0f, left = 1.0f;
+  for (std::size_t first = 0; first < probes_.size() && left > most;) {
+    std::size_t end = first;
+    float sum = 0.0f, largest = 0.0f;
+    const ProbeGeometry* of = nullptr;
+    for (; end < probes_.size() && probes_[end].importance == probes_[first].importance; ++end) {
+      const ProbeGeometry& g = probes_[end];
+      const glm::vec3 p(glm::transpose(g.worldFromProbe) * (position - g.originWorld));
+      const float weight = shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
+      sum += weight;
+      if (weight <= largest) continue;
+      largest = weight;
+      of = &g;
+    }
+    const float share = left * shading::groupScale(sum) * largest;
+    if (share > most) {
+      most = share;
+      best = of;
+    }
+    left = shading::remainingAfter(left, sum);
+    first = end;
+  }
+  if (best == nullptr) return std::nullopt;
+  return best->originWorld;
+}
+
+glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through) const {
+  if (unlit) return s.emissive;
+  const FresnelEnds ends = fresnelEnds(s);
+  glm::vec3 sum = s.emissive;
+  if (!lights_.empty()) sum += directLight(s, ends.f0, ends.f90, lights_, through);
+  if (s.metallic < 1.0f) {
+    sum += s.occlusion * shares(s.positionWorld).diffuse * (1.0f - ends.f0) * (1.0f - s.metallic) * s.albedo *
+           sky_.irradiance(s.normalWorld);
+  }
+  return sum;
+}
+
+glm::vec3 CaptureLight::captured(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through) const {
+  glm::vec3 sum = unreflected(s, unlit, through);
+  if (unlit) return sum;
+  const float share = shares(s.positionWorld).sky;
+  if (share <= 1.0e-5f) return sum;
+  for (const ReflectingLayer& layer : reflectingLayers(s, brdf_)) {
+    const glm::vec3 direction = shading::reflectedView(glm::vec3(layer.normalWorld), s.viewWorld);
+    sum += share * glm::vec3(layer.factor) * sky_.reflection(direction, static_cast<float>(layer.roughness));
+  }
+  return sum;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,153 @@
+#include "filters/reference/light/reference_scene.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "filters/reference/light/reflecting_layers.h"
+#include "filters/reference/trace/refraction_tracer.h"
+#include "filters/reference/trace/shadow_light.h"
+#include "filters/reference/trace/visible_normal_lobe.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// Rays through a picture as vtkCamera projects it: the field of view is the vertical one, pixels are square; in
+/// parallel projection all rays are, and each starts at its own place beside the camera's.
+class PictureRays {
+ public:
+  PictureRays(const Camera& camera, int width, int height)
+      : width_(width), height_(height), eye_(camera.position), parallel_(camera.parallelHeight > 0.0) {
+    forward_ = glm::normalize(camera.target - camera.position);
+    const double half =
+        parallel_ ? 0.5 * camera.parallelHeight : std::tan(0.5 * glm::radians(camera.verticalFovDegrees));
+    const glm::dvec3 right = glm::normalize(glm::cross(forward_, camera.up));
+    right_ = right * (half * width / height);
+    up_ = glm::cross(right, forward_) * half;
+  }
+  /// Pixels from the top left.
+  glm::dvec3 origin(double x, double y) const { return parallel_ ? eye_ + beside(x, y) : eye_; }
+  /// Not unit.
+  glm::dvec3 direction(double x, double y) const { return parallel_ ? forward_ : forward_ + beside(x, y); }
+
+ private:
+  glm::dvec3 beside(double x, double y) const {
+    return (2.0 * x / width_ - 1.0) * right_ + (1.0 - 2.0 * y / height_) * up_;
+  }
+  int width_, height_;
+  glm::dvec3 eye_;
+  bool parallel_;
+  glm::dvec3 forward_, right_, up_;
+};
+
+bool mirrorsOnly(const std::vector<ReflectingLayer>& layers, const SurfacePoint& s) {
+  for (const ReflectingLayer& layer : layers) {
+    if (!VisibleNormalLobe(layer.normalWorld, s.viewWorld, layer.roughness * layer.roughness).mirror()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+int positionsPerSide(int samplesPerPixel) {
+  return samplesPerPixel >= 16 ? 4 : samplesPerPixel >= 4 ? 2 : 1;
+}
+
+ReferenceScene::ReferenceScene(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
+                               std::shared_ptr<const ImageRgbaF> skyImage)
+    : tracer_(makeTriangleScene(scene, models)), light_(scene, std::move(skyImage)) {}
+
+// How much of each light arrives; empty if none asks for shadows.
+std::vector<glm::vec3> ReferenceScene::throughTo(const TracedHit& hit, RaySees sees, int side) const {
+  std::vector<glm::vec3> through;
+  const std::vector<Light>& lights = light_.lights();
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (lights[i].shadows == LightShadows::None) continue;
+    through.resize(lights.size(), glm::vec3(1.0f));
+    through[i] = glm::vec3(lightThrough(tracer_, tracer_.awayFrom(hit), lights[i], side, sees));
+  }
+  return through;
+}
+
+glm::dvec3 ReferenceScene::seenFrom(const glm::dvec3& origin, const glm::dvec3& direction, RaySees sees) const {
+  const auto hit = tracer_.firstHit(origin, direction, sees);
+  if (!hit) return glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+  // Highlights and other gloss move with the eye; a probe has them as they are from its origin.
+  const glm::dvec3 eye = sees == RaySees::Probes ? light_.capturedFrom(origin).value_or(origin) : origin;
+  // What is reflected is a mean of many: few rays to a light do.
+  constexpr int kShadowSide = 2;
+  const std::vector<glm::vec3> through = throughTo(*hit, sees, kShadowSide);
+  return glm::dvec3(light_.captured(tracer_.surface(*hit, eye), tracer_.object(*hit).material.unlit,
+                                    through.empty() ? nullptr : &through));
+}
+
+glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,
+                                         std::uint64_t seed) const {
+  glm::dvec3 sum(0.0);
+  for (const ReflectingLayer& layer : reflectingLayers(surface, light_.brdf())) {
+    const VisibleNormalLobe lobe(glm::normalize(layer.normalWorld), glm::normalize(glm::dvec3(surface.viewWorld)),
+                                 layer.roughness * layer.roughness);
+    sum += layer.factor * lobeMean(lobe, glm::dvec3(layer.fresnel.f0), glm::dvec3(layer.fresnel.f90), rays, seed,
+                                   [&](const glm::dvec3& direction) { return seenFrom(away, direction, sees); });
+    seed = stirred(seed);
+  }
+  return sum;
+}
+
+ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSettings& settings,
+                                        const ReferenceProgress& progress) const {
+  const PictureRays rays(camera, settings.width, settings.height);
+  const int side = positionsPerSide(settings.samplesPerPixel);
+  const RayPlan plan = planRays(settings.raysPerPixel, side * side);
+  const RaySees sees = settings.full ? RaySees::Picture : RaySees::Probes;
+  const RefractionTracer glass(tracer_, [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+    return seenFrom(origin, direction, sees);
+  });
+  const auto estimate = [&](int x, int y, int pass) {
+    ProgressivePicture::Pixel pixel;
+    pixel.exact = true;
+    for (int k = 0; k < side * side; ++k) {
+      const double across = x + (k % side + 0.5) / side, down = y + (k / side + 0.5) / side;
+      const glm::dvec3 eye = rays.origin(across, down), direction = rays.direction(across, down);
+      const auto hit = tracer_.firstHit(eye, direction);
+      if (!hit) {
+        pixel.color += glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+        continue;
+      }
+      pixel.alpha += 1.0;
+      const SurfacePoint surface = tracer_.surface(*hit, eye);
+      const bool unlit = tracer_.object(*hit).material.unlit;
+      const Material& material = tracer_.object(*hit).material;
+      const double passes = material.transmits() ? static_cast<double>(material.transmission) *
+                                                       (1.0 - static_cast<double>(surface.metallic))
+                                                 : 0.0;
+      constexpr int kShadowSide = 6;
+      const std::vector<glm::vec3> through = throughTo(*hit, RaySees::Picture, kShadowSide);
+      pixel.color +=
+          (1.0 - passes) * glm::dvec3(light_.unreflected(surface, unlit, through.empty() ? nullptr : &through));
+      if (unlit) continue;
+      const std::uint64_t place =
+          (static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)) *
+              16 +
+          static_cast<std::uint64_t>(k);
+      const std::uint64_t seed = stirred(stirred(stirred(settings.seed) + place) + static_cast<std::uint64_t>(pass));
+      if (passes > 0.0) {
+        pixel.color += passes * (glm::dvec3(surface.emissive) +
+                                 glass.seen(*hit, glm::normalize(direction), plan.raysPerPass, stirred(seed)));
+        pixel.exact = pixel.exact && smoothGlass(static_cast<double>(surface.roughness));
+        if (passes == 1.0) continue;
+      }
+      pixel.color += (1.0 - passes) * reflectedFrom(surface, tracer_.awayFrom(*hit), sees, plan.raysPerPass, seed);
+      pixel.exact = pixel.exact && mirrorsOnly(reflectingLayers(surface, light_.brdf()), surface);
+    }
+    pixel.color /= side * side;
+    pixel.alpha /= side * side;
+    return pixel;
+  };
+  ProgressivePicture picture(settings.width, settings.height);
+  picture.run(0, settings.height, plan.passes, estimate, progress);
+  return picture.picture();
+}
+
+}  // namespace boxprobe

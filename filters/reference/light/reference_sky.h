@@ -1,0 +1,36 @@
+// The sky as the reference sees it: radiance in any direction, and what probe captures light surfaces with before any
+// probe has light of its own - nine coefficients for diffuse light, a prefiltered chain for what no probe reaches.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
+#include "filters/math/cube/cube_map.h"
+#include "filters/math/cube/spherical_harmonics.h"
+
+namespace boxprobe {
+
+class ReferenceSky {
+ public:
+  /// `image` is the picture of a SkyImage, null for any other sky (and for a picture that is not there: black).
+  ReferenceSky(const Sky& sky, std::shared_ptr<const ImageRgbaF> image, double rotationDegrees = 0.0);
+
+  glm::vec3 radiance(const glm::vec3& directionWorld) const;
+  /// Over pi.
+  glm::vec3 irradiance(const glm::vec3& normalWorld) const;
+  /// As a surface of that roughness reflects it: one lookup, like the renderer's.
+  glm::vec3 reflection(const glm::vec3& directionWorld, float roughness) const;
+
+ private:
+  glm::vec3 imageRadiance(const glm::vec3& direction) const;
+
+  Sky sky_;
+  std::shared_ptr<const ImageRgbaF> image_;
+  double rotation_;  ///< about +Y, radians
+  CubeMap chain_;
+  ShCoefficients irradiance_{};
+};
+
+}  // namespace boxprobe

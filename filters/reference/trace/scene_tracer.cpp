@@ -1,0 +1,226 @@
+#include "filters/reference/trace/scene_tracer.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <string>
+
+#include "filters/core/base/errors.h"
+#include "filters/reference/trace/surface_texture.h"
+
+namespace boxprobe {
+
+namespace {
+
+glm::vec3 unitOr(const glm::vec3& v, const glm::vec3& otherwise) {
+  const float length = glm::length(v);
+  return length > 0.0f ? v / length : otherwise;
+}
+
+float reflectanceOf(float iorTo, float iorFrom) {
+  const float r = (iorTo - iorFrom) / (iorTo + iorFrom);
+  return r * r;
+}
+
+// The triangle's three values of an attribute at a hit.
+template <typename Value>
+Value interpolated(const std::vector<Value>& values, const std::uint32_t* corners, const glm::dvec2& barycentric) {
+  const auto v = static_cast<float>(barycentric.x), w = static_cast<float>(barycentric.y);
+  return (1.0f - v - w) * values[corners[0]] + v * values[corners[1]] + w * values[corners[2]];
+}
+
+// shaders/gpu/material.glsl, bpMappedNormal.
+glm::vec3 mappedNormal(const glm::vec3& n, const glm::vec4& tangent, const glm::vec3& packed, float scale) {
+  const glm::vec3 along(tangent);
+  const glm::vec3 t = unitOr(along - glm::dot(along, n) * n, glm::vec3(0.0f));
+  const glm::vec3 b = glm::cross(n, t) * (tangent.w < 0.0f ? -1.0f : 1.0f);
+  const glm::vec3 mapped = (2.0f * packed - 1.0f) * glm::vec3(scale, scale, 1.0f);
+  return unitOr(mapped.x * t + mapped.y * b + mapped.z * n, n);
+}
+
+// Attributes of a surface at one of its points.
+class Attributes {
+ public:
+  Attributes(const TracedObject& object, const std::uint32_t* corners, const glm::dvec2& barycentric)
+      : object_(object), corners_(corners), barycentric_(barycentric) {}
+
+  /// White where there is no picture, or nothing that says how it lies on the surface.
+  glm::vec4 sampled(const TextureUse& use, bool srgb) const {
+    const std::vector<glm::vec2>& set = use.uvSet == 1 ? object_.uv1 : object_.uv;
+    if (!use.image || set.empty()) return glm::vec4(1.0f);
+    return sampleTexture(use, interpolated(set, corners_, barycentric_), srgb);
+  }
+  bool mapped(const TextureUse& use) const {
+    return use.image && !(use.uvSet == 1 ? object_.uv1 : object_.uv).empty() && !object_.tangents.empty();
+  }
+  glm::vec4 base() const {
+    glm::vec4 base = object_.material.baseColor * sampled(object_.material.baseColorTexture, true);
+    if (!object_.colors.empty()) base *= interpolated(object_.colors, corners_, barycentric_);
+    return base;
+  }
+
+ private:
+  const TracedObject& object_;
+  const std::uint32_t* corners_;
+  glm::dvec2 barycentric_;
+};
+
+// Called by Embree for each triangle that a ray of one lane meets: the back of a single-sided surface is not there, nor
+// what a material masks out.
+void leaveOut(const RTCFilterFunctionNArguments* args) {
+  const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
+  const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+  const auto& object = *static_cast<const TracedObject*>(args->geometryUserPtr);
+  const float along = ray->dir_x * hit->Ng_x + ray->dir_y * hit->Ng_y + ray->dir_z * hit->Ng_z;
+  if (along > 0.0f && !object.material.doubleSided) args->valid[0] = 0;
+  if (object.material.alphaMode != AlphaMode::Mask) return;
+  const Attributes at(object, &object.indices[3 * static_cast<std::size_t>(hit->primID)], {hit->u, hit->v});
+  if (at.base().a < object.material.alphaCutoff) args->valid[0] = 0;
+}
+
+RTCGeometry makeGeometry(RTCDevice device, const TracedObject& object) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
+                                            object.positions.size());
+  void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                          3 * sizeof(std::uint32_t), object.indices.size() / 3);
+  if (positions != nullptr && indices != nullptr) {
+    std::memcpy(positions, object.positions.data(), object.positions.size() * sizeof(glm::vec3));
+    std::memcpy(indices, object.indices.data(), object.indices.size() / 3 * 3 * sizeof(std::uint32_t));
+    if (!object.material.doubleSided || object.material.alphaMode == AlphaMode::Mask) {
+      rtcSetGeometryUserData(geometry, const_cast<TracedObject*>(&object));
+      rtcSetGeometryIntersectFilterFunction(geometry, leaveOut);
+    }
+  }
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+}  // namespace
+
+struct SceneTracer::Structures {
+  RTCDevice device = nullptr;
+  RTCScene picture = nullptr;
+  RTCScene probes = nullptr;
+
+  ~Structures() {
+    if (picture != nullptr) rtcReleaseScene(picture);
+    if (probes != nullptr) rtcReleaseScene(probes);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+};
+
+SceneTracer::SceneTracer(TriangleScene scene) : scene_(std::move(scene)), structures_(std::make_unique<Structures>()) {
+  Structures& s = *structures_;
+  s.device = rtcNewDevice(nullptr);
+  if (s.device == nullptr) throw WorkError("the ray tracer (Embree) does not start on this machine");
+  for (RTCScene* target : {&s.picture, &s.probes}) {
+    *target = rtcNewScene(s.device);
+    rtcSetSceneFlags(*target, RTC_SCENE_FLAG_ROBUST);
+  }
+  for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+    const TracedObject& object = scene_.objects[i];
+    if (object.indices.size() < 3 || !(object.inPicture || object.inProbes)) continue;
+    RTCGeometry geometry = makeGeometry(s.device, object);
+    if (object.inPicture) rtcAttachGeometryByID(s.picture, geometry, static_cast<unsigned>(i));
+    if (object.inProbes) rtcAttachGeometryByID(s.probes, geometry, static_cast<unsigned>(i));
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(s.picture);
+  rtcCommitScene(s.probes);
+  if (const RTCError error = rtcGetDeviceError(s.device); error != RTC_ERROR_NONE) {
+    throw WorkError("the ray tracer (Embree) cannot take the scene, error " + std::to_string(error) +
+                    (error == RTC_ERROR_OUT_OF_MEMORY ? ": not enough memory" : ""));
+  }
+}
+
+SceneTracer::~SceneTracer() = default;
+
+std::optional<TracedHit> SceneTracer::firstHit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                               RaySees sees) const {
+  const double length = glm::length(direction);
+  if (!(length > 0.0)) return std::nullopt;
+  const glm::dvec3 unit = direction / length;
+  const glm::vec3 from(origin - scene_.anchorWorld), along(unit);
+  RTCRayHit query;
+  query.ray = {from.x, from.y, from.z, 0.0f, along.x, along.y, along.z, 0.0f, std::numeric_limits<float>::infinity(),
+               ~0u,    0u,     0u};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(sees == RaySees::Picture ? structures_->picture : structures_->probes, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+
+  TracedHit hit;
+  hit.object = static_cast<int>(query.hit.geomID);
+  hit.triangle = query.hit.primID;
+  const TracedObject& o = object(hit);
+  const std::uint32_t* corners = &o.indices[3 * static_cast<std::size_t>(hit.triangle)];
+  const glm::dvec3 a(o.positions[corners[0]]), b(o.positions[corners[1]]), c(o.positions[corners[2]]);
+  hit.barycentric = {query.hit.u, query.hit.v};
+  hit.positionWorld = scene_.anchorWorld + (1.0 - hit.barycentric.x - hit.barycentric.y) * a + hit.barycentric.x * b +
+                      hit.barycentric.y * c;
+  hit.distance = glm::dot(hit.positionWorld - origin, unit);
+  hit.frontWorld = glm::normalize(glm::cross(b - a, c - a));
+  hit.backSide = glm::dot(hit.frontWorld, unit) > 0.0;
+  if (hit.backSide) hit.frontWorld = -hit.frontWorld;
+  return hit;
+}
+
+glm::dvec3 SceneTracer::awayFrom(const TracedHit& hit) const {
+  // Embree subtracts the ray's origin from the corners in single precision: off by up to 1.2e-7 of the radius each, a
+  // few times that in the triangle's plane. Less would let rays leave through the surface they start from.
+  constexpr double kShare = 2.0e-6;
+  return hit.positionWorld + kShare * scene_.radius * hit.frontWorld;
+}
+
+SurfacePoint SceneTracer::surface(const TracedHit& hit, const glm::dvec3& eye) const {
+  const TracedObject& o = object(hit);
+  const Material& m = o.material;
+  const std::uint32_t* corners = &o.indices[3 * static_cast<std::size_t>(hit.triangle)];
+  SurfacePoint s;
+  s.positionWorld = hit.positionWorld;
+  s.eyeWorld = eye;
+  s.viewWorld = unitOr(glm::vec3(eye - hit.positionWorld), glm::vec3(hit.frontWorld));
+  const glm::vec3 front(hit.frontWorld);
+  glm::vec3 normal = o.normals.empty() ? front : unitOr(interpolated(o.normals, corners, hit.barycentric), front);
+  if (hit.backSide && !o.normals.empty()) normal = -normal;
+  s.coatNormalWorld = normal;
+
+  const Attributes at(o, corners, hit.barycentric);
+  const glm::vec4 base = at.base();
+  s.opacity = m.alphaMode == AlphaMode::Blend ? base.a : 1.0f;
+  if (m.unlit) {
+    s.emissive = glm::vec3(base);
+    s.normalWorld = normal;
+    return s;
+  }
+  // The frame of a back is turned round as a whole.
+  const float side = hit.backSide ? -1.0f : 1.0f;
+  const auto turned = [&](const TextureUse& use, float scale) {
+    if (!at.mapped(use)) return normal;
+    return side * mappedNormal(side * normal, interpolated(o.tangents, corners, hit.barycentric),
+                               glm::vec3(at.sampled(use, false)), scale);
+  };
+  const glm::vec4 roughMetal = at.sampled(m.metallicRoughnessTexture, false);
+  s.normalWorld = turned(m.normalTexture, m.normalScale);
+  s.coatNormalWorld = turned(m.coatNormalTexture, m.coatNormalScale);
+  s.albedo = glm::vec3(base);
+  s.emissive = m.emissive * glm::vec3(at.sampled(m.emissiveTexture, true));
+  s.metallic = m.metallic * roughMetal.b;
+  s.roughness = m.roughness * roughMetal.g;
+  s.occlusion = glm::mix(1.0f, at.sampled(m.occlusionTexture, false).r, m.occlusionStrength);
+  // As vtkProperty has it: a coat of index 2, and a base between lying in air and lying under it.
+  constexpr float kCoatIor = 2.0f;
+  s.baseF0 = glm::mix(reflectanceOf(m.ior, 1.0f), reflectanceOf(m.ior, kCoatIor), m.coat);
+  s.coatStrength = m.coat * at.sampled(m.coatTexture, false).r;
+  s.coatRoughness = m.coatRoughness * at.sampled(m.coatRoughnessTexture, false).g;
+  s.coatF0 = reflectanceOf(kCoatIor, 1.0f);
+  return s;
+}
+
+}  // namespace boxprobe

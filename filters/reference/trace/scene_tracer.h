@@ -1,0 +1,60 @@
+// Rays against a scene's triangles through Embree: what is hit first, and what the surface is there. Called by the
+// scene reference and by whoever wants a true hit distance; knows no light and no probe. Any number of threads may ask
+// at once.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "filters/core/surface/surface_point.h"
+#include "filters/reference/trace/triangle_scene.h"
+
+namespace boxprobe {
+
+/// Which objects a ray meets.
+enum class RaySees { Picture, Probes };
+
+struct TracedHit {
+  int object = 0;  ///< index into TriangleScene::objects
+  std::uint32_t triangle = 0;
+  glm::dvec2 barycentric{0.0};  ///< weights of the second and third corner
+  double distance = 0.0;        ///< scene units
+  glm::dvec3 positionWorld{0.0};
+  glm::dvec3 frontWorld{0.0};  ///< unit normal of the triangle, on the side that was hit
+  bool backSide = false;       ///< of a double-sided object
+};
+
+class SceneTracer {
+ public:
+  /// Throws WorkError if Embree refuses (out of memory).
+  explicit SceneTracer(TriangleScene scene);
+  ~SceneTracer();
+  SceneTracer(const SceneTracer&) = delete;
+  SceneTracer& operator=(const SceneTracer&) = delete;
+
+  const TriangleScene& scene() const { return scene_; }
+
+  /// The nearest front face (either side of a double-sided object) at a distance above 0; nothing for a zero
+  /// direction. `directionWorld` need not be unit. Starting from a surface, use awayFrom(): single precision puts a
+  /// point on a triangle to either side of it.
+  std::optional<TracedHit> firstHit(const glm::dvec3& originWorld, const glm::dvec3& directionWorld,
+                                    RaySees sees = RaySees::Picture) const;
+
+  /// A start for rays from a hit: off the surface by a few millionths of the scene's radius, on the side that was hit.
+  /// A ray into the surface, which normal maps ask for, meets the surface itself, as a lookup in a probe's box does.
+  glm::dvec3 awayFrom(const TracedHit& hit) const;
+
+  /// What the shader makes of the surface there: textures, normal map, overrides; names left out.
+  SurfacePoint surface(const TracedHit& hit, const glm::dvec3& eyeWorld) const;
+  const TracedObject& object(const TracedHit& hit) const {
+    return scene_.objects[static_cast<std::size_t>(hit.object)];
+  }
+
+ private:
+  struct Structures;
+  TriangleScene scene_;
+  std::unique_ptr<Structures> structures_;
+};
+
+}  // namespace boxprobe

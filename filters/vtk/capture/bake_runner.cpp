@@ -1,0 +1,163 @@
+#include "filters/vtk/capture/bake_runner.h"
+
+#include <vtkOpenGLRenderWindow.h>
+
+#include "filters/vtk/gl/cpu_time.h"
+#include "filters/vtk/maps/cube_transfer.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kFaces = 6;
+
+int sourceLevels(int faceSize) {
+  int levels = 1;
+  while (faceSize > 1) {
+    faceSize /= 2;
+    ++levels;
+  }
+  return levels;
+}
+
+}  // namespace
+
+BakeRunner::BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture,
+                       Times* times)
+    : window_(window),
+      state_(std::move(state)),
+      capture_(capture),
+      times_(times),
+      prefilter_(window, &state_->counters) {}
+
+// Six faces; the source's mip chain with the copy of level 0; level 1; further levels; the diffuse light, which is next
+// to nothing, with the last of them.
+int BakeRunner::units(int faceSize, bool fewSteps) {
+  const int levels = prefilterLevels(faceSize);
+  return kFaces + 1 + (fewSteps && levels > 2 ? 2 : levels - 1);
+}
+
+void BakeRunner::start(BakeItem item) {
+  abort();
+  item_ = std::make_unique<BakeItem>(std::move(item));
+}
+
+void BakeRunner::abort() {
+  item_.reset();
+  maps_.reset();
+  face_ = unit_ = level_ = 0;
+}
+
+void BakeRunner::step() {
+  if (!pending()) return;
+  BounceCost& cost = times_->bounces[static_cast<std::size_t>(item_->bounce - 1)];
+  const double before = processCpuSeconds();
+  const std::uint64_t captured = state_->counters.facesCaptured;
+  const bool facesDone = makeFaces();
+  const bool done = facesDone && filter();
+  if (!item_->sky) {
+    cost.cpuSeconds += processCpuSeconds() - before;
+    cost.faces += state_->counters.facesCaptured - captured;
+  }
+  ++unit_;
+  if (!done) return;
+  const auto publish = std::move(item_->publish);
+  const auto maps = std::move(maps_);
+  abort();
+  publish(maps);
+}
+
+// True once all six are there and the step is free for something else. Faces that are copied cost next to nothing and
+// do not end a step.
+bool BakeRunner::makeFaces() {
+  if (face_ == kFaces) return true;
+  const CpuTimer timer(times_->captureCpuSeconds);
+  if (face_ == 0) {
+    maps_ = std::make_shared<ProbeMaps>();
+    maps_->capturedAt = item_->settings.originWorld;
+    maps_->capturedRotation = item_->settings.rotationDegrees;
+    source_.allocate(item_->faceSize, sourceLevels(item_->faceSize), GL_RGBA16F);
+    if (item_->picture) {
+      uploadLevel0(*item_->picture, source_);
+      face_ = kFaces;
+      return false;
+    }
+    if (!item_->sky) maps_->distance.allocate(item_->faceSize, 1, GL_R32F);
+  }
+  while (face_ < kFaces) {
+    const int face = face_++;
+    const FaceSource source = item_->face(face);
+    if (!source.same) {
+      captureFace(source, face);
+      return false;
+    }
+    copyFace(*source.same, face);
+    ++state_->counters.facesReused;
+  }
+  return true;
+}
+
+void BakeRunner::captureFace(const FaceSource& source, int face) {
+  // Put back even if the driver refuses the capture: the window draws on.
+  struct Drawing {
+    const BakeItem& item;
+    DrawState& state;
+    Drawing(const BakeItem& i, DrawState& s) : item(i), state(s) {
+      if (item.drawing) item.drawing(true);
+      state.firstBounce = item.reflectNothing;
+      state.movingShadowsOn = false;
+    }
+    ~Drawing() {
+      state.firstBounce = false;
+      state.movingShadowsOn = true;
+      if (item.drawing) item.drawing(false);
+    }
+  };
+  {
+    const Drawing drawing(*item_, *state_);
+    capture_->captureFace(item_->settings, face, source.props, source.lights, source_,
+                          item_->sky ? nullptr : &maps_->distance);
+  }
+  ++(item_->sky ? state_->counters.skyFacesCaptured : state_->counters.facesCaptured);
+}
+
+void BakeRunner::copyFace(const ProbeMaps& from, int face) {
+  const PassState saved(window_);
+  const auto copy = [&](const CubeTexture& a, const CubeTexture& b) {
+    to_.bind(window_, b, face, 0);
+    from_.bind(window_, a, face, 0);
+    to_.bindDraw(window_);
+    const int size = a.faceSize();
+    glBlitFramebuffer(0, 0, size, size, 0, 0, size, size, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  };
+  copy(from.radiance, source_);
+  if (!item_->sky) copy(from.distance, maps_->distance);
+}
+
+bool BakeRunner::filter() {
+  const CpuTimer timer(times_->prefilterCpuSeconds);
+  const int levels = prefilterLevels(item_->faceSize);
+  if (level_ == 0) {
+    maps_->radiance.allocate(item_->faceSize, levels, GL_RGBA16F);
+    prefilter_.begin(source_, maps_->radiance, item_->prefilter);
+    level_ = 1;
+    return false;
+  }
+  do {
+    if (level_ < levels) prefilter_.filterLevel(source_, maps_->radiance, level_, item_->prefilter);
+    ++level_;
+  } while (item_->fewSteps && level_ > 2 && level_ < levels);
+  if (level_ < levels) return false;
+  maps_->irradiance = Prefilter::irradiance(source_, rotationMatrix(item_->settings.rotationDegrees));
+  return true;
+}
+
+void BakeRunner::release() {
+  abort();
+  prefilter_.release();
+  source_.release();
+  from_.release();
+  to_.release();
+}
+
+}  // namespace boxprobe

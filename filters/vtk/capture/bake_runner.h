@@ -1,0 +1,79 @@
+// Makes one cubemap step by step: a face, a level at a time. Knows no scene: it is handed what to photograph and whom
+// to tell. Called by the probe set outside of the window's renders.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "filters/math/cube/cube_map.h"
+#include "filters/vtk/capture/cube_capture.h"
+#include "filters/vtk/capture/prefilter.h"
+#include "filters/vtk/capture/work_times.h"
+
+namespace boxprobe {
+
+/// Where one face comes from.
+struct FaceSource {
+  std::shared_ptr<const ProbeMaps> same;  ///< already holds this very face: it is copied, nothing is drawn
+  std::vector<vtkProp*> props;
+  std::vector<vtkLight*> lights;
+};
+
+/// One cubemap to make.
+struct BakeItem {
+  CaptureSettings settings;
+  int faceSize = 256;
+  int bounce = 1;               ///< of its probe: what its cost is booked under
+  bool sky = false;             ///< the sky's own map: at infinity, so without distances
+  bool reflectNothing = false;  ///< first bounce: no probe has been captured yet
+  /// Small levels are filtered together, as one unit that costs less than the first level alone: fewer steps to wait
+  /// for a map that follows something that moves.
+  bool fewSteps = false;
+  PrefilterSettings prefilter;
+  std::shared_ptr<const CubeMap> picture;  ///< taken in place of a capture; then `face` is not asked
+
+  /// Asked just before a face is made, so that it shows the scene as it is by then.
+  std::function<FaceSource(int face)> face;
+  /// Called with true before a face is drawn and with false after it: lets it see probes other than the window shows.
+  std::function<void(bool)> drawing;
+  /// The finished maps. Until then nothing of them can be seen.
+  std::function<void(std::shared_ptr<const ProbeMaps>)> publish;
+};
+
+class BakeRunner {
+ public:
+  BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture, Times* times);
+
+  /// Replaces what is under way.
+  void start(BakeItem item);
+  void abort();
+  bool pending() const { return item_ != nullptr; }
+  /// At most one face is captured, or one level filtered (with fewSteps: the small ones together).
+  void step();
+  int unitsDone() const { return pending() ? unit_ : 0; }
+  static int units(int faceSize, bool fewSteps);
+  void release();
+
+ private:
+  bool makeFaces();
+  void copyFace(const ProbeMaps& from, int face);
+  void captureFace(const FaceSource& source, int face);
+  bool filter();
+
+  vtkOpenGLRenderWindow* window_;
+  std::shared_ptr<DrawState> state_;
+  CubeCapture* capture_;
+  Times* times_;
+  Prefilter prefilter_;
+  CubeTexture source_;
+  CubeFramebuffer from_, to_;
+
+  std::unique_ptr<BakeItem> item_;
+  std::shared_ptr<ProbeMaps> maps_;
+  int face_ = 0;  ///< the next one to make
+  int unit_ = 0;
+  int level_ = 0;  ///< the next one to filter
+};
+
+}  // namespace boxprobe

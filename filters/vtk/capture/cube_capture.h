@@ -1,0 +1,83 @@
+// Photographs a scene from one point: a face at a time into RGBA float at several samples a texel, resolved to
+// half-float radiance with coverage in alpha and to distance. Called by the bake queue outside of any render of the
+// window.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <functional>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
+#include "filters/vtk/gl/full_screen_pass.h"
+#include "filters/vtk/surface/draw_state.h"
+
+class vtkCamera;
+class vtkLight;
+class vtkOpenGLRenderWindow;
+class vtkPicturePass;
+class vtkProp;
+class vtkRenderer;
+class vtkTargetPass;
+
+namespace boxprobe {
+
+/// What one face is rendered with.
+struct CaptureSettings {
+  glm::dvec3 originWorld{0.0};
+  glm::dvec3 rotationDegrees{0.0};  ///< of the cube's axes, as rotationMatrix takes them
+  double nearDistance = 0.01;
+  double farDistance = 1000.0;
+  int samplesPerTexelSide = 2;
+  Clear clear = ClearToSky{};
+};
+
+/// Samples along each side of a texel or pixel for 1, 4 or 16 in all.
+inline int samplesPerSide(int samplesPerPixel) {
+  return samplesPerPixel >= 16 ? 4 : samplesPerPixel >= 4 ? 2 : 1;
+}
+
+class CubeCapture {
+ public:
+  CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state);
+  ~CubeCapture();
+
+  /// Renders `props`, lit by `lights`, into level 0 of one face of `radiance` and of `distance` (either allocated at
+  /// the same face size). Counts texels above half-float range and texels that were not finite.
+  void captureFace(const CaptureSettings& settings, int face, const std::vector<vtkProp*>& props,
+                   const std::vector<vtkLight*>& lights, const CubeTexture& radiance, const CubeTexture* distance);
+
+  /// Draws into a few pixels that nobody reads: what it takes to have programs compiled and buffers uploaded.
+  void drawOnce(const CaptureSettings& settings, const std::vector<vtkProp*>& props,
+                const std::vector<vtkLight*>& lights);
+
+  /// A whole frame in linear units through any camera: RGBA, `samplesPerSide`² samples a pixel, rows from the top. By
+  /// way of `picture` if given: as many frames as its limit; `beforeFrame` is called before each with its number.
+  ImageRgbaF renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide,
+                         const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights,
+                         vtkPicturePass* picture = nullptr, const std::function<void(int)>& beforeFrame = {});
+
+  void release();
+
+ private:
+  void renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
+                  const std::vector<vtkLight*>& lights, const glm::vec3& clearColor);
+  void prepare(vtkCamera* camera, int width, int height, const std::vector<vtkLight*>& lights,
+               const glm::vec3& clearColor);
+  void draw();
+
+  vtkOpenGLRenderWindow* window_;
+  std::shared_ptr<DrawState> state_;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  vtkSmartPointer<vtkTargetPass> pass_;
+  vtkSmartPointer<vtkCamera> faceCamera_;
+  FloatTarget target_;
+  CubeFramebuffer faces_;
+  FullScreenPass resolve_;
+  GLuint query_ = 0;
+};
+
+}  // namespace boxprobe

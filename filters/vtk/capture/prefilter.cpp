@@ -1,0 +1,103 @@
+#include "filters/vtk/capture/prefilter.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkShaderProgram.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/vec4.hpp>
+
+namespace boxprobe {
+
+Prefilter::Prefilter(vtkOpenGLRenderWindow* window, Counters* counters)
+    : window_(window),
+      counters_(counters),
+      sourcePass_(
+          {"shared/cube.glsl", "shared/source_level.glsl", "gpu/nearest_half.glsl", "gpu/prefilter_source.glsl"},
+          counters),
+      lobePass_({"shared/cube.glsl", "shared/lobe_frame.glsl", "shared/edge_fixup.glsl", "gpu/nearest_half.glsl",
+                 "gpu/prefilter_lobe.glsl"},
+                counters) {}
+
+void Prefilter::makeSourceLevels(const CubeTexture& source) {
+  const PassState saved(window_);
+  const BoundTexture bound(window_, GL_TEXTURE_CUBE_MAP, source.handle());
+  for (int level = 1; level < source.levels(); ++level) {
+    // A texture may be read and drawn into at once as long as no level is both.
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BASE_LEVEL, level - 1);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, level - 1);
+    for (int face = 0; face < 6; ++face) {
+      to_.bind(window_, source, face, level);
+      sourcePass_.draw(window_, [&](vtkShaderProgram* program) {
+        program->SetUniformi("bpSource", bound.unit());
+        program->SetUniformi("bpFace", face);
+        program->SetUniformf("bpFaceSize", static_cast<float>(source.faceSize() >> level));
+        program->SetUniformf("bpLevel", 0.0f);
+      });
+    }
+  }
+  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BASE_LEVEL, 0);
+  glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, source.levels() - 1);
+}
+
+void Prefilter::begin(const CubeTexture& source, const CubeTexture& chain, const PrefilterSettings& settings) {
+  makeSourceLevels(source);
+  if (lobeOfLevel(settings, 0, chain.levels() - 1).width > 0.0f) {
+    filterLevel(source, chain, 0, settings);
+    return;
+  }
+  const PassState saved(window_);
+  const int size = source.faceSize();
+  for (int face = 0; face < 6; ++face) {
+    to_.bind(window_, chain, face, 0);
+    from_.bind(window_, source, face, 0);
+    to_.bindDraw(window_);
+    glBlitFramebuffer(0, 0, size, size, 0, 0, size, size, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+}
+
+void Prefilter::filterLevel(const CubeTexture& source, const CubeTexture& chain, int level,
+                            const PrefilterSettings& settings) {
+  const FilterLobe lobe = lobeOfLevel(settings, level, chain.levels() - 1);
+  filterWith(source, chain, level, lobeTaps(lobe, samplesOfLevel(settings, level), source.faceSize()),
+             settings.filter == FilterLobe::Kind::Gaussian ? settings.gaussian.edgeFixupWidth : 0);
+}
+
+void Prefilter::filterWith(const CubeTexture& source, const CubeTexture& chain, int level,
+                           const std::vector<LobeTap>& taps, int edgeFixupWidth) {
+  const PassState saved(window_);
+  const int size = chain.faceSize() >> level;
+  const int count = std::min(static_cast<int>(taps.size()), kMaxSamples);
+  std::vector<std::array<float, 4>> packed;
+  for (const LobeTap& tap : taps) packed.push_back({tap.direction.x, tap.direction.y, tap.level, tap.weight});
+  const BoundTexture bound(window_, GL_TEXTURE_CUBE_MAP, source.handle());
+  for (int face = 0; face < 6; ++face) {
+    to_.bind(window_, chain, face, level);
+    lobePass_.draw(window_, [&](vtkShaderProgram* program) {
+      program->SetUniformi("bpSource", bound.unit());
+      program->SetUniformi("bpFace", face);
+      program->SetUniformf("bpFaceSize", static_cast<float>(size));
+      program->SetUniformf("bpFixupWidth", static_cast<float>(std::min(edgeFixupWidth, size / 2)));
+      program->SetUniformi("bpTapCount", count);
+      program->SetUniform4fv("bpTaps", count, reinterpret_cast<const float(*)[4]>(packed.data()));
+    });
+  }
+  ++counters_->levelsFiltered;
+}
+
+ShCoefficients Prefilter::irradiance(const CubeTexture& source, const glm::dmat3& worldFromMap) {
+  int level = 0;
+  while ((source.faceSize() >> level) > 16) ++level;
+  std::array<std::vector<float>, 6> faces;
+  for (int face = 0; face < 6; ++face) faces[static_cast<std::size_t>(face)] = source.readFace(face, level);
+  return irradianceCoefficients(faces, source.faceSize() >> level, worldFromMap);
+}
+
+void Prefilter::release() {
+  from_.release();
+  to_.release();
+  sourcePass_.release();
+  lobePass_.release();
+}
+
+}  // namespace boxprobe

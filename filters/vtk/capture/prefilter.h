@@ -1,0 +1,43 @@
+// From a capture to the chain that lookups read, on the graphics side: level 0 copied (or blurred, by the frosty
+// filter), each further level filtered by the lobe it stands for. One level a call, so that a window stays responsive.
+// Its twin on the CPU is filters/math/cube/cube_filter.h.
+#pragma once
+
+#include <vector>
+
+#include "filters/math/sampling/filter_lobe.h"
+#include "filters/vtk/gl/full_screen_pass.h"
+#include "filters/vtk/surface/draw_state.h"
+
+class vtkOpenGLRenderWindow;
+
+namespace boxprobe {
+
+class Prefilter {
+ public:
+  Prefilter(vtkOpenGLRenderWindow* window, Counters* counters);
+
+  /// The source's own mip levels, and level 0 of the chain. Source and chain are allocated; the source needs as many
+  /// levels as its size allows.
+  void begin(const CubeTexture& source, const CubeTexture& chain, const PrefilterSettings& settings = {});
+  /// Level 1 and up.
+  void filterLevel(const CubeTexture& source, const CubeTexture& chain, int level,
+                   const PrefilterSettings& settings = {});
+  /// Any lookups into any level: what the above does with those of the level's own lobe.
+  void filterWith(const CubeTexture& source, const CubeTexture& chain, int level, const std::vector<LobeTap>& taps,
+                  int edgeFixupWidth = 0);
+  /// The source's levels alone.
+  void makeSourceLevels(const CubeTexture& source);
+  /// Diffuse irradiance, by world normals, from a small level of the source.
+  static ShCoefficients irradiance(const CubeTexture& source, const glm::dmat3& worldFromMap = glm::dmat3(1.0));
+
+  void release();
+
+ private:
+  vtkOpenGLRenderWindow* window_;
+  Counters* counters_;
+  CubeFramebuffer from_, to_;
+  FullScreenPass sourcePass_, lobePass_;
+};
+
+}  // namespace boxprobe

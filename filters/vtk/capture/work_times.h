@@ -1,0 +1,23 @@
+// What captures and filtering cost so far, in CPU time. Plain values: added up by the bake runner, read by --stats and
+// the status line.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace boxprobe {
+
+/// What one bounce of all probes took.
+struct BounceCost {
+  std::uint64_t faces = 0;  ///< captured
+  double cpuSeconds = 0.0;  ///< capture and filtering, all threads
+};
+
+/// CPU seconds of this process, all threads, by kind of work.
+struct Times {
+  std::array<BounceCost, 5> bounces;  ///< probes only, the first bounce first
+  double captureCpuSeconds = 0.0;
+  double prefilterCpuSeconds = 0.0;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,51 @@
+#include "filters/vtk/frame/frame_average.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkShaderProgram.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "filters/vtk/gl/gl_objects.h"
+
+namespace boxprobe {
+
+FrameAverage::FrameAverage(Counters* counters)
+    : color_({"gpu/add_frame.glsl"}, counters), apart_({"gpu/add_frame_apart.glsl"}, counters) {}
+
+void FrameAverage::add(vtkOpenGLRenderWindow* window, const FrameTarget& frame) {
+  const bool apart = frame.attachments() > 1;
+  sums_.allocate(frame.width(), frame.height(), 0, apart ? 2 : 1);
+  vtkOpenGLState* state = window->GetState();
+  const PassState saved(window);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate blend(state);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, sums_.framebuffer());
+  state->vtkglViewport(0, 0, frame.width(), frame.height());
+  if (frames_ > 0) {
+    // The first frame overwrites: whatever was there may not even be a number.
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  }
+  const BoundTexture color(window, GL_TEXTURE_2D, frame.texture(0));
+  std::unique_ptr<BoundTexture> reflection;
+  if (apart) reflection = std::make_unique<BoundTexture>(window, GL_TEXTURE_2D, frame.texture(1));
+  (apart ? apart_ : color_).draw(window, [&](vtkShaderProgram* program) {
+    program->SetUniformi("bpColor", color.unit());
+    if (reflection) program->SetUniformi("bpReflection", reflection->unit());
+  });
+  ++frames_;
+}
+
+void FrameAverage::releaseSums() {
+  sums_.release();
+  frames_ = 0;
+}
+
+void FrameAverage::release() {
+  releaseSums();
+  color_.release();
+  apart_.release();
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,141 @@
+#include "filters/vtk/frame/mirror_painter.h"
+
+#include <vtkCamera.h>
+#include <vtkCullerCollection.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <glm/geometric.hpp>
+
+#include "filters/vtk/frame/vtkTargetPass.h"
+#include "filters/vtk/gl/gl_objects.h"
+
+namespace boxprobe {
+
+MirrorPainter::MirrorPainter(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state,
+                             const SceneContent* content)
+    : window_(window),
+      state_(std::move(state)),
+      content_(content),
+      renderer_(vtkSmartPointer<vtkRenderer>::New()),
+      pass_(vtkSmartPointer<vtkTargetPass>::New()),
+      camera_(vtkSmartPointer<vtkCamera>::New()) {
+  renderer_->GetCullers()->RemoveAllItems();
+  renderer_->AutomaticLightCreationOff();
+  renderer_->SetLightFollowCamera(false);
+  pass_->Clear = false;
+  renderer_->SetPass(pass_);
+}
+
+MirrorPainter::~MirrorPainter() = default;
+
+// Shares geometry, material and textures with the object; only the program is another one. A material's mask has to be
+// sampled even for depth; anything else is drawn for depth without light.
+vtkProp* MirrorPainter::twinOf(std::size_t index, bool depthOnly) {
+  const DrawnObject& object = content_->objects[index];
+  const bool masked = object.material.alphaMode == AlphaMode::Mask;
+  Twin& twin = twins_[{index, depthOnly}];
+  if (!twin.actor) {
+    twin.actor = vtkSmartPointer<vtkActor>::New();
+    if (depthOnly && !masked) {
+      vtkNew<vtkPolyDataMapper> mapper;
+      mapper->SetInputData(object.mapper->GetInput());
+      mapper->ScalarVisibilityOff();
+      twin.actor->SetMapper(mapper);
+      twin.actor->GetProperty()->LightingOff();
+      twin.actor->GetProperty()->SetBackfaceCulling(object.actor->GetProperty()->GetBackfaceCulling());
+    } else {
+      twin.mapper = vtkSmartPointer<vtkProbePolyDataMapper>::New();
+      twin.mapper->SetInputData(object.mapper->GetInput());
+      twin.mapper->ScalarVisibilityOff();
+      twin.mapper->SetDrawState(state_);
+      twin.mapper->SetSurface(object.surface);
+      twin.actor->SetMapper(twin.mapper);
+      twin.actor->SetProperty(object.actor->GetProperty());
+    }
+    twin.actor->SetForceOpaque(object.actor->GetForceOpaque());
+    twin.actor->SetForceTranslucent(object.actor->GetForceTranslucent());
+  }
+  twin.actor->SetUserMatrix(object.actor->GetUserMatrix());
+  if (twin.mapper && depthOnly) {
+    static const auto kUnlit = [] {
+      auto binding = std::make_shared<ProbeBinding>();
+      binding->lighting = Lighting::Unlit;
+      return std::shared_ptr<const ProbeBinding>(std::move(binding));
+    }();
+    twin.mapper->SetBinding(kUnlit);
+  } else if (twin.mapper) {
+    twin.mapper->SetHeights(true);
+    twin.mapper->SetBinding(object.mapper->GetSharedBinding());
+  }
+  return twin.actor;
+}
+
+vtkCamera* MirrorPainter::camera(const PictureView& view) {
+  const glm::dvec3 focal = view.eye + view.forward * std::max(1.0, 1.0e-3 * glm::length(view.eye));
+  camera_->SetPosition(view.eye.x, view.eye.y, view.eye.z);
+  camera_->SetFocalPoint(focal.x, focal.y, focal.z);
+  camera_->SetViewUp(view.up.x, view.up.y, view.up.z);
+  camera_->SetParallelProjection(view.parallel);
+  vtkNew<vtkMatrix4x4> projection;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) projection->SetElement(row, column, view.clipFromView[column][row]);
+  }
+  camera_->SetExplicitProjectionTransformMatrix(projection);
+  camera_->UseExplicitProjectionTransformMatrixOn();
+  // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload.
+  camera_->Modified();
+  return camera_;
+}
+
+void MirrorPainter::paint(const PictureView& view, const glm::dvec4& heightPlane,
+                          const std::vector<std::size_t>& moving, const std::vector<std::size_t>& hiding,
+                          MirrorTarget& target) {
+  std::vector<vtkProp*> solid, shown;
+  for (const std::size_t i : hiding) solid.push_back(twinOf(i, true));
+  for (const std::size_t i : moving) shown.push_back(twinOf(i, false));
+  renderer_->SetRenderWindow(window_);
+  renderer_->SetActiveCamera(camera(view));
+  renderer_->RemoveAllLights();
+  for (vtkLight* light : content_->lightPointers()) renderer_->AddLight(light);
+
+  // Normals turn into view space by the view's rotation; relative to the eye there is no translation.
+  const glm::dvec3 normalView(view.viewFromEye() * glm::dvec4(glm::dvec3(heightPlane), 0.0));
+  state_->heightPlaneView = glm::vec4(glm::vec3(normalView), static_cast<float>(heightPlane.w));
+  const float exposure = state_->exposure;
+  const bool countDraws = state_->countDraws;
+  state_->exposure = -1.0f;
+  state_->countDraws = false;
+
+  vtkOpenGLState* gl = window_->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable samples(gl, GL_MULTISAMPLE);
+  gl->vtkglEnable(GL_MULTISAMPLE);
+  target.clear(window_);
+  pass_->Framebuffer = target.framebuffer();
+  pass_->Viewport[2] = target.width();
+  pass_->Viewport[3] = target.rows();
+  if (!solid.empty()) {
+    target.drawColors(window_, false);
+    pass_->Props = solid;
+    renderer_->Render();
+    target.drawColors(window_, true);
+  }
+  pass_->Props = shown;
+  renderer_->Render();
+  target.finish(window_);
+
+  state_->exposure = exposure;
+  state_->countDraws = countDraws;
+}
+
+void MirrorPainter::release() {
+  for (auto& [key, twin] : twins_) twin.actor->ReleaseGraphicsResources(window_);
+  twins_.clear();
+  renderer_->SetRenderWindow(nullptr);
+}
+
+}  // namespace boxprobe

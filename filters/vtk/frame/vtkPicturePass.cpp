@@ -1,0 +1,197 @@
+#include "filters/vtk/frame/vtkPicturePass.h"
+
+#include <vtkCamera.h>
+#include <vtkLightsPass.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpaquePass.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkOverlayPass.h>
+#include <vtkProp.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkRenderState.h>
+#include <vtkRenderer.h>
+#include <vtkSequencePass.h>
+#include <vtkShaderProgram.h>
+#include <vtkTranslucentPass.h>
+
+#include <algorithm>
+
+#include "filters/core/base/errors.h"
+#include "filters/vtk/frame/vtkTargetPass.h"
+#include "filters/vtk/surface/glass_order.h"
+
+vtkStandardNewMacro(vtkPicturePass);
+
+vtkPicturePass::vtkPicturePass() {
+  vtkNew<vtkRenderPassCollection> passes;
+  vtkNew<vtkLightsPass> lights;
+  vtkNew<vtkOpaquePass> opaque;
+  vtkNew<vtkTranslucentPass> translucent;
+  vtkNew<vtkOverlayPass> overlay;
+  passes->AddItem(lights);
+  passes->AddItem(opaque);
+  passes->AddItem(translucent);
+  passes->AddItem(overlay);
+  this->OnTop->SetPasses(passes);
+}
+
+vtkPicturePass::~vtkPicturePass() = default;
+
+void vtkPicturePass::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
+  this->State = std::move(state);
+  this->Average = std::make_unique<boxprobe::FrameAverage>(&this->State->counters);
+  this->Blur = std::make_unique<boxprobe::ReflectionBlur>(&this->State->counters);
+  this->Presented = std::make_unique<boxprobe::FullScreenPass>(
+      std::vector<std::string>{"gpu/output_uniforms.glsl", "gpu/output.glsl", "gpu/present_picture.glsl"},
+      &this->State->counters);
+}
+
+void vtkPicturePass::Render(const vtkRenderState* s) {
+  try {
+    this->RenderPicture(s);
+  } catch (const boxprobe::Error& error) {
+    // An exception must not pass through VTK's renderer, which would stay in the middle of a frame.
+    if (this->State->error.empty()) {
+      this->State->error = error.what();
+    }
+  }
+}
+
+void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
+  vtkRenderer* renderer = s->GetRenderer();
+  std::vector<vtkProp*> pictured = this->Props, others;
+  if (this->Framebuffer == 0) {
+    // In the renderer's order, less what its cullers took out.
+    pictured.clear();
+    for (int i = 0; i < s->GetPropArrayCount(); ++i) {
+      vtkProp* prop = s->GetPropArray()[i];
+      const bool ours = std::find(this->Props.begin(), this->Props.end(), prop) != this->Props.end();
+      (ours ? pictured : others).push_back(prop);
+    }
+  }
+  // Enough frames: what there is is shown again. But what is drawn on top is compared with its depth, so that has to be
+  // of the same range.
+  const double* range = renderer->GetActiveCamera()->GetClippingRange();
+  const bool complete = this->Average->frames() >= std::max(this->Limit, 1);
+  if (!complete || !std::equal(range, range + 2, this->DepthRange)) {
+    this->DrawFrame(renderer, pictured);
+    std::copy(range, range + 2, this->DepthRange);
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+    if (!complete) {
+      this->Average->add(window, this->Frame);
+    }
+    if (this->BlurredRays > 0) {
+      this->Blur->draw(window, renderer->GetActiveCamera(), this->Average->sums(), this->Average->frames(), this->Frame,
+                       this->BlurredRays * this->Average->frames());
+    }
+  }
+  this->Present(renderer);
+  if (this->Framebuffer != 0) return;
+  vtkRenderState onTop(renderer);
+  onTop.SetPropArrayAndCount(others.data(), static_cast<int>(others.size()));
+  this->OnTop->Render(&onTop);
+}
+
+// Several samples a pixel resolved first would mix the surfaces at an edge, which smoothing has to tell apart: it is
+// done on a finer picture instead.
+int vtkPicturePass::Finer() const {
+  return this->BlurredRays > 0 && this->Samples > 1 ? 2 : 1;
+}
+
+void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*>& props) {
+  boxprobe::DrawState& state = *this->State;
+  const bool apart = this->BlurredRays > 0;
+  const int finer = this->Finer();
+  this->Frame.allocate(finer * this->Width, finer * this->Height, finer > 1 ? 0 : this->Samples,
+                       apart ? boxprobe::FrameTarget::kMostAttachments : 1);
+  this->Target->Framebuffer = this->Frame.framebuffer();
+  this->Target->Viewport[2] = this->Frame.width();
+  this->Target->Viewport[3] = this->Frame.height();
+  const float exposure = state.exposure;
+  state.exposure = -1.0f;
+  state.frame = this->Average->frames();
+  if (!apart) {
+    this->DrawProps(renderer, props, true, true);
+  } else {
+    // Opaque surfaces overwrite every attachment; the sky knows of the first alone; what is translucent is blended over
+    // both.
+    std::vector<vtkProp*> opaque, sky, translucent;
+    for (vtkProp* prop : props) {
+      const bool blended =
+          prop != this->Sky && (prop->HasTranslucentPolygonalGeometry() != 0 || boxprobe::isGlass(prop));
+      (prop == this->Sky ? sky : blended ? translucent : opaque).push_back(prop);
+    }
+    this->DrawProps(renderer, opaque, true, false);
+    this->DrawProps(renderer, sky, false, false);
+    this->DrawProps(renderer, translucent, false, true);
+  }
+  state.frame = 0;
+  state.exposure = exposure;
+  this->Frame.resolve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+}
+
+void vtkPicturePass::DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool clear, bool blend) {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const bool every = props.empty() || props.front() != this->Sky;
+  {
+    const boxprobe::PassState saved(window);
+    window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Frame.framebuffer());
+    this->Frame.drawTo(every);
+  }
+  this->Target->Clear = clear;
+  this->Target->Blend = blend;
+  this->Target->Props = props;
+  vtkRenderState content(renderer);
+  this->Target->Render(&content);
+}
+
+void vtkPicturePass::Present(vtkRenderer* renderer) {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  const boxprobe::FrameTarget& sums = this->Average->sums();
+  if (this->Framebuffer == 0) {
+    // VTK leaves both to its camera, which is not drawn with while a pass is set.
+    state->vtkglViewport(0, 0, this->Width, this->Height);
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(0, 0, this->Width, this->Height);
+    renderer->Clear();
+  }
+  const boxprobe::PassState saved(window);
+  const vtkOpenGLState::ScopedglDepthFunc function(state);
+  const vtkOpenGLState::ScopedglDepthMask mask(state);
+  if (this->Framebuffer != 0) {
+    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
+    state->vtkglViewport(0, 0, this->Width, this->Height);
+  }
+  // Depth is written only while it is tested.
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglDepthMask(GL_TRUE);
+  const bool blurred = this->BlurredRays > 0;
+  const boxprobe::BoundTexture color(window, GL_TEXTURE_2D, blurred ? this->Blur->color() : sums.texture(0));
+  const boxprobe::BoundTexture depth(window, GL_TEXTURE_2D, this->Frame.depth());
+  this->Presented->draw(window, [&](vtkShaderProgram* program) {
+    program->SetUniformi("bpColor", color.unit());
+    program->SetUniformi("bpDepth", depth.unit());
+    program->SetUniformi("bpFiner", this->Finer());
+    program->SetUniformf("bpScale", blurred ? 1.0f : 1.0f / static_cast<float>(std::max(this->Average->frames(), 1)));
+    program->SetUniformf("bpExposure", this->Framebuffer == 0 ? this->State->exposure : -1.0f);
+  });
+}
+
+void vtkPicturePass::ReleaseTargets() {
+  this->Frame.release();
+  if (this->Average) this->Average->releaseSums();
+  if (this->Blur) this->Blur->releaseTargets();
+}
+
+void vtkPicturePass::ReleaseGraphicsResources(vtkWindow* window) {
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Target->ReleaseGraphicsResources(window);
+  this->OnTop->ReleaseGraphicsResources(window);
+  this->Frame.release();
+  if (this->Average) this->Average->release();
+  if (this->Blur) this->Blur->release();
+  if (this->Presented) this->Presented->release();
+}

@@ -1,0 +1,69 @@
+/**
+ * @class vtkPicturePass
+ * @brief the picture by way of float targets: the mean of several frames in linear light, reflections smoothed
+ *
+ * Draws the given props in linear light, adds them to the frames drawn before, and puts the mean on the screen (or into
+ * a framebuffer of ours, linear) with its depth. What else is in the renderer is drawn on top as ever, neither averaged
+ * nor harmed. Set by the scene renderer while a technique asks for it, and by linear pictures; knows no scene.
+ */
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkRenderPass.h>
+
+#include <memory>
+#include <vector>
+
+#include "filters/vtk/frame/frame_average.h"
+#include "filters/vtk/frame/reflection_blur.h"
+#include "filters/vtk/surface/draw_state.h"
+
+class vtkProp;
+class vtkSequencePass;
+class vtkTargetPass;
+
+class vtkPicturePass : public vtkRenderPass {
+ public:
+  static vtkPicturePass* New();
+  vtkTypeMacro(vtkPicturePass, vtkRenderPass)
+
+      void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
+  /** What the picture is of; of the window's picture, those that are in the renderer. */
+  std::vector<vtkProp*> Props;
+  /** Where the picture goes; 0: to what is bound, in display colours, with the renderer's other props on top. */
+  unsigned int Framebuffer = 0;
+  int Width = 1, Height = 1;  ///< pixels
+  int Samples = 0;            ///< a pixel, of every frame
+  int BlurredRays = 0;        ///< a pixel and frame, where what is sampled is smoothed; 0: it is not
+  vtkProp* Sky = nullptr;     ///< of Props: what has no reflection to keep apart and is drawn behind all others
+  int Limit = 1;              ///< frames; once there are as many, further renders show what there is
+
+  /** What is shown changed: the next frame is the first. */
+  void Restart() { this->Average->restart(); }
+  int GetFrames() const { return this->Average ? this->Average->frames() : 0; }
+
+  void Render(const vtkRenderState* s) override;
+  /** The pictures, not the programs. */
+  void ReleaseTargets();
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+ protected:
+  vtkPicturePass();
+  ~vtkPicturePass() override;
+
+ private:
+  int Finer() const;
+  void RenderPicture(const vtkRenderState* s);
+  void DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
+  void DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool clear, bool blend);
+  void Present(vtkRenderer* renderer);
+
+  std::shared_ptr<boxprobe::DrawState> State;
+  std::unique_ptr<boxprobe::FrameAverage> Average;
+  std::unique_ptr<boxprobe::FullScreenPass> Presented;
+  std::unique_ptr<boxprobe::ReflectionBlur> Blur;
+  boxprobe::FrameTarget Frame;
+  vtkNew<vtkTargetPass> Target;
+  vtkNew<vtkSequencePass> OnTop;
+  double DepthRange[2] = {0.0, 0.0};  ///< clipping distances that the depth at hand belongs to
+};

@@ -1,0 +1,114 @@
+#include "filters/vtk/gl/occlusion_query.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <string>
+
+#include "filters/core/base/errors.h"
+#include "filters/math/shared/shader_source.h"
+
+namespace boxprobe {
+
+namespace {
+
+// Boxes grow by this much of their distance and size before they are asked for: they share planes with the very
+// surfaces that are in the depth buffer, and whichever way rounding goes the answer must be yes.
+constexpr double kMargin = 2.0e-3;
+
+glm::dmat4 clipFromEye(vtkCamera* camera, double aspect, const glm::dvec3& eye) {
+  vtkMatrix4x4* m = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  glm::dmat4 clipFromWorld;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) clipFromWorld[column][row] = m->GetElement(row, column);
+  }
+  return glm::translate(clipFromWorld, eye);
+}
+
+}  // namespace
+
+OcclusionQuery::~OcclusionQuery() = default;
+
+std::vector<bool> OcclusionQuery::visible(vtkRenderer* renderer, const std::vector<Box>& boxes) {
+  std::vector<bool> result(boxes.size(), true);
+  if (boxes.empty()) return result;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  if (program_ == nullptr) {
+    const std::string vertex = "//VTK::System::Dec\n" + std::string(shaderSource("gpu/box_vertex.glsl"));
+    const std::string fragment =
+        "//VTK::System::Dec\n//VTK::Output::Dec\nvoid main()\n{\n  gl_FragData[0] = vec4(0.0);\n}\n";
+    program_ = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+    glGenVertexArrays(1, &vertexArray_);
+  } else {
+    cache->ReadyShaderProgram(program_);
+  }
+  if (program_ == nullptr || !program_->GetCompiled()) throw WorkError("the shader box_vertex does not compile");
+
+  vtkOpenGLState* state = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST), cull(state, GL_CULL_FACE),
+      blend(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  const vtkOpenGLState::ScopedglDepthFunc function(state);
+  const vtkOpenGLState::ScopedglColorMask colorMask(state);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+
+  if (queries_.size() < boxes.size()) {
+    const std::size_t had = queries_.size();
+    queries_.resize(boxes.size());
+    glGenQueries(static_cast<GLsizei>(boxes.size() - had), &queries_[had]);
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  glm::dvec3 eye;
+  camera->GetPosition(&eye.x);
+  double range[2];
+  camera->GetClippingRange(range);
+  const glm::mat4 matrix(clipFromEye(camera, renderer->GetTiledAspectRatio(), eye));
+  program_->SetUniformMatrix4x4("bpClipFromEye", const_cast<float*>(&matrix[0][0]));
+  glBindVertexArray(vertexArray_);
+  std::vector<bool> asked(boxes.size(), false);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const glm::dvec3 center = boxes[i].center() - eye;
+    const glm::dvec3 half = 0.5 * boxes[i].size() + kMargin * (glm::length(center) + glm::length(boxes[i].size()));
+    const glm::dvec3 reach = half + 2.0 * range[0];  // what the near plane cuts open shows nothing of itself
+    if (glm::all(glm::lessThanEqual(glm::abs(center), reach)) || camera->GetParallelProjection()) continue;
+    const glm::vec3 low(center - half), high(center + half);
+    program_->SetUniform3f("bpLow", &low.x);
+    program_->SetUniform3f("bpHigh", &high.x);
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, queries_[i]);
+    glDrawArrays(GL_TRIANGLES, 0, 36);
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+    asked[i] = true;
+  }
+  glBindVertexArray(0);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (!asked[i]) continue;
+    GLuint passed = 0;
+    glGetQueryObjectuiv(queries_[i], GL_QUERY_RESULT, &passed);
+    result[i] = passed != 0;
+  }
+  return result;
+}
+
+void OcclusionQuery::release() {
+  if (!queries_.empty()) glDeleteQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
+  queries_.clear();
+  if (vertexArray_ != 0) glDeleteVertexArrays(1, &vertexArray_);
+  vertexArray_ = 0;
+  program_ = nullptr;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,35 @@
+// Asks the depth buffer whether anything in a box could be seen: hardware occlusion queries of the box itself, several
+// at once, so that one wait serves them all. Called by the culled renderer while a frame is being drawn.
+#pragma once
+
+#include <vtk_glew.h>
+
+#include <functional>
+#include <vector>
+
+#include "filters/core/scene/scene.h"
+
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkShaderProgram;
+
+namespace boxprobe {
+
+class OcclusionQuery {
+ public:
+  OcclusionQuery() = default;
+  ~OcclusionQuery();
+  OcclusionQuery(const OcclusionQuery&) = delete;
+  OcclusionQuery& operator=(const OcclusionQuery&) = delete;
+
+  /// For each box: could something in it be seen past what has been drawn so far? A box about the eye always could.
+  std::vector<bool> visible(vtkRenderer* renderer, const std::vector<Box>& boxes);
+  void release();
+
+ private:
+  vtkShaderProgram* program_ = nullptr;
+  GLuint vertexArray_ = 0;
+  std::vector<GLuint> queries_;
+};
+
+}  // namespace boxprobe

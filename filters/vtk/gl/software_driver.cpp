@@ -1,0 +1,32 @@
+#include "filters/vtk/gl/software_driver.h"
+
+#include <vtk_glew.h>
+
+#include <string>
+
+namespace boxprobe {
+
+namespace {
+
+std::string rendererName() {
+  const char* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return text != nullptr ? text : "";
+}
+
+}  // namespace
+
+bool drawsOnCpu() {
+  const std::string renderer = rendererName();
+  // "Software": Apple's renderer and Mesa's oldest. "Basic Render": Microsoft's WARP.
+  for (const char* software : {"llvmpipe", "softpipe", "SWR", "swrast", "Software", "Basic Render"}) {
+    if (renderer.find(software) != std::string::npos) return true;
+  }
+  return false;
+}
+
+float textureAnisotropy() {
+  constexpr float kOnCards = 8.0f, kNone = 1.0f;
+  return rendererName().empty() || drawsOnCpu() ? kNone : kOnCards;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,174 @@
+#include "filters/vtk/import/file_guards.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include "filters/core/base/errors.h"
+#include "filters/core/base/one_line.h"
+#include "filters/io/files/read_file.h"
+
+namespace boxprobe {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, std::size_t line, const std::string& reason) {
+  throw InputError(oneLine(path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + reason));
+}
+
+bool insideFolderOf(const fs::path& file, const std::string& modelPath) {
+  std::error_code error;
+  const fs::path folder = fs::path(modelPath).parent_path().empty() ? fs::path(".") : fs::path(modelPath).parent_path();
+  const fs::path base = fs::weakly_canonical(folder, error), whole = fs::weakly_canonical(file, error);
+  return std::mismatch(base.begin(), base.end(), whole.begin(), whole.end()).first == base.end();
+}
+
+/// The rest of a line as a name: without the spaces around it.
+std::string trimmed(const std::string& text) {
+  const std::size_t from = text.find_first_not_of(" \t\r");
+  if (from == std::string::npos) return {};
+  return text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
+}
+
+struct ObjCounts {
+  long long positions = 0, uvs = 0, normals = 0;
+};
+
+/// "12/3/-1": each of the up to three within what its list holds so far.
+void checkCorner(const std::string& path, std::size_t line, const std::string& corner, const ObjCounts& counts) {
+  const long long most[3] = {counts.positions, counts.uvs, counts.normals};
+  const char* at = corner.c_str();
+  for (int part = 0; part < 3; ++part) {
+    if (*at == '/') {
+      ++at;
+      continue;
+    }
+    char* end = nullptr;
+    const long long index = std::strtoll(at, &end, 10);
+    if (end == at || index == 0) fail(path, line, "\"" + corner + "\" is not a corner; indices start from 1");
+    if (std::llabs(index) > most[part]) {
+      fail(path, line,
+           "\"" + corner + "\" refers to entry " + std::to_string(index) + ", but there are " +
+               std::to_string(most[part]) + "; the file is damaged");
+    }
+    at = *end == '/' ? end + 1 : end;
+    if (*at == '\0') return;
+  }
+  if (*at != '\0') fail(path, line, "\"" + corner + "\" is not a corner");
+}
+
+void checkMaterialFile(const std::string& file, const std::string& modelPath) {
+  std::istringstream text(readWholeFile(file));
+  std::size_t number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word.rfind("map_", 0) != 0 && word != "bump" && word != "norm") continue;
+    std::string name;
+    for (std::string last; words >> last;) name = last;  // options may stand before it
+    const fs::path picture = fs::path(file).parent_path() / name;
+    if (!insideFolderOf(picture, modelPath))
+      fail(file, number, name + " lies outside the model's folder; put it inside");
+    std::error_code ignored;
+    if (word == "map_Kd" && !fs::exists(picture, ignored)) fail(file, number, name + " does not exist; check the path");
+  }
+}
+
+}  // namespace
+
+ObjNames checkObj(const std::string& path) {
+  ObjNames names;
+  std::istringstream text(readWholeFile(path));
+  ObjCounts counts;
+  std::size_t number = 0, faces = 0;
+  constexpr std::size_t kLongestLine = 4000;  // VTK 9.1 splits longer ones
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    if (line.find('\0') != std::string::npos) fail(path, number, "is not text; save it as OBJ again");
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (line.size() > kLongestLine && !word.empty() && word[0] != '#') {
+      fail(path, number, "the line is longer than " + std::to_string(kLongestLine) + " characters; split the polygon");
+    }
+    if (word == "v") ++counts.positions;
+    if (word == "vt") ++counts.uvs;
+    if (word == "vn") ++counts.normals;
+    if (word == "mtllib") {
+      const std::string name = trimmed(line.substr(line.find("mtllib") + 6));
+      const fs::path file = fs::path(path).parent_path() / name;
+      if (!insideFolderOf(file, path)) fail(path, number, name + " lies outside the model's folder; put it inside");
+      std::error_code ignored;
+      if (!fs::exists(file, ignored)) fail(path, number, name + " does not exist; check the path");
+      names.materialFile = file.string();
+    }
+    if (word != "f" && word != "l" && word != "p") continue;
+    faces += word == "f" ? 1 : 0;
+    for (std::string corner; words >> corner;) checkCorner(path, number, corner, counts);
+  }
+  if (faces == 0) fail(path, 0, "has no faces; is it an OBJ file?");
+  if (!names.materialFile.empty()) checkMaterialFile(names.materialFile, path);
+  return names;
+}
+
+void checkPly(const std::string& path) {
+  const std::string bytes = readWholeFile(path);
+  if (bytes.compare(0, 3, "ply") != 0) fail(path, 1, "does not start with \"ply\"; is it a PLY file?");
+  const std::size_t end = bytes.find("end_header");
+  if (end == std::string::npos) fail(path, 0, "has no end_header; the file is cut off");
+  std::istringstream text(bytes.substr(0, end));
+  std::size_t number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    std::istringstream words(line);
+    std::string word, name;
+    words >> word;
+    if (word != "element") continue;
+    long long count = -1;
+    words >> name >> count;
+    // Each element takes a byte at least.
+    if (count < 0 || static_cast<unsigned long long>(count) > bytes.size() - end) {
+      fail(path, number, "promises " + std::to_string(count) + " of \"" + name + "\", more than the file holds");
+    }
+  }
+}
+
+void checkVtp(const std::string& path) {
+  const std::string bytes = readWholeFile(path);
+  if (bytes.find("<VTKFile") == std::string::npos) fail(path, 0, "is not a VTK XML file; save it as VTP");
+  if (bytes.find("PolyData") == std::string::npos) fail(path, 0, "holds no PolyData; save it as VTP");
+  // Compressed, 1032 to 1 is the most there is.
+  const double most = 1032.0 * static_cast<double>(bytes.size());
+  for (std::size_t at = bytes.find("NumberOf"); at != std::string::npos; at = bytes.find("NumberOf", at + 8)) {
+    const std::size_t quote = bytes.find('"', at);
+    if (quote == std::string::npos || quote - at > 32) continue;
+    const double count = std::strtod(bytes.c_str() + quote + 1, nullptr);
+    if (count < 0.0 || count > most) {
+      fail(path, 0, bytes.substr(at, bytes.find('"', quote + 1) + 1 - at) + " is more than the file holds");
+    }
+  }
+}
+
+void checkStl(const std::string& path) {
+  const std::string bytes = readWholeFile(path);
+  // Some binary files start with "solid", too; only text has facets in words.
+  if (bytes.compare(0, 5, "solid") == 0 && bytes.find("facet") != std::string::npos) return;
+  constexpr std::size_t kHeader = 84, kTriangle = 50;
+  if (bytes.size() < kHeader) fail(path, 0, "is cut off: a binary STL file has a header of 84 bytes");
+  std::size_t count = 0;
+  for (std::size_t i = 4; i-- > 0;) count = (count << 8) | static_cast<unsigned char>(bytes[80 + i]);
+  if (count == 0) fail(path, 0, "has no triangles");
+  if (count > (bytes.size() - kHeader) / kTriangle) {
+    fail(path, 0,
+         "promises " + std::to_string(count) + " triangles, but holds " +
+             std::to_string((bytes.size() - kHeader) / kTriangle) + "; the file is cut off");
+  }
+}
+
+}  // namespace boxprobe

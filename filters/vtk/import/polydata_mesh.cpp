@@ -1,0 +1,183 @@
+#include "filters/vtk/import/polydata_mesh.h"
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIdList.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTriangleFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <vector>
+
+#include "filters/core/base/errors.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr double kLargestNumber = 1e18;  // as for glTF: a square of it is still a number
+
+void checkGeometry(vtkPolyData* data, const std::string& place) {
+  const vtkIdType count = data->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < count; ++i) {
+    double p[3];
+    data->GetPoint(i, p);
+    for (const double x : p) {
+      if (std::fabs(x) <= kLargestNumber) continue;  // also false for NaN
+      throw InputError(place + ": point " + std::to_string(i) + " is not finite or lies beyond 1e18; repair the model");
+    }
+  }
+  for (vtkCellArray* cells : {data->GetPolys(), data->GetStrips(), data->GetVerts(), data->GetLines()}) {
+    if (cells == nullptr) continue;
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
+      cells->GetCellAtId(c, corners);
+      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k) {
+        if (corners->GetId(k) >= 0 && corners->GetId(k) < count) continue;
+        throw InputError(place + ": polygon " + std::to_string(c) + " has corner " + std::to_string(corners->GetId(k)) +
+                         ", but there are " + std::to_string(count) + " points; the file is damaged");
+      }
+    }
+  }
+}
+
+float linearOfSrgb(double c) {
+  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+}
+
+void readColors(vtkPointData* points, Mesh& mesh) {
+  for (int a = 0; a < points->GetNumberOfArrays(); ++a) {
+    auto* bytes = vtkUnsignedCharArray::SafeDownCast(points->GetArray(a));
+    if (bytes == nullptr || bytes->GetNumberOfComponents() < 3 || bytes->GetNumberOfComponents() > 4) continue;
+    for (vtkIdType i = 0; i < bytes->GetNumberOfTuples(); ++i) {
+      glm::vec4 color(1.0f);
+      for (int c = 0; c < 3; ++c) color[c] = linearOfSrgb(bytes->GetTypedComponent(i, c) / 255.0);
+      if (bytes->GetNumberOfComponents() == 4) color.a = static_cast<float>(bytes->GetTypedComponent(i, 3)) / 255.0f;
+      mesh.colors.push_back(color);
+    }
+    return;
+  }
+}
+
+// VTK's own filter smooths over shared points only, and its readers share few: here triangles meet wherever positions
+// are equal. Every corner gets the mean, by angle, of those around it that are not turned away from its own by more
+// than 30 degrees.
+void computeNormals(Mesh& mesh) {
+  constexpr double kCosine = 0.8660254;
+  const std::size_t triangles = mesh.indices.size() / 3;
+  struct Share {
+    std::size_t triangle;
+    double angle;
+  };
+  std::vector<glm::dvec3> facing(triangles, glm::dvec3(0.0));  // unit, or 0 without an area
+  std::map<std::array<float, 3>, std::vector<Share>> around;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    glm::dvec3 p[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3& at = mesh.positions[mesh.indices[3 * t + k]];
+      p[k] = glm::dvec3(at);
+    }
+    const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const double size = glm::length(normal);
+    if (!(size > 0.0)) continue;
+    facing[t] = normal / size;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3& at = mesh.positions[mesh.indices[3 * t + k]];
+      const double cosine = glm::dot(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
+      around[{at.x, at.y, at.z}].push_back({t, std::atan2(size, cosine)});
+    }
+  }
+  Mesh flat;
+  for (std::size_t c = 0; c < 3 * triangles; ++c) {
+    const std::uint32_t vertex = mesh.indices[c];
+    const glm::vec3& at = mesh.positions[vertex];
+    const glm::dvec3 own = facing[c / 3];
+    glm::dvec3 sum(0.0);
+    for (const Share& share : around[{at.x, at.y, at.z}]) {
+      if (glm::dot(facing[share.triangle], own) >= kCosine) sum += share.angle * facing[share.triangle];
+    }
+    const double length = glm::length(sum);
+    flat.positions.push_back(at);
+    // A triangle without area is never seen.
+    flat.normals.push_back(length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0, 1, 0));
+    if (!mesh.uv.empty()) flat.uv.push_back(mesh.uv[vertex]);
+    if (!mesh.colors.empty()) flat.colors.push_back(mesh.colors[vertex]);
+    flat.indices.push_back(static_cast<std::uint32_t>(c));
+  }
+  mesh = std::move(flat);
+}
+
+}  // namespace
+
+Mesh meshFromPolyData(vtkPolyData* source, const std::string& place) {
+  checkGeometry(source, place);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(source);
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  triangles->Update();
+  vtkPolyData* data = triangles->GetOutput();
+  Mesh mesh;
+  const vtkIdType count = data->GetNumberOfPoints();
+  vtkDataArray* normal = data->GetPointData()->GetNormals();
+  vtkDataArray* uv = data->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; i < count; ++i) {
+    double p[3];
+    data->GetPoint(i, p);
+    mesh.positions.emplace_back(p[0], p[1], p[2]);
+    if (normal != nullptr) {
+      double n[3];
+      normal->GetTuple(i, n);
+      const glm::dvec3 v(n[0], n[1], n[2]);
+      const double length = glm::length(v);
+      // A point whose triangles have no area, or a file's NaN: never seen, and a unit vector all the same.
+      mesh.normals.push_back(length > 0.0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0, 1, 0));
+    }
+    if (uv != nullptr && uv->GetNumberOfComponents() >= 2) {
+      const double u = uv->GetComponent(i, 0), v = uv->GetComponent(i, 1);
+      // Their v grows upwards.
+      mesh.uv.emplace_back(std::isfinite(u) ? u : 0.0, std::isfinite(v) ? 1.0 - v : 0.0);
+    }
+  }
+  readColors(data->GetPointData(), mesh);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < data->GetPolys()->GetNumberOfCells(); ++c) {
+    data->GetPolys()->GetCellAtId(c, corners);
+    if (corners->GetNumberOfIds() != 3) continue;
+    for (vtkIdType k = 0; k < 3; ++k) mesh.indices.push_back(static_cast<std::uint32_t>(corners->GetId(k)));
+  }
+  if (normal == nullptr) computeNormals(mesh);
+  return mesh;
+}
+
+std::shared_ptr<const ImageRgba8> imageFromVtk(vtkImageData* data, const std::string& name) {
+  if (data == nullptr) return nullptr;
+  auto* bytes = vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars());
+  const int* size = data->GetDimensions();
+  if (bytes == nullptr || size[0] <= 0 || size[1] <= 0) return nullptr;
+  const int components = bytes->GetNumberOfComponents();
+  auto image = std::make_shared<ImageRgba8>();
+  image->width = size[0];
+  image->height = size[1];
+  image->name = name;
+  image->pixels.resize(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * 4, 255);
+  std::uint8_t* out = image->pixels.data();
+  for (int y = size[1] - 1; y >= 0; --y) {
+    for (int x = 0; x < size[0]; ++x, out += 4) {
+      const vtkIdType at = static_cast<vtkIdType>(y) * size[0] + x;
+      for (int c = 0; c < 3; ++c) out[c] = bytes->GetTypedComponent(at, components >= 3 ? c : 0);
+      if (components == 2 || components == 4) out[3] = bytes->GetTypedComponent(at, components - 1);
+    }
+  }
+  return image;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,11 @@
+// Collects what the last frame was drawn with into a FrameReport. Called by the scene renderer, when somebody asks.
+#pragma once
+
+#include "filters/vtk/frame/frame_report.h"
+#include "filters/vtk/probes/probe_set.h"
+
+namespace boxprobe {
+
+FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, const DrawState& state);
+
+}  // namespace boxprobe

@@ -1,0 +1,155 @@
+#include "filters/vtk/inspect/surface_capture.h"
+
+#include <vtkCamera.h>
+#include <vtkCullerCollection.h>
+#include <vtkLight.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "filters/core/base/errors.h"
+#include "filters/vtk/frame/vtkTargetPass.h"
+#include "filters/vtk/gl/gl_objects.h"
+
+namespace boxprobe {
+
+SurfaceCapture::SurfaceCapture(vtkOpenGLRenderWindow* window)
+    : window_(window), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+  renderer_->GetCullers()->RemoveAllItems();
+  renderer_->AutomaticLightCreationOff();
+  renderer_->SetLightFollowCamera(false);
+  renderer_->SetBackground(0.0, 0.0, 0.0);
+  renderer_->SetBackgroundAlpha(0.0);
+  vtkNew<vtkTargetPass> pass;
+  // A translucent surface is explained as it is, not mixed with what lies behind it.
+  pass->Blend = false;
+  renderer_->SetPass(pass);
+}
+
+SurfaceCapture::~SurfaceCapture() = default;
+
+void SurfaceCapture::allocate(int width, int height) {
+  if (framebuffer_ != 0 && width == width_ && height == height_) return;
+  release();
+  width_ = width;
+  height_ = height;
+  GLint previousTexture = 0, previousFramebuffer = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &previousTexture);
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &previousFramebuffer);
+  const auto make = [&](GLenum internalFormat, GLenum format) {
+    GLuint handle = 0;
+    glGenTextures(1, &handle);
+    glBindTexture(GL_TEXTURE_2D, handle);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), width, height, 0, format, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    return handle;
+  };
+  glGenFramebuffers(1, &framebuffer_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  std::array<GLenum, kAttachments> buffers{};
+  for (std::size_t i = 0; i < textures_.size(); ++i) {
+    textures_[i] = make(GL_RGBA32F, GL_RGBA);
+    buffers[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, buffers[i], GL_TEXTURE_2D, textures_[i], 0);
+  }
+  depth_ = make(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
+  glDrawBuffers(kAttachments, buffers.data());
+  const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(previousTexture));
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(previousFramebuffer));
+  if (!complete)
+    throw WorkError("this driver cannot draw into seven float textures at once; pixels cannot be explained");
+}
+
+std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, int height, const PixelRect& rect,
+                                                  const std::vector<vtkProp*>& props,
+                                                  const std::vector<vtkLight*>& lights) {
+  allocate(rect.width, rect.height);
+  vtkNew<vtkCamera> shaped;
+  shaped->DeepCopy(camera);
+  shaped->UseExplicitAspectRatioOn();
+  shaped->SetExplicitAspectRatio(static_cast<double>(width) / height);
+
+  auto* pass = vtkTargetPass::SafeDownCast(renderer_->GetPass());
+  pass->Framebuffer = framebuffer_;
+  pass->Viewport[0] = -rect.x;
+  pass->Viewport[1] = -(height - rect.y - rect.height);
+  pass->Viewport[2] = width;
+  pass->Viewport[3] = height;
+  pass->Props = props;
+  renderer_->SetRenderWindow(window_);
+  renderer_->SetActiveCamera(shaped);
+  renderer_->RemoveAllLights();
+  for (vtkLight* light : lights) renderer_->AddLight(light);
+  // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload.
+  shaped->Modified();
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  renderer_->Render();
+
+  const auto count = static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
+  std::array<std::vector<glm::vec4>, kAttachments> values;
+  {
+    const PassState saved(window_);
+    window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i].resize(count);
+      glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+      glReadPixels(0, 0, rect.width, rect.height, GL_RGBA, GL_FLOAT, &values[i][0].x);
+    }
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+  }
+
+  glm::dvec3 eye;
+  camera->GetPosition(&eye.x);
+  glm::dvec3 towardsEye;
+  camera->GetDirectionOfProjection(&towardsEye.x);
+  std::vector<SurfacePixel> pixels(count);
+  for (int row = 0; row < rect.height; ++row) {
+    for (int column = 0; column < rect.width; ++column) {
+      const auto from = static_cast<std::size_t>((rect.height - 1 - row) * rect.width + column);
+      SurfacePixel& pixel = pixels[static_cast<std::size_t>(row * rect.width + column)];
+      const glm::vec4 place = values[1][from];
+      pixel.color = glm::vec3(values[0][from]);
+      pixel.object = static_cast<int>(place.w + 0.5f);
+      if (pixel.object == 0) continue;
+      SurfacePoint& p = pixel.point;
+      p.pixel = glm::ivec2(rect.x + column, height - 1 - (rect.y + row));
+      p.eyeWorld = eye;
+      p.positionWorld = eye + glm::dvec3(place);
+      p.viewWorld = camera->GetParallelProjection() != 0 ? glm::vec3(-towardsEye) : -glm::normalize(glm::vec3(place));
+      p.normalWorld = glm::vec3(values[2][from]);
+      p.roughness = values[2][from].w;
+      p.albedo = glm::vec3(values[3][from]);
+      p.metallic = values[3][from].w;
+      p.emissive = glm::vec3(values[4][from]);
+      p.occlusion = values[4][from].w;
+      p.coatNormalWorld = glm::vec3(values[5][from]);
+      p.coatRoughness = values[5][from].w;
+      p.baseF0 = values[6][from].x;
+      p.opacity = std::abs(values[6][from].y);
+      p.backSide = values[6][from].y < 0.0f;
+      p.coatStrength = values[6][from].z;
+      p.coatF0 = values[6][from].w;
+    }
+  }
+  return pixels;
+}
+
+void SurfaceCapture::release() {
+  if (framebuffer_ != 0) glDeleteFramebuffers(1, &framebuffer_);
+  if (textures_[0] != 0) glDeleteTextures(kAttachments, textures_.data());
+  if (depth_ != 0) glDeleteTextures(1, &depth_);
+  framebuffer_ = depth_ = 0;
+  textures_ = {};
+  width_ = height_ = 0;
+  renderer_->SetRenderWindow(nullptr);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,56 @@
+// What the surfaces of a picture are, pixel by pixel: drawn with the debug view's programs into a framebuffer with an
+// attachment for each of position, normal, material and colour. For explanations; draws as little of the picture as is
+// asked for. Called by the scene renderer; knows no probe.
+#pragma once
+
+#include <vtkSmartPointer.h>
+#include <vtk_glew.h>
+
+#include <array>
+#include <vector>
+
+#include "filters/explain/explanation.h"
+
+class vtkCamera;
+class vtkLight;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+
+namespace boxprobe {
+
+/// A part of a picture of width x height pixels; x and y from the top left.
+struct PixelRect {
+  int x = 0, y = 0, width = 1, height = 1;
+};
+
+struct SurfacePixel {
+  int object = 0;  ///< number the mapper was given; 0: background
+  SurfacePoint point;
+  glm::vec3 color{0.0f};  ///< linear, as drawn
+};
+
+class SurfaceCapture {
+ public:
+  explicit SurfaceCapture(vtkOpenGLRenderWindow* window);
+  ~SurfaceCapture();
+  SurfaceCapture(const SurfaceCapture&) = delete;
+  SurfaceCapture& operator=(const SurfaceCapture&) = delete;
+
+  /// Rows from the top of the picture down. The context must be current; `props` must draw the debug program.
+  std::vector<SurfacePixel> capture(vtkCamera* camera, int width, int height, const PixelRect& rect,
+                                    const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights);
+  void release();
+
+ private:
+  static constexpr int kAttachments = 7;  ///< shaders/gpu/surface_output.glsl, and the colour
+  void allocate(int width, int height);
+
+  vtkOpenGLRenderWindow* window_;
+  vtkSmartPointer<vtkRenderer> renderer_;
+  GLuint framebuffer_ = 0, depth_ = 0;
+  std::array<GLuint, kAttachments> textures_{};
+  int width_ = 0, height_ = 0;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,220 @@
+#include "filters/vtk/inspect/surface_inspector.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "filters/math/technique/automatic.h"
+#include "filters/vtk/maps/cube_transfer.h"
+
+namespace boxprobe {
+
+SurfaceInspector::SurfaceInspector(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state,
+                                   SceneContent* content)
+    : window_(window), state_(std::move(state)), content_(content), capture_(window) {}
+
+// Shares geometry, property and textures with the object; only the program is another one.
+vtkProp* SurfaceInspector::twinOf(std::size_t index) {
+  const DrawnObject& object = content_->objects[index];
+  Twin& twin = twins_[index];
+  if (!twin.actor) {
+    twin.mapper = vtkSmartPointer<vtkProbePolyDataMapper>::New();
+    twin.mapper->SetInputData(object.mapper->GetInput());
+    twin.mapper->ScalarVisibilityOff();
+    twin.mapper->SetDrawState(state_);
+    twin.mapper->SetSurface(object.surface);
+    twin.mapper->SetDebug(true);
+    twin.mapper->SetObjectNumber(static_cast<int>(index) + 1);
+    twin.actor = vtkSmartPointer<vtkActor>::New();
+    twin.actor->SetMapper(twin.mapper);
+    twin.actor->SetProperty(object.actor->GetProperty());
+    twin.actor->SetForceOpaque(object.actor->GetForceOpaque());
+    twin.actor->SetForceTranslucent(object.actor->GetForceTranslucent());
+  }
+  twin.actor->SetUserMatrix(object.actor->GetUserMatrix());
+  twin.mapper->SetBinding(object.mapper->GetSharedBinding());
+  twin.mapper->SetMirror(object.mapper->GetMirror());
+  return twin.actor;
+}
+
+// Those whose bounds' corners surround the pixel on the screen: the others cannot be what it shows.
+std::vector<vtkProp*> SurfaceInspector::twinsAt(vtkCamera* camera, double aspect, const glm::dvec2& center,
+                                                const glm::dvec2& halfSize) {
+  vtkMatrix4x4* clipFromWorld = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  std::vector<vtkProp*> result;
+  for (std::size_t i = 0; i < content_->objects.size(); ++i) {
+    if (!content_->objects[i].settings.visible) continue;
+    const Box box = worldBounds(content_->objects[i]);
+    glm::dvec2 low(1e300), high(-1e300);
+    bool behind = false;
+    for (int corner = 0; corner < 8; ++corner) {
+      const double world[4] = {(corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
+                               (corner & 4) != 0 ? box.max.z : box.min.z, 1.0};
+      double clip[4];
+      clipFromWorld->MultiplyPoint(world, clip);
+      behind = behind || clip[3] <= 0.0;
+      const glm::dvec2 screen(clip[0] / clip[3], clip[1] / clip[3]);
+      low = glm::min(low, screen);
+      high = glm::max(high, screen);
+    }
+    // With a corner behind the eye the projection says nothing; the object is drawn.
+    const bool covers = glm::all(glm::lessThanEqual(low, center + halfSize)) &&
+                        glm::all(glm::greaterThanEqual(high, center - halfSize));
+    if (behind || covers) result.push_back(twinOf(i));
+  }
+  return result;
+}
+
+std::shared_ptr<const BakedMaps> SurfaceInspector::onCpu(const std::shared_ptr<const ProbeMaps>& maps) {
+  if (!maps) return nullptr;
+  copies_.erase(std::remove_if(copies_.begin(), copies_.end(), [](const Copy& c) { return c.of.expired(); }),
+                copies_.end());
+  for (const Copy& copy : copies_) {
+    if (copy.of.lock() == maps) return copy.maps;
+  }
+  copies_.push_back({maps, std::make_shared<const BakedMaps>(readBack(*maps))});
+  return copies_.back().maps;
+}
+
+std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width, int height,
+                                                   const std::vector<glm::ivec2>& pixels) {
+  if (brdf_.texels.empty()) brdf_ = makeBrdfTable();
+  const DebugDraw debug = state_->debug;
+  const float exposure = state_->exposure;
+  const bool countDraws = state_->countDraws;
+  state_->debug.view = 0;
+  state_->exposure = -1.0f;
+  state_->countDraws = false;
+  const bool single = pixels.size() == 1;
+  PixelRect rect{0, 0, width, height};
+  if (single) rect = {pixels[0].x, pixels[0].y, 1, 1};
+  state_->pixelOrigin = glm::ivec2(rect.x, height - rect.y - rect.height);
+  std::vector<SurfacePixel> surfaces;
+  const std::vector<vtkLight*> lights = content_->lightPointers();
+  if (single) {
+    const glm::dvec2 halfSize(1.0 / width, 1.0 / height);
+    const glm::dvec2 center((2.0 * pixels[0].x + 1.0) / width - 1.0, 1.0 - (2.0 * pixels[0].y + 1.0) / height);
+    const auto props = twinsAt(camera, static_cast<double>(width) / height, center, halfSize);
+    surfaces = capture_.capture(camera, width, height, rect, props, lights);
+  } else {
+    std::vector<vtkProp*> props;
+    for (std::size_t i = 0; i < content_->objects.size(); ++i) {
+      if (content_->objects[i].settings.visible) props.push_back(twinOf(i));
+    }
+    surfaces = capture_.capture(camera, width, height, rect, props, lights);
+  }
+  const auto at = [&](const glm::ivec2& p) {
+    return single ? std::size_t{0} : static_cast<std::size_t>(p.y * width + p.x);
+  };
+  const bool anyBackground =
+      std::any_of(pixels.begin(), pixels.end(), [&](const glm::ivec2& p) { return surfaces[at(p)].object == 0; });
+  std::vector<SurfacePixel> sky;
+  if (anyBackground) sky = capture_.capture(camera, width, height, rect, {content_->sky}, lights);
+  state_->debug = debug;
+  state_->exposure = exposure;
+  state_->pixelOrigin = glm::ivec2(0);
+  state_->countDraws = countDraws;
+
+  readMovingMaps();
+  std::vector<Explanation> result;
+  result.reserve(pixels.size());
+  for (const glm::ivec2& p : pixels) {
+    const SurfacePixel& surface = surfaces[at(p)];
+    Explanation e;
+    if (surface.object == 0) {
+      e.color = sky[at(p)].color;
+      e.rendered = e.color;
+      e.notes.emplace_back(
+          "No surface at this pixel: it shows the sky, so there is no point, normal or reflected ray.");
+    } else {
+      e = explainOne(surface);
+    }
+    e.x = p.x;
+    e.y = p.y;
+    result.push_back(std::move(e));
+  }
+  return result;
+}
+
+void SurfaceInspector::readMovingMaps() {
+  movingMaps_.clear();
+  for (const MovingShadow& shadow : state_->movingShadows) {
+    MovingMap map{shadow.light, kMovingMapSize, {}, shadow.mapFromWorld};
+    map.depth.resize(std::size_t{kMovingMapSize} * kMovingMapSize);
+    const BoundTexture bound(window_, GL_TEXTURE_2D, shadow.texture);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, map.depth.data());
+    movingMaps_.push_back(std::move(map));
+  }
+}
+
+Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
+  const DrawnObject& object = content_->objects[static_cast<std::size_t>(pixel.object - 1)];
+  const ProbeBinding& binding = *object.mapper->GetBinding();
+  ExplainInput in;
+  in.surface = pixel.point;
+  in.surface.object = object.node;
+  in.surface.material = object.materialName;
+  in.surface.frame = state_->frame;
+  in.lighting = binding.lighting == Lighting::Probes  ? ExplainInput::Lighting::Probes
+                : binding.lighting == Lighting::Unlit ? ExplainInput::Lighting::Unlit
+                                                      : ExplainInput::Lighting::Plain;
+  const std::vector<int> groups = binding.groups();
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) {
+    const DrawnProbe& drawn = *binding.probes[i];
+    ExplainedProbe probe;
+    probe.index = drawn.index;
+    probe.name = content_->scene.probes[static_cast<std::size_t>(drawn.index)].name;
+    probe.group = groups[i];
+    probe.geometry = drawn.geometry;
+    probe.automatic = isAutomatic(probe.geometry.technique);
+    probe.geometry.technique = binding.technique(i);
+    probe.maps = onCpu(drawn.maps).get();
+    probe.open = drawn.open;
+    probe.openSky = drawn.openSky;
+    probe.shadowLights = drawn.shadowLights;
+    if (drawn.maps) probe.coverage = drawn.maps->coverage.chain().get();
+    in.probes.push_back(std::move(probe));
+  }
+  in.weights = binding.weights;
+  in.sky = binding.sky;
+  in.onlyProbes = binding.onlyProbes;
+  in.shares = binding.shares;
+  in.skyShare = binding.skyShare;
+  in.skyMaps = onCpu(state_->sky).get();
+  in.brdf = &brdf_;
+  in.lights = content_->scene.lights;
+  if (object.mapper->DrawsGlass()) {
+    int faceSize = state_->sky ? state_->sky->radiance.faceSize() : 0;
+    for (const auto& probe : binding.probes) {
+      if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
+    }
+    in.glass = object.surface->glass.explained(in.surface.eyeWorld, faceSize);
+  }
+  shading::MirrorLook look{};
+  const auto mirror = object.mapper->GetMirror();
+  if (mirror != nullptr && mirror->shown) {
+    look = mirror->look;
+    look.picture = mirror->texels.get();
+    in.mirror = &look;
+  }
+  in.shadowLights = binding.shadowLights;
+  in.movingMaps = movingMaps_;
+  Explanation e = explainPixel(in);
+  e.rendered = pixel.color;
+  return e;
+}
+
+void SurfaceInspector::release() {
+  capture_.release();
+  for (auto& [index, twin] : twins_) twin.actor->ReleaseGraphicsResources(window_);
+  twins_.clear();
+  copies_.clear();
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,60 @@
+// Explains pixels of the current picture: reads what the surface is from the GPU, looks up the same maps on the CPU,
+// and hands both to explainPixel. Draws twins of the objects with the debug view's programs, so that the picture's own
+// programs stay as they are; a twin is made when it is first under the pointer. Owned by the scene renderer.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "filters/core/picture/baked_probe.h"
+#include "filters/explain/explain_pixel.h"
+#include "filters/math/sampling/brdf_table.h"
+#include "filters/vtk/inspect/surface_capture.h"
+#include "filters/vtk/scene/scene_content.h"
+
+class vtkCamera;
+
+namespace boxprobe {
+
+class SurfaceInspector {
+ public:
+  SurfaceInspector(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, SceneContent* content);
+
+  /// One explanation for each of `pixels` (x, y from the top left) of a picture of width x height. The context must be
+  /// current. A single pixel draws that pixel only; several draw the picture once.
+  std::vector<Explanation> explain(vtkCamera* camera, int width, int height, const std::vector<glm::ivec2>& pixels);
+
+  /// The maps read back, once as long as they live; null for null. The context must be current.
+  std::shared_ptr<const BakedMaps> onCpu(const std::shared_ptr<const ProbeMaps>& maps);
+
+  /// The objects were replaced.
+  void forgetObjects() { twins_.clear(); }
+  void release();
+
+ private:
+  struct Twin {
+    vtkSmartPointer<vtkActor> actor;
+    vtkSmartPointer<vtkProbePolyDataMapper> mapper;
+  };
+  vtkProp* twinOf(std::size_t object);
+  std::vector<vtkProp*> twinsAt(vtkCamera* camera, double aspect, const glm::dvec2& center, const glm::dvec2& halfSize);
+  Explanation explainOne(const SurfacePixel& pixel);
+  void readMovingMaps();
+
+  vtkOpenGLRenderWindow* window_;
+  std::shared_ptr<DrawState> state_;
+  SceneContent* content_;
+  SurfaceCapture capture_;
+  BrdfTable brdf_;
+  std::vector<MovingMap> movingMaps_;  ///< as the last explanation saw them
+  std::map<std::size_t, Twin> twins_;
+  struct Copy {
+    std::weak_ptr<const ProbeMaps> of;
+    std::shared_ptr<const BakedMaps> maps;
+  };
+  std::vector<Copy> copies_;  ///< maps read back; those whose original is gone are dropped
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,28 @@
+// A probe's maps between the graphics side and plain values, exactly: half floats become floats and the same half
+// floats again. Called by the scene renderer for previews and explanations, and by the bake cache for files. Every
+// function needs the window's context current. Knows neither scenes nor files.
+#pragma once
+
+#include <memory>
+
+#include "filters/core/picture/baked_probe.h"
+#include "filters/vtk/maps/probe_maps.h"
+
+namespace boxprobe {
+
+/// Everything a probe holds. Waits until the graphics side has finished what is under way.
+BakedMaps readBack(const ProbeMaps& maps);
+
+/// Of it, the chain alone.
+CubeMap readRadiance(const ProbeMaps& maps);
+
+/// Its level 0 alone into level 0 of `cube`, of the same face size.
+void readLevel0(const CubeTexture& texture, CubeMap& cube);
+
+/// The other way. Maps without distances stay without.
+std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps);
+
+/// Level 0 of `cube` into level 0 of `texture`, allocated at the same face size.
+void uploadLevel0(const CubeMap& cube, CubeTexture& texture);
+
+}  // namespace boxprobe

@@ -1,0 +1,46 @@
+// A captured and prefiltered probe on the graphics side: the cube maps that lookups read, with what is made from them
+// when a draw first asks. Filled by captures and files, read by draws; knows no scene.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+
+#include "filters/math/cube/cube_map.h"
+#include "filters/math/cube/spherical_harmonics.h"
+#include "filters/vtk/gl/gl_objects.h"
+#include "filters/vtk/maps/coverage_texture.h"
+#include "filters/vtk/maps/light_texture.h"
+#include "filters/vtk/maps/relief_texture.h"
+
+namespace boxprobe {
+
+/// What a capture left open, for diffuse light (filters/math/cube/openings.h).
+struct Openings {
+  CubeMap reduced;   ///< the capture in few texels: radiance and, in alpha, coverage
+  bool any = false;  ///< is any texel not wholly covered?
+};
+
+/// A capture, prefiltered: what lookups read.
+struct ProbeMaps {
+  CubeTexture radiance;  ///< RGBA16F, prefiltered chain; level 0 is the capture itself; alpha = coverage
+  CubeTexture distance;  ///< R32F: from the capture origin to what was seen, scene units; 0 where nothing was
+  ShCoefficients irradiance{};
+  glm::dvec3 capturedAt{0.0};
+  /// Of the box, in degrees: the maps lie along the axes it had; irradiance along the world's.
+  glm::dvec3 capturedRotation{0.0};
+  float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
+  /// Made when a draw first aims rays at what is bright (light_texture.h).
+  mutable LightTexture light;
+  /// Made when a draw first follows rays by the distances (relief_texture.h).
+  mutable ReliefTexture relief;
+  /// Made when a probe that lets the sky through first shows these maps.
+  mutable std::shared_ptr<const Openings> openings;
+  /// Made when a draw first asks what a light shines through.
+  mutable CoverageTexture coverage;
+  mutable std::shared_ptr<const CubeMap> tint;  ///< of the glass it shows (glass_tint.h); null: there is none
+  std::size_t bytes() const {
+    return radiance.bytes() + distance.bytes() + light.bytes() + relief.bytes() + coverage.bytes();
+  }
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,249 @@
+#include "filters/vtk/probes/capture_key.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/math/shared/shared_math.h"
+#include "filters/vtk/maps/content_hash.h"
+
+namespace boxprobe {
+
+namespace {
+
+// Raise it whenever captures or filters come to give other texels for the same inputs: files baked before are then
+// baked anew.
+constexpr int kBakeVersion = 3;
+
+std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
+  if (!use.image) return {};
+  std::string& key = known[use.image.get()];
+  if (key.empty()) {
+    ContentHash hash;
+    hash.add(use.image->width).add(use.image->height).addArray(use.image->pixels);
+    key = hash.text();
+  }
+  ContentHash hash;
+  hash.add(key).add(static_cast<int>(use.wrapS)).add(static_cast<int>(use.wrapT)).add(use.uvSet);
+  hash.add(use.nearest ? 1 : 0).addBytes(&use.uvTransform, sizeof use.uvTransform);
+  return hash.text();
+}
+
+std::string meshKey(const Mesh& mesh) {
+  ContentHash hash;
+  hash.addArray(mesh.positions).addArray(mesh.normals).addArray(mesh.tangents).addArray(mesh.uv).addArray(mesh.indices);
+  hash.addArray(mesh.uv1).addArray(mesh.colors);
+  return hash.text();
+}
+
+std::string materialKey(const Material& m, std::map<const void*, std::string>& images) {
+  ContentHash hash;
+  hash.add(m.name).addVector(m.baseColor).add(m.baseColor.a).add(m.metallic).add(m.roughness).addVector(m.emissive);
+  hash.add(m.normalScale).add(m.occlusionStrength).add(m.coat).add(m.coatRoughness).add(m.ior);
+  hash.add(m.unlit ? 1 : 0).add(m.doubleSided ? 1 : 0);
+  // One that is opaque keeps the key it had before glass was drawn.
+  if (m.transmits()) {
+    hash.add("glass").add(m.transmission).add(m.thin ? 1 : 0).add(m.thickness).add(m.attenuationDistance);
+    hash.addVector(m.attenuationColor);
+  }
+  hash.add(m.coatNormalScale).add(static_cast<double>(m.alphaMode)).add(m.alphaCutoff);
+  for (const TextureUse* use : m.textures()) hash.add(imageKey(*use, images));
+  return hash.text();
+}
+
+void addOverride(ContentHash& hash, const MaterialOverride& m) {
+  for (const auto& color : {m.baseColor, m.emissive}) {
+    hash.add(color ? 1 : 0);
+    if (color) hash.addVector(*color);
+  }
+  for (const auto& value : {m.metallic, m.roughness, m.normalScale, m.coat, m.ior, m.transmission}) {
+    hash.add(value ? 1 : 0).add(value ? static_cast<double>(*value) : 0.0);
+  }
+  for (const auto& value : {m.thickness, m.attenuationDistance}) {
+    if (value) hash.add("glass").add(static_cast<double>(*value));
+  }
+  if (m.attenuationColor) hash.add("attenuation").addVector(*m.attenuationColor);
+  if (m.thin) hash.add("thin").add(*m.thin ? 1 : 0);
+  if (m.glass) hash.add("form").add(static_cast<int>(*m.glass));
+}
+
+void addCamera(ContentHash& hash, const Probe& probe) {
+  hash.add(kBakeVersion).addVector(probe.origin).add(probe.nearDistance).add(probe.farDistance).add(probe.faceSize);
+  hash.add(probe.samplesPerPixel).add(static_cast<double>(probe.clear.index()));
+  if (const auto* color = std::get_if<glm::vec3>(&probe.clear)) hash.addVector(*color);
+  // The cube's axes are the box's. One that is not turned keeps the key it had when all lay along the world's.
+  if (probe.rotationDegrees != glm::dvec3(0.0)) hash.add("turned").addVector(probe.rotationDegrees);
+}
+
+// A box is outside of a face's 90 degree pyramid if it lies wholly beyond one of its planes or the far one; may say yes
+// for a near miss. The margin covers float rounding in the projection, which could reach a texel at the edge.
+bool inFrustum(const Box& boundsWorld, const Probe& probe, int face) {
+  const bool turned = probe.rotationDegrees != glm::dvec3(0.0);
+  const glm::dmat3 worldFromMap = turned ? rotationMatrix(probe.rotationDegrees) : glm::dmat3(1.0);
+  const auto direction = [&](float u, float v) {
+    return worldFromMap * glm::dvec3(shading::cubeDirection(face, u, v));
+  };
+  const glm::dvec3 forward = direction(0.0f, 0.0f);
+  const glm::dvec3 s = direction(1.0f, 0.0f) - forward;
+  const glm::dvec3 t = direction(0.0f, 1.0f) - forward;
+  const glm::dvec3 center = boundsWorld.center() - probe.origin;
+  const glm::dvec3 half = 0.5 * boundsWorld.size();
+  const double margin = 1.0e-4 * (glm::length(center) + glm::length(half));
+  const auto beyond = [&](const glm::dvec3& inward) {
+    return glm::dot(center, inward) + glm::dot(half, glm::abs(inward)) < -margin;
+  };
+  const double nearest = glm::dot(center, forward) - glm::dot(half, glm::abs(forward));
+  if (nearest > probe.farDistance + margin) return false;
+  return !beyond(forward) && !beyond(forward + s) && !beyond(forward - s) && !beyond(forward + t) &&
+         !beyond(forward - t);
+}
+
+template <typename Meets>
+std::vector<std::size_t> objectsThatMeet(const CaptureWorld& world, const Probe& probe, const Meets& meets) {
+  std::vector<std::size_t> found;
+  world.tree.search(meets, [&](std::size_t i) {
+    if (captureShows(probe, world.objects[i])) found.push_back(i);
+  });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+template <typename Meets>
+std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, const Probe& probe,
+                                  const Meets& meets) {
+  std::vector<std::size_t> lighting;
+  hash.add(world.lights);
+  // What is drawn for an open probe has no light of the sky, which is added where the probe is looked up.
+  if (!std::holds_alternative<ClearToOpen>(probe.clear)) hash.add(world.sky);
+  for (const std::size_t i : objectsThatMeet(world, probe, meets)) {
+    const CaptureObject& object = world.objects[i];
+    hash.add(object.key);
+    lighting.insert(lighting.end(), object.probes.begin(), object.probes.end());
+  }
+  std::sort(lighting.begin(), lighting.end());
+  lighting.erase(std::unique(lighting.begin(), lighting.end()), lighting.end());
+  return lighting;
+}
+
+}  // namespace
+
+std::vector<std::string> objectContentKeys(const std::vector<std::shared_ptr<const Model>>& models,
+                                           std::size_t modelCount) {
+  std::vector<std::string> keys;
+  std::map<const void*, std::string> images, meshes;
+  for (std::size_t i = 0; i < models.size() && i < modelCount; ++i) {
+    for (const Instance& instance : models[i]->instances) {
+      const Mesh& mesh = models[i]->meshes[static_cast<std::size_t>(instance.mesh)];
+      std::string& key = meshes[&mesh];
+      if (key.empty()) {
+        key = meshKey(mesh);
+        if (mesh.material >= 0)
+          key += materialKey(models[i]->materials[static_cast<std::size_t>(mesh.material)], images);
+      }
+      keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& objects,
+                          const std::vector<std::string>& contentKeys, const std::string& skyPixels,
+                          const ProbeIndex& probes) {
+  CaptureWorld world;
+  world.sky = skyKey(scene, skyPixels);
+  ContentHash lights;
+  for (const Light& light : scene.lights) {
+    lights.add(static_cast<double>(light.type)).addVector(light.direction).addVector(light.position);
+    lights.addVector(light.color).add(light.intensity);
+    lights.add(light.innerConeDegrees).add(light.outerConeDegrees).add(light.range);
+  }
+  world.lights = lights.text();
+  std::vector<Box> bounds;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const DrawnObject& drawn = objects[i];
+    CaptureObject object;
+    object.node = drawn.node;
+    object.seenByProbes = drawn.settings.seenByProbes;
+    object.dynamic = drawn.settings.dynamic;
+    object.boundsWorld = worldBounds(drawn);
+    ContentHash hash;
+    hash.add(contentKeys[i]).addBytes(&drawn.worldFromModel, sizeof drawn.worldFromModel);
+    if (const auto it = scene.materials.find(drawn.materialName); it != scene.materials.end()) {
+      addOverride(hash, it->second);
+    }
+    object.key = hash.text();
+    if (!drawn.unlit) object.probes = probes.meeting(object.boundsWorld);
+    bounds.push_back(object.boundsWorld);
+    world.objects.push_back(std::move(object));
+  }
+  world.tree = BoxTree(bounds);
+  return world;
+}
+
+std::string skyKey(const Scene& scene, const std::string& skyPixels) {
+  ContentHash hash;
+  hash.add("sky").add(kBakeVersion).add(static_cast<double>(scene.sky.index()));
+  if (const auto* gradient = std::get_if<SkyGradient>(&scene.sky)) {
+    hash.addVector(gradient->top).addVector(gradient->horizon).addVector(gradient->ground);
+  } else if (const auto* color = std::get_if<SkyColor>(&scene.sky)) {
+    hash.addVector(color->color);
+  } else {
+    hash.add(skyPixels);
+    // Other skies look the same whichever way they are turned.
+    if (scene.skyRotationDegrees != 0.0) hash.add(scene.skyRotationDegrees);
+  }
+  return hash.text();
+}
+
+std::string imageContentKey(const ImageRgbaF& image) {
+  return ContentHash().add(image.width).add(image.height).addArray(image.pixels).text();
+}
+
+std::string importKey(const Probe& probe, const CubeMap& picture) {
+  ContentHash hash;
+  hash.add("import")
+      .add(kBakeVersion)
+      .add(static_cast<double>(probe.filter))
+      .add(probe.filterSamples)
+      .add(picture.faceSize());
+  const auto texels = static_cast<std::size_t>(picture.faceSize()) * static_cast<std::size_t>(picture.faceSize());
+  for (int face = 0; face < 6; ++face) hash.addBytes(picture.face(0, face), texels * 4 * sizeof(float));
+  return hash.text();
+}
+
+bool captureShows(const Probe& probe, const CaptureObject& object) {
+  if (!object.seenByProbes || (object.dynamic && probe.mode != ProbeMode::Realtime)) return false;
+  return std::find(probe.hides.begin(), probe.hides.end(), object.node) == probe.hides.end();
+}
+
+std::vector<std::size_t> objectsInFace(const CaptureWorld& world, const Probe& probe, int face) {
+  return objectsThatMeet(world, probe, [&](const Box& box) { return inFrustum(box, probe, face); });
+}
+
+CaptureView faceView(const CaptureWorld& world, const Probe& probe, int face) {
+  ContentHash hash;
+  hash.add("face").add(face);
+  addCamera(hash, probe);
+  CaptureView view;
+  view.lighting = addShown(hash, world, probe, [&](const Box& box) { return inFrustum(box, probe, face); });
+  view.key = hash.text();
+  return view;
+}
+
+CaptureView probeView(const CaptureWorld& world, const Probe& probe) {
+  ContentHash hash;
+  hash.add("probe").add(static_cast<double>(probe.filter)).add(probe.filterSamples);
+  addCamera(hash, probe);
+  CaptureView view;
+  view.lighting = addShown(hash, world, probe, [&](const Box& box) {
+    for (int face = 0; face < 6; ++face) {
+      if (inFrustum(box, probe, face)) return true;
+    }
+    return false;
+  });
+  view.key = hash.text();
+  return view;
+}
+
+}  // namespace boxprobe

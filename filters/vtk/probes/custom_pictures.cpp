@@ -1,0 +1,65 @@
+#include "filters/vtk/probes/custom_pictures.h"
+
+#include "filters/core/base/errors.h"
+#include "filters/io/cube/cube_file.h"
+#include "filters/vtk/probes/capture_key.h"
+
+namespace boxprobe {
+
+void CustomPictures::update(const Scene& scene) {
+  error_.clear();
+  for (const Probe& probe : scene.probes) {
+    if (probe.mode != ProbeMode::Custom) continue;
+    const std::string place = "probes." + probe.name + ".image: ";
+    const auto it = pictures_.find(probe.name);
+    if (it == pictures_.end() || it->second.file != probe.image || it->second.layout != probe.imageLayout) {
+      Picture& picture = pictures_[probe.name];
+      picture.file = probe.image;
+      picture.layout = probe.imageLayout;
+      picture.error.clear();
+      try {
+        if (probe.image.empty()) throw InputError("mode custom needs the path of an EXR or HDR picture");
+        LoadedCube loaded = loadCube(probe.image, probe.imageLayout);
+        picture.notFinite = loaded.texelsNotFinite;
+        picture.clamped = loaded.texelsClamped;
+        picture.cube = std::make_shared<const CubeMap>(std::move(loaded.radiance));
+        picture.key.clear();
+      } catch (const InputError& error) {
+        picture.error = place + error.what();
+      }
+    }
+    if (error_.empty()) error_ = pictures_[probe.name].error;
+  }
+}
+
+std::shared_ptr<const CubeMap> CustomPictures::picture(const std::string& probeName) const {
+  const auto it = pictures_.find(probeName);
+  return it != pictures_.end() ? it->second.cube : nullptr;
+}
+
+std::vector<std::string> CustomPictures::remarks() const {
+  std::vector<std::string> texts;
+  for (const auto& [name, picture] : pictures_) {
+    const std::string place = "probes." + name + ".image: " + picture.file + ": ";
+    if (picture.notFinite > 0) {
+      texts.push_back(place + std::to_string(picture.notFinite) + " texels are NaN or infinite and were set to 0");
+    }
+    if (picture.clamped > 0) {
+      texts.push_back(place + std::to_string(picture.clamped) + " texels are beyond 65504 and were brought down to it");
+    }
+  }
+  return texts;
+}
+
+std::string CustomPictures::key(const Probe& probe) const {
+  const auto it = pictures_.find(probe.name);
+  if (it == pictures_.end() || !it->second.cube) return {};
+  Picture& picture = it->second;
+  if (picture.key.empty() || picture.keyFilter != probe.filter) {
+    picture.key = importKey(probe, *picture.cube);
+    picture.keyFilter = probe.filter;
+  }
+  return picture.key;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,49 @@
+// From a point's calculated rays to lines: which of them are drawn, where they begin and end, what they carry. Called
+// by vtkProjectionRays for every point; knows no pipeline.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "filters/vtk/rays/ray_calculation.h"
+#include "filters/vtk/rays/ray_glass.h"
+#include "filters/vtk/rays/ray_lines.h"
+
+namespace boxprobe {
+
+class RayScene;
+
+struct RaySettings {
+  RayView view;
+  std::vector<RayProbe> probes;
+  std::vector<Light> lights;
+  std::array<bool, kRayKinds> kinds{};
+  double maximumLength = 100.0;  ///< of what has no end of its own, scene units
+  double normalLength = 0.25;
+  bool contributingOnly = true;  ///< only probes whose share of the point the picture would fetch
+  std::vector<RayGlass> glass;
+  RayScene* scene = nullptr;  ///< null: the true hit by the probes' own distances
+};
+
+class RayBuilder {
+ public:
+  /// Both must outlive it.
+  RayBuilder(const RaySettings& settings, RayLines& lines) : settings_(settings), lines_(lines) {}
+  void addPoint(int point, const SurfaceRay& ray);
+  /// What of a point that addPoint() was called for goes on through glass; `back`: its inside is seen.
+  void addGlass(int point, const SurfaceRay& ray, const GlassSurface& glass, bool back);
+
+ private:
+  std::optional<double> sceneDistance(const SurfaceRay& ray) const;
+  void add(const RayLine& line);
+  void addSkyRay(int point, const SurfaceRay& ray);
+  void addProbe(int point, const SurfaceRay& ray, int probe, float share, std::optional<double> sceneDistance);
+  void addShadows(const RayLine& common, const SurfaceRay& ray, int probe);
+  void addLookups(const RayLine& common, const ProbeRay& found, const RayProbe& probe, const SurfaceRay& ray);
+
+  const RaySettings& settings_;
+  RayLines& lines_;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,169 @@
+#include "filters/vtk/scene/scene_content.h"
+
+#include <algorithm>
+
+#include "filters/core/geometry/divide_model.h"
+#include "filters/core/geometry/model_placement.h"
+#include "filters/io/image/image_file.h"
+#include "filters/vtk/scene/scene_lights.h"
+#include "filters/vtk/scene/vtkCulledRenderer.h"
+
+namespace boxprobe {
+
+// A model that is moved keeps its actors: geometry, textures and programs stay on the graphics side.
+bool SceneContent::placeObjects() {
+  if (models != builtModels_ || scene.models.size() != builtFiles_.size()) return false;
+  for (std::size_t i = 0; i < builtFiles_.size(); ++i) {
+    if (scene.models[i].file != builtFiles_[i]) return false;
+  }
+  auto object = objects.begin();
+  for (std::size_t i = 0; i < models.size() && i < scene.models.size(); ++i) {
+    for (const Instance& instance : models[i]->instances) placeObject(*object++, instance, scene.models[i]);
+  }
+  return true;
+}
+
+namespace {
+
+// From so many objects on it pays to find out which of them can be seen.
+constexpr std::size_t kMany = 64;
+
+bool samePieces(const Model& a, const Model& b) {
+  const auto sameMesh = [](const Mesh& m, const Mesh& n) {
+    return m.positions == n.positions && m.indices == n.indices;
+  };
+  const auto sameInstance = [](const Instance& m, const Instance& n) {
+    return m.mesh == n.mesh && m.node == n.node && m.worldFromModel == n.worldFromModel;
+  };
+  return std::equal(a.meshes.begin(), a.meshes.end(), b.meshes.begin(), b.meshes.end(), sameMesh) &&
+         std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(), sameInstance);
+}
+
+}  // namespace
+
+bool SceneContent::divideModels() {
+  const bool contested = scene.probes.size() > ProbeBinding::kMaxProbesPerDraw;
+  const ProbeIndex index = contested ? ProbeIndex(scene.probes) : ProbeIndex();
+  std::vector<std::shared_ptr<const Model>> divided = given;
+  for (std::size_t i = 0; contested && i < given.size() && i < scene.models.size(); ++i) {
+    divided[i] =
+        dividedModel(given[i], worldFromFile(scene.models[i]), scene.probes, index, ProbeBinding::kMaxProbesPerDraw);
+    // Cut as before: the one that is drawn already.
+    const bool cut = divided[i] != given[i] && i < models.size() && models[i] != given[i];
+    if (cut && samePieces(*divided[i], *models[i])) divided[i] = models[i];
+  }
+  if (divided == models) return false;
+  models = std::move(divided);
+  return true;
+}
+
+void SceneContent::showObjects(vtkCulledRenderer* renderer) {
+  const bool now = objects.size() > kMany;
+  if (many && !now) renderer->SetCulledProps({}, {});
+  if (!now || !many) {
+    for (DrawnObject& object : objects) {
+      if (now && !object.surface->glass.drawn) {
+        renderer->RemoveActor(object.actor);
+      } else if (renderer->HasViewProp(object.actor) == 0) {
+        renderer->AddActor(object.actor);
+      }
+    }
+  }
+  // What is blended over the rest comes after it, after the sky, too.
+  for (DrawnObject& object : objects) {
+    if (!object.surface->glass.drawn) continue;
+    renderer->RemoveActor(object.actor);
+    renderer->AddActor(object.actor);
+  }
+  many = now;
+  culled.clear();
+  if (!many) return;
+  std::vector<vtkProp*> props;
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!objects[i].settings.visible || objects[i].surface->glass.drawn) continue;
+    culled.push_back(i);
+    props.push_back(objects[i].actor);
+    boxes.push_back(worldBounds(objects[i]));
+  }
+  culledBounds = bounds();
+  renderer->SetCulledProps(std::move(props), std::move(boxes));
+}
+
+std::vector<vtkProp*> SceneContent::shownProps(vtkCulledRenderer* renderer) const {
+  std::vector<vtkProp*> props;
+  if (many) {
+    for (const std::size_t i : renderer->InView()) props.push_back(objects[culled[i]].actor);
+    for (const DrawnObject& object : objects) {
+      if (object.surface->glass.drawn && object.settings.visible) props.push_back(object.actor);
+    }
+    return props;
+  }
+  for (const DrawnObject& object : objects) {
+    if (object.settings.visible) props.push_back(object.actor);
+  }
+  return props;
+}
+
+void SceneContent::rebuildObjects(vtkCulledRenderer* renderer, const std::shared_ptr<DrawState>& state) {
+  if (!objects.empty() && placeObjects()) return;
+  builtModels_ = models;
+  builtFiles_.clear();
+  for (const ModelFile& file : scene.models) builtFiles_.push_back(file.file);
+  renderer->SetCulledProps({}, {});
+  for (DrawnObject& object : objects) renderer->RemoveActor(object.actor);
+  many = false;
+  objects.clear();
+  ++modelGeneration;
+  for (std::size_t i = 0; i < models.size() && i < scene.models.size(); ++i) {
+    for (DrawnObject& object : makeObjects(*models[i], scene.models[i], state)) {
+      objects.push_back(std::move(object));
+    }
+  }
+  if (objects.size() <= kMany) {
+    for (DrawnObject& object : objects) renderer->AddActor(object.actor);
+  }
+  // Drawn last: it only fills what nothing else covered.
+  renderer->RemoveViewProp(sky);
+  renderer->AddViewProp(sky);
+}
+
+void SceneContent::rebuildLights(vtkRenderer* renderer) {
+  renderer->RemoveAllLights();
+  lights = makeLights(scene, bounds().center());
+  for (auto& light : lights) renderer->AddLight(light);
+}
+
+void SceneContent::rebuildSky() {
+  const auto* image = std::get_if<SkyImage>(&scene.sky);
+  if (image == nullptr) {
+    skyImage.reset();
+    skyTexelsNotFinite = 0;
+    skyImageFile_.clear();
+  } else if (image->file != skyImageFile_) {
+    skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file, &skyTexelsNotFinite));
+    skyImageFile_ = image->file;
+  }
+  sky->SetSky(scene.sky, scene.skyRotationDegrees, skyImage);
+}
+
+Box SceneContent::bounds() const {
+  Box box;
+  bool any = false;
+  for (const DrawnObject& object : objects) {
+    if (!object.settings.visible) continue;
+    const Box b = worldBounds(object);
+    box = any ? Box{glm::min(box.min, b.min), glm::max(box.max, b.max)} : b;
+    any = true;
+  }
+  return box;
+}
+
+std::vector<vtkLight*> SceneContent::lightPointers() const {
+  std::vector<vtkLight*> pointers;
+  pointers.reserve(lights.size());
+  for (const auto& light : lights) pointers.push_back(light);
+  return pointers;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,62 @@
+// What is in the picture besides probes: the scene's values with the VTK objects made from them. Owned by the scene
+// renderer, read by the probe set.
+#pragma once
+
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <vector>
+
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
+#include "filters/vtk/scene/model_actors.h"
+#include "filters/vtk/surface/vtkSkyProp.h"
+
+class vtkCulledRenderer;
+class vtkRenderer;
+
+namespace boxprobe {
+
+struct SceneContent {
+  Scene scene;
+  std::vector<std::shared_ptr<const Model>> given;   ///< in the order of scene.models
+  std::vector<std::shared_ptr<const Model>> models;  ///< as drawn: objects that too many probes reach are in pieces
+  int modelGeneration = 0;                           ///< counts replacements of the models
+  std::vector<DrawnObject> objects;
+  std::vector<vtkSmartPointer<vtkLight>> lights;
+  vtkNew<vtkSkyProp> sky;
+  std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
+  std::size_t skyTexelsNotFinite = 0;          ///< of that image; they were set to 0
+
+  /// Bounds of all visible objects; a box around the origin when there is none.
+  Box bounds() const;
+  std::vector<vtkLight*> lightPointers() const;
+
+  /// Divides the given models for the scene's probes; returns whether that changed anything.
+  bool divideModels();
+
+  /// Actors for the models as they are now, or the present ones moved if that is all that changed.
+  void rebuildObjects(vtkCulledRenderer* renderer, const std::shared_ptr<DrawState>& state);
+  /// Puts the visible objects into the renderer: as its own props, or, when there are many, as those it culls.
+  void showObjects(vtkCulledRenderer* renderer);
+  /// The visible objects' actors, of many those in the view: for passes, which draw what they are given.
+  std::vector<vtkProp*> shownProps(vtkCulledRenderer* renderer) const;
+  /// Are they culled? Then the renderer's indices are those of `culled`, which has the objects'.
+  bool many = false;
+  std::vector<std::size_t> culled;
+  Box culledBounds;  ///< of them all
+  void rebuildLights(vtkRenderer* renderer);
+  /// Reads the sky's image if it has one and it is not the one at hand. Throws InputError.
+  void rebuildSky();
+
+ private:
+  bool placeObjects();
+
+  std::vector<std::shared_ptr<const Model>> builtModels_;  ///< what the objects were made from
+  std::vector<std::string> builtFiles_;
+  std::string skyImageFile_;
+};
+
+}  // namespace boxprobe

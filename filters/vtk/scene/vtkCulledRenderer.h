@@ -1,0 +1,69 @@
+/**
+ * @class   vtkCulledRenderer
+ * @brief   renderer that draws, of many props, those that can be seen
+ *
+ * Given a list of props with their bounds, it draws those in the view that nothing drawn before them hides: nearest
+ * first, and for the rest occlusion queries of the branches of a tree of their bounds. The picture is the same as
+ * without; what it costs follows from what is seen. While camera and props stay as they are nothing is asked again.
+ * Props added to the renderer in the usual way are drawn after those, always.
+ */
+#pragma once
+
+#include <vtkOpenGLRenderer.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "filters/core/geometry/box_tree.h"
+#include "filters/vtk/gl/occlusion_query.h"
+
+class vtkCulledRenderer : public vtkOpenGLRenderer {
+ public:
+  static vtkCulledRenderer* New();
+  vtkTypeMacro(vtkCulledRenderer, vtkOpenGLRenderer) void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Replaces the props that are culled; `bounds` are theirs in the world, none of an empty list. */
+  void SetCulledProps(std::vector<vtkProp*> props, std::vector<boxprobe::Box> bounds);
+  /** Indices of those the last frame drew, ascending; more than can be seen, never less. */
+  const std::vector<std::size_t>& GetDrawn() const { return this->Drawn; }
+  /** Counts changes of GetDrawn(). */
+  std::uint64_t GetDrawnGeneration() const { return this->DrawnGeneration; }
+  /** Indices of those that are in the view, hidden ones included. */
+  std::vector<std::size_t> InView();
+  /** Was GetDrawn() found out for the view as it is? */
+  bool DrawnIsCurrent() { return this->DrawnHolds && this->CurrentView() == this->DrawnView; }
+  /** false: all of them are drawn, hidden or not, in the view or not. */
+  void SetCulling(bool culling);
+  std::uint64_t GetBoxesAsked() const { return this->BoxesAsked; }
+
+  int UpdateGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
+  void DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+ protected:
+  vtkCulledRenderer();
+  ~vtkCulledRenderer() override;
+
+ private:
+  vtkCulledRenderer(const vtkCulledRenderer&) = delete;
+  void operator=(const vtkCulledRenderer&) = delete;
+
+  using View = std::array<double, 14>;
+  View CurrentView();
+  void DrawOpaque(const std::vector<std::size_t>& items);
+  void FindVisible();
+  std::vector<std::size_t> Unhidden(const std::vector<char>& drawn);
+  void SetDrawn(std::vector<std::size_t> items);
+
+  std::vector<vtkProp*> Culled;
+  boxprobe::BoxTree Tree;
+  boxprobe::OcclusionQuery Test;
+  std::vector<std::size_t> Drawn;
+  std::uint64_t DrawnGeneration = 0;
+  std::uint64_t BoxesAsked = 0;
+  View DrawnView{};
+  bool DrawnHolds = false;  // for that view
+  bool Culling = true;
+  std::vector<vtkProp*> Others, Array;
+};

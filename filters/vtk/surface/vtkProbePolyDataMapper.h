@@ -1,0 +1,99 @@
+/**
+ * @class   vtkProbePolyDataMapper
+ * @brief   polydata mapper whose physically based shading is lit by reflection probes
+ *
+ * Draws as vtkOpenGLPolyDataMapper does, with probe lighting spliced into the shader (see vtk_pbr_splice.h) and its
+ * uniforms uploaded at every draw, relative to the camera, from double. Give it a draw state and a binding; without a
+ * binding it is VTK's own mapper.
+ */
+#pragma once
+
+#include <vtkOpenGLPolyDataMapper.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "filters/vtk/surface/draw_state.h"
+#include "filters/vtk/surface/mirror_picture.h"
+#include "filters/vtk/surface/surface_material.h"
+
+class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
+ public:
+  static vtkProbePolyDataMapper* New();
+  vtkTypeMacro(vtkProbePolyDataMapper, vtkOpenGLPolyDataMapper) void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
+  /** The material's textures and what the vertices bring, before the first draw; none: VTK's own material code. */
+  void SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface);
+  const boxprobe::SurfaceMaterial* GetSurface() const { return this->Surface.get(); }
+  /** Is the surface glass, and lit so that it can be drawn as such? */
+  bool DrawsGlass() const;
+  /** Another variant key means another program, built at the next draw; otherwise only uniforms change. */
+  void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
+  /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */
+  void SetStandIn(bool standIn);
+  /** Keeps what techniques sample apart from the rest, in further attachments (see reflection_apart.glsl). */
+  void SetSeparateSpecular(bool apart);
+  bool GetSeparateSpecular() const { return this->SeparateSpecular; }
+  /** Writes colour and height over a planar mirror, for the mirror's picture (see mirrored_output.glsl). */
+  void SetHeights(bool heights);
+  /** The surface is a planar mirror and looks that picture up where it is shown; null: it is none. */
+  void SetMirror(std::shared_ptr<const boxprobe::MirrorPicture> mirror);
+  std::shared_ptr<const boxprobe::MirrorPicture> GetMirror() const { return this->Mirror; }
+  /** The binding as it is drawn. */
+  const boxprobe::ProbeBinding* GetDrawnBinding() const { return this->Drawn.get(); }
+  const boxprobe::ProbeBinding* GetBinding() const { return this->Binding.get(); }
+  std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Binding; }
+  /** Draws with the debug view's program (see vtk_pbr_splice.h) instead of the picture's. */
+  void SetDebug(bool debug);
+  /** Was it drawn by the frame that ended last? Captures and linear pictures do not count. */
+  bool GetDrawnInFrame() const;
+  /** What a surface capture names this object by; 0 is the background's. */
+  void SetObjectNumber(int number) { this->ObjectNumber = number; }
+
+ protected:
+  vtkProbePolyDataMapper();
+  ~vtkProbePolyDataMapper() override;
+
+  void BuildShaders(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
+                           vtkActor* actor) override;
+  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void SetCameraShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceFinish(vtkRenderer* renderer, vtkActor* actor) override;
+
+ private:
+  vtkProbePolyDataMapper(const vtkProbePolyDataMapper&) = delete;
+  void operator=(const vtkProbePolyDataMapper&) = delete;
+
+  void UploadSurface(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadProbes(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadSky(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadMirror(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadRelief(vtkShaderProgram* program, vtkRenderer* renderer);
+  void UploadGlass(vtkShaderProgram* program, vtkRenderer* renderer);
+  int Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle);
+
+  std::shared_ptr<boxprobe::DrawState> State;
+  void UpdateDrawn();
+
+  std::shared_ptr<const boxprobe::SurfaceMaterial> Surface;
+  std::shared_ptr<const boxprobe::ProbeBinding> Binding;
+  std::shared_ptr<const boxprobe::ProbeBinding> Drawn;
+  bool StandIn = false;
+  bool SeparateSpecular = false;
+  bool Heights = false;
+  std::shared_ptr<const boxprobe::MirrorPicture> Mirror;
+  std::string VariantKey;
+  int GlassVariant = 0;  // the program's
+  bool Again = false;    // a further pass of the same piece
+  bool Debug = false;
+  bool Refused = false;  // the driver did not compile the spliced program: VTK's own is drawn
+  int ObjectNumber = 0;
+  std::uint64_t Frame = ~std::uint64_t{0};                     // the last one that drew it
+  std::vector<std::unique_ptr<boxprobe::BoundTexture>> Bound;  // for the piece being drawn
+};

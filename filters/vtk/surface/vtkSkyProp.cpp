@@ -1,0 +1,112 @@
+#include "filters/vtk/surface/vtkSkyProp.h"
+
+#include <vtkCamera.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
+
+#include <cmath>
+
+#include "filters/vtk/surface/camera_uniforms.h"
+
+vtkStandardNewMacro(vtkSkyProp);
+
+vtkSkyProp::vtkSkyProp() {
+  this->PickableOff();
+}
+
+vtkSkyProp::~vtkSkyProp() = default;
+
+void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
+  this->State = std::move(state);
+  this->Pass = std::make_unique<boxprobe::FullScreenPass>(std::vector<std::string>{"shared/sky.glsl", "gpu/sky.glsl"},
+                                                          &this->State->counters);
+}
+
+void vtkSkyProp::SetSky(const boxprobe::Sky& sky, double rotationDegrees,
+                        std::shared_ptr<const boxprobe::ImageRgbaF> image) {
+  this->RotationDegrees = rotationDegrees;
+  if (const auto* gradient = std::get_if<boxprobe::SkyGradient>(&sky)) {
+    this->Gradient = *gradient;
+  } else if (const auto* color = std::get_if<boxprobe::SkyColor>(&sky)) {
+    this->Gradient = {color->color, color->color, color->color};
+  }
+  this->ImageChanged = this->ImageChanged || image != this->Image;
+  this->Image = std::move(image);
+  this->Modified();
+}
+
+int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+
+  if (this->ImageChanged) {
+    this->ReleaseGraphicsResources(nullptr);
+    this->ImageChanged = false;
+    if (this->Image) {
+      glGenTextures(1, &this->ImageTexture);
+      const boxprobe::BoundTexture bound(window, GL_TEXTURE_2D, this->ImageTexture);
+      glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+      glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, this->Image->width, this->Image->height, 0, GL_RGBA, GL_FLOAT,
+                   this->Image->pixels.data());
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+  }
+
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double aspect =
+      camera->GetUseExplicitAspectRatio() ? camera->GetExplicitAspectRatio() : renderer->GetTiledAspectRatio();
+  const double vertical = std::tan(0.5 * camera->GetViewAngle() * 3.14159265358979323846 / 180.0);
+  const float tangents[2] = {static_cast<float>(vertical * aspect), static_cast<float>(vertical)};
+
+  // Behind everything already drawn: passes only where depth is still that of the cleared buffer.
+  const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  const vtkOpenGLState::ScopedglDepthMask mask(state);
+  const vtkOpenGLState::ScopedglDepthFunc function(state);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  // The quad lies in the middle of the depth range; push it to the far end.
+  glDepthRange(1.0, 1.0);
+
+  std::unique_ptr<boxprobe::BoundTexture> image;
+  if (this->Image) {
+    image = std::make_unique<boxprobe::BoundTexture>(window, GL_TEXTURE_2D, this->ImageTexture);
+  }
+  this->Pass->draw(window, [&](vtkShaderProgram* program) {
+    program->SetUniformi("bpSkyKind", this->Image ? 1 : 0);
+    program->SetUniform3f("bpSkyTop", &this->Gradient.top.x);
+    program->SetUniform3f("bpSkyHorizon", &this->Gradient.horizon.x);
+    program->SetUniform3f("bpSkyGround", &this->Gradient.ground.x);
+    program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToTurnedRotation(camera, this->RotationDegrees).data());
+    program->SetUniform2f("bpTangents", tangents);
+    program->SetUniformf("bpParallel", camera->GetParallelProjection() ? 1.0f : 0.0f);
+    program->SetUniformf("bpExposure", this->State->exposure);
+    if (image) {
+      program->SetUniformi("bpSkyImage", image->unit());
+    }
+  });
+  glDepthRange(0.0, 1.0);
+  return 1;
+}
+
+void vtkSkyProp::ReleaseGraphicsResources(vtkWindow* window) {
+  if (this->ImageTexture != 0) {
+    glDeleteTextures(1, &this->ImageTexture);
+    this->ImageTexture = 0;
+    this->ImageChanged = true;
+  }
+  if (window != nullptr && this->Pass) {
+    this->Pass->release();
+  }
+}

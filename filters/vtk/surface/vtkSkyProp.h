@@ -1,0 +1,48 @@
+/**
+ * @class   vtkSkyProp
+ * @brief   the sky of a scene, drawn behind everything
+ *
+ * A gradient or a latitude-longitude image at infinity. Writes alpha 0, so that a capture's alpha tells geometry from
+ * sky. Linear or display colours, as the draw state says.
+ */
+#pragma once
+
+#include <vtkProp.h>
+
+#include <memory>
+
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
+#include "filters/vtk/gl/full_screen_pass.h"
+#include "filters/vtk/surface/draw_state.h"
+
+class vtkSkyProp : public vtkProp {
+ public:
+  static vtkSkyProp* New();
+  vtkTypeMacro(vtkSkyProp, vtkProp)
+
+      void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
+  /** `image` for a SkyImage, else null. */
+  void SetSky(const boxprobe::Sky& sky, double rotationDegrees, std::shared_ptr<const boxprobe::ImageRgbaF> image);
+
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
+  double* GetBounds() override { return nullptr; }  // at infinity: must not stretch the clipping range
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+ protected:
+  vtkSkyProp();
+  ~vtkSkyProp() override;
+
+ private:
+  vtkSkyProp(const vtkSkyProp&) = delete;
+  void operator=(const vtkSkyProp&) = delete;
+
+  std::shared_ptr<boxprobe::DrawState> State;
+  boxprobe::SkyGradient Gradient;
+  double RotationDegrees = 0.0;
+  std::shared_ptr<const boxprobe::ImageRgbaF> Image;
+  unsigned int ImageTexture = 0;
+  bool ImageChanged = false;
+  std::unique_ptr<boxprobe::FullScreenPass> Pass;
+};

@@ -1,0 +1,103 @@
+// The order of the rooms holds, no two files include each other in a circle, folders and files stay small, VTK and Qt
+// stay where they belong; and the checks notice when that is broken.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "tests/house/include_graph.h"
+
+namespace {
+
+using namespace boxprobe::test;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string kRoot = BOXPROBE_SOURCE_DIR;
+
+TEST(House, FilesIncludeOnlyTheirOwnRoomAndThoseAbove) {
+  EXPECT_THAT(breaches(readRooms(kRoot), includeLines(kRoot)), IsEmpty());
+}
+
+TEST(House, NoUnitIncludesItselfThroughOthers) {
+  EXPECT_THAT(circles(includeLines(kRoot)), IsEmpty());
+}
+
+TEST(House, ABreachIsNamedWithItsFileAndLine) {
+  const Rooms rooms = readRooms(kRoot);
+  EXPECT_THAT(breaches(rooms, {{"filters/core/scene/scene.h", 7, "filters/vtk/gl/gl_objects.h"}}),
+              ElementsAre(HasSubstr("filters/core/scene/scene.h:7: filters/core/scene must not include")));
+  EXPECT_THAT(breaches(rooms, {{"filters/reference/light/a.cpp", 3, "filters/explain/explanation.h"}}),
+              ElementsAre(HasSubstr("filters/reference and filters/explain must not include each other")));
+  EXPECT_THAT(breaches(rooms, {{"app/attic/a.cpp", 1, "filters/core/base/errors.h"}}),
+              ElementsAre(HasSubstr("no room app/attic")));
+}
+
+TEST(House, ACircleIsNamed) {
+  EXPECT_THAT(circles({{"app/a.h", 1, "app/b.h"}, {"app/b.cpp", 1, "app/c.h"}, {"app/c.h", 1, "app/a.h"}}),
+              ElementsAre("app/a -> app/b -> app/c -> app/a"));
+}
+
+TEST(House, FoldersAndFilesStaySmall) {
+  constexpr int kMostFiles = 40, kMostLines = 400;
+  std::map<std::string, int> count;
+  for (const SourceFile& file : sourceFiles(kRoot)) {
+    ++count[folderOf(file.path)];
+    EXPECT_LE(file.lines, kMostLines) << file.path << ": look for the second idea in it";
+  }
+  for (const auto& [folder, files] : count) EXPECT_LE(files, kMostFiles) << folder << ": divide it into rooms";
+}
+
+TEST(House, EveryRoomHasFilesAndEveryFileARoom) {
+  const Rooms rooms = readRooms(kRoot);
+  std::set<std::string> used;
+  for (const SourceFile& file : sourceFiles(kRoot)) {
+    const std::string folder = folderOf(file.path);
+    EXPECT_EQ(rooms.rank.count(folder), 1u) << file.path << ": filters/rooms.txt has no room " << folder;
+    used.insert(folder);
+  }
+  for (const auto& [room, ignored] : rooms.rank) EXPECT_EQ(used.count(room), 1u) << room << " has no files";
+}
+
+TEST(House, QtAndVtkStayInTheirFolders) {
+  for (const SourceFile& file : sourceFiles(kRoot)) {
+    const bool gui = file.path.rfind("app/gui/", 0) == 0;
+    const bool vtk = file.path.rfind("filters/vtk/", 0) == 0 || file.path.rfind("filters/stress_gpu/", 0) == 0 ||
+                     file.path.rfind("app/", 0) == 0;
+    for (const std::string& name : file.systemIncludes) {
+      const bool qt = name.size() > 1 && name[0] == 'Q' && std::isupper(static_cast<unsigned char>(name[1])) != 0;
+      EXPECT_TRUE(gui || !qt) << file.path << " includes <" << name << ">; Qt belongs in app/gui";
+      EXPECT_TRUE(vtk || name.rfind("vtk", 0) != 0)
+          << file.path << " includes <" << name << ">; VTK does not belong there";
+    }
+  }
+}
+
+/// The lines between <!-- rooms --> and <!-- /rooms --> that name a room.
+std::vector<std::string> quotedRooms(const std::string& readme) {
+  std::ifstream in(std::filesystem::path(kRoot) / readme);
+  std::vector<std::string> lines;
+  bool within = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.find("<!-- /rooms -->") != std::string::npos) within = false;
+    const std::size_t at = line.find_first_not_of(' ');
+    if (within && at != std::string::npos && line[at] != '`') lines.push_back(line.substr(at));
+    if (line.find("<!-- rooms -->") != std::string::npos) within = true;
+  }
+  return lines;
+}
+
+TEST(House, TheDocumentsShowTheOrderOfTheRooms) {
+  for (const std::string top : {"filters", "app"}) {
+    std::vector<std::string> expected;
+    for (const std::string& line : readRooms(kRoot).lines) {
+      if (line.rfind(top + "/", 0) == 0 || line.rfind(top + " ", 0) == 0) expected.push_back(line);
+    }
+    EXPECT_EQ(quotedRooms(top + "/README.md"), expected) << top << "/README.md quotes filters/rooms.txt";
+  }
+}
+
+}  // namespace
