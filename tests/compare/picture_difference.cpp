@@ -33,6 +33,10 @@ std::set<std::string> filesIn(const std::string& folder, Wanted wanted) {
   return names;
 }
 
+std::string inFolder(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / name).string();
+}
+
 bool isJsonName(const std::string& path) {
   return fs::path(path).extension() == ".json";
 }
@@ -53,8 +57,8 @@ bool comparePictures(const std::string& oldFolder, const std::string& newFolder,
       ++missing;
       continue;
     }
-    const PictureValues old = readPicture(oldFolder + "/" + name);
-    const PictureDifference found = difference(old, readPicture(newFolder + "/" + name));
+    const PictureValues old = readPicture(inFolder(oldFolder, name));
+    const PictureDifference found = difference(old, readPicture(inFolder(newFolder, name)));
     for (const std::string& part : found.missing) std::printf("  missing: %s: %s\n", name.c_str(), part.c_str());
     missing += found.missing.size();
     ++compared;
@@ -91,7 +95,7 @@ bool compareJson(const std::string& oldFolder, const std::string& newFolder, boo
       ++missing;
       continue;
     }
-    const JsonValues old = readJson(oldFolder + "/" + name), fresh = readJson(newFolder + "/" + name);
+    const JsonValues old = readJson(inFolder(oldFolder, name)), fresh = readJson(inFolder(newFolder, name));
     keys += old.keys.size();
     for (const std::string& key : old.keys) {
       if (fresh.keys.count(key) != 0) continue;

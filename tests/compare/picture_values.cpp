@@ -25,8 +25,8 @@ constexpr double kLeastShare = 0.01;  // smaller values are compared as if they 
 /// Memory for every channel of a level, and what OpenEXR writes into it.
 Imf::FrameBuffer frameBuffer(const Imf::Header& header, const Imath::Box2i& window, const std::string& place,
                              PictureValues& picture) {
-  const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-  const auto height = static_cast<std::size_t>(window.max.y - window.min.y + 1);
+  const auto width = static_cast<std::size_t>(window.max.x - window.min.x) + 1;
+  const auto height = static_cast<std::size_t>(window.max.y - window.min.y) + 1;
   Imf::FrameBuffer buffer;
   for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
     std::vector<float>& plane = picture.planes[place + channel.name()];
