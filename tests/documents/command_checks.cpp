@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "filters/math/technique/technique_table.h"
@@ -23,6 +25,12 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::set<std::string> kSubcommands = {"render", "explain", "info", "bake", "bench", "stress", "lessons"};
+
+std::string joined(std::initializer_list<std::string_view> parts) {
+  std::string text;
+  for (const std::string_view part : parts) text += part;
+  return text;
+}
 
 bool helpNames(const std::string& help, const std::string& flag) {
   return std::regex_search(help, std::regex("(^|[\\s,])" + flag + "($|[\\s,:=])"));
@@ -125,7 +133,8 @@ std::vector<std::string> CommandChecks::programProblems(const Command& command) 
     const std::string& word = command.arguments[i];
     const std::string flag = flagOf(word);
     const std::string value = i + 1 < command.arguments.size() ? command.arguments[i + 1] : "";
-    if (!flag.empty() && !helpNames(help, flag)) problems.push_back("boxprobe " + subcommand + " has no " + flag);
+    if (!flag.empty() && !helpNames(help, flag))
+      problems.push_back(joined({"boxprobe ", subcommand, " has no ", flag}));
     if ((flag == "--technique" || flag == "--techniques") && !isPlaceholder(value) && !value.empty()) {
       const std::string unknown = unknownTechnique(value);
       if (!unknown.empty()) problems.push_back("no technique " + unknown);
@@ -155,7 +164,7 @@ std::vector<std::string> CommandChecks::builtProblems(const Command& command) co
   if (program == nullptr) return {"the build makes no " + path};
   std::vector<std::string> problems;
   for (const auto& [name, ignored] : command.environment) {
-    if (!holdsLiteral(*program, name)) problems.push_back(path + " does not read " + name);
+    if (!holdsLiteral(*program, name)) problems.push_back(joined({path, " does not read ", name}));
   }
   bool value = false;
   for (const std::string& word : command.arguments) {
@@ -164,14 +173,14 @@ std::vector<std::string> CommandChecks::builtProblems(const Command& command) co
       const std::vector<std::string> names = testNames(*program);
       const std::string filter = word.substr(word.find('=') + 1);
       if (std::none_of(names.begin(), names.end(), [&](const auto& name) { return filterMatches(filter, name); })) {
-        problems.push_back(path + " has no test " + filter);
+        problems.push_back(joined({path, " has no test ", filter}));
       }
     } else if (!flag.empty()) {
-      if (!holdsLiteral(*program, flag)) problems.push_back(path + " has no " + flag);
+      if (!holdsLiteral(*program, flag)) problems.push_back(joined({path, " has no ", flag}));
       value = word.find('=') == std::string::npos;
       continue;
     } else if (!value && !isPlaceholder(word) && word.find_first_not_of("0123456789") != std::string::npos) {
-      if (!exists(word) && !holdsLiteral(*program, word)) problems.push_back(path + " does not know " + word);
+      if (!exists(word) && !holdsLiteral(*program, word)) problems.push_back(joined({path, " does not know ", word}));
     }
     value = false;
   }
