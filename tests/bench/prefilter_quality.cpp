@@ -1,5 +1,5 @@
 // bench_prefilter: error of prefiltered levels against a reference without sampling, and their CPU time, beside VTK's
-// own prefilter on the same cubemaps. Prints Markdown tables for the README.
+// own prefilter on the same cubemaps. Prints the Markdown tables of README.md beside it.
 #include <vtkOpenGLRenderWindow.h>
 
 #include <CLI/CLI.hpp>
