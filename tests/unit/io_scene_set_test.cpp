@@ -17,7 +17,7 @@ class SceneSet : public ::testing::Test {
     scene.probes[0].name = "room";
     scene.probes[1].name = "big room 2.5";
   }
-  void set(const std::string& assignment) { setSceneField(scene, assignment); }
+  void set(const std::string& assignment) { setSceneFields(scene, {assignment}); }
   std::string problem(const std::string& assignment) {
     const Scene before = scene;
     const std::string text = errorText([&] { set(assignment); });
