@@ -1,0 +1,31 @@
+#include "filters/explain/explanation_rows.h"
+
+#include <utility>
+
+namespace boxprobe::explained {
+
+std::string percent(double share) {
+  constexpr double kSmallestShown = 5e-4;
+  return share > 0.0 && share < kSmallestShown ? "<0.1 %" : fixedText(100.0 * share, 1) + " %";
+}
+
+ExplanationRow row(std::string symbol, std::vector<std::string> values, std::string unit, std::string meaning) {
+  ExplanationRow made;
+  made.symbol = std::move(symbol);
+  made.numbers = std::move(values);
+  made.unit = std::move(unit);
+  made.meaning = std::move(meaning);
+  return made;
+}
+
+ExplanationRow scalar(std::string symbol, double value, std::string unit, std::string meaning) {
+  return row(std::move(symbol), {fixedText(value)}, std::move(unit), std::move(meaning));
+}
+
+ExplanationRow light(std::string symbol, const glm::vec3& value, std::string meaning) {
+  ExplanationRow made = vector(std::move(symbol), value, "", std::move(meaning));
+  made.color = value;
+  return made;
+}
+
+}  // namespace boxprobe::explained
