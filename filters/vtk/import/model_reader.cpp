@@ -24,6 +24,7 @@
 #include <functional>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/vtk/import/file_guards.h"
 #include "filters/vtk/import/polydata_mesh.h"
 #include "filters/vtk/import/vtk_error_catcher.h"
@@ -31,12 +32,6 @@
 namespace boxprobe {
 
 namespace {
-
-std::string extensionOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// For files that say nothing of it: light grey plastic, seen from both sides, because winding is not reliable there.
 Material plainMaterial() {
@@ -176,7 +171,7 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
 }  // namespace
 
 bool isModelFile(const std::string& path) {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerExtension(path);
   for (const char* known : {".glb", ".gltf", ".obj", ".ply", ".stl", ".vtp"}) {
     if (extension == known) return true;
   }
@@ -189,7 +184,7 @@ const std::string& modelFilePatterns() {
 }
 
 Model readModel(const std::string& path, const LoadProgress& progress) {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerExtension(path);
   if (extension == ".obj") return readObj(path, progress);
   if (extension == ".ply") {
     checkPly(path);
