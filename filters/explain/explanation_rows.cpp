@@ -1,8 +1,21 @@
 #include "filters/explain/explanation_rows.h"
 
+#include <array>
 #include <utility>
 
-namespace boxprobe::explained {
+namespace boxprobe {
+
+std::string boxFaceName(int face) {
+  static constexpr std::array<const char*, 6> names = {"-x", "+x", "-y", "+y", "-z", "+z"};
+  return face >= 0 && face < 6 ? names[static_cast<std::size_t>(face)] : "none";
+}
+
+std::string cubeFaceName(int face) {
+  static constexpr std::array<const char*, 6> names = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+  return face >= 0 && face < 6 ? names[static_cast<std::size_t>(face)] : "none";
+}
+
+namespace explained {
 
 std::string percent(double share) {
   constexpr double kSmallestShown = 5e-4;
@@ -28,4 +41,6 @@ ExplanationRow light(std::string symbol, const glm::vec3& value, std::string mea
   return made;
 }
 
-}  // namespace boxprobe::explained
+}  // namespace explained
+
+}  // namespace boxprobe

@@ -1,17 +1,41 @@
-// Lines of an explanation from values: numbers as text, a scalar, a vector, light. Called by the sections; internal to
-// this folder.
+// Lines of an explanation, and how they are made of values: numbers as text, a scalar, a vector, light. Called by the
+// sections and by what sets them; knows no layout.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "filters/core/base/fixed_text.h"
-#include "filters/explain/explanation_sections.h"
 
-namespace boxprobe::explained {
+namespace boxprobe {
+
+struct ExplanationRow {
+  std::string symbol;                ///< "P", "t_x": what follows an underscore is a subscript
+  std::vector<std::string> numbers;  ///< none, one or three
+  std::string unit;                  ///< "" for a pure number
+  std::string meaning;               ///< what it is, or the formula with its numbers
+  std::optional<glm::vec3> color;    ///< linear light to be shown beside the numbers
+  bool marked = false;               ///< this one decides: the smallest slab factor
+  bool sum = false;                  ///< what the rows above add up to
+  bool detail = false;               ///< belongs to the row above: a texel of a lookup
+};
+
+struct ExplanationSection {
+  std::string title;
+  std::vector<ExplanationRow> rows;
+  int probe = -1;  ///< position in Explanation::probes of the one it is about
+};
+
+/// "-x" .. "+z" for a ProbeExplanation's face.
+std::string boxFaceName(int face);
+/// "+X" .. "-Z" for a face of a cubemap in OpenGL's order.
+std::string cubeFaceName(int face);
+
+namespace explained {
 
 inline constexpr const char* kLength = "scene units";
 
@@ -36,4 +60,6 @@ ExplanationRow vector(std::string symbol, const Vector& value, std::string unit,
 /// With its colour beside the numbers.
 ExplanationRow light(std::string symbol, const glm::vec3& value, std::string meaning);
 
-}  // namespace boxprobe::explained
+}  // namespace explained
+
+}  // namespace boxprobe

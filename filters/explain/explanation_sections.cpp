@@ -2,13 +2,9 @@
 #include "filters/explain/explanation_sections.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-
-#include "filters/explain/explanation_rows.h"
-#include "filters/explain/probe_section.h"
 
 namespace boxprobe {
 
@@ -132,16 +128,6 @@ ExplanationSection sumSection(const Explanation& e) {
 }
 
 }  // namespace
-
-std::string boxFaceName(int face) {
-  static constexpr std::array<const char*, 6> names = {"-x", "+x", "-y", "+y", "-z", "+z"};
-  return face >= 0 && face < 6 ? names[static_cast<std::size_t>(face)] : "none";
-}
-
-std::string cubeFaceName(int face) {
-  static constexpr std::array<const char*, 6> names = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
-  return face >= 0 && face < 6 ? names[static_cast<std::size_t>(face)] : "none";
-}
 
 std::optional<float> relativeDifference(const Explanation& e) {
   if (!e.rendered) return std::nullopt;
