@@ -173,18 +173,4 @@ void ProbeWidget::setVisible(bool visible) {
   update();
 }
 
-std::optional<QPointF> ProbeWidget::displayPosition(const BoxFace& face) const {
-  const Probe* probe = editor_.probe();
-  if (!probe) return std::nullopt;
-  const auto at = view_().pixel(faceCenterWorld(*probe, face));
-  return at ? std::optional<QPointF>({at->x, at->y}) : std::nullopt;
-}
-
-std::optional<QPointF> ProbeWidget::displayPositionOfOrigin(std::size_t probe) const {
-  const auto& probes = editor_.scene().probes;
-  if (probe >= probes.size()) return std::nullopt;
-  const auto at = view_().pixel(probes[probe].origin);
-  return at ? std::optional<QPointF>({at->x, at->y}) : std::nullopt;
-}
-
 }  // namespace boxprobe

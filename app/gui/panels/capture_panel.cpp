@@ -2,23 +2,17 @@
 #include "app/gui/panels/capture_panel.h"
 
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
-#include <QToolButton>
 #include <QVBoxLayout>
-#include <exception>
 #include <utility>
 
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/panels/hides_list.h"
+#include "app/gui/panels/image_fields.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
-#include "filters/io/cube/cube_file.h"
 
 namespace boxprobe {
 
@@ -47,8 +41,6 @@ CapturePanel::CapturePanel(Editor& editor, QWidget* parent) : QWidget(parent), e
   buildView(form_);
   // What a field is called from outside: by style sheets and tests.
   const std::pair<QWidget*, const char*> names[] = {{mode_, "mode"},
-                                                    {layout_, "imageLayout"},
-                                                    {image_, "image"},
                                                     {faceSize_, "faceSize"},
                                                     {samples_, "samplesPerPixel"},
                                                     {bounces_, "bounces"},
@@ -73,30 +65,8 @@ void CapturePanel::buildMode(QFormLayout* form) {
                        tr("Not captured: an environment picture takes the capture's place")}},
                      tr("Where the probe's light comes from. Default: baked"), [this](int mode) { chooseMode(mode); });
 
-  imageRow_ = new QWidget(this);
-  auto* row = new QHBoxLayout(imageRow_);
-  row->setContentsMargins(0, 0, 0, 0);
-  image_ = new QLabel(imageRow_);
-  image_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  auto* choose = new QToolButton(imageRow_);
-  choose->setObjectName("chooseImage");
-  choose->setText(tr("Choose..."));
-  row->addWidget(image_, 1);
-  row->addWidget(choose);
-  addRow(form, tr("Image"), imageRow_,
-         tr("OpenEXR or Radiance HDR: latitude-longitude, cross, strip, or one of six face files"));
-  connect(choose, &QToolButton::clicked, this, &CapturePanel::chooseImage);
-  layout_ = addProbeChoice(
-      form, tr("Layout"),
-      {{tr("Detected"), static_cast<int>(CubeLayout::Automatic), tr("By the file's attributes, shape or name")},
-       {tr("Latitude-longitude"), static_cast<int>(CubeLayout::LatLong)},
-       {tr("Strip of faces"), static_cast<int>(CubeLayout::Strip)},
-       {tr("Cross"), static_cast<int>(CubeLayout::Cross)},
-       {tr("Six files"), static_cast<int>(CubeLayout::SixFiles)}},
-      tr("How the surroundings lie in the image. Default: detected"), [this](int layout) {
-        editor_.commitProbe(probeEditLabel(editor_, tr("image layout")),
-                            [layout](Probe& probe) { probe.imageLayout = static_cast<CubeLayout>(layout); });
-      });
+  image_ = new ImageFields(editor_, form);
+  connect(image_, &ImageFields::answered, this, &CapturePanel::update);
 }
 
 void CapturePanel::buildSampling(QFormLayout* form) {
@@ -177,29 +147,9 @@ void CapturePanel::chooseMode(int mode) {
   const Probe* probe = editor_.probe();
   if (!probe) return;
   // A custom probe needs its image from the start.
-  if (static_cast<ProbeMode>(mode) == ProbeMode::Custom && probe->image.empty()) return chooseImage();
+  if (static_cast<ProbeMode>(mode) == ProbeMode::Custom && probe->image.empty()) return image_->choose();
   editor_.commitProbe(probeEditLabel(editor_, tr("mode")),
                       [mode](Probe& edited) { edited.mode = static_cast<ProbeMode>(mode); });
-}
-
-void CapturePanel::chooseImage() {
-  const Probe* probe = editor_.probe();
-  const QString folder = probe ? QFileInfo(QString::fromStdString(probe->image)).absolutePath() : QString();
-  const QString path =
-      QFileDialog::getOpenFileName(window(), tr("Environment image"), folder, tr("Environment images (*.exr *.hdr)"));
-  if (!path.isEmpty()) {
-    try {
-      // Found out now, while the probe can stay as it was.
-      loadCube(path.toStdString(), probe ? probe->imageLayout : CubeLayout::Automatic);
-      editor_.commitProbe(probeEditLabel(editor_, tr("image")), [&path](Probe& edited) {
-        edited.mode = ProbeMode::Custom;
-        edited.image = path.toStdString();
-      });
-    } catch (const std::exception& error) {
-      QMessageBox::warning(window(), tr("Cannot use this image"), QString::fromUtf8(error.what()));
-    }
-  }
-  update();  // the mode combo may show what was not taken
 }
 
 void CapturePanel::showRow(QWidget* field, bool shown) {
@@ -221,12 +171,7 @@ void CapturePanel::update() {
   if (!probe) return;
   showChoice(mode_, static_cast<int>(probe->mode));
   const bool custom = probe->mode == ProbeMode::Custom;
-  showRow(imageRow_, custom);
-  showRow(layout_, custom);
-  showChoice(layout_, static_cast<int>(probe->imageLayout));
-  const QString path = QString::fromStdString(probe->image);
-  image_->setText(QFileInfo(path).fileName());
-  image_->setToolTip(path);
+  image_->update(*probe);
   showChoice(faceSize_, probe->faceSize, tr("%1 × %1 texels"));
   showChoice(samples_, probe->samplesPerPixel, tr("%1 a texel"));
   showChoice(bounces_, probe->bounces);

@@ -20,6 +20,7 @@
 #include "app/session/stats_json.h"
 #include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/scene/lesson_file.h"
 
@@ -40,15 +41,8 @@ struct LessonsOptions {
   ReportOptions report;
 };
 
-std::string extensionOf(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 bool isPicture(const std::string& path) {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerExtension(path);
   return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 
@@ -56,7 +50,7 @@ void saveSheet(const std::string& path, const QImage& sheet) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  const bool png = extensionOf(path) == ".png";
+  const bool png = lowerExtension(path) == ".png";
   if (!sheet.save(&buffer, png ? "PNG" : "JPEG", png ? -1 : kJpegQuality)) {
     throw WorkError(path + ": the picture could not be encoded");
   }
@@ -101,7 +95,7 @@ std::vector<const Lesson*> chosen(const LessonList& list, const std::string& nam
 struct Output {
   explicit Output(const LessonsOptions& options)
       : path(options.outputPath),
-        page(extensionOf(path) == ".html" || extensionOf(path) == ".htm"),
+        page(lowerExtension(path) == ".html" || lowerExtension(path) == ".htm"),
         sheet(!page && isPicture(path)) {
     if (path.empty()) return;
     if (sheet && options.name.empty()) {
@@ -112,7 +106,7 @@ struct Output {
       requireWritable("-o", path);
       return;
     }
-    if (!extensionOf(path).empty()) {
+    if (!lowerExtension(path).empty()) {
       throw InputError("-o " + path + ": give a .png or .jpg for a sheet, a .html for a page, a folder for all sheets");
     }
     std::error_code error;

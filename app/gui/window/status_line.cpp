@@ -72,7 +72,7 @@ void StatusLine::showCounters(const Counters& c) {
 void StatusLine::showProgress(double fraction) {
   const auto seconds = timeLeft_.update(fraction, 1e-3 * static_cast<double>(clock_.elapsed()));
   const QString text = tr("Capturing %p %");
-  progress_->setFormat(seconds ? text + ", " + TimeLeft::text(*seconds) : text);
+  progress_->setFormat(seconds ? text + ", " + QString::fromStdString(TimeLeft::text(*seconds)) : text);
   progress_->setValue(static_cast<int>(100.0 * fraction));
   progress_->show();
   stop_->show();

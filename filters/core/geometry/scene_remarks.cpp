@@ -62,6 +62,9 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   if (flat(probe.box)) say("box", "is flat: no ray hits it inside, so the probe is not projected there.");
   if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe shows nowhere.");
   if (probe.mode != ProbeMode::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
+  if (probe.decode && probe.encoding == ImageEncoding::Linear) {
+    say("decode", "is not used by encoding linear; name the picture's: rgbm, dldr or rgbmLinear.");
+  }
   parameterRemarks(remarks, probe);
   budgetRemarks(remarks, probe);
 }

@@ -23,7 +23,7 @@ auto techniqueFields(const Probe& p) {
 /// Shown by a new capture or filtering.
 auto captureFields(const Probe& p) {
   return std::tie(p.origin, p.rotationDegrees, p.nearDistance, p.farDistance, p.clear, p.faceSize, p.bounces, p.mode,
-                  p.image, p.imageLayout, p.filter, p.samplesPerPixel, p.filterSamples, p.hides);
+                  p.image, p.imageLayout, p.encoding, p.decode, p.filter, p.samplesPerPixel, p.filterSamples, p.hides);
 }
 
 void compare(Changes& changes, const Probe& before, const Probe& after) {

@@ -71,11 +71,11 @@ bool BoxOcclusion::operator==(const BoxOcclusion& o) const {
 bool Probe::operator==(const Probe& o) const {
   return std::tie(name, origin, box, rotationDegrees, influence, nearDistance, farDistance, clear, blendDistance,
                   importance, intensity, projection, technique, parameters, faceSize, bounces, mode, image, imageLayout,
-                  filter, samplesPerPixel, filterSamples, hides, bevel, occlusion) ==
+                  encoding, decode, filter, samplesPerPixel, filterSamples, hides, bevel, occlusion) ==
          std::tie(o.name, o.origin, o.box, o.rotationDegrees, o.influence, o.nearDistance, o.farDistance, o.clear,
                   o.blendDistance, o.importance, o.intensity, o.projection, o.technique, o.parameters, o.faceSize,
-                  o.bounces, o.mode, o.image, o.imageLayout, o.filter, o.samplesPerPixel, o.filterSamples, o.hides,
-                  o.bevel, o.occlusion);
+                  o.bounces, o.mode, o.image, o.imageLayout, o.encoding, o.decode, o.filter, o.samplesPerPixel,
+                  o.filterSamples, o.hides, o.bevel, o.occlusion);
 }
 
 bool Scene::operator==(const Scene& o) const {

@@ -269,6 +269,12 @@ void checkCapture(const Fields& fields, const Probe& probe) {
   if (probe.samplesPerPixel != 1 && probe.samplesPerPixel != 4 && probe.samplesPerPixel != 16) {
     fields.fail("samplesPerPixel", "is " + std::to_string(probe.samplesPerPixel) + " and must be 1, 4 or 16");
   }
+  if (probe.decode) {
+    const Fields decode({"probes", probe.name, "decode"});
+    decode.above("[0]", probe.decode->x, 0.0);
+    decode.notHuge("[0]", probe.decode->x);
+    decode.atLeast("[1]", probe.decode->y, 0.0);
+  }
   if (probe.mode == ProbeMode::Custom && probe.image.empty()) {
     fields.fail("image", "is missing; mode \"custom\" needs an image file");
   }

@@ -1,10 +1,8 @@
 // Which reader takes which file, and the steps of reading a glTF one.
 #include "filters/io/gltf/model_file.h"
 
-#include <cctype>
-#include <filesystem>
-
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
@@ -22,8 +20,7 @@ Model loadModelFile(const std::string& path, const LoadProgress& progress) {
       if (progress && !progress(from + (to - from) * share)) throw LoadCancelled(path + ": loading was stopped");
     };
   };
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lowerExtension(path);
   if (extension != ".gltf" && extension != ".glb") {
     const std::string kind = extension.empty() ? "files without an extension" : extension + " files";
     throw InputError(path + ": " + kind + " are not supported; export the model as glTF (.glb or .gltf)");

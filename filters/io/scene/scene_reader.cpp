@@ -231,6 +231,10 @@ void readProbeCapture(const JsonCursor& entry, Probe& probe, const std::string& 
   if (const auto layout = entry.find("imageLayout")) {
     probe.imageLayout = static_cast<CubeLayout>(layout->choice({"auto", "latlong", "strip", "cross", "six"}));
   }
+  if (const auto encoding = entry.find("encoding")) {
+    probe.encoding = static_cast<ImageEncoding>(encoding->choice({"linear", "rgbm", "dldr", "rgbmLinear"}));
+  }
+  if (const auto decode = entry.find("decode")) probe.decode = decode->pair();
   if (const auto filter = entry.find("filter")) {
     probe.filter = static_cast<FilterKind>(filter->choice({"ggx", "gaussian"}));
   }
@@ -250,10 +254,10 @@ Probe readProbe(const JsonCursor& element, const std::string& folder) {
   // From here on by name, as people think of it; an empty one is left to validate(), which counts.
   const JsonCursor entry = probe.name.empty() ? element : element.at({"probes", probe.name});
   entry.requireObject(
-      {"name",          "origin",        "box",        "rotationDegrees", "influence",   "near",      "far",
-       "clear",         "blendDistance", "importance", "intensity",       "projection",  "technique", "parameters",
-       "faceSize",      "bounces",       "mode",       "image",           "imageLayout", "filter",    "samplesPerPixel",
-       "filterSamples", "hides",         "bevel",      "occlusion"});
+      {"name",     "origin",          "box",           "rotationDegrees", "influence",   "near",      "far",
+       "clear",    "blendDistance",   "importance",    "intensity",       "projection",  "technique", "parameters",
+       "faceSize", "bounces",         "mode",          "image",           "imageLayout", "encoding",  "decode",
+       "filter",   "samplesPerPixel", "filterSamples", "hides",           "bevel",       "occlusion"});
   if (const auto box = entry.find("box")) probe.box = readBox(*box);
   readInto(entry, "rotationDegrees", probe.rotationDegrees, &JsonCursor::vector);
   if (const auto influence = entry.find("influence")) probe.influence = readBox(*influence);

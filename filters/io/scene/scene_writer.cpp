@@ -273,6 +273,9 @@ Json probeJson(const Probe& probe, const std::string& folder, JsonForm form) {
   if (!probe.image.empty()) out.putJson("image", writtenPath(probe.image, folder), false);
   const char* const layouts[] = {"auto", "latlong", "strip", "cross", "six"};
   out.putJson("imageLayout", layouts[static_cast<int>(probe.imageLayout)], probe.imageLayout == standard.imageLayout);
+  const char* const encodings[] = {"linear", "rgbm", "dldr", "rgbmLinear"};
+  out.putJson("encoding", encodings[static_cast<int>(probe.encoding)], probe.encoding == standard.encoding);
+  if (probe.decode) out.putJson("decode", Json::array({toJson(probe.decode->x), toJson(probe.decode->y)}), false);
   out.putJson("filter", probe.filter == FilterKind::Ggx ? "ggx" : "gaussian", probe.filter == standard.filter);
   out.put("samplesPerPixel", probe.samplesPerPixel, standard.samplesPerPixel);
   out.put("filterSamples", probe.filterSamples, standard.filterSamples);

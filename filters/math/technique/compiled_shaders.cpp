@@ -1,14 +1,9 @@
-// The one translation unit that compiles the shader files as C++. GLSL's built-ins are GLM's; PROBE_MAP and fetchProbe
-// are what each host supplies (a sampler and textureLod on the GPU, a CubeSampler here).
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
-
+// The one translation unit that compiles the shader files as C++. PROBE_MAP and fetchProbe are what each host supplies
+// (a sampler and textureLod on the GPU, a CubeSampler here).
 #include "filters/math/cube/light_table.h"
 #include "filters/math/cube/relief.h"
 #include "filters/math/sampling/blue_noise.h"
+#include "filters/math/shared/glsl_built_ins.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/math/technique/automatic.h"
 #include "filters/math/technique/technique_table.h"
@@ -19,22 +14,6 @@
 
 namespace boxprobe::shading {
 
-using glm::abs;
-using glm::clamp;
-using glm::cos;
-using glm::cross;
-using glm::dot;
-using glm::exp2;
-using glm::floor;
-using glm::length;
-using glm::log2;
-using glm::max;
-using glm::min;
-using glm::mix;
-using glm::normalize;
-using glm::pow;
-using glm::sin;
-using glm::sqrt;
 using glm::uint;
 
 #include "shaders/shared/finite.glsl"  // what both fetches use

@@ -25,6 +25,7 @@
 #include <optional>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/vtk/import/file_guards.h"
 #include "filters/vtk/import/ply_guard.h"
 #include "filters/vtk/import/polydata_mesh.h"
@@ -33,12 +34,6 @@
 namespace boxprobe {
 
 namespace {
-
-std::string extensionOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// For files that say nothing of it: light grey plastic, seen from both sides, because winding is not reliable there.
 Material plainMaterial() {
@@ -193,7 +188,7 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
 }  // namespace
 
 bool isModelFile(const std::string& path) {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerExtension(path);
   for (const char* known : {".glb", ".gltf", ".obj", ".ply", ".stl", ".vtp"}) {
     if (extension == known) return true;
   }
@@ -206,7 +201,7 @@ const std::string& modelFilePatterns() {
 }
 
 Model readModel(const std::string& path, const LoadProgress& progress) {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerExtension(path);
   if (extension == ".obj") return readObj(path, progress);
   if (extension == ".ply") return readPly(path, progress);
   if (extension == ".stl") {

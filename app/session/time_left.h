@@ -1,8 +1,9 @@
-// How long work will still take, from how far it has come. Called by the status line; the clock is the caller's.
+// How long work will still take, from how far it has come. Called by the progress line and the window's status line;
+// the clock is the caller's.
 #pragma once
 
-#include <QString>
 #include <optional>
+#include <string>
 
 namespace boxprobe {
 
@@ -14,7 +15,7 @@ class TimeLeft {
   void restart() { started_ = false; }
 
   /// "under 1 s left", "12 s left", "3 min left".
-  static QString text(double seconds);
+  static std::string text(double seconds);
 
  private:
   bool started_ = false;
