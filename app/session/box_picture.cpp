@@ -40,7 +40,7 @@ ReferencePicture integrateBox(SceneRenderer& renderer, const ReferenceBoxMaps& m
         const auto row = static_cast<std::size_t>((y - first) * side + k / side);
         const std::size_t at =
             row * static_cast<std::size_t>(size.width * side) + static_cast<std::size_t>(x * side + k % side);
-        const Explanation& surface = surfaces[at];
+        const LitPoint surface = litPoint(surfaces[at]);
         const std::uint64_t place = static_cast<std::uint64_t>(first) << 32;
         bool exact = true;
         pixel.color += referenceBoxColor(surface, maps, brdf, plan.raysPerPass,

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/surface/lit_point.h"
 #include "filters/core/surface/surface_point.h"
 #include "filters/explain/glass_explanation.h"
 #include "filters/math/cube/cube_map.h"
@@ -28,21 +29,13 @@ struct Lookup {
   std::vector<TexelShare> texels;
 };
 
-struct ProbeExplanation {
+struct ProbeExplanation : ProbeAtPoint {
   std::string name;
-  int index = 0;           ///< in the scene's list: gives it its colour in views
   std::string technique;   ///< full id
-  float weight = 0.0f;     ///< share of the pixel, before intensity; all probes and the sky sum to 1
   float influence = 0.0f;  ///< the influence box's own weight, before sharing
-  float intensity = 1.0f;
-  bool captured = false;  ///< false: no maps yet, it gives nothing
   glm::dvec3 originWorld{0.0};
-  glm::dmat3 worldFromProbe{1.0};        ///< rotation of the box
-  glm::dmat3 mapFromProbe{1.0};          ///< from the box's axes to those of its maps
   glm::dvec3 hitWorld{0.0};              ///< H; meaningless if hitDistance is empty
-  glm::vec3 positionProbe{0.0f};         ///< P - C in the probe's axes
   glm::vec3 reflectionProbe{0.0f};       ///< R in the probe's axes
-  glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame
   std::optional<glm::vec3> slabFactors;  ///< techniques with a box only
   std::optional<float> hitDistance;      ///< d, if the technique has a proxy to hit
   std::optional<float> boxDistance;      ///< to the box, where the technique has refined it to another d
@@ -122,5 +115,8 @@ struct Explanation {
   /// What is undefined and why, what is unusual: one sentence each ("The capture origin lies outside the box, ...").
   std::vector<std::string> notes;
 };
+
+/// What of it the references begin from.
+LitPoint litPoint(const Explanation& explanation);
 
 }  // namespace boxprobe

@@ -145,9 +145,9 @@ TEST(BoxSurroundings, RaysTowardsLampsFindTheSameMean) {
   ReferenceBoxMaps plain, helped;
   plain.probes = helped.probes = {baked};
   helped.findBright();
-  Explanation pixel;
+  LitPoint pixel;
   pixel.hit = true;
-  ProbeExplanation probe;
+  ProbeAtPoint probe;
   probe.weight = 1.0f;
   probe.boxMin = {-3.0f, -1.0f, -2.0f};
   probe.boxMax = {2.0f, 2.0f, 4.0f};

@@ -49,11 +49,11 @@ VtkBenchHost::~VtkBenchHost() {
   if (impl_->query != 0) glDeleteQueries(1, &impl_->query);
 }
 
-std::vector<Explanation> VtkBenchHost::surfaces(const Scene& scene, const Camera& camera, int width, int height) {
+std::vector<LitPoint> VtkBenchHost::surfaces(const Scene& scene, const Camera& camera, int width, int height) {
   Impl& d = *impl_;
-  d.show(d.first, scene, camera);
-  std::vector<Explanation> all;
-  // An explanation holds every texel it looked up: a band of rows at a time, emptied at once.
+  d.first->show(scene, camera, d.models, d.check);
+  std::vector<LitPoint> all;
+  // An explanation holds every texel it looked up: a band of rows at a time.
   constexpr int kRows = 32;
   for (int top = 0; top < height; top += kRows) {
     d.check();
@@ -61,10 +61,7 @@ std::vector<Explanation> VtkBenchHost::surfaces(const Scene& scene, const Camera
     for (int y = top; y < std::min(top + kRows, height); ++y) {
       for (int x = 0; x < width; ++x) places.emplace_back(x, y);
     }
-    for (Explanation& e : d.first.renderer().explain(places, width, height)) {
-      for (ProbeExplanation& probe : e.probes) probe.lookups = {};
-      all.push_back(std::move(e));
-    }
+    for (const Explanation& e : d.first->renderer.explain(places, width, height)) all.push_back(litPoint(e));
   }
   return all;
 }

@@ -24,7 +24,7 @@ class VtkBenchHost : public BenchHost {
                std::shared_ptr<const ImageRgbaF> skyImage, std::function<void()> check);
   ~VtkBenchHost() override;
 
-  std::vector<Explanation> surfaces(const Scene& scene, const Camera& camera, int width, int height) override;
+  std::vector<LitPoint> surfaces(const Scene& scene, const Camera& camera, int width, int height) override;
   ReferenceBoxMaps maps(const Scene& scene) override;
   ImageRgbaF picture(const Scene& scene, const Camera& camera, int width, int height) override;
   double lookups(const Scene& scene, const Camera& camera, int width, int height,

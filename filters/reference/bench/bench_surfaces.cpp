@@ -61,18 +61,16 @@ Scene withTechnique(Scene scene, const BenchTechnique& technique) {
   return scene;
 }
 
-std::vector<BenchPixel> measuredPixels(std::vector<Explanation> picture, int width,
+std::vector<BenchPixel> measuredPixels(std::vector<LitPoint> picture, int width,
                                        const std::map<std::string, SurfaceKind>& materials) {
   std::vector<BenchPixel> pixels;
-  for (Explanation& e : picture) {
+  for (LitPoint& e : picture) {
     const auto material = materials.find(e.surface.material);
     if (!e.hit || material == materials.end()) continue;
     float weight = 0.0f;
-    for (const ProbeExplanation& probe : e.probes) weight += probe.captured ? probe.weight : 0.0f;
+    for (const ProbeAtPoint& probe : e.probes) weight += probe.captured ? probe.weight : 0.0f;
     if (weight < 0.5f) continue;
     const auto index = static_cast<std::size_t>(e.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(e.x);
-    for (ProbeExplanation& probe : e.probes) probe.lookups = {};
-    e.notes = {};
     pixels.push_back({index, material->second, std::move(e)});
   }
   return pixels;

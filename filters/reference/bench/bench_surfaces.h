@@ -9,7 +9,7 @@
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
-#include "filters/core/surface/surface_point.h"
+#include "filters/core/surface/lit_point.h"
 #include "filters/reference/bench/bench_result.h"
 
 namespace boxprobe {
@@ -29,11 +29,11 @@ Scene withTechnique(Scene scene, const BenchTechnique& technique);
 struct BenchPixel {
   std::size_t index = 0;  ///< in the picture, rows from the top
   SurfaceKind kind = SurfaceKind::Smooth;
-  Explanation explanation;  ///< without its lookups, which fill memory
+  LitPoint point;
 };
 
-/// Of a whole picture's explanations those that show such a material, mostly lit by probes.
-std::vector<BenchPixel> measuredPixels(std::vector<Explanation> picture, int width,
+/// Of a whole picture's points those that show such a material, mostly lit by probes.
+std::vector<BenchPixel> measuredPixels(std::vector<LitPoint> picture, int width,
                                        const std::map<std::string, SurfaceKind>& materials);
 
 }  // namespace boxprobe

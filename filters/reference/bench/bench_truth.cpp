@@ -90,7 +90,7 @@ TruthColors estimated(std::size_t count, const std::vector<glm::dvec3>& offset, 
 TruthColors boxTruth(const std::vector<BenchPixel>& pixels, const ReferenceBoxMaps& maps, const BrdfTable& brdf,
                      const TruthSettings& settings, const ReferenceProgress& progress) {
   const auto estimate = [&](std::size_t i, std::uint64_t seed, bool* exact) {
-    return referenceBoxColor(pixels[i].explanation, maps, brdf, settings.raysPerPass, seed, exact);
+    return referenceBoxColor(pixels[i].point, maps, brdf, settings.raysPerPass, seed, exact);
   };
   return estimated(pixels.size(), {}, settings, estimate, progress);
 }
@@ -99,7 +99,7 @@ TruthColors sceneTruth(const std::vector<BenchPixel>& pixels, const TruthColors&
                        const ReferenceScene& scene, const TruthSettings& settings, const ReferenceProgress& progress) {
   const BrdfTable& brdf = scene.light().brdf();
   const auto estimate = [&](std::size_t i, std::uint64_t seed, bool* exact) {
-    const Explanation& e = pixels[i].explanation;
+    const LitPoint& e = pixels[i].point;
     *exact = true;
     glm::dvec3 sum(0.0);
     const auto hit = scene.tracer().firstHit(e.surface.eyeWorld, e.surface.positionWorld - e.surface.eyeWorld);

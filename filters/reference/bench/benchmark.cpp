@@ -204,7 +204,7 @@ void Run::measureTechnique(std::size_t index, const Camera& camera, double rough
                                                 3.0);
       }
       // Of the reflection alone: what both have in common would hide a loss of light.
-      const Explanation& e = pixel.explanation;
+      const LitPoint& e = pixel.point;
       const glm::dvec3 common(e.direct + e.emissive + e.diffuse);
       const int bucket = std::min(static_cast<int>(e.nDotV * kAngleBuckets), kAngleBuckets - 1);
       Light& light = light_[{index, truth, roughness, bucket}];

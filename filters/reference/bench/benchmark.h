@@ -35,7 +35,7 @@ class BenchHost {
  public:
   virtual ~BenchHost() = default;
   /// Every pixel of the picture, rows from the top.
-  virtual std::vector<Explanation> surfaces(const Scene& scene, const Camera& camera, int width, int height) = 0;
+  virtual std::vector<LitPoint> surfaces(const Scene& scene, const Camera& camera, int width, int height) = 0;
   /// The capture that the picture above was explained with.
   virtual ReferenceBoxMaps maps(const Scene& scene) = 0;
   /// Linear, one sample in the middle of each pixel: the points that surfaces() explains.

@@ -11,7 +11,7 @@
 
 namespace boxprobe {
 
-BoxWorld::BoxWorld(const ProbeExplanation& probe, const CubeMap& radiance)
+BoxWorld::BoxWorld(const ProbeAtPoint& probe, const CubeMap& radiance)
     : map_(radiance),
       worldFromProbe_(probe.worldFromProbe),
       mapFromProbe_(probe.mapFromProbe),
@@ -74,8 +74,8 @@ void ReferenceBoxMaps::findBright() {
   }
 }
 
-BoxSurroundings::BoxSurroundings(const Explanation& pixel, const ReferenceBoxMaps& maps) {
-  for (const ProbeExplanation& probe : pixel.probes) {
+BoxSurroundings::BoxSurroundings(const LitPoint& pixel, const ReferenceBoxMaps& maps) {
+  for (const ProbeAtPoint& probe : pixel.probes) {
     const auto index = static_cast<std::size_t>(probe.index);
     const double share = static_cast<double>(probe.weight) * probe.intensity;
     if (share <= 0.0 || index >= maps.probes.size() || !maps.probes[index]) continue;
@@ -219,7 +219,7 @@ glm::dvec3 BoxSurroundings::meanOf(const std::function<Light(const glm::dvec3&)>
   return result;
 }
 
-glm::dvec3 referenceBoxColor(const Explanation& pixel, const ReferenceBoxMaps& maps, const BrdfTable& brdf, int rays,
+glm::dvec3 referenceBoxColor(const LitPoint& pixel, const ReferenceBoxMaps& maps, const BrdfTable& brdf, int rays,
                              std::uint64_t seed, bool* exact) {
   if (exact != nullptr) *exact = true;
   if (!pixel.hit) return glm::dvec3(pixel.color);

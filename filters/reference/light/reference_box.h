@@ -1,7 +1,7 @@
 // The world as box projection has it, integrated: a lobe's mean of what the probe's own unfiltered capture shows where
 // its rays meet the box, in double precision. What is left of a technique's error against this is the technique's
-// alone: neither the box's nor the capture's. Called by the command line, the benchmark and tests, with explanations of
-// pixels, which say what the surface is and which probes light it; knows no GL.
+// alone: neither the box's nor the capture's. Called by the command line, the benchmark and tests, with points that say
+// what the surface is and which probes light it; knows no GL.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "filters/core/picture/baked_probe.h"
-#include "filters/core/surface/surface_point.h"
+#include "filters/core/surface/lit_point.h"
 #include "filters/math/sampling/brdf_table.h"
 #include "filters/reference/trace/bright_directions.h"
 #include "filters/reference/trace/visible_normal_lobe.h"
@@ -21,8 +21,8 @@ namespace boxprobe {
 class BoxWorld {
  public:
   /// `radiance`: the probe's chain, of which level 0 is read; it must outlive this. Box and position are the
-  /// explanation's.
-  BoxWorld(const ProbeExplanation& probe, const CubeMap& radiance);
+  /// point's.
+  BoxWorld(const ProbeAtPoint& probe, const CubeMap& radiance);
 
   /// `directionWorld` unit. The exit from the box; a position outside counts as on the nearest face.
   glm::dvec3 radiance(const glm::dvec3& directionWorld) const;
@@ -60,7 +60,7 @@ struct ReferenceBoxMaps {
 class BoxSurroundings {
  public:
   /// Both must outlive this.
-  BoxSurroundings(const Explanation& pixel, const ReferenceBoxMaps& maps);
+  BoxSurroundings(const LitPoint& pixel, const ReferenceBoxMaps& maps);
   bool empty() const { return parts_.empty() && skyShare_ <= 0.0; }
   glm::dvec3 radiance(const glm::dvec3& directionWorld) const;
 
@@ -98,10 +98,10 @@ class BoxSurroundings {
   double skyShare_ = 0.0;
 };
 
-/// One estimate of the colour of an explained pixel, all of whose probes are taken as box worlds whatever their
-/// technique, the sky as it is. Everything but reflections is the explanation's own. `exact`: says whether another seed
+/// One estimate of the colour of a pixel, all of whose probes are taken as box worlds whatever their
+/// technique, the sky as it is. Everything but reflections is the point's own. `exact`: says whether another seed
 /// would give the same. Mean of estimates with independent seeds: the reference; their spread: its standard error.
-glm::dvec3 referenceBoxColor(const Explanation& pixel, const ReferenceBoxMaps& maps, const BrdfTable& brdf, int rays,
+glm::dvec3 referenceBoxColor(const LitPoint& pixel, const ReferenceBoxMaps& maps, const BrdfTable& brdf, int rays,
                              std::uint64_t seed, bool* exact = nullptr);
 
 }  // namespace boxprobe

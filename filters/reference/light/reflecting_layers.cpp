@@ -1,4 +1,4 @@
-// The terms are those of filters/explain/explain_pixel.cpp, which is held to the graphics side pixel by pixel.
+// The terms are those of the shader, as filters/explain has them, which is held to the graphics side pixel by pixel.
 #include "filters/reference/light/reflecting_layers.h"
 
 #include <algorithm>
