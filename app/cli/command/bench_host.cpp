@@ -20,7 +20,7 @@ struct VtkBenchHost::Impl {
   }
 
   /// Ready to be drawn, its captures made.
-  void show(OffscreenScene& shown, const Scene& scene, const Camera& camera) const {
+  void show(OffscreenScene& shown, const Scene& scene, const Camera& camera) {
     shown.show(scene, models, {camera});
     shown.capture([this](double) {
       check();
@@ -51,7 +51,7 @@ VtkBenchHost::~VtkBenchHost() {
 
 std::vector<LitPoint> VtkBenchHost::surfaces(const Scene& scene, const Camera& camera, int width, int height) {
   Impl& d = *impl_;
-  d.first->show(scene, camera, d.models, d.check);
+  d.show(d.first, scene, camera);
   std::vector<LitPoint> all;
   // An explanation holds every texel it looked up: a band of rows at a time.
   constexpr int kRows = 32;
@@ -61,7 +61,7 @@ std::vector<LitPoint> VtkBenchHost::surfaces(const Scene& scene, const Camera& c
     for (int y = top; y < std::min(top + kRows, height); ++y) {
       for (int x = 0; x < width; ++x) places.emplace_back(x, y);
     }
-    for (const Explanation& e : d.first->renderer.explain(places, width, height)) all.push_back(litPoint(e));
+    for (const Explanation& e : d.first.renderer().explain(places, width, height)) all.push_back(litPoint(e));
   }
   return all;
 }
