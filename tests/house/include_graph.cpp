@@ -106,7 +106,7 @@ std::vector<std::string> breaches(const Rooms& rooms, const std::vector<IncludeL
     const std::string from = folderOf(include.file), to = folderOf(include.included);
     if (rankOf(from) < 0) found.push_back(include.place() + ": filters/rooms.txt has no room " + from);
     if (rankOf(to) < 0) found.push_back(include.place() + ": filters/rooms.txt has no room " + to);
-    if (rankOf(to) > rankOf(from)) {
+    if (rankOf(from) >= 0 && rankOf(to) > rankOf(from)) {
       found.push_back(include.place() + ": " + from + " must not include " + include.included +
                       ", whose room stands further down in filters/rooms.txt");
     }

@@ -14,6 +14,7 @@
 #include "app/gui/widgets/value_field.h"
 #include "filters/core/base/fixed_text.h"
 #include "filters/explain/explanation_sections.h"
+#include "filters/explain/surface_value.h"
 
 namespace boxprobe {
 

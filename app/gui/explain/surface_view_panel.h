@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "filters/core/scene/surface_view.h"
+#include "filters/explain/explanation.h"
 
 class QCheckBox;
 class QLabel;
