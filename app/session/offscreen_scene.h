@@ -1,6 +1,6 @@
-// One scene drawn off the screen: display, window, renderer, baked files, models, scene, camera, captures, in this order
-// and written once. Called by the sub-commands, the lessons and the measuring programs; says nothing to the user and
-// knows no command line. What differs between them are the settings of the window and of what is shown.
+// One scene drawn off the screen: display, window, renderer, baked files, models, scene, camera, captures, in this
+// order and written once. Called by the sub-commands, the lessons and the measuring programs; says nothing to the user
+// and knows no command line. What differs between them are the settings of the window and of what is shown.
 #pragma once
 
 #include <vtkOpenGLRenderWindow.h>

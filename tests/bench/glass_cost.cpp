@@ -1,6 +1,5 @@
 // bench_glass: CPU time of a frame whose glass is drawn in each form against the same frame with the same surfaces
 // opaque, in turn in one process and window.
-
 #include <cstdio>
 #include <string>
 

@@ -16,9 +16,7 @@ void addFrameOptions(CLI::App& program, FrameOptions& options, const std::string
   program.add_option("--size", options.size, "Pixels")->capture_default_str();
   program.add_option("--samples", options.samples, "Samples a pixel")->capture_default_str();
   // Fewer than 2 have no interval.
-  program.add_option(pairsFlag, options.frames, "Pairs of frames")
-      ->check(CLI::Range(2, 100000))
-      ->capture_default_str();
+  program.add_option(pairsFlag, options.frames, "Pairs of frames")->check(CLI::Range(2, 100000))->capture_default_str();
 }
 
 void addCameraOption(CLI::App& program, FrameOptions& options) {

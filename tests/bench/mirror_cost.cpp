@@ -1,7 +1,6 @@
 // bench_mirrors: CPU time of a frame with planar mirrors over the same frame without, drawn in turn in one process:
 // with things moving in their view, with all of them out of it (no picture is drawn, the program looks), and with
 // nothing that moves in the scene at all (the programs are those of a scene without mirrors).
-
 #include <cstdio>
 #include <string>
 

@@ -1,7 +1,6 @@
 // See prefilter_cubes.h.
 #include "tests/bench/prefilter_cubes.h"
 
-
 #include <algorithm>
 
 #include "filters/core/base/errors.h"

@@ -1,13 +1,11 @@
 // bench_shadow: CPU time of a frame with a light's shadows by coverage over that of the same frame without, drawn in
 // turn in one process and window, and beside it the same light with a shadow map, drawn anew each frame, of everything
 // in the scene. CPU time of all threads: software OpenGL draws in this process.
-
 #include <cstdio>
 #include <string>
 
 #include "filters/vtk/gl/cpu_time.h"
 #include "tests/bench/harness.h"
-#include "filters/vtk/gl/cpu_time.h"
 
 namespace {
 
@@ -59,11 +57,10 @@ void run(const CLI::App& program, const bench::FrameOptions& options) {
         0, options.frames, [&] { return frame(*way); }, [&] { return frame(none); });
     way->drawn.requireHealthy();
     const Counters& counters = way->drawn.renderer().counters();
-    std::printf(
-        "  %-28s median %8.2f over %8.2f without: %s; %llu draws look the coverage up, %llu maps drawn\n", way->name,
-        result.first, result.second, result.ratioText().c_str(),
-        static_cast<unsigned long long>(counters.drawsWithCoverage),
-        static_cast<unsigned long long>(counters.shadowMapsDrawn));
+    std::printf("  %-28s median %8.2f over %8.2f without: %s; %llu draws look the coverage up, %llu maps drawn\n",
+                way->name, result.first, result.second, result.ratioText().c_str(),
+                static_cast<unsigned long long>(counters.drawsWithCoverage),
+                static_cast<unsigned long long>(counters.shadowMapsDrawn));
   }
 }
 

@@ -12,7 +12,7 @@ class InterruptGuard;
 class OffscreenScene;
 
 struct PictureTimes {
-  double firstFrame = 0.0;           ///< CPU seconds of the process when the first frame was drawn and, if alone, written
+  double firstFrame = 0.0;  ///< CPU seconds of the process when the first frame was drawn and, if alone, written
   std::vector<double> frameSeconds;  ///< CPU seconds of each frame; of the first one alone where none were asked for
 };
 

@@ -129,7 +129,8 @@ void ProbeWidget::dragFace(const Ray& ray) {
   const Box box = faceDrag_->box(ray, modifiers_.testFlag(Qt::ControlModifier));
   const QString face = faceName(faceDrag_->face());
   previewed_ = true;
-  editor_.previewProbe({this, 1 + 2 * faceDrag_->face().axis + (faceDrag_->face().positive ? 1 : 0)}, tr("Move face %1 of %2").arg(face, QString::fromStdString(probe->name)),
+  editor_.previewProbe({this, 1 + 2 * faceDrag_->face().axis + (faceDrag_->face().positive ? 1 : 0)},
+                       tr("Move face %1 of %2").arg(face, QString::fromStdString(probe->name)),
                        [box](Probe& edited) { setBox(edited, box); });
   const glm::dvec3 size = box.size();
   const int axis = faceDrag_->face().axis;

@@ -97,23 +97,27 @@ ValueField* GlassFields::addNumber(QFormLayout* form, const QString& name, const
   field->setObjectName(id);
   addRow(form, name, field, tip);
   const QString what = name.toLower();
-  connect(field, &ValueField::previewed, this,
-          [this, field, what, edit](double value) { preview(field, what, [edit, value](MaterialOverride& m) { edit(m, value); }); });
-  connect(field, &ValueField::committed, this,
-          [this, field, what, edit](double value) { commit(field, what, [edit, value](MaterialOverride& m) { edit(m, value); }); });
+  connect(field, &ValueField::previewed, this, [this, field, what, edit](double value) {
+    preview(field, what, [edit, value](MaterialOverride& m) { edit(m, value); });
+  });
+  connect(field, &ValueField::committed, this, [this, field, what, edit](double value) {
+    commit(field, what, [edit, value](MaterialOverride& m) { edit(m, value); });
+  });
   return field;
 }
 
-void GlassFields::preview(const void* control, const QString& what, const std::function<void(MaterialOverride&)>& edit) {
+void GlassFields::preview(const void* control, const QString& what,
+                          const std::function<void(MaterialOverride&)>& edit) {
   editor_.preview({control, 0, name_}, tr("Set %1 of %2").arg(what, QString::fromStdString(name_)),
                   [name = name_, edit](Scene& scene) { edit(scene.materials[name]); });
 }
 
 void GlassFields::commit(const void* control, const QString& what, const std::function<void(MaterialOverride&)>& edit) {
-  editor_.commit({control, 0, name_}, tr("Set %1 of %2").arg(what, QString::fromStdString(name_)), [name = name_, edit](Scene& scene) {
-    edit(scene.materials[name]);
-    if (scene.materials[name] == MaterialOverride{}) scene.materials.erase(name);
-  });
+  editor_.commit({control, 0, name_}, tr("Set %1 of %2").arg(what, QString::fromStdString(name_)),
+                 [name = name_, edit](Scene& scene) {
+                   edit(scene.materials[name]);
+                   if (scene.materials[name] == MaterialOverride{}) scene.materials.erase(name);
+                 });
 }
 
 glm::vec3 GlassFields::shownColor() const {

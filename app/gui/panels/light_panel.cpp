@@ -87,7 +87,7 @@ void LightPanel::addShadows(QFormLayout* form) {
                              {tr("And of what moves"), 2, tr("And a shadow map of objects that move")}},
                             tr("Of a light outside of a probe's box"), [this](int value) {
                               commit(tr("shadows"),
-                                   [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
+                                     [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
                             });
   shadows_->setObjectName("lightShadows");
   angle_ = addNumber(form, tr("Angle"), 90.0, 0.25, 2, tr("°"),
@@ -101,7 +101,7 @@ void LightPanel::addShadows(QFormLayout* form) {
                            {tr("By distance"), 1, tr("Levels in proportion to the distance, as published")}},
                           tr("What chooses the coverage's level"), [this](int value) {
                             commit(tr("softness"),
-                                 [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
+                                   [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
                           });
   perUnit_ = addNumber(form, tr("Levels a metre"), 100.0, 0.05, 3, "",
                        tr("0: all levels over the longest distance in the probe's box"), &Light::levelsPerUnit);

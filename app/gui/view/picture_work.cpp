@@ -21,17 +21,17 @@ PictureWork::PictureWork(const Document& document, SceneRenderer& renderer, View
       renderer_(renderer),
       viewport_(viewport),
       beforePicture_(std::move(beforePicture)),
-      scheduler_(new RenderScheduler({[this] { return viewport_.readyToDraw(); }, [this] { draw(); },
-                                      [this] { return renderer_.workPending(); },
-                                      [this] {
-                                        guarded([this] {
-                                          viewport_.window3d()->MakeCurrent();
-                                          renderer_.step();
-                                        });
-                                      },
-                                      [this] { return renderer_.workProgress(); },
-                                      [this] { return renderer_.frameCount().more() && renderer_.error().empty(); }},
-                                     this)),
+      scheduler_(new RenderScheduler(
+          {[this] { return viewport_.readyToDraw(); }, [this] { draw(); }, [this] { return renderer_.workPending(); },
+           [this] {
+             guarded([this] {
+               viewport_.window3d()->MakeCurrent();
+               renderer_.step();
+             });
+           },
+           [this] { return renderer_.workProgress(); },
+           [this] { return renderer_.frameCount().more() && renderer_.error().empty(); }},
+          this)),
       motion_(new MotionPreview({[this](bool allowed) { renderer_.allowStandIns(allowed); },
                                  [this](bool moving) { return renderer_.setMoving(moving); }},
                                 this)) {

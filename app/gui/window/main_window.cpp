@@ -48,17 +48,16 @@ MainWindow::MainWindow()
             overlay_->follow(viewport_->view());
           },
           this)),
-      files_(new FileCommands(
-          document_, *editor_,
-          {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
-           [this](const std::string& path) {
-             motionPreview().rest();
-             exportPicture(path, *renderer_, *viewport_, *overlay_);
-             scheduler().requestRender();
-           },
-           [this] { lessons_->leave(); }, [this] { return lessons_->sceneName(); },
-           [this](const QString& path) { return lessons_->mayWrite(path); }},
-          this)),
+      files_(new FileCommands(document_, *editor_,
+                              {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
+                               [this](const std::string& path) {
+                                 motionPreview().rest();
+                                 exportPicture(path, *renderer_, *viewport_, *overlay_);
+                                 scheduler().requestRender();
+                               },
+                               [this] { lessons_->leave(); }, [this] { return lessons_->sceneName(); },
+                               [this](const QString& path) { return lessons_->mayWrite(path); }},
+                              this)),
       debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
       menu_(new MenuBar(this)),
       lessons_(new LessonView(
@@ -133,7 +132,8 @@ void MainWindow::connectDocument() {
   views_.add("handles", ChangeKinds::all(), [this](const Changes&) { probeWidget_->update(); });
   panels_->subscribe(views_);
   views_.add("menu", ChangeKinds::all(), [this](const Changes&) { menu_->update(document_); });
-  views_.add("debug view", ChangeKinds::all(), [this](const Changes& changes) { debugView_->documentChanged(changes); });
+  views_.add("debug view", ChangeKinds::all(),
+             [this](const Changes& changes) { debugView_->documentChanged(changes); });
   views_.add("lessons", ChangeKinds::all(), [this](const Changes&) { lessons_->documentChanged(); });
   views_.add("title", {&Changes::file, &Changes::models}, [this](const Changes&) { updateTitle(); });
   views_.add("invitation", {&Changes::models}, [this](const Changes&) { updateInvitation(); });

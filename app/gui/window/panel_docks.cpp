@@ -97,11 +97,10 @@ void PanelDocks::buildProbes() {
   objectPanel_ = new ObjectPanel(editor);
   lightPanel_ = new LightPanel(editor);
   picturePanel_ = new PicturePanel(editor);
-  QScrollArea* panels = scrolled(column({probeList_, bakePanel_, probePanel_, capturePanel_, materialPanel_,
-                                         objectPanel_, lightPanel_, picturePanel_}));
+  QScrollArea* panels = scrolled(column(
+      {probeList_, bakePanel_, probePanel_, capturePanel_, materialPanel_, objectPanel_, lightPanel_, picturePanel_}));
   panels->setMinimumWidth(kPanelWidth);
-  add(tr("Probes"), "probes", panels)
-      ->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+  add(tr("Probes"), "probes", panels)->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
   connect(bakePanel_, &BakePanel::statesChanged, probeList_, &ProbeList::showStates);
   connect(bakePanel_, &BakePanel::message, this, &PanelDocks::message);
   connect(bakePanel_, &BakePanel::failed, this, &PanelDocks::failed);
