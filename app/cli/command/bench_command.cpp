@@ -1,8 +1,6 @@
 // See bench_command.h.
 #include "app/cli/command/bench_command.h"
 
-#include <vtkOpenGLRenderWindow.h>
-
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,14 +10,12 @@
 #include "app/cli/command/bench_host.h"
 #include "app/cli/options/bench_options.h"
 #include "app/cli/report/contact_sheet.h"
-#include "app/session/display_check.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/number_text.h"
 #include "filters/io/files/atomic_file.h"
@@ -52,11 +48,6 @@ void requireFolder(const std::string& folder) {
   fs::create_directories(folder, error);
   if (error) throw InputError("-o " + folder + ": cannot create this folder: " + error.message());
   requireWritable("-o", folder + "/bench.json");
-}
-
-std::shared_ptr<const ImageRgbaF> skyImage(const Scene& scene) {
-  const auto* image = std::get_if<SkyImage>(&scene.sky);
-  return image != nullptr ? std::make_shared<ImageRgbaF>(loadHdrImage(image->file)) : nullptr;
 }
 
 void printSummary(const BenchResult& result, const std::string& folder) {
@@ -135,13 +126,12 @@ void runBench(const BenchOptions& options) {
   const LoadedScene loaded = loadScene(scenePath, options.assignments);
   const BenchPlan plan = benchPlan(options, loaded.scene);
   if (!options.report.quiet) printWarnings(loaded.warnings);
-  requireDisplay("boxprobe bench");
-  requireFolder(options.folder);
-  installVtkMessages(options.report.quiet, false);
   interrupt.check();
 
   const FrameSize timed = timedFrameSize(options);
-  VtkBenchHost host(loaded.models, skyImage(loaded.scene), timed.width, timed.height, [] {});
+  VtkBenchHost host({"boxprobe bench", timed.width, timed.height, 1, options.report.quiet}, loaded.models,
+                    loadSkyImage(loaded.scene), [] {});
+  requireFolder(options.folder);
   Contacts contacts(plan);
   BenchResult result = [&] {
     ProgressLine line("measuring", !options.report.quiet);

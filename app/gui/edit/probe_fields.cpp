@@ -20,11 +20,11 @@ ValueField* addProbeNumber(Editor& editor, QFormLayout* form, const QString& lab
   auto* field = new ValueField(format, form->parentWidget());
   addRow(form, label, field, toolTip);
   const QString what = label.toLower();
-  QObject::connect(field, &ValueField::previewed, field, [&editor, what, edit](double value) {
-    editor.previewProbe(probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
+  QObject::connect(field, &ValueField::previewed, field, [&editor, field, what, edit](double value) {
+    editor.previewProbe({field}, probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
   });
-  QObject::connect(field, &ValueField::committed, field, [&editor, what, edit](double value) {
-    editor.commitProbe(probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
+  QObject::connect(field, &ValueField::committed, field, [&editor, field, what, edit](double value) {
+    editor.commitProbe({field}, probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
   });
   return field;
 }

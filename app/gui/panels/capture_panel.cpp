@@ -131,10 +131,10 @@ void CapturePanel::buildView(QFormLayout* form) {
     };
   };
   connect(clearColor_, &VectorRow::previewed, this, [this, edit](int channel, double value) {
-    editor_.previewProbe(probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
+    editor_.previewProbe({clearColor_}, probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
   });
   connect(clearColor_, &VectorRow::committed, this, [this, edit](int channel, double value) {
-    editor_.commitProbe(probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
+    editor_.commitProbe({clearColor_}, probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
   });
   hides_ = new HidesList(this);
   addRow(form, tr("Hides"), hides_, tr("Objects this probe does not see, such as one that stands at its origin"));

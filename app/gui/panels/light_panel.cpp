@@ -34,9 +34,9 @@ void LightPanel::addSky(QFormLayout* form) {
   addRow(form, tr("Sky turned by"), turn_, tip);
   const auto turned = [](double value) { return [value](Scene& scene) { scene.skyRotationDegrees = value; }; };
   connect(turn_, &ValueField::previewed, this,
-          [this, turned](double value) { editor_.preview(tr("Turn the sky"), turned(value)); });
+          [this, turned](double value) { editor_.preview({turn_}, tr("Turn the sky"), turned(value)); });
   connect(turn_, &ValueField::committed, this,
-          [this, turned](double value) { editor_.commit(tr("Turn the sky"), turned(value)); });
+          [this, turned](double value) { editor_.commit({turn_}, tr("Turn the sky"), turned(value)); });
 }
 
 void LightPanel::addPlace(QFormLayout* form) {
@@ -54,18 +54,18 @@ void LightPanel::addPlace(QFormLayout* form) {
     };
   };
   connect(place_, &VectorRow::previewed, this,
-          [this, moved](int axis, double value) { edit(true, tr("place"), moved(axis, value)); });
+          [this, moved](int axis, double value) { edit(place_, true, tr("place"), moved(axis, value)); });
   connect(place_, &VectorRow::committed, this,
-          [this, moved](int axis, double value) { edit(false, tr("place"), moved(axis, value)); });
+          [this, moved](int axis, double value) { edit(place_, false, tr("place"), moved(axis, value)); });
   intensity_ = new ValueField({0.0, 1e6, 0.25, 3, ""}, this);
   addRow(form, tr("Intensity"), intensity_, tr("Irradiance of a directional light, radiant intensity of any other"));
   const auto brighter = [](double value) {
     return [value](Light& light) { light.intensity = static_cast<float>(value); };
   };
   connect(intensity_, &ValueField::previewed, this,
-          [this, brighter](double value) { edit(true, tr("intensity"), brighter(value)); });
+          [this, brighter](double value) { edit(intensity_, true, tr("intensity"), brighter(value)); });
   connect(intensity_, &ValueField::committed, this,
-          [this, brighter](double value) { edit(false, tr("intensity"), brighter(value)); });
+          [this, brighter](double value) { edit(intensity_, false, tr("intensity"), brighter(value)); });
 }
 
 ValueField* LightPanel::addNumber(QFormLayout* form, const QString& text, double most, double step, int decimals,
@@ -74,9 +74,9 @@ ValueField* LightPanel::addNumber(QFormLayout* form, const QString& text, double
   field->setToolTip(toolTip);
   addRow(form, text, field, toolTip);
   connect(field, &ValueField::previewed, this,
-          [=](double value) { edit(true, text, [=](Light& light) { light.*member = value; }); });
+          [=](double value) { edit(field, true, text, [=](Light& light) { light.*member = value; }); });
   connect(field, &ValueField::committed, this,
-          [=](double value) { edit(false, text, [=](Light& light) { light.*member = value; }); });
+          [=](double value) { edit(field, false, text, [=](Light& light) { light.*member = value; }); });
   return field;
 }
 
@@ -86,8 +86,8 @@ void LightPanel::addShadows(QFormLayout* form) {
                              {tr("By coverage"), 1, tr("Where the probe saw an opening the light comes in")},
                              {tr("And of what moves"), 2, tr("And a shadow map of objects that move")}},
                             tr("Of a light outside of a probe's box"), [this](int value) {
-                              edit(false, tr("shadows"),
-                                   [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
+                              commit(tr("shadows"),
+                                     [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
                             });
   shadows_->setObjectName("lightShadows");
   angle_ = addNumber(form, tr("Angle"), 90.0, 0.25, 2, tr("°"),
@@ -100,8 +100,8 @@ void LightPanel::addShadows(QFormLayout* form) {
                           {{tr("By size"), 0, tr("The light's size, laid on the wall")},
                            {tr("By distance"), 1, tr("Levels in proportion to the distance, as published")}},
                           tr("What chooses the coverage's level"), [this](int value) {
-                            edit(false, tr("softness"),
-                                 [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
+                            commit(tr("softness"),
+                                   [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
                           });
   perUnit_ = addNumber(form, tr("Levels a metre"), 100.0, 0.05, 3, "",
                        tr("0: all levels over the longest distance in the probe's box"), &Light::levelsPerUnit);
@@ -128,13 +128,18 @@ QString LightPanel::label(const QString& what) const {
   return tr("Set %1 of light %2").arg(what.toLower()).arg(static_cast<int>(index().value_or(0)) + 1);
 }
 
-void LightPanel::edit(bool preview, const QString& what, const LightEdit& change) {
+void LightPanel::commit(const QString& what, const LightEdit& change) {
+  edit(nullptr, false, what, change);
+}
+
+void LightPanel::edit(const void* control, bool preview, const QString& what, const LightEdit& change) {
   const auto at = index();
   if (!at) return;
   const Document::Edit whole = [at, change](Scene& scene) {
     if (*at < scene.lights.size()) change(scene.lights[*at]);
   };
-  preview ? editor_.preview(label(what), whole) : editor_.commit(label(what), whole);
+  const EditToken token{control, 0, std::to_string(*at)};
+  preview ? editor_.preview(token, label(what), whole) : editor_.commit(token, label(what), whole);
 }
 
 void LightPanel::update() {

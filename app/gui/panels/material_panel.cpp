@@ -104,11 +104,11 @@ QString MaterialPanel::label() const {
 }
 
 void MaterialPanel::preview(double roughness) {
-  editor_.preview(label(), roughnessEdit(material(), roughness));
+  editor_.preview({this, 0, material()}, label(), roughnessEdit(material(), roughness));
 }
 
 void MaterialPanel::commit(double roughness) {
-  editor_.commit(label(), roughnessEdit(material(), roughness));
+  editor_.commit({this, 0, material()}, label(), roughnessEdit(material(), roughness));
 }
 
 void MaterialPanel::update() {

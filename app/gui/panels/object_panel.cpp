@@ -74,18 +74,24 @@ void ObjectPanel::connectVector(VectorRow* row, const QString& pattern, glm::dve
   const auto edit = [this, field](int axis, double value) {
     return objectEdit([=](ObjectOverride& object) { (object.*field)[axis] = value; });
   };
-  connect(row, &VectorRow::previewed, this,
-          [=](int axis, double value) { editor_.preview(label(pattern), edit(axis, value)); });
-  connect(row, &VectorRow::committed, this,
-          [=](int axis, double value) { editor_.commit(label(pattern), edit(axis, value)); });
+  connect(row, &VectorRow::previewed, this, [=](int axis, double value) {
+    editor_.preview({row, 0, node()}, label(pattern), edit(axis, value));
+  });
+  connect(row, &VectorRow::committed, this, [=](int axis, double value) {
+    editor_.commit({row, 0, node()}, label(pattern), edit(axis, value));
+  });
 }
 
 void ObjectPanel::connectNumber(ValueField* field, const QString& pattern, double PlanarMirror::*member) {
   const auto edit = [this, member](double value) {
     return mirrorEdit([=](PlanarMirror& mirror) { mirror.*member = value; });
   };
-  connect(field, &ValueField::previewed, this, [=](double value) { editor_.preview(label(pattern), edit(value)); });
-  connect(field, &ValueField::committed, this, [=](double value) { editor_.commit(label(pattern), edit(value)); });
+  connect(field, &ValueField::previewed, this, [=](double value) {
+    editor_.preview({field, 0, node()}, label(pattern), edit(value));
+  });
+  connect(field, &ValueField::committed, this, [=](double value) {
+    editor_.commit({field, 0, node()}, label(pattern), edit(value));
+  });
 }
 
 void ObjectPanel::makeMirror(bool on) {

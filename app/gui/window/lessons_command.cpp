@@ -18,7 +18,6 @@
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
 #include "filters/io/files/atomic_file.h"
@@ -126,9 +125,8 @@ void writeStats(const LessonsOptions& options, LessonPlayer& player) {
 /// Draws, writes and checks. Throws WorkError if a claim does not hold.
 void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& options, const Output& output) {
   const InterruptGuard interrupt;
-  requireDisplay("boxprobe lessons");
-  installVtkMessages(options.report.quiet, false);
-  LessonPhotographer photographer(kPictureWidth, kPictureHeight, [&] { return !interrupt.interrupted(); });
+  LessonPhotographer photographer(
+      kPictureWidth, kPictureHeight, [&] { return !interrupt.interrupted(); }, options.report.quiet);
   LessonPage page;
   std::size_t broken = 0, claims = 0;
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
