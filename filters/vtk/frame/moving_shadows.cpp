@@ -89,14 +89,10 @@ void MovingShadows::drawMap(Map& map, const glm::dmat4& mapFromWorld) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    glGenFramebuffers(1, &map.framebuffer);
-    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.texture, 0);
-    glDrawBuffer(GL_NONE);
-    glReadBuffer(GL_NONE);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      throw WorkError("OpenGL refuses the framebuffer for a shadow map");
-    }
+  }
+  if (!map.framebuffer.made()) {
+    map.framebuffer.attach({}, textureImage(map.texture),
+                           [](GLenum) { return "OpenGL refuses the framebuffer for a shadow map"; });
   }
   vtkOpenGLShaderCache* cache = window_->GetShaderCache();
   if (program_ == nullptr) {
@@ -109,7 +105,7 @@ void MovingShadows::drawMap(Map& map, const glm::dmat4& mapFromWorld) {
     cache->ReadyShaderProgram(program_);
   }
   if (program_ == nullptr || !program_->GetCompiled()) throw WorkError("the shader depth_vertex does not compile");
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.handle());
   state->vtkglViewport(0, 0, kMovingMapSize, kMovingMapSize);
   const vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST), cull(state, GL_CULL_FACE);
   const vtkOpenGLState::ScopedglDepthMask depthMask(state);
@@ -143,7 +139,7 @@ void MovingShadows::release() {
   geometry_.release();
   for (Map& map : maps_) {
     glDeleteTextures(1, &map.texture);
-    glDeleteFramebuffers(1, &map.framebuffer);
+    map.framebuffer.release();
   }
   maps_.clear();
   state_->movingShadows.clear();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "filters/explain/explanation.h"
+#include "filters/vtk/gl/framebuffer.h"
 
 class vtkCamera;
 class vtkLight;
@@ -48,7 +49,8 @@ class SurfaceCapture {
 
   vtkOpenGLRenderWindow* window_;
   vtkSmartPointer<vtkRenderer> renderer_;
-  GLuint framebuffer_ = 0, depth_ = 0;
+  Framebuffer framebuffer_;
+  GLuint depth_ = 0;
   std::array<GLuint, kAttachments> textures_{};
   int width_ = 0, height_ = 0;
 };
