@@ -23,6 +23,7 @@
 #include "filters/vtk/surface/coverage_uniforms.h"
 #include "filters/vtk/surface/glass_draw.h"
 #include "filters/vtk/surface/plain_surface.h"
+#include "filters/vtk/surface/probe_source.h"
 #include "filters/vtk/surface/static_textures.h"
 #include "filters/vtk/surface/vtk_pbr_splice.h"
 
