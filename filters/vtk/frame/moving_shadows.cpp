@@ -53,7 +53,7 @@ MovingShadows::MovingShadows(vtkOpenGLRenderWindow* window, std::shared_ptr<Draw
 void MovingShadows::update() {
   if (!stale_) return;
   stale_ = false;
-  state_->movingShadows.clear();
+  state_->resources.movingShadows.clear();
   std::optional<Box> casters;
   for (const DrawnObject& object : content_->objects) {
     if (!casts(object)) continue;
@@ -63,15 +63,16 @@ void MovingShadows::update() {
   if (!casters) return;
   const std::vector<Light>& lights = content_->scene.lights;
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (lights[i].shadows != LightShadows::CoverageAndMap || state_->shadowLightsInUse.count(static_cast<int>(i)) == 0)
+    if (lights[i].shadows != LightShadows::CoverageAndMap ||
+        state_->resources.shadowLightsInUse.count(static_cast<int>(i)) == 0)
       continue;
     const auto matrix = movingMapFromWorld(lights[i], *casters);
     if (!matrix) continue;
-    const std::size_t at = state_->movingShadows.size();
+    const std::size_t at = state_->resources.movingShadows.size();
     if (maps_.size() <= at) maps_.emplace_back();
     drawMap(maps_[at], *matrix);
-    state_->movingShadows.push_back({static_cast<int>(i), maps_[at].texture, *matrix});
-    ++state_->counters.shadowMapsDrawn;
+    state_->resources.movingShadows.push_back({static_cast<int>(i), maps_[at].texture, *matrix});
+    ++state_->counts.counters.shadowMapsDrawn;
   }
 }
 
@@ -100,7 +101,7 @@ void MovingShadows::drawMap(Map& map, const glm::dmat4& mapFromWorld) {
     const std::string fragment =
         "//VTK::System::Dec\n//VTK::Output::Dec\nvoid main()\n{\n  gl_FragData[0] = vec4(0.0);\n}\n";
     program_ = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
-    ++state_->counters.programsCompiled;
+    ++state_->counts.counters.programsCompiled;
   } else {
     cache->ReadyShaderProgram(program_);
   }
@@ -142,7 +143,7 @@ void MovingShadows::release() {
     map.framebuffer.release();
   }
   maps_.clear();
-  state_->movingShadows.clear();
+  state_->resources.movingShadows.clear();
   program_ = nullptr;
   stale_ = true;
 }

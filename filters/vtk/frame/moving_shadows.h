@@ -6,10 +6,10 @@
 #include <deque>
 #include <memory>
 
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/frame/depth_geometry.h"
 #include "filters/vtk/gl/framebuffer.h"
 #include "filters/vtk/scene/scene_content.h"
-#include "filters/vtk/surface/draw_state.h"
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;

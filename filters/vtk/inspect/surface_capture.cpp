@@ -11,13 +11,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "filters/vtk/draw/pass_scope.h"
 #include "filters/vtk/frame/vtkTargetPass.h"
 #include "filters/vtk/gl/gl_objects.h"
 
 namespace boxprobe {
 
-SurfaceCapture::SurfaceCapture(vtkOpenGLRenderWindow* window)
-    : window_(window), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+SurfaceCapture::SurfaceCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state)
+    : window_(window), state_(std::move(state)), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
   renderer_->GetCullers()->RemoveAllItems();
   renderer_->AutomaticLightCreationOff();
   renderer_->SetLightFollowCamera(false);
@@ -64,13 +65,18 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
   pass->Viewport[3] = height;
   pass->Props = props;
   renderer_->SetRenderWindow(window_);
-  renderer_->SetActiveCamera(shaped);
   renderer_->RemoveAllLights();
   for (vtkLight* light : lights) renderer_->AddLight(light);
-  // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload.
-  shaped->Modified();
-  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  renderer_->Render();
+  {
+    const PassScope scope(*state_, renderer_, shaped, [&](PassSettings& settings) {
+      settings.debug.view = 0;
+      settings.exposure = kLinearOutput;
+      settings.countDraws = false;
+      settings.pixelOrigin = glm::ivec2(rect.x, height - rect.y - rect.height);
+    });
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    renderer_->Render();
+  }
 
   const auto count = static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
   std::array<std::vector<glm::vec4>, kAttachments> values;

@@ -7,9 +7,11 @@
 #include <vtk_glew.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "filters/explain/explanation.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/framebuffer.h"
 
 class vtkCamera;
@@ -33,7 +35,7 @@ struct SurfacePixel {
 
 class SurfaceCapture {
  public:
-  explicit SurfaceCapture(vtkOpenGLRenderWindow* window);
+  SurfaceCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state);
   ~SurfaceCapture();
   SurfaceCapture(const SurfaceCapture&) = delete;
   SurfaceCapture& operator=(const SurfaceCapture&) = delete;
@@ -48,6 +50,7 @@ class SurfaceCapture {
   void allocate(int width, int height);
 
   vtkOpenGLRenderWindow* window_;
+  std::shared_ptr<DrawState> state_;
   vtkSmartPointer<vtkRenderer> renderer_;
   Framebuffer framebuffer_;
   GLuint depth_ = 0;

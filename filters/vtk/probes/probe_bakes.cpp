@@ -61,7 +61,7 @@ void ProbeSet::loadFile(const Job& job) {
     for (int face = 0; index && face < 6; ++face) {
       faces[static_cast<std::size_t>(face)] = faceKey(*index, job.bounce, face);
     }
-    ++state_->counters.mapsLoaded;
+    ++state_->counts.counters.mapsLoaded;
     finish(job, std::move(faces), std::move(maps), true);
   } catch (const InputError&) {
     folder_.forget(job.key);
@@ -179,7 +179,7 @@ void ProbeSet::seeAgain() {
 void ProbeSet::finish(const Job& job, FaceKeys faces, std::shared_ptr<const ProbeMaps> maps, bool fromFile) {
   current_.reset();
   if (job.name.empty()) {
-    state_->sky = maps;
+    state_->resources.sky = maps;
     skyShown_ = job.key;
     showOpenings();
     cache_.add(job.key, {}, std::move(maps));

@@ -8,10 +8,11 @@ namespace boxprobe {
 
 void ProbeSet::updateShadowLights() {
   const std::vector<Light>& lights = content_->scene.lights;
-  state_->shadowLights.clear();
+  state_->resources.shadowLights.clear();
   for (const Light& light : lights) {
     const bool bySize = light.shadowLevel == ShadowLevel::Size;
-    state_->shadowLights.push_back({lightSize(light), bySize ? -1.0f : static_cast<float>(light.levelsPerUnit)});
+    state_->resources.shadowLights.push_back(
+        {lightSize(light), bySize ? -1.0f : static_cast<float>(light.levelsPerUnit)});
   }
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     DrawnProbe& drawn = *entries_[i].drawn;

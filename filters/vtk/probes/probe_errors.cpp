@@ -52,7 +52,7 @@ void ProbeSet::measureErrors(std::size_t index) {
   const TurnedCube turned(chain, geometry.mapFromProbe);
   entry.drawn->errors = std::make_shared<const TechniqueErrors>(
       measureTechniqueErrors(turned, probeShape(geometry, chain.maxLevel(), 0.0f)));
-  ++state_->counters.errorsMeasured;
+  ++state_->counts.counters.errorsMeasured;
   assignToObjects();
 }
 

@@ -33,12 +33,12 @@ bool ProbeSet::updateOpenings() {
     const bool open = asked && drawn.maps && openingsOf(*drawn.maps).any;
     changed |= drawn.open != open;
     drawn.open = open;
-    if (!open || !state_->sky) continue;
-    const auto of = std::make_pair(drawn.maps, state_->sky);
+    if (!open || !state_->resources.sky) continue;
+    const auto of = std::make_pair(drawn.maps, state_->resources.sky);
     if (entries_[i].openSkyOf == of) continue;
     entries_[i].openSkyOf = of;
     drawn.openSky = skyThroughOpenings(openingsOf(*drawn.maps).reduced, rotationMatrix(drawn.maps->capturedRotation),
-                                       openingsOf(*state_->sky).reduced);
+                                       openingsOf(*state_->resources.sky).reduced);
   }
   return changed;
 }
@@ -49,10 +49,10 @@ void ProbeSet::showOpenings() {
 
 std::function<void(bool)> ProbeSet::withoutSky(std::function<void(bool)> drawing) {
   return [this, drawing = std::move(drawing)](bool begins) {
-    if (begins) skyKept_ = state_->sky;
-    if (begins) state_->sky = nullptr;
+    if (begins) skyKept_ = state_->resources.sky;
+    if (begins) state_->resources.sky = nullptr;
     if (drawing) drawing(begins);
-    if (!begins) state_->sky = std::move(skyKept_);
+    if (!begins) state_->resources.sky = std::move(skyKept_);
   };
 }
 

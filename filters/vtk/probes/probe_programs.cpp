@@ -33,10 +33,10 @@ void ProbeSet::assign(bool newProgramsAllowed) {
     prepare(i, object.mapper->GetBinding()->standIn());
     if (editable_) prepare(i, general->standIn());
   }
-  state_->shadowLightsInUse.clear();
+  state_->resources.shadowLightsInUse.clear();
   for (const DrawnObject& object : content_->objects) {
     if (const ProbeBinding* binding = object.mapper->GetBinding())
-      state_->shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
+      state_->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
   }
   findUsed();
   updateStandIns();

@@ -204,7 +204,7 @@ void ProbeSet::showCached() {
   }
   if (skyWanted_ == skyShown_) return;
   if (auto maps = cache_.find(skyWanted_)) {
-    state_->sky = std::move(maps);
+    state_->resources.sky = std::move(maps);
     skyShown_ = skyWanted_;
     showOpenings();
   }
@@ -220,7 +220,7 @@ void ProbeSet::updateCaptures() {
 void ProbeSet::setInteractive(bool interactive) {
   if (interactive_ == interactive) return;
   interactive_ = interactive;
-  state_->dragging = interactive;
+  state_->setDragging(interactive);
   assign(true);
   replan();
 }
@@ -474,7 +474,7 @@ void ProbeSet::release() {
     entry.shown.clear();
     entry.faces = {};
   }
-  state_->sky.reset();
+  state_->resources.sky.reset();
   skyShown_.clear();
 }
 

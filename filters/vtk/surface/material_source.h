@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/vtk/surface/surface_material.h"
+#include "filters/vtk/draw/surface_material.h"
 
 namespace boxprobe {
 

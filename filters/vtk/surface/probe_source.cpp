@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "filters/math/shared/shader_source.h"
+#include "filters/vtk/draw/scene_resources.h"
 #include "filters/vtk/gl/full_screen_pass.h"
-#include "filters/vtk/surface/draw_state.h"
 #include "filters/vtk/surface/text_replace.h"
 
 namespace boxprobe {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "filters/vtk/surface/probe_binding.h"
+#include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/surface/surface_output.h"
 
 namespace boxprobe {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "filters/vtk/surface/probe_binding.h"
-#include "filters/vtk/surface/surface_material.h"
+#include "filters/vtk/draw/probe_binding.h"
+#include "filters/vtk/draw/surface_material.h"
 #include "filters/vtk/surface/surface_output.h"
 
 namespace boxprobe {
