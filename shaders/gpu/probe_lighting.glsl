@@ -1,4 +1,4 @@
-// What the probes and the sky add to a pixel of VTK's PBR shader. Spliced in by filters/vtk/surface/vtk_pbr_splice.cpp, which defines
+// What the probes and the sky add to a pixel of VTK's PBR shader. Spliced in by filters/vtk/surface/probe_source.cpp, which defines
 //   BP_SLOTS     probes this draw may use (0 to 4), most important first
 //   BP_GROUPS    runs of equal importance among them
 //   BP_BEVEL     defined if any of their boxes has rounded edges

@@ -1,4 +1,4 @@
-#include "filters/vtk/surface/glass_surface.h"
+#include "filters/vtk/draw/glass_surface.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>

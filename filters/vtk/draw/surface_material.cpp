@@ -1,4 +1,4 @@
-#include "filters/vtk/surface/surface_material.h"
+#include "filters/vtk/draw/surface_material.h"
 
 #include "filters/vtk/gl/software_driver.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "filters/core/scene/model.h"
-#include "filters/vtk/surface/glass_surface.h"
+#include "filters/vtk/draw/glass_surface.h"
 
 namespace boxprobe {
 

@@ -1,4 +1,4 @@
-#include "filters/vtk/surface/probe_binding.h"
+#include "filters/vtk/draw/probe_binding.h"
 
 #include <algorithm>
 
