@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 
@@ -83,10 +84,12 @@ FramePanel::FramePanel(Editor& editor, Hooks hooks, QWidget* parent)
   weights_->setObjectName("objectWeights");
   weights_->addItems({tr("At each pixel"), tr("One for the object")});
   form->addRow(tr("Name"), objectName_);
-  addRow(form, tr("Probes"), mode_, tr("Which probes this object is lit by"));
-  addRow(form, tr("Weights"), weights_,
-         tr("One for the object is the share of its bounds that a probe's influence box holds: cheaper, and wrong for "
-            "large objects"));
+  const auto& mode = objectField("probeMode");
+  const auto& weights = objectField("weights");
+  addRow(form, tr("Probes"), mode_, fieldTip(mode));
+  addRow(form, tr("Weights"), weights_, fieldTip(weights));
+  for (int i = 0; i < mode_->count(); ++i) mode_->setItemData(i, choiceTip(mode, i), Qt::ToolTipRole);
+  for (int i = 0; i < weights_->count(); ++i) weights_->setItemData(i, choiceTip(weights, i), Qt::ToolTipRole);
   column->addWidget(objectPart_);
   objectPart_->hide();
 

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <exception>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
@@ -65,14 +66,11 @@ void ImageFields::addFile() {
 }
 
 void ImageFields::addLayout() {
+  const auto& row = probeField("imageLayout");
   layout_ = addProbeChoice(
       form_, tr("Layout"),
-      {{tr("Detected"), static_cast<int>(CubeLayout::Automatic), tr("By the file's attributes, shape or name")},
-       {tr("Latitude-longitude"), static_cast<int>(CubeLayout::LatLong)},
-       {tr("Strip of faces"), static_cast<int>(CubeLayout::Strip)},
-       {tr("Cross"), static_cast<int>(CubeLayout::Cross)},
-       {tr("Six files"), static_cast<int>(CubeLayout::SixFiles)}},
-      tr("How the surroundings lie in the image. Default: detected"), [this](int layout) {
+      choicesOf(row, {tr("Detected"), tr("Latitude-longitude"), tr("Strip of faces"), tr("Cross"), tr("Six files")}),
+      fieldTip(row), [this](int layout) {
         editor_.commitProbe(probeEditLabel(editor_, tr("image layout")),
                             [layout](Probe& probe) { probe.imageLayout = static_cast<CubeLayout>(layout); });
       });
@@ -80,15 +78,10 @@ void ImageFields::addLayout() {
 }
 
 void ImageFields::addEncoding() {
+  const auto& row = probeField("encoding");
   encoding_ = addProbeChoice(
-      form_, tr("Encoding"),
-      {{tr("Linear"), static_cast<int>(ImageEncoding::Linear), tr("Radiance as it is: OpenEXR, Radiance HDR")},
-       {tr("RGBM"), static_cast<int>(ImageEncoding::Rgbm),
-        tr("Multiplier times M to the exponent times the colour, M in alpha, the colour sRGB: Unity's textures")},
-       {tr("dLDR"), static_cast<int>(ImageEncoding::Dldr),
-        tr("Multiplier times the colour, which is sRGB: Unity's double LDR")},
-       {tr("RGBM, linear bytes"), static_cast<int>(ImageEncoding::RgbmLinear), tr("RGBM whose colour is linear")}},
-      tr("How the image's texels hold radiance. Default: linear"), [this](int encoding) {
+      form_, tr("Encoding"), choicesOf(row, {tr("Linear"), tr("RGBM"), tr("dLDR"), tr("RGBM, linear bytes")}),
+      fieldTip(row), [this](int encoding) {
         editor_.commitProbe(probeEditLabel(editor_, tr("encoding")), [encoding](Probe& probe) {
           probe.encoding = static_cast<ImageEncoding>(encoding);
           probe.decode.reset();  // another encoding's says nothing of this one

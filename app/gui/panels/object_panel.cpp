@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 #include "app/gui/widgets/value_field.h"
@@ -22,12 +23,14 @@ ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
       editor_(editor),
       nodes_(new QuietCombo(this)),
       dynamic_(new QCheckBox(tr("Moves: baked probes leave it out"), this)),
-      position_(new VectorRow({-1e7, 1e7, 0.05, 3, ""}, tr("on top of where its model puts it, scene units"), this)),
-      rotation_(new VectorRow({-3600.0, 3600.0, 5.0, 1, ""}, tr("degrees, about its node's own origin"), this)),
+      position_(
+          new VectorRow(fieldFormat(objectField("translation"), 0.05, 3), fieldTip(objectField("translation")), this)),
+      rotation_(new VectorRow(fieldFormat(objectField("rotationDegrees"), 5.0, 1),
+                              fieldTip(objectField("rotationDegrees")), this)),
       mirror_(new QCheckBox(tr("Reflects objects that move"), this)),
       mirrorPart_(new QWidget(this)),
-      maxRoughness_(new ValueField({0.0, 1.0, 0.05, 3, ""}, this)),
-      resolution_(new ValueField({0.1, 4.0, 0.25, 2, ""}, this)),
+      maxRoughness_(new ValueField(fieldFormat(mirrorField("maxRoughness"), 0.05, 3), this)),
+      resolution_(new ValueField(fieldFormat(mirrorField("resolution"), 0.25, 2), this)),
       problem_(helpLabel(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -37,11 +40,10 @@ ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
   position_->setObjectName("objectPosition");
   rotation_->setObjectName("objectRotation");
   addRow(form, tr("Name"), nodes_, tr("Object of the model, by its node's name in the file"));
-  dynamic_->setToolTip(
-      tr("Baked probes do not see it, so that moving it captures nothing anew; planar mirrors show it"));
+  dynamic_->setToolTip(fieldTip(objectField("dynamic")));
   form->addRow(QString(), dynamic_);
-  addRow(form, tr("Moved by"), position_, tr("On top of where its model puts it"));
-  addRow(form, tr("Turned by"), rotation_, tr("Degrees about X, Y, Z, around its node's own origin"));
+  addRow(form, tr("Moved by"), position_, fieldTip(objectField("translation")));
+  addRow(form, tr("Turned by"), rotation_, fieldTip(objectField("rotationDegrees")));
 
   QFormLayout* plane = addSection(this, tr("Planar mirror"));
   mirror_->setObjectName("planarMirror");
@@ -52,8 +54,8 @@ ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
   part->setContentsMargins(0, 0, 0, 0);
   maxRoughness_->setObjectName("mirrorMaxRoughness");
   resolution_->setObjectName("mirrorResolution");
-  addRow(part, tr("Up to roughness"), maxRoughness_, tr("Rougher than this, it has no picture and costs nothing"));
-  addRow(part, tr("Texels a pixel"), resolution_, tr("Of its picture, each way; its mip levels do the rest"));
+  addRow(part, tr("Up to roughness"), maxRoughness_, fieldTip(mirrorField("maxRoughness")));
+  addRow(part, tr("Texels a pixel"), resolution_, fieldTip(mirrorField("resolution")));
   plane->addRow(mirrorPart_);
   problem_->setObjectName("mirrorProblem");
   plane->addRow(problem_);
