@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QSignalBlocker>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 
@@ -46,6 +47,12 @@ void showChoice(QComboBox* combo, int value, const QString& pattern) {
   const QSignalBlocker quiet(combo);
   if (combo->findData(value) < 0) combo->addItem(pattern.arg(value), value);
   combo->setCurrentIndex(combo->findData(value));
+}
+
+QVector<ProbeChoice> choicesOf(const FieldInfo& field, const QStringList& names) {
+  QVector<ProbeChoice> choices;
+  for (int i = 0; i < names.size(); ++i) choices.push_back({names[i], i, choiceTip(field, i)});
+  return choices;
 }
 
 }  // namespace boxprobe

@@ -22,13 +22,6 @@ namespace {
 const ValueField::Format kRadiance{0.0, 1e5, 0.05, 3, ""};
 constexpr double kLeastRange = 1e-3;  ///< metres between near and far
 
-/// The choices of a row under the window's names for them.
-QVector<ProbeChoice> choicesOf(const FieldInfo& field, const QStringList& names) {
-  QVector<ProbeChoice> choices;
-  for (int i = 0; i < names.size(); ++i) choices.push_back({names[i], i, choiceTip(field, i)});
-  return choices;
-}
-
 Clear clearOf(int index) {
   if (index == 0) return ClearToSky{};
   if (index == 1) return ClearToNone{};

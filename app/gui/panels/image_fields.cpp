@@ -79,14 +79,14 @@ void ImageFields::addLayout() {
 
 void ImageFields::addEncoding() {
   const auto& row = probeField("encoding");
-  encoding_ = addProbeChoice(
-      form_, tr("Encoding"), choicesOf(row, {tr("Linear"), tr("RGBM"), tr("dLDR"), tr("RGBM, linear bytes")}),
-      fieldTip(row), [this](int encoding) {
-        editor_.commitProbe(probeEditLabel(editor_, tr("encoding")), [encoding](Probe& probe) {
-          probe.encoding = static_cast<ImageEncoding>(encoding);
-          probe.decode.reset();  // another encoding's says nothing of this one
-        });
-      });
+  encoding_ = addProbeChoice(form_, tr("Encoding"),
+                             choicesOf(row, {tr("Linear"), tr("RGBM"), tr("dLDR"), tr("RGBM, linear bytes")}),
+                             fieldTip(row), [this](int encoding) {
+                               editor_.commitProbe(probeEditLabel(editor_, tr("encoding")), [encoding](Probe& probe) {
+                                 probe.encoding = static_cast<ImageEncoding>(encoding);
+                                 probe.decode.reset();  // another encoding's says nothing of this one
+                               });
+                             });
   encoding_->setObjectName("encoding");
   const auto part = [](double glm::dvec2::*member) {
     return [member](Probe& probe, double value) {

@@ -93,7 +93,7 @@ void LightPanel::addShadows(QFormLayout* form) {
                              {tr("And of what moves"), 2, choiceTip(shadows, 2)}},
                             fieldTip(shadows), [this](int value) {
                               commit(tr("shadows"),
-                                   [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
+                                     [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
                             });
   shadows_->setObjectName("lightShadows");
   angle_ = addNumber(form, tr("Angle"), "angleDegrees", 0.25, 2, &Light::angleDegrees);

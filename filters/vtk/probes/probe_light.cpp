@@ -51,7 +51,8 @@ void ProbeLight::updateShadowLights() {
   state_->resources.shadowLights.clear();
   for (const Light& light : lights) {
     const bool bySize = light.shadowLevel == ShadowLevel::Size;
-    state_->resources.shadowLights.push_back({lightSize(light), bySize ? -1.0f : static_cast<float>(light.levelsPerUnit)});
+    state_->resources.shadowLights.push_back(
+        {lightSize(light), bySize ? -1.0f : static_cast<float>(light.levelsPerUnit)});
   }
   for (std::size_t i = 0; i < shown_->size(); ++i) {
     const Probe& probe = content_->scene.probes[i];

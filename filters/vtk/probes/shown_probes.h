@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "filters/vtk/probes/probe_entries.h"
 #include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/probes/probe_entries.h"
 
 namespace boxprobe {
 
