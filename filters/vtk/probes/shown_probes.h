@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/probes/probe_entries.h"
 
 namespace boxprobe {
