@@ -13,12 +13,6 @@ namespace boxprobe {
 
 namespace {
 
-/// The surface's Fresnel reflectance at N.V, mean of its colours: Schlick between F0 and F90.
-float meanFresnel(const glm::vec3& f0, const glm::vec3& f90, float nDotV) {
-  const glm::vec3 f = f0 + (f90 - f0) * std::pow(1.0f - nDotV, 5.0f);
-  return glm::dot(f, glm::vec3(1.0f / 3.0f));
-}
-
 /// What glass reflects is less by what passes it, and what passes is looked up along the bent view.
 void addGlass(Explanation& e, const ExplainInput& in, const shading::GlassView& through,
               const glm::vec3& reflectedLight, const glm::vec3& edge) {
@@ -39,8 +33,8 @@ void addGlass(Explanation& e, const ExplainInput& in, const shading::GlassView& 
 void addCoat(Explanation& e, const ExplainInput& in) {
   const SurfacePoint& s = in.surface;
   const float coatNDotV = std::clamp(glm::dot(s.coatNormalWorld, s.viewWorld), 1.0e-5f, 1.0f);
-  const GatheredLight coat =
-      gatherLight(in, s.coatNormalWorld, s.coatRoughness, meanFresnel(glm::vec3(s.coatF0), glm::vec3(1.0f), coatNDotV));
+  const GatheredLight coat = gatherLight(in, s.coatNormalWorld, s.coatRoughness,
+                                         shading::meanFresnel(glm::vec3(s.coatF0), glm::vec3(1.0f), coatNDotV));
   const glm::vec2 brdf = sampleBrdf(*in.brdf, coatNDotV, s.coatRoughness);
   const float fresnel = s.coatF0 + (1.0f - s.coatF0) * std::pow(1.0f - coatNDotV, 5.0f);
   e.coat = s.occlusion * coat.specular * (s.coatF0 * brdf.x + brdf.y) * fresnel * s.coatStrength;
@@ -68,7 +62,7 @@ void lightByProbes(Explanation& e, const ExplainInput& in, const glm::vec3& edge
   GatheredLight light = through && through->followed
                             ? gatherAlong(in, s.eyeWorld + glm::dvec3(through->mirrored.position),
                                           through->mirrored.direction, std::sqrt(through->mirrored.alpha))
-                            : gatherLight(in, s.normalWorld, s.roughness, meanFresnel(e.f0, edge, e.nDotV));
+                            : gatherLight(in, s.normalWorld, s.roughness, shading::meanFresnel(e.f0, edge, e.nDotV));
   e.brdf = sampleBrdf(*in.brdf, e.nDotV, s.roughness);
   e.specular = s.occlusion * light.specular * (e.f0 * e.brdf.x + edge * e.brdf.y);
   e.diffuse = s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo;

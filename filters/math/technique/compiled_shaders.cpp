@@ -83,6 +83,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/box_occlusion.glsl"
 #include "shaders/shared/cube.glsl"
 #include "shaders/shared/edge_fixup.glsl"  // after cube.glsl, which it uses
+#include "shaders/shared/fresnel.glsl"
 #include "shaders/shared/ggx.glsl"
 #include "shaders/shared/hash.glsl"
 #include "shaders/shared/level_curve.glsl"  // after roughness.glsl, which it uses
