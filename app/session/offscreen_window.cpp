@@ -19,7 +19,7 @@ vtkSmartPointer<vtkOpenGLRenderWindow> openOffscreenWindow(const OffscreenSettin
   installVtkMessages(settings.quiet, settings.printErrors);
   const auto any = vtkSmartPointer<vtkRenderWindow>::New();
   vtkSmartPointer<vtkOpenGLRenderWindow> window = vtkOpenGLRenderWindow::SafeDownCast(any);
-  if (!window) throw WorkError("this VTK has no OpenGL render window: build it with VTK's RenderingOpenGL2 module");
+  if (!window) throw WorkError("this VTK has no OpenGL render window: build it with the RenderingOpenGL2 module");
   window->SetOffScreenRendering(1);  // draws into a framebuffer of its own, and shows nothing
   window->SetMultiSamples(0);
   window->SetSize(settings.width, settings.height);

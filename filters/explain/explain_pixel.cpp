@@ -105,8 +105,8 @@ Explanation explainPixel(const ExplainInput& in) {
   const float facing = glm::dot(s.normalWorld, s.viewWorld);
   if (facing <= 0.0f) {
     e.notes.emplace_back(
-        "The shading normal points away from the eye: mirrored in it the ray would start below the surface, so it goes "
-        "straight on.");
+        "The shading normal points away from the eye. A ray reflected about it would start below the surface, so it "
+        "goes straight on.");
   }
   e.nDotV = std::clamp(facing, 1.0e-5f, 1.0f);
   e.f0 = glm::mix(glm::vec3(s.baseF0), s.albedo, s.metallic);

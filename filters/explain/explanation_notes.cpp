@@ -17,7 +17,7 @@ bool inside(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high, flo
 
 void addProbeNotes(const ProbeExplanation& p, std::vector<std::string>& notes) {
   if (p.weight <= 0.0f) {
-    notes.push_back("Probe \"" + p.name + "\": its weight is 0 here, so nothing is fetched from it.");
+    notes.push_back("Probe \"" + p.name + "\": its weight is 0 here, so it is not sampled.");
     return;
   }
   if (!p.captured) notes.push_back("Probe \"" + p.name + "\" has not been captured yet: it reflects nothing.");
@@ -30,8 +30,8 @@ void addProbeNotes(const ProbeExplanation& p, std::vector<std::string>& notes) {
   const float skin = 1.0e-4f * glm::length(p.boxMax - p.boxMin);
   if (!inside(glm::vec3(0.0f), p.boxMin, p.boxMax, 0.0f)) {
     notes.push_back("Probe \"" + p.name +
-                    "\": the capture origin lies outside the projection box, so part of what the lookup names was "
-                    "never seen from inside the box.");
+                    "\": the capture origin lies outside the projection box, so a part of the sampled surfaces was "
+                    "never captured from inside the box.");
   }
   if (!inside(p.positionProbe, p.boxMin, p.boxMax, skin)) {
     notes.push_back("Probe \"" + p.name +
@@ -40,7 +40,7 @@ void addProbeNotes(const ProbeExplanation& p, std::vector<std::string>& notes) {
   }
   if (!p.trueDistance && p.captured) {
     notes.push_back("Probe \"" + p.name +
-                    "\": its distances do not tell the true hit here (open sky, or hidden from the capture origin).");
+                    "\": its distances do not give the true hit here (open sky, or hidden from the capture origin).");
   }
 }
 
@@ -49,7 +49,7 @@ void addProbeNotes(const ProbeExplanation& p, std::vector<std::string>& notes) {
 void addNotes(Explanation& e, const ExplainInput& in) {
   const SurfacePoint& s = e.surface;
   if (s.opacity < 0.999f) {
-    e.notes.emplace_back("The surface is translucent: what lies behind it shows through and is not part of this.");
+    e.notes.emplace_back("The surface is translucent. What lies behind it shows through and is not explained here.");
   }
   if (e.glass && e.glass->stands > 0.0f) {
     e.notes.push_back("Light passes the glass nearly straight: " + fixedText(100.0 * double(e.glass->stands), 1) +
@@ -58,8 +58,8 @@ void addNotes(Explanation& e, const ExplainInput& in) {
   }
   if (e.probes.empty()) {
     e.notes.emplace_back(
-        "No probe lights this object, because none reaches it or its probeMode is off: it reflects the sky alone, "
-        "uncorrected.");
+        "No probe lights this object, because none reaches it or its probeMode is off. The current sky shows through, "
+        "not box-projected.");
   }
   for (const ProbeExplanation& p : e.probes) addProbeNotes(p, e.notes);
   for (const ExplainedProbe& probe : in.probes) {

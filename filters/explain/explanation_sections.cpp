@@ -26,7 +26,7 @@ ExplanationSection surfaceSection(const Explanation& e) {
   rows.push_back(vector("V", s.viewWorld, "", "towards the eye, unit"));
   if (normal) {
     rows.push_back(vector("R", e.reflectionWorld, "", "reflected direction, 2 max(N.V, 0) N - V"));
-    rows.push_back(scalar("N.V", e.nDotV, "", "cosine of the angle of view"));
+    rows.push_back(scalar("N.V", e.nDotV, "", "cosine of the view angle"));
   }
   rows.push_back(
       scalar("p", s.roughness, "", "perceptual roughness; alpha = p^2 = " + fixedText(s.roughness * s.roughness)));
@@ -36,15 +36,15 @@ ExplanationSection surfaceSection(const Explanation& e) {
   rows.push_back(vector("F_0", e.f0, "",
                         "reflectance at normal incidence: mix(" + fixedText(s.baseF0, 3) + ", base colour, metallic)"));
   if (s.occlusion < 1.0f)
-    rows.push_back(scalar("AO", s.occlusion, "", "the material's occlusion, factor of all but emission"));
+    rows.push_back(scalar("AO", s.occlusion, "", "the material's occlusion, a factor of all light but emission"));
   if (s.opacity < 1.0f) rows.push_back(scalar("opacity", s.opacity, "", "of the surface"));
   return section;
 }
 
 ExplanationSection skySection(const Explanation& e) {
   ExplanationSection section{"Sky: " + percent(e.skyWeight) + " of the pixel", {}, -1};
-  section.rows.push_back(
-      light("L_sky", e.skyValue, "what no probe takes, looked up along R at level " + fixedText(e.skyLevel, 2)));
+  section.rows.push_back(light(
+      "L_sky", e.skyValue, "the share that no probe takes, sampled along R at mip level " + fixedText(e.skyLevel, 2)));
   return section;
 }
 
@@ -56,8 +56,8 @@ ExplanationSection glassSection(const Explanation& e) {
       scalar("n_1/n_2", g.eta, "", "index on the eye's side over that beyond; the glass has " + fixedText(g.ior)));
   rows.push_back(scalar("F", g.reflectance, "",
                         g.reflectance >= 1.0f ? "totally reflected: the view is flatter than the critical angle"
-                                              : "Fresnel's reflectance at N.V, the exact one of a dielectric"));
-  std::string direction = "where the view goes on: what the probes are asked for";
+                                              : "exact Fresnel reflectance of a dielectric at N.V"));
+  std::string direction = "refracted view direction, in which the probes are sampled";
   if (g.form == "two-interface" && !g.back) {
     direction += ", bent at the front and where it leaves";
     if (g.mirrored > 0) direction += "; mirrored within " + std::to_string(g.mirrored) + " times on the way";
@@ -65,7 +65,8 @@ ExplanationSection glassSection(const Explanation& e) {
   rows.push_back(vector("T", g.directionWorld, "", direction));
   rows.push_back(vector("Q", g.exitWorld, kLength, "from where it is followed to the box"));
   rows.push_back(scalar("x", g.distance, kLength, "the way within"));
-  rows.push_back(scalar("p_T", g.roughness, "", "roughness of a mirror that would scatter as far: the level's"));
+  rows.push_back(
+      scalar("p_T", g.roughness, "", "roughness of a mirror that would scatter as far; gives the mip level"));
   rows.push_back(light("Beer", g.transmittance, "left of white light after x"));
   rows.push_back(light("passes", g.passed, "factor: transmission (1 - reflected) base colour Beer"));
   rows.push_back(light("L_T", g.looked, "found along T: " + g.sources));
@@ -109,7 +110,7 @@ ExplanationSection sumSection(const Explanation& e) {
   auto& rows = section.rows;
   rows.push_back(light("direct", e.direct, "light sources"));
   rows.push_back(light("emissive", e.emissive, "the surface's own light"));
-  rows.push_back(light("diffuse", e.diffuse, "light from all around N, with the base colour"));
+  rows.push_back(light("diffuse", e.diffuse, "light from all directions around N, times the base colour"));
   rows.push_back(
       light("specular", e.specular,
             (e.glass ? "reflected light times F (A + B); A = " : "reflected light times F_0 A + F_90 B; A = ") +

@@ -64,19 +64,19 @@ void addProjection(const ProbeExplanation& p, std::vector<ExplanationRow>& rows)
     if (p.boxDistance) {
       rows.push_back(scalar("d_box", *p.boxDistance, kLength, meaning));
       meaning =
-          p.distanceLookups > 0 ? "along R to where the technique takes the hit to be" : "along R to the rounded edge";
+          p.distanceLookups > 0 ? "along R to the hit as the technique refines it" : "along R to the rounded edge";
       if (p.distanceLookups > 0) {
-        meaning += ", by " + std::to_string(p.distanceLookups) + " lookups of the distances the probe saw";
+        meaning += ", by " + std::to_string(p.distanceLookups) + " lookups of the captured distances";
       }
     }
     rows.push_back(scalar("d", *p.hitDistance, kLength, meaning));
     rows.push_back(vector("H", p.hitWorld, kLength, "hit point, P + d R"));
-    rows.push_back(vector("H - C", p.lookupDirection, kLength, "what the cubemap is looked up with"));
+    rows.push_back(vector("H - C", p.lookupDirection, kLength, "direction in which the cubemap is sampled"));
   } else {
     rows.push_back(vector("L", p.lookupDirection, "", "what the cubemap is looked up with; nothing is hit"));
   }
   if (p.trueDistance) {
-    std::string meaning = "along R to what the probe itself saw";
+    std::string meaning = "along R to the captured surface";
     if (p.hitDistance) meaning += "; the proxy is off by " + fixedText(std::abs(*p.hitDistance - *p.trueDistance));
     rows.push_back(scalar("d_true", *p.trueDistance, kLength, meaning));
   }
@@ -125,7 +125,7 @@ ExplanationRow restRow(const ProbeExplanation& p, const std::vector<std::size_t>
     high = std::max(high, lookup.level);
   }
   return light("...", share > 0.0f ? sum / share : sum,
-               std::to_string(rest.size()) + " more fetches, which bring less light: " + percent(share) +
+               std::to_string(rest.size()) + " more lookups, which bring less light: " + percent(share) +
                    " together, their mean; levels " + fixedText(low, 2) + " to " + fixedText(high, 2));
 }
 
@@ -159,15 +159,16 @@ void addLookups(const Explanation& e, const ProbeExplanation& p, const Explanati
     addTexels(p, lookup, detail, rows);
   }
   if (shown < order.size()) rows.push_back(restRow(p, {order.begin() + static_cast<long>(shown), order.end()}));
-  rows.push_back(light("L_spec", p.specular, "the probe's reflected light: its fetches by their shares"));
+  rows.push_back(light("L_spec", p.specular, "the probe's reflected light: its lookups by their shares"));
   if (p.coverage) {
     rows.push_back(scalar("a", *p.coverage, "", "how much of that the probe covers; the sky shows for 1 - a"));
     rows.push_back(light("L_sky", p.openSky,
-                         p.openByLookup ? "the sky each lookup looks out to, their mean"
-                                        : "the sky along R, uncorrected, at level " + fixedText(p.openSkyLevel, 2)));
+                         p.openByLookup
+                             ? "mean of the sky that each lookup sees"
+                             : "the sky along R, not box-projected, at mip level " + fixedText(p.openSkyLevel, 2)));
   }
   if (p.occlusion) rows.push_back(scalar("o", *p.occlusion, "", "factor of L_spec: box occlusion by the distance d"));
-  rows.push_back(light("E/pi", p.irradiance, "its light from all around N, for the diffuse part"));
+  rows.push_back(light("E/pi", p.irradiance, "its light from all directions around N, for the diffuse part"));
 }
 
 }  // namespace
@@ -184,7 +185,8 @@ ExplanationSection probeSection(const Explanation& e, std::size_t index, const E
   addProjection(p, section.rows);
   if (p.lookups.empty()) {
     section.rows.push_back(
-        row("fetch", {}, "", p.captured ? "none: its share cannot show" : "none: not captured yet, it gives no light"));
+        row("fetch", {}, "",
+            p.captured ? "none: its share is too small to show" : "none: not captured yet, it gives no light"));
   } else {
     addLookups(e, p, detail, section.rows);
   }

@@ -20,7 +20,7 @@ void addFrameOptions(CLI::App& program, FrameOptions& options, const std::string
 }
 
 void addCameraOption(CLI::App& program, FrameOptions& options) {
-  program.add_option("--camera", options.camera, "Camera of the scene (default: main, else the first)");
+  program.add_option("--camera", options.camera, "Camera of the scene (default: main, or else the first)");
 }
 
 OffscreenSettings windowSettings(const CLI::App& program, const FrameOptions& options) {

@@ -171,7 +171,7 @@ TEST_F(BakePanelTest, StopLeavesTheRestAndTheStateSaysSo) {
   click("stopBake");
   waitUntilIdle();
   EXPECT_TRUE(window_->renderer().workPending());
-  EXPECT_EQ(state(), "Stale: capturing was stopped");
+  EXPECT_EQ(state(), "Out of date: capturing was stopped");
   EXPECT_FALSE(named<QToolButton>("stopBake")->isEnabled());
   window_->scheduler().resumeWork();
   waitUntilIdle();

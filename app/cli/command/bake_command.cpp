@@ -117,7 +117,7 @@ void runBake(const BakeOptions& options) {
   if (!options.report.quiet) printWarnings(shown.renderer().remarks());
   if (interrupt.interrupted()) {
     throw WorkError("interrupted: " + std::to_string(files.size()) + " files are complete in " + folder +
-                    "; the same command goes on from there");
+                    "; the same command continues from there");
   }
 
   const RunStats stats = collectStats(shown.renderer(), shown.window());
@@ -136,29 +136,28 @@ void runBake(const BakeOptions& options) {
 }  // namespace
 
 Subcommand addBakeCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("bake", "Capture and filter the baked probes of a scene into files");
+  CLI::App* command = program.add_subcommand("bake", "Capture and filter a scene's baked probes into files");
   const auto options = std::make_shared<BakeOptions>();
   command
       ->add_option("SCENE", options->scenePath,
                    "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
       ->required();
   command
-      ->add_option(
-          "-o,--output", options->folder,
-          "Folder for the EXR files (default: SCENE.probes beside the scene, where render and the window look)")
+      ->add_option("-o,--output", options->folder,
+                   "Folder for the EXR files (default: SCENE.probes beside the scene, where render and the window look "
+                   "for them)")
       ->type_name("DIR");
-  command->add_option("--probe", options->probes, "Only this probe (repeatable; default: every baked one)")
+  command->add_option("--probe", options->probes, "Bake only this probe (repeatable; default: every baked probe)")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
-  addReportOptions(*command, options->report, "Print what --stats writes");
+  addReportOptions(*command, options->report, "Print the JSON that --stats writes");
   command->footer(
-      "Probes whose file was made from the same inputs are skipped, so a second call goes on where the first was\n"
-      "stopped, and does nothing if nothing changed.\n"
-      "Example:\n"
-      "  boxprobe bake data/scenes/building.boxprobe.json -o out/building.probes --stats bake.json");
+      "Skips probes whose file was made from the same inputs: a second call continues where the first one stopped\nand "
+      "does nothing if nothing changed.\nExample:\n  boxprobe bake data/scenes/building.boxprobe.json -o "
+      "out/building.probes --stats bake.json");
   return {command, [options] { runBake(*options); }};
 }
 

@@ -113,7 +113,7 @@ void saveChart(const std::string& path, const BenchResult& result, Truth truth) 
   FrontChartText text;
   text.title = std::string("Run time against error: ") + result.scene + ", against the " +
                (truth == Truth::Box ? "integral over the box" : "traced scene");
-  text.costAxis = "CPU time of a frame over plain box projection's, " + std::to_string(result.timedWidth) + " x " +
+  text.costAxis = "CPU time of a frame relative to plain box projection, " + std::to_string(result.timedWidth) + " x " +
                   std::to_string(result.timedHeight);
   savePng(path, frontChartPicture(paretoPoints(result, truth), text, 1400, 900));
 }
@@ -153,7 +153,7 @@ void runBench(const BenchOptions& options) {
   if (!result.complete) {
     const std::string partial = options.folder + "/bench.json.partial";
     writeTextAtomically(partial, json);
-    throw WorkError("interrupted: what there was of the benchmark is in " + partial);
+    throw WorkError("interrupted; partial results are in " + partial);
   }
   writeTextAtomically(options.folder + "/bench.json", json);
   writeTextAtomically(options.folder + "/bench.csv", benchCsv(result));
@@ -175,7 +175,7 @@ void runBench(const BenchOptions& options) {
 }  // namespace
 
 Subcommand addBenchCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("bench", "Measure run time against error of every technique");
+  CLI::App* command = program.add_subcommand("bench", "Measure every technique's run time and error");
   const auto options = std::make_shared<BenchOptions>();
   addBenchOptions(*command, *options);
   return {command, [options] { runBench(*options); }};

@@ -82,26 +82,26 @@ void runExplain(const ExplainOptions& options) {
 }  // namespace
 
 Subcommand addExplainCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("explain", "Say how the colour of one pixel comes about, step by step");
+  CLI::App* command = program.add_subcommand("explain", "Explain step by step how one pixel gets its colour");
   const auto options = std::make_shared<ExplainOptions>();
   command
       ->add_option("SCENE", options->scenePath,
                    "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
       ->required();
-  command->add_option("--pixel", options->pixel, "The pixel, from 0,0 at the top left of the picture")
+  command->add_option("--pixel", options->pixel, "Pixel to explain; 0,0 is the top left of the picture")
       ->type_name("X,Y")
       ->required();
   command->add_option("--size", options->size, "Width and height of the picture (default 1280x720)")->type_name("WxH");
-  command->add_option("--camera", options->camera, "Camera of the scene (default: main, else the first)")
+  command->add_option("--camera", options->camera, "Camera of the scene (default: main, or else the first)")
       ->type_name("NAME");
   command
       ->add_option("--technique", options->technique,
-                   "Technique of every probe (default: as in the scene): " + techniqueIdList())
+                   "Technique of every probe (default: the scene's): " + techniqueIdList())
       ->type_name("ID");
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
-  addReportOptions(*command, options->report, "Print the same as JSON");
+  addReportOptions(*command, options->report, "Print the explanation as JSON");
   command->footer(
       "Example:\n"
       "  boxprobe explain data/scenes/building.boxprobe.json --pixel 640,500");

@@ -44,8 +44,8 @@ ReferenceBoxMaps readMaps(SceneRenderer& renderer, const Scene& scene, bool quie
   for (const Probe& probe : scene.probes) {
     if (probe.filter == FilterKind::Gaussian && !quiet) {
       printWarnings({"probes." + probe.name +
-                     ".filter: gaussian blurs what was captured, and reference-box integrates "
-                     "over that; for the lobe alone set it to ggx"});
+                     ".filter: gaussian blurs the capture, and reference-box integrates over the blurred capture; set "
+                     "it to ggx to judge the lobe alone"});
     }
   }
   return boxMaps(renderer, scene);
@@ -157,7 +157,7 @@ void renderReference(const RenderOptions& options, bool linear) {
   if (!picture.complete) {
     const std::string partial = options.outputPath + ".partial";
     savePicture(partial, picture, linear, loaded.scene.exposure);
-    throw WorkError("interrupted: what there was of the picture is in " + partial);
+    throw WorkError("interrupted; the partial picture is in " + partial);
   }
   savePicture(options.outputPath, picture, linear, loaded.scene.exposure);
   const ErrorSummary error = summary(picture);
@@ -166,7 +166,7 @@ void renderReference(const RenderOptions& options, bool linear) {
   if (options.report.json) {
     std::fputs(json.c_str(), stdout);
   } else if (!options.report.quiet) {
-    std::printf("%s: %d x %d, camera %s, %s, %d rays a pixel, standard error %.2g (root mean square), %.2g at most\n",
+    std::printf("%s: %d x %d, camera %s, %s, %d rays per pixel, standard error %.2g (root mean square), %.2g at most\n",
                 options.outputPath.c_str(), picture.color.width, picture.color.height, camera.name.c_str(),
                 options.technique.c_str(), options.rays, error.rootMeanSquare, error.largest);
   }

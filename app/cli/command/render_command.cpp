@@ -27,14 +27,15 @@ void warnOfSamples(const OffscreenScene& shown, int wanted) {
   const int offered = shown.window()->GetMultiSamples();
   if (wanted <= 1 || offered >= wanted) return;
   printWarnings({"--samples " + std::to_string(wanted) + ": this OpenGL offers " + std::to_string(offered) +
-                 " samples a pixel, the picture is drawn with those"});
+                 " samples per pixel; the picture is drawn with that many"});
 }
 
 void runRender(const RenderOptions& options) {
   const bool linear = requireExtension("-o", options.outputPath, {".png", ".exr"}) == ".exr";
   const FrameSize size = parseFrameSize(options.size);
   if (linear && options.view == kAllViews) {
-    throw InputError("-o " + options.outputPath + ": a sheet of all views is a .png; an .exr holds one view's numbers");
+    throw InputError("-o " + options.outputPath +
+                     ": a sheet of all views must be a .png; an .exr holds the numbers of one view");
   }
   requireWritable("-o", options.outputPath);
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
@@ -77,7 +78,7 @@ void runRender(const RenderOptions& options) {
 }  // namespace
 
 Subcommand addRenderCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("render", "Draw a scene into a picture file, without a window");
+  CLI::App* command = program.add_subcommand("render", "Render a scene to a picture file without a window");
   const auto options = std::make_shared<RenderOptions>();
   addRenderOptions(*command, *options);
   return {command, [options] { runRender(*options); }};

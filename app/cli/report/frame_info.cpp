@@ -99,19 +99,19 @@ Json frameReportJson(const FrameReport& report) {
 std::string frameReportText(const FrameReport& report) {
   std::string text = "frame\n  draws with 0, 1, 2, 3, 4 probes:";
   for (const std::size_t draws : report.drawsByProbeCount) text += " " + std::to_string(draws);
-  text += "\n  kinds of program: " + std::to_string(report.variants) + "\n";
+  text += "\n  shader variants: " + std::to_string(report.variants) + "\n";
   if (report.lookups) {
-    text += "  lookups a pixel:" + number(" mean %.3f,", report.lookups->mean) +
+    text += "  lookups per pixel:" + number(" mean %.3f,", report.lookups->mean) +
             number(" at most %.0f\n", report.lookups->most);
   }
   text += "  maps: " + number("%.1f MiB\n", static_cast<double>(report.bytes) / 1048576.0);
   const std::vector<std::string> mirrors = mirrorLines(report);
   if (!mirrors.empty()) text += "planar mirrors\n";
   for (const std::string& line : mirrors) text += "  " + line + "\n";
-  text += "left out of the frame\n";
+  text += "skipped in the frame\n";
   for (const std::string& line : skippedLines(report)) text += "  " + line + "\n";
   for (const std::string& line : leftOutLines(report)) text += "  " + line + "\n";
-  text += "probes of the drawn objects, as shares of their bounds\n";
+  text += "probes of the drawn objects, by share of their bounds\n";
   std::size_t listed = 0;
   for (const FrameReport::Object& object : report.objects) {
     if (object.drawn && ++listed <= kListed) text += objectLine(object) + "\n";

@@ -103,7 +103,7 @@ void CapturePanel::buildView(QFormLayout* form) {
   clear_ = addProbeChoice(form, tr("Clear to"),
                           {{tr("Sky"), 0, choiceTip(clear, 0)},
                            {tr("Nothing"), 1, choiceTip(clear, 1)},
-                           {tr("Colour"), 2, tr("The same light from everywhere")},
+                           {tr("Colour"), 2, tr("The same light from all directions")},
                            {tr("Open"), 3, choiceTip(clear, 2)}},
                           fieldTip(clear), [this](int index) {
                             editor_.commitProbe(probeEditLabel(editor_, tr("clear")), [index](Probe& probe) {
@@ -111,7 +111,7 @@ void CapturePanel::buildView(QFormLayout* form) {
                             });
                           });
   clearColor_ = new VectorRow(kRadiance, tr("linear radiance, scene units"), this, "RGB");
-  addRow(form, tr("Colour"), clearColor_, tr("Linear radiance of what the probe does not see"));
+  addRow(form, tr("Colour"), clearColor_, tr("Linear radiance where the probe sees nothing"));
   const auto edit = [](int channel, double value) {
     return [=](Probe& probe) {
       if (auto* color = std::get_if<glm::vec3>(&probe.clear)) (*color)[channel] = static_cast<float>(value);

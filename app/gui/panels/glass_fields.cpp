@@ -40,7 +40,7 @@ GlassFields::GlassFields(Editor& editor, QWidget* parent) : QWidget(parent), edi
   color_->setObjectName("attenuationColor");
   addRow(form, tr("Color"), color_, colorTip);
   reset_ = new QPushButton(tr("Glass as in the model"), this);
-  reset_->setToolTip(tr("Removes the scene's own values above; those in the model file count again"));
+  reset_->setToolTip(tr("Removes the scene's values above; those in the model file apply again"));
   form->addRow(QString(), reset_);
 
   connect(form_, QOverload<int>::of(&QComboBox::activated), this, [this](int row) {

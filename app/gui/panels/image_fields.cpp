@@ -58,10 +58,9 @@ void ImageFields::addFile() {
   choose->setText(tr("Choose..."));
   row->addWidget(name_, 1);
   row->addWidget(choose);
-  addRow(
-      form_, tr("Image"), row_,
-      tr("OpenEXR, Radiance HDR, or PNG or JPEG with an encoding: latitude-longitude, cross, strip, or one of six face "
-         "files"));
+  addRow(form_, tr("Image"), row_,
+         tr("OpenEXR or Radiance HDR, or PNG or JPEG with an encoding: a latitude-longitude map, a cross, a strip, or "
+            "one of six face files"));
   connect(choose, &QToolButton::clicked, this, &ImageFields::choose);
 }
 

@@ -43,7 +43,7 @@ void LightPanel::addSky(QFormLayout* form) {
 void LightPanel::addPlace(QFormLayout* form) {
   lights_ = new QuietCombo(this);
   lights_->setObjectName("light");
-  addRow(form, tr("Light"), lights_, tr("Light of the scene, in the order of its file"));
+  addRow(form, tr("Light"), lights_, tr("Lights in the order of the scene file"));
   connect(lights_, QOverload<int>::of(&QComboBox::activated), this, &LightPanel::update);
   const auto& direction = lightField("direction");
   const QString tip = tr("Directional: %1 Others: %2").arg(fieldTip(direction), fieldTip(lightField("position")));
@@ -90,7 +90,7 @@ void LightPanel::addShadows(QFormLayout* form) {
   shadows_ = addProbeChoice(form, tr("Shadows"),
                             {{tr("None"), 0, choiceTip(shadows, 0)},
                              {tr("By coverage"), 1, choiceTip(shadows, 1)},
-                             {tr("And of what moves"), 2, choiceTip(shadows, 2)}},
+                             {tr("By coverage, and for moving objects"), 2, choiceTip(shadows, 2)}},
                             fieldTip(shadows), [this](int value) {
                               commit(tr("shadows"),
                                      [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });

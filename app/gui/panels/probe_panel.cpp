@@ -136,8 +136,8 @@ void ProbePanel::buildInfluence() {
   importance_ = addProbeNumber(editor_, form, tr("Importance"), fieldFormat(importance, 1.0, 2), fieldTip(importance),
                                [](Probe& probe, double value) { probe.importance = value; });
 
-  ownInfluence_ = new QCheckBox(tr("Influence box of its own"), this);
-  ownInfluence_->setToolTip(tr("Off: the probe reaches as far as its projection box"));
+  ownInfluence_ = new QCheckBox(tr("Separate influence box"), this);
+  ownInfluence_->setToolTip(tr("Off: the influence box is the projection box"));
   form->addRow(ownInfluence_);
   influenceFields_ = new QWidget(this);
   auto* fields = new QFormLayout(influenceFields_);

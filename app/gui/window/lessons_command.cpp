@@ -98,7 +98,8 @@ struct Output {
         sheet(!page && isPicture(path)) {
     if (path.empty()) return;
     if (sheet && options.name.empty()) {
-      throw InputError("-o " + path + ": a picture holds one lesson; name it, or give a folder for all sheets, or " +
+      throw InputError("-o " + path +
+                       ": a picture holds one lesson; name the lesson, or give a folder for all sheets, or " +
                        "a .html file for a page of all");
     }
     if (page || sheet) {
@@ -192,19 +193,18 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
 }  // namespace
 
 Subcommand addLessonsCommand(CLI::App& program, int& argc, char** argv) {
-  CLI::App* command = program.add_subcommand("lessons", "List the lessons, open one, or draw them on sheets or a page");
+  CLI::App* command = program.add_subcommand("lessons", "List the lessons, open one, or draw them as sheets or a page");
   const auto options = std::make_shared<LessonsOptions>();
-  command->add_option("NAME", options->name, "The lesson to open in the window, or to draw");
+  command->add_option("NAME", options->name, "Lesson to open in the window or to draw");
   command
       ->add_option("-o,--output", options->outputPath,
-                   "Draw instead: a sheet (.png, .jpg) of the lesson; a page (.html) of it, or of all without NAME; or "
-                   "a folder for the sheets of all")
+                   "Draw instead of opening: a sheet (.png, .jpg) of the lesson; a page (.html) of it, or of all "
+                   "without NAME; or a folder for all sheets")
       ->type_name("FILE");
-  command->add_flag("--check", options->check,
-                    "Measure what the lessons claim; exit status 1 if a claim does not hold");
-  command->add_option("--folder", options->folder, "Where the lesson files are (default: those of the program)")
+  command->add_flag("--check", options->check, "Measure the lessons' claims; exit status 1 if a claim does not hold");
+  command->add_option("--folder", options->folder, "Folder of the lesson files (default: the program's own)")
       ->type_name("DIR");
-  addReportOptions(*command, options->report, "Print the list, or the claims as measured, as JSON");
+  addReportOptions(*command, options->report, "Print the list or the measured claims as JSON");
   command->footer(
       "Examples:\n"
       "  boxprobe lessons\n"

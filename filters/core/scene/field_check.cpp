@@ -22,7 +22,7 @@ bool outside(const FieldInfo& field, double value) {
 }
 
 std::string tooLarge() {
-  return "; numbers up to " + numberText(kLargestNumber) + " are computed with";
+  return "; numbers up to " + numberText(kLargestNumber) + " are supported";
 }
 
 /// One field's checks; the path is put together only where one fails.

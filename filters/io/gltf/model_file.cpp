@@ -17,7 +17,7 @@ constexpr double kPicturesFrom = 0.1, kMeshesFrom = 0.7;
 Model loadModelFile(const std::string& path, const LoadProgress& progress) {
   const auto report = [&](double from, double to) {
     return [&progress, &path, from, to](double share) {
-      if (progress && !progress(from + (to - from) * share)) throw LoadCancelled(path + ": loading was stopped");
+      if (progress && !progress(from + (to - from) * share)) throw LoadCancelled(path + ": loading was cancelled");
     };
   };
   const std::string extension = lowerExtension(path);
@@ -35,7 +35,7 @@ Model loadModelFile(const std::string& path, const LoadProgress& progress) {
   model.lights = std::move(nodes.lights);
   model.cameras = std::move(nodes.cameras);
   model.meshes = std::move(meshes.meshes);
-  if (!file.gltf.animations.empty()) file.warn("has animations, which are not supported and left out");
+  if (!file.gltf.animations.empty()) file.warn("has animations, which are not supported and are ignored");
   if (model.instances.empty()) file.warn("has no triangles to show");
   model.warnings = std::move(file.warnings);
   return model;

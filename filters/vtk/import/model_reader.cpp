@@ -66,7 +66,7 @@ class ReaderProgress {
 
   /// Throws if the progress said so, then or now.
   void check() const {
-    if (stopped_ || (progress_ && !progress_(0.8))) throw LoadCancelled(path_ + ": loading was stopped");
+    if (stopped_ || (progress_ && !progress_(0.8))) throw LoadCancelled(path_ + ": loading was cancelled");
   }
 
  private:
@@ -150,7 +150,7 @@ Material materialOf(vtkActor* actor, const std::string& name, double shine) {
 
 Model readObj(const std::string& path, const LoadProgress& progress) {
   const ObjNames names = checkObj(path);
-  if (progress && !progress(0.2)) throw LoadCancelled(path + ": loading was stopped");
+  if (progress && !progress(0.2)) throw LoadCancelled(path + ": loading was cancelled");
   const VtkErrorCatcher errors;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
@@ -179,7 +179,7 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
     model.materials.push_back(materialOf(actor, mesh.name, shininess(importer, output)));
     model.instances.push_back({mesh.name, static_cast<int>(model.meshes.size()), glm::dmat4(1.0)});
     model.meshes.push_back(std::move(mesh));
-    if (progress && !progress(0.9)) throw LoadCancelled(path + ": loading was stopped");
+    if (progress && !progress(0.9)) throw LoadCancelled(path + ": loading was cancelled");
   }
   if (model.instances.empty()) throw InputError(path + ": has no triangles to show");
   return model;

@@ -46,7 +46,8 @@ std::vector<std::string> CustomPictures::remarks() const {
       texts.push_back(place + std::to_string(picture.notFinite) + " texels are NaN or infinite and were set to 0");
     }
     if (picture.clamped > 0) {
-      texts.push_back(place + std::to_string(picture.clamped) + " texels are beyond 65504 and were brought down to it");
+      texts.push_back(place + std::to_string(picture.clamped) +
+                      " texels are above 65504, the largest half-float value, and were clamped to it");
     }
   }
   return texts;
