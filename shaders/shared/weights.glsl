@@ -30,3 +30,23 @@ float remainingAfter(float remaining, float weightSum)
   float s = clamp(weightSum, 0.0f, 1.0f);
   return remaining * max(1.0f - s * (1.0f + s * (1.0f - s)), 0.0f);
 }
+
+// Share of the pixel that a group of probes of equal importance gets per unit of weight.
+float groupShare(float remaining, float weightSum)
+{
+  return remaining * groupScale(weightSum);
+}
+
+// Where probes leave nothing to the sky, all their shares grow by this factor, so that they sum to 1. Below the limit no
+// probe counts as having weight: a division by less would be noise.
+float onlyProbesScale(float remaining)
+{
+  float given = 1.0f - remaining;
+  return given > 1.0e-4f ? 1.0f / given : 1.0f;
+}
+
+// What they leave all the same: everything where no probe has weight, else nothing.
+float onlyProbesRemaining(float remaining)
+{
+  return 1.0f - remaining > 1.0e-4f ? 0.0f : remaining;
+}

@@ -50,6 +50,8 @@ FieldValue another(const FieldInfo& field, const FieldValue& standard) {
       return glm::dvec3(0.5, 0.75, 0.25);
     case FieldKind::Color:
       return glm::vec3(0.5f, 0.25f, 0.75f);
+    case FieldKind::Decode:
+      return glm::dvec2(5.0, 2.0);
     case FieldKind::Names:
       return std::vector<std::string>{"lamp"};
     case FieldKind::Parameters:

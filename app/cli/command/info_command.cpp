@@ -53,19 +53,19 @@ void runInfo(const InfoOptions& options) {
 }  // namespace
 
 Subcommand addInfoCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("info", "Say what is in a scene, and what would be skipped");
+  CLI::App* command = program.add_subcommand("info", "Describe a scene; list unsupported features");
   const auto options = std::make_shared<InfoOptions>();
   CLI::Option* scene = command->add_option(
       "SCENE", options->scenePath, "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)");
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
-  command->add_flag("--frame", options->frame, "Draw a frame and say what it did and what it left out");
-  command->add_option("--camera", options->camera, "Of that frame: a camera of the scene");
-  command->add_option("--size", options->size, "Of that frame: pixels")->type_name("WxH")->capture_default_str();
+  command->add_flag("--frame", options->frame, "Draw a frame and report what it did and what it skipped");
+  command->add_option("--camera", options->camera, "Camera of that frame");
+  command->add_option("--size", options->size, "Size of that frame in pixels")->type_name("WxH")->capture_default_str();
   command->add_flag("--fields", options->fields, "Without a scene: list every field of the scene file")
       ->excludes(scene);
-  addReportOptions(*command, options->report, "Print the same as JSON");
+  addReportOptions(*command, options->report, "Print the explanation as JSON");
   command->footer("Examples:\n  boxprobe info data/scenes/building.boxprobe.json\n  boxprobe info --fields");
   return {command, [options] { runInfo(*options); }};
 }

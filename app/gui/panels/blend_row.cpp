@@ -41,7 +41,7 @@ BlendRow::BlendRow(QWidget* parent)
   form->addRow(tr("+ faces"), max_);
 
   all_->setToolTip(
-      tr("%1 It is 1 within the dashed inner box. Sets all six faces.").arg(fieldTip(probeField("blendDistance"))));
+      tr("%1 The weight is 1 inside the dashed box. Sets all six faces.").arg(fieldTip(probeField("blendDistance"))));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(all_, 1);

@@ -2,24 +2,18 @@
 #include "app/gui/panels/capture_panel.h"
 
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
-#include <QToolButton>
 #include <QVBoxLayout>
-#include <exception>
 #include <utility>
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/panels/hides_list.h"
+#include "app/gui/panels/image_fields.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
-#include "filters/io/cube/cube_file.h"
 
 namespace boxprobe {
 
@@ -27,13 +21,6 @@ namespace {
 
 const ValueField::Format kRadiance{0.0, 1e5, 0.05, 3, ""};
 constexpr double kLeastRange = 1e-3;  ///< metres between near and far
-
-/// The choices of a row under the window's names for them.
-QVector<ProbeChoice> choicesOf(const FieldInfo& field, const QStringList& names) {
-  QVector<ProbeChoice> choices;
-  for (int i = 0; i < names.size(); ++i) choices.push_back({names[i], i, choiceTip(field, i)});
-  return choices;
-}
 
 Clear clearOf(int index) {
   if (index == 0) return ClearToSky{};
@@ -53,8 +40,6 @@ CapturePanel::CapturePanel(Editor& editor, QWidget* parent) : QWidget(parent), e
   buildView(form_);
   // What a field is called from outside: by style sheets and tests.
   const std::pair<QWidget*, const char*> names[] = {{mode_, "mode"},
-                                                    {layout_, "imageLayout"},
-                                                    {image_, "image"},
                                                     {faceSize_, "faceSize"},
                                                     {samples_, "samplesPerPixel"},
                                                     {bounces_, "bounces"},
@@ -74,27 +59,8 @@ void CapturePanel::buildMode(QFormLayout* form) {
       addProbeChoice(form, tr("Mode"), choicesOf(probeField("mode"), {tr("Baked"), tr("Realtime"), tr("Custom image")}),
                      fieldTip(probeField("mode")), [this](int mode) { chooseMode(mode); });
 
-  imageRow_ = new QWidget(this);
-  auto* row = new QHBoxLayout(imageRow_);
-  row->setContentsMargins(0, 0, 0, 0);
-  image_ = new QLabel(imageRow_);
-  image_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  auto* choose = new QToolButton(imageRow_);
-  choose->setObjectName("chooseImage");
-  choose->setText(tr("Choose..."));
-  row->addWidget(image_, 1);
-  row->addWidget(choose);
-  addRow(form, tr("Image"), imageRow_,
-         tr("OpenEXR or Radiance HDR: latitude-longitude, cross, strip, or one of six face files"));
-  connect(choose, &QToolButton::clicked, this, &CapturePanel::chooseImage);
-  layout_ = addProbeChoice(form, tr("Layout"),
-                           choicesOf(probeField("imageLayout"), {tr("Detected"), tr("Latitude-longitude"),
-                                                                 tr("Strip of faces"), tr("Cross"), tr("Six files")}),
-                           fieldTip(probeField("imageLayout")), [this](int layout) {
-                             editor_.commitProbe(probeEditLabel(editor_, tr("image layout")), [layout](Probe& probe) {
-                               probe.imageLayout = static_cast<CubeLayout>(layout);
-                             });
-                           });
+  image_ = new ImageFields(editor_, form);
+  connect(image_, &ImageFields::answered, this, &CapturePanel::update);
 }
 
 void CapturePanel::buildSampling(QFormLayout* form) {
@@ -137,7 +103,7 @@ void CapturePanel::buildView(QFormLayout* form) {
   clear_ = addProbeChoice(form, tr("Clear to"),
                           {{tr("Sky"), 0, choiceTip(clear, 0)},
                            {tr("Nothing"), 1, choiceTip(clear, 1)},
-                           {tr("Colour"), 2, tr("The same light from everywhere")},
+                           {tr("Colour"), 2, tr("The same light from all directions")},
                            {tr("Open"), 3, choiceTip(clear, 2)}},
                           fieldTip(clear), [this](int index) {
                             editor_.commitProbe(probeEditLabel(editor_, tr("clear")), [index](Probe& probe) {
@@ -145,17 +111,17 @@ void CapturePanel::buildView(QFormLayout* form) {
                             });
                           });
   clearColor_ = new VectorRow(kRadiance, tr("linear radiance, scene units"), this, "RGB");
-  addRow(form, tr("Colour"), clearColor_, tr("Linear radiance of what the probe does not see"));
+  addRow(form, tr("Colour"), clearColor_, tr("Linear radiance where the probe sees nothing"));
   const auto edit = [](int channel, double value) {
     return [=](Probe& probe) {
       if (auto* color = std::get_if<glm::vec3>(&probe.clear)) (*color)[channel] = static_cast<float>(value);
     };
   };
   connect(clearColor_, &VectorRow::previewed, this, [this, edit](int channel, double value) {
-    editor_.previewProbe(probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
+    editor_.previewProbe({clearColor_}, probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
   });
   connect(clearColor_, &VectorRow::committed, this, [this, edit](int channel, double value) {
-    editor_.commitProbe(probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
+    editor_.commitProbe({clearColor_}, probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
   });
   hides_ = new HidesList(this);
   addRow(form, tr("Hides"), hides_, fieldTip(probeField("hides")));
@@ -168,29 +134,9 @@ void CapturePanel::chooseMode(int mode) {
   const Probe* probe = editor_.probe();
   if (!probe) return;
   // A custom probe needs its image from the start.
-  if (static_cast<ProbeMode>(mode) == ProbeMode::Custom && probe->image.empty()) return chooseImage();
+  if (static_cast<ProbeMode>(mode) == ProbeMode::Custom && probe->image.empty()) return image_->choose();
   editor_.commitProbe(probeEditLabel(editor_, tr("mode")),
                       [mode](Probe& edited) { edited.mode = static_cast<ProbeMode>(mode); });
-}
-
-void CapturePanel::chooseImage() {
-  const Probe* probe = editor_.probe();
-  const QString folder = probe ? QFileInfo(QString::fromStdString(probe->image)).absolutePath() : QString();
-  const QString path =
-      QFileDialog::getOpenFileName(window(), tr("Environment image"), folder, tr("Environment images (*.exr *.hdr)"));
-  if (!path.isEmpty()) {
-    try {
-      // Found out now, while the probe can stay as it was.
-      loadCube(path.toStdString(), probe ? probe->imageLayout : CubeLayout::Automatic);
-      editor_.commitProbe(probeEditLabel(editor_, tr("image")), [&path](Probe& edited) {
-        edited.mode = ProbeMode::Custom;
-        edited.image = path.toStdString();
-      });
-    } catch (const std::exception& error) {
-      QMessageBox::warning(window(), tr("Cannot use this image"), QString::fromUtf8(error.what()));
-    }
-  }
-  update();  // the mode combo may show what was not taken
 }
 
 void CapturePanel::showRow(QWidget* field, bool shown) {
@@ -212,12 +158,7 @@ void CapturePanel::update() {
   if (!probe) return;
   showChoice(mode_, static_cast<int>(probe->mode));
   const bool custom = probe->mode == ProbeMode::Custom;
-  showRow(imageRow_, custom);
-  showRow(layout_, custom);
-  showChoice(layout_, static_cast<int>(probe->imageLayout));
-  const QString path = QString::fromStdString(probe->image);
-  image_->setText(QFileInfo(path).fileName());
-  image_->setToolTip(path);
+  image_->update(*probe);
   showChoice(faceSize_, probe->faceSize, tr("%1 × %1 texels"));
   showChoice(samples_, probe->samplesPerPixel, tr("%1 a texel"));
   showChoice(bounces_, probe->bounces);

@@ -40,25 +40,25 @@ GlassFields::GlassFields(Editor& editor, QWidget* parent) : QWidget(parent), edi
   color_->setObjectName("attenuationColor");
   addRow(form, tr("Color"), color_, colorTip);
   reset_ = new QPushButton(tr("Glass as in the model"), this);
-  reset_->setToolTip(tr("Removes the scene's own values above; those in the model file count again"));
+  reset_->setToolTip(tr("Removes the scene's values above; those in the model file apply again"));
   form->addRow(QString(), reset_);
 
   connect(form_, QOverload<int>::of(&QComboBox::activated), this, [this](int row) {
-    commit(tr("form"), [row](MaterialOverride& m) { m.glass = static_cast<GlassForm>(row); });
+    commit(nullptr, tr("form"), [row](MaterialOverride& m) { m.glass = static_cast<GlassForm>(row); });
   });
   connect(thin_, &QCheckBox::clicked, this,
-          [this](bool thin) { commit(tr("thinness"), [thin](MaterialOverride& m) { m.thin = thin; }); });
+          [this](bool thin) { commit(nullptr, tr("thinness"), [thin](MaterialOverride& m) { m.thin = thin; }); });
   const auto edited = [this](int axis, double value) {
     glm::vec3 color = shownColor();
     color[axis] = static_cast<float>(value);
     return [color](MaterialOverride& m) { m.attenuationColor = color; };
   };
   connect(color_, &VectorRow::previewed, this,
-          [this, edited](int axis, double value) { preview(tr("absorption color"), edited(axis, value)); });
+          [this, edited](int axis, double value) { preview(color_, tr("absorption color"), edited(axis, value)); });
   connect(color_, &VectorRow::committed, this,
-          [this, edited](int axis, double value) { commit(tr("absorption color"), edited(axis, value)); });
+          [this, edited](int axis, double value) { commit(color_, tr("absorption color"), edited(axis, value)); });
   connect(reset_, &QPushButton::clicked, this, [this] {
-    commit(tr("glass"), [](MaterialOverride& m) {
+    commit(nullptr, tr("glass"), [](MaterialOverride& m) {
       m.transmission.reset();
       m.ior.reset();
       m.thickness.reset();
@@ -77,23 +77,27 @@ ValueField* GlassFields::addNumber(QFormLayout* form, const QString& name, const
   addRow(form, name, field, fieldTip(row));
   const QString what = name.toLower();
   const auto edit = [&row](MaterialOverride& m, double value) { row.set(m, static_cast<float>(value)); };
-  connect(field, &ValueField::previewed, this,
-          [this, what, edit](double value) { preview(what, [edit, value](MaterialOverride& m) { edit(m, value); }); });
-  connect(field, &ValueField::committed, this,
-          [this, what, edit](double value) { commit(what, [edit, value](MaterialOverride& m) { edit(m, value); }); });
+  connect(field, &ValueField::previewed, this, [this, field, what, edit](double value) {
+    preview(field, what, [edit, value](MaterialOverride& m) { edit(m, value); });
+  });
+  connect(field, &ValueField::committed, this, [this, field, what, edit](double value) {
+    commit(field, what, [edit, value](MaterialOverride& m) { edit(m, value); });
+  });
   return field;
 }
 
-void GlassFields::preview(const QString& what, const std::function<void(MaterialOverride&)>& edit) {
-  editor_.preview(tr("Set %1 of %2").arg(what, QString::fromStdString(name_)),
+void GlassFields::preview(const void* control, const QString& what,
+                          const std::function<void(MaterialOverride&)>& edit) {
+  editor_.preview({control, 0, name_}, tr("Set %1 of %2").arg(what, QString::fromStdString(name_)),
                   [name = name_, edit](Scene& scene) { edit(scene.materials[name]); });
 }
 
-void GlassFields::commit(const QString& what, const std::function<void(MaterialOverride&)>& edit) {
-  editor_.commit(tr("Set %1 of %2").arg(what, QString::fromStdString(name_)), [name = name_, edit](Scene& scene) {
-    edit(scene.materials[name]);
-    if (scene.materials[name] == MaterialOverride{}) scene.materials.erase(name);
-  });
+void GlassFields::commit(const void* control, const QString& what, const std::function<void(MaterialOverride&)>& edit) {
+  editor_.commit({control, 0, name_}, tr("Set %1 of %2").arg(what, QString::fromStdString(name_)),
+                 [name = name_, edit](Scene& scene) {
+                   edit(scene.materials[name]);
+                   if (scene.materials[name] == MaterialOverride{}) scene.materials.erase(name);
+                 });
 }
 
 glm::vec3 GlassFields::shownColor() const {

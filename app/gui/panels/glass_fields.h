@@ -31,8 +31,9 @@ class GlassFields : public QWidget {
  private:
   /// A number of the material, by its key in the scene file.
   ValueField* addNumber(QFormLayout* form, const QString& name, const char* key, double step);
-  void preview(const QString& what, const std::function<void(MaterialOverride&)>& edit);
-  void commit(const QString& what, const std::function<void(MaterialOverride&)>& edit);
+  /// `control`: what previews before it commits; null for a control that does not.
+  void preview(const void* control, const QString& what, const std::function<void(MaterialOverride&)>& edit);
+  void commit(const void* control, const QString& what, const std::function<void(MaterialOverride&)>& edit);
   glm::vec3 shownColor() const;
   void enable(bool transmits, bool thin);
 

@@ -35,15 +35,15 @@ void LightPanel::addSky(QFormLayout* form) {
   addRow(form, tr("Sky turned by"), turn_, tip);
   const auto turned = [](double value) { return [value](Scene& scene) { scene.skyRotationDegrees = value; }; };
   connect(turn_, &ValueField::previewed, this,
-          [this, turned](double value) { editor_.preview(tr("Turn the sky"), turned(value)); });
+          [this, turned](double value) { editor_.preview({turn_}, tr("Turn the sky"), turned(value)); });
   connect(turn_, &ValueField::committed, this,
-          [this, turned](double value) { editor_.commit(tr("Turn the sky"), turned(value)); });
+          [this, turned](double value) { editor_.commit({turn_}, tr("Turn the sky"), turned(value)); });
 }
 
 void LightPanel::addPlace(QFormLayout* form) {
   lights_ = new QuietCombo(this);
   lights_->setObjectName("light");
-  addRow(form, tr("Light"), lights_, tr("Light of the scene, in the order of its file"));
+  addRow(form, tr("Light"), lights_, tr("Lights in the order of the scene file"));
   connect(lights_, QOverload<int>::of(&QComboBox::activated), this, &LightPanel::update);
   const auto& direction = lightField("direction");
   const QString tip = tr("Directional: %1 Others: %2").arg(fieldTip(direction), fieldTip(lightField("position")));
@@ -56,18 +56,18 @@ void LightPanel::addPlace(QFormLayout* form) {
     };
   };
   connect(place_, &VectorRow::previewed, this,
-          [this, moved](int axis, double value) { edit(true, tr("place"), moved(axis, value)); });
+          [this, moved](int axis, double value) { edit(place_, true, tr("place"), moved(axis, value)); });
   connect(place_, &VectorRow::committed, this,
-          [this, moved](int axis, double value) { edit(false, tr("place"), moved(axis, value)); });
+          [this, moved](int axis, double value) { edit(place_, false, tr("place"), moved(axis, value)); });
   intensity_ = new ValueField(fieldFormat(lightField("intensity"), 0.25, 3), this);
   addRow(form, tr("Intensity"), intensity_, fieldTip(lightField("intensity")));
   const auto brighter = [](double value) {
     return [value](Light& light) { light.intensity = static_cast<float>(value); };
   };
   connect(intensity_, &ValueField::previewed, this,
-          [this, brighter](double value) { edit(true, tr("intensity"), brighter(value)); });
+          [this, brighter](double value) { edit(intensity_, true, tr("intensity"), brighter(value)); });
   connect(intensity_, &ValueField::committed, this,
-          [this, brighter](double value) { edit(false, tr("intensity"), brighter(value)); });
+          [this, brighter](double value) { edit(intensity_, false, tr("intensity"), brighter(value)); });
 }
 
 ValueField* LightPanel::addNumber(QFormLayout* form, const QString& text, const char* key, double step, int decimals,
@@ -78,9 +78,9 @@ ValueField* LightPanel::addNumber(QFormLayout* form, const QString& text, const 
   field->setToolTip(toolTip);
   addRow(form, text, field, toolTip);
   connect(field, &ValueField::previewed, this,
-          [=](double value) { edit(true, text, [=](Light& light) { light.*member = value; }); });
+          [=](double value) { edit(field, true, text, [=](Light& light) { light.*member = value; }); });
   connect(field, &ValueField::committed, this,
-          [=](double value) { edit(false, text, [=](Light& light) { light.*member = value; }); });
+          [=](double value) { edit(field, false, text, [=](Light& light) { light.*member = value; }); });
   return field;
 }
 
@@ -90,10 +90,10 @@ void LightPanel::addShadows(QFormLayout* form) {
   shadows_ = addProbeChoice(form, tr("Shadows"),
                             {{tr("None"), 0, choiceTip(shadows, 0)},
                              {tr("By coverage"), 1, choiceTip(shadows, 1)},
-                             {tr("And of what moves"), 2, choiceTip(shadows, 2)}},
+                             {tr("By coverage, and for moving objects"), 2, choiceTip(shadows, 2)}},
                             fieldTip(shadows), [this](int value) {
-                              edit(false, tr("shadows"),
-                                   [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
+                              commit(tr("shadows"),
+                                     [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
                             });
   shadows_->setObjectName("lightShadows");
   angle_ = addNumber(form, tr("Angle"), "angleDegrees", 0.25, 2, &Light::angleDegrees);
@@ -102,7 +102,7 @@ void LightPanel::addShadows(QFormLayout* form) {
   level_ = addProbeChoice(
       form, tr("Softness"), {{tr("By size"), 0, choiceTip(level, 0)}, {tr("By distance"), 1, choiceTip(level, 1)}},
       fieldTip(level), [this](int value) {
-        edit(false, tr("softness"), [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
+        commit(tr("softness"), [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
       });
   perUnit_ = addNumber(form, tr("Levels a metre"), "levelsPerUnit", 0.05, 3, &Light::levelsPerUnit);
 }
@@ -128,13 +128,18 @@ QString LightPanel::label(const QString& what) const {
   return tr("Set %1 of light %2").arg(what.toLower()).arg(static_cast<int>(index().value_or(0)) + 1);
 }
 
-void LightPanel::edit(bool preview, const QString& what, const LightEdit& change) {
+void LightPanel::commit(const QString& what, const LightEdit& change) {
+  edit(nullptr, false, what, change);
+}
+
+void LightPanel::edit(const void* control, bool preview, const QString& what, const LightEdit& change) {
   const auto at = index();
   if (!at) return;
   const Document::Edit whole = [at, change](Scene& scene) {
     if (*at < scene.lights.size()) change(scene.lights[*at]);
   };
-  preview ? editor_.preview(label(what), whole) : editor_.commit(label(what), whole);
+  const EditToken token{control, 0, std::to_string(*at)};
+  preview ? editor_.preview(token, label(what), whole) : editor_.commit(token, label(what), whole);
 }
 
 void LightPanel::update() {

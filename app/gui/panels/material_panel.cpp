@@ -53,7 +53,7 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
   slider_->setFocusPolicy(Qt::StrongFocus);
   field_->setToolTip(tip);
   addRow(form, tr("Roughness"), line, tip);
-  reset_->setToolTip(tr("Removes the scene's own value; the one in the model file counts again"));
+  reset_->setToolTip(tr("Removes the scene's value; the value in the model file applies again"));
   form->addRow(QString(), reset_);
   layout->addWidget(glass_);
 
@@ -105,11 +105,11 @@ QString MaterialPanel::label() const {
 }
 
 void MaterialPanel::preview(double roughness) {
-  editor_.preview(label(), roughnessEdit(material(), roughness));
+  editor_.preview({this, 0, material()}, label(), roughnessEdit(material(), roughness));
 }
 
 void MaterialPanel::commit(double roughness) {
-  editor_.commit(label(), roughnessEdit(material(), roughness));
+  editor_.commit({this, 0, material()}, label(), roughnessEdit(material(), roughness));
 }
 
 void MaterialPanel::update() {

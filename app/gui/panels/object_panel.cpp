@@ -22,7 +22,7 @@ ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
     : QWidget(parent),
       editor_(editor),
       nodes_(new QuietCombo(this)),
-      dynamic_(new QCheckBox(tr("Moves: baked probes leave it out"), this)),
+      dynamic_(new QCheckBox(tr("Moving object: baked probes do not capture it"), this)),
       position_(
           new VectorRow(fieldFormat(objectField("translation"), 0.05, 3), fieldTip(objectField("translation")), this)),
       rotation_(new VectorRow(fieldFormat(objectField("rotationDegrees"), 5.0, 1),
@@ -48,13 +48,13 @@ ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
   QFormLayout* plane = addSection(this, tr("Planar mirror"));
   mirror_->setObjectName("planarMirror");
   mirror_->setToolTip(
-      tr("A second, mirrored camera draws the objects that move over what the probes reflect. One flat surface only"));
+      tr("A second, mirrored camera draws moving objects over what the probes reflect. One flat surface only"));
   plane->addRow(QString(), mirror_);
   auto* part = new QFormLayout(mirrorPart_);
   part->setContentsMargins(0, 0, 0, 0);
   maxRoughness_->setObjectName("mirrorMaxRoughness");
   resolution_->setObjectName("mirrorResolution");
-  addRow(part, tr("Up to roughness"), maxRoughness_, fieldTip(mirrorField("maxRoughness")));
+  addRow(part, tr("Roughness limit"), maxRoughness_, fieldTip(mirrorField("maxRoughness")));
   addRow(part, tr("Texels a pixel"), resolution_, fieldTip(mirrorField("resolution")));
   plane->addRow(mirrorPart_);
   problem_->setObjectName("mirrorProblem");
@@ -76,18 +76,24 @@ void ObjectPanel::connectVector(VectorRow* row, const QString& pattern, glm::dve
   const auto edit = [this, field](int axis, double value) {
     return objectEdit([=](ObjectOverride& object) { (object.*field)[axis] = value; });
   };
-  connect(row, &VectorRow::previewed, this,
-          [=](int axis, double value) { editor_.preview(label(pattern), edit(axis, value)); });
-  connect(row, &VectorRow::committed, this,
-          [=](int axis, double value) { editor_.commit(label(pattern), edit(axis, value)); });
+  connect(row, &VectorRow::previewed, this, [=](int axis, double value) {
+    editor_.preview({row, 0, node()}, label(pattern), edit(axis, value));
+  });
+  connect(row, &VectorRow::committed, this, [=](int axis, double value) {
+    editor_.commit({row, 0, node()}, label(pattern), edit(axis, value));
+  });
 }
 
 void ObjectPanel::connectNumber(ValueField* field, const QString& pattern, double PlanarMirror::*member) {
   const auto edit = [this, member](double value) {
     return mirrorEdit([=](PlanarMirror& mirror) { mirror.*member = value; });
   };
-  connect(field, &ValueField::previewed, this, [=](double value) { editor_.preview(label(pattern), edit(value)); });
-  connect(field, &ValueField::committed, this, [=](double value) { editor_.commit(label(pattern), edit(value)); });
+  connect(field, &ValueField::previewed, this, [=](double value) {
+    editor_.preview({field, 0, node()}, label(pattern), edit(value));
+  });
+  connect(field, &ValueField::committed, this, [=](double value) {
+    editor_.commit({field, 0, node()}, label(pattern), edit(value));
+  });
 }
 
 void ObjectPanel::makeMirror(bool on) {

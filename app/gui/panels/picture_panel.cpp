@@ -58,11 +58,11 @@ PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
 }
 
 void PicturePanel::preview(double exposure) {
-  editor_.preview(tr("Set exposure"), exposureEdit(exposure));
+  editor_.preview({this}, tr("Set exposure"), exposureEdit(exposure));
 }
 
 void PicturePanel::commit(double exposure) {
-  editor_.commit(tr("Set exposure"), exposureEdit(exposure));
+  editor_.commit({this}, tr("Set exposure"), exposureEdit(exposure));
 }
 
 void PicturePanel::update() {

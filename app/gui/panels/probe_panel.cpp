@@ -88,11 +88,11 @@ QString ProbePanel::label(const QString& what) const {
 
 void ProbePanel::connectVector(VectorRow* row, const QString& what, const VectorEdit& edit) {
   const auto labelFor = [this, what](int axis) { return label(what + " " + QString("XYZ"[axis])); };
-  connect(row, &VectorRow::previewed, this, [this, labelFor, edit](int axis, double value) {
-    editor_.previewProbe(labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
+  connect(row, &VectorRow::previewed, this, [this, row, labelFor, edit](int axis, double value) {
+    editor_.previewProbe({row, axis}, labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
   });
-  connect(row, &VectorRow::committed, this, [this, labelFor, edit](int axis, double value) {
-    editor_.commitProbe(labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
+  connect(row, &VectorRow::committed, this, [this, row, labelFor, edit](int axis, double value) {
+    editor_.commitProbe({row, axis}, labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
   });
 }
 
@@ -127,17 +127,17 @@ void ProbePanel::buildInfluence() {
   addRow(form, tr("Blend distance"), blend_);
   form->addRow(blend_->faces());
   connect(blend_, &BlendRow::previewed, this, [this](const BlendDistance& blend) {
-    editor_.previewProbe(label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
+    editor_.previewProbe({blend_}, label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
   });
   connect(blend_, &BlendRow::committed, this, [this](const BlendDistance& blend) {
-    editor_.commitProbe(label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
+    editor_.commitProbe({blend_}, label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
   });
   const auto& importance = probeField("importance");
   importance_ = addProbeNumber(editor_, form, tr("Importance"), fieldFormat(importance, 1.0, 2), fieldTip(importance),
                                [](Probe& probe, double value) { probe.importance = value; });
 
-  ownInfluence_ = new QCheckBox(tr("Influence box of its own"), this);
-  ownInfluence_->setToolTip(tr("Off: the probe reaches as far as its projection box"));
+  ownInfluence_ = new QCheckBox(tr("Separate influence box"), this);
+  ownInfluence_->setToolTip(tr("Off: the influence box is the projection box"));
   form->addRow(ownInfluence_);
   influenceFields_ = new QWidget(this);
   auto* fields = new QFormLayout(influenceFields_);

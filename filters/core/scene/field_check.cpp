@@ -22,7 +22,7 @@ bool outside(const FieldInfo& field, double value) {
 }
 
 std::string tooLarge() {
-  return "; numbers up to " + numberText(kLargestNumber) + " are computed with";
+  return "; numbers up to " + numberText(kLargestNumber) + " are supported";
 }
 
 /// One field's checks; the path is put together only where one fails.
@@ -61,6 +61,16 @@ class Check {
     if (field_.kind == FieldKind::Direction && value == glm::dvec3(0.0)) {
       fail("is [0, 0, 0] and points nowhere; give it a length");
     }
+  }
+  void operator()(const glm::dvec2& decode) const {
+    FieldInfo element;
+    element.key = "[0]";
+    element.range = {0.0, kLargestNumber, true, false};
+    const KeyPath path = below();
+    Check(element, path)(decode.x);
+    element.key = "[1]";
+    element.range.aboveLowest = false;
+    Check(element, path)(decode.y);
   }
   void operator()(const Box& box) const {
     checkFields(boxFields(), box, below());

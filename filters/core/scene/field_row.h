@@ -81,6 +81,7 @@ constexpr FieldKind kindOf() {
   if constexpr (std::is_same_v<Plain, std::string>) return FieldKind::Text;
   if constexpr (std::is_same_v<Plain, glm::dvec3>) return FieldKind::Vector;
   if constexpr (std::is_same_v<Plain, glm::vec3>) return FieldKind::Color;
+  if constexpr (std::is_same_v<Plain, glm::dvec2>) return FieldKind::Decode;
   if constexpr (std::is_same_v<Plain, std::vector<std::string>>) return FieldKind::Names;
   if constexpr (std::is_same_v<Plain, Box>) return FieldKind::Box;
   if constexpr (std::is_same_v<Plain, BlendDistance>) return FieldKind::BlendDistance;

@@ -78,7 +78,9 @@ const std::vector<FieldRow<Probe>>& probeFields() {
                    {"realtime", "recaptured continuously, one face per frame; sees objects that move"},
                    {"custom", "not captured: `image` takes the capture's place"}})
           .changing(capture),
-      field<&Probe::image>("image", "", "Picture of the surroundings for mode `custom`: .exr or .hdr.")
+      field<&Probe::image>("image", "",
+                           "Picture of the surroundings for mode `custom`: .exr or .hdr, or .png or .jpg with an "
+                           "`encoding`.")
           .as(FieldKind::File)
           .leftOut("none")
           .changing(capture),
@@ -88,6 +90,16 @@ const std::vector<FieldRow<Probe>>& probeFields() {
                    {"strip", "six faces in a row or column"},
                    {"cross", "4:3 or 3:4"},
                    {"six", "one file per face"}})
+          .changing(capture),
+      field<&Probe::encoding>("encoding", "", "How the image's texels hold radiance.")
+          .choose({{"linear", "radiance as it is: .exr, .hdr"},
+                   {"rgbm", "multiplier * M^exponent * colour, M in alpha, colour bytes sRGB: Unity's RGBM"},
+                   {"dldr", "multiplier * colour, colour bytes sRGB: Unity's double LDR"},
+                   {"rgbmLinear", "as `rgbm`, the colour bytes linear"}})
+          .changing(capture),
+      field<&Probe::decode>("decode", "", "Decode instruction of the encoding: multiplier and exponent.")
+          .writtenAs("[multiplier, exponent]")
+          .leftOut("[34.493242, 2.2] for rgbm, [4.594793, 1] for dldr, [5, 1] for rgbmLinear")
           .changing(capture),
       field<&Probe::filter>("filter", "", "How mip levels for rough surfaces are made from the capture.")
           .choose({{"ggx", "as the renderer's rough surfaces reflect"},

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
@@ -166,6 +167,13 @@ enum class CubeLayout {
   Cross,      ///< 4:3 horizontal or 3:4 vertical
   SixFiles,   ///< one file a face
 };
+/// What a texel of a custom probe's picture stands for; with the instruction (multiplier, exponent) of `decode`.
+enum class ImageEncoding {
+  Linear,      ///< radiance as it is: EXR, HDR
+  Rgbm,        ///< 8 bits; multiplier * M^exponent * colour, colour bytes sRGB, M in alpha: Unity's RGBM textures
+  Dldr,        ///< 8 bits; multiplier * colour, colour bytes sRGB, alpha unused: Unity's double LDR
+  RgbmLinear,  ///< as Rgbm, with linear colour bytes
+};
 enum class FilterKind { Ggx, Gaussian };
 /// What a probe holds where it saw nothing.
 struct ClearToSky {
@@ -216,6 +224,8 @@ struct Probe {
   ProbeMode mode = ProbeMode::Baked;
   std::string image;  ///< custom mode
   CubeLayout imageLayout = CubeLayout::Automatic;
+  ImageEncoding encoding = ImageEncoding::Linear;
+  std::optional<glm::dvec2> decode;  ///< multiplier and exponent; left out: what the encoding usually has
   FilterKind filter = FilterKind::Ggx;
   int samplesPerPixel = 4;         ///< 1, 4 or 16
   int filterSamples = 64;          ///< directions for a texel of level 1 of the filtered chain, 8 to 768

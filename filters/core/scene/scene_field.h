@@ -25,6 +25,7 @@ enum class FieldKind {
   Vector,      ///< three numbers
   Direction,   ///< three numbers that are not all 0
   Color,       ///< three numbers: linear red, green, blue
+  Decode,      ///< two numbers: a multiplier above 0 and an exponent of at least 0
   Names,       ///< a list of texts
   Parameters,  ///< of a technique: filters/math/technique/parameter_table.h has their rows
   Box,
@@ -36,9 +37,9 @@ enum class FieldKind {
 };
 
 /// What a field holds, out of its struct. Nothing: an optional that is left out. A choice is the index of its id.
-using FieldValue =
-    std::variant<std::monostate, bool, int, float, double, std::string, glm::vec3, glm::dvec3, std::vector<std::string>,
-                 Box, BlendDistance, Bevel, BoxOcclusion, Clear, std::map<std::string, ParameterValue>>;
+using FieldValue = std::variant<std::monostate, bool, int, float, double, std::string, glm::dvec2, glm::vec3,
+                                glm::dvec3, std::vector<std::string>, Box, BlendDistance, Bevel, BoxOcclusion, Clear,
+                                std::map<std::string, ParameterValue>>;
 
 /// Shaders compute in single precision, which ends at 3.4e38: up to here, in scene units or units of light, the square
 /// of a distance, the product of two lights and the extent of a box are finite.

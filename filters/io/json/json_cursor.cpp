@@ -106,6 +106,12 @@ std::string JsonCursor::text() const {
   return value_->get<std::string>();
 }
 
+glm::dvec2 JsonCursor::pair() const {
+  if (!value_->is_array() || value_->size() != 2) wrongType("two numbers in brackets");
+  const std::vector<JsonCursor> list = elements();
+  return {list[0].number(), list[1].number()};
+}
+
 glm::dvec3 JsonCursor::vector() const {
   if (!value_->is_array() || value_->size() != 3) wrongType("three numbers in brackets");
   const std::vector<JsonCursor> list = elements();

@@ -2,6 +2,7 @@
 // names the key path. Called by the scene reader; knows JSON, not scenes.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -39,6 +40,7 @@ class JsonCursor {
   int whole() const;
   bool boolean() const;
   std::string text() const;
+  glm::dvec2 pair() const;
   glm::dvec3 vector() const;
   glm::vec3 color() const;
   /// The index of the text in `choices`.

@@ -81,6 +81,8 @@ FieldValue readValue(const JsonCursor& value, const FieldInfo& field, const std:
       return value.vector();
     case FieldKind::Color:
       return value.color();
+    case FieldKind::Decode:
+      return value.pair();
     case FieldKind::Names:
       return readNames(value);
     case FieldKind::Parameters:

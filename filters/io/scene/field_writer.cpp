@@ -68,6 +68,9 @@ Json toJson(bool value) {
 Json toJson(const std::string& value) {
   return value;
 }
+Json toJson(const glm::dvec2& value) {
+  return Json::array({toJson(value.x), toJson(value.y)});
+}
 Json toJson(const glm::dvec3& value) {
   return vector(value);
 }

@@ -29,6 +29,8 @@ const char* kindId(FieldKind kind) {
       return "direction";
     case FieldKind::Color:
       return "color";
+    case FieldKind::Decode:
+      return "decode";
     case FieldKind::Names:
       return "names";
     case FieldKind::Parameters:

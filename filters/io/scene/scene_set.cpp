@@ -176,8 +176,4 @@ std::optional<double> sceneNumber(const Scene& scene, const std::string& keys) {
   }
 }
 
-void setSceneField(Scene& scene, const std::string& assignment) {
-  setSceneFields(scene, {assignment});
-}
-
 }  // namespace boxprobe

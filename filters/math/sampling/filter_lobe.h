@@ -33,7 +33,7 @@ struct GaussianSettings {
 struct PrefilterSettings {
   FilterLobe::Kind filter = FilterLobe::Kind::Ggx;
   /// Directions for a texel of level 1; each further level has half the texels a side and takes twice as many, up to
-  /// kMaxSamples. Quality against time: README, "Prefilter".
+  /// kMaxSamples. Quality against time: tests/bench/README.md, "Prefilter".
   int samples = 64;
   GaussianSettings gaussian;
 };

@@ -12,8 +12,8 @@
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/full_screen_pass.h"
-#include "filters/vtk/surface/draw_state.h"
 
 class vtkCamera;
 class vtkLight;
@@ -65,9 +65,8 @@ class CubeCapture {
  private:
   void renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
                   const std::vector<vtkLight*>& lights, const glm::vec3& clearColor);
-  void prepare(vtkCamera* camera, int width, int height, const std::vector<vtkLight*>& lights,
-               const glm::vec3& clearColor);
-  void draw();
+  void prepare(int width, int height, const std::vector<vtkLight*>& lights, const glm::vec3& clearColor);
+  void draw(vtkCamera* camera);
 
   vtkOpenGLRenderWindow* window_;
   std::shared_ptr<DrawState> state_;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "filters/core/geometry/mirror_view.h"
+#include "filters/vtk/draw/mirror_picture.h"
 #include "filters/vtk/frame/mirror_painter.h"
-#include "filters/vtk/surface/mirror_picture.h"
 
 namespace boxprobe {
 

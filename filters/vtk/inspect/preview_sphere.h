@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/inspect/preview_settings.h"
-#include "filters/vtk/surface/draw_state.h"
 #include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 
 class vtkRenderer;

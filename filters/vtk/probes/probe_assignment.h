@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/scene/model_actors.h"
-#include "filters/vtk/surface/draw_state.h"
 
 namespace boxprobe {
 
