@@ -24,11 +24,11 @@ const std::vector<FieldRow<Scene>>& sceneFields() {
           .changing({&Changes::sky}),
       field<&Scene::cameras>("cameras", "", "Viewpoints by name; the first is shown when the scene opens.")
           .writtenAs("objects by name")
-          .leftOut("none: the window shows all, `render` uses the defaults below")
+          .leftOut("those of the models")
           .changing({&Changes::cameras}),
       field<&Scene::lights>("lights", "", "A list of lights.")
           .writtenAs("list of objects")
-          .leftOut("none")
+          .leftOut("those of the models")
           .changing({&Changes::lights}),
       field<&Scene::materials>("materials", "", "Changes to materials of the models, by the material's name.")
           .writtenAs("objects by name")
