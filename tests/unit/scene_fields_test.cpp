@@ -261,7 +261,7 @@ TEST(SceneReference, IsInTheDocument) {
   const std::size_t start = from + begin.size();
   EXPECT_TRUE(text.str().substr(start, to - start) == sceneReferenceMarkdown())
       << "data/scenes/README.md is out of date; renew it from the source's folder with\n"
-         "  build/release/app/boxprobe info --fields | sed -i -e '/<!-- fields -->/,/<!-- .fields -->/{//!d}' -e "
+         "  build/release/bin/boxprobe info --fields | sed -i -e '/<!-- fields -->/,/<!-- .fields -->/{//!d}' -e "
          "'/<!-- "
          "fields -->/r /dev/stdin' data/scenes/README.md";
 }

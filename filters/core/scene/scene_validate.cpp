@@ -1,5 +1,5 @@
 // Is a scene sound? Called after each parse and before each commit, so that the layers above never meet NaN, an
-// inverted box or two probes of one name. Ranges stand in the fields' rows; here is what holds between fields.
+// inverted box or two probes of one name. This file checks rules between fields; field_check.cpp checks single fields.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <unordered_map>
