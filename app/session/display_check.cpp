@@ -26,7 +26,7 @@ void requireDisplay(const std::string& command) {
     XCloseDisplay(display);
     throw InputError("no OpenGL on display '" + std::string(name) + "' (it has no GLX)" + advice);
   }
-  // Left open to the end of the process: an X server starts anew when its last client leaves (xvfb-run's does), and
+  // Left open to the end of the process: an X server starts again when its last client leaves (xvfb-run's does), and
   // turns away whoever connects in that moment, which would be VTK.
   found = true;
 }

@@ -41,7 +41,7 @@ class OffscreenScene {
   OffscreenScene& operator=(const OffscreenScene&) = delete;
 
   /// Brings the renderer up to `scene`; captures nothing. Of a scene that follows another one, only what differs is
-  /// made anew. Throws InputError for a custom probe whose picture cannot be read.
+  /// made again. Throws InputError for a custom probe whose picture cannot be read.
   void show(const Scene& scene, const Models& models, const ShownSettings& settings = {});
   /// Captures and filters what is missing; `progress` gets the finished share, 0..1, and may return false to stop.
   /// False if it was stopped. What could not be made is told by requireHealthy().

@@ -9,7 +9,7 @@ namespace boxprobe {
 
 class TimeLeft {
  public:
-  /// `fraction` of the work is done at `seconds` on any clock; a fraction that falls (work was added) begins anew.
+  /// `fraction` of the work is done at `seconds` on any clock; a fraction that falls (work was added) begins again.
   /// Nothing until there is enough to judge by.
   std::optional<double> update(double fraction, double seconds);
   void restart() { started_ = false; }

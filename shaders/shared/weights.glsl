@@ -8,7 +8,7 @@ float faceWeight(float distanceInside, float rate)
 }
 
 // Product over the six faces of the influence box, all in the same frame. Rates are 1 / blend distance; the host turns a
-// blend distance of 0 into a rate so high that the rise is narrower than a position's rounding (filters/core/probe_geometry).
+// blend distance of 0 into a rate so high that the rise is narrower than a position's rounding (filters/core/geometry/probe_geometry).
 float influenceWeight(vec3 position, vec3 influenceMin, vec3 influenceMax, vec3 rateMin, vec3 rateMax)
 {
   return faceWeight(position.x - influenceMin.x, rateMin.x) * faceWeight(influenceMax.x - position.x, rateMax.x) *

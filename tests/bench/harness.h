@@ -51,7 +51,7 @@ struct Comparison {
 /// seconds.
 Comparison compare(int warmUp, int pairs, const std::function<double()>& first, const std::function<double()>& second);
 
-/// "PATH: 1280 x 720, 4 samples a pixel, 40 pairs of frames, CPU milliseconds", samples as the driver offers them.
+/// "PATH: 1280 x 720, 4 samples per pixel, 40 pairs of frames, CPU milliseconds", samples as the driver offers them.
 void printHeader(const FrameOptions& options, const OffscreenScene& drawn);
 
 /// Reads the command line, runs, and gives the exit status: an error is one line on stderr.

@@ -1,6 +1,7 @@
 // bench_quads: time of every technique by full-screen quads: the shader text that draws, one evaluation a pixel, its
 // lookups computed instead of fetched, so that arithmetic is compared and not a driver's filtering. Nanoseconds of CPU
-// time a pixel, which on a software driver is the time it takes; the median of several draws of all techniques in turn.
+// time per pixel, which on a software driver is the time it takes; the median of several draws of all techniques in
+// turn.
 #include <vtkOpenGLState.h>
 #include <vtk_glew.h>
 

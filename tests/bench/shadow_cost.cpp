@@ -1,5 +1,5 @@
 // bench_shadow: CPU time of a frame with a light's shadows by coverage over that of the same frame without, drawn in
-// turn in one process and window, and beside it the same light with a shadow map, drawn anew each frame, of everything
+// turn in one process and window, and beside it the same light with a shadow map, drawn again each frame, of everything
 // in the scene. CPU time of all threads: software OpenGL draws in this process.
 #include <cstdio>
 #include <string>

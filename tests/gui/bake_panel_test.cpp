@@ -186,7 +186,7 @@ TEST_F(BakePanelTest, WhatIsSavedBesideTheSceneIsLoadedWithIt) {
   ASSERT_TRUE(QTest::qWaitFor([this] { return window_->statusBar()->currentMessage().startsWith("Wrote"); }, 20000));
   const QDir files(folder_.filePath("copy.probes"));
   EXPECT_TRUE(files.exists("room.exr"));
-  // As a program started anew: this window's own maps are kept for undo.
+  // As a program started again: this window's own maps are kept for undo.
   MainWindow second;
   second.resize(window_->size());
   second.showScene(loadScene(path.toStdString()));

@@ -1,5 +1,5 @@
-// A scene off the screen: what it makes anew for another scene and what it keeps, work that is stopped and goes on, two
-// scenes in one window, and what it refuses.
+// A scene off the screen: what it makes again for another scene and what it keeps, work that is stopped and goes on,
+// two scenes in one window, and what it refuses.
 #include "app/session/offscreen_scene.h"
 
 #include <gtest/gtest.h>

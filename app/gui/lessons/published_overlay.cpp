@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kPixels = 64000.0;     ///< of the picture: a second or two of work
 constexpr int kRowsATurn = 12;          ///< some ten milliseconds, between which the window answers
-constexpr int kRestMilliseconds = 300;  ///< without a change, before it is drawn anew
+constexpr int kRestMilliseconds = 300;  ///< without a change, before it is drawn again
 
 }  // namespace
 

@@ -135,7 +135,7 @@ int ProbePreview::level() const {
 void ProbePreview::setWatched(bool watched) {
   watched_ = watched;
   if (watched) return update();
-  // What was half read is read anew when someone looks again.
+  // What was half read is read again when someone looks again.
   if (reader_.pending()) maps_.reset();
   reader_.stop();
   timer_.stop();

@@ -17,7 +17,7 @@ namespace {
 
 void exportLinear(const std::string& path, SceneRenderer& renderer, const int* size) {
   constexpr int kSamples = 4;
-  // Several samples a pixel have as many rays in as many frames fewer.
+  // Several samples per pixel have as many rays in as many frames fewer.
   const int frames = (renderer.frameCount().wanted + kSamples - 1) / kSamples;
   saveExr(path, renderer.renderLinear(size[0], size[1], kSamples, std::max(frames, 1)));
 }

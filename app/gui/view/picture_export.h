@@ -10,7 +10,7 @@ class SceneRenderer;
 class Viewport;
 
 /// What the window shows once it is at rest, without handles and preview sphere: display colours, or, for a path that
-/// ends in .exr, linear light at four samples a pixel. Throws WorkError if the file cannot be written.
+/// ends in .exr, linear light at four samples per pixel. Throws WorkError if the file cannot be written.
 void exportPicture(const std::string& path, SceneRenderer& renderer, Viewport& viewport, ProbeOverlay& overlay);
 
 }  // namespace boxprobe

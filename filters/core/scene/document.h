@@ -55,7 +55,7 @@ class Document {
   /// Observers are told what differs, and `also`.
   void restore(State state, const Changes& also = {});
 
-  /// Replaces everything (a file was opened); the undo stack starts anew and the document counts as saved. Throws
+  /// Replaces everything (a file was opened); the undo stack starts again and the document counts as saved. Throws
   /// InputError, and leaves everything as it was, if the scene is not valid.
   void open(Scene scene, std::string path);
 

@@ -1,4 +1,4 @@
-// Ranges of single fields, from their rows; and the wording of ranges.
+// Ranges of single fields, from their rows, the order of a box's corners, and the wording of both.
 #include <cmath>
 
 #include "filters/core/base/number_text.h"

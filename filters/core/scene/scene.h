@@ -156,7 +156,7 @@ struct BlendDistance {
 
 enum class ProbeMode {
   Baked,     ///< kept until an input of its capture changes
-  Realtime,  ///< follows what it shows, objects that move included, one face a frame
+  Realtime,  ///< follows what it shows, objects that move included, one face per frame
   Custom,    ///< filtered from a picture
 };
 /// How the six faces lie in a picture of the surroundings.
@@ -165,7 +165,7 @@ enum class CubeLayout {
   LatLong,    ///< 2:1
   Strip,      ///< 6:1 or 1:6, faces in OpenEXR's order if the file says envmap = cube, else OpenGL's
   Cross,      ///< 4:3 horizontal or 3:4 vertical
-  SixFiles,   ///< one file a face
+  SixFiles,   ///< one file per face
 };
 /// What a texel of a custom probe's picture stands for; with the instruction (multiplier, exponent) of `decode`.
 enum class ImageEncoding {
@@ -246,7 +246,7 @@ struct Scene {
   std::map<std::string, MaterialOverride> materials;
   std::map<std::string, ObjectOverride> objects;
   std::map<std::string, PlanarMirror> mirrors;
-  double mirrorBudget = 8.0e6;  ///< texels of all mirrors' pictures a frame, the largest on the screen first
+  double mirrorBudget = 8.0e6;  ///< texels of all mirrors' pictures per frame, the largest on the screen first
   std::vector<Probe> probes;    ///< names unique
   double exposure = 1.0;        ///< display = (exposure * linear)^(1/2.2)
 

@@ -1,5 +1,5 @@
 // Is a scene sound? Called after each parse and before each commit, so that the layers above never meet NaN, an
-// inverted box or two probes of one name. Ranges stand in the fields' rows; here is what holds between fields.
+// inverted box or two probes of one name. This file checks rules between fields; field_check.cpp checks single fields.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <unordered_map>
@@ -58,7 +58,12 @@ void checkCamera(const Camera& camera) {
 }
 
 void checkLight(const Light& light, std::size_t index) {
-  checkFields(lightFields(), light, {"lights", indexKey(index)});
+  const KeyPath path{"lights", indexKey(index)};
+  for (const FieldRow<Light>& row : lightFields()) {
+    if (hasField(light.type, row)) checkField(row, row.get(light), path);
+  }
+  // The sizes of both kinds, whichever the type has: they are kept while a type is tried out.
+  for (const char* size : {"angleDegrees", "radius"}) checkField(lightField(size), lightField(size).get(light), path);
   if (light.type == LightType::Spot && light.innerConeDegrees >= light.outerConeDegrees) {
     throw FieldError({"lights", indexKey(index), "innerConeDegrees"}, "is " + numberText(light.innerConeDegrees) +
                                                                           " and must be less than outerConeDegrees, " +

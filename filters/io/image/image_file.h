@@ -11,7 +11,7 @@ namespace boxprobe {
 
 void savePng(const std::string& path, const ImageRgba8& image);
 
-/// A channel beside a picture's own: one value a pixel, rows from the top.
+/// A channel beside a picture's own: one value per pixel, rows from the top.
 struct ExtraChannel {
   std::string name;
   std::vector<float> values;

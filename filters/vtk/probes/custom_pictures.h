@@ -17,7 +17,7 @@ class CustomPictures {
  public:
   /// Reads what is not there yet.
   void update(const Scene& scene);
-  /// Reads it anew at the next update: the file may have changed.
+  /// Reads it again at the next update: the file may have changed.
   void forget(const std::string& probeName) { pictures_.erase(probeName); }
 
   /// Null: none could be read so far.

@@ -1,12 +1,12 @@
 // The probe set's work, one cube map after another: a planned job is begun, made step by step or read from its file,
-// and handed to the publisher; then the plan is made anew. Called by the probe set; decides neither what is made nor
+// and handed to the publisher; then the plan is made again. Called by the probe set; decides neither what is made nor
 // what is shown.
 #pragma once
 
 #include <memory>
 
 #include "filters/vtk/capture/bake_runner.h"
-#include "filters/vtk/probes/probe_items.h"
+#include "filters/vtk/probes/bake_items.h"
 #include "filters/vtk/probes/probe_plan.h"
 #include "filters/vtk/probes/probe_publisher.h"
 
