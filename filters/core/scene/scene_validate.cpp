@@ -62,7 +62,7 @@ void checkLight(const Light& light, std::size_t index) {
   for (const FieldRow<Light>& row : lightFields()) {
     if (hasField(light.type, row)) checkField(row, row.get(light), path);
   }
-  // The sizes of both kinds, whichever the type has: they are kept while a type is tried out.
+  // Both sizes, whatever the type: code that makes a light may set one first and the type after.
   for (const char* size : {"angleDegrees", "radius"}) checkField(lightField(size), lightField(size).get(light), path);
   if (light.type == LightType::Spot && light.innerConeDegrees >= light.outerConeDegrees) {
     throw FieldError({"lights", indexKey(index), "innerConeDegrees"}, "is " + numberText(light.innerConeDegrees) +
