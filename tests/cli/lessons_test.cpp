@@ -115,7 +115,7 @@ TEST(LessonsCommand, ShowsTheLanguageAskedForOrTheLocales) {
     EXPECT_EQ(outcome.err, "");
     return outcome.out;
   };
-  EXPECT_THAT(list({"--language", "en"}), AllOf(HasSubstr("Good day\n"), HasSubstr("Language: en, of en, eo\n")));
+  EXPECT_THAT(list({"--language", "en"}), AllOf(HasSubstr("Good day\n"), HasSubstr("Language: en (of en, eo)\n")));
   EXPECT_THAT(list({"--language", "eo"}), AllOf(HasSubstr("Bonan tagon\n"), HasSubstr("Farewell (en)\n")));
   const char* before = std::getenv("LC_ALL");
   const std::string kept = before != nullptr ? before : "";

@@ -27,7 +27,8 @@ void readHeader(const JsonCursor& root, const std::string& language) {
   root.requireObject();
   const auto format = root.find("format");
   if (!format || format->json() != "boxprobe-lesson-text") {
-    root.fail("has no lessons' texts; it starts with { \"format\": \"boxprobe-lesson-text\", \"version\": 1, ...");
+    root.fail(
+        "is not a file of lessons' texts; it starts with { \"format\": \"boxprobe-lesson-text\", \"version\": 1, ...");
   }
   for (const char* name : {"version", "language", "chapters", "lessons"}) {
     if (!root.find(name)) root.fail(std::string("has no ") + name);
