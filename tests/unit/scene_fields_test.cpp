@@ -225,7 +225,9 @@ TEST(SceneFields, RowsAreSound) {
       EXPECT_EQ(field->help.back(), '.') << "one sentence or more";
       EXPECT_EQ(field->help.find_first_of("|\n"), std::string_view::npos) << "would break the reference's table";
       // An empty name of a file, which is no default, aside.
-      if (field->ifEmpty.empty()) EXPECT_NO_THROW(checkField(*field, standard, {"part"})) << "the default";
+      if (field->ifEmpty.empty()) {
+        EXPECT_NO_THROW(checkField(*field, standard, {"part"})) << "the default";
+      }
       const FieldRange form = formRange(*field);
       EXPECT_GE(form.lowest, field->range.lowest);
       EXPECT_LE(form.highest, field->range.highest);
