@@ -1,4 +1,4 @@
-// How a level of the source's mip chain is made from the one before: four bilinear lookups a texel, which together are
+// How a level of the source's mip chain is made from the one before: four bilinear lookups per texel, which together are
 // the filter 1 3 3 1 along each axis. Repeated from level to level it tends to a quadratic spline: a lookup's footprint
 // is then smooth and nearly round, and the footprints of neighbouring lookups add up evenly. The plain mean of 2 x 2
 // (glGenerateMipmap) gives square footprints with a hard border, which show as blotches around a lamp; see the table in
