@@ -105,7 +105,7 @@ void expectEachFieldWorks(const std::vector<FieldRow<Part>>& rows, const Scene& 
 /// A scene with one of each part.
 Scene oneOfEach() {
   Scene scene;
-  scene.models.push_back({"a.glb", {}, {}, 0.5});  // a plain one is written as its name alone
+  scene.models.push_back({"a.glb", {1, 0, 0}, {}, 1.0});  // moved: else its name alone is written
   scene.cameras.emplace_back();
   scene.lights.emplace_back();
   scene.materials["floor"];
