@@ -43,7 +43,7 @@ TEST(Help, BenchNamesItsOptions) {
 
 TEST(Help, InfoNamesItsOptions) {
   const Outcome outcome = help({"info", "--help"});
-  for (const char* text : {"SCENE", "--set", "--stats", "--json", "--quiet", "Example", "boxprobe info "}) {
+  for (const char* text : {"SCENE", "--set", "--fields", "--stats", "--json", "--quiet", "Example", "boxprobe info "}) {
     EXPECT_THAT(outcome.out, HasSubstr(text));
   }
 }

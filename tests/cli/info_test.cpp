@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
@@ -34,6 +35,27 @@ TEST(Info, BareModelGetsAProbeAndACameraFittedToIt) {
   ASSERT_EQ(report["cameras"].size(), 1u);
   EXPECT_EQ(report["cameras"][0]["target"], json({0.5, 0.5, 0.0}));
   EXPECT_GT(report["cameras"][0]["position"][2], 0.7);  // outside the bounds
+}
+
+TEST(Info, FieldsListsEveryKeyWithoutAScene) {
+  const Outcome text = runProgram({"info", "--fields"}, DisplayKind::Unset);
+  EXPECT_EQ(text.exitStatus, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("| `filterSamples` | whole number from 8 to 768 | `64` | capture | "));
+  const json parts = infoJson({"--fields"});
+  const auto probes =
+      std::find_if(parts.begin(), parts.end(), [](const json& part) { return part["path"] == "probes[]"; });
+  ASSERT_NE(probes, parts.end());
+  const json& fields = (*probes)["fields"];
+  const auto samples =
+      std::find_if(fields.begin(), fields.end(), [](const json& field) { return field["key"] == "filterSamples"; });
+  ASSERT_NE(samples, fields.end());
+  EXPECT_EQ((*samples)["lowest"], 8);
+  EXPECT_EQ((*samples)["highest"], 768);
+  EXPECT_EQ((*samples)["default"], 64);
+  EXPECT_EQ((*samples)["changes"], json({"capture"}));
+
+  EXPECT_THAT(runProgram({"info"}, DisplayKind::Unset).err, HasSubstr("SCENE is required; see boxprobe info --help"));
+  EXPECT_EQ(runProgram({"info", "room.json", "--fields"}, DisplayKind::Unset).exitStatus, 2);
 }
 
 TEST(Info, ListsOverridesAndWhatTheyMiss) {
