@@ -115,8 +115,8 @@ struct FieldRow : FieldInfo {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return ranged({-kInfinity, kInfinity, false, false});
   }
-  FieldRow& oneOf(std::vector<int> all) {
-    values = std::move(all);
+  FieldRow& oneOf(const std::vector<int>& all) {
+    values = all;
     return *this;
   }
   FieldRow& powersOfTwo(int lowest, int highest) {
@@ -132,12 +132,12 @@ struct FieldRow : FieldInfo {
     kind = other;
     return *this;
   }
-  FieldRow& choose(std::vector<FieldChoice> ids) {
-    choices = std::move(ids);
+  FieldRow& choose(const std::vector<FieldChoice>& ids) {
+    choices = ids;
     return *this;
   }
-  FieldRow& changing(std::vector<bool Changes::*> kinds) {
-    changes = std::move(kinds);
+  FieldRow& changing(const std::vector<bool Changes::*>& kinds) {
+    changes = kinds;
     return *this;
   }
   FieldRow& require(std::string_view whatToAdd) {
