@@ -45,7 +45,10 @@ Json mapJson(const std::map<std::string, Part>& map, const std::vector<FieldRow<
 Json partsJson(std::string_view key, const Scene& scene, const Writing& how) {
   const bool minimal = how.form == JsonForm::Minimal;
   const bool plainModel = minimal && scene.models.size() == 1 && scene.models[0] == ModelFile{scene.models[0].file};
-  const auto unlessEmpty = [&](Json json) { return minimal && json.empty() ? Json() : json; };
+  const auto unlessEmpty = [minimal](Json json) {
+    if (minimal && json.empty()) json = nullptr;
+    return json;
+  };
   if (key == "format") return "boxprobe-scene";
   if (key == "version") return 1;
   if (key == "model") {
