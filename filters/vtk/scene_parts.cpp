@@ -102,7 +102,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   makeCurrent();
   content.scene = scene;
   const bool anyProbe = changes.probeList || changes.probeShape;
-  // Not while a box is dragged: cutting makes geometry anew.
+  // Not while a box is dragged: cutting makes geometry again.
   const bool divided = (changes.models || anyProbe) && !interactive && content.divideModels();
   const bool models = changes.models || divided;
   const bool objects = models || changes.materials || changes.objects;

@@ -7,7 +7,7 @@
 
 #include "filters/math/sampling/filter_lobe.h"
 #include "filters/vtk/gl/gl_objects.h"
-#include "filters/vtk/gl/texture_memory.h"
+#include "filters/vtk/gl/map_bytes.h"
 #include "tests/cli/program.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"

@@ -11,7 +11,7 @@ namespace boxprobe {
 
 namespace {
 
-// Face sizes as filters/vtk/probes/probe_set.cpp captures its sky: a gradient has no detail.
+// Face sizes as filters/vtk/probes/probe_plan.cpp has its sky: a gradient has no detail.
 constexpr int kFaceSize = 64;
 constexpr int kImageFaceSize = 256;
 // Samples along each side of a texel of a picture: a sun of a few pixels must not fall between them.

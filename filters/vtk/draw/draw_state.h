@@ -17,7 +17,7 @@ class DrawState {
  public:
   SceneResources resources;
   FrameCounts counts;
-  /// Draws the window's picture: its camera's lights are uploaded anew after a pass with another camera (PassScope).
+  /// Draws the window's picture: its camera's lights are uploaded again after a pass with another camera (PassScope).
   vtkWeakPointer<vtkRenderer> shown;
 
   const PassSettings& pass() const { return pass_; }

@@ -1,4 +1,4 @@
-// Which probes an object is drawn with, and what of them its program is compiled for. Chosen by the probe set, read by
+// Which probes per object is drawn with, and what of them its program is compiled for. Chosen by the probe set, read by
 // the mapper and the splice. Plain data; knows no scene.
 #pragma once
 
@@ -56,7 +56,8 @@ struct ProbeBinding {
   std::string variantKey() const;
   /// The same by what stands in for its techniques while something moves; null if nothing does.
   std::shared_ptr<const ProbeBinding> standIn() const;
-  /// Is a technique that is drawn one whose picture is a mean of frames, and of how many rays a pixel and frame? 0: no.
+  /// Is a technique that is drawn one whose picture is a mean of frames, and of how many rays per pixel and frame? 0:
+  /// no.
   int animatedSamples() const;
   /// Is what a technique samples here smoothed afterwards?
   bool blurred(std::size_t slot) const;

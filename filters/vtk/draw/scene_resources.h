@@ -30,7 +30,7 @@ struct ShadowLight {
 struct SceneResources {
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
-  GLuint blueNoise = 0;                   ///< RG32F, filters/math/blue_noise; made when a draw first uses it
+  GLuint blueNoise = 0;                   ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
   GLuint blackCube = 0;                   ///< stands in for maps not captured yet
   GLuint viewColors = 0;                  ///< 256 x 1, of the debug view; made when that is first shown
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights

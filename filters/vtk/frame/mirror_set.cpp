@@ -92,11 +92,11 @@ const char* mirrorStateText(MirrorState state) {
     case MirrorState::FacingAway:
       return "it faces away";
     case MirrorState::NotInView:
-      return "it is out of the view";
+      return "it is out of view";
     case MirrorState::NothingDynamic:
-      return "nothing dynamic is in what it shows";
+      return "no dynamic object is in its view";
     case MirrorState::OverBudget:
-      return "larger ones took the mirrorBudget";
+      return "larger mirrors used up the mirrorBudget";
     case MirrorState::Drawn:
     case MirrorState::NotDrawn:
       break;

@@ -33,7 +33,7 @@ class MirrorSet {
  public:
   MirrorSet(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, const SceneContent* content);
 
-  /// After objects, materials or mirrors of the scene changed: planes are found anew, and the objects whose programs
+  /// After objects, materials or mirrors of the scene changed: planes are found again, and the objects whose programs
   /// look a picture up are told so.
   void update();
   /// Before a picture of `width` x `height` pixels through `camera` is drawn; the context must be current. `samples`:

@@ -1,4 +1,4 @@
-// What a planar mirror's picture is drawn into: half-float colour and height, four samples a texel resolved, with mip
+// What a planar mirror's picture is drawn into: half-float colour and height, four samples per texel resolved, with mip
 // levels. Called by the mirrors' painter; knows no scene. Every function needs the window's context current.
 #pragma once
 

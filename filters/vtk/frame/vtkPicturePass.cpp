@@ -92,7 +92,7 @@ void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
   this->OnTop->Render(&onTop);
 }
 
-// Several samples a pixel resolved first would mix the surfaces at an edge, which smoothing has to tell apart: it is
+// Several samples per pixel resolved first would mix the surfaces at an edge, which smoothing has to tell apart: it is
 // done on a finer picture instead.
 int vtkPicturePass::Finer() const {
   return this->BlurredRays > 0 && this->Samples > 1 ? 2 : 1;

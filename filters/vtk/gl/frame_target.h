@@ -23,7 +23,7 @@ class FrameTarget {
   FrameTarget(const FrameTarget&) = delete;
   FrameTarget& operator=(const FrameTarget&) = delete;
 
-  /// `samples`: 0 or 1 for one a pixel; several for colour alone. Keeps what it has when nothing differs. Throws
+  /// `samples`: 0 or 1 for one per pixel; several for colour alone. Keeps what it has when nothing differs. Throws
   /// WorkError if the driver refuses.
   void allocate(int width, int height, int samples, int attachments);
   void release();
@@ -46,7 +46,7 @@ class FrameTarget {
   Framebuffer resolved_, sampled_;
   GLuint depth_ = 0;
   std::array<GLuint, kMostAttachments> textures_{};
-  GLuint sampledColor_ = 0, sampledDepth_ = 0;  // several samples a pixel: render buffers
+  GLuint sampledColor_ = 0, sampledDepth_ = 0;  // several samples per pixel: render buffers
 };
 
 }  // namespace boxprobe

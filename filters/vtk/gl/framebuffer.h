@@ -49,7 +49,7 @@ Framebuffer::Refusal floatRefusal(const char* what);
 /// RGBA32F colour (GL_RGBA) or 32-bit float depth (GL_DEPTH_COMPONENT) of one level, read texel by texel.
 GLuint makeTargetTexture(int width, int height, GLenum internalFormat, GLenum format);
 
-/// `samples` up to 1: one a pixel.
+/// `samples` up to 1: one per pixel.
 GLuint makeRenderBuffer(int width, int height, int samples, GLenum internalFormat);
 
 inline FramebufferImage renderBufferImage(GLuint handle) {

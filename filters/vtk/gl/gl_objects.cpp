@@ -5,7 +5,7 @@
 #include <vtkTextureUnitManager.h>
 
 #include "filters/core/base/errors.h"
-#include "filters/vtk/gl/texture_memory.h"
+#include "filters/vtk/gl/map_bytes.h"
 
 namespace boxprobe {
 

@@ -3,23 +3,14 @@
 #include <unistd.h>
 #include <vtk_glew.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
-
-#include "filters/math/sampling/filter_lobe.h"
 
 namespace boxprobe {
 
 namespace {
 
 constexpr std::size_t kMegabyte = std::size_t{1} << 20;
-
-constexpr std::size_t kRgba16fBytes = 8, kR32fBytes = 4;
-
-std::size_t faceTexels(int size) {
-  return 6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-}
 
 /// Kilobytes that a query of this name answers with; 0 if the driver does not know it.
 std::size_t queried(GLenum name, bool supported) {
@@ -30,19 +21,6 @@ std::size_t queried(GLenum name, bool supported) {
 }
 
 }  // namespace
-
-std::size_t probeMapsBytes(int faceSize, bool distances) {
-  std::size_t bytes = distances ? faceTexels(faceSize) * kR32fBytes : 0;
-  for (int level = 0; level < prefilterLevels(faceSize); ++level)
-    bytes += faceTexels(faceSize >> level) * kRgba16fBytes;
-  return bytes;
-}
-
-std::size_t captureScratchBytes(int faceSize) {
-  std::size_t bytes = 0;
-  for (int size = faceSize; size > 0; size /= 2) bytes += faceTexels(size) * kRgba16fBytes;
-  return bytes;
-}
 
 std::size_t textureMemoryLimit() {
   if (const char* text = std::getenv("BOXPROBE_TEXTURE_MEMORY")) {
@@ -59,17 +37,6 @@ std::size_t textureMemoryLimit() {
   const long pages = ::sysconf(_SC_PHYS_PAGES), pageBytes = ::sysconf(_SC_PAGESIZE);
   if (pages <= 0 || pageBytes <= 0) return std::numeric_limits<std::size_t>::max();
   return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(pageBytes);
-}
-
-std::string memoryText(std::size_t bytes) {
-  const double megabytes = static_cast<double>(bytes) / static_cast<double>(kMegabyte);
-  char text[32];
-  if (megabytes >= 1000.0) {
-    std::snprintf(text, sizeof text, "%.1f GB", megabytes / 1024.0);
-  } else {
-    std::snprintf(text, sizeof text, "%.*f MB", megabytes < 10.0 ? 1 : 0, megabytes);
-  }
-  return text;
 }
 
 }  // namespace boxprobe

@@ -1,4 +1,4 @@
-// A sphere at a probe's origin that shows what the probe holds: a mirror, a rough metal or a matt white, lit by that
+// A sphere at a probe's origin that shows what the probe holds: a mirror, a rough metal or a diffuse white, lit by that
 // probe's maps alone. Owned by the scene renderer. Drawn in a layer of its own over the scene (behind whatever stands
 // before it), so that no capture, explanation or exported picture sees it; hidden it is not there at all.
 #pragma once

@@ -2,16 +2,14 @@
 // not change is kept. Called by the probe set; knows no probe.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "filters/vtk/maps/face_keys.h"
 #include "filters/vtk/maps/probe_maps.h"
 
 namespace boxprobe {
-
-using FaceKeys = std::array<std::string, 6>;
 
 class MapCache {
  public:

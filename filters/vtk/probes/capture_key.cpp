@@ -13,7 +13,7 @@ namespace boxprobe {
 namespace {
 
 // Raise it whenever captures or filters come to give other texels for the same inputs: files baked before are then
-// baked anew.
+// baked again.
 constexpr int kBakeVersion = 3;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
@@ -147,8 +147,7 @@ std::vector<std::string> objectContentKeys(const std::vector<std::shared_ptr<con
   return keys;
 }
 
-CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& objects,
-                          const std::vector<std::string>& contentKeys, const std::string& skyPixels,
+CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& objects, const std::string& skyPixels,
                           const ProbeIndex& probes) {
   CaptureWorld world;
   world.sky = skyKey(scene, skyPixels);
@@ -160,20 +159,19 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& ob
   }
   world.lights = lights.text();
   std::vector<Box> bounds;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const DrawnObject& drawn = objects[i];
+  for (const PlacedObject& placed : objects) {
     CaptureObject object;
-    object.node = drawn.node;
-    object.seenByProbes = drawn.settings.seenByProbes;
-    object.dynamic = drawn.settings.dynamic;
-    object.boundsWorld = worldBounds(drawn);
+    object.node = placed.node;
+    object.seenByProbes = placed.seenByProbes;
+    object.dynamic = placed.dynamic;
+    object.boundsWorld = placed.boundsWorld;
     ContentHash hash;
-    hash.add(contentKeys[i]).addBytes(&drawn.worldFromModel, sizeof drawn.worldFromModel);
-    if (const auto it = scene.materials.find(drawn.materialName); it != scene.materials.end()) {
+    hash.add(placed.contentKey).addBytes(&placed.worldFromModel, sizeof placed.worldFromModel);
+    if (const auto it = scene.materials.find(placed.materialName); it != scene.materials.end()) {
       addOverride(hash, it->second);
     }
     object.key = hash.text();
-    if (!drawn.unlit) object.probes = probes.meeting(object.boundsWorld);
+    if (!placed.unlit) object.probes = probes.meeting(object.boundsWorld);
     bounds.push_back(object.boundsWorld);
     world.objects.push_back(std::move(object));
   }

@@ -1,10 +1,12 @@
 // What a capture depends on, as fingerprints of contents: equal keys, equal pictures, in this run and the next. Decides
 // what is captured again after an edit, which faces can be kept, and whether a file on disk still holds. Called by the
 // probe set. Of a box its rotation alone counts, which turns the cube's axes. Its extent, blend distances, techniques,
-// importance and intensity never do: what they change inside of a reflection's reflection stays as baked.
+// importance and intensity never do: what they change inside of a reflection's reflection stays as baked. Neither VTK
+// nor OpenGL.
 #pragma once
 
 #include <cstddef>
+#include <glm/mat4x4.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,7 +16,6 @@
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 #include "filters/math/cube/cube_map.h"
-#include "filters/vtk/scene/model_actors.h"
 
 namespace boxprobe {
 
@@ -22,6 +23,18 @@ namespace boxprobe {
 /// material, textures.
 std::vector<std::string> objectContentKeys(const std::vector<std::shared_ptr<const Model>>& models,
                                            std::size_t modelCount);
+
+/// One object as it stands in the picture.
+struct PlacedObject {
+  std::string node;
+  std::string materialName;
+  std::string contentKey;  ///< as objectContentKeys gave it
+  glm::dmat4 worldFromModel{1.0};
+  Box boundsWorld;
+  bool seenByProbes = true;
+  bool dynamic = false;  ///< moves: only realtime probes see it
+  bool unlit = false;    ///< no probe lights it
+};
 
 /// One object as captures meet it.
 struct CaptureObject {
@@ -41,10 +54,8 @@ struct CaptureWorld {
   std::string lights;
 };
 
-/// `contentKeys` as objectContentKeys gave them, `skyPixels` the fingerprint of the sky's image if it is one, `probes`
-/// of the scene's.
-CaptureWorld captureWorld(const Scene& scene, const std::vector<DrawnObject>& objects,
-                          const std::vector<std::string>& contentKeys, const std::string& skyPixels,
+/// `skyPixels`: the fingerprint of the sky's image if it is one; `probes`: of the scene's.
+CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& objects, const std::string& skyPixels,
                           const ProbeIndex& probes);
 
 /// The key of the sky's own map.

@@ -1,4 +1,4 @@
-// Which probes an object uses. CPU only, no GL.
+// Which probes per object uses. CPU only, no GL.
 #pragma once
 
 #include <memory>

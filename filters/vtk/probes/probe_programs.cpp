@@ -1,24 +1,18 @@
-// The probe set's programs: which probes each object is drawn with, what stands in for them while something moves, and
-// which programs are compiled before they are needed. See probe_set.h.
+#include "filters/vtk/probes/probe_programs.h"
+
 #include <algorithm>
 
 #include "filters/vtk/probes/probe_assignment.h"
-#include "filters/vtk/probes/probe_set.h"
 
 namespace boxprobe {
 
-void ProbeSet::assignToObjects() {
-  assign(!interactive_);
-}
-
-void ProbeSet::assign(bool newProgramsAllowed) {
-  std::vector<std::shared_ptr<DrawnProbe>> drawn;
-  for (const Entry& entry : entries_) drawn.push_back(entry.drawn);
+void ProbePrograms::assign(bool newProgramsAllowed) {
+  const auto drawn = shown_->all();
   toPrepare_.clear();
   for (std::size_t i = 0; i < content_->objects.size(); ++i) {
     DrawnObject& object = content_->objects[i];
-    const auto meeting = index_.meeting(worldBounds(object));
-    auto binding = assignProbes(object, content_->scene, drawn, meeting, enabled_, interactive_);
+    const auto meeting = entries_->places().meeting(worldBounds(object));
+    auto binding = assignProbes(object, content_->scene, drawn, meeting, plan_->enabled(), plan_->interactive());
     const std::string key = binding->variantKey();
     const ProbeBinding* current = object.mapper->GetBinding();
     // A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
@@ -26,33 +20,47 @@ void ProbeSet::assign(bool newProgramsAllowed) {
       continue;
     variantsUsed_.insert(key);
     object.mapper->SetBinding(std::move(binding));
-    if (interactive_) continue;
-    const auto general = assignProbes(object, content_->scene, drawn, meeting, enabled_, true);
+    if (plan_->interactive()) continue;
+    const auto general = assignProbes(object, content_->scene, drawn, meeting, plan_->enabled(), true);
     if (editable_ && general->variantKey() != key) prepare(i, general);
     if (!standInsAllowed_) continue;
     prepare(i, object.mapper->GetBinding()->standIn());
     if (editable_) prepare(i, general->standIn());
   }
-  state_->resources.shadowLightsInUse.clear();
-  for (const DrawnObject& object : content_->objects) {
-    if (const ProbeBinding* binding = object.mapper->GetBinding())
-      state_->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
-  }
-  findUsed();
+  recordUse();
   updateStandIns();
 }
 
-void ProbeSet::prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding) {
+// By what objects are drawn with, not by what meets them.
+void ProbePrograms::recordUse() {
+  state_->resources.shadowLightsInUse.clear();
+  std::vector<ObjectUse> uses;
+  for (const DrawnObject& object : content_->objects) {
+    ObjectUse use;
+    use.lit = !object.unlit && object.settings.visible;
+    if (const ProbeBinding* binding = object.mapper->GetBinding()) {
+      state_->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
+      for (const auto& probe : binding->probes) {
+        // During a drag an object may still be drawn with one that is no longer in the list.
+        if (shown_->has(*probe)) use.probes.push_back(static_cast<std::size_t>(probe->index));
+      }
+    }
+    uses.push_back(std::move(use));
+  }
+  entries_->setUse(std::move(uses));
+}
+
+void ProbePrograms::prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding) {
   if (binding) toPrepare_.emplace_back(object, std::move(binding));
 }
 
-void ProbeSet::allowStandIns(bool allowed) {
+void ProbePrograms::allowStandIns(bool allowed) {
   if (standInsAllowed_ == allowed) return;
   standInsAllowed_ = allowed;
-  assignToObjects();
+  assign();
 }
 
-bool ProbeSet::setMoving(bool moving) {
+bool ProbePrograms::setMoving(bool moving) {
   moving_ = moving && standInsAllowed_;
   updateStandIns();
   const auto& objects = content_->objects;
@@ -63,14 +71,8 @@ bool ProbeSet::setMoving(bool moving) {
   return any;
 }
 
-// Is anything under way that will be kept? What a drag captures is replaced at its end.
-bool ProbeSet::capturesLast() const {
-  const auto lasts = [](const Job& job) { return job.kind != JobKind::Drag && job.kind != JobKind::File; };
-  return std::any_of(jobs_.begin(), jobs_.end(), lasts) || (runner_.pending() && current_ && lasts(*current_));
-}
-
-void ProbeSet::updateStandIns() {
-  const bool show = moving_ && !capturesLast();
+void ProbePrograms::updateStandIns() {
+  const bool show = moving_ && !plan_->capturesLast();
   for (DrawnObject& object : content_->objects) {
     const auto cheap = show && object.mapper->GetBinding() ? object.mapper->GetBinding()->standIn() : nullptr;
     object.mapper->SetStandIn(cheap && prepared_.count(cheap->variantKey() + object.materialName) > 0);
@@ -78,7 +80,7 @@ void ProbeSet::updateStandIns() {
 }
 
 // Draws one object into a few pixels with the program a drag will need, so that it is compiled by then.
-void ProbeSet::prepareOne() {
+void ProbePrograms::prepareOne() {
   auto [index, general] = std::move(toPrepare_.back());
   toPrepare_.pop_back();
   DrawnObject& object = content_->objects[index];

@@ -135,9 +135,11 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   replaceOnce(lighting, "//BP::Slots",
               techniqueSources(binding, debug) + parameterDeclarations(binding) +
                   perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
-  replaceOnce(lighting, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
-  replaceOnce(lighting, "//BP::ConstantShares", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
-  replaceOnce(lighting, "//BP::Shares", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
+  std::string shares(shaderSource("gpu/probe_shares.glsl"));
+  replaceOnce(shares, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
+  replaceOnce(shares, "//BP::Shares", perSlot("  bpShareOf[@SLOT@] = share[@GROUP@] * weight[@SLOT@];\n", binding));
+  replaceOnce(lighting, "//BP::ShareOut", shares);
+  replaceOnce(lighting, "//BP::AddSlots", perSlot(shaderSource("gpu/probe_share.glsl"), binding));
   const auto define = [](const char* name, bool value) {
     return std::string("#define ") + name + (value ? " 1\n" : " 0\n");
   };
@@ -152,19 +154,17 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
          std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/finite.glsl", "shared/slab.glsl", "shared/roughness.glsl",
-                            "shared/weights.glsl", "shared/sh.glsl"}) +
+                            "shared/weights.glsl", "shared/fresnel.glsl", "shared/sh.glsl"}) +
          (debug ? joinShaderSources({"shared/cube.glsl", "gpu/debug_trace.glsl"}) : std::string()) + lighting;
 }
 
 std::string coverageDeclarations(const ProbeBinding& binding) {
   if (binding.shadowLights.empty()) return {};
   std::string text(shaderSource("gpu/coverage.glsl"));
-  replaceOnce(text, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
-  replaceOnce(text, "//BP::Covers", perSlot("  bpCovers[@SLOT@] = groupShare[@GROUP@] * weight[@SLOT@];\n", binding));
   replaceOnce(
       text, "//BP::Through",
       perSlot(
-          "  if (bpCovers[@SLOT@] > 1.0e-5f)\n  {\n    through += bpCovers[@SLOT@] *\n"
+          "  if (bpShareOf[@SLOT@] > 1.0e-5f)\n  {\n    through += bpShareOf[@SLOT@] *\n"
           "      ((bpShadowMask[@SLOT@] >> bit & 1) != 0 ? bpThroughSlot@SLOT@(position, toLight, tangent, perUnit) "
           ": vec3(1.0f));\n  }\n",
           binding));
@@ -175,7 +175,8 @@ std::string coverageDeclarations(const ProbeBinding& binding) {
     moving += piece;
   }
   return "#define BP_SHADOW_LIGHTS " + std::to_string(binding.shadowLights.size()) + "\n#define BP_MOVING_MAP_SIZE " +
-         std::to_string(kMovingMapSize) + ".0f\n" + joinShaderSources({"shared/coverage.glsl"}) +
+         std::to_string(kMovingMapSize) + ".0f\n" +
+         joinShaderSources({"shared/coverage_types.glsl", "shared/coverage.glsl"}) +
          perSlot(shaderSource("gpu/coverage_slot.glsl"), binding) + text + moving;
 }
 

@@ -89,7 +89,7 @@ const std::vector<Anchor>& lightingAnchors() {
         "vec3 irradiance = vec3(ComputeSH(rotN, shRed), ComputeSH(rotN, shGreen), ComputeSH(rotN, shBlue));"},
        {"vec3 bpF0 = mix(vec3(baseF0Uniform), albedo, metallic);\n"
         "  vec3 bpF90 = mix(vec3(clamp(dot(bpF0, vec3(50.0 * 0.33)), 0.0, 1.0)), edgeTintUniform, metallic);\n"
-        "  BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness, bpMeanFresnel(bpF0, bpF90, NdV));\n  vec3 "
+        "  BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness, meanFresnel(bpF0, bpF90, NdV));\n  vec3 "
         "irradiance = bpLight.irradiance;"},
        false},
       {"specular reflection",
@@ -106,7 +106,7 @@ const std::vector<Anchor>& lightingAnchors() {
         "vec3 prefilteredSpecularCoatColor = textureLod(prefilterTex, coatWorldReflect, coatRoughness * "
         "prefilterMaxLevel).rgb;"},
        {"vec3 prefilteredSpecularCoatColor = bpGatherLight(vertexVC.xyz, coatN, V, coatRoughness,\n"
-        "    bpMeanFresnel(vec3(coatF0Uniform), vec3(1.0), coatNdV)).specular;"},
+        "    meanFresnel(vec3(coatF0Uniform), vec3(1.0), coatNdV)).specular;"},
        true},
       {"clear-coat split-sum table",
        {"vec2 coatBrdf = vec2(0.0);", "vec2 coatBrdf = texture(brdfTex, vec2(coatNdV, coatRoughness)).rg;"},

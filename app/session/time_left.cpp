@@ -1,7 +1,6 @@
 // See time_left.h.
-#include "app/gui/widgets/time_left.h"
+#include "app/session/time_left.h"
 
-#include <QCoreApplication>
 #include <cmath>
 
 namespace boxprobe {
@@ -26,11 +25,11 @@ std::optional<double> TimeLeft::update(double fraction, double seconds) {
   return taken / done * (1.0 - fraction);
 }
 
-QString TimeLeft::text(double seconds) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("TimeLeft", text); };
-  if (seconds < 1.0) return tr("under 1 s left");
-  if (seconds < 90.0) return tr("%1 s left").arg(std::lround(seconds));
-  return tr("%1 min left").arg(std::lround(seconds / 60.0));
+std::string TimeLeft::text(double seconds) {
+  constexpr double kMostSeconds = 90.0;  // in minutes from here on
+  if (seconds < 1.0) return "under 1 s left";
+  if (seconds < kMostSeconds) return std::to_string(std::lround(seconds)) + " s left";
+  return std::to_string(std::lround(seconds / 60.0)) + " min left";
 }
 
 }  // namespace boxprobe

@@ -1,0 +1,142 @@
+#include "filters/vtk/probes/probe_items.h"
+
+#include <algorithm>
+
+namespace boxprobe {
+
+namespace {
+
+PrefilterSettings prefilterOf(const Probe& probe) {
+  PrefilterSettings settings;
+  if (probe.filter == FilterKind::Gaussian) settings.filter = FilterLobe::Kind::Gaussian;
+  settings.samples = probe.filterSamples;
+  return settings;
+}
+
+CaptureSettings settingsOf(const Probe& probe) {
+  CaptureSettings settings;
+  settings.originWorld = probe.origin;
+  settings.rotationDegrees = probe.rotationDegrees;
+  settings.nearDistance = probe.nearDistance;
+  settings.farDistance = probe.farDistance;
+  settings.clear = probe.clear;
+  settings.samplesPerTexelSide = samplesPerSide(probe.samplesPerPixel);
+  return settings;
+}
+
+}  // namespace
+
+BakeItem ProbeItems::item(const ProbeJob& job, const Publish& publish) const {
+  const auto faces = std::make_shared<FaceKeys>();
+  BakeItem item;
+  if (job.kind == JobKind::SkyMap) {
+    item = sky();
+  } else if (job.kind == JobKind::Picture) {
+    item = picture(job);
+  } else if (job.kind == JobKind::Realtime) {
+    item = realtime(job, faces);
+  } else {
+    item = bounce(job, faces);
+  }
+  item.faceSize = job.faceSize;
+  item.bounce = job.bounce;
+  Probe as;  // as its capture begins
+  if (const auto index = entries_->find(job.name)) {
+    as = entries_->probe(*index);
+    item.prefilter = prefilterOf(as);
+  }
+  item.publish = [job, as, faces, publish](std::shared_ptr<const ProbeMaps> maps) {
+    MadeMaps made{job, *faces, std::move(maps)};
+    if (job.kind == JobKind::Realtime) {
+      made.job.key = ProbeKeys::realtime(as, *faces);
+      if (!keepsCapture(as)) made.faces = {};
+    }
+    publish(std::move(made));
+  };
+  return item;
+}
+
+BakeItem ProbeItems::sky() const {
+  BakeItem item;
+  item.sky = true;
+  // A sun of a few pixels must not fall between samples.
+  item.settings.samplesPerTexelSide = content_->skyImage ? 4 : 1;
+  item.face = [this](int) { return FaceSource{nullptr, {content_->sky}, content_->lightPointers()}; };
+  return item;
+}
+
+BakeItem ProbeItems::picture(const ProbeJob& job) const {
+  BakeItem item;
+  item.picture = sources_->pictures.picture(job.name);
+  if (const auto index = entries_->find(job.name)) item.settings.originWorld = entries_->probe(*index).origin;
+  return item;
+}
+
+FaceSource ProbeItems::faceSource(const Probe& probe, int face) const {
+  FaceSource source;
+  for (const std::size_t i : objectsInFace(keys_->world(), probe, face))
+    source.props.push_back(content_->objects[i].actor);
+  if (std::holds_alternative<ClearToSky>(probe.clear)) source.props.push_back(content_->sky);
+  source.lights = content_->lightPointers();
+  return source;
+}
+
+BakeItem ProbeItems::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) const {
+  const Probe as = entries_->probe(*entries_->find(job.name));
+  const bool drag = job.kind == JobKind::Drag;
+  BakeItem item;
+  item.settings = settingsOf(as);
+  item.reflectNothing = !drag && job.bounce == 1;
+  if (!drag && job.bounce > 1) {
+    item.drawing = [this, job](bool begins) { begins ? seeBounce(job) : shown_->seeAgain(); };
+  }
+  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = shown_->withoutSky(std::move(item.drawing));
+  item.face = [this, job, as, drag, faces](int face) {
+    FaceSource source;
+    const auto at = entries_->find(job.name);
+    if (!drag && at) {
+      std::string& key = (*faces)[static_cast<std::size_t>(face)];
+      key = keys_->face(*at, job.bounce, face);
+      if (!(*entries_)[*at].again) source.same = cache_->findFace(face, key);
+    }
+    return source.same ? source : faceSource(as, face);
+  };
+  return item;
+}
+
+// Every probe as it was captured a bounce before; null where that bounce does not show it. Realtime probes are not in
+// anybody's bounces.
+void ProbeItems::seeBounce(const ProbeJob& job) const {
+  const auto of = entries_->find(job.name);  // the list may have changed since the job began
+  if (!of) return;
+  const BounceKeys& bounces = keys_->bounces();
+  const std::vector<std::size_t>& sees = bounces.sees(*of);
+  shown_->see([&](std::size_t i) -> std::shared_ptr<const ProbeMaps> {
+    const bool seen = std::find(sees.begin(), sees.end(), i) != sees.end();
+    return seen ? cache_->find(bounces.key(i, job.bounce - 1)) : nullptr;
+  });
+}
+
+// A realtime probe of several bounces sees the probes as they are, itself included, so each round adds a bounce: as
+// many rounds as it has bounces after the last change, then it rests.
+BakeItem ProbeItems::realtime(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) const {
+  const Probe as = entries_->probe(*entries_->find(job.name));
+  BakeItem item;
+  item.settings = settingsOf(as);
+  item.fewSteps = true;
+  item.reflectNothing = as.bounces == 1;
+  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = shown_->withoutSky({});
+  item.face = [this, as, faces](int face) {
+    const auto at = entries_->find(as.name);
+    const auto f = static_cast<std::size_t>(face);
+    (*faces)[f] = keys_->realtimeFace(as, face);
+    FaceSource source = faceSource(as, face);
+    if (!at) return source;
+    const bool reflects = as.bounces > 1 && !faceView(keys_->world(), as, face).lighting.empty();
+    if (!reflects && (*entries_)[*at].faces[f] == (*faces)[f]) source.same = shown_->drawn(*at).maps;
+    return source;
+  };
+  return item;
+}
+
+}  // namespace boxprobe

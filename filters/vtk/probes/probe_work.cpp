@@ -1,0 +1,93 @@
+#include "filters/vtk/probes/probe_work.h"
+
+#include <algorithm>
+
+#include "filters/core/base/errors.h"
+#include "filters/vtk/maps/cube_transfer.h"
+
+namespace boxprobe {
+
+void ProbeWork::replan() {
+  publisher_->showCached();
+  plan_->make();
+  if (plan_->jobs().empty()) {
+    publisher_->dropEarlierBounces();
+    unitsDone_ = 0;
+  }
+  if (!plan_->keepsCurrent()) abort();
+  if (programs_->moving()) programs_->updateStandIns();
+}
+
+bool ProbeWork::step() {
+  if (!runner_->pending() && !plan_->jobs().empty()) {
+    const ProbeJob job = plan_->jobs().front();
+    if (job.kind == JobKind::File) {
+      loadFile(job);
+      return true;
+    }
+    begin(job);
+  }
+  if (!runner_->pending()) return false;
+  ++unitsDone_;
+  runner_->step();
+  return true;
+}
+
+void ProbeWork::begin(const ProbeJob& job) {
+  runner_->start(items_->item(job, [this](MadeMaps made) { finish(std::move(made)); }));
+  plan_->begin(job);
+}
+
+// A file that was damaged since it was looked at is as good as none: its probe is captured.
+void ProbeWork::loadFile(const ProbeJob& job) {
+  ++unitsDone_;
+  MadeMaps made{job, {}, nullptr, true};
+  try {
+    made.maps = upload(sources_->folder.load(job.key));
+  } catch (const InputError&) {
+    sources_->folder.forget(job.key);
+    keys_->update(plan_->targets());
+    return replan();
+  }
+  const auto index = entries_->find(job.name);
+  for (int face = 0; index && face < 6; ++face) {
+    made.faces[static_cast<std::size_t>(face)] = keys_->face(*index, job.bounce, face);
+  }
+  ++state_->counts.counters.mapsLoaded;
+  finish(std::move(made));
+}
+
+void ProbeWork::finish(MadeMaps made) {
+  plan_->end();
+  publisher_->publish(std::move(made));
+  replan();
+}
+
+double ProbeWork::progress() const {
+  if (!pending()) return 1.0;
+  int left = -runner_->unitsDone();
+  for (const ProbeJob& job : plan_->jobs()) {
+    left += job.kind == JobKind::File ? 1 : BakeRunner::units(job.faceSize, job.kind == JobKind::Realtime);
+  }
+  return static_cast<double>(unitsDone_) / std::max(unitsDone_ + left, 1);
+}
+
+void ProbeWork::abort() {
+  runner_->abort();
+  plan_->end();
+}
+
+void ProbeWork::giveUp() {
+  abort();
+  plan_->giveUp();
+  publisher_->dropEarlierBounces();
+  unitsDone_ = 0;
+}
+
+void ProbeWork::release() {
+  runner_->release();
+  plan_->end();
+  publisher_->dropEarlierBounces();
+}
+
+}  // namespace boxprobe

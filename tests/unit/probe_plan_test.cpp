@@ -1,0 +1,260 @@
+// What is made for the probes of a scene, in which order, and after which edit: the plan alone, without OpenGL.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "filters/vtk/gl/map_bytes.h"
+#include "tests/unit/planned_scene.h"
+
+namespace boxprobe::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr double kFar = 100.0;
+
+/// Two probes that each show an object the other lights, and a third far off with an object of its own, which sees no
+/// further than its room.
+struct ThreeRooms : PlannedScene {
+  explicit ThreeRooms(int bounces) {
+    scene.probes = {probeAt("near", {0, 0, 0}, 1.2, bounces), probeAt("next", {2, 0, 0}, 1.2, bounces),
+                    probeAt("far", {kFar, 0, 0}, 1.2, bounces)};
+    for (Probe& probe : scene.probes) probe.farDistance = 10.0;
+    objects = {cubeAt("a", {0, -1, 0}, 0.1), cubeAt("b", {2, -1, 0}, 0.1), cubeAt("c", {kFar, -1, 0}, 0.1)};
+    update();
+  }
+};
+
+TEST(ProbePlan, TheSkyComesFirstThenOneBounceOfAllBeforeTheNext) {
+  ThreeRooms rooms(3);
+  rooms.scene.probes[1].bounces = 2;
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("sky", "bounce:near1", "bounce:next1", "bounce:far1", "bounce:near2",
+                                        "bounce:next2", "bounce:far2", "bounce:near3", "bounce:far3"));
+  EXPECT_EQ(rooms.plan.jobs()[0].faceSize, 64);
+  EXPECT_EQ(rooms.plan.jobs()[1].faceSize, 32);
+  EXPECT_EQ(rooms.makeAll().size(), 9u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(rooms.entries[i].shown, rooms.entries[i].wanted);
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), IsEmpty()) << "nothing changed";
+}
+
+TEST(ProbePlan, AnImageOfTheSkyIsCapturedFiner) {
+  ThreeRooms rooms(1);
+  rooms.plan.wantSky("an image", true);
+  rooms.replan();
+  EXPECT_EQ(rooms.plan.jobs()[0].faceSize, 256);
+  EXPECT_EQ(rooms.plan.jobs()[0].key, "an image");
+}
+
+TEST(ProbePlan, AProbeThatNoObjectUsesIsNotPlanned) {
+  ThreeRooms rooms(2);
+  rooms.notDrawnByProbes = {"a", "b"};
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("sky", "bounce:far1", "bounce:far2"));
+  EXPECT_EQ(rooms.entries[0].wanted, "") << "nobody asks what it shows";
+  EXPECT_EQ(rooms.plan.state("near"), BakeState::NotUsed);
+  EXPECT_EQ(rooms.plan.state("far"), BakeState::Stale);
+  EXPECT_EQ(rooms.plan.state("nobody"), BakeState::NotUsed);
+  // One that is used shows what an unused one lights: of that the bounces before are needed, and no more.
+  rooms.notDrawnByProbes = {"b"};
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(),
+              ElementsAre("sky", "bounce:near1", "bounce:next1", "bounce:far1", "bounce:near2", "bounce:far2"));
+}
+
+TEST(ProbePlan, NothingThatTakesLightNeedsNoSky) {
+  ThreeRooms rooms(2);
+  for (PlacedObject& object : rooms.objects) object.unlit = true;
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), IsEmpty());
+}
+
+TEST(ProbePlan, OfManyProbesThoseAreMadeThatTheFrameShows) {
+  PlannedScene row;
+  for (int i = 0; i < 8; ++i) {
+    const std::string name(1, static_cast<char>('a' + i));
+    row.scene.probes.push_back(probeAt(name, {kFar * i, 0, 0}, 1.0));
+    row.objects.push_back(cubeAt(name, {kFar * i, 0, 0}, 0.5));
+  }
+  row.entries.setSeen(std::vector<std::size_t>{2});
+  row.update();
+  EXPECT_EQ(row.jobs().size(), 1u + 8u) << "eight are few";
+  row.scene.probes.push_back(probeAt("i", {kFar * 8, 0, 0}, 1.0));
+  row.objects.push_back(cubeAt("i", {kFar * 8, 0, 0}, 0.5));
+  row.update();
+  EXPECT_THAT(row.jobs(), ElementsAre("sky", "bounce:c1"));
+  EXPECT_FALSE(row.entries.setSeen(std::vector<std::size_t>{2, 2}));
+  EXPECT_TRUE(row.entries.setSeen(std::vector<std::size_t>{8, 2}));
+  row.update();
+  EXPECT_THAT(row.jobs(), ElementsAre("sky", "bounce:c1", "bounce:i1"));
+  EXPECT_TRUE(row.entries.setSeen(std::nullopt));
+  row.update();
+  EXPECT_EQ(row.jobs().size(), 1u + 9u) << "nobody knows what is seen";
+}
+
+TEST(ProbePlan, AMovedBoxLeavesNoJobAndAMovedOriginMakesOne) {
+  ThreeRooms rooms(2);
+  rooms.makeAll();
+  Probe& near = rooms.scene.probes[0];
+  near.box.max.y += 0.3;
+  near.influence = Box{{-3, -3, -3}, {3, 3, 3}};  // lights what it did not light before
+  near.blendDistance.min.x = 0.2;
+  near.technique = "sphere";
+  near.importance = 3.0;
+  near.intensity = 0.5;
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), IsEmpty());
+
+  rooms.scene.probes[2].origin.x += 0.25;
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:far1", "bounce:far2")) << "no bounce of another shows it";
+  EXPECT_EQ(rooms.makeAll().size(), 2u);
+  near.origin.x += 0.25;
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:near1", "bounce:near2", "bounce:next2")) << "next1 is there";
+  rooms.makeAll();
+  near.origin.x -= 0.25;
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), IsEmpty()) << "as it was";
+}
+
+TEST(ProbePlan, AnEditMakesWhatShowsItAgain) {
+  ThreeRooms rooms(1);
+  rooms.makeAll();
+  rooms.objects[2].contentKey = "another geometry";
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:far1"));
+  rooms.makeAll();
+  rooms.scene.materials["a material"].emissive = glm::vec3(1.0f);
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:near1", "bounce:next1"));
+  rooms.makeAll();
+  rooms.scene.sky = SkyColor{{0.1f, 0.2f, 0.3f}};
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("sky", "bounce:near1", "bounce:next1", "bounce:far1"));
+  rooms.makeAll();
+  rooms.scene.lights.emplace_back();
+  rooms.scene.probes[2].hides = {"c"};
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:near1", "bounce:next1", "bounce:far1"));
+}
+
+// Only +X shows something a probe lights: the other five faces of a further bounce are those of the one before.
+TEST(ProbePlan, ABounceKeepsFacesThatShowNothingAProbeLights) {
+  PlannedScene world;
+  world.scene.probes = {probeAt("probe", {0, 0, 0}, 3.0, 3)};
+  world.objects = {cubeAt("mirror", {2, 0, 0}, 0.2), cubeAt("wall", {-2, 0, 0}, 0.2, false)};
+  world.update();
+  EXPECT_THAT(world.makeAll(), ElementsAre("sky", "bounce:probe1", "bounce:probe2", "bounce:probe3"));
+  ASSERT_EQ(world.facesMade.size(), 3u);
+  EXPECT_EQ(PlannedScene::kept(world.facesMade[0], world.facesMade[1]), "x=====");
+  EXPECT_EQ(PlannedScene::kept(world.facesMade[1], world.facesMade[2]), "x=====");
+  // An edit of the wall leaves the five that do not show it, of each bounce.
+  world.objects[1].contentKey = "another wall";
+  const std::vector<FaceKeys> before = world.facesMade;
+  world.update();
+  EXPECT_EQ(world.makeAll().size(), 3u);
+  ASSERT_EQ(world.facesMade.size(), 6u);
+  EXPECT_EQ(PlannedScene::kept(before[0], world.facesMade[3]), "=x====");
+  EXPECT_EQ(PlannedScene::kept(before[1], world.facesMade[4]), "xx====") << "the mirror shows another first bounce";
+  // The frosty filter blurs the capture: no face of it is used again.
+  world.scene.probes[0].filter = FilterKind::Gaussian;
+  world.update();
+  world.makeAll();
+  EXPECT_EQ(PlannedScene::kept(world.facesMade.back(), world.facesMade.back()), "xxxxxx");
+}
+
+TEST(ProbePlan, ABounceThatShowsNothingNewIsTheOneBefore) {
+  PlannedScene world;
+  world.scene.probes = {probeAt("probe", {0, 0, 0}, 3.0, 5)};
+  world.objects = {cubeAt("behind", {0, 0, 2.9}, 0.05), cubeAt("wall", {-2, 0, 0}, 0.2, false)};
+  world.scene.probes[0].hides = {"behind"};
+  world.update();
+  EXPECT_THAT(world.jobs(), ElementsAre("sky", "bounce:probe1"));
+}
+
+TEST(ProbePlan, TargetsAreMadeWhetherUsedOrNotAndNothingElse) {
+  ThreeRooms rooms(1);
+  rooms.notDrawnByProbes = {"c"};
+  rooms.scene.probes[0].mode = ProbeMode::Realtime;
+  rooms.plan.setTargets({"far", "near"});
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("sky", "bounce:far1")) << "a realtime probe is not baked";
+  rooms.makeAll();
+  EXPECT_EQ(rooms.plan.state("far"), BakeState::UpToDate);
+  rooms.scene.sky = SkyColor{};
+  rooms.plan.setTargets({"nobody"});
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), IsEmpty()) << "not even a sky";
+}
+
+TEST(ProbePlan, WhatIsAskedForAgainIsMadeAlthoughNothingUsesIt) {
+  ThreeRooms rooms(1);
+  rooms.notDrawnByProbes = {"c"};
+  rooms.update();
+  rooms.makeAll();
+  rooms.entries[2].again = true;
+  rooms.update();
+  EXPECT_THAT(rooms.makeAll(), ElementsAre("bounce:far1"));
+  EXPECT_FALSE(rooms.entries[2].again);
+  EXPECT_THAT(rooms.jobs(), IsEmpty());
+}
+
+TEST(ProbePlan, NothingIsMadeWhileProbesAreOff) {
+  ThreeRooms rooms(1);
+  rooms.plan.begin(rooms.plan.jobs()[1]);
+  rooms.plan.setEnabled(false);
+  rooms.replan();
+  EXPECT_THAT(rooms.jobs(), IsEmpty());
+  EXPECT_FALSE(rooms.plan.current()) << "nor finished";
+}
+
+TEST(ProbePlan, AProbeKeepsItsEntryThroughAChangeOfTheList) {
+  ThreeRooms rooms(2);
+  rooms.makeAll();
+  const std::string far = rooms.entries[2].shown;
+  std::swap(rooms.scene.probes[0], rooms.scene.probes[2]);
+  EXPECT_FALSE(rooms.entries.matched());
+  const auto origins = rooms.entries.match();
+  ASSERT_TRUE(origins);
+  EXPECT_THAT(*origins, ElementsAre(2u, 1u, 0u));
+  EXPECT_EQ(rooms.entries[0].shown, far);
+  EXPECT_FALSE(rooms.entries.match()) << "the same list";
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), IsEmpty()) << "the order is nothing a picture shows";
+  rooms.scene.probes[0].name = "renamed";
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), IsEmpty()) << "its maps are found again by key";
+  EXPECT_EQ(rooms.entries[0].shown, far);
+  rooms.scene.probes.erase(rooms.scene.probes.begin() + 1);
+  rooms.update();
+  EXPECT_EQ(rooms.entries.size(), 2u);
+  EXPECT_EQ(rooms.entries[0].shown, far);
+  EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:near2")) << "it showed the one that is gone";
+}
+
+TEST(ProbePlan, MapsThatDoNotFitAreNotMade) {
+  ThreeRooms rooms(2);
+  EXPECT_TRUE(rooms.plan.memoryUnchecked());
+  const std::size_t one = probeMapsBytes(32, true), scratch = captureScratchBytes(32);
+  EXPECT_TRUE(rooms.plan.checkMemory(6 * one + scratch)) << "the bounce before the last is there at the same time";
+  EXPECT_FALSE(rooms.plan.memoryUnchecked());
+  EXPECT_EQ(rooms.plan.memoryError(), "");
+  EXPECT_FALSE(rooms.plan.checkMemory(6 * one + scratch - 1));
+  EXPECT_THAT(rooms.plan.memoryError(), HasSubstr("the maps of 3 probes with faces of up to 32 texels need "));
+  EXPECT_THAT(rooms.plan.memoryError(), HasSubstr(memoryText(6 * one + scratch)));
+  EXPECT_THAT(rooms.plan.memoryError(), Not(HasSubstr("\n")));
+  rooms.notDrawnByProbes = {"c"};
+  rooms.update();
+  EXPECT_EQ(rooms.plan.memoryError(), "") << "another plan";
+  EXPECT_TRUE(rooms.plan.memoryUnchecked());
+  EXPECT_TRUE(rooms.plan.checkMemory(4 * one + scratch)) << "a probe that is not used needs none";
+  rooms.makeAll();
+  EXPECT_FALSE(rooms.plan.memoryUnchecked()) << "nothing is planned";
+}
+
+}  // namespace
+}  // namespace boxprobe::test
