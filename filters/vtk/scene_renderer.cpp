@@ -2,6 +2,7 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include "filters/core/base/at_end.h"
 #include "filters/vtk/gl/window_pixels.h"
 #include "filters/vtk/inspect/frame_recorder.h"
 #include "filters/vtk/inspect/render_remarks.h"
@@ -212,9 +213,8 @@ FrameReport::Lookups SceneRenderer::measureLookups(int width, int height) {
   SurfaceViewSettings settings;
   settings.view = *findSurfaceView("lookups");
   setView(settings);
-  const ImageRgbaF image = renderLinear(width, height, 1);
-  setView(kept);
-  return lookupsOf(image);
+  const AtEnd shownAgain([&] { setView(kept); });
+  return lookupsOf(renderLinear(width, height, 1));
 }
 
 const Counters& SceneRenderer::counters() const {

@@ -3,6 +3,7 @@
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
 
+#include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
 #include "filters/vtk/draw/static_textures.h"
 
@@ -12,18 +13,6 @@ namespace {
 
 // Of a texel of a planar mirror's picture, where it is drawn for as many pixels as the screen has.
 constexpr int kMirrorSamples = 4;
-
-// What is called when a picture is drawn, or has failed to be.
-class AtEnd {
- public:
-  explicit AtEnd(std::function<void()> call) : call_(std::move(call)) {}
-  ~AtEnd() { call_(); }
-  AtEnd(const AtEnd&) = delete;
-  AtEnd& operator=(const AtEnd&) = delete;
-
- private:
-  std::function<void()> call_;
-};
 
 }  // namespace
 

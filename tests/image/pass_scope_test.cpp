@@ -122,6 +122,15 @@ TEST(PassScope, AnExplanationThatTheDriverRefusesLeavesThePictureAsItWas) {
   EXPECT_EQ(picture.renderer->counters().drawsByProbeCount, draws);
 }
 
+TEST(PassScope, LookupsThatCannotBeMeasuredLeaveTheViewAsItWas) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  SurfaceViewSettings view;
+  view.view = *findSurfaceView("level");
+  picture.renderer->setView(view);
+  EXPECT_THROW(picture.renderer->measureLookups(1 << 20, 1), InputError);
+  EXPECT_TRUE(picture.renderer->view() == view);
+}
+
 TEST(PassScope, ALinearPictureThatIsStoppedLeavesThePictureAsItWas) {
   ScenePicture picture = ScenePicture::fromFile("scenes/mirror-hall.boxprobe.json", 64, 36);
   picture.scene.probes[0].faceSize = 32;

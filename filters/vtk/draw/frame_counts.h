@@ -14,7 +14,7 @@ struct FrameCounts {
   std::set<const void*> programs;  ///< seen so far, to count compilations
   std::string error;               ///< first failure since the models were set
 
-  /// Keeps the first failure: what follows is often its consequence.
+  /// Keeps the first failure: what follows is often its consequence. An empty message is none.
   void fail(const std::string& message) {
     if (error.empty()) error = message;
   }

@@ -1,0 +1,21 @@
+// What has to happen when a scope ends, by an exception too, where no object of a class of its own does it.
+#pragma once
+
+#include <functional>
+#include <utility>
+
+namespace boxprobe {
+
+class AtEnd {
+ public:
+  /// `call` must not throw.
+  explicit AtEnd(std::function<void()> call) : call_(std::move(call)) {}
+  ~AtEnd() { call_(); }
+  AtEnd(const AtEnd&) = delete;
+  AtEnd& operator=(const AtEnd&) = delete;
+
+ private:
+  std::function<void()> call_;
+};
+
+}  // namespace boxprobe
