@@ -38,6 +38,7 @@ class PlannedScene {
   Scene scene;
   std::vector<PlacedObject> objects;
   std::set<std::string> notDrawnByProbes;  ///< nodes of objects that are drawn without any
+  std::set<std::string> hidden;            ///< nodes of objects that are not drawn
   std::set<std::string> cache;             ///< keys of maps at hand
   std::vector<FaceKeys> facesMade;         ///< of each bounce that was made, in order
 
@@ -55,8 +56,8 @@ class PlannedScene {
     entries.match();
     std::vector<ObjectUse> uses;
     for (const PlacedObject& object : objects) {
-      ObjectUse use{!object.unlit, {}};
-      if (use.lit && notDrawnByProbes.count(object.node) == 0)
+      ObjectUse use{!object.unlit && hidden.count(object.node) == 0, {}};
+      if (!object.unlit && notDrawnByProbes.count(object.node) == 0)
         use.probes = entries.places().meeting(object.boundsWorld);
       uses.push_back(std::move(use));
     }

@@ -117,28 +117,6 @@ ObjNames checkObj(const std::string& path) {
   return names;
 }
 
-void checkPly(const std::string& path) {
-  const std::string bytes = readWholeFile(path);
-  if (bytes.compare(0, 3, "ply") != 0) fail(path, 1, "does not start with \"ply\"; is it a PLY file?");
-  const std::size_t end = bytes.find("end_header");
-  if (end == std::string::npos) fail(path, 0, "has no end_header; the file is cut off");
-  std::istringstream text(bytes.substr(0, end));
-  std::size_t number = 0;
-  for (std::string line; std::getline(text, line);) {
-    ++number;
-    std::istringstream words(line);
-    std::string word, name;
-    words >> word;
-    if (word != "element") continue;
-    long long count = -1;
-    words >> name >> count;
-    // Each element takes a byte at least.
-    if (count < 0 || static_cast<unsigned long long>(count) > bytes.size() - end) {
-      fail(path, number, "promises " + std::to_string(count) + " of \"" + name + "\", more than the file holds");
-    }
-  }
-}
-
 void checkVtp(const std::string& path) {
   const std::string bytes = readWholeFile(path);
   if (bytes.find("<VTKFile") == std::string::npos) fail(path, 0, "is not a VTK XML file; save it as VTP");

@@ -1,4 +1,4 @@
-// What is looked at in OBJ, PLY and VTP files before VTK's readers get them: they believe indices and counts, and ask
+// What is looked at in OBJ, STL and VTP files before VTK's readers get them: they believe indices and counts, and ask
 // for the memory first. These look for those alone; reading is VTK's. Know no VTK.
 #pragma once
 
@@ -16,7 +16,6 @@ struct ObjNames {
 ObjNames checkObj(const std::string& path);
 
 /// Throws InputError if the counts of the header cannot be in a file of this size.
-void checkPly(const std::string& path);
 void checkVtp(const std::string& path);
 void checkStl(const std::string& path);
 

@@ -22,9 +22,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "filters/core/base/errors.h"
 #include "filters/vtk/import/file_guards.h"
+#include "filters/vtk/import/ply_guard.h"
 #include "filters/vtk/import/polydata_mesh.h"
 #include "filters/vtk/import/vtk_error_catcher.h"
 
@@ -81,9 +83,7 @@ class ReaderProgress {
 };
 
 template <typename Reader>
-Model readOneMesh(const std::string& path, const LoadProgress& progress) {
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
+Model readOneMesh(Reader* reader, const std::string& path, const LoadProgress& progress) {
   const VtkErrorCatcher errors;
   const ReaderProgress reported(reader, path, progress);
   reader->Update();
@@ -98,6 +98,23 @@ Model readOneMesh(const std::string& path, const LoadProgress& progress) {
   model.instances.push_back({mesh.name, 0, glm::dmat4(1.0)});
   model.meshes.push_back(std::move(mesh));
   return model;
+}
+
+template <typename Reader>
+Model readOneMesh(const std::string& path, const LoadProgress& progress) {
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  return readOneMesh(reader.Get(), path, progress);
+}
+
+Model readPly(const std::string& path, const LoadProgress& progress) {
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(path.c_str());
+  if (const std::optional<std::string> text = checkPly(path)) {
+    reader->ReadFromInputStringOn();
+    reader->SetInputString(*text);
+  }
+  return readOneMesh(reader.Get(), path, progress);
 }
 
 /// MTL's own number, which VTK scales for its older shading: "... specular power 30 ..."
@@ -191,10 +208,7 @@ const std::string& modelFilePatterns() {
 Model readModel(const std::string& path, const LoadProgress& progress) {
   const std::string extension = extensionOf(path);
   if (extension == ".obj") return readObj(path, progress);
-  if (extension == ".ply") {
-    checkPly(path);
-    return readOneMesh<vtkPLYReader>(path, progress);
-  }
+  if (extension == ".ply") return readPly(path, progress);
   if (extension == ".stl") {
     checkStl(path);
     return readOneMesh<vtkSTLReader>(path, progress);

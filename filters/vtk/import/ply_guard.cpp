@@ -1,0 +1,288 @@
+#include "filters/vtk/import/ply_guard.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "filters/io/files/read_file.h"
+#include "filters/vtk/import/ply_header.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr std::size_t kMostCorners = 255;  // VTK counts them in a byte
+
+/// Which field of "face" VTK takes for the corners: the first of that name. Other elements have none.
+std::size_t cornersOf(const PlyElementHead& element) {
+  std::size_t index = 0;
+  while (index < element.fields.size() && element.fields[index].name != "vertex_indices") ++index;
+  return element.name == "face" ? index : element.fields.size();
+}
+
+/// For messages.
+std::string textOf(double number) {
+  std::ostringstream text;
+  text.precision(12);
+  text << number;
+  return text.str();
+}
+
+/// A word as a number, without regard to the locale. Counts and corners of a whole type must be written as whole
+/// numbers: VTK would take "1e1" for 1.
+double numberOf(std::string_view word, bool whole, bool& valid) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  const char* end = word.data() + word.size();
+  double value = 0.0;
+  if (whole) {
+    long long integer = 0;
+    const auto result = std::from_chars(word.data(), end, integer);
+    valid = result.ec == std::errc() && result.ptr == end;
+    return static_cast<double>(integer);
+  }
+  const auto result = std::from_chars(word.data(), end, value);
+  valid = result.ec != std::errc::invalid_argument && result.ptr == end;
+  return result.ec == std::errc() ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool isWhole(PlyType type) {
+  return type != PlyType::Float32 && type != PlyType::Float64;
+}
+
+class BodyCheck {
+ public:
+  BodyCheck(const std::string& path, std::string& bytes, const PlyHeader& header)
+      : path_(path), bytes_(bytes), header_(header), at_(header.body), line_(header.lines) {}
+
+  /// What follows "vertex" and "face" is not checked: VTK never gets there.
+  void check() {
+    const auto named = [&](const char* name) {
+      return std::find_if(header_.elements.begin(), header_.elements.end(), [&](auto& e) { return e.name == name; });
+    };
+    const auto vertex = named("vertex"), face = named("face");
+    if (face < vertex) failPly(path_, face->line, "\"face\" stands before \"vertex\"; put the vertices first");
+    const auto last = face == header_.elements.end() ? vertex : face;
+    vertices_ = vertex->count;
+    for (auto element = header_.elements.begin(); element <= last; ++element) {
+      if (element->count == 0) continue;
+      if (element != vertex && element != face) {
+        failPly(path_, element->line,
+                "element \"" + element->name + "\" stands before \"" + last->name + "\"; put it behind or delete it");
+      }
+      if (header_.format == PlyFormat::Text) {
+        checkText(*element);
+      } else {
+        checkBinary(*element);
+      }
+    }
+  }
+
+  bool changed() const { return changed_; }
+
+ private:
+  /// The place is a line in text, an entry of the element in binary data.
+  [[noreturn]] void fail(const std::string& reason) const {
+    if (header_.format == PlyFormat::Text) failPly(path_, line_, reason);
+    failPly(path_, 0, element_->name + " " + std::to_string(entry_) + ": " + reason);
+  }
+  [[noreturn]] void failCutOff() const {
+    const std::string promised = std::to_string(element_->count) + " of \"" + element_->name + "\" are promised";
+    fail("the file ends here, but " + promised + "; the file is cut off");
+  }
+
+  std::size_t checkedCount(double count) const {
+    if (!(count >= 0 && count <= std::numeric_limits<int>::max() && count == std::floor(count))) {
+      fail("a list of " + textOf(count) + " entries is not possible; the file is damaged");
+    }
+    return static_cast<std::size_t>(count);
+  }
+
+  void checkCorners(std::size_t count) const {
+    if (count > kMostCorners) fail("the polygon has " + std::to_string(count) + " corners; split it, 255 are possible");
+  }
+
+  void checkCorner(double corner) const {
+    if (corner >= 0 && corner < static_cast<double>(vertices_)) return;
+    fail("corner " + textOf(corner) + " is not among the " + std::to_string(vertices_) +
+         " vertices, which count from 0; the file is damaged");
+  }
+
+  void nextLine() {
+    ++line_;
+    const std::size_t end = bytes_.find('\n', at_);
+    if (end == std::string::npos) failCutOff();
+    if (end - at_ > kLongestPlyLine) {
+      fail("the line is longer than " + std::to_string(kLongestPlyLine) + " characters; save the file as binary PLY");
+    }
+    splitPlyLine(std::string_view(bytes_).substr(at_, end - at_), words_);
+    at_ = end + 1;
+    word_ = 0;
+    if (words_.empty()) fail("the line is empty; delete it");
+  }
+
+  double nextWord(const PlyField& field, bool whole) {
+    if (word_ == words_.size()) {
+      fail("the line has " + std::to_string(words_.size()) + " words, too few for \"" + field.name +
+           "\"; complete the line");
+    }
+    const std::string_view word = words_[word_++];
+    bool valid = false;
+    const double value = numberOf(word, whole, valid);
+    if (!valid) {
+      fail("\"" + std::string(word.substr(0, 40)) + "\" is not a " + (whole ? "whole " : "") + "number (\"" +
+           field.name + "\"); correct it");
+    }
+    return value;
+  }
+
+  /// Each entry is one line; VTK ignores further words on it.
+  void checkText(const PlyElementHead& element) {
+    element_ = &element;
+    const std::size_t corners = cornersOf(element);
+    for (entry_ = 0; entry_ < element.count; ++entry_) {
+      nextLine();
+      for (std::size_t f = 0; f < element.fields.size(); ++f) {
+        const PlyField& field = element.fields[f];
+        if (!field.isList) {
+          nextWord(field, false);
+          continue;
+        }
+        const std::size_t first = word_;
+        const std::size_t count = checkedCount(nextWord(field, isWhole(field.countType)));
+        if (count > words_.size() - word_) {
+          fail("\"" + field.name + "\" is a list of " + std::to_string(count) + ", but " +
+               std::to_string(words_.size() - word_) + " words follow; complete the line or correct the count");
+        }
+        if (f == corners) checkCorners(count);
+        for (std::size_t i = 0; i < count; ++i) {
+          const double value = nextWord(field, f == corners && isWhole(field.type));
+          if (f == corners) checkCorner(value);
+        }
+        if (f != corners) blank(words_[first].data(), words_[word_ - 1].data() + words_[word_ - 1].size());
+      }
+    }
+    for (std::size_t f = 0; f < element.fields.size(); ++f) {
+      const PlyField& field = element.fields[f];
+      if (!field.isList || f == corners) continue;
+      blank(bytes_.data() + field.begin, bytes_.data() + field.end);
+      bytes_.replace(field.begin, 7, "comment");
+    }
+  }
+
+  void blank(const char* from, const char* to) {
+    std::fill(bytes_.begin() + (from - bytes_.data()), bytes_.begin() + (to - bytes_.data()), ' ');
+    changed_ = true;
+  }
+
+  template <typename T>
+  double binaryNumber() const {
+    unsigned char raw[sizeof(T)];
+    std::memcpy(raw, bytes_.data() + at_, sizeof(T));
+    if (header_.format == PlyFormat::BigEndian) std::reverse(raw, raw + sizeof(T));  // x86 and ARM are little-endian
+    T value;
+    std::memcpy(&value, raw, sizeof(T));
+    return static_cast<double>(value);
+  }
+
+  double nextBinary(PlyType type) {
+    if (bytes_.size() - at_ < sizeInBytes(type)) failCutOff();
+    double value = 0.0;
+    switch (type) {
+      case PlyType::Int8:
+        value = binaryNumber<std::int8_t>();
+        break;
+      case PlyType::Uint8:
+        value = binaryNumber<std::uint8_t>();
+        break;
+      case PlyType::Int16:
+        value = binaryNumber<std::int16_t>();
+        break;
+      case PlyType::Uint16:
+        value = binaryNumber<std::uint16_t>();
+        break;
+      case PlyType::Int32:
+        value = binaryNumber<std::int32_t>();
+        break;
+      case PlyType::Uint32:
+        value = binaryNumber<std::uint32_t>();
+        break;
+      case PlyType::Float32:
+        value = binaryNumber<float>();
+        break;
+      case PlyType::Float64:
+        value = binaryNumber<double>();
+        break;
+    }
+    at_ += sizeInBytes(type);
+    return value;
+  }
+
+  void checkBinary(const PlyElementHead& element) {
+    element_ = &element;
+    const std::size_t corners = cornersOf(element);
+    for (entry_ = 0; entry_ < element.count; ++entry_) {
+      for (std::size_t f = 0; f < element.fields.size(); ++f) {
+        const PlyField& field = element.fields[f];
+        const std::size_t size = sizeInBytes(field.type);
+        const std::size_t count = field.isList ? checkedCount(nextBinary(field.countType)) : 1;
+        if (count > (bytes_.size() - at_) / size) {
+          if (!field.isList) failCutOff();
+          fail("\"" + field.name + "\" is a list of " + std::to_string(count) +
+               ", more than the rest of the file holds; " + "the file is damaged or cut off");
+        }
+        if (f == corners) checkCorners(count);
+        if (f == corners) {
+          for (std::size_t i = 0; i < count; ++i) checkCorner(nextBinary(field.type));
+        } else {
+          at_ += count * size;
+        }
+      }
+    }
+    for (const PlyField& field : element.fields) {
+      if (element.name != "face" || field.name != "texcoord") continue;
+      bytes_[bytes_.rfind("texcoord", field.end)] = 'T';  // a name that VTK does not look for
+      changed_ = true;
+    }
+  }
+
+  const std::string& path_;
+  std::string& bytes_;
+  const PlyHeader& header_;
+  const PlyElementHead* element_ = nullptr;
+  std::vector<std::string_view> words_;
+  std::size_t at_, line_, entry_ = 0, word_ = 0, vertices_ = 0;
+  bool changed_ = false;
+};
+
+/// Replaces a comment by several short ones of the same total length.
+void shorten(std::string& bytes, std::size_t begin, std::size_t end) {
+  constexpr std::size_t kPart = 2000;
+  std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+  bytes.replace(begin, 7, "comment");
+  for (std::size_t at = begin + kPart; at + 8 <= end; at += kPart) bytes.replace(at, 8, "\ncomment");
+}
+
+}  // namespace
+
+std::optional<std::string> checkPly(const std::string& path) {
+  std::string bytes = readWholeFile(path);
+  const PlyHeader header = readPlyHeader(path, bytes);
+  bool changed = !header.longComments.empty();
+  for (const auto& [begin, end] : header.longComments) shorten(bytes, begin, end);
+  if (header.format == PlyFormat::Text && bytes.back() != '\n') {
+    bytes += '\n';
+    changed = true;
+  }
+  BodyCheck body(path, bytes, header);
+  body.check();
+  if (!changed && !body.changed()) return std::nullopt;
+  return bytes;
+}
+
+}  // namespace boxprobe
