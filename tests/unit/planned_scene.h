@@ -81,7 +81,7 @@ class PlannedScene {
     if (!plan.keepsCurrent()) plan.end();
   }
 
-  /// The jobs planned, one word each: the kind's first letter, the probe's name and, of bounces, which one.
+  /// The jobs planned, one word each: the kind, the probe's name and, of bounces, which one.
   std::vector<std::string> jobs() const {
     std::vector<std::string> words;
     for (const ProbeJob& job : plan.jobs()) words.push_back(word(job));
@@ -89,7 +89,7 @@ class PlannedScene {
   }
   static std::string word(const ProbeJob& job) {
     static const char* const kinds[] = {"sky", "file", "picture", "drag", "bounce", "realtime"};
-    const std::string kind = kinds[static_cast<std::size_t>(job.kind)];
+    std::string kind = kinds[static_cast<std::size_t>(job.kind)];
     if (job.name.empty()) return kind;
     return kind + ":" + job.name + (job.kind == JobKind::Bounce ? std::to_string(job.bounce) : "");
   }
