@@ -10,9 +10,9 @@
 
 #include "app/session/box_picture.h"
 #include "app/session/explanation_json.h"
+#include "app/session/load_scene.h"
 #include "filters/core/scene/surface_view.h"
 #include "filters/explain/surface_value.h"
-#include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/measure/metrics.h"
@@ -88,16 +88,13 @@ double meanLight(const ImageRgbaF& picture, const LessonMeasure& measure) {
 }
 
 double errorAgainstScene(const ShownScene& shown, const ImageRgbaF& picture, const PictureRegion& region) {
-  std::shared_ptr<const ImageRgbaF> skyImage;
-  if (const auto* image = std::get_if<SkyImage>(&shown.scene.sky)) {
-    skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file));
-  }
   ReferenceSettings settings;
   settings.width = picture.width;
   settings.height = picture.height;
   settings.samplesPerPixel = kSamples;
   settings.raysPerPixel = kTruthRays;
-  const ImageRgbaF truth = ReferenceScene(shown.scene, shown.models, skyImage).render(shown.camera, settings).color;
+  const ReferenceScene scene(shown.scene, shown.models, loadSkyImage(shown.scene));
+  const ImageRgbaF truth = scene.render(shown.camera, settings).color;
   return pictureDifference(picture, truth, region);
 }
 

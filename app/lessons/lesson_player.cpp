@@ -8,7 +8,6 @@
 
 #include "app/lessons/published_picture.h"
 #include "app/session/load_scene.h"
-#include "app/session/offscreen_window.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/scene/lesson_file.h"
 #include "filters/io/scene/scene_file.h"
@@ -42,33 +41,28 @@ std::unique_ptr<RayLayer> makeRayLayer(SceneRenderer& renderer) {
 
 }  // namespace
 
-LessonPlayer::LessonPlayer(int width, int height, std::function<bool()> goOn)
+LessonPlayer::LessonPlayer(int width, int height, std::function<bool()> goOn, bool quiet)
     : width_(width),
       height_(height),
       goOn_(std::move(goOn)),
-      window_(makeOffscreenWindow(width, height, kPictureSamples)),
-      renderer_(std::make_unique<SceneRenderer>(window_)),
-      rays_(makeRayLayer(*renderer_)),
+      offscreen_({"boxprobe lessons", width, height, kPictureSamples, quiet}),
+      rays_(makeRayLayer(offscreen_.renderer())),
       rayFilter_(vtkSmartPointer<vtkProjectionRays>::New()) {
   rayFilter_->SetKindEnabled(RayKind::TrueHit, false);
   rayFilter_->SetKindEnabled(RayKind::Error, false);
 }
 
 LessonPlayer::~LessonPlayer() {
-  window_->MakeCurrent();
-  rays_.reset();
-  renderer_->releaseGraphics();
+  window()->MakeCurrent();
 }
 
 // What lessons before have captured would be found again: work would not be counted, and what a capture's second bounce
 // shows is kept while boxes and techniques change.
 void LessonPlayer::forgetCaptures() {
-  window_->MakeCurrent();
+  window()->MakeCurrent();
   rays_.reset();
-  renderer_.reset();
-  renderer_ = std::make_unique<SceneRenderer>(window_);
-  rays_ = makeRayLayer(*renderer_);
-  modelsShown_ = false;
+  offscreen_.forget();
+  rays_ = makeRayLayer(renderer());
 }
 
 void LessonPlayer::open(const Lesson& lesson) {
@@ -81,29 +75,20 @@ void LessonPlayer::open(const Lesson& lesson) {
 }
 
 void LessonPlayer::showScene(std::size_t step, Scene scene) {
-  const Counters before = renderer_->counters();
+  const Counters before = renderer().counters();
   if (scene.models != modelFiles_) {
     models_ = loadModels(scene);
     modelFiles_ = scene.models;
-    modelsShown_ = false;
   }
-  const bool sameModels = std::exchange(modelsShown_, true);
-  if (!sameModels) renderer_->setModels(models_);
-  const Changes changes = sameModels ? difference(scene_, scene) : Changes::all();
   scene_ = std::move(scene);
   camera_ = lessonCamera(*lesson_, step, scene_);
   const LessonStep& content = lesson_->steps[step];
-  renderer_->setProbesEnabled(content.reflections);
-  renderer_->sync(scene_, changes);
-  renderer_->applyCamera(camera_);
-  SurfaceViewSettings view;
-  if (!content.view.empty()) view.view = findSurfaceView(content.view).value_or(0);
-  renderer_->setView(view);
-  window_->MakeCurrent();
-  if (!renderer_->finishWork([this](double) { return !goOn_ || goOn_(); })) throw WorkError("stopped");
-  if (!renderer_->error().empty()) throw WorkError(renderer_->error());
-  if (!renderer_->pictureError().empty()) throw InputError(renderer_->pictureError());
-  const Counters& after = renderer_->counters();
+  ShownSettings settings{camera_, content.reflections};
+  if (!content.view.empty()) settings.view.view = findSurfaceView(content.view).value_or(0);
+  offscreen_.show(scene_, models_, settings);
+  if (!offscreen_.capture([this](double) { return !goOn_ || goOn_(); })) throw WorkError("stopped");
+  offscreen_.requireHealthy();
+  const Counters& after = renderer().counters();
   Counters done;
   done.facesCaptured = after.facesCaptured - before.facesCaptured;
   done.skyFacesCaptured = after.skyFacesCaptured - before.skyFacesCaptured;
@@ -131,7 +116,7 @@ void LessonPlayer::drawRays(const LessonStep& step) {
   rays_->setVisible(false);
   if (step.rays.empty()) return;
   RaySources sources(models_, scene_);
-  const PixelRays pixels(renderer_->renderer()->GetActiveCamera(), width_, height_);
+  const PixelRays pixels(renderer().renderer()->GetActiveCamera(), width_, height_);
   std::vector<RaySample> samples;
   for (const PicturePoint& point : step.rays) {
     if (auto sample = sources.under(pixels.through(point[0] * width_, point[1] * height_))) samples.push_back(*sample);
@@ -147,14 +132,14 @@ void LessonPlayer::drawRays(const LessonStep& step) {
 ImageRgba8 LessonPlayer::picture() {
   if (shown_ && !lesson_->steps[*shown_].published.empty()) {
     constexpr int kScale = 2;  // drawn on the CPU, pixel by pixel
-    PublishedPicture published(*renderer_, scene_, lesson_->steps[*shown_].published, width_ / kScale,
+    PublishedPicture published(renderer(), scene_, lesson_->steps[*shown_].published, width_ / kScale,
                                height_ / kScale);
     while (published.draw(height_)) {
     }
     return published.display(kScale);
   }
   if (shown_) drawRays(lesson_->steps[*shown_]);
-  return renderer_->renderDisplay();
+  return renderer().renderDisplay();
 }
 
 const ImageRgbaF& LessonPlayer::linear(std::size_t step) {
@@ -164,16 +149,16 @@ const ImageRgbaF& LessonPlayer::linear(std::size_t step) {
   const int height = kMeasuredWidth * height_ / width_;
   const std::string& form = lesson_->steps[step].published;
   if (!form.empty()) {
-    PublishedPicture published(*renderer_, scene_, form, kMeasuredWidth, height);
+    PublishedPicture published(renderer(), scene_, form, kMeasuredWidth, height);
     while (published.draw(height)) {
     }
     broken_[step] = published.brokenShare();
     return pictures_[step] = published.linear();
   }
-  const SurfaceViewSettings view = renderer_->view();
-  renderer_->setView({});
-  pictures_[step] = renderer_->renderLinear(kMeasuredWidth, height, kPictureSamples);
-  renderer_->setView(view);
+  const SurfaceViewSettings view = renderer().view();
+  renderer().setView({});
+  pictures_[step] = renderer().renderLinear(kMeasuredWidth, height, kPictureSamples);
+  renderer().setView(view);
   return pictures_[step];
 }
 
@@ -192,9 +177,9 @@ double LessonPlayer::measure(const LessonMeasure& measure, std::optional<std::si
       value = counter(work_[step], measure.name);
     } else {
       rays_->setVisible(false);
-      window_->MakeCurrent();
+      window()->MakeCurrent();
       const bool published = measure.step && !lesson_->steps[step].published.empty();
-      ShownScene shown{*renderer_, scene_, models_, camera_, kMeasuredWidth, kMeasuredWidth * height_ / width_};
+      ShownScene shown{renderer(), scene_, models_, camera_, kMeasuredWidth, kMeasuredWidth * height_ / width_};
       if (published) shown.picture = &linear(step);
       value = measureShown(shown, measure);
     }

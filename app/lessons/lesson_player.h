@@ -1,8 +1,7 @@
 // Runs lessons without a window: shows a step, takes its picture, holds the lesson to its claims. Called by
-// `boxprobe lessons` and by tests; knows no Qt. Needs a display (see offscreen_window.h).
+// `boxprobe lessons` and by tests; knows no Qt. Needs a display (see offscreen_scene.h).
 #pragma once
 
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
@@ -14,11 +13,11 @@
 #include <vector>
 
 #include "app/lessons/lesson_measure.h"
+#include "app/session/offscreen_scene.h"
 #include "filters/core/base/counters.h"
 #include "filters/core/scene/lesson.h"
 #include "filters/vtk/rays/ray_layer.h"
 #include "filters/vtk/rays/vtkProjectionRays.h"
-#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -31,8 +30,8 @@ struct ClaimResult {
 
 class LessonPlayer {
  public:
-  /// `goOn` is asked between units of work; false ends what runs with a WorkError.
-  LessonPlayer(int width, int height, std::function<bool()> goOn = {});
+  /// `goOn` is asked between units of work; false ends what runs with a WorkError. `quiet`: without VTK's warnings.
+  LessonPlayer(int width, int height, std::function<bool()> goOn = {}, bool quiet = false);
   ~LessonPlayer();
   LessonPlayer(const LessonPlayer&) = delete;
   LessonPlayer& operator=(const LessonPlayer&) = delete;
@@ -45,8 +44,8 @@ class LessonPlayer {
   void showChanged(std::size_t step, const std::vector<std::string>& changes);
   const Scene& scene() const { return scene_; }
   Camera camera() const { return camera_; }
-  SceneRenderer& renderer() { return *renderer_; }
-  vtkOpenGLRenderWindow* window() { return window_; }
+  SceneRenderer& renderer() { return offscreen_.renderer(); }
+  vtkOpenGLRenderWindow* window() { return offscreen_.window(); }
 
   /// The step that is shown, as the window shows it, rays included.
   ImageRgba8 picture();
@@ -65,14 +64,12 @@ class LessonPlayer {
 
   int width_, height_;
   std::function<bool()> goOn_;
-  vtkSmartPointer<vtkOpenGLRenderWindow> window_;
-  std::unique_ptr<SceneRenderer> renderer_;
+  OffscreenScene offscreen_;
   std::unique_ptr<RayLayer> rays_;
   vtkSmartPointer<vtkProjectionRays> rayFilter_;
   const Lesson* lesson_ = nullptr;
   std::vector<ModelFile> modelFiles_;
   std::vector<std::shared_ptr<const Model>> models_;
-  bool modelsShown_ = false;          ///< the renderer has them
   std::optional<std::size_t> shown_;  ///< nothing: not a step as the lesson has it
   Scene scene_;
   Camera camera_;

@@ -10,6 +10,8 @@
 namespace boxprobe {
 
 void requireDisplay(const std::string& command) {
+  static bool found = false;  // asked once: each asking keeps a connection, see below
+  if (found) return;
   const std::string advice =
       ": run `xvfb-run -a " + command + " ...`, which draws without a screen, or start it from a desktop";
   const char* name = std::getenv("DISPLAY");
@@ -24,8 +26,9 @@ void requireDisplay(const std::string& command) {
     XCloseDisplay(display);
     throw InputError("no OpenGL on display '" + std::string(name) + "' (it has no GLX)" + advice);
   }
-  // Left open to the end of the process: an X server starts anew when its last client leaves (xvfb-run's does), and
+  // Left open to the end of the process: an X server starts again when its last client leaves (xvfb-run's does), and
   // turns away whoever connects in that moment, which would be VTK.
+  found = true;
 }
 
 }  // namespace boxprobe

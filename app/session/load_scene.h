@@ -28,6 +28,9 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
 /// The models a scene names, in its order. A file named twice is read once. Throws LoadCancelled if `progress` says so.
 std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const LoadProgress& progress = {});
 
+/// The picture that a scene has as its sky, for references; null for a sky of another kind. Throws InputError.
+std::shared_ptr<const ImageRgbaF> loadSkyImage(const Scene& scene);
+
 /// What will not show as the files ask, one sentence each: what the model files hold and the program does not support,
 /// features of the scene that are accepted but not used yet, overrides and hides that name nothing in the models.
 std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);

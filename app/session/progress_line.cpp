@@ -22,24 +22,17 @@ bool progressAsLines() {
 }  // namespace
 
 ProgressLine::ProgressLine(std::string label, bool enabled)
-    : label_(std::move(label)),
-      lines_(progressAsLines()),
-      enabled_(enabled && (lines_ || isatty(STDERR_FILENO) == 1)) {}
+    : label_(std::move(label)), lines_(progressAsLines()), enabled_(enabled && (lines_ || isatty(STDERR_FILENO) == 1)) {
+  timeLeft_.update(0.0, 0.0);  // the work starts here, not where it is first told of
+}
 
 ProgressLine::~ProgressLine() {
   if (shownPercent_ >= 0 && !lines_) std::fputs("\r\x1b[K", stderr);
 }
 
-// By what was done so far; nothing while that says little.
-std::string ProgressLine::timeLeft(double fraction) const {
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-  if (fraction < 0.03 || fraction >= 1.0 || passed.count() < 1.0) return {};
-  const auto seconds = static_cast<long>(passed.count() * (1.0 - fraction) / fraction + 0.5);
-  if (seconds < 100) return ", " + std::to_string(seconds) + " s left";
-  return ", " + std::to_string((seconds + 30) / 60) + " min left";
-}
-
 void ProgressLine::show(double fraction) {
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+  const auto seconds = timeLeft_.update(fraction, passed.count());
   const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
   if (!enabled_ || percent == shownPercent_) return;
   shownPercent_ = percent;
@@ -50,9 +43,10 @@ void ProgressLine::show(double fraction) {
   }
   constexpr int width = 30;
   const int filled = percent * width / 100;
+  const std::string left = seconds && percent < 100 ? ", " + TimeLeft::text(*seconds) : std::string();
   std::fprintf(stderr, "\r%s [%s%s] %3d %%%s\x1b[K", label_.c_str(),
                std::string(static_cast<std::size_t>(filled), '#').c_str(),
-               std::string(static_cast<std::size_t>(width - filled), '.').c_str(), percent, timeLeft(fraction).c_str());
+               std::string(static_cast<std::size_t>(width - filled), '.').c_str(), percent, left.c_str());
   std::fflush(stderr);
 }
 

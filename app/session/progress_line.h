@@ -5,6 +5,8 @@
 #include <chrono>
 #include <string>
 
+#include "app/session/time_left.h"
+
 namespace boxprobe {
 
 class ProgressLine {
@@ -18,12 +20,11 @@ class ProgressLine {
   void show(double fraction);  ///< 0..1; redrawn only when the percentage shown changes
 
  private:
-  std::string timeLeft(double fraction) const;
-
   std::string label_;
   bool lines_;
   bool enabled_;
   int shownPercent_ = -1;
+  TimeLeft timeLeft_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

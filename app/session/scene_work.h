@@ -1,4 +1,4 @@
-// What every sub-command that draws does between loading a scene and using it. Called by render, explain and bake.
+// Work on a scene that its user waits for: progress on stderr, stopped by Ctrl-C. Called by the sub-commands.
 #pragma once
 
 #include <string>
@@ -9,17 +9,14 @@
 namespace boxprobe {
 
 class InterruptGuard;
-class SceneRenderer;
-
-/// A picture without its reflections, or with a mesh missing, must not pass for the real one: throws WorkError.
-void requireHealthy(const SceneRenderer& renderer);
-
-/// Captures and filters what the scene needs, with a progress line; stops early when interrupted. Throws InputError for
-/// a custom probe whose picture cannot be read.
-void captureProbes(SceneRenderer& renderer, const InterruptGuard& interrupt, bool quiet);
+class OffscreenScene;
 
 /// loadScene() with its progress on stderr; Ctrl-C ends it with a WorkError.
 LoadedScene loadSceneShown(const std::string& path, const std::vector<std::string>& assignments,
                            const InterruptGuard& interrupt, bool quiet);
+
+/// Captures and filters what is missing, with its progress and the renderer's remarks on stderr, so that the picture
+/// can be drawn. Throws WorkError if it was interrupted or something could not be made.
+void captureShown(OffscreenScene& scene, const InterruptGuard& interrupt, bool quiet);
 
 }  // namespace boxprobe

@@ -24,19 +24,18 @@ ProbeShadow probeShadow(const ExplainedProbe& probe, const SurfacePoint& s, cons
   const glm::vec3 offset = glm::vec3(s.positionWorld - s.eyeWorld) - glm::vec3(g.originWorld - s.eyeWorld);
   const glm::vec3 from = g.rotated ? probeFromWorld * offset : offset;
   const glm::vec3 along = g.rotated ? probeFromWorld * toLight : toLight;
-  const glm::vec3 factors = shading::slabFactors(from, along, g.boxMin, g.boxMax);
-  shadow.distance = std::min({factors.x, factors.y, factors.z});
-  const glm::vec3 hit = from + shadow.distance * along;
-  shadow.hitWorld = g.originWorld + g.worldFromProbe * glm::dvec3(hit);
+  const float maxLevel = probe.coverage != nullptr ? probe.coverage->maxLevel() : 0.0f;
+  const auto own = static_cast<float>(light.levelsPerUnit);
+  const float perUnit = light.shadowLevel == ShadowLevel::Size ? -1.0f
+                        : own > 0.0f                           ? own
+                                                               : levelsPerUnit(g.boxMin, g.boxMax, maxLevel);
+  const auto faceSize = static_cast<float>(probe.coverage != nullptr ? probe.coverage->faceSize() : 1);
+  const shading::CoverageLook look = shading::coverageLook(from, along, g.boxMin, g.boxMax, tangent, perUnit, faceSize);
+  shadow.distance = look.distance;
+  shadow.hitWorld = g.originWorld + g.worldFromProbe * glm::dvec3(look.hit);
   if (probe.coverage == nullptr) return shadow;
-  const float maxLevel = probe.coverage->maxLevel();
-  const auto perUnit = static_cast<float>(light.levelsPerUnit);
-  shadow.level =
-      light.shadowLevel == ShadowLevel::Size
-          ? shading::coverageLevel(hit, factors, along, tangent, static_cast<float>(probe.coverage->faceSize()))
-          : shadow.distance * (perUnit > 0.0f ? perUnit : levelsPerUnit(g.boxMin, g.boxMax, maxLevel));
-  shadow.level = std::clamp(shadow.level, 0.0f, maxLevel);
-  const glm::vec3 inMap = g.mapTurned ? glm::mat3(g.mapFromProbe) * hit : hit;
+  shadow.level = std::clamp(look.level, 0.0f, maxLevel);
+  const glm::vec3 inMap = g.mapTurned ? glm::mat3(g.mapFromProbe) * look.hit : look.hit;
   shadow.through = glm::vec3(probe.coverage->fetch(shading::lookupDirection(inMap), shadow.level));
   return shadow;
 }

@@ -15,7 +15,7 @@ namespace boxprobe::stress {
 enum class Held {
   All,      ///< every bound
   ByReach,  ///< errors count in units of the distance to the box: no float position is known better
-  Finite,   ///< no more: sizes below the smallest normal float, or input that is no number
+  Finite,   ///< no more: sizes below the smallest normal float, or input that is NaN
   Sliding   ///< all but the bevelled box, whose exit is ill-conditioned there: counted as a class of its own
 };
 

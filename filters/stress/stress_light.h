@@ -6,7 +6,7 @@
 
 namespace boxprobe::stress {
 
-/// Of a made-up capture of 4 x 4 texels a face: uneven, with a face that is black and one lamp ten thousand times as
+/// Of a made-up capture of 4 x 4 texels per face: uneven, with a face that is black and one lamp ten thousand times as
 /// bright, so that densities reach from 0 to what lamps have.
 const LightTable& stressLightTable();
 

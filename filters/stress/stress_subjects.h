@@ -8,7 +8,7 @@
 
 namespace boxprobe::stress {
 
-/// The promise. Boxes below the smallest normal float and input that is no number are held to no error bound.
+/// The promise. Boxes below the smallest normal float and input that is NaN are held to no error bound.
 constexpr double kSlabUlp = 2.0;         ///< slab factors, in units of the last place of the exact value
 constexpr double kHitBoxSizes = 6.0e-7;  ///< of the hit, longest sides of the box
 constexpr double kRoundedBoxSizes =

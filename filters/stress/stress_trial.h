@@ -22,7 +22,7 @@ struct Trial {
   bool lookupsUsable = true;  ///< lookups have a direction, and levels within the chain
   std::array<double, kMeasures> error{kNotMeasured, kNotMeasured, kNotMeasured, kNotMeasured};
   bool broken = false;    ///< the promise is: an error above its bound, or one of the above
-  bool wrong = false;     ///< so far off that it shows: 1 % of the box or of the value, 0.1 level, no number
+  bool wrong = false;     ///< so far off that it shows: 1 % of the box or of the value, 0.1 level, NaN
   double severity = 0.0;  ///< largest error over its bound; the worst input is the one with the most
 
   /// An error that is NaN counts as infinite. `held` false: it is reported, but breaks nothing.

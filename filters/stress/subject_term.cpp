@@ -234,7 +234,7 @@ glm::vec2 lobeNumbers(const StressInput& in) {
   return {static_cast<float>(in.pixel.y) / 4096.0f, static_cast<float>(in.pixel.x) / 4096.0f};
 }
 
-// As filters/core/probe_geometry makes it: no narrower than 1e-5 of the box.
+// As filters/core/geometry/probe_geometry makes it: no narrower than 1e-5 of the box.
 float blendRate(const StressInput& in) {
   const LocalInput local = unguardedInput(in);
   const double least = std::max(1.0e-5 * boxSize(local.probe, local.point.position), 1.0e-30);

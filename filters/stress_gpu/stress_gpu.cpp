@@ -16,6 +16,7 @@
 #include "filters/stress/stress_light.h"
 #include "filters/stress/stress_subjects.h"
 #include "filters/stress_gpu/stress_program.h"
+#include "filters/vtk/gl/framebuffer.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/gl_objects.h"
 
@@ -118,21 +119,13 @@ class Textures {
 class Targets {
  public:
   explicit Targets(vtkOpenGLRenderWindow* window) : window_(window), textures_(window, 2) {
-    glGenFramebuffers(1, &framebuffer_);
+    framebuffer_.attach({textureImage(textures_[0]), textureImage(textures_[1])}, {}, floatRefusal("stress inputs"));
   }
-  ~Targets() { glDeleteFramebuffers(1, &framebuffer_); }
-  Targets(const Targets&) = delete;
-  Targets& operator=(const Targets&) = delete;
 
   /// Of the lowest `rows` alone.
   std::array<Texels, 2> draw(FullScreenPass& pass, const Textures& inputs, int count, int rows) {
     const PassState saved(window_);
-    window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    constexpr GLenum kBuffers[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-    for (std::size_t i = 0; i < 2; ++i) {
-      glFramebufferTexture2D(GL_FRAMEBUFFER, kBuffers[i], GL_TEXTURE_2D, textures_[i], 0);
-    }
-    glDrawBuffers(2, kBuffers);
+    window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.handle());
     window_->GetState()->vtkglViewport(0, 0, kWidth, rows);
     std::vector<std::unique_ptr<BoundTexture>> bound;
     pass.draw(window_, [&](vtkShaderProgram* program) {
@@ -150,7 +143,7 @@ class Targets {
     std::array<Texels, 2> results;
     for (std::size_t i = 0; i < 2; ++i) {
       results[i].resize(static_cast<std::size_t>(kWidth) * static_cast<std::size_t>(rows));
-      glReadBuffer(kBuffers[i]);
+      glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
       glReadPixels(0, 0, kWidth, rows, GL_RGBA, GL_FLOAT, results[i].data());
     }
     return results;
@@ -159,7 +152,7 @@ class Targets {
  private:
   vtkOpenGLRenderWindow* window_;
   Textures textures_;
-  GLuint framebuffer_ = 0;
+  Framebuffer framebuffer_;
 };
 
 bool finite4(const glm::vec4& v) {

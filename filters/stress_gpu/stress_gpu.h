@@ -13,7 +13,7 @@ class vtkOpenGLRenderWindow;
 namespace boxprobe {
 
 /// Subjects of `plan` that have shader text, which is every technique and most terms; the others are left out. Of a
-/// cell's tally `nonFinite` and `broken` count results of the GPU that are no number; errors are differences from C++:
+/// cell's tally `nonFinite` and `broken` count results of the GPU that are NaN; errors are differences from C++:
 /// of the hit in box sizes, of the looked-up direction (`kRelative`, its largest component being 1) or a term's value,
 /// and of the level. They are held to nothing: drivers differ in the last digits. `progress` returns false to stop, and
 /// then the result is empty. Throws WorkError where the driver refuses a shader.

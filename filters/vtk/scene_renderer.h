@@ -1,5 +1,5 @@
 // A scene drawn by VTK with box-projected reflections: owns the VTK actors, the probes' textures and the capture work,
-// in any vtkOpenGLRenderWindow (the Qt window's, or an off-screen one). Called by app/cli and app/gui; knows neither.
+// in any vtkOpenGLRenderWindow (the Qt window's, or an off-screen one). Called by app/session and app/gui; knows neither.
 //
 // How it is driven:
 //   sync(scene, changes)   after every document change; cheap: notes what is stale, updates uniforms and actors
@@ -98,7 +98,7 @@ class SceneRenderer {
   bool averagesFrames() const;
   /// How far the picture in the window is; nothing is drawn unasked.
   FrameCount frameCount() const;
-  /// The next frame begins the picture anew, although nothing has changed: to time it.
+  /// The next frame begins the picture again, although nothing has changed: to time it.
   void restartPicture();
   /// The mean is of so many frames; nothing: of as many as the technique's rays ask for (see framesWanted).
   void setFrameLimit(std::optional<int> frames);
@@ -140,7 +140,7 @@ class SceneRenderer {
   /// The same copy that explain() looks up, read back once for each capture; null while it has none.
   std::shared_ptr<const BakedMaps> mapsOnCpu(const std::string& probeName);
 
-  /// What a probe shows now, on the graphics side; another object whenever it was made anew. Null while it has none.
+  /// What a probe shows now, on the graphics side; another object whenever it was made again. Null while it has none.
   std::shared_ptr<const ProbeMaps> shownMaps(const std::string& probeName) const;
   /// A sphere at a probe's origin, lit by its maps alone; not in captures, explanations and renderLinear().
   void showPreviewSphere(const PreviewSphereSettings& settings);

@@ -1,45 +1,14 @@
 // What stands between a surface and a light outside of a probe's box: the probe's coverage where the way to the light leaves the
-// box, for what does not move, and a shadow map for what does. Spliced in by filters/vtk/surface/vtk_pbr_splice.cpp after
+// box, for what does not move, and a shadow map for what does. Spliced in by filters/vtk/surface/probe_source.cpp after
 // gpu/probe_lighting.glsl, only for draws with such a light, with gpu/coverage_slot.glsl before it for each slot. Needs shared/coverage.glsl.
-uniform vec4 bpShadowLight[BP_SHADOW_LIGHTS];  // tangent of half the angle; radius, scene units; levels a unit, 0: the probe's own, negative: by size
+uniform vec4 bpShadowLight[BP_SHADOW_LIGHTS];  // tangent of half the angle; radius, scene units; levels per unit, 0: the probe's own, negative: by size
 uniform int bpShadowMask[BP_SLOTS];            // bit of a light: it lies outside of the probe's box
 
-// Shares of the pixel, as bpGatherLight divides it; what they leave is not shadowed.
-float bpCovers[BP_SLOTS];
-float bpUncovered;
+float bpUncovered;  // share of the pixel that no probe has; it is not shadowed
 
 void bpFindCovers(vec3 positionView)
 {
-  vec3 position = finiteOr(bpViewToWorld * positionView, vec3(0.0f));
-  float remaining = 1.0f;
-#if !BP_WEIGHTS
-  bpCovers[0] = 1.0f;
-  remaining = 0.0f;
-#elif BP_CONSTANT_SHARES
-  for (int i = 0; i < BP_SLOTS; ++i) { bpCovers[i] = bpShare[i]; }
-  remaining = bpSkyShare;
-#else
-  float weight[BP_SLOTS];
-  float groupSum[BP_GROUPS];
-  float groupShare[BP_GROUPS];
-  for (int g = 0; g < BP_GROUPS; ++g) { groupSum[g] = 0.0f; }
-//BP::Weights
-  for (int g = 0; g < BP_GROUPS; ++g)
-  {
-    groupShare[g] = remaining * groupScale(groupSum[g]);
-    remaining = remainingAfter(remaining, groupSum[g]);
-  }
-//BP::Covers
-#if BP_ONLY_PROBES
-  float given = 1.0f - remaining;
-  if (given > 1.0e-4f)
-  {
-    for (int i = 0; i < BP_SLOTS; ++i) { bpCovers[i] = bpCovers[i] / given; }
-    remaining = 0.0f;
-  }
-#endif
-#endif
-  bpUncovered = remaining;
+  bpUncovered = bpShareOut(finiteOr(bpViewToWorld * positionView, vec3(0.0f)));
 }
 
 vec3 bpThrough(int light, int bit, vec3 positionView, vec3 normalView, vec3 toLightView, float distance)

@@ -1,5 +1,5 @@
 // Glass on the graphics side: what shared/refraction.glsl finds is looked up as reflections are, in the object's probes and the sky.
-// Spliced in by filters/vtk/surface/vtk_pbr_splice.cpp for materials that transmit light, after gpu/probe_lighting.glsl; it defines
+// Spliced in by filters/vtk/surface/material_source.cpp for materials that transmit light, after gpu/probe_lighting.glsl; it defines
 //   BP_GLASS_FORM   1 to 3, as GlassObject::form
 //   BP_GLASS_SHEET  true or false
 // and the type GLASS_SHELL. Positions are relative to the eye, along the world's axes.

@@ -1,6 +1,6 @@
 // What a material's textures and vertices give at a fragment, where glTF wants more than VTK 9.1's own texture code does:
 // two sets of coordinates, transforms, factors without textures, alpha modes, clear-coat textures. BP_HAS_... and the
-// sampling functions bpSample...() stand before this, written by filters/vtk/surface/vtk_pbr_splice.cpp for the textures there are.
+// sampling functions bpSample...() stand before this, written by filters/vtk/surface/material_source.cpp for the textures there are.
 uniform float bpAlpha;       // the base colour's factor
 uniform float bpAlphaCutoff;
 

@@ -1,4 +1,4 @@
-// What the probes and the sky add to a pixel of VTK's PBR shader. Spliced in by filters/vtk/surface/vtk_pbr_splice.cpp, which defines
+// What the probes and the sky add to a pixel of VTK's PBR shader. Spliced in by filters/vtk/surface/probe_source.cpp, which defines
 //   BP_SLOTS     probes this draw may use (0 to 4), most important first
 //   BP_GROUPS    runs of equal importance among them
 //   BP_BEVEL     defined if any of their boxes has rounded edges
@@ -73,12 +73,7 @@ struct BpLight
 
 //BP::Slots
 
-// The surface's Fresnel reflectance, mean of its colours: Schlick between F0 and F90, as VTK's shader has it.
-float bpMeanFresnel(vec3 f0, vec3 f90, float nDotV)
-{
-  vec3 f = f0 + (f90 - f0) * pow(1.0 - nDotV, 5.0);
-  return dot(f, vec3(1.0 / 3.0));
-}
+//BP::ShareOut
 
 BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness, float fresnel)
 {
@@ -97,7 +92,6 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 #ifdef BP_MIRROR
   light.share = 0.0f;
 #endif
-  float remaining = 1.0f;
 #if BP_DEBUG
   if (!bpCoat)
   {
@@ -106,33 +100,8 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   }
 #endif
 
-#if BP_SLOTS > 0 && !BP_WEIGHTS
-  bpAddSlot0(light, bpIntensity[0], position, normal, view, reflection, roughness, fresnel);
-  remaining = 0.0f;
-#elif BP_SLOTS > 0 && BP_CONSTANT_SHARES
-  remaining = bpSkyShare;
-//BP::ConstantShares
-#elif BP_SLOTS > 0
-  float weight[BP_SLOTS];
-  float groupSum[BP_GROUPS];
-  float groupShare[BP_GROUPS];
-  for (int g = 0; g < BP_GROUPS; ++g) { groupSum[g] = 0.0f; }
-//BP::Weights
-  for (int g = 0; g < BP_GROUPS; ++g)
-  {
-    groupShare[g] = remaining * groupScale(groupSum[g]);
-    remaining = remainingAfter(remaining, groupSum[g]);
-  }
-#if BP_ONLY_PROBES
-  float given = 1.0f - remaining;
-  if (given > 1.0e-4f)
-  {
-    for (int g = 0; g < BP_GROUPS; ++g) { groupShare[g] = groupShare[g] / given; }
-    remaining = 0.0f;
-  }
-#endif
-//BP::Shares
-#endif
+  float remaining = bpShareOut(position);
+//BP::AddSlots
 
 #if BP_SKY
   float sky = remaining * bpSkyIntensity;

@@ -1,4 +1,4 @@
-// From a rendered face (float, several samples a texel) to a texel of the probe: mean colour brought into half-float range,
+// From a rendered face (float, several samples per texel) to a texel of the probe: mean colour brought into half-float range,
 // distance from the depth buffer. In a second use it draws only the texels that had to be changed, for an occlusion query
 // to count them. Needs shared/cube.glsl.
 uniform sampler2D bpColor;

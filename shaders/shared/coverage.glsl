@@ -24,3 +24,15 @@ float coverageLevel(vec3 hit, vec3 factors, vec3 toLight, float tangent, float f
   float width = kCoverageWidth * texels;
   return width < 2.0f ? clamp(0.71f * width - 0.42f, 0.0f, 1.0f) : log2(width);
 }
+
+// `from`: the surface, `toLight`: unit, both probe frame; `perUnit`: levels per scene unit of distance, negative: by the
+// light's size.
+CoverageLook coverageLook(vec3 from, vec3 toLight, vec3 boxMin, vec3 boxMax, float tangent, float perUnit, float faceSize)
+{
+  vec3 factors = slabFactors(from, toLight, boxMin, boxMax);
+  CoverageLook look;
+  look.distance = min(min(factors.x, factors.y), factors.z);
+  look.hit = from + look.distance * toLight;
+  look.level = perUnit < 0.0f ? coverageLevel(look.hit, factors, toLight, tangent, faceSize) : look.distance * perUnit;
+  return look;
+}

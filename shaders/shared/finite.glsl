@@ -19,7 +19,7 @@ vec3 directionOr(vec3 v, vec3 instead)
   return size > 1.0e-18f && size < 3.0e38f ? v : instead;
 }
 
-// Roughness in [0, 1]. One that is no number counts as 1: a blurred pixel is not noticed, a glittering one is.
+// Roughness in [0, 1]. One that is NaN counts as 1: a blurred pixel is not noticed, a glittering one is.
 float roughnessWithin(float roughness)
 {
   return roughness < 1.0f ? max(roughness, 0.0f) : 1.0f;

@@ -1,8 +1,8 @@
-// How a level of the source's mip chain is made from the one before: four bilinear lookups a texel, which together are
+// How a level of the source's mip chain is made from the one before: four bilinear lookups per texel, which together are
 // the filter 1 3 3 1 along each axis. Repeated from level to level it tends to a quadratic spline: a lookup's footprint
 // is then smooth and nearly round, and the footprints of neighbouring lookups add up evenly. The plain mean of 2 x 2
 // (glGenerateMipmap) gives square footprints with a hard border, which show as blotches around a lamp; see the table in
-// the README. Needs shared/cube.glsl.
+// tests/bench/README.md. Needs shared/cube.glsl.
 
 // Coordinate of a lookup, from the texel's centre towards side -1 or 1: between the texel beside the centre, which
 // counts three times, and the next.

@@ -3,7 +3,7 @@
 // Frames. "Probe frame": axes of the probe's box, origin at its capture origin C, scene units. Working relative to C keeps
 // full precision far from the world's origin: the subtraction P - C is done once, first.
 
-// What a technique can be tuned by; the rows of filters/math/parameter_table name, bound and explain each. Set are those that the
+// What a technique can be tuned by; the rows of filters/math/technique/parameter_table name, bound and explain each. Set are those that the
 // technique at hand uses, no other.
 struct TechniqueParameters
 {

@@ -8,7 +8,7 @@ float faceWeight(float distanceInside, float rate)
 }
 
 // Product over the six faces of the influence box, all in the same frame. Rates are 1 / blend distance; the host turns a
-// blend distance of 0 into a rate so high that the rise is narrower than a position's rounding (filters/core/probe_geometry).
+// blend distance of 0 into a rate so high that the rise is narrower than a position's rounding (filters/core/geometry/probe_geometry).
 float influenceWeight(vec3 position, vec3 influenceMin, vec3 influenceMax, vec3 rateMin, vec3 rateMax)
 {
   return faceWeight(position.x - influenceMin.x, rateMin.x) * faceWeight(influenceMax.x - position.x, rateMax.x) *
@@ -29,4 +29,24 @@ float remainingAfter(float remaining, float weightSum)
 {
   float s = clamp(weightSum, 0.0f, 1.0f);
   return remaining * max(1.0f - s * (1.0f + s * (1.0f - s)), 0.0f);
+}
+
+// Share of the pixel that a group of probes of equal importance gets per unit of weight.
+float groupShare(float remaining, float weightSum)
+{
+  return remaining * groupScale(weightSum);
+}
+
+// Where probes leave nothing to the sky, all their shares grow by this factor, so that they sum to 1. Below the limit no
+// probe counts as having weight: a division by less would be noise.
+float onlyProbesScale(float remaining)
+{
+  float given = 1.0f - remaining;
+  return given > 1.0e-4f ? 1.0f / given : 1.0f;
+}
+
+// What they leave all the same: everything where no probe has weight, else nothing.
+float onlyProbesRemaining(float remaining)
+{
+  return 1.0f - remaining > 1.0e-4f ? 0.0f : remaining;
 }

@@ -1,4 +1,4 @@
-// A technique added as the README says is known everywhere by its row alone: to scene files, to the picture and to the
+// A technique added as shaders/technique/README.md says is known everywhere by its row alone: to scene files, to the picture and to the
 // explanation, which agree about it.
 #include <gtest/gtest.h>
 

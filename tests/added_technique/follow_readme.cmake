@@ -1,17 +1,17 @@
-# Run as a script: does what the section "Add a technique" of README says, to a copy. The section's blocks of code follow lines
-# that name where they go in `backquotes`: a .glsl block is a new file, the .cpp block is a row above that of `auto`.
-#   README, SOURCE: the README and the source tree; OUTPUT: folder for shaders/, compiled_shaders.cpp and technique_files.inc
+# Run as a script: does what the section "Add a technique" of shaders/technique/README.md says, to a copy. The section's blocks of code
+# follow lines that name where they go in `backquotes`: a .glsl block is a new file, the .cpp block is a row above that of `auto`.
+#   README, SOURCE: that README and the source tree; OUTPUT: folder for shaders/, compiled_shaders.cpp and technique_files.inc
 file(READ "${README}" text)
 string(REPLACE ";" "\\;" text "${text}")
-string(REGEX MATCH "### Add a technique\n.*" section "${text}")
+string(REGEX MATCH "## Add a technique\n.*" section "${text}")
 string(REGEX REPLACE "\n##+ .*" "" section "${section}")
 if(NOT section MATCHES "`(shaders/technique/[a-z0-9_]+\\.glsl)`[^\n]*\n+```glsl\n([^`]+)```")
-  message(FATAL_ERROR "README.md, Add a technique: no shader file with its text")
+  message(FATAL_ERROR "${README}, Add a technique: no shader file with its text")
 endif()
 set(shader_file "${CMAKE_MATCH_1}")
 set(shader_text "${CMAKE_MATCH_2}")
 if(NOT section MATCHES "`(filters/math/[a-z_/]+\\.cpp)`[^\n]*\n+```cpp\n([^`]+)```")
-  message(FATAL_ERROR "README.md, Add a technique: no row and the file it goes to")
+  message(FATAL_ERROR "${README}, Add a technique: no row and the file it goes to")
 endif()
 set(row_file "${CMAKE_MATCH_1}")
 set(row "${CMAKE_MATCH_2}")
@@ -20,7 +20,7 @@ string(REPLACE "\\;" ";" shader_text "${shader_text}")
 file(REMOVE_RECURSE "${OUTPUT}/shaders")
 file(COPY "${SOURCE}/shaders" DESTINATION "${OUTPUT}")
 if(EXISTS "${OUTPUT}/${shader_file}")
-  message(FATAL_ERROR "README.md, Add a technique: ${shader_file} is there already")
+  message(FATAL_ERROR "${README}, Add a technique: ${shader_file} is there already")
 endif()
 file(WRITE "${OUTPUT}/${shader_file}" "${shader_text}")
 

@@ -2,25 +2,20 @@
 // captured and drawn. Prints one line each; `bench_big_model [TRIANGLES [TEXTURES]]`.
 #include <sys/resource.h>
 #include <unistd.h>
-#include <vtkOpenGLRenderWindow.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
-#include "app/session/load_scene.h"
-#include "app/session/offscreen_window.h"
-#include "filters/core/base/errors.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/io/image/image_pool.h"
 #include "filters/vtk/gl/cpu_time.h"
-#include "filters/vtk/scene_renderer.h"
+#include "tests/bench/harness.h"
 #include "tests/unit/io_glb_builder.h"
 
 namespace {
@@ -110,46 +105,40 @@ LoadedScene timedLoad(const std::string& path, const char* what) {
   return loaded;
 }
 
+void measure(const CLI::App& program, const std::string& path, int triangles, int textures) {
+  writeModel(path, triangles, textures);
+  std::printf("file: %.0f MiB; resident so far %.0f MiB\n", mebibytes(std::filesystem::file_size(path)),
+              residentMebibytes());
+  const LoadedScene loaded = timedLoad(path, "load");
+  std::printf("triangles: %zu; resident at most %.0f MiB\n", loaded.models[0]->triangleCount(), residentMebibytes());
+  { const LoadedScene again = timedLoad(path, "second load"); }
+  bench::FrameOptions options;
+  options.samples = 1;
+  OffscreenScene drawn(windowSettings(program, options));
+  const double cpu = processCpuSeconds();
+  bench::prepare(drawn, loaded.scene, loaded.models);
+  drawn.window()->WaitForCompletion();
+  std::printf("actors, textures, capture and filter: %.2f s of CPU time, %llu faces\n", processCpuSeconds() - cpu,
+              static_cast<unsigned long long>(drawn.renderer().counters().facesCaptured));
+  const double first = drawn.timedFrame();  // compiles
+  std::vector<double> frames;
+  for (int i = 0; i < 10; ++i) frames.push_back(drawn.timedFrame());
+  std::printf("frame, 1280 x 720: first %.2f s, then median %.3f s of CPU time; resident at most %.0f MiB\n", first,
+              bench::median(frames), residentMebibytes());
+  drawn.requireHealthy();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int triangles = argc > 1 ? std::atoi(argv[1]) : 1000000, textures = argc > 2 ? std::atoi(argv[2]) : 100;
+  CLI::App program("What a large model costs: loaded, captured and drawn", "bench_big_model");
+  int triangles = 1000000, textures = 100;
+  program.add_option("TRIANGLES", triangles, "Of the model")->check(CLI::Range(1, 100000000))->capture_default_str();
+  program.add_option("TEXTURES", textures, "Of the model")->check(CLI::Range(1, 10000))->capture_default_str();
   const std::string path =
       (std::filesystem::temp_directory_path() / ("boxprobe-big-" + std::to_string(::getpid()) + ".glb")).string();
-  try {
-    writeModel(path, triangles, textures);
-    std::printf("file: %.0f MiB; resident so far %.0f MiB\n", mebibytes(std::filesystem::file_size(path)),
-                residentMebibytes());
-    LoadedScene loaded = timedLoad(path, "load");
-    std::printf("triangles: %zu; resident at most %.0f MiB\n", loaded.models[0]->triangleCount(), residentMebibytes());
-    { const LoadedScene again = timedLoad(path, "second load"); }
-    const auto window = makeOffscreenWindow(1280, 720, 1);
-    SceneRenderer renderer(window);
-    double cpu = processCpuSeconds();
-    renderer.setModels(loaded.models);
-    renderer.sync(loaded.scene, Changes::all());
-    renderer.applyCamera(loaded.scene.cameras.front());
-    renderer.finishWork();
-    window->WaitForCompletion();
-    std::printf("actors, textures, capture and filter: %.2f s of CPU time, %llu faces\n", processCpuSeconds() - cpu,
-                static_cast<unsigned long long>(renderer.counters().facesCaptured));
-    std::vector<double> frames;
-    for (int i = 0; i < 11; ++i) {
-      cpu = processCpuSeconds();
-      window->Render();
-      window->WaitForCompletion();
-      frames.push_back(processCpuSeconds() - cpu);
-    }
-    std::sort(frames.begin() + 1, frames.end());  // the first one compiles
-    std::printf("frame, 1280 x 720: first %.2f s, then median %.3f s of CPU time; resident at most %.0f MiB\n",
-                frames[0], frames[6], residentMebibytes());
-    if (!renderer.error().empty()) throw WorkError(renderer.error());
-    renderer.releaseGraphics();
-    std::filesystem::remove(path);
-    return 0;
-  } catch (const Error& error) {
-    std::filesystem::remove(path);
-    std::fprintf(stderr, "bench_big_model: %s\n", error.what());
-    return error.exitStatus();
-  }
+  const int status = bench::runProgram(program, argc, argv, [&] { measure(program, path, triangles, textures); });
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  return status;
 }

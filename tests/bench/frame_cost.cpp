@@ -1,26 +1,17 @@
 // bench_frame: CPU time of a frame with box-projected reflections over that of stock VTK with image-based lighting,
 // (or, with --probes off, of a frame without either), drawn in turn in one process and window. CPU time of all threads:
 // software OpenGL draws in this process.
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <string>
 
 #include "app/cli/options/render_options.h"
-#include "app/session/display_check.h"
-#include "app/session/load_scene.h"
-#include "app/session/offscreen_window.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/image/image_file.h"
-#include "filters/reference/measure/interleaved.h"
-#include "filters/vtk/gl/cpu_time.h"
-#include "filters/vtk/scene_renderer.h"
-#include "tests/bench/exit_status.h"
+#include "tests/bench/harness.h"
 #include "tests/bench/stock_renderer.h"
 
 namespace {
@@ -43,66 +34,53 @@ ImageRgba8 windowPicture(vtkRenderWindow* window) {
   return image;
 }
 
-struct BenchOptions {
-  std::string scene = BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json";
-  std::string size = "1280x720";
+struct BenchOptions : bench::FrameOptions {
   std::string technique = "box";
-  int samples = 4;
-  int frames = 60;
   std::string pictures;
   std::string probes = "on";
 };
 
-void run(const BenchOptions& options) {
-  const FrameSize size = parseFrameSize(options.size);
+void savePictures(const std::string& folder, OffscreenScene& ours, const std::function<double(bool)>& frame) {
+  frame(true);
+  savePng(folder + "/ours.png", windowPicture(ours.window()));
+  frame(false);
+  savePng(folder + "/stock.png", windowPicture(ours.window()));
+}
+
+void print(const std::string& what, double milliseconds, const std::vector<double>& seconds) {
+  std::printf("  %-28s median %8.2f   min %8.2f\n", what.c_str(), milliseconds,
+              1e3 * *std::min_element(seconds.begin(), seconds.end()));
+}
+
+void run(const CLI::App& program, const BenchOptions& options) {
   LoadedScene loaded = loadScene(options.scene);
   chooseTechnique(loaded.scene, options.technique);
   const SkyGradient* sky = std::get_if<SkyGradient>(&loaded.scene.sky);
   if (sky == nullptr) throw InputError(options.scene + ": sky: this benchmark wants a gradient");
-  requireDisplay("bench_frame");
-  installVtkMessages(false, true);
-  const auto window = makeOffscreenWindow(size.width, size.height, options.samples);
-  SceneRenderer ours(window);
-  ours.setModels(loaded.models);
-  ours.sync(loaded.scene, Changes::all());
-  ours.applyCamera(chooseCamera(loaded.scene, ""));
-  ours.finishWork();
-  const auto stock = bench::makeStockRenderer(ours.renderer(), *sky);
+  OffscreenScene ours(windowSettings(program, options));
+  bench::prepare(ours, loaded.scene, loaded.models);
+  const auto stock = bench::makeStockRenderer(ours.renderer().renderer(), *sky);
   const bool off = options.probes == "off";
   if (off) {
-    ours.setProbesEnabled(false);
+    ours.renderer().setProbesEnabled(false);
     stock->UseImageBasedLightingOff();
   }
-  window->AddRenderer(stock);
-
+  ours.window()->AddRenderer(stock);
   const auto frame = [&](bool drawOurs) {
-    ours.renderer()->SetDraw(drawOurs ? 1 : 0);
+    ours.setDrawn(drawOurs);
     stock->SetDraw(drawOurs ? 0 : 1);
-    const double start = processCpuSeconds();
-    window->Render();
-    window->WaitForCompletion();
-    return processCpuSeconds() - start;
+    return ours.timedFrame();
   };
   for (const bool drawOurs : {true, false, true, false}) frame(drawOurs);  // compiles, filters the environment
-  if (!options.pictures.empty()) {
-    frame(true);
-    savePng(options.pictures + "/ours.png", windowPicture(window));
-    frame(false);
-    savePng(options.pictures + "/stock.png", windowPicture(window));
-  }
-  const bench::Samples samples = bench::interleave(
-      options.frames, [&] { return frame(true); }, [&] { return frame(false); });
-  if (!ours.error().empty()) throw WorkError(ours.error());
-  const bench::Ratio ratio = bench::ratioOfMedians(samples);
-  std::printf("%s: %d x %d, %d samples a pixel, %d pairs of frames, CPU milliseconds\n", options.scene.c_str(),
-              size.width, size.height, std::max(window->GetMultiSamples(), 1), options.frames);
-  std::printf("  %-28s median %8.2f   min %8.2f\n", off ? "probes off" : options.technique.c_str(),
-              1e3 * bench::median(samples.a), 1e3 * *std::min_element(samples.a.begin(), samples.a.end()));
-  std::printf("  %-28s median %8.2f   min %8.2f\n", off ? "stock, lights only" : "stock image-based lighting",
-              1e3 * bench::median(samples.b), 1e3 * *std::min_element(samples.b.begin(), samples.b.end()));
-  std::printf("  ratio %.3f, 95 %% interval %.3f to %.3f\n", ratio.value, ratio.low, ratio.high);
-  window->RemoveRenderer(stock);
-  ours.releaseGraphics();
+  if (!options.pictures.empty()) savePictures(options.pictures, ours, frame);
+  const bench::Comparison result = bench::compare(
+      0, options.frames, [&] { return frame(true); }, [&] { return frame(false); });
+  ours.requireHealthy();
+  bench::printHeader(options, ours);
+  print(off ? "probes off" : options.technique, result.first, result.samples.a);
+  print(off ? "stock, lights only" : "stock image-based lighting", result.second, result.samples.b);
+  std::printf("  %s\n", result.ratioText().c_str());
+  ours.window()->RemoveRenderer(stock);
 }
 
 }  // namespace
@@ -110,17 +88,13 @@ void run(const BenchOptions& options) {
 int main(int argc, char** argv) {
   CLI::App program("CPU time of a frame: box projection over stock VTK image-based lighting", "bench_frame");
   BenchOptions options;
-  program.add_option("SCENE", options.scene, "Scene file")->capture_default_str();
-  program.add_option("--size", options.size, "Pixels")->capture_default_str();
+  options.scene = BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json";
+  options.frames = 60;
+  addFrameOptions(program, options);
   program.add_option("--technique", options.technique, "Technique of every probe")->capture_default_str();
-  program.add_option("--samples", options.samples, "Samples a pixel")->capture_default_str();
-  program.add_option("--frames", options.frames, "Pairs of frames")
-      ->check(CLI::Range(2, 100000))
-      ->capture_default_str();
   program.add_option("--probes", options.probes, "off: without probes and sky, against stock VTK without them")
       ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str();
   program.add_option("--pictures", options.pictures, "Folder for ours.png and stock.png, to look at");
-  CLI11_PARSE(program, argc, argv);
-  return exitStatusOf([&] { run(options); });
+  return bench::runProgram(program, argc, argv, [&] { run(program, options); });
 }

@@ -1,15 +1,12 @@
 // See prefilter_cubes.h.
 #include "tests/bench/prefilter_cubes.h"
 
-#include <vtkOpenGLRenderWindow.h>
-
 #include <algorithm>
 
-#include "app/session/load_scene.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/cube_file.h"
 #include "filters/vtk/gl/gl_objects.h"
-#include "filters/vtk/scene_renderer.h"
+#include "tests/bench/harness.h"
 
 namespace boxprobe::bench {
 
@@ -44,15 +41,11 @@ CubeMap capturedRoom(vtkOpenGLRenderWindow* window, int faceSize) {
   Probe& probe = loaded.scene.probes.at(0);
   probe.faceSize = faceSize;
   probe.origin += glm::dvec3(0.6, 0.4, -0.9);  // the lamp on no face's middle
-  SceneRenderer renderer(window);
-  renderer.setModels(loaded.models);
-  renderer.sync(loaded.scene, Changes::all());
-  renderer.finishWork();
-  const auto maps = renderer.readMaps(probe.name);
-  if (!maps) throw WorkError("the room's probe was not captured: " + renderer.error());
-  CubeMap cube = level0(maps->radiance);
-  renderer.releaseGraphics();
-  return cube;
+  OffscreenScene drawn(window);
+  prepare(drawn, loaded.scene, loaded.models);
+  const auto maps = drawn.renderer().readMaps(probe.name);
+  if (!maps) throw WorkError("the room's probe was not captured");
+  return level0(maps->radiance);
 }
 
 CubeMap singleTexel(int faceSize) {

@@ -1,24 +1,20 @@
 // bench_prefilter: error of prefiltered levels against a reference without sampling, and their CPU time, beside VTK's
-// own prefilter on the same cubemaps. Prints Markdown tables for the README.
+// own prefilter on the same cubemaps. Prints the Markdown tables of README.md beside it.
 #include <vtkOpenGLRenderWindow.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <memory>
 
-#include "app/session/display_check.h"
-#include "app/session/offscreen_window.h"
-#include "app/session/vtk_messages.h"
 #include "filters/math/cube/cube_filter.h"
 #include "filters/math/cube/cube_filter_reference.h"
 #include "filters/reference/measure/interleaved.h"
 #include "filters/vtk/capture/prefilter.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/maps/cube_transfer.h"
-#include "tests/bench/exit_status.h"
+#include "tests/bench/harness.h"
 #include "tests/bench/prefilter_cubes.h"
 #include "tests/bench/stock_prefilter.h"
 
@@ -202,10 +198,8 @@ void printRatio(const char* what, const Samples& samples) {
   std::fflush(stdout);
 }
 
-void run(const Options& options) {
-  requireDisplay("bench_prefilter");
-  installVtkMessages(false, true);
-  const auto window = makeOffscreenWindow(64, 64, 0);
+void run(const CLI::App& program, const Options& options) {
+  const auto window = openOffscreenWindow(smallWindowSettings(program));
   const std::vector<NamedCube> cubes = prefilterCubes(window, options.faceSize);
   std::vector<std::unique_ptr<StockPrefilter>> stock;
   std::vector<std::unique_ptr<Ours>> ours;
@@ -266,6 +260,5 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(kMinSamples, kMaxSamples))
       ->capture_default_str();
   program.add_option("--pairs", options.pairs, "Pairs of timings")->check(CLI::Range(2, 1000))->capture_default_str();
-  CLI11_PARSE(program, argc, argv);
-  return exitStatusOf([&] { run(options); });
+  return runProgram(program, argc, argv, [&] { run(program, options); });
 }

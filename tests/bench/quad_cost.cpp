@@ -1,27 +1,22 @@
 // bench_quads: time of every technique by full-screen quads: the shader text that draws, one evaluation a pixel, its
 // lookups computed instead of fetched, so that arithmetic is compared and not a driver's filtering. Nanoseconds of CPU
-// time a pixel, which on a software driver is the time it takes; the median of several draws of all techniques in turn.
-#include <vtkOpenGLRenderWindow.h>
+// time per pixel, which on a software driver is the time it takes; the median of several draws of all techniques in
+// turn.
 #include <vtkOpenGLState.h>
 #include <vtk_glew.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "app/session/display_check.h"
-#include "app/session/offscreen_window.h"
-#include "app/session/vtk_messages.h"
-#include "filters/reference/measure/interleaved.h"
 #include "filters/stress/stress_light.h"
 #include "filters/stress/stress_subjects.h"
 #include "filters/stress_gpu/stress_program.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/gl_objects.h"
-#include "tests/bench/exit_status.h"
+#include "tests/bench/harness.h"
 
 namespace {
 
@@ -77,18 +72,16 @@ double draw(vtkOpenGLRenderWindow* window, const FloatTarget& target, FullScreen
   return processCpuSeconds() - start;
 }
 
-void run(const std::vector<std::string>& ids, int draws) {
-  requireDisplay("bench_quads");
-  installVtkMessages(false, true);
-  const auto window = makeOffscreenWindow(16, 16, 1);
+void run(const CLI::App& program, const std::vector<std::string>& ids, int draws) {
+  const auto window = openOffscreenWindow(bench::smallWindowSettings(program));
   FloatTarget target;
   target.allocate(kSide, kSide);
   std::vector<Quad> quads;
   for (const StressSubject& subject : techniqueSubjects()) {
     if (!ids.empty() && std::find(ids.begin(), ids.end(), subject.id) == ids.end()) continue;
-    const auto program = stressProgram(subject);
-    if (!program) continue;  // chosen in C++
-    quads.push_back({subject.id, std::make_unique<FullScreenPass>(subject.id, sourceOf(*program, subject)), {}});
+    const auto source = stressProgram(subject);
+    if (!source) continue;  // chosen in C++
+    quads.push_back({subject.id, std::make_unique<FullScreenPass>(subject.id, sourceOf(*source, subject)), {}});
     draw(window, target, *quads.back().pass);  // compiles
   }
   for (int i = 0; i < draws; ++i) {
@@ -109,6 +102,5 @@ int main(int argc, char** argv) {
   int draws = 15;
   program.add_option("--technique", ids, "Only these, by full id (default: all)");
   program.add_option("--draws", draws, "Draws of each")->check(CLI::Range(1, 100000))->capture_default_str();
-  CLI11_PARSE(program, argc, argv);
-  return exitStatusOf([&] { run(ids, draws); });
+  return bench::runProgram(program, argc, argv, [&] { run(program, ids, draws); });
 }

@@ -1,46 +1,34 @@
 // bench_robust: what it costs that nothing can go wrong. CPU time of frames, and of full-screen passes that do nothing
 // but project, with the program's own forms over the same with the published ones, drawn in turn in one process and
 // window.
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkOpenGLState.h>
 #include <vtk_glew.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>
 
 #include "app/cli/options/render_options.h"
-#include "app/session/display_check.h"
-#include "app/session/load_scene.h"
-#include "app/session/offscreen_window.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
 #include "filters/math/shared/shader_source.h"
 #include "filters/math/technique/technique_table.h"
-#include "filters/reference/measure/interleaved.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/gl_objects.h"
-#include "filters/vtk/scene_renderer.h"
-#include "tests/bench/exit_status.h"
+#include "tests/bench/harness.h"
 #include "tests/bench/published_sources.h"
 
 namespace {
 
 using namespace boxprobe;
 
-struct BenchOptions {
-  std::string scene = BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json";
-  std::string size = "1280x720";
+struct BenchOptions : bench::FrameOptions {
   std::vector<std::string> techniques = {"box", "hdrp", "sphere"};
-  int pairs = 60;
 };
 
-void print(const std::string& what, const bench::Samples& samples) {
-  const bench::Ratio ratio = bench::ratioOfMedians(samples);
-  std::printf("  %-28s own %8.2f ms   published %8.2f ms   ratio %.3f, 95 %% interval %.3f to %.3f\n", what.c_str(),
-              1e3 * bench::median(samples.a), 1e3 * bench::median(samples.b), ratio.value, ratio.low, ratio.high);
+void print(const std::string& what, const bench::Comparison& result) {
+  std::printf("  %-28s own %8.2f ms   published %8.2f ms   %s\n", what.c_str(), result.first, result.second,
+              result.ratioText().c_str());
 }
 
 // Rays of a pixel's own, so that nothing is constant. `lookup`: with the texture lookup that every technique ends in;
@@ -102,65 +90,47 @@ void measurePass(vtkOpenGLRenderWindow* window, const std::string& id, int pairs
     bench::usePublishedShaders(false);
     return seconds;
   };
-  for (int i = 0; i < 3; ++i) {
-    draw(own, false);
-    draw(published, true);
-  }
-  print(id, bench::interleave(
-                4 * pairs, [&] { return draw(own, false); }, [&] { return draw(published, true); }));
+  print(id, bench::compare(
+                3, 4 * pairs, [&] { return draw(own, false); }, [&] { return draw(published, true); }));
   own.release();
   published.release();
 }
 
-void measureFrame(const BenchOptions& options, const std::string& id) {
-  const FrameSize size = parseFrameSize(options.size);
+void measureFrame(const CLI::App& program, const BenchOptions& options, const std::string& id) {
   LoadedScene loaded = loadScene(options.scene);
   chooseTechnique(loaded.scene, id);
-  const auto window = makeOffscreenWindow(size.width, size.height, 4);
-  SceneRenderer own(window), published(window);
-  for (SceneRenderer* renderer : {&own, &published}) {
-    bench::usePublishedShaders(renderer == &published);
-    renderer->setModels(loaded.models);
-    renderer->sync(loaded.scene, Changes::all());
-    renderer->applyCamera(chooseCamera(loaded.scene, ""));
-    own.renderer()->SetDraw(renderer == &own ? 1 : 0);
-    published.renderer()->SetDraw(renderer == &published ? 1 : 0);
-    renderer->finishWork();
-  }
-  const auto frame = [&](bool drawOwn) {
-    bench::usePublishedShaders(!drawOwn);
-    own.renderer()->SetDraw(drawOwn ? 1 : 0);
-    published.renderer()->SetDraw(drawOwn ? 0 : 1);
-    const double start = processCpuSeconds();
-    window->Render();
-    window->WaitForCompletion();
-    return processCpuSeconds() - start;
+  OffscreenScene own(windowSettings(program, options)), published(own.window());
+  const auto drawOnly = [&](const OffscreenScene& one) {
+    bench::usePublishedShaders(&one == &published);
+    bench::drawOnly(one, {&own, &published});
   };
-  for (const bool drawOwn : {true, false, true, false}) frame(drawOwn);  // compiles
-  print(id, bench::interleave(
-                options.pairs, [&] { return frame(true); }, [&] { return frame(false); }));
-  for (const SceneRenderer* renderer : {&own, &published}) {
-    if (!renderer->error().empty()) throw WorkError(renderer->error());
+  for (OffscreenScene* drawn : {&own, &published}) {
+    drawOnly(*drawn);
+    bench::prepare(*drawn, loaded.scene, loaded.models);
   }
-  own.releaseGraphics();
-  published.releaseGraphics();
+  const auto frame = [&](OffscreenScene& one) {
+    drawOnly(one);
+    return one.timedFrame();
+  };
+  print(id, bench::compare(
+                2, options.frames, [&] { return frame(own); }, [&] { return frame(published); }));
+  own.requireHealthy();
+  published.requireHealthy();
   bench::usePublishedShaders(false);
 }
 
-void run(const BenchOptions& options) {
-  requireDisplay("bench_robust");
-  installVtkMessages(false, true);
+void run(const CLI::App& program, const BenchOptions& options) {
   {
-    const auto window = makeOffscreenWindow(16, 16, 1);
+    const auto window = openOffscreenWindow(bench::smallWindowSettings(program));
     for (const bool lookup : {true, false}) {
       std::printf("full-screen pass of 512 x 512 pixels, 16 rays each, %s: %d pairs, CPU time\n",
-                  lookup ? "each looked up" : "arithmetic alone", 4 * options.pairs);
-      for (const std::string& id : options.techniques) measurePass(window, id, options.pairs, lookup);
+                  lookup ? "each looked up" : "arithmetic alone", 4 * options.frames);
+      for (const std::string& id : options.techniques) measurePass(window, id, options.frames, lookup);
     }
   }
-  std::printf("%s, %s, 4 samples a pixel: %d pairs of frames, CPU time\n", options.scene.c_str(), options.size.c_str(),
-              options.pairs);
-  for (const std::string& id : options.techniques) measureFrame(options, id);
+  std::printf("%s, %s, %d samples a pixel: %d pairs of frames, CPU time\n", options.scene.c_str(), options.size.c_str(),
+              options.samples, options.frames);
+  for (const std::string& id : options.techniques) measureFrame(program, options, id);
 }
 
 }  // namespace
@@ -168,11 +138,10 @@ void run(const BenchOptions& options) {
 int main(int argc, char** argv) {
   CLI::App program("CPU time with the program's own projection mathematics over the published forms", "bench_robust");
   BenchOptions options;
-  program.add_option("SCENE", options.scene, "Scene file")->capture_default_str();
-  program.add_option("--size", options.size, "Pixels")->capture_default_str();
+  options.scene = BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json";
+  options.frames = 60;
+  addFrameOptions(program, options, "--pairs");
   program.add_option("--technique", options.techniques, "Techniques with published counterparts")
       ->capture_default_str();
-  program.add_option("--pairs", options.pairs, "Pairs of frames")->check(CLI::Range(2, 100000))->capture_default_str();
-  CLI11_PARSE(program, argc, argv);
-  return exitStatusOf([&] { run(options); });
+  return bench::runProgram(program, argc, argv, [&] { run(program, options); });
 }

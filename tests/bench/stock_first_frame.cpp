@@ -1,40 +1,39 @@
 // CPU time from process start to the first frame that stock VTK draws of `building` with image-based lighting from a
 // 256² cube at VTK's defaults: what tests/bench/first_frame.sh compares with. Prints seconds.
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLRenderer.h>
 
 #include <cstdio>
 #include <variant>
 
-#include "app/session/load_scene.h"
-#include "app/session/offscreen_window.h"
-#include "filters/core/base/errors.h"
 #include "filters/vtk/gl/cpu_time.h"
-#include "filters/vtk/scene_renderer.h"
+#include "tests/bench/harness.h"
 #include "tests/bench/stock_renderer.h"
 
+namespace {
+
+using namespace boxprobe;
+
+void run(const CLI::App& program, const bench::FrameOptions& options) {
+  const LoadedScene loaded = loadScene(options.scene);
+  OffscreenScene ours(windowSettings(program, options));
+  ours.show(loaded.scene, loaded.models, {loaded.scene.cameras.front()});  // captures nothing
+  const auto* sky = std::get_if<SkyGradient>(&loaded.scene.sky);
+  const auto stock = bench::makeStockRenderer(ours.renderer().renderer(), sky != nullptr ? *sky : SkyGradient{},
+                                              bench::kVtkIrradianceSize);
+  ours.window()->RemoveRenderer(ours.renderer().renderer());
+  ours.window()->AddRenderer(stock);
+  ours.timedFrame();
+  std::printf("%.3f\n", processCpuSeconds());
+  ours.window()->RemoveRenderer(stock);
+  ours.window()->AddRenderer(ours.renderer().renderer());
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace boxprobe;
-  try {
-    LoadedScene loaded = loadScene(argc > 1 ? argv[1] : BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json");
-    const auto window = makeOffscreenWindow(1280, 720, 4);
-    SceneRenderer ours(window);
-    ours.setModels(loaded.models);
-    ours.sync(loaded.scene, Changes::all());
-    ours.applyCamera(loaded.scene.cameras.front());
-    const auto* sky = std::get_if<SkyGradient>(&loaded.scene.sky);
-    const auto stock =
-        bench::makeStockRenderer(ours.renderer(), sky != nullptr ? *sky : SkyGradient{}, bench::kVtkIrradianceSize);
-    window->RemoveRenderer(ours.renderer());
-    window->AddRenderer(stock);
-    window->Render();
-    window->WaitForCompletion();
-    std::printf("%.3f\n", processCpuSeconds());
-    window->RemoveRenderer(stock);
-    window->AddRenderer(ours.renderer());
-    return 0;
-  } catch (const Error& error) {
-    std::fprintf(stderr, "stock_first_frame: %s\n", error.what());
-    return error.exitStatus();
-  }
+  CLI::App program("CPU seconds to stock VTK's first frame", "bench_stock_first_frame");
+  bench::FrameOptions options;
+  options.scene = BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json";
+  program.add_option("SCENE", options.scene, "Scene file")->capture_default_str();
+  return bench::runProgram(program, argc, argv, [&] { run(program, options); });
 }

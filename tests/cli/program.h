@@ -1,4 +1,4 @@
-// Starts the real program from a test and collects what it did. For tests/cli alone.
+// Starts the real program from a test and collects what it did. For tests/cli and tests/documents.
 #pragma once
 
 #include <sys/types.h>

@@ -89,7 +89,7 @@ TEST_F(Render, SameInputSameBytes) {
 }
 
 TEST_F(Render, ExrIsTheLinearSideOfThePng) {
-  // One sample a pixel: averaging happens before the display curve in one and after it in the other.
+  // One sample per pixel: averaging happens before the display curve in one and after it in the other.
   const ImageRgbaF linear = loadHdrImage(render("room", "out.exr", {"--samples", "1"}));
   const ImageRgba8 display = loadImage8(render("room", "out.png", {"--samples", "1"}));
   ASSERT_EQ(linear.width, 160);

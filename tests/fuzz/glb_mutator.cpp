@@ -1,4 +1,4 @@
-// Mutates a GLB file inside its chunks and packs it anew: with lengths left as they were, nearly every insertion would
+// Mutates a GLB file inside its chunks and packs it again: with lengths left as they were, nearly every insertion would
 // end at the container's length check and never reach what is behind it. One in eight is mutated as plain bytes, for
 // the sake of those checks.
 #include <algorithm>

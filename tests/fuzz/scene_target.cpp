@@ -25,7 +25,7 @@ void checkProbe(const Probe& probe) {
   promise(!std::isnan(geometry.rateMax.x + geometry.rateMax.y + geometry.rateMax.z), "a blend rate is NaN");
   promise(std::isfinite(geometry.intensity), "a probe's intensity is not finite");
   (void)fullWeightEverywhere(probe, Box());
-  (void)influenceMeets(probe, Box());
+  (void)influenceBounds(probe);
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void parseSceneText(const std::string& bytes) {
   for (const Probe& probe : scene.probes) checkProbe(probe);
   // The single-field setter goes through the complete form, in which every key is written.
   Scene same = scene;
-  setSceneField(same, "exposure=" + std::string("2"));
+  setSceneFields(same, {"exposure=2"});
   same.exposure = scene.exposure;
   promise(same == scene, "setting one field changed another");
 }

@@ -1,4 +1,4 @@
-// One file of a process, written anew for each input: the readers take paths.
+// One file of a process, written again for each input: the readers take paths.
 #pragma once
 
 #include <filesystem>

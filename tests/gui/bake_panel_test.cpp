@@ -25,10 +25,10 @@
 #include "app/gui/panels/probe_list.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/widgets/recent_files.h"
-#include "app/gui/widgets/time_left.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
 #include "app/gui/window/file_commands.h"
+#include "app/session/time_left.h"
 #include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
@@ -171,7 +171,7 @@ TEST_F(BakePanelTest, StopLeavesTheRestAndTheStateSaysSo) {
   click("stopBake");
   waitUntilIdle();
   EXPECT_TRUE(window_->renderer().workPending());
-  EXPECT_EQ(state(), "Stale: capturing was stopped");
+  EXPECT_EQ(state(), "Out of date: capturing was stopped");
   EXPECT_FALSE(named<QToolButton>("stopBake")->isEnabled());
   window_->scheduler().resumeWork();
   waitUntilIdle();
@@ -186,7 +186,7 @@ TEST_F(BakePanelTest, WhatIsSavedBesideTheSceneIsLoadedWithIt) {
   ASSERT_TRUE(QTest::qWaitFor([this] { return window_->statusBar()->currentMessage().startsWith("Wrote"); }, 20000));
   const QDir files(folder_.filePath("copy.probes"));
   EXPECT_TRUE(files.exists("room.exr"));
-  // As a program started anew: this window's own maps are kept for undo.
+  // As a program started again: this window's own maps are kept for undo.
   MainWindow second;
   second.resize(window_->size());
   second.showScene(loadScene(path.toStdString()));
@@ -221,6 +221,36 @@ TEST_F(BakePanelTest, ACustomProbeTakesItsImageFromTheDialogAndRefusesWhatIsNone
   EXPECT_FALSE(box->text.contains('\n'));
   EXPECT_EQ(probe().mode, ProbeMode::Baked);
   EXPECT_EQ(named<QComboBox>("mode")->currentData().toInt(), static_cast<int>(ProbeMode::Baked));
+  waitUntilIdle();
+}
+
+TEST_F(BakePanelTest, AnEncodedImageTakesItsEncodingAndDecodeInstruction) {
+  ImageRgba8 map;
+  map.width = 64;
+  map.height = 32;
+  map.pixels.assign(std::size_t(4) * 64 * 32, 128);
+  const QString path = folder_.filePath("coded.png");
+  savePng(path.toStdString(), map);
+  answerFileDialog(path);
+  choose("mode", static_cast<int>(ProbeMode::Custom));
+  ASSERT_EQ(probe().mode, ProbeMode::Custom);
+  EXPECT_EQ(probe().encoding, ImageEncoding::Rgbm) << "what a PNG of radiance usually is";
+  EXPECT_FALSE(probe().decode);
+  EXPECT_TRUE(named<ValueField>("decodeMultiplier")->isVisible());
+  EXPECT_NEAR(named<ValueField>("decodeMultiplier")->value(), 34.4932, 1e-4);
+  type(named<ValueField>("decodeExponent"), "1");
+  EXPECT_EQ(probe().decode, glm::dvec2(34.493242, 1.0));
+  choose("encoding", static_cast<int>(ImageEncoding::Dldr));
+  EXPECT_EQ(probe().encoding, ImageEncoding::Dldr);
+  EXPECT_FALSE(probe().decode) << "the instruction was RGBM's";
+  EXPECT_FALSE(named<ValueField>("decodeExponent")->isVisible());
+  waitUntilIdle();
+  EXPECT_EQ(state(), "Custom image coded.png");
+  answerFileDialog(environment(64, 32));
+  click("chooseImage");
+  EXPECT_EQ(probe().encoding, ImageEncoding::Linear) << "an .exr has none";
+  EXPECT_FALSE(named<ValueField>("decodeMultiplier")->isVisible());
+  EXPECT_EQ(steps(), 4u);
   waitUntilIdle();
 }
 

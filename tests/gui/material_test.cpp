@@ -57,7 +57,7 @@ TEST_F(MaterialTest, TheRoughnessSliderIsLiveAndOneStep) {
   EXPECT_EQ(document().scene().materials.count("mirror"), 0u);
 }
 
-// The sphere becomes glass and is drawn anew at once; each value is one step to undo, and all go back together.
+// The sphere becomes glass and is drawn again at once; each value is one step to undo, and all go back together.
 TEST_F(MaterialTest, GlassIsSetLiveAndUndone) {
   auto* materials = window_->findChild<QComboBox*>("material");
   ASSERT_GE(materials->findText("mirror"), 0);

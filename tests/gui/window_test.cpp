@@ -120,15 +120,11 @@ void WindowTest::type(QWidget* field, const QString& text) {
 }
 
 QPointF WindowTest::facePixel(const BoxFace& face) const {
-  const auto at = window_->probeWidget().displayPosition(face);
-  EXPECT_TRUE(at) << faceName(face) << " is behind the viewer";
-  return at.value_or(QPointF());
+  return pixelOf(faceCenterWorld(probe(), face));
 }
 
 QPointF WindowTest::originPixel(std::size_t probe) const {
-  const auto at = window_->probeWidget().displayPositionOfOrigin(probe);
-  EXPECT_TRUE(at);
-  return at.value_or(QPointF());
+  return pixelOf(document().scene().probes.at(probe).origin);
 }
 
 QPointF WindowTest::pixelOf(const glm::dvec3& pointWorld) const {

@@ -8,6 +8,7 @@
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/image/image_file.h"
 #include "tests/image/quad_world.h"
+#include "tests/support/rgbm_encoder.h"
 
 namespace boxprobe::test {
 namespace {
@@ -228,6 +229,55 @@ TEST(Custom, APictureTakesThePlaceOfACapture) {
   world.editAndFinish([&](Scene& s) { s.probes[0].image = file; });
   EXPECT_EQ(world.renderer->pictureError(), "");
   EXPECT_EQ(world.faces(), 0u);
+}
+
+TEST(Custom, ACodedPictureGivesTheProbeThatItsRadianceGives) {
+  const Folder folder;
+  std::filesystem::create_directories(Folder::path());
+  const std::string plain = Folder::path() + "/light.exr", coded = Folder::path() + "/light.png";
+  ImageRgbaF radiance{64, 32, {}};
+  ImageRgba8 rgbm;
+  rgbm.width = 64;
+  rgbm.height = 32;
+  for (int i = 0; i < 64 * 32; ++i) {
+    const float up = 1.0f - static_cast<float>(i / 64) / 31.0f, around = static_cast<float>(i % 64) / 63.0f;
+    const glm::vec3 value = glm::vec3(0.2f + 20.0f * up * up, 0.5f + 4.0f * up, 0.4f + 3.0f * around * (1.0f - around));
+    radiance.pixels.insert(radiance.pixels.end(), {value.r, value.g, value.b, 1.0f});
+    const RgbmTexel texel = encodeRgbm(value, {34.493242f, 2.2f, true});
+    rgbm.pixels.insert(rgbm.pixels.end(), texel.begin(), texel.end());
+  }
+  saveExr(plain, radiance);
+  savePng(coded, rgbm);
+  Scene scene = darkScene();
+  scene.probes = {cubeProbe("hdri", glm::dvec3(0.0), 1.2)};
+  scene.probes[0].mode = ProbeMode::Custom;
+  scene.probes[0].image = plain;
+  QuadWorld world(scene, {room("a", 0.0f)}, 9, 9);
+  world.show();
+  const auto floor = [&] { return glm::vec3(world.look({0.0, 1.0, 0.01}, {0.0, -1.0, 0.0}, {0.0, 0.0, -1.0})); };
+  const glm::vec3 truth = floor();
+  ASSERT_GT(truth.r, 5.0f) << "brighter than eight bits hold as they are";
+
+  world.editAndFinish([&](Scene& s) {
+    s.probes[0].image = coded;
+    s.probes[0].encoding = ImageEncoding::Rgbm;
+  });
+  EXPECT_EQ(world.renderer->pictureError(), "");
+  const glm::vec3 decoded = floor();
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(decoded[c], truth[c], 0.0045f * truth.r);
+
+  // Another instruction is another radiance: the probe is filtered again, without a capture.
+  const std::uint64_t levels = world.levels();
+  world.editAndFinish([](Scene& s) { s.probes[0].decode = glm::dvec2(2.0 * 34.493242, 2.2); });
+  EXPECT_GT(world.levels(), levels);
+  EXPECT_EQ(world.faces(), 0u);
+  const glm::vec3 doubled = floor();
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(doubled[c], 2.0f * decoded[c], 2e-3f * doubled[c]);
+
+  // An encoding that the file cannot have leaves the picture and says so.
+  world.editAndFinish([&](Scene& s) { s.probes[0].image = plain; });
+  EXPECT_THAT(world.renderer->pictureError(), HasSubstr("light.exr: holds radiance as it is"));
+  EXPECT_EQ(floor(), doubled);
 }
 
 TEST(BakeFolder, NamesOfAnyProbeAreNamesOfFiles) {

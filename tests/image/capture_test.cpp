@@ -10,7 +10,7 @@
 #include "filters/math/cube/spherical_harmonics.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/capture/prefilter.h"
-#include "filters/vtk/surface/draw_state.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"

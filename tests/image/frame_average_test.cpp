@@ -1,4 +1,4 @@
-// Pictures of techniques that draw another pattern every frame: their mean, what begins it anew, and what it costs
+// Pictures of techniques that draw another pattern every frame: their mean, what begins it again, and what it costs
 // where nothing asks for it.
 #include <gtest/gtest.h>
 #include <vtkRenderer.h>

@@ -348,7 +348,7 @@ TEST(PlanarMirror, MovingCapturesNothingAndIsSeenAtOnce) {
   EXPECT_EQ(now.mirrors.drawn, 2u);
 }
 
-// The window, a linear picture of one sample a pixel and of four.
+// The window, a linear picture of one sample per pixel and of four.
 TEST(PlanarMirror, LooksTheSameHoweverItIsDrawn) {
   Scene scene = hall(64);
   scene.probes.push_back(scene.probes[0]);  // two of the same: blended, every pixel looks up both

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "filters/vtk/gl/software_driver.h"
-#include "filters/vtk/surface/surface_material.h"
+#include "filters/vtk/draw/surface_material.h"
 #include "tests/support/gpu_window.h"
 
 namespace {

@@ -149,7 +149,7 @@ glm::ivec2 pixelOf(std::size_t i) {
 }
 
 // A light table that sends draws from cell to cell but is equally dense everywhere: on the border of two cells the
-// sides may disagree which one a ray meets.
+// sides may disagree which one per ray meets.
 LightTable evenLight() {
   LightTable table;
   table.faceSize = 4;

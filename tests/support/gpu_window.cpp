@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "filters/vtk/gl/framebuffer.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/gl_objects.h"
 
@@ -64,16 +65,11 @@ std::vector<std::vector<glm::vec4>> evaluateOnGpu(vtkOpenGLRenderWindow* window,
   std::vector<std::vector<glm::vec4>> results;
   {
     const PassState saved(window);
-    GLuint framebuffer = 0;
-    glGenFramebuffers(1, &framebuffer);
-    window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    std::vector<GLenum> buffers;
-    for (int i = 0; i < outputs; ++i) {
-      const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
-      glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, outputTextures[static_cast<std::size_t>(i)], 0);
-      buffers.push_back(attachment);
-    }
-    glDrawBuffers(outputs, buffers.data());
+    std::vector<FramebufferImage> images;
+    for (const GLuint texture : outputTextures) images.push_back(textureImage(texture));
+    Framebuffer framebuffer;
+    framebuffer.attach(images, {}, floatRefusal("a test's outputs"));
+    window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer.handle());
     window->GetState()->vtkglViewport(0, 0, kWidth, height);
     FullScreenPass pass("of a test", source);
     std::vector<std::unique_ptr<BoundTexture>> bound;
@@ -93,7 +89,6 @@ std::vector<std::vector<glm::vec4>> evaluateOnGpu(vtkOpenGLRenderWindow* window,
       results.push_back(std::move(values));
     }
     window->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glDeleteFramebuffers(1, &framebuffer);
   }
   glDeleteTextures(static_cast<GLsizei>(inputTextures.size()), inputTextures.data());
   glDeleteTextures(static_cast<GLsizei>(outputTextures.size()), outputTextures.data());

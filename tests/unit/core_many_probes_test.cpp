@@ -34,7 +34,7 @@ TEST(ProbeIndex, FindsThoseThatMeetAndNoOthers) {
     const Box bounds = randomBox(random, 14.0);
     std::vector<std::size_t> expected;
     for (std::size_t p = 0; p < probes.size(); ++p) {
-      if (influenceMeets(probes[p], bounds)) expected.push_back(p);
+      if (boxesMeet(influenceBounds(probes[p]), bounds)) expected.push_back(p);
     }
     EXPECT_EQ(index.meeting(bounds), expected);
     found += expected.size();

@@ -95,6 +95,7 @@ TEST(Difference, NamesTheKindOfEachProbeField) {
            [](Probe& p) { p.bounces = 2; }, [](Probe& p) { p.mode = ProbeMode::Realtime; },
            [](Probe& p) { p.image = "a.exr"; }, [](Probe& p) { p.filter = FilterKind::Gaussian; },
            [](Probe& p) { p.samplesPerPixel = 1; }, [](Probe& p) { p.imageLayout = CubeLayout::Strip; },
+           [](Probe& p) { p.encoding = ImageEncoding::Rgbm; }, [](Probe& p) { p.decode = glm::dvec2(5, 1); },
            [](Probe& p) { p.hides = {"mirror"}; }}) {
     EXPECT_EQ(kindsAfter([&](Scene& s) { edit(s.probes[0]); }), "capture ");
   }
@@ -147,8 +148,10 @@ TEST(Remarks, EachFeatureThatIsNotUsedIsNamedWithItsKey) {
   probe.bevel = Bevel{0.1, 0.0};     // is used
   probe.occlusion = BoxOcclusion();  // is used
   probe.box.max.y = probe.box.min.y;
+  probe.decode = glm::dvec2(5, 1);
   EXPECT_THAT(featuresNotUsed(scene),
               ElementsAre(HasSubstr("probes.room.box: is flat"),
+                          HasSubstr("probes.room.decode: is not used by encoding linear"),
                           HasSubstr("probes.room.parameters.power: is not used by technique box+none")));
 }
 

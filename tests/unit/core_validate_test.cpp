@@ -140,6 +140,11 @@ TEST(Validate, RangesNameTheKeyTheValueAndTheRange) {
             "probes.room.near: is 0 and must be greater than 0");
   EXPECT_EQ(problem([](Scene& s) { s.probes[0].farDistance = 0.01; }),
             "probes.room.far: is 0.01 and must be greater than near, 0.01");
+  EXPECT_EQ(problem([](Scene& s) { s.probes[0].decode = glm::dvec2(0, 1); }),
+            "probes.room.decode[0]: is 0 and must be greater than 0");
+  EXPECT_NE(problem([](Scene& s) { s.probes[0].decode = glm::dvec2(1e30, 1); }), "");
+  EXPECT_NE(problem([](Scene& s) { s.probes[0].decode = glm::dvec2(1, kNan); }), "");
+  expectSound([](Scene& s) { s.probes[0].decode = glm::dvec2(5, 0); });
   EXPECT_EQ(problem([](Scene& s) { s.probes[0].intensity = -1; }),
             "probes.room.intensity: is -1 and must be 0 or more");
   EXPECT_EQ(problem([](Scene& s) { s.materials["floor"].roughness = 1.5f; }),

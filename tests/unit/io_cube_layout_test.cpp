@@ -1,4 +1,4 @@
-// The conventions of other programs, as documented in cube_layout.h and the README: OpenEXR's against its own
+// The conventions of other programs, as documented in cube_layout.h and filters/io/README.md: OpenEXR's against its own
 // functions, Blender's and Unity's against the formulas and tables they publish.
 #include <OpenEXR/ImfEnvmap.h>
 #include <gtest/gtest.h>

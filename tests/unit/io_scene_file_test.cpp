@@ -52,7 +52,7 @@ TEST(SceneParse, ReadsEveryKeyOfAProbe) {
     "blendDistance": {"min": [1, 2, 3], "max": [4, 5, 6]}, "importance": 2, "intensity": 0.5, "projection": false,
     "technique": "sphere", "parameters": {"samples": 8, "pattern": "r2", "animated": true}, "faceSize": 64,
     "bounces": 3, "mode": "custom", "image": "room.exr", "imageLayout": "cross",
-    "filter": "gaussian", "samplesPerPixel": 16, "filterSamples": 160,
+    "encoding": "rgbm", "decode": [8, 1.5], "filter": "gaussian", "samplesPerPixel": 16, "filterSamples": 160,
     "hides": ["mirror", "lamp"], "bevel": {"fromRoughness": 1},
     "occlusion": {"multiplier": 2, "power": 3, "strength": 0.5} }])");
   ASSERT_EQ(scene.probes.size(), 1u);
@@ -79,6 +79,8 @@ TEST(SceneParse, ReadsEveryKeyOfAProbe) {
   expected.samplesPerPixel = 16;
   expected.filterSamples = 160;
   expected.imageLayout = CubeLayout::Cross;
+  expected.encoding = ImageEncoding::Rgbm;
+  expected.decode = glm::dvec2(8.0, 1.5);
   expected.hides = {"mirror", "lamp"};
   expected.bevel = Bevel{0.0, 1.0};
   expected.occlusion = BoxOcclusion{2.0, 3.0, 0.5};
@@ -202,6 +204,13 @@ TEST(SceneErrors, WrongTypesNameTheKeyWhatIsWantedAndWhatIsThere) {
             "scene.json:2:29: probes.room.faceSize: must be a whole number, not 64.5");
   EXPECT_EQ(problem(R"("probes": [{"name": "room", "mode": "bake"}])"),
             "scene.json:2:29: probes.room.mode: must be one of \"baked\", \"realtime\", \"custom\", not \"bake\"");
+  EXPECT_EQ(problem(R"("probes": [{"name": "room", "encoding": "RGBM"}])"),
+            "scene.json:2:29: probes.room.encoding: must be one of \"linear\", \"rgbm\", \"dldr\", \"rgbmLinear\", not "
+            "\"RGBM\"");
+  EXPECT_EQ(problem(R"("probes": [{"name": "room", "decode": [5]}])"),
+            "scene.json:2:29: probes.room.decode: must be two numbers in brackets, not [5]");
+  EXPECT_EQ(problem(R"("probes": [{"name": "room", "decode": [5, -1]}])"),
+            "scene.json:2:43: probes.room.decode[1]: is -1 and must be 0 or more");
   EXPECT_EQ(problem(R"("probes": {"room": {}})"), "scene.json:2:1: probes: must be a list in brackets, not an object");
   EXPECT_EQ(problem(R"("probes": [{"origin": [0, 0, 0]}])"),
             "scene.json:2:12: probes[0]: has no name; add \"name\": \"...\"");

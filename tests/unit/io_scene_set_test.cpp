@@ -17,7 +17,7 @@ class SceneSet : public ::testing::Test {
     scene.probes[0].name = "room";
     scene.probes[1].name = "big room 2.5";
   }
-  void set(const std::string& assignment) { setSceneField(scene, assignment); }
+  void set(const std::string& assignment) { setSceneFields(scene, {assignment}); }
   std::string problem(const std::string& assignment) {
     const Scene before = scene;
     const std::string text = errorText([&] { set(assignment); });
@@ -51,6 +51,12 @@ TEST_F(SceneSet, FieldsOfProbes) {
   EXPECT_EQ(scene.probes[0].bevel, (Bevel{0.3, 0.0}));
   set("probes.room.hides=[\"mirror\"]");
   EXPECT_EQ(scene.probes[0].hides, std::vector<std::string>{"mirror"});
+  set("probes.room.encoding=rgbm");
+  set("probes.room.decode=[16, 1]");
+  EXPECT_EQ(scene.probes[0].encoding, ImageEncoding::Rgbm);
+  EXPECT_EQ(scene.probes[0].decode, glm::dvec2(16, 1));
+  set("probes.room.decode.1=2");
+  EXPECT_EQ(scene.probes[0].decode, glm::dvec2(16, 2));
   set("probes.room.clear=none");
   EXPECT_TRUE(std::holds_alternative<ClearToNone>(scene.probes[0].clear));
   set("probes.room.name=hall");

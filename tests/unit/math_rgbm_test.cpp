@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "filters/math/cube/rgbm.h"
+#include "tests/support/rgbm_encoder.h"
 
 namespace boxprobe {
 namespace {
@@ -31,6 +31,17 @@ TEST(Rgbm, DecodingIsTheInstruction) {
   EXPECT_FLOAT_EQ(decodeRgbm({255, 0, 0, 51}, {2.0f, 2.0f}).x, 2.0f * 0.04f);
 }
 
+TEST(Rgbm, ColoursOfEnginesAreSrgbAndMIsNot) {
+  // Unity's instruction for linear colour is its gamma-space one, 5 * M * colour, to the 2.2, but for the curve of
+  // sRGB, which is near that power.
+  const RgbmInstruction engine{34.493242f, 2.2f, true};
+  EXPECT_EQ(decodeRgbm({255, 0, 0, 255}, engine), glm::vec3(34.493242f, 0.0f, 0.0f));
+  EXPECT_NEAR(decodeRgbm({0, 188, 0, 255}, engine).y, 34.493242 * 0.5028865, 1e-4) << "byte 188 is 0.5028865";
+  EXPECT_NEAR(decodeRgbm({0, 200, 0, 128}, engine).y / std::pow(5.0 * 200 / 255.0 * 128 / 255.0, 2.2), 1.0, 0.02);
+  const RgbmInstruction doubleLdr{4.594793f, 1.0f, true};
+  EXPECT_NEAR(decodeRgbm({255, 128, 0, 255}, doubleLdr).y, 4.594793 * 0.2158605, 1e-5);
+}
+
 TEST(Rgbm, ErrorStaysAtTheStepOfEightBits) {
   // Half a step of a component that is at least 254 steps high is 0.2 %; multipliers near the dark end are too coarse
   // to keep the largest component up there, which is where the sweep must not start.
@@ -49,6 +60,12 @@ TEST(Rgbm, ErrorStaysAtTheStepOfEightBits) {
   EXPECT_LT(bent.worstRelative, 0.0045);
   EXPECT_LE(bent.meanRelative, bent.rmsRelative);
   EXPECT_LE(bent.percentile99Relative, bent.worstRelative);
+
+  // Steps of sRGB are coarser at the bright end, where the largest component is kept, and finer below it.
+  const RgbmError engine = measureRgbm(sweep(0.01f, 34.0f), {34.493242f, 2.2f, true});
+  EXPECT_EQ(engine.clipped, 0u);
+  EXPECT_EQ(engine.vanished, 0u);
+  EXPECT_LT(engine.worstRelative, 0.0045);
 }
 
 TEST(Rgbm, ABestMultiplierIsNoWorseThanTheSmallest) {

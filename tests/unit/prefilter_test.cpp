@@ -101,7 +101,7 @@ TEST(Prefilter, ErrorFallsWithSamples) {
 }
 
 // The reference itself against plain importance sampling of the source's level 0 with 16,384 samples, which shares only
-// the kernel with it: directions and weights are written down here anew.
+// the kernel with it: directions and weights are written down here again.
 TEST(PrefilterReference, AgreesWith16kSamples) {
   const CubeMap source = cubeOf(32, [](const glm::vec3& d) {
     return glm::vec3(d.x > 0.8f ? 20.0f : 1.0f, 1.0f + 0.5f * std::sin(9.0f * d.y), 2.0f + d.z);

@@ -2,28 +2,24 @@
 #include "app/cli/command/bake_command.h"
 
 #include <unistd.h>
-#include <vtkOpenGLRenderWindow.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <set>
 
-#include "app/session/display_check.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
-#include "app/session/offscreen_window.h"
+#include "app/session/offscreen_scene.h"
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
 #include "app/session/stats_json.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/nearest_name.h"
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
-#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -72,14 +68,15 @@ void requireFolder(const std::string& folder) {
 
 /// Makes what is missing and writes each probe as soon as it is finished, so that work that is stopped goes on from
 /// there. Returns the files written.
-std::vector<std::string> bakeProbes(SceneRenderer& renderer, const std::vector<std::string>& probes,
+std::vector<std::string> bakeProbes(OffscreenScene& shown, const std::vector<std::string>& probes,
                                     const std::string& folder, const InterruptGuard& interrupt, bool quiet) {
+  const SceneRenderer& renderer = shown.renderer();
   std::vector<std::string> files;
   std::set<std::string> toWrite(probes.begin(), probes.end());
   bool skyToWrite = true;
   const auto writeFinished = [&] {
     const auto save = [&](const std::string& name) {
-      requireHealthy(renderer);
+      shown.requireHealthy();
       const std::string path = renderer.saveBaked(name, folder, "Boxprobe " BOXPROBE_VERSION);
       if (!path.empty()) files.push_back(path);
       return !path.empty();
@@ -91,7 +88,7 @@ std::vector<std::string> bakeProbes(SceneRenderer& renderer, const std::vector<s
     }
   };
   ProgressLine line("baking probes", !quiet);
-  renderer.finishWork([&](double fraction) {
+  shown.capture([&](double fraction) {
     writeFinished();
     line.show(fraction);
     return !interrupt.interrupted();
@@ -108,28 +105,22 @@ void runBake(const BakeOptions& options) {
   const std::string folder = options.folder.empty() ? BakeFolder::besideScene(options.scenePath) : options.folder;
   interrupt.check();
 
-  requireDisplay("boxprobe bake");
+  OffscreenScene shown({"boxprobe bake", 16, 16, 1, options.report.quiet});
   requireFolder(folder);
-  installVtkMessages(options.report.quiet, false);
-  const vtkSmartPointer<vtkOpenGLRenderWindow> window = makeOffscreenWindow(16, 16, 1);
-  SceneRenderer renderer(window);
-  renderer.useBakedFiles(folder);
-  renderer.setModels(loaded.models);
-  renderer.sync(loaded.scene, Changes::all());
-  if (!renderer.pictureError().empty()) throw InputError(renderer.pictureError());
+  ShownSettings settings;
+  settings.bakedFolder = folder;
+  settings.bakeTargets = probes;
+  shown.show(loaded.scene, loaded.models, settings);
   std::vector<std::string> files;
-  if (!probes.empty()) {
-    renderer.setBakeTargets(probes);
-    files = bakeProbes(renderer, probes, folder, interrupt, options.report.quiet);
-  }
-  requireHealthy(renderer);
-  if (!options.report.quiet) printWarnings(renderer.remarks());
+  if (!probes.empty()) files = bakeProbes(shown, probes, folder, interrupt, options.report.quiet);
+  shown.requireHealthy();
+  if (!options.report.quiet) printWarnings(shown.renderer().remarks());
   if (interrupt.interrupted()) {
     throw WorkError("interrupted: " + std::to_string(files.size()) + " files are complete in " + folder +
-                    "; the same command goes on from there");
+                    "; the same command continues from there");
   }
 
-  const RunStats stats = collectStats(renderer, window);
+  const RunStats stats = collectStats(shown.renderer(), shown.window());
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
   if (options.report.json) {
     std::fputs(statsJson(stats).c_str(), stdout);
@@ -140,35 +131,33 @@ void runBake(const BakeOptions& options) {
                 static_cast<unsigned long long>(stats.counters.facesCaptured),
                 static_cast<unsigned long long>(stats.counters.levelsFiltered));
   }
-  renderer.releaseGraphics();
 }
 
 }  // namespace
 
 Subcommand addBakeCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("bake", "Capture and filter the baked probes of a scene into files");
+  CLI::App* command = program.add_subcommand("bake", "Capture and filter a scene's baked probes into files");
   const auto options = std::make_shared<BakeOptions>();
   command
       ->add_option("SCENE", options->scenePath,
                    "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
       ->required();
   command
-      ->add_option(
-          "-o,--output", options->folder,
-          "Folder for the EXR files (default: SCENE.probes beside the scene, where render and the window look)")
+      ->add_option("-o,--output", options->folder,
+                   "Folder for the EXR files (default: SCENE.probes beside the scene, where render and the window look "
+                   "for them)")
       ->type_name("DIR");
-  command->add_option("--probe", options->probes, "Only this probe (repeatable; default: every baked one)")
+  command->add_option("--probe", options->probes, "Bake only this probe (repeatable; default: every baked probe)")
       ->type_name("NAME")
       ->allow_extra_args(false);
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
-  addReportOptions(*command, options->report, "Print what --stats writes");
+  addReportOptions(*command, options->report, "Print the JSON that --stats writes");
   command->footer(
-      "Probes whose file was made from the same inputs are skipped, so a second call goes on where the first was\n"
-      "stopped, and does nothing if nothing changed.\n"
-      "Example:\n"
-      "  boxprobe bake data/scenes/building.boxprobe.json -o out/building.probes --stats bake.json");
+      "Skips probes whose file was made from the same inputs: a second call continues where the first one stopped\nand "
+      "does nothing if nothing changed.\nExample:\n  boxprobe bake data/scenes/building.boxprobe.json -o "
+      "out/building.probes --stats bake.json");
   return {command, [options] { runBake(*options); }};
 }
 

@@ -1,8 +1,6 @@
 // See bench_command.h.
 #include "app/cli/command/bench_command.h"
 
-#include <vtkOpenGLRenderWindow.h>
-
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,14 +10,12 @@
 #include "app/cli/command/bench_host.h"
 #include "app/cli/options/bench_options.h"
 #include "app/cli/report/contact_sheet.h"
-#include "app/session/display_check.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/number_text.h"
 #include "filters/io/files/atomic_file.h"
@@ -52,11 +48,6 @@ void requireFolder(const std::string& folder) {
   fs::create_directories(folder, error);
   if (error) throw InputError("-o " + folder + ": cannot create this folder: " + error.message());
   requireWritable("-o", folder + "/bench.json");
-}
-
-std::shared_ptr<const ImageRgbaF> skyImage(const Scene& scene) {
-  const auto* image = std::get_if<SkyImage>(&scene.sky);
-  return image != nullptr ? std::make_shared<ImageRgbaF>(loadHdrImage(image->file)) : nullptr;
 }
 
 void printSummary(const BenchResult& result, const std::string& folder) {
@@ -122,7 +113,7 @@ void saveChart(const std::string& path, const BenchResult& result, Truth truth) 
   FrontChartText text;
   text.title = std::string("Run time against error: ") + result.scene + ", against the " +
                (truth == Truth::Box ? "integral over the box" : "traced scene");
-  text.costAxis = "CPU time of a frame over plain box projection's, " + std::to_string(result.timedWidth) + " x " +
+  text.costAxis = "CPU time of a frame relative to plain box projection, " + std::to_string(result.timedWidth) + " x " +
                   std::to_string(result.timedHeight);
   savePng(path, frontChartPicture(paretoPoints(result, truth), text, 1400, 900));
 }
@@ -135,13 +126,12 @@ void runBench(const BenchOptions& options) {
   const LoadedScene loaded = loadScene(scenePath, options.assignments);
   const BenchPlan plan = benchPlan(options, loaded.scene);
   if (!options.report.quiet) printWarnings(loaded.warnings);
-  requireDisplay("boxprobe bench");
-  requireFolder(options.folder);
-  installVtkMessages(options.report.quiet, false);
   interrupt.check();
 
   const FrameSize timed = timedFrameSize(options);
-  VtkBenchHost host(loaded.models, skyImage(loaded.scene), timed.width, timed.height, [] {});
+  VtkBenchHost host({"boxprobe bench", timed.width, timed.height, 1, options.report.quiet}, loaded.models,
+                    loadSkyImage(loaded.scene), [] {});
+  requireFolder(options.folder);
   Contacts contacts(plan);
   BenchResult result = [&] {
     ProgressLine line("measuring", !options.report.quiet);
@@ -163,7 +153,7 @@ void runBench(const BenchOptions& options) {
   if (!result.complete) {
     const std::string partial = options.folder + "/bench.json.partial";
     writeTextAtomically(partial, json);
-    throw WorkError("interrupted: what there was of the benchmark is in " + partial);
+    throw WorkError("interrupted; partial results are in " + partial);
   }
   writeTextAtomically(options.folder + "/bench.json", json);
   writeTextAtomically(options.folder + "/bench.csv", benchCsv(result));
@@ -185,7 +175,7 @@ void runBench(const BenchOptions& options) {
 }  // namespace
 
 Subcommand addBenchCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("bench", "Measure run time against error of every technique");
+  CLI::App* command = program.add_subcommand("bench", "Measure every technique's run time and error");
   const auto options = std::make_shared<BenchOptions>();
   addBenchOptions(*command, *options);
   return {command, [options] { runBench(*options); }};

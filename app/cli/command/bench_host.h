@@ -2,13 +2,12 @@
 // technique and of the baseline can be drawn in turn without switching programs in between. Called by bench_command.
 #pragma once
 
-#include <vtkSmartPointer.h>
-
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/session/offscreen_window.h"
 #include "filters/reference/bench/benchmark.h"
 
 class vtkOpenGLRenderWindow;
@@ -19,10 +18,10 @@ class SceneRenderer;
 
 class VtkBenchHost : public BenchHost {
  public:
-  /// `frameWidth` x `frameHeight`: of the frames that are timed. `check` is called between pieces of work and may
-  /// throw.
-  VtkBenchHost(std::vector<std::shared_ptr<const Model>> models, std::shared_ptr<const ImageRgbaF> skyImage,
-               int frameWidth, int frameHeight, std::function<void()> check);
+  /// `settings`: of the window, of the size of the frames that are timed. `check` is called between pieces of work and
+  /// may throw.
+  VtkBenchHost(const OffscreenSettings& settings, std::vector<std::shared_ptr<const Model>> models,
+               std::shared_ptr<const ImageRgbaF> skyImage, std::function<void()> check);
   ~VtkBenchHost() override;
 
   std::vector<LitPoint> surfaces(const Scene& scene, const Camera& camera, int width, int height) override;

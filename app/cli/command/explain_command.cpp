@@ -1,31 +1,26 @@
 // See explain_command.h.
 #include "app/cli/command/explain_command.h"
 
-#include <vtkOpenGLRenderWindow.h>
-
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/cli/options/render_options.h"
-#include "app/session/display_check.h"
 #include "app/session/explanation_json.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
-#include "app/session/offscreen_window.h"
+#include "app/session/offscreen_scene.h"
 #include "app/session/output_check.h"
 #include "app/session/scene_work.h"
 #include "app/session/stats_json.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
 #include "filters/explain/explanation_text.h"
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/math/technique/technique_table.h"
 #include "filters/vtk/gl/cpu_time.h"
-#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -68,52 +63,45 @@ void runExplain(const ExplainOptions& options) {
   if (!options.report.quiet) printWarnings(loaded.warnings);
   interrupt.check();
 
-  requireDisplay("boxprobe explain");
-  installVtkMessages(options.report.quiet, false);
-  const vtkSmartPointer<vtkOpenGLRenderWindow> window = makeOffscreenWindow(size.width, size.height, 1);
-  SceneRenderer renderer(window);
-  renderer.useBakedFiles(BakeFolder::besideScene(options.scenePath));
-  renderer.setModels(loaded.models);
-  renderer.sync(loaded.scene, Changes::all());
-  renderer.applyCamera(camera);
-  captureProbes(renderer, interrupt, options.report.quiet);
-  requireHealthy(renderer);
-  interrupt.check();
-  const Explanation explanation = renderer.explain(pixel.x, pixel.y, size.width, size.height);
-  requireHealthy(renderer);
+  OffscreenScene shown({"boxprobe explain", size.width, size.height, 1, options.report.quiet});
+  ShownSettings settings{camera};
+  settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
+  shown.show(loaded.scene, loaded.models, settings);
+  captureShown(shown, interrupt, options.report.quiet);
+  const Explanation explanation = shown.renderer().explain(pixel.x, pixel.y, size.width, size.height);
+  shown.requireHealthy();
   std::fputs((options.report.json ? explanationJson(explanation) : explanationText(explanation)).c_str(), stdout);
 
   if (!options.report.statsPath.empty()) {
-    RunStats stats = collectStats(renderer, window);
+    RunStats stats = collectStats(shown.renderer(), shown.window());
     stats.startToFirstFrameCpuSeconds = processCpuSeconds();
     writeTextAtomically(options.report.statsPath, statsJson(stats));
   }
-  renderer.releaseGraphics();
 }
 
 }  // namespace
 
 Subcommand addExplainCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("explain", "Say how the colour of one pixel comes about, step by step");
+  CLI::App* command = program.add_subcommand("explain", "Explain step by step how one pixel gets its colour");
   const auto options = std::make_shared<ExplainOptions>();
   command
       ->add_option("SCENE", options->scenePath,
                    "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
       ->required();
-  command->add_option("--pixel", options->pixel, "The pixel, from 0,0 at the top left of the picture")
+  command->add_option("--pixel", options->pixel, "Pixel to explain; 0,0 is the top left of the picture")
       ->type_name("X,Y")
       ->required();
   command->add_option("--size", options->size, "Width and height of the picture (default 1280x720)")->type_name("WxH");
-  command->add_option("--camera", options->camera, "Camera of the scene (default: main, else the first)")
+  command->add_option("--camera", options->camera, "Camera of the scene (default: main, or else the first)")
       ->type_name("NAME");
   command
       ->add_option("--technique", options->technique,
-                   "Technique of every probe (default: as in the scene): " + techniqueIdList())
+                   "Technique of every probe (default: the scene's): " + techniqueIdList())
       ->type_name("ID");
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
-  addReportOptions(*command, options->report, "Print the same as JSON");
+  addReportOptions(*command, options->report, "Print the explanation as JSON");
   command->footer(
       "Example:\n"
       "  boxprobe explain data/scenes/building.boxprobe.json --pixel 640,500");

@@ -12,7 +12,9 @@
 #include "app/session/load_scene.h"
 #include "app/session/output_check.h"
 #include "app/session/stats_json.h"
+#include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/io/scene/scene_reference.h"
 
 namespace boxprobe {
 
@@ -21,12 +23,18 @@ namespace {
 struct InfoOptions {
   std::string scenePath;
   std::vector<std::string> assignments;
-  bool frame = false;
+  bool frame = false, fields = false;
   std::string camera, size = "1280x720";
   ReportOptions report;
 };
 
 void runInfo(const InfoOptions& options) {
+  if (options.fields) {
+    const std::string reference = options.report.json ? sceneReferenceJson() : sceneReferenceMarkdown();
+    std::fputs(reference.c_str(), stdout);
+    return;
+  }
+  if (options.scenePath.empty()) throw InputError("SCENE is required; see boxprobe info --help");
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
   const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
   nlohmann::ordered_json report = sceneReport(loaded);
@@ -45,20 +53,20 @@ void runInfo(const InfoOptions& options) {
 }  // namespace
 
 Subcommand addInfoCommand(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("info", "Say what is in a scene, and what would be skipped");
+  CLI::App* command = program.add_subcommand("info", "Describe a scene; list unsupported features");
   const auto options = std::make_shared<InfoOptions>();
-  command
-      ->add_option("SCENE", options->scenePath,
-                   "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
-      ->required();
+  CLI::Option* scene = command->add_option(
+      "SCENE", options->scenePath, "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)");
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
-  command->add_flag("--frame", options->frame, "Draw a frame and say what it did and what it left out");
-  command->add_option("--camera", options->camera, "Of that frame: a camera of the scene");
-  command->add_option("--size", options->size, "Of that frame: pixels")->type_name("WxH")->capture_default_str();
-  addReportOptions(*command, options->report, "Print the same as JSON");
-  command->footer("Example:\n  boxprobe info data/scenes/building.boxprobe.json");
+  command->add_flag("--frame", options->frame, "Draw a frame and report what it did and what it skipped");
+  command->add_option("--camera", options->camera, "Camera of that frame");
+  command->add_option("--size", options->size, "Size of that frame in pixels")->type_name("WxH")->capture_default_str();
+  command->add_flag("--fields", options->fields, "Without a scene: list every field of the scene file")
+      ->excludes(scene);
+  addReportOptions(*command, options->report, "Print the explanation as JSON");
+  command->footer("Examples:\n  boxprobe info data/scenes/building.boxprobe.json\n  boxprobe info --fields");
   return {command, [options] { runInfo(*options); }};
 }
 

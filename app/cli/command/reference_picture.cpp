@@ -1,29 +1,24 @@
 // See reference_picture.h.
 #include "app/cli/command/reference_picture.h"
 
-#include <vtkOpenGLRenderWindow.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/session/box_picture.h"
-#include "app/session/display_check.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
-#include "app/session/offscreen_window.h"
+#include "app/session/offscreen_scene.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/vtk/gl/cpu_time.h"
-#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -34,10 +29,6 @@ constexpr const char* kScene = "reference-scene";
 
 ReferencePicture traceScene(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
                             const ReferenceProgress& progress) {
-  std::shared_ptr<const ImageRgbaF> skyImage;
-  if (const auto* image = std::get_if<SkyImage>(&loaded.scene.sky)) {
-    skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file));
-  }
   const FrameSize size = parseFrameSize(options.size);
   ReferenceSettings settings;
   settings.width = size.width;
@@ -45,7 +36,7 @@ ReferencePicture traceScene(const LoadedScene& loaded, const Camera& camera, con
   settings.samplesPerPixel = options.samples;
   settings.raysPerPixel = options.rays;
   settings.full = options.full;
-  return ReferenceScene(loaded.scene, loaded.models, skyImage).render(camera, settings, progress);
+  return ReferenceScene(loaded.scene, loaded.models, loadSkyImage(loaded.scene)).render(camera, settings, progress);
 }
 
 /// The chain a probe of this filter holds is blurred already.
@@ -53,8 +44,8 @@ ReferenceBoxMaps readMaps(SceneRenderer& renderer, const Scene& scene, bool quie
   for (const Probe& probe : scene.probes) {
     if (probe.filter == FilterKind::Gaussian && !quiet) {
       printWarnings({"probes." + probe.name +
-                     ".filter: gaussian blurs what was captured, and reference-box integrates "
-                     "over that; for the lobe alone set it to ggx"});
+                     ".filter: gaussian blurs the capture, and reference-box integrates over the blurred capture; set "
+                     "it to ggx to judge the lobe alone"});
     }
   }
   return boxMaps(renderer, scene);
@@ -63,21 +54,15 @@ ReferenceBoxMaps readMaps(SceneRenderer& renderer, const Scene& scene, bool quie
 ReferencePicture boxPicture(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
                             const InterruptGuard& interrupt, const ReferenceProgress& progress) {
   const FrameSize size = parseFrameSize(options.size);
-  requireDisplay("boxprobe render");
-  installVtkMessages(options.report.quiet, false);
-  const vtkSmartPointer<vtkOpenGLRenderWindow> window = makeOffscreenWindow(size.width, size.height, 1);
-  SceneRenderer renderer(window);
-  renderer.useBakedFiles(BakeFolder::besideScene(options.scenePath));
-  renderer.setModels(loaded.models);
-  renderer.sync(loaded.scene, Changes::all());
-  renderer.applyCamera(camera);
-  captureProbes(renderer, interrupt, options.report.quiet);
-  requireHealthy(renderer);
-  interrupt.check();
-  ReferencePicture picture = integrateBox(renderer, readMaps(renderer, loaded.scene, options.report.quiet),
-                                          {size.width, size.height, options.samples, options.rays}, progress);
-  requireHealthy(renderer);
-  renderer.releaseGraphics();
+  OffscreenScene shown({"boxprobe render", size.width, size.height, 1, options.report.quiet});
+  ShownSettings settings{camera};
+  settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
+  shown.show(loaded.scene, loaded.models, settings);
+  captureShown(shown, interrupt, options.report.quiet);
+  ReferencePicture picture =
+      integrateBox(shown.renderer(), readMaps(shown.renderer(), loaded.scene, options.report.quiet),
+                   {size.width, size.height, options.samples, options.rays}, progress);
+  shown.requireHealthy();
   return picture;
 }
 
@@ -172,7 +157,7 @@ void renderReference(const RenderOptions& options, bool linear) {
   if (!picture.complete) {
     const std::string partial = options.outputPath + ".partial";
     savePicture(partial, picture, linear, loaded.scene.exposure);
-    throw WorkError("interrupted: what there was of the picture is in " + partial);
+    throw WorkError("interrupted; the partial picture is in " + partial);
   }
   savePicture(options.outputPath, picture, linear, loaded.scene.exposure);
   const ErrorSummary error = summary(picture);
@@ -181,7 +166,7 @@ void renderReference(const RenderOptions& options, bool linear) {
   if (options.report.json) {
     std::fputs(json.c_str(), stdout);
   } else if (!options.report.quiet) {
-    std::printf("%s: %d x %d, camera %s, %s, %d rays a pixel, standard error %.2g (root mean square), %.2g at most\n",
+    std::printf("%s: %d x %d, camera %s, %s, %d rays per pixel, standard error %.2g (root mean square), %.2g at most\n",
                 options.outputPath.c_str(), picture.color.width, picture.color.height, camera.name.c_str(),
                 options.technique.c_str(), options.rays, error.rootMeanSquare, error.largest);
   }

@@ -10,13 +10,11 @@
 #include <stdexcept>
 
 #include "app/cli/report/stress_report.h"
-#include "app/session/display_check.h"
 #include "app/session/interrupt.h"
 #include "app/session/offscreen_window.h"
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/stress/stress_subjects.h"
@@ -139,11 +137,7 @@ void requirePromise(const StressPlan& plan, const std::vector<StressCell>& cells
 std::vector<StressCell> results(const StressOptions& options, const StressPlan& plan, const InterruptGuard& interrupt) {
   const bool gpu = options.device == "gpu";
   vtkSmartPointer<vtkOpenGLRenderWindow> window;
-  if (gpu) {
-    requireDisplay("boxprobe stress --device gpu");
-    installVtkMessages(options.report.quiet, false);
-    window = makeOffscreenWindow(16, 16, 1);
-  }
+  if (gpu) window = openOffscreenWindow({"boxprobe stress --device gpu", 16, 16, 1, options.report.quiet});
   ProgressLine line("inputs", !options.report.quiet);
   const auto progress = [&](double fraction) {
     line.show(fraction);

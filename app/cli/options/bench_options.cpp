@@ -17,7 +17,7 @@ std::vector<double> parsedRoughnesses(const std::string& list) {
     double value = 0.0;
     char rest = 0;
     if (std::sscanf(word.c_str(), "%lf%c", &value, &rest) != 1 || !(value >= 0.0 && value <= 1.0)) {
-      throw InputError("--roughness " + list + ": expected numbers from 0 to 1 with commas between, as in 0.1,0.5");
+      throw InputError("--roughness " + list + ": expected numbers from 0 to 1 separated by commas, as in 0.1,0.5");
     }
     if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
   }
@@ -41,39 +41,41 @@ std::vector<Camera> chosenCameras(const BenchOptions& options, const Scene& scen
 }  // namespace
 
 void addBenchOptions(CLI::App& command, BenchOptions& options) {
-  command.add_option("SCENE", options.scenePath,
-                     "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp); without: the "
-                     "scene made for it");
+  command.add_option(
+      "SCENE", options.scenePath,
+      "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp); default: the gallery scene");
   command.add_option("-o,--output", options.folder, "Folder for bench.json, bench.csv, report.md and the pictures")
       ->type_name("DIR")
       ->capture_default_str();
   command.add_flag("--quick", options.quick,
-                   "One camera, three roughnesses, small pictures, few frames: under a minute");
+                   "Use one camera, three roughnesses, small pictures and few frames; takes under a minute");
   command
       .add_option("--techniques", options.techniques,
-                  "Only these, commas between: ids, or one setting of one as in raytraced:samples=16:filtered=true "
-                  "(box and hdrp are always measured)")
+                  "Measure only these techniques, separated by commas; parameters as in "
+                  "raytraced:samples=16:filtered=true (box and hdrp are always measured)")
       ->type_name("LIST");
   command
-      .add_option("--roughness", options.roughnesses, "Of every reflecting material (default 0,0.1,0.25,0.5,0.75,1)")
+      .add_option("--roughness", options.roughnesses,
+                  "Roughnesses given to every reflecting material (default 0,0.1,0.25,0.5,0.75,1)")
       ->type_name("LIST");
-  command.add_option("--camera", options.cameras, "Only these cameras; frames are timed through the first")
+  command.add_option("--camera", options.cameras, "Use only these cameras; frames are timed through the first")
       ->type_name("NAMES");
-  command.add_option("--size", options.size, "Pixels of the pictures that errors are measured in (default 200x112)")
+  command.add_option("--size", options.size, "Size of the pictures that errors are measured in (default 200x112)")
       ->type_name("WxH");
-  command.add_option("--rooms", options.rooms, "Random rooms beside the scene (default 192, with --quick 8; 0: none)")
+  command
+      .add_option("--rooms", options.rooms,
+                  "Number of random rooms judged beside the scene (default 192, with --quick 8; 0: none)")
       ->check(CLI::Range(0, 1000));
-  command.add_option("--seed", options.seed, "Of the references' rays")->capture_default_str();
+  command.add_option("--seed", options.seed, "Seed of the references' rays")->capture_default_str();
   command.add_option("--set", options.assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
   addReportOptions(command, options.report, "Print bench.json");
   command.footer(
-      "Every technique, at every roughness, through every camera, against two references: the integral over the\n"
-      "probe's box, and the ray-traced scene. Takes some minutes; Ctrl-C keeps what there is as bench.json.partial.\n"
-      "Examples:\n"
-      "  boxprobe bench -o out/bench\n"
-      "  boxprobe bench data/scenes/building.boxprobe.json -o out/building --techniques box,hdrp,footprint4 --quick");
+      "Measures every technique at every roughness through every camera against two references: the integral over\nthe "
+      "probe's box and the ray-traced scene. Takes some minutes; Ctrl-C keeps partial results as "
+      "bench.json.partial.\nExamples:\n  boxprobe bench -o out/bench\n  boxprobe bench "
+      "data/scenes/building.boxprobe.json -o out/building --techniques box,hdrp,footprint4 --quick");
 }
 
 FrameSize timedFrameSize(const BenchOptions& options) {
@@ -87,7 +89,7 @@ BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
   plan.roughnesses = options.roughnesses.empty()
                          ? parsedRoughnesses(options.quick ? "0.1,0.5,1" : "0,0.1,0.25,0.5,0.75,1")
                          : parsedRoughnesses(options.roughnesses);
-  if (plan.roughnesses.empty()) throw InputError("--roughness: no number in it");
+  if (plan.roughnesses.empty()) throw InputError("--roughness: contains no number");
   const FrameSize size = !options.size.empty() ? parseFrameSize(options.size)
                          : options.quick       ? FrameSize{160, 90}
                                                : FrameSize{200, 112};

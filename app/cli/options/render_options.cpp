@@ -28,43 +28,41 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->type_name("FILE")
       ->required();
   command.add_option("--size", options.size, "Width and height in pixels (default 1280x720)")->type_name("WxH");
-  command.add_option("--camera", options.camera, "Camera of the scene (default: main, else the first)")
+  command.add_option("--camera", options.camera, "Camera of the scene (default: main, or else the first)")
       ->type_name("NAME");
   command
       .add_option("--technique", options.technique,
-                  "Technique of every probe (default: as in the scene): " + techniqueIdList() +
-                      "; or a reference: reference-box (the lobe integrated over what the probe holds, at exact box "
-                      "hits), reference-scene (ray traced, one bounce; needs no display)")
+                  "Technique of every probe (default: the scene's): " + techniqueIdList() +
+                      "; or a reference: reference-box (the lobe integrated over the capture at exact box hits), "
+                      "reference-scene (ray traced, one reflection; needs no display)")
       ->type_name("ID");
-  command.add_option("--samples", options.samples, "Samples a pixel: 1, 4 or 16 (default 4)")
+  command.add_option("--samples", options.samples, "Samples per pixel: 1, 4 or 16 (default 4)")
       ->check(CLI::IsMember({1, 4, 16}).description(""))
       ->type_name("N");
-  command.add_option("--rays", options.rays, "Reflection rays a pixel of a reference (default 256)")
+  command.add_option("--rays", options.rays, "Reflection rays per pixel of a reference (default 256)")
       ->check(CLI::Range(1, 65536).description(""))
       ->type_name("N");
-  command.add_flag("--full", options.full, "reference-scene: reflections show what the probes do not see, too");
-  command.add_option("--probes", options.probes, "off: no reflections of probes or sky, VTK's plain program")
+  command.add_flag("--full", options.full, "reference-scene: reflections also show what the probes do not see");
+  command.add_option("--probes", options.probes, "off: no reflections from probes or sky, VTK's plain shader")
       ->check(CLI::IsMember({"on", "off"}).description(""))
       ->type_name("on|off");
   command
-      .add_option(
-          "--frames", options.frames,
-          "Of an animated technique: the mean of N frames. Of any other: draw N more. --stats holds their CPU times")
+      .add_option("--frames", options.frames,
+                  "Average N frames (animated techniques); otherwise draw N extra. --stats has their CPU times")
       ->check(CLI::Range(0, 100000).description(""))
       ->type_name("N");
   command
-      .add_option(
-          "--view", options.view,
-          "Colour the surfaces by (PNG: with its scale; EXR: the numbers, -1 where undefined), or all: a sheet of "
-          "every view side by side: " +
-              surfaceViewIdList())
+      .add_option("--view", options.view,
+                  "Draw a debug view (PNG: with its scale; EXR: the numbers, -1 where undefined); all: a sheet of "
+                  "every view: " +
+                      surfaceViewIdList())
       ->type_name("ID");
-  command.add_option("--range", options.range, "Numbers at the ends of the scale of --view (default: by the scene)")
+  command.add_option("--range", options.range, "Range of the scale of --view (default: from the scene)")
       ->type_name("LOW,HIGH");
   command.add_option("--set", options.assignments, "Change a field of the scene: probes.NAME.FIELD=VALUE (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
-  addReportOptions(command, options.report, "Print what --stats writes");
+  addReportOptions(command, options.report, "Print the JSON that --stats writes");
   command.footer(
       "Examples:\n"
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png --size 1920x1080\n"

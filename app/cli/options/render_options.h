@@ -27,7 +27,7 @@ struct RenderOptions {
   int samples = 4;
   std::string probes = "on";
   int frames = 0;
-  int rays = kDefaultReferenceRays;  ///< of a reference: reflection rays a pixel
+  int rays = kDefaultReferenceRays;  ///< of a reference: reflection rays per pixel
   bool full = false;                 ///< of reference-scene: reflection rays see what the picture shows
   std::string view;                  ///< id of a row of surfaceViews(); empty: the picture
   std::string range;                 ///< LOW,HIGH; empty: the view's own

@@ -20,10 +20,9 @@ struct ReportOptions {
 
 /// `jsonHelp`: what --json of this sub-command prints.
 inline void addReportOptions(CLI::App& command, ReportOptions& options, const std::string& jsonHelp) {
-  command.add_option("--stats", options.statsPath, "Write counters and times of what ran to this file")
-      ->type_name("FILE.json");
+  command.add_option("--stats", options.statsPath, "Write counters and times to this file")->type_name("FILE.json");
   command.add_flag("--json", options.json, jsonHelp);
-  command.add_flag("--quiet", options.quiet, "No progress, no warnings, no summary: errors alone");
+  command.add_flag("--quiet", options.quiet, "Print errors only: no progress, warnings or summary");
 }
 
 }  // namespace boxprobe

@@ -39,7 +39,7 @@ class Sheet {
   /// Its lower edge at `bottom`.
   void write(const std::string& text, int left, int bottom, int size, bool bold) {
     vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-    if (renderer == nullptr) throw WorkError("this VTK draws no text: build it with VTK's RenderingFreeType module");
+    if (renderer == nullptr) throw WorkError("this VTK cannot draw text: build it with the RenderingFreeType module");
     vtkNew<vtkTextProperty> font;
     font->SetFontFamilyToArial();
     font->SetFontSize(size);
@@ -110,7 +110,7 @@ ImageRgba8 contactSheet(const std::string& title, const ImageRgbaF& truth, const
     const int left = kGap + cell % kColumns * cellWidth, top = kTitleHeight + cell / kColumns * cellHeight;
     const int under = top + kTextHeight + h + 2;
     if (cell == 0) {
-      sheet.write("reference: the box, integrated", left, top + kTextHeight - 6, kFontSize, true);
+      sheet.write("reference: integral over the box", left, top + kTextHeight - 6, kFontSize, true);
       drawPicture(truth, left, top + kTextHeight);
       const int bar = std::min(w - 20, 260);
       for (int x = 0; x < bar; ++x) {

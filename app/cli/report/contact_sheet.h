@@ -12,7 +12,7 @@ namespace boxprobe {
 struct ContactPicture {
   std::string label;
   ImageRgbaF picture;        ///< linear
-  std::vector<float> error;  ///< a value a pixel, rows from the top; negative: not measured there
+  std::vector<float> error;  ///< a value per pixel, rows from the top; negative: not measured there
 };
 
 /// `exposure` as in the scene. The first cell shows the truth and the scale of the error pictures, which all have the

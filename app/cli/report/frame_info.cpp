@@ -1,19 +1,14 @@
 // See frame_info.h.
 #include "app/cli/report/frame_info.h"
 
-#include <vtkOpenGLRenderWindow.h>
-
 #include <algorithm>
 #include <cstdio>
 
 #include "app/cli/options/render_options.h"
-#include "app/session/display_check.h"
 #include "app/session/interrupt.h"
-#include "app/session/offscreen_window.h"
+#include "app/session/offscreen_scene.h"
 #include "app/session/scene_work.h"
-#include "app/session/vtk_messages.h"
 #include "filters/io/cube/bake_folder.h"
-#include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
 
@@ -47,21 +42,16 @@ FrameReport drawnFrameReport(const LoadedScene& loaded, const std::string& scene
   const FrameSize frame = parseFrameSize(size);
   const Camera view = chooseCamera(loaded.scene, camera);
   const InterruptGuard interrupt;
-  requireDisplay("boxprobe info --frame");
-  installVtkMessages(quiet, false);
-  const auto window = makeOffscreenWindow(frame.width, frame.height, 1);
-  SceneRenderer renderer(window);
-  renderer.useBakedFiles(BakeFolder::besideScene(scenePath));
-  renderer.setModels(loaded.models);
-  renderer.sync(loaded.scene, Changes::all());
-  renderer.applyCamera(view);
-  captureProbes(renderer, interrupt, quiet);
-  window->Render();
-  requireHealthy(renderer);
-  FrameReport report = renderer.frameReport();
-  report.lookups = renderer.measureLookups(frame.width, frame.height);
-  requireHealthy(renderer);
-  renderer.releaseGraphics();
+  OffscreenScene shown({"boxprobe info --frame", frame.width, frame.height, 1, quiet});
+  ShownSettings settings{view};
+  settings.bakedFolder = BakeFolder::besideScene(scenePath);
+  shown.show(loaded.scene, loaded.models, settings);
+  captureShown(shown, interrupt, quiet);
+  shown.window()->Render();
+  shown.requireHealthy();
+  FrameReport report = shown.renderer().frameReport();
+  report.lookups = shown.renderer().measureLookups(frame.width, frame.height);
+  shown.requireHealthy();
   return report;
 }
 
@@ -109,19 +99,19 @@ Json frameReportJson(const FrameReport& report) {
 std::string frameReportText(const FrameReport& report) {
   std::string text = "frame\n  draws with 0, 1, 2, 3, 4 probes:";
   for (const std::size_t draws : report.drawsByProbeCount) text += " " + std::to_string(draws);
-  text += "\n  kinds of program: " + std::to_string(report.variants) + "\n";
+  text += "\n  shader variants: " + std::to_string(report.variants) + "\n";
   if (report.lookups) {
-    text += "  lookups a pixel:" + number(" mean %.3f,", report.lookups->mean) +
+    text += "  lookups per pixel:" + number(" mean %.3f,", report.lookups->mean) +
             number(" at most %.0f\n", report.lookups->most);
   }
   text += "  maps: " + number("%.1f MiB\n", static_cast<double>(report.bytes) / 1048576.0);
   const std::vector<std::string> mirrors = mirrorLines(report);
   if (!mirrors.empty()) text += "planar mirrors\n";
   for (const std::string& line : mirrors) text += "  " + line + "\n";
-  text += "left out of the frame\n";
+  text += "skipped in the frame\n";
   for (const std::string& line : skippedLines(report)) text += "  " + line + "\n";
   for (const std::string& line : leftOutLines(report)) text += "  " + line + "\n";
-  text += "probes of the drawn objects, as shares of their bounds\n";
+  text += "probes of the drawn objects, by share of their bounds\n";
   std::size_t listed = 0;
   for (const FrameReport::Object& object : report.objects) {
     if (object.drawn && ++listed <= kListed) text += objectLine(object) + "\n";

@@ -15,11 +15,11 @@ nlohmann::ordered_json stressLine(const stress::StressCell& cell, std::uint64_t 
 /// What --replay takes: class, technique, numbers.
 std::string replayText(const stress::StressCell& cell, std::uint64_t seed);
 
-/// One row a class, all own techniques and terms together.
+/// One row per class, all own techniques and terms together.
 std::string stressTable(const std::vector<stress::StressCell>& cells, const std::string& device);
 
-/// One row a class, one column a published form: the share of inputs that come out visibly wrong, of the program's own
-/// counterpart behind it.
+/// One row per class, one column a published form: the share of inputs that come out visibly wrong, of the program's
+/// own counterpart behind it.
 std::string publishedTable(const std::vector<stress::StressCell>& cells);
 
 /// What a single input gives, step by step.

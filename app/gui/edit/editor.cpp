@@ -23,7 +23,7 @@ void Editor::guarded(const Work& work) {
     work();
   } catch (const Error& error) {
     if (document_.previewing()) document_.cancel();
-    pendingLabel_.clear();
+    forgetPending();
     emit failed(QString::fromUtf8(error.what()));
   }
 }
@@ -33,39 +33,55 @@ const Probe* Editor::probe() const {
   return index ? &document_.scene().probes[*index] : nullptr;
 }
 
-void Editor::preview(const QString& label, const Document::Edit& edit) {
-  if (label != pendingLabel_) finish();
+bool Editor::goesOn(const EditToken& token) const {
+  return token.control != nullptr && token == pending_;
+}
+
+void Editor::forgetPending() {
+  pending_ = {};
+  pendingLabel_.clear();
+}
+
+void Editor::preview(const EditToken& token, const QString& label, const Document::Edit& edit) {
+  if (!goesOn(token)) finish();
   guarded([&] {
+    pending_ = token;
     pendingLabel_ = label;
     document_.preview(edit);
   });
 }
 
-void Editor::commit(const QString& label, const Document::Edit& edit) {
-  if (label != pendingLabel_) finish();
-  pendingLabel_.clear();
+void Editor::commit(const EditToken& token, const QString& label, const Document::Edit& edit) {
+  if (!goesOn(token)) finish();
+  forgetPending();
   guarded([&] { document_.commit(label.toStdString(), edit); });
   emit settled();
 }
 
-void Editor::previewProbe(const QString& label, const ProbeEdit& edit) {
-  if (const Probe* selected = probe()) preview(label, onProbe(selected->name, edit));
+void Editor::previewProbe(EditToken token, const QString& label, const ProbeEdit& edit) {
+  const Probe* selected = probe();
+  if (selected == nullptr) return;
+  token.target = selected->name;
+  preview(token, label, onProbe(selected->name, edit));
 }
 
-void Editor::commitProbe(const QString& label, const ProbeEdit& edit) {
-  if (const Probe* selected = probe()) commit(label, onProbe(selected->name, edit));
+void Editor::commitProbe(EditToken token, const QString& label, const ProbeEdit& edit) {
+  const Probe* selected = probe();
+  if (selected == nullptr) return;
+  token.target = selected->name;
+  commit(token, label, onProbe(selected->name, edit));
 }
 
 void Editor::finish() {
   const QString label = pendingLabel_;
-  pendingLabel_.clear();
+  forgetPending();
   if (!document_.previewing()) return;
   guarded([&] { document_.commitPreview(label.toStdString()); });
   emit settled();
 }
 
 void Editor::cancel() {
-  pendingLabel_.clear();
+  forgetPending();
   if (document_.previewing()) document_.cancel();
   emit settled();
 }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/gui/edit/edit_token.h"
 #include "filters/core/scene/document.h"
 
 namespace boxprobe {
@@ -25,13 +26,17 @@ class Editor : public QObject {
   /// The selected probe as shown now, or null.
   const Probe* probe() const;
 
-  /// Shows `edit` without an undo step. The same `label` goes on with the preview under way; another one commits that
-  /// first.
-  void preview(const QString& label, const Document::Edit& edit);
-  void commit(const QString& label, const Document::Edit& edit);
-  /// The same for the selected probe; nothing without one.
-  void previewProbe(const QString& label, const ProbeEdit& edit);
-  void commitProbe(const QString& label, const ProbeEdit& edit);
+  /// Shows `edit` without an undo step. The same token goes on with the preview under way; another one commits that
+  /// first. `label` is what the undo step is called.
+  void preview(const EditToken& token, const QString& label, const Document::Edit& edit);
+  /// Ends the gesture of `token`, its previews included, as one step.
+  void commit(const EditToken& token, const QString& label, const Document::Edit& edit);
+  /// An edit that was not previewed.
+  void commit(const QString& label, const Document::Edit& edit) { commit(EditToken(), label, edit); }
+  /// The same for the selected probe, whose name becomes the token's target; nothing without one.
+  void previewProbe(EditToken token, const QString& label, const ProbeEdit& edit);
+  void commitProbe(EditToken token, const QString& label, const ProbeEdit& edit);
+  void commitProbe(const QString& label, const ProbeEdit& edit) { commitProbe(EditToken(), label, edit); }
   /// Commits the preview under way, if any.
   void finish();
   void cancel();
@@ -49,9 +54,12 @@ class Editor : public QObject {
  private:
   template <typename Work>
   void guarded(const Work& work);
+  bool goesOn(const EditToken& token) const;
+  void forgetPending();
 
   Document& document_;
-  QString pendingLabel_;  ///< of the preview under way
+  EditToken pending_;     ///< of the preview under way
+  QString pendingLabel_;  ///< what it was called last
 };
 
 }  // namespace boxprobe

@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QSignalBlocker>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 
@@ -20,11 +21,11 @@ ValueField* addProbeNumber(Editor& editor, QFormLayout* form, const QString& lab
   auto* field = new ValueField(format, form->parentWidget());
   addRow(form, label, field, toolTip);
   const QString what = label.toLower();
-  QObject::connect(field, &ValueField::previewed, field, [&editor, what, edit](double value) {
-    editor.previewProbe(probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
+  QObject::connect(field, &ValueField::previewed, field, [&editor, field, what, edit](double value) {
+    editor.previewProbe({field}, probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
   });
-  QObject::connect(field, &ValueField::committed, field, [&editor, what, edit](double value) {
-    editor.commitProbe(probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
+  QObject::connect(field, &ValueField::committed, field, [&editor, field, what, edit](double value) {
+    editor.commitProbe({field}, probeEditLabel(editor, what), [=](Probe& probe) { edit(probe, value); });
   });
   return field;
 }
@@ -46,6 +47,12 @@ void showChoice(QComboBox* combo, int value, const QString& pattern) {
   const QSignalBlocker quiet(combo);
   if (combo->findData(value) < 0) combo->addItem(pattern.arg(value), value);
   combo->setCurrentIndex(combo->findData(value));
+}
+
+QVector<ProbeChoice> choicesOf(const FieldInfo& field, const QStringList& names) {
+  QVector<ProbeChoice> choices;
+  for (int i = 0; i < names.size(); ++i) choices.push_back({names[i], i, choiceTip(field, i)});
+  return choices;
 }
 
 }  // namespace boxprobe

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <QVariant>
 #include <QVector>
 #include <functional>
 
 #include "app/gui/edit/editor.h"
 #include "app/gui/widgets/value_field.h"
+#include "filters/core/scene/scene_field.h"
 
 class QComboBox;
 class QFormLayout;
@@ -30,5 +32,8 @@ QComboBox* addProbeChoice(QFormLayout* form, const QString& label, const QVector
                           const QString& toolTip, const std::function<void(int value)>& chosen);
 /// Shows a value of the document; one that is not among the choices joins them as `pattern` says ("%1").
 void showChoice(QComboBox* combo, int value, const QString& pattern = "%1");
+
+/// Choices of a field by its row, under the names a form shows, in the order of the ids.
+QVector<ProbeChoice> choicesOf(const FieldInfo& field, const QStringList& names);
 
 }  // namespace boxprobe

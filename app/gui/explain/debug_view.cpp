@@ -43,7 +43,7 @@ DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document
       panel_(new QWidget),
       tool_(new QPushButton(tr("Explain pixels"), panel_)),
       schematicShown_(new QCheckBox(tr("Plan and elevation in the picture"), panel_)),
-      mirrorsShown_(new QCheckBox(tr("What planar mirrors see"), panel_)),
+      mirrorsShown_(new QCheckBox(tr("View of planar mirrors"), panel_)),
       surfacePanel_(new SurfaceViewPanel(panel_)),
       rayPanel_(new RayPanel(panel_)),
       card_(new ExplainCard([this](const std::string& probe) { return renderer_.mapsOnCpu(probe); })),
@@ -68,15 +68,15 @@ void DebugView::buildPanel() {
   QFormLayout* form = addSection(panel_, tr("Explain"));
   tool_->setCheckable(true);
   tool_->setObjectName("explainTool");
-  tool_->setToolTip(tr("Says how the pixel under the pointer gets its colour; a click pins it (E)"));
+  tool_->setToolTip(tr("Explains how the pixel under the pointer gets its colour; a click pins it (E)"));
   form->addRow(tool_);
   schematicShown_->setChecked(true);
   schematicShown_->setObjectName("schematicShown");
   form->addRow(schematicShown_);
   mirrorsShown_->setObjectName("mirrorsShown");
-  mirrorsShown_->setToolTip(tr(
-      "The mirrored eye of each mirror that has a picture and what it sees through the mirror; of an explained pixel, "
-      "the reflected ray up to what moves"));
+  mirrorsShown_->setToolTip(
+      tr("Shows each mirror's mirrored camera and its view through the mirror; for an explained pixel, the reflected "
+         "ray up to the moving object"));
   form->addRow(mirrorsShown_);
   layout->addWidget(surfacePanel_);
   layout->addWidget(rayPanel_);
@@ -280,7 +280,7 @@ void DebugView::saveRays() {
 
 void DebugView::copyText() {
   if (card_->empty()) {
-    emit failed(tr("Nothing is explained yet: press E and point at a surface"));
+    emit failed(tr("No pixel is explained yet. Press E and point at a surface"));
     return;
   }
   card_->copyText();
@@ -289,7 +289,7 @@ void DebugView::copyText() {
 
 void DebugView::copyJson() {
   if (card_->empty()) {
-    emit failed(tr("Nothing is explained yet: press E and point at a surface"));
+    emit failed(tr("No pixel is explained yet. Press E and point at a surface"));
     return;
   }
   card_->copyJson();

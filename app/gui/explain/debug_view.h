@@ -41,7 +41,6 @@ class DebugView : public QObject {
   ExplainCard* card() const { return card_; }
   SchematicInset* schematic() const { return schematic_; }
   SurfaceViewPanel* surfacePanel() const { return surfacePanel_; }
-  RayPanel* rayPanel() const { return rayPanel_; }
   const PixelInspector& inspector() const { return inspector_; }
   const RayRig& rays() const { return *rays_; }
   const MirrorLines& mirrorLines() const { return *mirrors_; }

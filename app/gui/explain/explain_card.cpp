@@ -35,8 +35,8 @@ ExplainCard::ExplainCard(MapsOf mapsOf, QWidget* parent)
       mapsOf_(std::move(mapsOf)),
       state_(new QLabel(this)),
       follow_(button(tr("Follow the pointer"), tr("Unpins the card (Esc)"), this)),
-      copyText_(button(tr("Copy text"), tr("The whole calculation as text, to the clipboard"), this)),
-      copyJson_(button(tr("Copy JSON"), tr("As `boxprobe explain --json` prints it, to the clipboard"), this)),
+      copyText_(button(tr("Copy text"), tr("Copies the whole calculation as text"), this)),
+      copyJson_(button(tr("Copy JSON"), tr("Copies the explanation as `boxprobe explain --json` prints it"), this)),
       text_(new QTextBrowser(this)),
       footprint_(new FootprintView(this)) {
   setObjectName("explainCard");

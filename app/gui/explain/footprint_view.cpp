@@ -63,8 +63,8 @@ FootprintView::FootprintView(QWidget* parent) : QWidget(parent) {
   setSizePolicy(policy);
   setMinimumSize(240, 220);
   setToolTip(
-      tr("The probe's cubemap, unfolded and seen from inside: +Z in the middle, +X to its left. Outlined: the "
-         "texels this pixel fetches, magnified at the right with their shares in percent."));
+      tr("The probe's cubemap, unfolded and seen from inside: +Z in the middle, +X to its left. Outlined: the texels "
+         "that this pixel samples, magnified at the right with their shares in percent."));
 }
 
 void FootprintView::show(const ProbeExplanation& probe, std::shared_ptr<const BakedMaps> maps, double exposure) {
@@ -210,17 +210,17 @@ void FootprintView::paintCaption(QPainter& painter, const QRectF& area) const {
   painter.setFont(font);
   painter.setPen(palette().color(QPalette::Text));
   const int size = maps_->radiance.levelSize(level_);
-  QString text = tr("%1\nlevel %2 of %3: %4² texels a face")
+  QString text = tr("%1\nmip level %2 of %3: %4² texels per face")
                      .arg(QString::fromStdString(probe_.name))
                      .arg(level_)
                      .arg(fixedText(probe_.maxLevel, 0).c_str())
                      .arg(size);
   if (probe_.lookups.empty()) {
-    text += tr("\nnothing is fetched here");
+    text += tr("\nno lookups here");
   } else {
     const auto count = probe_.lookups.size();
-    text += count == 1 ? tr("\none fetch, on face %1").arg(cubeFaceName(main_.face).c_str())
-                       : tr("\n%1 fetches, most on face %2").arg(count).arg(cubeFaceName(main_.face).c_str());
+    text += count == 1 ? tr("\none lookup, on face %1").arg(cubeFaceName(main_.face).c_str())
+                       : tr("\n%1 lookups, most on face %2").arg(count).arg(cubeFaceName(main_.face).c_str());
   }
   painter.drawText(area, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, text);
 }

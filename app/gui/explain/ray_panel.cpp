@@ -68,22 +68,22 @@ RayPanel::RayPanel(QWidget* parent)
     source_->setItemData(source_->count() - 1, tr(choice.help), Qt::ToolTipRole);
   }
   source_->setObjectName("raySource");
-  addRow(form, tr("Start at"), source_, tr("Which surface points rays are drawn for"));
+  addRow(form, tr("Start at"), source_, tr("Surface points that rays are drawn from"));
   object_->setObjectName("rayObject");
-  addRow(form, tr("Object"), object_, tr("The object that the points are spread over"));
+  addRow(form, tr("Object"), object_, tr("Object over which the points are spread"));
   count_->setRange(1, kMostPoints);
   count_->setFocusPolicy(Qt::StrongFocus);
   count_->setObjectName("rayCount");
-  addRow(form, tr("Points at most"), count_, tr("No more points than this get rays"));
-  addRow(form, tr("Longest ray"), length_, tr("How far a ray is drawn that hits nothing, scene units"));
+  addRow(form, tr("Points at most"), count_, tr("Largest number of points that get rays"));
+  addRow(form, tr("Longest ray"), length_, tr("Length of a ray that hits nothing, scene units"));
   buildKinds(form);
   for (const char* label : kColorings) coloring_->addItem(tr(label));
   coloring_->setObjectName("rayColoring");
-  addRow(form, tr("Colour by"), coloring_, tr("What the colour of a line means"));
+  addRow(form, tr("Colour by"), coloring_, tr("Meaning of a line's colour"));
   auto* buttons = new QHBoxLayout;
   auto* save = new QPushButton(tr("Save rays..."), this);
-  save->setToolTip(tr("As VTK poly data (.vtp) with every number in arrays: opens in ParaView"));
-  clear_->setToolTip(tr("Forgets the points clicked"));
+  save->setToolTip(tr("Saves VTK poly data (.vtp) with every number in arrays, for ParaView"));
+  clear_->setToolTip(tr("Removes the clicked points"));
   buttons->addWidget(clear_);
   buttons->addWidget(save);
   form->addRow(buttons);
@@ -154,7 +154,7 @@ void RayPanel::show(const RaySettings& settings) {
 void RayPanel::setObjects(const std::vector<std::string>& names) {
   const QSignalBlocker quiet(object_);
   object_->clear();
-  object_->addItem(tr("the one clicked last"), QString());
+  object_->addItem(tr("the last clicked point"), QString());
   for (const std::string& name : names) {
     const QString text = QString::fromStdString(name);
     object_->addItem(text, text);

@@ -43,7 +43,7 @@ class RayRig {
   void setClicks(std::vector<RaySample> clicks);
   /// Does where the camera stands change the rays?
   bool followsCamera() const { return settings_.shown && settings_.source == RaySource::Screen; }
-  /// Brings the layer up to date. True if there is something to be drawn anew.
+  /// Brings the layer up to date. True if there is something to be drawn again.
   bool update();
 
   std::vector<std::string> objects();

@@ -46,7 +46,7 @@ SurfaceViewPanel::SurfaceViewPanel(QWidget* parent)
   combo_->setObjectName("surfaceView");
   combo_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   combo_->setMaxVisibleItems(combo_->count());
-  addRow(form, tr("Coloured by"), combo_, tr("What the surfaces show in place of their own look"));
+  addRow(form, tr("Coloured by"), combo_, tr("What the surfaces show instead of their own look"));
   auto* range = new QHBoxLayout(rangeRow_);
   range->setContentsMargins(0, 0, 0, 0);
   range->addWidget(low_, 1);
@@ -58,8 +58,8 @@ SurfaceViewPanel::SurfaceViewPanel(QWidget* parent)
   low_->setObjectName("rangeLow");
   high_->setObjectName("rangeHigh");
   lock_->setObjectName("rangeLock");
-  lock_->setToolTip(tr("Keeps this range; otherwise it follows the scene's size"));
-  addRow(form, tr("Range"), rangeRow_, tr("Values that the colours span; a value typed here locks it"));
+  lock_->setToolTip(tr("Keeps this range. Otherwise it follows the size of the scene"));
+  addRow(form, tr("Range"), rangeRow_, tr("Range of the colours; typing a value locks it"));
   form->addRow(help_);
   connect(combo_, QOverload<int>::of(&QComboBox::activated), this, &SurfaceViewPanel::choose);
   connect(lock_, &QCheckBox::clicked, this, [this](bool locked) {
@@ -116,7 +116,7 @@ QString surfaceViewReadout(const SurfaceViewRow& row, const Explanation& explana
   const auto value = surfaceValue(row, explanation);
   const QString label = text(row.label) + ": ";
   if (!value)
-    return label + (explanation.hit ? SurfaceViewPanel::tr("not defined here") : SurfaceViewPanel::tr("background"));
+    return label + (explanation.hit ? SurfaceViewPanel::tr("undefined here") : SurfaceViewPanel::tr("background"));
   const auto number = [](float x) { return QString::fromStdString(fixedText(x, 3)); };
   QString shown;
   switch (row.kind) {

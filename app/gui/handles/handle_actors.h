@@ -38,7 +38,7 @@ class HandleActors {
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<vtkPolyData> ball_, diamond_;
   std::vector<Mark> faces_;    ///< six
-  std::vector<Mark> origins_;  ///< one a probe; grows, never shrinks
+  std::vector<Mark> origins_;  ///< one per probe; grows, never shrinks
   std::size_t shownOrigins_ = 0;
   bool shownFaces_ = false;
   bool visible_ = true;

@@ -129,7 +129,8 @@ void ProbeWidget::dragFace(const Ray& ray) {
   const Box box = faceDrag_->box(ray, modifiers_.testFlag(Qt::ControlModifier));
   const QString face = faceName(faceDrag_->face());
   previewed_ = true;
-  editor_.previewProbe(tr("Move face %1 of %2").arg(face, QString::fromStdString(probe->name)),
+  editor_.previewProbe({this, 1 + 2 * faceDrag_->face().axis + (faceDrag_->face().positive ? 1 : 0)},
+                       tr("Move face %1 of %2").arg(face, QString::fromStdString(probe->name)),
                        [box](Probe& edited) { setBox(edited, box); });
   const glm::dvec3 size = box.size();
   const int axis = faceDrag_->face().axis;
@@ -146,7 +147,7 @@ void ProbeWidget::dragOrigin(const Ray& ray) {
   std::optional<int> axis = heldAxis_;
   if (!axis && modifiers_.testFlag(Qt::ShiftModifier)) axis = 1;
   const glm::dvec3 origin = originDrag_->origin(ray, axis);
-  editor_.previewProbe(tr("Move origin of %1").arg(QString::fromStdString(probe->name)),
+  editor_.previewProbe({this}, tr("Move origin of %1").arg(QString::fromStdString(probe->name)),
                        [origin](Probe& edited) { edited.origin = origin; });
   emit readout(tr("origin\n%1  %2  %3 m").arg(metres(origin.x), metres(origin.y), metres(origin.z)), pixel_);
 }
@@ -171,20 +172,6 @@ void ProbeWidget::setVisible(bool visible) {
   overlay_.setVisible(visible);
   hovered_.reset();
   update();
-}
-
-std::optional<QPointF> ProbeWidget::displayPosition(const BoxFace& face) const {
-  const Probe* probe = editor_.probe();
-  if (!probe) return std::nullopt;
-  const auto at = view_().pixel(faceCenterWorld(*probe, face));
-  return at ? std::optional<QPointF>({at->x, at->y}) : std::nullopt;
-}
-
-std::optional<QPointF> ProbeWidget::displayPositionOfOrigin(std::size_t probe) const {
-  const auto& probes = editor_.scene().probes;
-  if (probe >= probes.size()) return std::nullopt;
-  const auto at = view_().pixel(probes[probe].origin);
-  return at ? std::optional<QPointF>({at->x, at->y}) : std::nullopt;
 }
 
 }  // namespace boxprobe

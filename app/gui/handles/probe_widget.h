@@ -36,11 +36,6 @@ class ProbeWidget : public QObject {
   void update();
   void setVisible(bool visible);
 
-  std::optional<Handle> hovered() const { return hovered_; }
-  /// Of the selected probe: where its handle is in the viewport; nothing without a selection or behind the viewer.
-  std::optional<QPointF> displayPosition(const BoxFace& face) const;
-  std::optional<QPointF> displayPositionOfOrigin(std::size_t probe) const;
-
  signals:
   void pictureChanged();
   void cursorWanted(Qt::CursorShape shape);

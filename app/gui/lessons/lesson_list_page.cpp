@@ -27,21 +27,21 @@ LessonListPage::LessonListPage(QWidget* parent)
   auto* title = new QLabel(tr("<b>Lessons</b>"), this);
   top->addWidget(title, 1);
   leave_->setObjectName("leaveLessonsFromList");
-  leave_->setToolTip(tr("Closes the lessons and shows your own scene again, as you left it"));
+  leave_->setToolTip(tr("Closes the lessons and shows your own scene as you left it"));
   leave_->hide();
   top->addWidget(leave_);
   layout->addLayout(top);
   intro_->setWordWrap(true);
   intro_->setText(
-      tr("Choose a lesson. Your own scene is put aside, unchanged, and comes back when you leave. Everything in a "
-         "lesson can be moved: what you change is your own try and never changes the lesson."));
+      tr("Choose a lesson. Your own scene is kept unchanged and comes back when you leave. You can move everything in "
+         "a lesson: your changes are your own attempt and never change the lesson."));
   layout->addWidget(intro_);
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   layout->addWidget(scroll_, 1);
   forget_->setObjectName("forgetProgress");
-  forget_->setToolTip(tr("No lesson counts as begun or done any more"));
+  forget_->setToolTip(tr("Marks all lessons as not started"));
   layout->addWidget(forget_, 0, Qt::AlignRight);
   connect(forget_, &QPushButton::clicked, this, &LessonListPage::forgetRequested);
   connect(leave_, &QPushButton::clicked, this, &LessonListPage::leaveRequested);

@@ -9,8 +9,8 @@
 
 namespace boxprobe {
 
-LessonPhotographer::LessonPhotographer(int width, int height, std::function<bool()> goOn)
-    : width_(width), height_(height), player_(width, height, std::move(goOn)) {}
+LessonPhotographer::LessonPhotographer(int width, int height, std::function<bool()> goOn, bool quiet)
+    : width_(width), height_(height), player_(width, height, std::move(goOn), quiet) {}
 
 LessonPhotographer::~LessonPhotographer() {
   player_.window()->MakeCurrent();

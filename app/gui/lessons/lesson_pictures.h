@@ -24,10 +24,10 @@ struct LessonPictures {
   std::vector<Claim> claims;
 };
 
-/// One for many lessons: its window, programs and captures are used again.
+/// One for many lessons: its window and programs are used again. `quiet`: without VTK's warnings.
 class LessonPhotographer {
  public:
-  LessonPhotographer(int width, int height, std::function<bool()> goOn = {});
+  LessonPhotographer(int width, int height, std::function<bool()> goOn = {}, bool quiet = false);
   ~LessonPhotographer();
   /// Throws InputError for a scene that cannot be read, WorkError if stopped.
   LessonPictures take(const Lesson& lesson);

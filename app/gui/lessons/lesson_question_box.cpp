@@ -46,7 +46,7 @@ void LessonQuestionBox::show(const LessonQuestion& question, bool solved) {
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     if (question.answers[i].right) buttons_[i]->setMark(TextButton::Mark::Right);
   }
-  reply_->setText(tr("You have answered this."));
+  reply_->setText(tr("You have answered this question."));
   reply_->show();
 }
 

@@ -30,7 +30,7 @@ class LessonStage {
   void setUp(const LessonStep& step, const Camera& camera);
   /// The step's picture is on the screen: rays can start in it. True if some are now drawn.
   bool pictureDrawn();
-  /// The window's shape changed: the step's camera is fitted anew unless the learner has moved it.
+  /// The window's shape changed: the step's camera is fitted again unless the learner has moved it.
   void shapeChanged();
   void leave();
 

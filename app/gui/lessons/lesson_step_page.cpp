@@ -46,9 +46,9 @@ LessonStepPage::LessonStepPage(QWidget* parent) : QWidget(parent) {
 
 void LessonStepPage::buildTop(QVBoxLayout* layout) {
   auto* row = new QHBoxLayout;
-  auto* list = button(this, tr("All lessons"), "lessonList", tr("The list of lessons; this one stays open"));
+  auto* list = button(this, tr("All lessons"), "lessonList", tr("Shows the list of lessons; this one stays open"));
   auto* leave = button(this, tr("Leave lessons"), "leaveLessons",
-                       tr("Closes the lessons and shows your own scene again, as you left it"));
+                       tr("Closes the lessons and shows your own scene as you left it"));
   row->addWidget(list);
   row->addStretch(1);
   row->addWidget(leave);
@@ -93,10 +93,10 @@ void LessonStepPage::buildTry(QVBoxLayout* layout) {
   layout->addWidget(tryLabel_);
   auto* row = new QHBoxLayout;
   row->setSpacing(0);
-  lessonScene_ =
-      button(this, tr("Lesson's scene"), "showLessonScene", tr("The step as the lesson has it; yours is kept"));
-  try_ = button(this, tr("Your try"), "showTry", tr("What you made of this step"));
-  startOver_ = button(this, tr("Start over"), "startOver", tr("Forgets your try of this step; undo brings it back"));
+  lessonScene_ = button(this, tr("Lesson's scene"), "showLessonScene",
+                        tr("Shows the step as the lesson has it; your attempt is kept"));
+  try_ = button(this, tr("Your try"), "showTry", tr("Shows your attempt at this step"));
+  startOver_ = button(this, tr("Start over"), "startOver", tr("Discards your attempt. Undo restores it."));
   for (QPushButton* choice : {lessonScene_, try_}) {
     choice->setCheckable(true);
     row->addWidget(choice, 1);
@@ -111,8 +111,8 @@ void LessonStepPage::buildTry(QVBoxLayout* layout) {
 
 void LessonStepPage::buildBottom(QVBoxLayout* layout) {
   auto* row = new QHBoxLayout;
-  back_ = button(this, tr("Back"), "lessonBack", tr("The step before (Left, Page Up)"));
-  next_ = button(this, tr("Next"), "lessonNext", tr("The next step (Right, Page Down)"));
+  back_ = button(this, tr("Back"), "lessonBack", tr("Previous step (Left, Page Up)"));
+  next_ = button(this, tr("Next"), "lessonNext", tr("Next step (Right, Page Down)"));
   position_ = new QLabel(this);
   position_->setObjectName("stepPosition");
   position_->setAlignment(Qt::AlignCenter);
@@ -153,8 +153,8 @@ void LessonStepPage::showTry(bool lesson, bool kept) {
                         static_cast<QWidget*>(startOver_), static_cast<QWidget*>(tryLabel_)}) {
     part->setVisible(kept);
   }
-  tryLabel_->setText(lesson ? tr("You see the lesson's scene. Your own try is kept.")
-                            : tr("You see your own try. The lesson's scene is kept."));
+  tryLabel_->setText(lesson ? tr("This is the lesson's scene. Your attempt is kept.")
+                            : tr("This is your attempt. The lesson's scene is kept."));
 }
 
 void LessonStepPage::showResult(const LessonCheck::Result& result) {

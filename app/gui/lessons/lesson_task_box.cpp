@@ -31,7 +31,7 @@ LessonTaskBox::LessonTaskBox(QWidget* parent)
   praise_->setObjectName("taskPraise");
   praise_->setStyleSheet("color: #5fc87a");
   answer_->setObjectName("taskAnswer");
-  answer_->setToolTip(tr("Does it for you, as an edit that can be undone"));
+  answer_->setToolTip(tr("Solves the task for you, as an edit that you can undo"));
   layout->addWidget(answer_, 0, Qt::AlignLeft);
   connect(answer_, &QPushButton::clicked, this, &LessonTaskBox::answerRequested);
 }
@@ -41,7 +41,7 @@ void LessonTaskBox::show(const LessonTask& task, bool solved) {
   solved_ = solved;
   ask_->setText(QString::fromStdString(task.ask));
   value_->setText(tr("Measuring..."));
-  praise_->setText(solved ? tr("You have done this.") : QString());
+  praise_->setText(solved ? tr("You have solved this task.") : QString());
   praise_->setVisible(solved);
   answer_->setVisible(!task.solution.empty());
 }
@@ -49,7 +49,7 @@ void LessonTaskBox::show(const LessonTask& task, bool solved) {
 void LessonTaskBox::showResult(const LessonCheck::Result& result) {
   const QString name = measureLabel(task_.done.measure);
   const QString now =
-      result.value ? QString::fromStdString(measuredText(*result.value, task_.unit)) : tr("not defined here");
+      result.value ? QString::fromStdString(measuredText(*result.value, task_.unit)) : tr("undefined here");
   const QString limit = QString::fromStdString(measuredText(result.limit, task_.unit));
   QString wanted;
   switch (task_.done.comparison) {
@@ -60,8 +60,8 @@ void LessonTaskBox::showResult(const LessonCheck::Result& result) {
       wanted = tr("done below %1").arg(limit);
       break;
     case Comparison::Within:
-      wanted = tr("done at %1, give or take %2")
-                   .arg(limit, QString::fromStdString(measuredText(task_.done.tolerance, task_.unit)));
+      wanted =
+          tr("solved at %1 ± %2").arg(limit, QString::fromStdString(measuredText(task_.done.tolerance, task_.unit)));
       break;
   }
   value_->setText(tr("%1: %2 (%3)").arg(name, now, wanted));
@@ -70,7 +70,7 @@ void LessonTaskBox::showResult(const LessonCheck::Result& result) {
   if (result.done) {
     praise_->setText(tr("Done. %1").arg(QString::fromStdString(task_.praise)));
   } else if (solved_) {
-    praise_->setText(tr("You have done this."));
+    praise_->setText(tr("You have solved this task."));
   }
 }
 
@@ -83,13 +83,13 @@ QString measureLabel(const LessonMeasure& measure) {
     case MeasureKind::Error:
       return LessonTaskBox::tr("Error of the picture");
     case MeasureKind::Difference:
-      return LessonTaskBox::tr("Difference of the pictures");
+      return LessonTaskBox::tr("Difference between the pictures");
     case MeasureKind::Mean:
       return LessonTaskBox::tr("Mean light");
     case MeasureKind::Bend:
-      return LessonTaskBox::tr("Bend of the line");
+      return LessonTaskBox::tr("Curvature");
     case MeasureKind::Broken:
-      return LessonTaskBox::tr("Share of lookups that are no number");
+      return LessonTaskBox::tr("Share of lookups that are not a number");
     case MeasureKind::View:
       if (const auto row = findSurfaceView(measure.name)) {
         const std::string_view label = surfaceViews()[static_cast<std::size_t>(*row)].label;

@@ -143,7 +143,7 @@ void LessonView::guarded(const Work& work) {
     work();
   } catch (const LoadCancelled&) {
     held_.release();
-    emit message(tr("Loading was stopped; what was on show stays"));
+    emit message(tr("Loading cancelled; the scene is unchanged."));
   } catch (const std::exception& error) {
     held_.release();
     emit failed(QString::fromUtf8(error.what()));
@@ -257,7 +257,7 @@ void LessonView::finish() {
                                  [&](const Lesson& lesson) { return lesson.name == name; });
   const bool another = here != list_.lessons.end() && here + 1 != list_.lessons.end();
   if (progress.done && another) panel_->list()->bringForward(QString::fromStdString((here + 1)->name));
-  emit message(progress.done ? tr("This lesson is done") : tr("This lesson still has something to answer or to do"));
+  emit message(progress.done ? tr("This lesson is done") : tr("This lesson still has a question or a task"));
 }
 
 void LessonView::showProgress() {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kPixels = 64000.0;     ///< of the picture: a second or two of work
 constexpr int kRowsATurn = 12;          ///< some ten milliseconds, between which the window answers
-constexpr int kRestMilliseconds = 300;  ///< without a change, before it is drawn anew
+constexpr int kRestMilliseconds = 300;  ///< without a change, before it is drawn again
 
 }  // namespace
 
@@ -82,7 +82,7 @@ void PublishedOverlay::turn() {
                                                     std::max(static_cast<int>(std::lround(width / aspect)), 1));
     }
     if (drawing_->draw(kRowsATurn)) {
-      note_->setText(tr("Drawing the picture of the published form..."));
+      note_->setText(tr("Drawing the picture with the published formula..."));
       place();
       timer_.start(0);
       return;
@@ -93,7 +93,8 @@ void PublishedOverlay::turn() {
     picture_->setGeometry(viewport_.rect());
     picture_->show();
     picture_->raise();
-    note_->setText(tr("The published form's picture, drawn on the processor. Move the view and it is drawn anew."));
+    note_->setText(
+        tr("The picture with the published formula, drawn on the CPU. It is drawn again when you move the view."));
     place();
   } catch (const std::exception& error) {
     note_->setText(QString::fromUtf8(error.what()));

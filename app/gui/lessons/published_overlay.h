@@ -1,5 +1,5 @@
 // Over the picture, the same as a published form of the projection has it: drawn on the processor a few rows a turn of
-// the event loop, and anew whenever the camera or the scene has come to rest. Called by the lesson view.
+// the event loop, and again whenever the camera or the scene has come to rest. Called by the lesson view.
 #pragma once
 
 #include <QObject>

@@ -36,16 +36,15 @@ BakePanel::BakePanel(Editor& editor, SceneRenderer& renderer, RenderScheduler& s
   row->addWidget(state_, 1);
   state_->setObjectName("bakeState");
   state_->setWordWrap(true);
-  addRow(form, tr("State"), line, tr("How far the selected probe's cubemap is"));
+  addRow(form, tr("State"), line, tr("Progress of the selected probe's cubemap"));
 
   auto* buttons = new QHBoxLayout;
-  bake_ = addButton(tr("Bake"), "bake", tr("Captures and filters the selected probe again"), &BakePanel::bakeSelected);
-  bakeAll_ = addButton(tr("Bake all"), "bakeAll", tr("Captures and filters every probe again"), &BakePanel::bakeAll);
-  stop_ =
-      addButton(tr("Stop"), "stopBake", tr("Leaves the rest until the scene changes again (Esc)"), &BakePanel::stop);
+  bake_ = addButton(tr("Bake"), "bake", tr("Recaptures and filters the selected probe"), &BakePanel::bakeSelected);
+  bakeAll_ = addButton(tr("Bake all"), "bakeAll", tr("Recaptures and filters every probe"), &BakePanel::bakeAll);
+  stop_ = addButton(tr("Stop"), "stopBake", tr("Stops the work until the scene changes again (Esc)"), &BakePanel::stop);
   save_ = addButton(tr("Save files..."), "saveBaked",
-                    tr("Writes every baked probe as an OpenEXR file into a folder; beside the scene they are loaded "
-                       "with it in place of captures"),
+                    tr("Writes every baked probe to an OpenEXR file in a folder. In the folder beside the scene they "
+                       "are loaded instead of captured"),
                     &BakePanel::saveBaked);
   for (QToolButton* button : {bake_, bakeAll_, stop_, save_}) buttons->addWidget(button);
   buttons->addStretch(1);
@@ -125,14 +124,14 @@ QString BakePanel::chooseFolder() {
   if (!scene.empty()) {
     const QString beside = QString::fromStdString(BakeFolder::besideScene(scene));
     QMessageBox box(QMessageBox::Question, tr("Save baked probes"),
-                    tr("Save the baked probes into %1, where the scene finds them again?").arg(beside),
+                    tr("Save the baked probes to %1, where the scene finds them?").arg(beside),
                     QMessageBox::Save | QMessageBox::Cancel, window());
     const auto* other = box.addButton(tr("Another folder..."), QMessageBox::ActionRole);
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
     if (box.clickedButton() != other) return answer == QMessageBox::Save ? beside : QString();
   }
-  return QFileDialog::getExistingDirectory(window(), tr("Save baked probes into a folder"), start);
+  return QFileDialog::getExistingDirectory(window(), tr("Save baked probes to a folder"), start);
 }
 
 void BakePanel::saveBaked() {
@@ -158,17 +157,17 @@ void BakePanel::saveNext() {
     if (!path.empty()) ++saved_;
     if (path.empty() && !name.empty()) notFinished_.push_back(QString::fromStdString(name));
     if (!toSave_.empty()) {
-      emit message(tr("Saving baked probes: %1 to go").arg(toSave_.size()));
+      emit message(tr("Saving baked probes: %1 left").arg(toSave_.size()));
       QTimer::singleShot(0, this, &BakePanel::saveNext);
       return;
     }
     // What was written now need not be captured again after an undo.
     useFilesBeside(editor_.document().path());
-    const QString done = tr("Wrote %1 files into %2").arg(saved_).arg(folder_);
+    const QString done = tr("Wrote %1 files to %2").arg(saved_).arg(folder_);
     if (notFinished_.isEmpty()) {
       emit message(done);
     } else {
-      emit failed(tr("%1; not finished, so not written: %2").arg(done, notFinished_.join(", ")));
+      emit failed(tr("%1; not written because not finished: %2").arg(done, notFinished_.join(", ")));
     }
   } catch (const std::exception& error) {
     toSave_.clear();

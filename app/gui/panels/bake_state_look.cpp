@@ -30,14 +30,14 @@ BakeStateLook bakeStateLook(const Probe& probe, BakeState state, bool stopped) {
   const bool custom = probe.mode == ProbeMode::Custom;
   switch (state) {
     case BakeState::NotUsed:
-      return {tr("Not used: no visible object is in its influence"), kUnused, false};
+      return {tr("Not used: its influence box reaches no visible object"), kUnused, false};
     case BakeState::Stale:
-      if (stopped) return {tr("Stale: capturing was stopped"), kWaiting, false};
-      return {custom ? tr("Waits for its image") : tr("Stale: waits to be captured"), kWaiting, false};
+      if (stopped) return {tr("Out of date: capturing was stopped"), kWaiting, false};
+      return {custom ? tr("Waiting for an image") : tr("Out of date: waiting for capture"), kWaiting, false};
     case BakeState::Capturing:
       if (probe.mode == ProbeMode::Realtime) return {tr("Follows the scene"), kBusy, true};
-      return {stopped  ? tr("Stale: capturing was stopped")
-              : custom ? tr("Filtering its image")
+      return {stopped  ? tr("Out of date: capturing was stopped")
+              : custom ? tr("Filtering the image")
                        : tr("Capturing"),
               stopped ? kWaiting : kBusy, !stopped};
     case BakeState::UpToDate:

@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
@@ -14,7 +15,9 @@ namespace boxprobe {
 
 namespace {
 
-const ValueField::Format kFormat{0.0, 1e7, 0.1, 3, " m"};
+ValueField::Format format(const FieldInfo& field) {
+  return fieldFormat(field, 0.1, 3);
+}
 
 BlendDistance everyFace(double distance) {
   return {glm::dvec3(distance), glm::dvec3(distance)};
@@ -26,18 +29,19 @@ double largest(const BlendDistance& b) {
 
 }  // namespace
 
-BlendRow::BlendRow(QWidget* parent) : QWidget(parent), all_(new ValueField(kFormat, this)), faces_(new QWidget(this)) {
+BlendRow::BlendRow(QWidget* parent)
+    : QWidget(parent), all_(new ValueField(format(probeField("blendDistance")), this)), faces_(new QWidget(this)) {
   auto* form = new QFormLayout(faces_);
   form->setContentsMargins(0, 0, 0, 0);
-  const QString tip = tr("metres inside this face over which the probe's weight rises from 0 to 1");
-  min_ = new VectorRow(kFormat, tip, faces_);
-  max_ = new VectorRow(kFormat, tip, faces_);
+  const auto& min = fieldNamed(blendDistanceFields(), "min");
+  const auto& max = fieldNamed(blendDistanceFields(), "max");
+  min_ = new VectorRow(format(min), fieldTip(min), faces_);
+  max_ = new VectorRow(format(max), fieldTip(max), faces_);
   form->addRow(tr("- faces"), min_);
   form->addRow(tr("+ faces"), max_);
 
   all_->setToolTip(
-      tr("Metres inside the influence box over which the probe's weight rises from 0 at its faces to 1 at the dashed "
-         "inner box. Sets all six faces."));
+      tr("%1 The weight is 1 inside the dashed box. Sets all six faces.").arg(fieldTip(probeField("blendDistance"))));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(all_, 1);

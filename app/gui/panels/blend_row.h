@@ -22,7 +22,6 @@ class BlendRow : public QWidget {
   /// The unfolding part, as wide as the panel: the panel places it below this row.
   QWidget* faces() const { return faces_; }
   VectorRow* minFaces() const { return min_; }
-  VectorRow* maxFaces() const { return max_; }
 
  signals:
   void previewed(const BlendDistance& blend);

@@ -2,30 +2,23 @@
 #include "app/gui/panels/capture_panel.h"
 
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
-#include <QToolButton>
 #include <QVBoxLayout>
-#include <exception>
 #include <utility>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/panels/hides_list.h"
+#include "app/gui/panels/image_fields.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
-#include "filters/io/cube/cube_file.h"
 
 namespace boxprobe {
 
 namespace {
 
-const ValueField::Format kNear{1e-4, 1e6, 0.01, 4, " m"};
-const ValueField::Format kFar{1e-3, 1e7, 10.0, 2, " m"};
 const ValueField::Format kRadiance{0.0, 1e5, 0.05, 3, ""};
 constexpr double kLeastRange = 1e-3;  ///< metres between near and far
 
@@ -47,8 +40,6 @@ CapturePanel::CapturePanel(Editor& editor, QWidget* parent) : QWidget(parent), e
   buildView(form_);
   // What a field is called from outside: by style sheets and tests.
   const std::pair<QWidget*, const char*> names[] = {{mode_, "mode"},
-                                                    {layout_, "imageLayout"},
-                                                    {image_, "image"},
                                                     {faceSize_, "faceSize"},
                                                     {samples_, "samplesPerPixel"},
                                                     {bounces_, "bounces"},
@@ -65,38 +56,11 @@ CapturePanel::CapturePanel(Editor& editor, QWidget* parent) : QWidget(parent), e
 
 void CapturePanel::buildMode(QFormLayout* form) {
   mode_ =
-      addProbeChoice(form, tr("Mode"),
-                     {{tr("Baked"), static_cast<int>(ProbeMode::Baked), tr("Captured when an input changes, and kept")},
-                      {tr("Realtime"), static_cast<int>(ProbeMode::Realtime),
-                       tr("Captured over and over, one face a picture, so that moving objects are seen")},
-                      {tr("Custom image"), static_cast<int>(ProbeMode::Custom),
-                       tr("Not captured: an environment picture takes the capture's place")}},
-                     tr("Where the probe's light comes from. Default: baked"), [this](int mode) { chooseMode(mode); });
+      addProbeChoice(form, tr("Mode"), choicesOf(probeField("mode"), {tr("Baked"), tr("Realtime"), tr("Custom image")}),
+                     fieldTip(probeField("mode")), [this](int mode) { chooseMode(mode); });
 
-  imageRow_ = new QWidget(this);
-  auto* row = new QHBoxLayout(imageRow_);
-  row->setContentsMargins(0, 0, 0, 0);
-  image_ = new QLabel(imageRow_);
-  image_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  auto* choose = new QToolButton(imageRow_);
-  choose->setObjectName("chooseImage");
-  choose->setText(tr("Choose..."));
-  row->addWidget(image_, 1);
-  row->addWidget(choose);
-  addRow(form, tr("Image"), imageRow_,
-         tr("OpenEXR or Radiance HDR: latitude-longitude, cross, strip, or one of six face files"));
-  connect(choose, &QToolButton::clicked, this, &CapturePanel::chooseImage);
-  layout_ = addProbeChoice(
-      form, tr("Layout"),
-      {{tr("Detected"), static_cast<int>(CubeLayout::Automatic), tr("By the file's attributes, shape or name")},
-       {tr("Latitude-longitude"), static_cast<int>(CubeLayout::LatLong)},
-       {tr("Strip of faces"), static_cast<int>(CubeLayout::Strip)},
-       {tr("Cross"), static_cast<int>(CubeLayout::Cross)},
-       {tr("Six files"), static_cast<int>(CubeLayout::SixFiles)}},
-      tr("How the surroundings lie in the image. Default: detected"), [this](int layout) {
-        editor_.commitProbe(probeEditLabel(editor_, tr("image layout")),
-                            [layout](Probe& probe) { probe.imageLayout = static_cast<CubeLayout>(layout); });
-      });
+  image_ = new ImageFields(editor_, form);
+  connect(image_, &ImageFields::answered, this, &CapturePanel::update);
 }
 
 void CapturePanel::buildSampling(QFormLayout* form) {
@@ -105,69 +69,62 @@ void CapturePanel::buildSampling(QFormLayout* form) {
       editor_.commitProbe(probeEditLabel(editor_, what), [=](Probe& probe) { probe.*member = value; });
     };
   };
-  QVector<ProbeChoice> sizes;
-  for (const int size : {16, 32, 64, 128, 256, 512, 1024, 2048})
-    sizes.push_back({tr("%1 × %1 texels").arg(size), size});
+  const auto addWhole = [&](const QString& label, const char* key, const std::vector<int>& values,
+                            const QString& pattern, int Probe::*member) {
+    QVector<ProbeChoice> choices;
+    for (const int value : values) choices.push_back({pattern.arg(value), value});
+    return addProbeChoice(form, label, choices, fieldTip(probeField(key)), set(label.toLower(), member));
+  };
   faceSize_ =
-      addProbeChoice(form, tr("Face size"), sizes,
-                     tr("Texels along an edge of each cubemap face: sharper mirrors, more memory. Default: 256"),
-                     set(tr("face size"), &Probe::faceSize));
-  samples_ = addProbeChoice(form, tr("Samples"), {{tr("1 a texel"), 1}, {tr("4 a texel"), 4}, {tr("16 a texel"), 16}},
-                            tr("How often each texel is sampled: smoother edges, longer capture. Default: 4"),
-                            set(tr("samples"), &Probe::samplesPerPixel));
-  bounces_ = addProbeChoice(
-      form, tr("Bounces"), {{"1", 1}, {"2", 2}, {"3", 3}, {"4", 4}, {"5", 5}},
-      tr("How often the probe is captured in turn: with 1, mirrors are black in their own probe. Default: 1"),
-      set(tr("bounces"), &Probe::bounces));
-  filter_ = addProbeChoice(
-      form, tr("Filter"),
-      {{tr("GGX"), static_cast<int>(FilterKind::Ggx), tr("Levels as rough surfaces of the renderer reflect")},
-       {tr("Gaussian (frosty)"), static_cast<int>(FilterKind::Gaussian),
-        tr("An angular Gaussian of CubeMapGen's widths: a soft, frosted look")}},
-      tr("How the levels for rough surfaces are made from the capture. Default: GGX"), [this](int kind) {
-        editor_.commitProbe(probeEditLabel(editor_, tr("filter")),
-                            [kind](Probe& probe) { probe.filter = static_cast<FilterKind>(kind); });
-      });
-  filterSamples_ = addProbeChoice(
-      form, tr("Filter quality"), {{tr("64 directions"), 64}, {tr("160 directions"), 160}, {tr("400 directions"), 400}},
-      tr("Directions a texel of level 1 is filtered by, twice as many a level further: smoother around lamps, longer "
-         "filtering. Default: 64"),
-      set(tr("filter quality"), &Probe::filterSamples));
+      addWhole(tr("Face size"), "faceSize", probeField("faceSize").values, tr("%1 × %1 texels"), &Probe::faceSize);
+  samples_ = addWhole(tr("Samples"), "samplesPerPixel", probeField("samplesPerPixel").values, tr("%1 a texel"),
+                      &Probe::samplesPerPixel);
+  std::vector<int> bounces;
+  const FieldRange bounceRange = formRange(probeField("bounces"));
+  for (int count = static_cast<int>(bounceRange.lowest); count <= bounceRange.highest; ++count)
+    bounces.push_back(count);
+  bounces_ = addWhole(tr("Bounces"), "bounces", bounces, "%1", &Probe::bounces);
+  filter_ = addProbeChoice(form, tr("Filter"), choicesOf(probeField("filter"), {tr("GGX"), tr("Gaussian (frosty)")}),
+                           fieldTip(probeField("filter")), [this](int kind) {
+                             editor_.commitProbe(probeEditLabel(editor_, tr("filter")), [kind](Probe& probe) {
+                               probe.filter = static_cast<FilterKind>(kind);
+                             });
+                           });
+  filterSamples_ =
+      addWhole(tr("Filter quality"), "filterSamples", {64, 160, 400}, tr("%1 directions"), &Probe::filterSamples);
 }
 
 void CapturePanel::buildView(QFormLayout* form) {
-  near_ = addProbeNumber(editor_, form, tr("Near"), kNear,
-                         tr("Metres from the origin below which nothing is captured. Default: 0.01 m"),
-                         [](Probe& probe, double value) { probe.nearDistance = value; });
-  far_ = addProbeNumber(editor_, form, tr("Far"), kFar,
-                        tr("Metres from the origin beyond which nothing is captured. Default: 1000 m"),
+  near_ = addProbeNumber(editor_, form, tr("Near"), fieldFormat(probeField("near"), 0.01, 4),
+                         fieldTip(probeField("near")), [](Probe& probe, double value) { probe.nearDistance = value; });
+  far_ = addProbeNumber(editor_, form, tr("Far"), fieldFormat(probeField("far"), 10.0, 2), fieldTip(probeField("far")),
                         [](Probe& probe, double value) { probe.farDistance = value; });
-  clear_ = addProbeChoice(
-      form, tr("Clear to"),
-      {{tr("Sky"), 0, tr("The scene's sky, as the camera sees it")},
-       {tr("Nothing"), 1, tr("Empty: another probe, or the sky, fills what this one did not see")},
-       {tr("Colour"), 2, tr("The same light from everywhere")},
-       {tr("Open"), 3, tr("The sky as it is by then, uncorrected: it may change without another capture")}},
-      tr("What the probe holds where it sees no object. Default: sky"), [this](int index) {
-        editor_.commitProbe(probeEditLabel(editor_, tr("clear")), [index](Probe& probe) {
-          if (static_cast<int>(probe.clear.index()) != index) probe.clear = clearOf(index);
-        });
-      });
+  const auto& clear = probeField("clear");
+  clear_ = addProbeChoice(form, tr("Clear to"),
+                          {{tr("Sky"), 0, choiceTip(clear, 0)},
+                           {tr("Nothing"), 1, choiceTip(clear, 1)},
+                           {tr("Colour"), 2, tr("The same light from all directions")},
+                           {tr("Open"), 3, choiceTip(clear, 2)}},
+                          fieldTip(clear), [this](int index) {
+                            editor_.commitProbe(probeEditLabel(editor_, tr("clear")), [index](Probe& probe) {
+                              if (static_cast<int>(probe.clear.index()) != index) probe.clear = clearOf(index);
+                            });
+                          });
   clearColor_ = new VectorRow(kRadiance, tr("linear radiance, scene units"), this, "RGB");
-  addRow(form, tr("Colour"), clearColor_, tr("Linear radiance of what the probe does not see"));
+  addRow(form, tr("Colour"), clearColor_, tr("Linear radiance where the probe sees nothing"));
   const auto edit = [](int channel, double value) {
     return [=](Probe& probe) {
       if (auto* color = std::get_if<glm::vec3>(&probe.clear)) (*color)[channel] = static_cast<float>(value);
     };
   };
   connect(clearColor_, &VectorRow::previewed, this, [this, edit](int channel, double value) {
-    editor_.previewProbe(probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
+    editor_.previewProbe({clearColor_}, probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
   });
   connect(clearColor_, &VectorRow::committed, this, [this, edit](int channel, double value) {
-    editor_.commitProbe(probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
+    editor_.commitProbe({clearColor_}, probeEditLabel(editor_, tr("clear colour")), edit(channel, value));
   });
   hides_ = new HidesList(this);
-  addRow(form, tr("Hides"), hides_, tr("Objects this probe does not see, such as one that stands at its origin"));
+  addRow(form, tr("Hides"), hides_, fieldTip(probeField("hides")));
   connect(hides_, &HidesList::changed, this, [this](const std::vector<std::string>& nodes) {
     editor_.commitProbe(probeEditLabel(editor_, tr("hidden objects")), [nodes](Probe& probe) { probe.hides = nodes; });
   });
@@ -177,29 +134,9 @@ void CapturePanel::chooseMode(int mode) {
   const Probe* probe = editor_.probe();
   if (!probe) return;
   // A custom probe needs its image from the start.
-  if (static_cast<ProbeMode>(mode) == ProbeMode::Custom && probe->image.empty()) return chooseImage();
+  if (static_cast<ProbeMode>(mode) == ProbeMode::Custom && probe->image.empty()) return image_->choose();
   editor_.commitProbe(probeEditLabel(editor_, tr("mode")),
                       [mode](Probe& edited) { edited.mode = static_cast<ProbeMode>(mode); });
-}
-
-void CapturePanel::chooseImage() {
-  const Probe* probe = editor_.probe();
-  const QString folder = probe ? QFileInfo(QString::fromStdString(probe->image)).absolutePath() : QString();
-  const QString path =
-      QFileDialog::getOpenFileName(window(), tr("Environment image"), folder, tr("Environment images (*.exr *.hdr)"));
-  if (!path.isEmpty()) {
-    try {
-      // Found out now, while the probe can stay as it was.
-      loadCube(path.toStdString(), probe ? probe->imageLayout : CubeLayout::Automatic);
-      editor_.commitProbe(probeEditLabel(editor_, tr("image")), [&path](Probe& edited) {
-        edited.mode = ProbeMode::Custom;
-        edited.image = path.toStdString();
-      });
-    } catch (const std::exception& error) {
-      QMessageBox::warning(window(), tr("Cannot use this image"), QString::fromUtf8(error.what()));
-    }
-  }
-  update();  // the mode combo may show what was not taken
 }
 
 void CapturePanel::showRow(QWidget* field, bool shown) {
@@ -221,12 +158,7 @@ void CapturePanel::update() {
   if (!probe) return;
   showChoice(mode_, static_cast<int>(probe->mode));
   const bool custom = probe->mode == ProbeMode::Custom;
-  showRow(imageRow_, custom);
-  showRow(layout_, custom);
-  showChoice(layout_, static_cast<int>(probe->imageLayout));
-  const QString path = QString::fromStdString(probe->image);
-  image_->setText(QFileInfo(path).fileName());
-  image_->setToolTip(path);
+  image_->update(*probe);
   showChoice(faceSize_, probe->faceSize, tr("%1 × %1 texels"));
   showChoice(samples_, probe->samplesPerPixel, tr("%1 a texel"));
   showChoice(bounces_, probe->bounces);
@@ -234,12 +166,13 @@ void CapturePanel::update() {
   showChoice(filterSamples_, probe->filterSamples, tr("%1 directions"));
 
   // Bounds narrow only after the new values are in, which the old bounds must not cut off.
-  near_->setBounds(kNear.minimum, kNear.maximum);
-  far_->setBounds(kFar.minimum, kFar.maximum);
+  const FieldRange nearRange = formRange(probeField("near")), farRange = formRange(probeField("far"));
+  near_->setBounds(nearRange.lowest, nearRange.highest);
+  far_->setBounds(farRange.lowest, farRange.highest);
   near_->show(probe->nearDistance);
   far_->show(probe->farDistance);
-  near_->setBounds(kNear.minimum, probe->farDistance - kLeastRange);
-  far_->setBounds(probe->nearDistance + kLeastRange, kFar.maximum);
+  near_->setBounds(nearRange.lowest, probe->farDistance - kLeastRange);
+  far_->setBounds(probe->nearDistance + kLeastRange, farRange.highest);
 
   showChoice(clear_, static_cast<int>(probe->clear.index()));
   const auto* color = std::get_if<glm::vec3>(&probe->clear);

@@ -13,12 +13,11 @@
 
 class QComboBox;
 class QFormLayout;
-class QLabel;
-class QToolButton;
 
 namespace boxprobe {
 
 class HidesList;
+class ImageFields;
 class ValueField;
 class VectorRow;
 
@@ -37,15 +36,13 @@ class CapturePanel : public QWidget {
   void buildSampling(QFormLayout* form);
   void buildView(QFormLayout* form);
   void chooseMode(int mode);
-  void chooseImage();
   void showRow(QWidget* field, bool shown);
 
   Editor& editor_;
   QFormLayout* form_ = nullptr;
-  QComboBox *mode_ = nullptr, *layout_ = nullptr, *faceSize_ = nullptr, *samples_ = nullptr, *bounces_ = nullptr,
-            *filter_ = nullptr, *filterSamples_ = nullptr, *clear_ = nullptr;
-  QWidget* imageRow_ = nullptr;
-  QLabel* image_ = nullptr;
+  QComboBox *mode_ = nullptr, *faceSize_ = nullptr, *samples_ = nullptr, *bounces_ = nullptr, *filter_ = nullptr,
+            *filterSamples_ = nullptr, *clear_ = nullptr;
+  ImageFields* image_ = nullptr;
   ValueField *near_ = nullptr, *far_ = nullptr;
   VectorRow* clearColor_ = nullptr;
   HidesList* hides_ = nullptr;

@@ -78,8 +78,8 @@ CostPanel::CostPanel(Editor& editor, QWidget* parent)
   column->addWidget(state_);
   table_->setObjectName("costTable");
   table_->setHeaderLabels({tr("Technique"), tr("Frame"), tr("Error")});
-  table_->headerItem()->setToolTip(kCost, tr("CPU time of a frame over that of plain box projection"));
-  table_->headerItem()->setToolTip(kError, tr("RMSE of (x/(1+x))^(1/2.2) against the integral over the box"));
+  table_->headerItem()->setToolTip(kCost, tr("CPU time of a frame relative to plain box projection"));
+  table_->headerItem()->setToolTip(kError, tr("RMSE of (x/(1+x))^(1/2.2) relative to the integral over the box"));
   table_->setRootIsDecorated(false);
   table_->setSortingEnabled(true);
   table_->sortByColumn(kError, Qt::AscendingOrder);
@@ -87,14 +87,14 @@ CostPanel::CostPanel(Editor& editor, QWidget* parent)
   table_->header()->setSectionResizeMode(kCost, QHeaderView::ResizeToContents);
   table_->header()->setSectionResizeMode(kError, QHeaderView::ResizeToContents);
   table_->header()->setStretchLastSection(false);
-  table_->setToolTip(tr("Double-click: the selected probe uses this technique"));
+  table_->setToolTip(tr("Double-click to use this technique for the selected probe"));
   column->addWidget(table_, 2);
   auto* buttons = new QHBoxLayout;
   quick_->setObjectName("measureQuickly");
   full_->setObjectName("measure");
   stop_->setObjectName("stopMeasuring");
-  quick_->setToolTip(tr("One camera, three roughnesses: about a minute"));
-  full_->setToolTip(tr("Every camera and roughness: some minutes"));
+  quick_->setToolTip(tr("One camera and three roughnesses; takes about a minute"));
+  full_->setToolTip(tr("Every camera and roughness; takes some minutes"));
   for (QPushButton* button : {quick_, full_, stop_}) buttons->addWidget(button);
   column->addLayout(buttons);
   chart_->setObjectName("costChart");
@@ -165,7 +165,7 @@ void CostPanel::measure(bool quick) {
   stop_->show();
   quick_->setEnabled(false);
   full_->setEnabled(false);
-  emit message(tr("Measuring the file as it was saved; the window stays live"));
+  emit message(tr("Measuring the saved file; you can go on working"));
 }
 
 void CostPanel::readProgress() {
@@ -184,7 +184,7 @@ void CostPanel::readProgress() {
 void CostPanel::measured(int exitCode, QProcess::ExitStatus status) {
   progress_->hide();
   stop_->hide();
-  if (status == QProcess::NormalExit && exitCode == 0) emit message(tr("Measured: %1 techniques").arg(points_.size()));
+  if (status == QProcess::NormalExit && exitCode == 0) emit message(tr("%1 techniques measured").arg(points_.size()));
   load();
 }
 
@@ -255,15 +255,17 @@ void CostPanel::showCurrent(bool always) {
   const auto at = std::find_if(points_.begin(), points_.end(), [&](const ParetoPoint& p) { return p.label == label; });
   QString text;
   if (scenePath_.empty()) {
-    text = tr("Save the scene to measure what each technique costs in it and how wrong it is.");
+    text = tr("Save the scene first: then each technique's run time and error can be measured in it.");
   } else if (points_.empty()) {
     text =
-        tr("Not measured yet in this scene: every technique's frame time, and its error against the integral it "
-           "stands for.");
+        tr("Not measured yet in this scene. A measurement gives every technique's frame time and its error against the "
+           "integral over the box.");
   } else if (at != points_.end()) {
     text = at->onParetoFront
-               ? tr("%1 is on the front: nothing measured is both cheaper and better.").arg(label.c_str())
-               : tr("%1 is not on the front: something measured is as cheap and better.").arg(label.c_str());
+               ? tr("%1 is on the Pareto front: no measured technique is both cheaper and more accurate.")
+                     .arg(label.c_str())
+               : tr("%1 is not on the Pareto front: another technique costs no more and has a lower error.")
+                     .arg(label.c_str());
   } else {
     text = tr("The probe's technique is not among those measured.");
   }
@@ -288,7 +290,7 @@ void CostPanel::drawChart() {
   const int width = std::max(chart_->width(), kLeastChartSide), height = std::max(chart_->height(), kLeastChartSide);
   FrontChartText text;
   text.errorAxis = tr("Error").toStdString();
-  text.costAxis = tr("Frame time over plain box projection's").toStdString();
+  text.costAxis = tr("Frame time relative to plain box projection").toStdString();
   text.current = shownLabel_;
   const ImageRgba8 picture = frontChartPicture(points_, text, width, height);
   const QImage image(picture.pixels.data(), picture.width, picture.height, 4 * picture.width, QImage::Format_RGBA8888);

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 
@@ -56,10 +57,11 @@ FramePanel::FramePanel(Editor& editor, Hooks hooks, QWidget* parent)
   column->setContentsMargins(8, 8, 8, 8);
   auto* buttons = new QHBoxLayout;
   count_->setObjectName("countLookups");
-  count_->setToolTip(tr("Draws the picture once more and counts the fetches from cubemaps at each pixel"));
+  count_->setToolTip(tr("Draws the picture again and counts the cubemap lookups of each pixel"));
   heatMap_->setObjectName("heatMap");
   heatMap_->setCheckable(true);
-  heatMap_->setToolTip(tr("Colours the surfaces by their lookups, as the Debug tab's view of that name"));
+  heatMap_->setToolTip(
+      tr("Colours the surfaces by their number of lookups, like the view \"Lookups\" of the Debug tab"));
   buttons->addWidget(count_);
   buttons->addWidget(heatMap_);
   buttons->addStretch(1);
@@ -83,10 +85,12 @@ FramePanel::FramePanel(Editor& editor, Hooks hooks, QWidget* parent)
   weights_->setObjectName("objectWeights");
   weights_->addItems({tr("At each pixel"), tr("One for the object")});
   form->addRow(tr("Name"), objectName_);
-  addRow(form, tr("Probes"), mode_, tr("Which probes this object is lit by"));
-  addRow(form, tr("Weights"), weights_,
-         tr("One for the object is the share of its bounds that a probe's influence box holds: cheaper, and wrong for "
-            "large objects"));
+  const auto& mode = objectField("probeMode");
+  const auto& weights = objectField("weights");
+  addRow(form, tr("Probes"), mode_, fieldTip(mode));
+  addRow(form, tr("Weights"), weights_, fieldTip(weights));
+  for (int i = 0; i < mode_->count(); ++i) mode_->setItemData(i, choiceTip(mode, i), Qt::ToolTipRole);
+  for (int i = 0; i < weights_->count(); ++i) weights_->setItemData(i, choiceTip(weights, i), Qt::ToolTipRole);
   column->addWidget(objectPart_);
   objectPart_->hide();
 
@@ -131,7 +135,7 @@ void FramePanel::update() {
 void FramePanel::countLookups() {
   const FrameReport::Lookups lookups = hooks_.lookups();
   summary_->setText(
-      tr("Lookups a pixel: mean %1, at most %2.").arg(lookups.mean, 0, 'f', 2).arg(lookups.most, 0, 'f', 0));
+      tr("Lookups per pixel: mean %1, at most %2.").arg(lookups.mean, 0, 'f', 2).arg(lookups.most, 0, 'f', 0));
 }
 
 QTreeWidgetItem* FramePanel::section(const QString& title) {
@@ -155,8 +159,8 @@ void FramePanel::fill(const FrameReport& report) {
     addRowTo(draws, count == 1 ? tr("with 1 probe") : tr("with %1 probes").arg(count),
              QString::number(report.drawsByProbeCount[count]));
   }
-  addRowTo(draws, tr("kinds of program"), QString::number(report.variants),
-           tr("Objects of one kind share a program, textures apart"));
+  addRowTo(draws, tr("shader variants"), QString::number(report.variants),
+           tr("Objects that share a shader variant, whatever their textures"));
 
   QTreeWidgetItem* skipped = section(tr("Left out"));
   for (const std::string& line : skippedLines(report)) addRowTo(skipped, text(line), {});
@@ -174,7 +178,8 @@ void FramePanel::fill(const FrameReport& report) {
     auto* item = new QTreeWidgetItem(objects, {text(object.node), object.unlit ? tr("unlit") : QString()});
     item->setData(0, Qt::UserRole + 1, text(object.node));
     item->setToolTip(
-        0, tr("Material %1. Shares of its bounds as a whole; at a pixel they vary.").arg(text(object.material)));
+        0,
+        tr("Material %1. Shares are for the object's whole bounds; they vary per pixel.").arg(text(object.material)));
     for (const FrameReport::Share& share : object.probes) addRowTo(item, text(share.probe), percent(share.weight));
     if (!object.unlit) addRowTo(item, tr("sky"), percent(object.sky));
     item->setExpanded(object.node == object_);
@@ -183,7 +188,7 @@ void FramePanel::fill(const FrameReport& report) {
   if (listed > kListed) addRowTo(objects, tr("and %1 more").arg(listed - kListed), {});
 
   QTreeWidgetItem* memory = section(tr("Memory by probe"));
-  addRowTo(memory, tr("all maps, those kept for undo included"), megabytes(report.bytes));
+  addRowTo(memory, tr("all maps, including those kept for undo"), megabytes(report.bytes));
   std::vector<FrameReport::ProbeUse> held = report.probes;
   std::stable_sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.bytes > b.bytes; });
   for (std::size_t i = 0; i < held.size() && i < kListed && held[i].bytes > 0; ++i) {

@@ -29,11 +29,11 @@ class GlassFields : public QWidget {
   void show(const std::string& name, const Material& model);
 
  private:
-  using Edit = std::function<void(MaterialOverride&, double)>;
-  ValueField* addNumber(QFormLayout* form, const QString& name, const char* id, double minimum, double maximum,
-                        double step, const QString& suffix, const QString& tip, Edit edit);
-  void preview(const QString& what, const std::function<void(MaterialOverride&)>& edit);
-  void commit(const QString& what, const std::function<void(MaterialOverride&)>& edit);
+  /// A number of the material, by its key in the scene file.
+  ValueField* addNumber(QFormLayout* form, const QString& name, const char* key, double step);
+  /// `control`: what previews before it commits; null for a control that does not.
+  void preview(const void* control, const QString& what, const std::function<void(MaterialOverride&)>& edit);
+  void commit(const void* control, const QString& what, const std::function<void(MaterialOverride&)>& edit);
   glm::vec3 shownColor() const;
   void enable(bool transmits, bool thin);
 

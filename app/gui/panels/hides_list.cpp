@@ -32,9 +32,8 @@ void HidesList::show(const std::vector<std::string>& hidden) {
   setText(names.isEmpty()     ? tr("No object")
           : names.size() <= 2 ? names.join(", ")
                               : tr("%1 and %2 more").arg(names.front()).arg(names.size() - 1));
-  setToolTip(names.isEmpty()
-                 ? tr("Objects this probe does not see, such as one that stands at its origin. Default: none")
-                 : tr("Not seen by this probe: %1").arg(names.join(", ")));
+  setToolTip(names.isEmpty() ? tr("Objects this probe does not see, such as one at its origin. Default: none")
+                             : tr("Not seen by this probe: %1").arg(names.join(", ")));
 }
 
 void HidesList::fillMenu() {
@@ -54,7 +53,7 @@ void HidesList::fillMenu() {
     action->setDefaultWidget(box);
     menu_->addAction(action);
   }
-  if (names.empty()) menu_->addAction(tr("The models' objects have no names"))->setEnabled(false);
+  if (names.empty()) menu_->addAction(tr("The model's objects have no names"))->setEnabled(false);
 }
 
 void HidesList::toggle(const std::string& node, bool hide) {

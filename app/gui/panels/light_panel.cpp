@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
@@ -26,27 +27,28 @@ LightPanel::LightPanel(Editor& editor, QWidget* parent) : QWidget(parent), edito
 }
 
 void LightPanel::addSky(QFormLayout* form) {
-  turn_ = new ValueField({-360.0, 360.0, 5.0, 1, tr("°")}, this);
+  const auto& turn = fieldNamed(anySkyFields(), "rotationDegrees");
+  turn_ = new ValueField(fieldFormat(turn, 5.0, 1), this);
   turn_->setObjectName("skyTurn");
-  const QString tip =
-      tr("Turns a sky of a picture about the vertical. Probes that clear to open follow without a capture");
+  const QString tip = fieldTip(turn);
   turn_->setToolTip(tip);
   addRow(form, tr("Sky turned by"), turn_, tip);
   const auto turned = [](double value) { return [value](Scene& scene) { scene.skyRotationDegrees = value; }; };
   connect(turn_, &ValueField::previewed, this,
-          [this, turned](double value) { editor_.preview(tr("Turn the sky"), turned(value)); });
+          [this, turned](double value) { editor_.preview({turn_}, tr("Turn the sky"), turned(value)); });
   connect(turn_, &ValueField::committed, this,
-          [this, turned](double value) { editor_.commit(tr("Turn the sky"), turned(value)); });
+          [this, turned](double value) { editor_.commit({turn_}, tr("Turn the sky"), turned(value)); });
 }
 
 void LightPanel::addPlace(QFormLayout* form) {
   lights_ = new QuietCombo(this);
   lights_->setObjectName("light");
-  addRow(form, tr("Light"), lights_, tr("Light of the scene, in the order of its file"));
+  addRow(form, tr("Light"), lights_, tr("Lights in the order of the scene file"));
   connect(lights_, QOverload<int>::of(&QComboBox::activated), this, &LightPanel::update);
-  place_ = new VectorRow({-1e6, 1e6, 0.05, 3, ""},
-                         tr("The way a directional light travels; where any other stands, metres"), this);
-  addRow(form, tr("Direction"), place_, tr("The way a directional light travels; where any other stands, metres"));
+  const auto& direction = lightField("direction");
+  const QString tip = tr("Directional: %1 Others: %2").arg(fieldTip(direction), fieldTip(lightField("position")));
+  place_ = new VectorRow(fieldFormat(direction, 0.05, 3), tip, this);
+  addRow(form, tr("Direction"), place_, tip);
   const auto moved = [](int axis, double value) {
     return [axis, value](Light& light) {
       glm::dvec3& v = light.type == LightType::Directional ? light.direction : light.position;
@@ -54,57 +56,55 @@ void LightPanel::addPlace(QFormLayout* form) {
     };
   };
   connect(place_, &VectorRow::previewed, this,
-          [this, moved](int axis, double value) { edit(true, tr("place"), moved(axis, value)); });
+          [this, moved](int axis, double value) { edit(place_, true, tr("place"), moved(axis, value)); });
   connect(place_, &VectorRow::committed, this,
-          [this, moved](int axis, double value) { edit(false, tr("place"), moved(axis, value)); });
-  intensity_ = new ValueField({0.0, 1e6, 0.25, 3, ""}, this);
-  addRow(form, tr("Intensity"), intensity_, tr("Irradiance of a directional light, radiant intensity of any other"));
+          [this, moved](int axis, double value) { edit(place_, false, tr("place"), moved(axis, value)); });
+  intensity_ = new ValueField(fieldFormat(lightField("intensity"), 0.25, 3), this);
+  addRow(form, tr("Intensity"), intensity_, fieldTip(lightField("intensity")));
   const auto brighter = [](double value) {
     return [value](Light& light) { light.intensity = static_cast<float>(value); };
   };
   connect(intensity_, &ValueField::previewed, this,
-          [this, brighter](double value) { edit(true, tr("intensity"), brighter(value)); });
+          [this, brighter](double value) { edit(intensity_, true, tr("intensity"), brighter(value)); });
   connect(intensity_, &ValueField::committed, this,
-          [this, brighter](double value) { edit(false, tr("intensity"), brighter(value)); });
+          [this, brighter](double value) { edit(intensity_, false, tr("intensity"), brighter(value)); });
 }
 
-ValueField* LightPanel::addNumber(QFormLayout* form, const QString& text, double most, double step, int decimals,
-                                  const QString& suffix, const QString& toolTip, double Light::*member) {
-  auto* field = new ValueField({0.0, most, step, decimals, suffix}, this);
+ValueField* LightPanel::addNumber(QFormLayout* form, const QString& text, const char* key, double step, int decimals,
+                                  double Light::*member) {
+  const auto& row = lightField(key);
+  const QString toolTip = fieldTip(row);
+  auto* field = new ValueField(fieldFormat(row, step, decimals), this);
   field->setToolTip(toolTip);
   addRow(form, text, field, toolTip);
   connect(field, &ValueField::previewed, this,
-          [=](double value) { edit(true, text, [=](Light& light) { light.*member = value; }); });
+          [=](double value) { edit(field, true, text, [=](Light& light) { light.*member = value; }); });
   connect(field, &ValueField::committed, this,
-          [=](double value) { edit(false, text, [=](Light& light) { light.*member = value; }); });
+          [=](double value) { edit(field, false, text, [=](Light& light) { light.*member = value; }); });
   return field;
 }
 
 void LightPanel::addShadows(QFormLayout* form) {
+  const auto& shadows = lightField("shadows");
+  const auto& level = lightField("shadowLevel");
   shadows_ = addProbeChoice(form, tr("Shadows"),
-                            {{tr("None"), 0, tr("The light goes through walls")},
-                             {tr("By coverage"), 1, tr("Where the probe saw an opening the light comes in")},
-                             {tr("And of what moves"), 2, tr("And a shadow map of objects that move")}},
-                            tr("Of a light outside of a probe's box"), [this](int value) {
-                              edit(false, tr("shadows"),
-                                   [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
+                            {{tr("None"), 0, choiceTip(shadows, 0)},
+                             {tr("By coverage"), 1, choiceTip(shadows, 1)},
+                             {tr("By coverage, and for moving objects"), 2, choiceTip(shadows, 2)}},
+                            fieldTip(shadows), [this](int value) {
+                              commit(tr("shadows"),
+                                     [value](Light& light) { light.shadows = static_cast<LightShadows>(value); });
                             });
   shadows_->setObjectName("lightShadows");
-  angle_ = addNumber(form, tr("Angle"), 90.0, 0.25, 2, tr("°"),
-                     tr("Whole angle the light is seen under: the sun's is 0.53. Softens the shadows"),
-                     &Light::angleDegrees);
+  angle_ = addNumber(form, tr("Angle"), "angleDegrees", 0.25, 2, &Light::angleDegrees);
   angle_->setObjectName("lightAngle");
-  radius_ = addNumber(form, tr("Radius"), 1e4, 0.05, 3, tr(" m"), tr("Of the light's sphere. Softens the shadows"),
-                      &Light::radius);
-  level_ = addProbeChoice(form, tr("Softness"),
-                          {{tr("By size"), 0, tr("The light's size, laid on the wall")},
-                           {tr("By distance"), 1, tr("Levels in proportion to the distance, as published")}},
-                          tr("What chooses the coverage's level"), [this](int value) {
-                            edit(false, tr("softness"),
-                                 [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
-                          });
-  perUnit_ = addNumber(form, tr("Levels a metre"), 100.0, 0.05, 3, "",
-                       tr("0: all levels over the longest distance in the probe's box"), &Light::levelsPerUnit);
+  radius_ = addNumber(form, tr("Radius"), "radius", 0.05, 3, &Light::radius);
+  level_ = addProbeChoice(
+      form, tr("Softness"), {{tr("By size"), 0, choiceTip(level, 0)}, {tr("By distance"), 1, choiceTip(level, 1)}},
+      fieldTip(level), [this](int value) {
+        commit(tr("softness"), [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
+      });
+  perUnit_ = addNumber(form, tr("Levels a metre"), "levelsPerUnit", 0.05, 3, &Light::levelsPerUnit);
 }
 
 void LightPanel::showRow(QWidget* field, bool shown) {
@@ -128,13 +128,18 @@ QString LightPanel::label(const QString& what) const {
   return tr("Set %1 of light %2").arg(what.toLower()).arg(static_cast<int>(index().value_or(0)) + 1);
 }
 
-void LightPanel::edit(bool preview, const QString& what, const LightEdit& change) {
+void LightPanel::commit(const QString& what, const LightEdit& change) {
+  edit(nullptr, false, what, change);
+}
+
+void LightPanel::edit(const void* control, bool preview, const QString& what, const LightEdit& change) {
   const auto at = index();
   if (!at) return;
   const Document::Edit whole = [at, change](Scene& scene) {
     if (*at < scene.lights.size()) change(scene.lights[*at]);
   };
-  preview ? editor_.preview(label(what), whole) : editor_.commit(label(what), whole);
+  const EditToken token{control, 0, std::to_string(*at)};
+  preview ? editor_.preview(token, label(what), whole) : editor_.commit(token, label(what), whole);
 }
 
 void LightPanel::update() {

@@ -29,9 +29,11 @@ class LightPanel : public QWidget {
   std::optional<std::size_t> index() const;
   const Light* light() const;
   QString label(const QString& what) const;
-  void edit(bool preview, const QString& what, const LightEdit& change);
-  ValueField* addNumber(QFormLayout* form, const QString& label, double most, double step, int decimals,
-                        const QString& suffix, const QString& toolTip, double Light::*member);
+  void commit(const QString& what, const LightEdit& change);
+  /// Of a control that previews before it commits.
+  void edit(const void* control, bool preview, const QString& what, const LightEdit& change);
+  ValueField* addNumber(QFormLayout* form, const QString& text, const char* key, double step, int decimals,
+                        double Light::*member);
   void showRow(QWidget* field, bool shown);
   void addSky(QFormLayout* form);
   void addPlace(QFormLayout* form);

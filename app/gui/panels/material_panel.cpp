@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/panels/glass_fields.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
@@ -32,7 +33,7 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
       editor_(editor),
       materials_(new QuietCombo(this)),
       slider_(new QSlider(Qt::Horizontal, this)),
-      field_(new ValueField({0.0, 1.0, 0.01, 3, ""}, this)),
+      field_(new ValueField(fieldFormat(materialField("roughness"), 0.01, 3), this)),
       reset_(new QPushButton(tr("As in the model"), this)),
       glass_(new GlassFields(editor, this)) {
   auto* layout = new QVBoxLayout(this);
@@ -44,7 +45,7 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(slider_, 1);
   row->addWidget(field_);
-  const QString tip = tr("Perceptual roughness as in glTF: 0 is a mirror, 1 is matt");
+  const QString tip = fieldTip(materialField("roughness"));
   materials_->setObjectName("material");
   slider_->setObjectName("roughness");
   slider_->setRange(0, kSliderSteps);
@@ -52,7 +53,7 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
   slider_->setFocusPolicy(Qt::StrongFocus);
   field_->setToolTip(tip);
   addRow(form, tr("Roughness"), line, tip);
-  reset_->setToolTip(tr("Removes the scene's own value; the one in the model file counts again"));
+  reset_->setToolTip(tr("Removes the scene's value; the value in the model file applies again"));
   form->addRow(QString(), reset_);
   layout->addWidget(glass_);
 
@@ -104,11 +105,11 @@ QString MaterialPanel::label() const {
 }
 
 void MaterialPanel::preview(double roughness) {
-  editor_.preview(label(), roughnessEdit(material(), roughness));
+  editor_.preview({this, 0, material()}, label(), roughnessEdit(material(), roughness));
 }
 
 void MaterialPanel::commit(double roughness) {
-  editor_.commit(label(), roughnessEdit(material(), roughness));
+  editor_.commit({this, 0, material()}, label(), roughnessEdit(material(), roughness));
 }
 
 void MaterialPanel::update() {

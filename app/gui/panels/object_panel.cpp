@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 #include "app/gui/widgets/value_field.h"
@@ -21,13 +22,15 @@ ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
     : QWidget(parent),
       editor_(editor),
       nodes_(new QuietCombo(this)),
-      dynamic_(new QCheckBox(tr("Moves: baked probes leave it out"), this)),
-      position_(new VectorRow({-1e7, 1e7, 0.05, 3, ""}, tr("on top of where its model puts it, scene units"), this)),
-      rotation_(new VectorRow({-3600.0, 3600.0, 5.0, 1, ""}, tr("degrees, about its node's own origin"), this)),
+      dynamic_(new QCheckBox(tr("Moving object: baked probes do not capture it"), this)),
+      position_(
+          new VectorRow(fieldFormat(objectField("translation"), 0.05, 3), fieldTip(objectField("translation")), this)),
+      rotation_(new VectorRow(fieldFormat(objectField("rotationDegrees"), 5.0, 1),
+                              fieldTip(objectField("rotationDegrees")), this)),
       mirror_(new QCheckBox(tr("Reflects objects that move"), this)),
       mirrorPart_(new QWidget(this)),
-      maxRoughness_(new ValueField({0.0, 1.0, 0.05, 3, ""}, this)),
-      resolution_(new ValueField({0.1, 4.0, 0.25, 2, ""}, this)),
+      maxRoughness_(new ValueField(fieldFormat(mirrorField("maxRoughness"), 0.05, 3), this)),
+      resolution_(new ValueField(fieldFormat(mirrorField("resolution"), 0.25, 2), this)),
       problem_(helpLabel(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -37,23 +40,22 @@ ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
   position_->setObjectName("objectPosition");
   rotation_->setObjectName("objectRotation");
   addRow(form, tr("Name"), nodes_, tr("Object of the model, by its node's name in the file"));
-  dynamic_->setToolTip(
-      tr("Baked probes do not see it, so that moving it captures nothing anew; planar mirrors show it"));
+  dynamic_->setToolTip(fieldTip(objectField("dynamic")));
   form->addRow(QString(), dynamic_);
-  addRow(form, tr("Moved by"), position_, tr("On top of where its model puts it"));
-  addRow(form, tr("Turned by"), rotation_, tr("Degrees about X, Y, Z, around its node's own origin"));
+  addRow(form, tr("Moved by"), position_, fieldTip(objectField("translation")));
+  addRow(form, tr("Turned by"), rotation_, fieldTip(objectField("rotationDegrees")));
 
   QFormLayout* plane = addSection(this, tr("Planar mirror"));
   mirror_->setObjectName("planarMirror");
   mirror_->setToolTip(
-      tr("A second, mirrored camera draws the objects that move over what the probes reflect. One flat surface only"));
+      tr("A second, mirrored camera draws moving objects over what the probes reflect. One flat surface only"));
   plane->addRow(QString(), mirror_);
   auto* part = new QFormLayout(mirrorPart_);
   part->setContentsMargins(0, 0, 0, 0);
   maxRoughness_->setObjectName("mirrorMaxRoughness");
   resolution_->setObjectName("mirrorResolution");
-  addRow(part, tr("Up to roughness"), maxRoughness_, tr("Rougher than this, it has no picture and costs nothing"));
-  addRow(part, tr("Texels a pixel"), resolution_, tr("Of its picture, each way; its mip levels do the rest"));
+  addRow(part, tr("Roughness limit"), maxRoughness_, fieldTip(mirrorField("maxRoughness")));
+  addRow(part, tr("Texels a pixel"), resolution_, fieldTip(mirrorField("resolution")));
   plane->addRow(mirrorPart_);
   problem_->setObjectName("mirrorProblem");
   plane->addRow(problem_);
@@ -74,18 +76,24 @@ void ObjectPanel::connectVector(VectorRow* row, const QString& pattern, glm::dve
   const auto edit = [this, field](int axis, double value) {
     return objectEdit([=](ObjectOverride& object) { (object.*field)[axis] = value; });
   };
-  connect(row, &VectorRow::previewed, this,
-          [=](int axis, double value) { editor_.preview(label(pattern), edit(axis, value)); });
-  connect(row, &VectorRow::committed, this,
-          [=](int axis, double value) { editor_.commit(label(pattern), edit(axis, value)); });
+  connect(row, &VectorRow::previewed, this, [=](int axis, double value) {
+    editor_.preview({row, 0, node()}, label(pattern), edit(axis, value));
+  });
+  connect(row, &VectorRow::committed, this, [=](int axis, double value) {
+    editor_.commit({row, 0, node()}, label(pattern), edit(axis, value));
+  });
 }
 
 void ObjectPanel::connectNumber(ValueField* field, const QString& pattern, double PlanarMirror::*member) {
   const auto edit = [this, member](double value) {
     return mirrorEdit([=](PlanarMirror& mirror) { mirror.*member = value; });
   };
-  connect(field, &ValueField::previewed, this, [=](double value) { editor_.preview(label(pattern), edit(value)); });
-  connect(field, &ValueField::committed, this, [=](double value) { editor_.commit(label(pattern), edit(value)); });
+  connect(field, &ValueField::previewed, this, [=](double value) {
+    editor_.preview({field, 0, node()}, label(pattern), edit(value));
+  });
+  connect(field, &ValueField::committed, this, [=](double value) {
+    editor_.commit({field, 0, node()}, label(pattern), edit(value));
+  });
 }
 
 void ObjectPanel::makeMirror(bool on) {

@@ -7,6 +7,7 @@
 #include <QSlider>
 #include <cmath>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
 
@@ -16,7 +17,10 @@ namespace {
 
 constexpr int kSliderPerStop = 10;
 constexpr int kStops = 6;  ///< either way
-constexpr double kSmallestExposure = 1e-3;
+
+const FieldRow<Scene>& exposureField() {
+  return fieldNamed(sceneFields(), "exposure");
+}
 
 Document::Edit exposureEdit(double exposure) {
   return [exposure](Scene& scene) { scene.exposure = exposure; };
@@ -28,7 +32,7 @@ PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
     : QWidget(parent),
       editor_(editor),
       slider_(new QSlider(Qt::Horizontal, this)),
-      field_(new ValueField({kSmallestExposure, 1000.0, 0.1, 3, ""}, this)) {
+      field_(new ValueField(fieldFormat(exposureField(), 0.1, 3), this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   QFormLayout* form = addSection(this, tr("Picture"));
@@ -37,8 +41,7 @@ PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(slider_, 1);
   row->addWidget(field_);
-  const QString tip =
-      tr("Factor on the picture's light before it is shown; the slider spans %1 stops either way").arg(kStops);
+  const QString tip = tr("%1 The slider spans %2 stops either way.").arg(fieldTip(exposureField())).arg(kStops);
   slider_->setRange(-kStops * kSliderPerStop, kStops * kSliderPerStop);
   slider_->setFocusPolicy(Qt::StrongFocus);
   slider_->setToolTip(tip);
@@ -55,11 +58,11 @@ PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
 }
 
 void PicturePanel::preview(double exposure) {
-  editor_.preview(tr("Set exposure"), exposureEdit(exposure));
+  editor_.preview({this}, tr("Set exposure"), exposureEdit(exposure));
 }
 
 void PicturePanel::commit(double exposure) {
-  editor_.commit(tr("Set exposure"), exposureEdit(exposure));
+  editor_.commit({this}, tr("Set exposure"), exposureEdit(exposure));
 }
 
 void PicturePanel::update() {
@@ -67,7 +70,8 @@ void PicturePanel::update() {
   field_->show(exposure);
   const QSignalBlocker quiet(slider_);
   if (!slider_->isSliderDown()) {
-    slider_->setValue(static_cast<int>(std::lround(std::log2(std::max(exposure, kSmallestExposure)) * kSliderPerStop)));
+    slider_->setValue(static_cast<int>(
+        std::lround(std::log2(std::max(exposure, formRange(exposureField()).lowest)) * kSliderPerStop)));
   }
 }
 

@@ -34,9 +34,10 @@ ProbeList::ProbeList(Editor& editor, Hooks hooks, QWidget* parent)
 
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(0, 0, 0, 0);
-  buttons->addWidget(addButton(tr("Add"), tr("A probe captured at the middle of the view, its box fitted to the scene"),
+  buttons->addWidget(addButton(tr("Add"),
+                               tr("Adds a probe captured at the centre of the view, with its box fitted to the scene"),
                                &ProbeList::addProbe));
-  duplicate_ = addButton(tr("Duplicate"), tr("A copy of the selected probe (Ctrl+D)"), &ProbeList::duplicateProbe);
+  duplicate_ = addButton(tr("Duplicate"), tr("Copies the selected probe (Ctrl+D)"), &ProbeList::duplicateProbe);
   delete_ = addButton(tr("Delete"), tr("Removes the selected probe (Delete)"), &ProbeList::deleteProbe);
   buttons->addWidget(duplicate_);
   buttons->addWidget(delete_);
@@ -101,7 +102,7 @@ void ProbeList::rename(QListWidgetItem* item) {
   if (to.isEmpty()) {
     emit editor_.failed(tr("A probe needs a name; it stays %1").arg(QString::fromStdString(from)));
   } else if (holder && *holder != row) {
-    emit editor_.failed(tr("There is a probe %1 already; each needs its own name").arg(to));
+    emit editor_.failed(tr("A probe named %1 already exists; each needs its own name").arg(to));
   } else if (to.toStdString() != from) {
     const std::string name = to.toStdString();
     editor_.commit(tr("Rename %1 to %2").arg(QString::fromStdString(from), to),

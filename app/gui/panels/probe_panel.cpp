@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/handles/probe_frame.h"
 #include "app/gui/panels/blend_row.h"
@@ -20,11 +21,21 @@ namespace boxprobe {
 
 namespace {
 
-const ValueField::Format kMetres{-1e7, 1e7, 0.1, 3, " m"};
-const ValueField::Format kLength{0.0, 1e7, 0.05, 3, " m"};
-const ValueField::Format kDegrees{-360.0, 360.0, 5.0, 1, "°"};
-const ValueField::Format kFactor{0.0, 1000.0, 0.05, 2, ""};
-const ValueField::Format kLevel{0.0, 1000.0, 1.0, 2, ""};
+const FieldRow<Box>& boxField(const char* key) {
+  return fieldNamed(boxFields(), key);
+}
+const FieldRow<Bevel>& bevelField(const char* key) {
+  return fieldNamed(bevelFields(), key);
+}
+const FieldRow<BoxOcclusion>& occlusionField(const char* key) {
+  return fieldNamed(occlusionFields(), key);
+}
+
+/// One corner of a box: the row's limits, and a tip of what the box is.
+VectorRow* cornerRow(const char* key, const FieldInfo& box, QWidget* parent) {
+  const FieldRow<Box>& corner = boxField(key);
+  return new VectorRow(fieldFormat(corner, 0.1, 3), fieldTip(corner, {}) + " " + fieldTip(box, {}), parent);
+}
 
 QString boxSizeText(const Box& box) {
   const glm::dvec3 s = box.size();
@@ -77,26 +88,29 @@ QString ProbePanel::label(const QString& what) const {
 
 void ProbePanel::connectVector(VectorRow* row, const QString& what, const VectorEdit& edit) {
   const auto labelFor = [this, what](int axis) { return label(what + " " + QString("XYZ"[axis])); };
-  connect(row, &VectorRow::previewed, this, [this, labelFor, edit](int axis, double value) {
-    editor_.previewProbe(labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
+  connect(row, &VectorRow::previewed, this, [this, row, labelFor, edit](int axis, double value) {
+    editor_.previewProbe({row, axis}, labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
   });
-  connect(row, &VectorRow::committed, this, [this, labelFor, edit](int axis, double value) {
-    editor_.commitProbe(labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
+  connect(row, &VectorRow::committed, this, [this, row, labelFor, edit](int axis, double value) {
+    editor_.commitProbe({row, axis}, labelFor(axis), [=](Probe& probe) { edit(probe, axis, value); });
   });
 }
 
 void ProbePanel::buildPlace() {
   QFormLayout* form = addSection(this, tr("Probe"));
-  origin_ = new VectorRow(kMetres, tr("capture origin in the world, metres: where the cubemap is taken from"), this);
-  boxMin_ = new VectorRow(kMetres, tr("least corner of the projection box, metres"), this);
-  boxMax_ = new VectorRow(kMetres, tr("greatest corner of the projection box, metres"), this);
-  rotation_ = new VectorRow(kDegrees, tr("turns the box about its centre, in degrees, X first, then Y, then Z"), this);
+  const auto& origin = probeField("origin");
+  const auto& box = probeField("box");
+  const auto& rotation = probeField("rotationDegrees");
+  origin_ = new VectorRow(fieldFormat(origin, 0.1, 3), fieldTip(origin), this);
+  boxMin_ = cornerRow("min", box, this);
+  boxMax_ = cornerRow("max", box, this);
+  rotation_ = new VectorRow(fieldFormat(rotation, 5.0, 1), fieldTip(rotation), this);
   size_ = new QLabel(this);
-  addRow(form, tr("Origin"), origin_, tr("Where the cubemap is captured (the diamond in the picture)"));
-  addRow(form, tr("Box min"), boxMin_, tr("The box reflections are projected onto: put its faces on the walls"));
-  addRow(form, tr("Box max"), boxMax_, tr("The box reflections are projected onto: put its faces on the walls"));
+  addRow(form, tr("Origin"), origin_, tr("%1 It is the diamond in the picture.").arg(fieldTip(origin)));
+  addRow(form, tr("Box min"), boxMin_, fieldTip(box));
+  addRow(form, tr("Box max"), boxMax_, fieldTip(box));
   addRow(form, tr("Size"), size_, tr("Extent of the box along its own axes"));
-  addRow(form, tr("Rotation"), rotation_, tr("Turns the box about its centre"));
+  addRow(form, tr("Rotation"), rotation_, fieldTip(rotation));
 
   connectVector(origin_, tr("origin"), [](Probe& probe, int axis, double value) { probe.origin[axis] = value; });
   connectVector(rotation_, tr("rotation"),
@@ -113,23 +127,23 @@ void ProbePanel::buildInfluence() {
   addRow(form, tr("Blend distance"), blend_);
   form->addRow(blend_->faces());
   connect(blend_, &BlendRow::previewed, this, [this](const BlendDistance& blend) {
-    editor_.previewProbe(label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
+    editor_.previewProbe({blend_}, label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
   });
   connect(blend_, &BlendRow::committed, this, [this](const BlendDistance& blend) {
-    editor_.commitProbe(label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
+    editor_.commitProbe({blend_}, label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
   });
-  importance_ = addProbeNumber(editor_, form, tr("Importance"), kLevel,
-                               tr("Where probes overlap, the higher importance takes its share first"),
+  const auto& importance = probeField("importance");
+  importance_ = addProbeNumber(editor_, form, tr("Importance"), fieldFormat(importance, 1.0, 2), fieldTip(importance),
                                [](Probe& probe, double value) { probe.importance = value; });
 
-  ownInfluence_ = new QCheckBox(tr("Influence box of its own"), this);
-  ownInfluence_->setToolTip(tr("Off: the probe reaches as far as its projection box"));
+  ownInfluence_ = new QCheckBox(tr("Separate influence box"), this);
+  ownInfluence_->setToolTip(tr("Off: the influence box is the projection box"));
   form->addRow(ownInfluence_);
   influenceFields_ = new QWidget(this);
   auto* fields = new QFormLayout(influenceFields_);
   fields->setContentsMargins(0, 0, 0, 0);
-  influenceMin_ = new VectorRow(kMetres, tr("least corner of the influence box, metres"), influenceFields_);
-  influenceMax_ = new VectorRow(kMetres, tr("greatest corner of the influence box, metres"), influenceFields_);
+  influenceMin_ = cornerRow("min", probeField("influence"), influenceFields_);
+  influenceMax_ = cornerRow("max", probeField("influence"), influenceFields_);
   fields->addRow(tr("Min"), influenceMin_);
   fields->addRow(tr("Max"), influenceMax_);
   form->addRow(influenceFields_);
@@ -155,10 +169,10 @@ void ProbePanel::buildLook() {
   parameters_ = new TechniqueParametersPanel(editor_, this);
   form->addRow(parameters_);
   projection_ = new QCheckBox(tr("Project onto the box"), this);
-  projection_->setToolTip(
-      tr("Off: the cubemap is looked up with the bare reflection vector, as if infinitely far away"));
+  projection_->setToolTip(fieldTip(probeField("projection")));
   form->addRow(projection_);
-  intensity_ = addProbeNumber(editor_, form, tr("Intensity"), kFactor, tr("Factor on the probe's light, 1 as captured"),
+  const auto& intensity = probeField("intensity");
+  intensity_ = addProbeNumber(editor_, form, tr("Intensity"), fieldFormat(intensity, 0.05, 2), fieldTip(intensity),
                               [](Probe& probe, double value) { probe.intensity = value; });
   buildEdges(form);
   connect(technique_, &TechniqueChooser::chosen, this, [this](const std::string& id) {
@@ -177,19 +191,14 @@ void ProbePanel::buildEdges(QFormLayout* form) {
       probe.bevel = bevel == Bevel() ? std::nullopt : std::optional<Bevel>(bevel);
     };
   };
-  bevelRadius_ = addProbeNumber(editor_, form, tr("Bevel"), kLength,
-                                tr("Radius of the projection box's edges, metres: reflections turn a corner instead of "
-                                   "breaking at it. 0: sharp"),
-                                edit(&Bevel::radius));
-  bevelFromRoughness_ =
-      addProbeNumber(editor_, form, tr("Bevel by roughness"), kLength,
-                     tr("Metres of radius added at roughness 1, in proportion to the roughness: rough "
-                        "surfaces, which show no edge, have none"),
-                     edit(&Bevel::fromRoughness));
+  const auto& radius = bevelField("radius");
+  const auto& fromRoughness = bevelField("fromRoughness");
+  bevelRadius_ =
+      addProbeNumber(editor_, form, tr("Bevel"), fieldFormat(radius, 0.05, 3), fieldTip(radius), edit(&Bevel::radius));
+  bevelFromRoughness_ = addProbeNumber(editor_, form, tr("Bevel by roughness"), fieldFormat(fromRoughness, 0.05, 3),
+                                       fieldTip(fromRoughness), edit(&Bevel::fromRoughness));
   occluded_ = new QCheckBox(tr("Box occlusion"), this);
-  occluded_->setToolTip(
-      tr("Darkens what lies near in the reflection: by mix(1, o, strength) with o = multiplier x d^power, d in metres "
-         "along the reflected ray. A look; it makes no picture truer"));
+  occluded_->setToolTip(fieldTip(probeField("occlusion")));
   form->addRow(occluded_);
   connect(occluded_, &QCheckBox::clicked, this, [this](bool on) {
     editor_.commitProbe(label(tr("box occlusion")), [on](Probe& probe) {
@@ -205,20 +214,19 @@ void ProbePanel::buildEdges(QFormLayout* form) {
   auto* fields = new QFormLayout(occlusionFields_);
   fields->setContentsMargins(0, 0, 0, 0);
   form->addRow(occlusionFields_);
-  occlusionMultiplier_ = addProbeNumber(editor_, fields, tr("Multiplier"), kFactor,
-                                        tr("Openness at a distance of 1 m: 1 is fully open there, 0.2 a fifth"),
-                                        set(&BoxOcclusion::multiplier));
-  occlusionPower_ =
-      addProbeNumber(editor_, fields, tr("Distance power"), {0.0, 16.0, 0.1, 2, ""},
-                     tr("How fast it opens with distance: 1 in proportion, 0 not at all"), set(&BoxOcclusion::power));
-  occlusionStrength_ = addProbeNumber(editor_, fields, tr("Strength"), {0.0, 1.0, 0.05, 2, ""},
-                                      tr("Share of the darkening that is applied"), set(&BoxOcclusion::strength));
+  const auto number = [&](const QString& name, const char* key, double step, double BoxOcclusion::*member) {
+    const auto& row = occlusionField(key);
+    return addProbeNumber(editor_, fields, name, fieldFormat(row, step, 2), fieldTip(row), set(member));
+  };
+  occlusionMultiplier_ = number(tr("Multiplier"), "multiplier", 0.05, &BoxOcclusion::multiplier);
+  occlusionPower_ = number(tr("Distance power"), "power", 0.1, &BoxOcclusion::power);
+  occlusionStrength_ = number(tr("Strength"), "strength", 0.05, &BoxOcclusion::strength);
 }
 
 void ProbePanel::updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
-    min->field(axis)->setBounds(kMetres.minimum, box.max[axis] - kMinimumThickness);
-    max->field(axis)->setBounds(box.min[axis] + kMinimumThickness, kMetres.maximum);
+    min->field(axis)->setBounds(formRange(boxField("min")).lowest, box.max[axis] - kMinimumThickness);
+    max->field(axis)->setBounds(box.min[axis] + kMinimumThickness, formRange(boxField("max")).highest);
   }
 }
 
@@ -228,8 +236,9 @@ void ProbePanel::update() {
   if (!probe) return;
   origin_->show(probe->origin);
   // Bounds narrow only after the new values are in, which the old bounds must not cut off.
+  const FieldRange corner = formRange(boxField("min"));
   for (VectorRow* row : {boxMin_, boxMax_, influenceMin_, influenceMax_}) {
-    for (int axis = 0; axis < 3; ++axis) row->field(axis)->setBounds(kMetres.minimum, kMetres.maximum);
+    for (int axis = 0; axis < 3; ++axis) row->field(axis)->setBounds(corner.lowest, corner.highest);
   }
   boxMin_->show(probe->box.min);
   boxMax_->show(probe->box.max);

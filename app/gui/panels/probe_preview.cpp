@@ -81,20 +81,23 @@ ProbePreview::ProbePreview(Editor& editor, SceneRenderer& renderer, std::functio
 
 void ProbePreview::buildFields() {
   QFormLayout* form = addSection(this, tr("Cubemap of the selected probe"));
-  what_ = addProbeChoice(form, tr("Show"),
-                         {{tr("Light"), kRadiance, tr("Radiance as captured and filtered, in the picture's exposure")},
-                          {tr("Distance"), kDistance, tr("From the capture origin to what was seen; black: nothing")}},
-                         tr("What of the probe's maps is shown"), [this](int) { update(); });
+  what_ = addProbeChoice(
+      form, tr("Show"),
+      {{tr("Light"), kRadiance, tr("Captured and filtered radiance at the picture's exposure")},
+       {tr("Distance"), kDistance,
+        tr("Distance from the capture origin to the captured surfaces; black where nothing was captured")}},
+      tr("Which of the probe's maps is shown"), [this](int) { update(); });
   kind_ = addProbeChoice(
       form, tr("As"),
       {{tr("Cross"), static_cast<int>(CubePictureKind::Cross), tr("The six faces: -Z +X +Z -X around, +Y above")},
        {tr("Latitude-longitude"), static_cast<int>(CubePictureKind::LatLong), tr("The whole sphere in one picture")}},
-      tr("As someone at the origin sees it: +Z in the middle, +X to its left, +Y up"), [this](int) { draw(); });
+      tr("Seen from the origin: +Z in the middle, +X to its left, +Y up"), [this](int) { draw(); });
   level_ = new QSlider(Qt::Horizontal, this);
   level_->setFocusPolicy(Qt::StrongFocus);
   level_->setPageStep(1);
   level_->setRange(0, 0);
-  addRow(form, tr("Level"), level_, tr("0 is the capture itself; each further level is filtered for rougher surfaces"));
+  addRow(form, tr("Level"), level_,
+         tr("Mip level 0 is the capture itself; each further level is filtered for rougher surfaces"));
   levelText_ = new QLabel(this);
   form->addRow(QString(), levelText_);
   connect(level_, &QSlider::valueChanged, this, [this] {
@@ -103,16 +106,17 @@ void ProbePreview::buildFields() {
     update();
   });
   stops_ = new ValueField({-16.0, 16.0, 0.5, 1, tr(" stops")}, this);
-  addRow(form, tr("Brightness"), stops_, tr("Of this preview, on top of the picture's exposure; one stop doubles it"));
+  addRow(form, tr("Brightness"), stops_,
+         tr("Exposure of this preview on top of the picture's exposure; one stop doubles the light"));
   connect(stops_, &ValueField::previewed, this, &ProbePreview::draw);
   connect(stops_, &ValueField::committed, this, &ProbePreview::draw);
   sphere_ = addProbeChoice(
       form, tr("Sphere"),
       {{tr("None"), static_cast<int>(SphereKind::Off)},
        {tr("Chrome"), static_cast<int>(SphereKind::Chrome), tr("A mirror: the capture itself")},
-       {tr("Rough, of this level"), static_cast<int>(SphereKind::Rough), tr("A metal of the roughness above")},
-       {tr("Diffuse"), static_cast<int>(SphereKind::Diffuse), tr("Matt white: the probe's irradiance")}},
-      tr("A sphere at the capture origin in the 3D view, lit by this probe's maps alone. Captures do not see it"),
+       {tr("Roughness of this mip level"), static_cast<int>(SphereKind::Rough), tr("A metal with the roughness above")},
+       {tr("Diffuse"), static_cast<int>(SphereKind::Diffuse), tr("Diffuse white: the probe's irradiance")}},
+      tr("Shows a sphere at the capture origin in the 3D view, lit by this probe's maps alone. Captures do not see it"),
       [this](int) { updateSphere(); });
   const std::pair<QWidget*, const char*> names[] = {{what_, "previewWhat"},   {kind_, "previewKind"},
                                                     {level_, "previewLevel"}, {levelText_, "previewLevelText"},
@@ -131,7 +135,7 @@ int ProbePreview::level() const {
 void ProbePreview::setWatched(bool watched) {
   watched_ = watched;
   if (watched) return update();
-  // What was half read is read anew when someone looks again.
+  // What was half read is read again when someone looks again.
   if (reader_.pending()) maps_.reset();
   reader_.stop();
   timer_.stop();
@@ -188,7 +192,7 @@ void ProbePreview::draw() {
   const auto kind = static_cast<CubePictureKind>(kind_->currentData().toInt());
   const QString instead = !editor_.probe() ? tr("No probe selected")
                           : showsDistance()
-                              ? tr("This probe has no distances (an imported picture, or not captured yet)")
+                              ? tr("This probe has no distances: its picture was imported, or it is not captured yet")
                               : tr("Not captured yet");
   if (readDistance_) {
     // What lies far outside would leave the room itself black: the scale ends at the box's diagonal.
@@ -232,9 +236,10 @@ void ProbePreview::updateSphere() {
 
 void ProbePreview::tell(const std::optional<glm::vec3>& direction) {
   if (!direction || cube_.empty()) {
-    readout_->setText(cube_.empty()   ? QString()
-                      : readDistance_ ? tr("Black: nothing seen. White: %1 m and beyond.").arg(farthest_, 0, 'g', 4)
-                                      : tr("Point at the picture to read a texel."));
+    readout_->setText(cube_.empty() ? QString()
+                      : readDistance_
+                          ? tr("Black: nothing was captured. White: %1 m and beyond.").arg(farthest_, 0, 'g', 4)
+                          : tr("Point at the picture to read a texel."));
     return;
   }
   const CubePoint point = cubePoint(*direction);

@@ -39,8 +39,8 @@ std::string idOf(int projection, int evaluation) {
 }  // namespace
 
 TechniqueChooser::TechniqueChooser(QWidget* parent) : QWidget(parent) {
-  projection_ = comboOf(projectionRows(), tr("Where the reflected ray hits"), this);
-  evaluation_ = comboOf(evaluationRows(), tr("How the lobe around the reflected ray is looked up"), this);
+  projection_ = comboOf(projectionRows(), tr("How the reflected ray is projected"), this);
+  evaluation_ = comboOf(evaluationRows(), tr("How the lobe around the reflected ray is evaluated"), this);
   projection_->setObjectName("techniqueProjection");
   evaluation_->setObjectName("techniqueEvaluation");
   auto* column = new QVBoxLayout(this);

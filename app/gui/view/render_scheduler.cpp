@@ -68,7 +68,7 @@ void RenderScheduler::turn() {
     ++renders_;
     sinceRender_.restart();
     emit rendered();
-    // Captures come first: what they change begins the picture anew.
+    // Captures come first: what they change begins the picture again.
     if (!more && hooks_.refinable()) requestRender();
   }
   if (ended) emit workEnded();

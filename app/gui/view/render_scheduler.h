@@ -1,6 +1,6 @@
 // When the window renders: however many things change in one turn of the event loop, at most one picture is drawn in
-// it; between pictures, capture and filter work goes on one unit a turn, so that the window keeps answering. Called by
-// whatever changes the picture; it knows a window and work only as functions.
+// it; between pictures, capture and filter work goes on one unit per turn, so that the window keeps answering. Called
+// by whatever changes the picture; it knows a window and work only as functions.
 #pragma once
 
 #include <QElapsedTimer>

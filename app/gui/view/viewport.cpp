@@ -120,8 +120,8 @@ void Viewport::placeInvitation() {
 
 void Viewport::initializeGL() {
   QVTKOpenGLNativeWidget::initializeGL();
-  // Where the processor draws, four samples a pixel make a picture take three times as long: following the mouse comes
-  // first there.
+  // Where the processor draws, four samples per pixel make a picture take three times as long: following the mouse
+  // comes first there.
   softwareRenderer_ = drawsOnCpu();
   constexpr int kSamples = 4;
   window_->SetMultiSamples(softwareRenderer_ ? 0 : kSamples);

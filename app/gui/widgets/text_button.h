@@ -1,5 +1,7 @@
 // A button of running text: a heading, lines below it that wrap, and a mark at its left. Lessons in the list and
-// answers of a question are such buttons. Called by the lesson's pages.
+// answers of a question are such buttons. Called by the lesson's pages. Not a QCommandLinkButton: its heading never
+// wraps (a lesson's title makes it 637 pixels wide), its text is cut in a narrow dock, and an answer, which has no
+// heading, keeps an empty line for one (Qt 5.15).
 #pragma once
 
 #include <QAbstractButton>

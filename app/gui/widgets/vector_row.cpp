@@ -21,7 +21,7 @@ VectorRow::VectorRow(const ValueField::Format& format, const QString& toolTip, Q
     field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     field->setToolTip(name + ": " + toolTip);
     auto* label = new ScrubLabel(name, field, this);
-    label->setToolTip(tr("Drag sideways to change %1, with Shift finely").arg(name));
+    label->setToolTip(tr("Drag sideways to change %1; hold Shift for fine steps").arg(name));
     label->setStyleSheet(QString("QLabel { color: %1; font-weight: bold; }").arg(axisColor(axis).name()));
     layout->addWidget(label);
     layout->addWidget(field, 1);

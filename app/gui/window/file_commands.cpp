@@ -96,7 +96,7 @@ bool FileCommands::openPath(const QString& path) {
                                    : tr("%1 (and %2 more; see `boxprobe info`)").arg(warning).arg(more));
     return true;
   } catch (const LoadCancelled&) {
-    emit message(tr("Loading was stopped; the open scene stays"));
+    emit message(tr("Loading cancelled; the scene is unchanged."));
     return false;
   } catch (const std::exception& error) {
     showError(tr("Cannot open"), QString::fromUtf8(error.what()));
@@ -120,7 +120,7 @@ bool FileCommands::saveAs() {
     path += kSceneSuffix;
     // The dialog asked about the name as typed, not about this one.
     if (QFileInfo::exists(path) &&
-        QMessageBox::question(window_, tr("Save as"), tr("%1 is there already. Replace it?").arg(path)) !=
+        QMessageBox::question(window_, tr("Save as"), tr("%1 already exists. Replace it?").arg(path)) !=
             QMessageBox::Yes) {
       return false;
     }

@@ -18,8 +18,8 @@
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
-#include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/scene/lesson_file.h"
 
@@ -40,15 +40,8 @@ struct LessonsOptions {
   ReportOptions report;
 };
 
-std::string extensionOf(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 bool isPicture(const std::string& path) {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerExtension(path);
   return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 
@@ -56,7 +49,7 @@ void saveSheet(const std::string& path, const QImage& sheet) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
-  const bool png = extensionOf(path) == ".png";
+  const bool png = lowerExtension(path) == ".png";
   if (!sheet.save(&buffer, png ? "PNG" : "JPEG", png ? -1 : kJpegQuality)) {
     throw WorkError(path + ": the picture could not be encoded");
   }
@@ -101,18 +94,19 @@ std::vector<const Lesson*> chosen(const LessonList& list, const std::string& nam
 struct Output {
   explicit Output(const LessonsOptions& options)
       : path(options.outputPath),
-        page(extensionOf(path) == ".html" || extensionOf(path) == ".htm"),
+        page(lowerExtension(path) == ".html" || lowerExtension(path) == ".htm"),
         sheet(!page && isPicture(path)) {
     if (path.empty()) return;
     if (sheet && options.name.empty()) {
-      throw InputError("-o " + path + ": a picture holds one lesson; name it, or give a folder for all sheets, or " +
+      throw InputError("-o " + path +
+                       ": a picture holds one lesson; name the lesson, or give a folder for all sheets, or " +
                        "a .html file for a page of all");
     }
     if (page || sheet) {
       requireWritable("-o", path);
       return;
     }
-    if (!extensionOf(path).empty()) {
+    if (!lowerExtension(path).empty()) {
       throw InputError("-o " + path + ": give a .png or .jpg for a sheet, a .html for a page, a folder for all sheets");
     }
     std::error_code error;
@@ -132,9 +126,8 @@ void writeStats(const LessonsOptions& options, LessonPlayer& player) {
 /// Draws, writes and checks. Throws WorkError if a claim does not hold.
 void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& options, const Output& output) {
   const InterruptGuard interrupt;
-  requireDisplay("boxprobe lessons");
-  installVtkMessages(options.report.quiet, false);
-  LessonPhotographer photographer(kPictureWidth, kPictureHeight, [&] { return !interrupt.interrupted(); });
+  LessonPhotographer photographer(
+      kPictureWidth, kPictureHeight, [&] { return !interrupt.interrupted(); }, options.report.quiet);
   LessonPage page;
   std::size_t broken = 0, claims = 0;
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
@@ -200,19 +193,18 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
 }  // namespace
 
 Subcommand addLessonsCommand(CLI::App& program, int& argc, char** argv) {
-  CLI::App* command = program.add_subcommand("lessons", "List the lessons, open one, or draw them on sheets or a page");
+  CLI::App* command = program.add_subcommand("lessons", "List the lessons, open one, or draw them as sheets or a page");
   const auto options = std::make_shared<LessonsOptions>();
-  command->add_option("NAME", options->name, "The lesson to open in the window, or to draw");
+  command->add_option("NAME", options->name, "Lesson to open in the window or to draw");
   command
       ->add_option("-o,--output", options->outputPath,
-                   "Draw instead: a sheet (.png, .jpg) of the lesson; a page (.html) of it, or of all without NAME; or "
-                   "a folder for the sheets of all")
+                   "Draw instead of opening: a sheet (.png, .jpg) of the lesson; a page (.html) of it, or of all "
+                   "without NAME; or a folder for all sheets")
       ->type_name("FILE");
-  command->add_flag("--check", options->check,
-                    "Measure what the lessons claim; exit status 1 if a claim does not hold");
-  command->add_option("--folder", options->folder, "Where the lesson files are (default: those of the program)")
+  command->add_flag("--check", options->check, "Measure the lessons' claims; exit status 1 if a claim does not hold");
+  command->add_option("--folder", options->folder, "Folder of the lesson files (default: the program's own)")
       ->type_name("DIR");
-  addReportOptions(*command, options->report, "Print the list, or the claims as measured, as JSON");
+  addReportOptions(*command, options->report, "Print the list or the measured claims as JSON");
   command->footer(
       "Examples:\n"
       "  boxprobe lessons\n"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/gui/edit/change_views.h"
 #include "app/gui/edit/editor.h"
 #include "app/session/load_scene.h"
 #include "filters/core/scene/document.h"
@@ -16,27 +17,18 @@ class QDockWidget;
 
 namespace boxprobe {
 
-class BakePanel;
-class CapturePanel;
 class DebugView;
 class FileCommands;
 class LessonView;
-class LightPanel;
-class MaterialPanel;
-class ObjectPanel;
 class MenuBar;
 class MotionPreview;
-class PicturePanel;
-class ProbeList;
+class PanelDocks;
+class PictureWork;
 class ProbeOverlay;
-class ProbePanel;
-class ProbePreview;
 class ProbeWidget;
 class Projector;
 class RenderScheduler;
 class SceneRenderer;
-class CostPanel;
-class FramePanel;
 class StatusLine;
 class Viewport;
 
@@ -59,12 +51,14 @@ class MainWindow : public QMainWindow {
   Editor& editor() { return *editor_; }
   Viewport& viewport() { return *viewport_; }
   ProbeWidget& probeWidget() { return *probeWidget_; }
-  RenderScheduler& scheduler() { return *scheduler_; }
+  RenderScheduler& scheduler();
   FileCommands& files() { return *files_; }
   DebugView& debugView() { return *debugView_; }
   LessonView& lessons() { return *lessons_; }
   Projector& projector() { return *projector_; }
-  MotionPreview& motionPreview() { return *motion_; }
+  MotionPreview& motionPreview();
+  /// Who is told of which changes of the document.
+  const ChangeViews& views() const { return views_; }
   const SceneRenderer& renderer() const { return *renderer_; }
   /// On show, in the order of scene.models.
   const std::vector<std::shared_ptr<const Model>>& models() const { return models_; }
@@ -82,58 +76,36 @@ class MainWindow : public QMainWindow {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void buildPanels();
-  void buildPreviewDock(QDockWidget* beside);
-  void buildDebugDocks(class QDockWidget* beside);
-  void buildCostDock(QDockWidget* beside);
-  void buildFrameDock(QDockWidget* beside);
   void buildLessonDock();
-  void connectViews();
-  void connectMenu();
+  void connectDocument();
+  void connectFiles();
+  void connectEditing();
+  void connectPicture();
+  void connectPanels();
   void connectDebugView();
-  void connectWork();
-  void connectBaking();
-  void connectMotion();
   void connectLessons();
   void showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path);
-  void documentChanged(const Changes& changes);
-  void resetView();
-  void applyCamera(int index);
-  template <typename Work>
-  void guarded(const Work& work);
-  void drawPicture();
-  void exportPicture(const std::string& path);
+  void escape();
   void updateTitle();
+  void updateInvitation();
 
   Document document_;
+  ChangeViews views_;
   std::unique_ptr<Editor> editor_;
   Viewport* viewport_;
   std::unique_ptr<SceneRenderer> renderer_;
   std::unique_ptr<ProbeOverlay> overlay_;
   ProbeWidget* probeWidget_;
-  RenderScheduler* scheduler_;
-  MotionPreview* motion_;
+  PictureWork* work_;
   FileCommands* files_;
   std::unique_ptr<DebugView> debugView_;
   MenuBar* menu_;
   LessonView* lessons_;
+  StatusLine* status_;
+  PanelDocks* panels_;
   QDockWidget* lessonDock_ = nullptr;
   Projector* projector_ = nullptr;
-  StatusLine* status_;
-  ProbeList* probeList_ = nullptr;
-  ProbePanel* probePanel_ = nullptr;
-  BakePanel* bakePanel_ = nullptr;
-  CapturePanel* capturePanel_ = nullptr;
-  MaterialPanel* materialPanel_ = nullptr;
-  ObjectPanel* objectPanel_ = nullptr;
-  LightPanel* lightPanel_ = nullptr;
-  PicturePanel* picturePanel_ = nullptr;
-  ProbePreview* preview_ = nullptr;
-  CostPanel* costPanel_ = nullptr;
-  FramePanel* framePanel_ = nullptr;
   std::vector<std::shared_ptr<const Model>> models_;
-  bool firstPictureDone_ = false;
-  std::string shownError_;
 };
 
 }  // namespace boxprobe

@@ -34,7 +34,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   bake_ = add(edit, tr("&Bake probe"), QKeySequence("F5"), &MenuBar::bakeRequested);
   add(edit, tr("Ba&ke all probes"), QKeySequence("Shift+F5"), &MenuBar::bakeAllRequested);
   edit->addSeparator();
-  add(edit, tr("Cancel drag, stop capturing"), QKeySequence("Esc"), &MenuBar::escapePressed);
+  add(edit, tr("Cancel the drag or stop capturing"), QKeySequence("Esc"), &MenuBar::escapePressed);
 
   view_ = window->menuBar()->addMenu(tr("&View"));
   cameras_ = view_->addMenu(tr("&Camera"));
@@ -45,8 +45,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   boxes_->setObjectName("showBoxes");
   reflections_->setObjectName("showReflections");
   motionPreview_ = addToggle(view_, tr("C&heaper techniques while moving"), {}, &MenuBar::motionPreviewSwitched);
-  motionPreview_->setToolTip(
-      tr("While the camera or a handle moves, costly techniques are drawn by what their rows name as a stand-in"));
+  motionPreview_->setToolTip(tr("Draws expensive techniques by a cheaper one while the camera or a handle moves"));
   motionPreview_->setChecked(false);
   projector_ = addToggle(view_, tr("&Projector: the picture and the lesson alone"), QKeySequence("F11"),
                          &MenuBar::projectorSwitched);

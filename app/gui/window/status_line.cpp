@@ -26,12 +26,11 @@ StatusLine::StatusLine(QStatusBar* bar)
   progress_->setFixedWidth(210);
   clock_.start();
   stop_->setText(tr("Stop"));
-  stop_->setToolTip(tr("Leaves the rest of the capture until the scene changes again (Esc)"));
-  resume_->setText(tr("Go on capturing"));
+  stop_->setToolTip(tr("Stops the capture until the scene changes again (Esc)"));
+  resume_->setText(tr("Continue capturing"));
   counters_->setToolTip(
-      tr("What ran since the start: cubemap faces captured, prefiltered levels, shader programs compiled, pictures "
-         "drawn; and of the "
-         "last picture, how many draws used no probe, one, two or more."));
+      tr("Work since the start: cubemap faces captured, mip levels filtered, shader programs compiled, frames drawn; "
+         "and how many draws of the last frame used no probe, one, two or more."));
   bar_->addPermanentWidget(progress_);
   bar_->addPermanentWidget(stop_);
   bar_->addPermanentWidget(resume_);
@@ -48,11 +47,11 @@ StatusLine::StatusLine(QStatusBar* bar)
 void StatusLine::showPicture(const FrameCount& frames, bool preview) {
   picture_->setVisible(preview || frames.wanted > 0);
   if (preview) {
-    picture_->setText(tr("preview while moving"));
-    picture_->setToolTip(tr("A cheaper technique is shown until things come to rest (View menu)"));
+    picture_->setText(tr("moving preview"));
+    picture_->setToolTip(tr("A cheaper technique is shown while something moves (View menu)"));
   } else if (frames.wanted > 0) {
     picture_->setText(tr("%1 of %2 frames averaged").arg(frames.averaged).arg(frames.wanted));
-    picture_->setToolTip(tr("The mean since anything that shows was last changed"));
+    picture_->setToolTip(tr("Mean since the last visible change"));
   }
 }
 
@@ -72,7 +71,7 @@ void StatusLine::showCounters(const Counters& c) {
 void StatusLine::showProgress(double fraction) {
   const auto seconds = timeLeft_.update(fraction, 1e-3 * static_cast<double>(clock_.elapsed()));
   const QString text = tr("Capturing %p %");
-  progress_->setFormat(seconds ? text + ", " + TimeLeft::text(*seconds) : text);
+  progress_->setFormat(seconds ? text + ", " + QString::fromStdString(TimeLeft::text(*seconds)) : text);
   progress_->setValue(static_cast<int>(100.0 * fraction));
   progress_->show();
   stop_->show();

@@ -5,7 +5,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 
-#include "app/gui/widgets/time_left.h"
+#include "app/session/time_left.h"
 #include "filters/core/base/counters.h"
 #include "filters/vtk/frame/frame_count.h"
 

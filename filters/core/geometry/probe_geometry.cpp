@@ -126,8 +126,4 @@ Box influenceBounds(const Probe& probe) {
   return Box{middle - extent, middle + extent};
 }
 
-bool influenceMeets(const Probe& probe, const Box& boundsWorld) {
-  return boxesMeet(influenceBounds(probe), boundsWorld);
-}
-
 }  // namespace boxprobe

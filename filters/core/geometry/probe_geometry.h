@@ -52,7 +52,4 @@ bool fullWeightEverywhere(const Probe& probe, const Box& boundsWorld);
 /// Axis-aligned bounds, in the world, of the influence box and its skin.
 Box influenceBounds(const Probe& probe);
 
-/// Does the influence box, as an oriented box, meet an axis-aligned box? Conservative (may say yes for a near miss).
-bool influenceMeets(const Probe& probe, const Box& boundsWorld);
-
 }  // namespace boxprobe

@@ -15,7 +15,7 @@ class ProbeIndex {
   ProbeIndex() = default;
   explicit ProbeIndex(const std::vector<Probe>& probes);
 
-  /// Indices, ascending, of those whose influence box meets an axis-aligned box: influenceMeets() of each.
+  /// Indices, ascending, of those whose influenceBounds() meet an axis-aligned box.
   std::vector<std::size_t> meeting(const Box& boundsWorld) const;
 
  private:

@@ -9,25 +9,19 @@
 
 namespace boxprobe {
 
-namespace {
-
-// Below it no probe counts as having weight: a division by less would be noise. As in gpu/probe_lighting.glsl.
-constexpr float kAnyWeight = 1.0e-4f;
-
-}  // namespace
-
 ProbeShares shareOut(const std::vector<float>& weights, const std::vector<int>& groups, bool onlyProbes) {
   ProbeShares shares;
   std::vector<float> sum(groups.empty() ? 0 : static_cast<std::size_t>(groups.back()) + 1, 0.0f);
   for (std::size_t i = 0; i < weights.size(); ++i) sum[static_cast<std::size_t>(groups[i])] += weights[i];
   std::vector<float> share;
   for (const float s : sum) {
-    share.push_back(shares.sky * shading::groupScale(s));
+    share.push_back(shading::groupShare(shares.sky, s));
     shares.sky = shading::remainingAfter(shares.sky, s);
   }
-  if (const float given = 1.0f - shares.sky; onlyProbes && given > kAnyWeight) {
-    for (float& s : share) s /= given;
-    shares.sky = 0.0f;
+  if (onlyProbes) {
+    const float scale = shading::onlyProbesScale(shares.sky);
+    for (float& s : share) s *= scale;
+    shares.sky = shading::onlyProbesRemaining(shares.sky);
   }
   for (std::size_t i = 0; i < weights.size(); ++i) {
     shares.probes.push_back(share[static_cast<std::size_t>(groups[i])] * weights[i]);

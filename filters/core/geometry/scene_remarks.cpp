@@ -59,9 +59,12 @@ void probeRemarks(Remarks& remarks, const Probe& probe) {
   const auto say = [&](const char* key, const std::string& sentence) {
     remark(remarks, {"probes", probe.name, key}, sentence);
   };
-  if (flat(probe.box)) say("box", "is flat: no ray hits it inside, so the probe is not projected there.");
-  if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe shows nowhere.");
-  if (probe.mode != ProbeMode::Custom && !probe.image.empty()) say("image", "is used by mode custom only.");
+  if (flat(probe.box)) say("box", "is flat: no ray hits it from inside, so there is no box projection.");
+  if (probe.influence && flat(*probe.influence)) say("influence", "is flat: the probe lights nothing.");
+  if (probe.mode != ProbeMode::Custom && !probe.image.empty()) say("image", "is used only by mode custom.");
+  if (probe.decode && probe.encoding == ImageEncoding::Linear) {
+    say("decode", "is not used by encoding linear; name the picture's: rgbm, dldr or rgbmLinear.");
+  }
   parameterRemarks(remarks, probe);
   budgetRemarks(remarks, probe);
 }

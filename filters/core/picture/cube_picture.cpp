@@ -187,18 +187,4 @@ ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& pi
   return image;
 }
 
-ImageRgbaF latLongImage(const CubeMap& cube, int level, int width) {
-  const CubePicture picture(CubePictureKind::LatLong, width);
-  ImageRgbaF image{picture.width(), picture.height(), {}};
-  image.pixels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
-  const int samples = cube.empty() ? 1 : latLongSamples(cube.levelSize(level), picture.width());
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const glm::vec4 value = cube.empty() ? glm::vec4(0.0f) : latLongPixel(cube, level, picture, x, y, samples);
-      for (int c = 0; c < 4; ++c) image.pixels.push_back(value[c]);
-    }
-  }
-  return image;
-}
-
 }  // namespace boxprobe

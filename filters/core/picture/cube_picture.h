@@ -57,7 +57,4 @@ std::uint8_t displayByte(float linear, float exposure);
 /// the latitude-longitude map; smaller ones are averaged in linear light. Opaque but for the cross's empty corners.
 ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& picture, float exposure);
 
-/// A level as a latitude-longitude map in linear light, alpha as in the cube; `width` / 2 rows.
-ImageRgbaF latLongImage(const CubeMap& cube, int level, int width);
-
 }  // namespace boxprobe

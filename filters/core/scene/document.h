@@ -9,34 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/scene/changes.h"
 #include "filters/core/scene/scene.h"
 
 namespace boxprobe {
-
-/// Which kinds of value differ between two scenes: what a view must do follows from the kind.
-struct Changes {
-  bool probeShape = false;      ///< box, influence, rotation, blend distance, intensity, importance: uniforms
-  bool probeTechnique = false;  ///< technique, its parameters, projection on/off: perhaps another program
-  bool probeCapture =
-      false;  ///< origin, rotation, near, far, clear, face size, bounces, filter, samples, hides: recapture
-  bool probeList = false;  ///< a probe added, removed, renamed or reordered
-  bool materials = false;
-  bool objects = false;  ///< planar mirrors, too
-  bool lights = false;
-  bool sky = false;
-  bool models = false;
-  bool cameras = false;
-  bool exposure = false;
-  bool selection = false;
-  bool file = false;  ///< path or saved state changed, or another scene was opened
-
-  bool any() const;
-  Changes& operator|=(const Changes& other);
-  static Changes all();
-};
-
-/// Derived, never declared: compares the two scenes field by field.
-Changes difference(const Scene& before, const Scene& after);
 
 class Document {
  public:
@@ -79,7 +55,7 @@ class Document {
   /// Observers are told what differs, and `also`.
   void restore(State state, const Changes& also = {});
 
-  /// Replaces everything (a file was opened); the undo stack starts anew and the document counts as saved. Throws
+  /// Replaces everything (a file was opened); the undo stack starts again and the document counts as saved. Throws
   /// InputError, and leaves everything as it was, if the scene is not valid.
   void open(Scene scene, std::string path);
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
@@ -155,7 +156,7 @@ struct BlendDistance {
 
 enum class ProbeMode {
   Baked,     ///< kept until an input of its capture changes
-  Realtime,  ///< follows what it shows, objects that move included, one face a frame
+  Realtime,  ///< follows what it shows, objects that move included, one face per frame
   Custom,    ///< filtered from a picture
 };
 /// How the six faces lie in a picture of the surroundings.
@@ -164,7 +165,14 @@ enum class CubeLayout {
   LatLong,    ///< 2:1
   Strip,      ///< 6:1 or 1:6, faces in OpenEXR's order if the file says envmap = cube, else OpenGL's
   Cross,      ///< 4:3 horizontal or 3:4 vertical
-  SixFiles,   ///< one file a face
+  SixFiles,   ///< one file per face
+};
+/// What a texel of a custom probe's picture stands for; with the instruction (multiplier, exponent) of `decode`.
+enum class ImageEncoding {
+  Linear,      ///< radiance as it is: EXR, HDR
+  Rgbm,        ///< 8 bits; multiplier * M^exponent * colour, colour bytes sRGB, M in alpha: Unity's RGBM textures
+  Dldr,        ///< 8 bits; multiplier * colour, colour bytes sRGB, alpha unused: Unity's double LDR
+  RgbmLinear,  ///< as Rgbm, with linear colour bytes
 };
 enum class FilterKind { Ggx, Gaussian };
 /// What a probe holds where it saw nothing.
@@ -216,6 +224,8 @@ struct Probe {
   ProbeMode mode = ProbeMode::Baked;
   std::string image;  ///< custom mode
   CubeLayout imageLayout = CubeLayout::Automatic;
+  ImageEncoding encoding = ImageEncoding::Linear;
+  std::optional<glm::dvec2> decode;  ///< multiplier and exponent; left out: what the encoding usually has
   FilterKind filter = FilterKind::Ggx;
   int samplesPerPixel = 4;         ///< 1, 4 or 16
   int filterSamples = 64;          ///< directions for a texel of level 1 of the filtered chain, 8 to 768
@@ -236,7 +246,7 @@ struct Scene {
   std::map<std::string, MaterialOverride> materials;
   std::map<std::string, ObjectOverride> objects;
   std::map<std::string, PlanarMirror> mirrors;
-  double mirrorBudget = 8.0e6;  ///< texels of all mirrors' pictures a frame, the largest on the screen first
+  double mirrorBudget = 8.0e6;  ///< texels of all mirrors' pictures per frame, the largest on the screen first
   std::vector<Probe> probes;    ///< names unique
   double exposure = 1.0;        ///< display = (exposure * linear)^(1/2.2)
 

@@ -44,7 +44,7 @@ std::string levelName(int level) {
   return "level." + std::to_string(level);
 }
 
-/// A level of the environment part. Below one texel a face OpenEXR's chain goes on to 1 x 3 and 1 x 1: the mean.
+/// A level of the environment part. Below one texel per face OpenEXR's chain goes on to 1 x 3 and 1 x 1: the mean.
 ExrLevel environmentLevel(const CubeMap& radiance, const glm::dmat3& mapFromWorld, int level, ExrPrecision precision) {
   const int width = std::max(radiance.faceSize() >> level, 1), height = std::max((6 * radiance.faceSize()) >> level, 1);
   ExrLevel result{width, height, {}};

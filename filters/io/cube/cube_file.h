@@ -9,6 +9,7 @@
 
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/scene/scene.h"
+#include "filters/io/cube/picture_code.h"
 #include "filters/io/image/exr_precision.h"
 
 namespace boxprobe {
@@ -56,8 +57,10 @@ struct CubePictureOptions {
 void saveCubePicture(const std::string& path, const CubeMap& cube, CubeLayout layout,
                      const CubePictureOptions& options = {});
 
-/// Any environment picture, EXR or HDR, as a cube. `faceSize` 0: as many texels as the picture gives (a power of two).
-/// For SixFiles `path` is one of the six, or a pattern with `%s` for the face. Throws InputError.
-LoadedCube loadCube(const std::string& path, CubeLayout layout = CubeLayout::Automatic, int faceSize = 0);
+/// Any environment picture as a cube: EXR or HDR, or a PNG or JPEG whose code is given. `faceSize` 0: as many texels as
+/// the picture gives (a power of two). For SixFiles `path` is one of the six, or a pattern with `%s` for the face.
+/// Encoded texels are decoded before they are resampled. Throws InputError.
+LoadedCube loadCube(const std::string& path, CubeLayout layout = CubeLayout::Automatic, int faceSize = 0,
+                    const PictureCode& code = {});
 
 }  // namespace boxprobe

@@ -186,7 +186,7 @@ void convertPicture(const CubeSource& source, CubeLayout layout, int faceSize, L
   convertFaces(faces, faceSize, result);
 }
 
-LoadedCube loadSixFiles(const std::string& path, int faceSize) {
+LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode& code) {
   const auto names = findSixNames(path);
   if (!names) {
     throw InputError(path +
@@ -199,7 +199,7 @@ LoadedCube loadSixFiles(const std::string& path, int faceSize) {
   Faces faces;
   faces.openExr = names->openExr;
   for (std::size_t i = 0; i < 6; ++i) {
-    sources[i] = readCubeSource(names->paths[i]);
+    sources[i] = readCubeSource(names->paths[i], code);
     const ImageRgbaF& image = sources[i].picture.image;
     if (image.width != image.height) {
       throw InputError(names->paths[i] + ": is " + sizeText(image.width, image.height) + "; a face must be square");
@@ -219,22 +219,23 @@ LoadedCube loadSixFiles(const std::string& path, int faceSize) {
 
 }  // namespace
 
-LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize) {
+LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, const PictureCode& code) {
   if (faceSize < 0 || faceSize > kLargestFace || (faceSize & (faceSize - 1)) != 0) {
     throw InputError(path + ": a face size of " + std::to_string(faceSize) +
                      " was asked for; use a power of two up to " + std::to_string(kLargestFace));
   }
   std::error_code ignored;
   const bool pattern = path.find('%') != std::string::npos && !std::filesystem::exists(path, ignored);
-  if (layout == CubeLayout::SixFiles || pattern) return loadSixFiles(path, faceSize);
+  if (layout == CubeLayout::SixFiles || pattern) return loadSixFiles(path, faceSize, code);
   // Of a probe of ours the exact level and its distances, which other readers' part does not have.
-  const bool mayBeBaked = layout == CubeLayout::Automatic || layout == CubeLayout::Strip;
+  const bool mayBeBaked =
+      (layout == CubeLayout::Automatic || layout == CubeLayout::Strip) && code.encoding == ImageEncoding::Linear;
   if (mayBeBaked && bakedProbeHash(path)) return fromBaked(loadBakedProbe(path), faceSize);
-  CubeSource source = readCubeSource(path);
+  CubeSource source = readCubeSource(path, code);
   if (layout == CubeLayout::Automatic) layout = detectLayout(source);
   const ImageRgbaF& image = source.picture.image;
   if (layout == CubeLayout::Automatic) {
-    if (image.width == image.height) return loadSixFiles(path, faceSize);
+    if (image.width == image.height) return loadSixFiles(path, faceSize, code);
     throw InputError(path + ": is " + sizeText(image.width, image.height) +
                      ", which is no layout of a cube; use a 2:1 latitude-longitude map, a 6:1 or 1:6 strip, a 4:3 or "
                      "3:4 cross, or six square files");

@@ -1,10 +1,10 @@
 #include "filters/io/cube/cube_source.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 
+#include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/io/image/image_detail.h"
 #include "filters/io/image/image_file.h"
 
@@ -55,23 +55,35 @@ void fillDisplayWindow(ExrPicture& picture) {
   picture.offsetX = picture.offsetY = 0;
 }
 
+/// Its texels as they are, before any is put right.
+ImageRgbaF loadPicture(const std::string& path, const std::string& extension, const PictureCode& code,
+                       std::size_t* notFinite) {
+  if (code.encoding != ImageEncoding::Linear) return loadEncodedImage(path, code);
+  if (extension == ".png" || extension == ".jpg" || extension == ".jpeg") {
+    throw InputError(
+        path +
+        ": has eight bits, which hold no radiance as it is; say how they are to be read with \"encoding\": "
+        "\"rgbm\", \"dldr\" or \"rgbmLinear\", or use an EXR or HDR picture");
+  }
+  return loadHdrImage(path, notFinite);
+}
+
 }  // namespace
 
 std::string sizeText(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
 
-CubeSource readCubeSource(const std::string& path) {
+CubeSource readCubeSource(const std::string& path, const PictureCode& code) {
   CubeSource source;
   source.path = path;
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".exr") {
+  const std::string extension = lowerExtension(path);
+  if (code.encoding == ImageEncoding::Linear && extension == ".exr") {
     withExrFile(path, [&](Imf::MultiPartInputFile& file) {
       source.picture = readExrPart(file, picturePart(file, path), path);
     });
   } else {
-    source.picture.image = loadHdrImage(path, &source.texelsNotFinite);
+    source.picture.image = loadPicture(path, extension, code, &source.texelsNotFinite);
     source.picture.displayWidth = source.picture.image.width;
     source.picture.displayHeight = source.picture.image.height;
   }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "filters/core/scene/scene.h"
+#include "filters/io/cube/picture_code.h"
 #include "filters/io/image/exr_reader.h"
 
 namespace boxprobe {
@@ -20,8 +21,8 @@ struct CubeSource {
   std::size_t texelsClamped = 0;
 };
 
-/// EXR or HDR. Throws InputError.
-CubeSource readCubeSource(const std::string& path);
+/// EXR or HDR; with another code than Linear, PNG or JPEG. Throws InputError.
+CubeSource readCubeSource(const std::string& path, const PictureCode& code);
 
 /// By the envmap attribute, else by the shape of the data window, else by the display window's, to which the picture is
 /// then filled up or cut. Automatic where none fits.

@@ -122,7 +122,7 @@ void checkVersionAndExtensions(GltfFile& file) {
     }
   }
   for (const std::string& name : file.gltf.extensionsUsed) {
-    if (!supported(name)) file.warn("uses the extension " + oneLine(name) + ", which is not supported and left out");
+    if (!supported(name)) file.warn("uses the extension " + oneLine(name) + ", which is not supported and is ignored");
   }
 }
 

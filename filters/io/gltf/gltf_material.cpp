@@ -40,7 +40,8 @@ class MaterialReader {
     } else if (source.alphaMode == "BLEND") {
       material.alphaMode = AlphaMode::Blend;
     } else if (!source.alphaMode.empty() && source.alphaMode != "OPAQUE") {
-      file_.warn("has materials with alphaMode " + oneLine(source.alphaMode) + ", which is not in glTF: drawn opaque");
+      file_.warn("has materials with alphaMode " + oneLine(source.alphaMode) +
+                 ", which glTF does not define; drawn opaque");
     }
     material.alphaCutoff = bounded(std::max(source.alphaCutoff, 0.0));
     readExtensions(source, material);
@@ -50,8 +51,7 @@ class MaterialReader {
  private:
   /// Beyond 1e18 products with light would leave single precision.
   float bounded(double value) {
-    if (std::fabs(value) > kLargestNumber)
-      file_.warn("has material numbers beyond 1e18, which were brought down to it");
+    if (std::fabs(value) > kLargestNumber) file_.warn("has material numbers above 1e18, which were clamped to it");
     return static_cast<float>(std::clamp(value, -kLargestNumber, kLargestNumber));
   }
   static float unit(double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); }
@@ -89,7 +89,7 @@ class MaterialReader {
         material.transmission = unit(extensionNumber(extension, "transmissionFactor", 0.0));
         material.transmissionTexture = extensionTexture(extension, "transmissionTexture");
         if (material.transmissionTexture.image) {
-          file_.warn("has materials with a transmission texture, which are drawn by their factor alone");
+          file_.warn("has materials with a transmission texture, which is not supported; only the factor is used");
         }
       } else if (name == "KHR_materials_volume") {
         material.thickness = bounded(std::max(extensionNumber(extension, "thicknessFactor", 0.0), 0.0));
@@ -190,7 +190,7 @@ class MaterialReader {
       use.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     }
     if (source.source < 0) {
-      file_.warn("has textures without a PNG or JPEG image, which are left out");
+      file_.warn("has textures without a PNG or JPEG image, which are ignored");
       return use;
     }
     if (static_cast<std::size_t>(source.source) >= file_.gltf.images.size()) {

@@ -93,7 +93,7 @@ void makeUnit(GltfFile& file, std::vector<glm::vec3>& normals) {
 void warnOfTheRest(GltfFile& file, const tinygltf::Primitive& primitive) {
   if (!primitive.targets.empty()) file.warn("has morph targets, which are not supported; the base shape is used");
   for (const char* name : {"COLOR_1", "TEXCOORD_2"}) {
-    if (primitive.attributes.count(name) > 0) file.warn("has " + std::string(name) + ", which is left out");
+    if (primitive.attributes.count(name) > 0) file.warn("has " + std::string(name) + ", which is ignored");
   }
 }
 
@@ -191,7 +191,7 @@ GltfMeshes readMeshes(GltfFile& file, const std::vector<Material>& materials,
       const tinygltf::Primitive& primitive = source.primitives[p];
       const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
       if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-        file.warn("has points or lines, which are not supported and left out");
+        file.warn("has points or lines, which are not supported and are ignored");
         continue;
       }
       const std::string place = "mesh " + std::to_string(m) + " \"" + name + "\": primitive " + std::to_string(p);

@@ -1,10 +1,8 @@
 // Which reader takes which file, and the steps of reading a glTF one.
 #include "filters/io/gltf/model_file.h"
 
-#include <cctype>
-#include <filesystem>
-
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
@@ -19,11 +17,10 @@ constexpr double kPicturesFrom = 0.1, kMeshesFrom = 0.7;
 Model loadModelFile(const std::string& path, const LoadProgress& progress) {
   const auto report = [&](double from, double to) {
     return [&progress, &path, from, to](double share) {
-      if (progress && !progress(from + (to - from) * share)) throw LoadCancelled(path + ": loading was stopped");
+      if (progress && !progress(from + (to - from) * share)) throw LoadCancelled(path + ": loading was cancelled");
     };
   };
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lowerExtension(path);
   if (extension != ".gltf" && extension != ".glb") {
     const std::string kind = extension.empty() ? "files without an extension" : extension + " files";
     throw InputError(path + ": " + kind + " are not supported; export the model as glTF (.glb or .gltf)");
@@ -38,7 +35,7 @@ Model loadModelFile(const std::string& path, const LoadProgress& progress) {
   model.lights = std::move(nodes.lights);
   model.cameras = std::move(nodes.cameras);
   model.meshes = std::move(meshes.meshes);
-  if (!file.gltf.animations.empty()) file.warn("has animations, which are not supported and left out");
+  if (!file.gltf.animations.empty()) file.warn("has animations, which are not supported and are ignored");
   if (model.instances.empty()) file.warn("has no triangles to show");
   model.warnings = std::move(file.warnings);
   return model;

@@ -18,7 +18,7 @@ enum class EnvmapKind { LatLong, Cube };
 
 struct ExrPicture {
   ImageRgbaF image;             ///< the data window
-  std::vector<float> distance;  ///< channel "distance", else "Z"; one value a pixel, or empty
+  std::vector<float> distance;  ///< channel "distance", else "Z"; one value per pixel, or empty
   bool hasAlpha = false;
   std::optional<EnvmapKind> envmap;
   // Where the data window lies in the display window: a cropped picture, or one with overscan.

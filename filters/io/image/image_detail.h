@@ -26,8 +26,10 @@ void checkEncodedSize(const std::string& name, long long width, long long height
 /// is.
 void checkPixelCount(const std::string& path, int width, int height, std::size_t values);
 
-/// PNG or JPEG from memory; `name` stands for it in messages and in the result.
-ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name);
+/// PNG or JPEG from memory; `name` stands for it in messages and in the result. `*hasAlpha` when given: whether the
+/// file has an alpha channel.
+ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name,
+                        bool* hasAlpha = nullptr);
 
 /// Any scan-line or tiled RGBA, RGB or Y file, half or float; values as stored, non-finite ones included.
 ImageRgbaF loadExr(const std::string& path);

@@ -5,12 +5,11 @@
 #include <stb/stb_image_write.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/read_file.h"
@@ -80,7 +79,7 @@ void checkEncodedSize(const std::string& name, long long width, long long height
                    " pixels are promised in " + std::to_string(bytes) + " bytes; save it again");
 }
 
-ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name) {
+ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name, bool* hasAlpha) {
   ImageRgba8 image;
   image.name = name;
   int channels = 0;
@@ -99,12 +98,13 @@ ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std:
       stbi_load_from_memory(bytes, length, &image.width, &image.height, &channels, 4));
   if (!pixels) throw damaged(name);
   image.pixels.assign(pixels.get(), pixels.get() + std::size_t(4) * image.width * image.height);
+  if (hasAlpha != nullptr) *hasAlpha = channels == 2 || channels == 4;
   return image;
 }
 
-ImageRgba8 loadImage8(const std::string& path) {
+ImageRgba8 loadImage8(const std::string& path, bool* hasAlpha) {
   const std::string bytes = readWholeFile(path);
-  return decodeImage8(asBytes(bytes), bytes.size(), path);
+  return decodeImage8(asBytes(bytes), bytes.size(), path, hasAlpha);
 }
 
 void savePng(const std::string& path, const ImageRgba8& image) {
@@ -133,8 +133,7 @@ void checkPixelCount(const std::string& path, int width, int height, std::size_t
 }
 
 ImageRgbaF loadHdrImage(const std::string& path, std::size_t* notFinite) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lowerExtension(path);
   ImageRgbaF image;
   if (extension == ".exr") {
     image = loadExr(path);

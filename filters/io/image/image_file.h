@@ -11,7 +11,7 @@ namespace boxprobe {
 
 void savePng(const std::string& path, const ImageRgba8& image);
 
-/// A channel beside a picture's own: one value a pixel, rows from the top.
+/// A channel beside a picture's own: one value per pixel, rows from the top.
 struct ExtraChannel {
   std::string name;
   std::vector<float> values;
@@ -24,7 +24,8 @@ void saveExr(const std::string& path, const ImageRgbaF& image, const std::vector
 /// InputError.
 ImageRgbaF loadHdrImage(const std::string& path, std::size_t* notFinite = nullptr);
 
-/// 8-bit PNG or JPEG.
-ImageRgba8 loadImage8(const std::string& path);
+/// 8-bit PNG or JPEG. `*hasAlpha` when given: whether the file has an alpha channel; without one it is 255. Throws
+/// InputError.
+ImageRgba8 loadImage8(const std::string& path, bool* hasAlpha = nullptr);
 
 }  // namespace boxprobe

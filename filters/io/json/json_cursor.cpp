@@ -1,6 +1,7 @@
 // Type checks; see the header.
 #include "filters/io/json/json_cursor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -30,18 +31,15 @@ void JsonCursor::requireObject() const {
   if (!value_->is_object()) wrongType("an object in braces");
 }
 
-void JsonCursor::requireObject(std::initializer_list<const char*> known) const {
+void JsonCursor::requireObject(const std::vector<std::string>& known) const {
   requireObject();
   for (const auto& item : value_->items()) {
-    bool found = false;
-    for (const char* key : known) found = found || item.key() == key;
-    if (found) continue;
-    const std::vector<std::string> names(known.begin(), known.end());
-    const std::string guess = didYouMean(item.key(), names);
+    if (std::find(known.begin(), known.end(), item.key()) != known.end()) continue;
+    const std::string guess = didYouMean(item.key(), known);
     KeyPath path = path_;
     path.push_back(item.key());
     throw FieldError(path,
-                     "unknown key" + (guess.empty() ? "; the keys here are " + nameList(names, names.size()) : guess));
+                     "unknown key" + (guess.empty() ? "; the keys here are " + nameList(known, known.size()) : guess));
   }
 }
 
@@ -49,8 +47,8 @@ void JsonCursor::requireArray() const {
   if (!value_->is_array()) wrongType("a list in brackets");
 }
 
-std::optional<JsonCursor> JsonCursor::find(const char* key) const {
-  const auto found = value_->find(key);
+std::optional<JsonCursor> JsonCursor::find(std::string_view key) const {
+  const auto found = value_->find(std::string(key));
   if (found == value_->end()) return std::nullopt;
   KeyPath path = path_;
   path.emplace_back(key);
@@ -108,6 +106,12 @@ std::string JsonCursor::text() const {
   return value_->get<std::string>();
 }
 
+glm::dvec2 JsonCursor::pair() const {
+  if (!value_->is_array() || value_->size() != 2) wrongType("two numbers in brackets");
+  const std::vector<JsonCursor> list = elements();
+  return {list[0].number(), list[1].number()};
+}
+
 glm::dvec3 JsonCursor::vector() const {
   if (!value_->is_array() || value_->size() != 3) wrongType("three numbers in brackets");
   const std::vector<JsonCursor> list = elements();
@@ -120,16 +124,16 @@ glm::vec3 JsonCursor::color() const {
   return {list[0].numberFloat(), list[1].numberFloat(), list[2].numberFloat()};
 }
 
-std::size_t JsonCursor::choice(std::initializer_list<const char*> choices) const {
+std::size_t JsonCursor::choice(const std::vector<std::string_view>& choices) const {
   if (value_->is_string()) {
     std::size_t index = 0;
-    for (const char* choice : choices) {
+    for (const std::string_view choice : choices) {
       if (value_->get_ref<const std::string&>() == choice) return index;
       ++index;
     }
   }
   std::string list;
-  for (const char* choice : choices) list += std::string(list.empty() ? "\"" : ", \"") + choice + "\"";
+  for (const std::string_view choice : choices) list += (list.empty() ? "\"" : ", \"") + std::string(choice) + "\"";
   wrongType("one of " + list);
 }
 

@@ -2,10 +2,11 @@
 // names the key path. Called by the scene reader; knows JSON, not scenes.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "filters/core/base/field_error.h"
@@ -25,13 +26,13 @@ class JsonCursor {
   [[noreturn]] void fail(const std::string& reason) const { throw FieldError(path_, reason); }
 
   /// Refuses what is not an object, and keys that are not in `known`, with the nearest one proposed.
-  void requireObject(std::initializer_list<const char*> known) const;
+  void requireObject(const std::vector<std::string>& known) const;
   void requireObject() const;
   void requireArray() const;
 
-  std::optional<JsonCursor> find(const char* key) const;  ///< of an object that was checked
-  std::vector<JsonCursor> elements() const;               ///< of an array
-  std::vector<JsonCursor> members() const;                ///< of an object, in file order
+  std::optional<JsonCursor> find(std::string_view key) const;  ///< of an object that was checked
+  std::vector<JsonCursor> elements() const;                    ///< of an array
+  std::vector<JsonCursor> members() const;                     ///< of an object, in file order
   const std::string& key() const { return path_.back(); }
 
   double number() const;
@@ -39,10 +40,11 @@ class JsonCursor {
   int whole() const;
   bool boolean() const;
   std::string text() const;
+  glm::dvec2 pair() const;
   glm::dvec3 vector() const;
   glm::vec3 color() const;
   /// The index of the text in `choices`.
-  std::size_t choice(std::initializer_list<const char*> choices) const;
+  std::size_t choice(const std::vector<std::string_view>& choices) const;
 
  private:
   [[noreturn]] void wrongType(const std::string& wanted) const;

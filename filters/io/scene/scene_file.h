@@ -26,16 +26,13 @@ std::string sceneText(const Scene& scene, const std::string& folder);
 /// Written to a temporary file beside `path`, flushed to disk and renamed: the old or the new file is there, whole.
 void saveSceneFile(const Scene& scene, const std::string& path);
 
-/// Applies one `--set` of the command line: "probes.room.box.max=[1,2,3]", "materials.floor.roughness=0.25",
-/// "exposure=2", "probes.room.blendDistance=0.5", "objects.mirror.visible=false", "cameras.main.position=[0,1,2]",
-/// "sky.color=[1,0,0]". VALUE is JSON; a bare word is taken as a string. Throws InputError naming the key that does not
-/// exist or the value of the wrong type.
-void setSceneField(Scene& scene, const std::string& assignment);
-
-/// The number at a key path as of setSceneField, defaults included; nothing if there is no number.
-std::optional<double> sceneNumber(const Scene& scene, const std::string& keys);
-
-/// Several in order, validated once all are applied. On an error `scene` is unchanged.
+/// Applies assignments as of `--set`, in order, and validates once all are in: "probes.room.box.max=[1,2,3]",
+/// "materials.floor.roughness=0.25", "exposure=2", "probes.room.blendDistance=0.5", "objects.mirror.visible=false",
+/// "cameras.main.position=[0,1,2]", "sky.color=[1,0,0]". VALUE is JSON; a bare word is taken as a string. Throws
+/// InputError naming the key that does not exist or the value of the wrong type; `scene` is then unchanged.
 void setSceneFields(Scene& scene, const std::vector<std::string>& assignments);
+
+/// The number at a key path as of setSceneFields, defaults included; nothing if there is no number.
+std::optional<double> sceneNumber(const Scene& scene, const std::string& keys);
 
 }  // namespace boxprobe

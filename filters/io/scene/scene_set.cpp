@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "filters/core/base/nearest_name.h"
+#include "filters/core/scene/scene_fields.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/io/scene/scene_json.h"
 
@@ -91,18 +92,17 @@ Json parseValue(const std::string& text, const std::string& name) {
 /// The sky is one of three kinds: naming a key of another kind changes the kind.
 void chooseSkyKind(Json& root, const std::string& key) {
   Json& sky = root["sky"];
-  const bool gradientKey = key == "top" || key == "horizon" || key == "ground";
-  if (key == "image" || key == "color") {
-    if (!sky.contains(key)) {
-      const Json turn = sky["rotationDegrees"];
-      sky = Json::object();
-      sky["rotationDegrees"] = turn;
-    }
-  } else if (gradientKey && !sky.contains("top")) {
-    Scene standard;
-    if (sky.contains("rotationDegrees")) standard.skyRotationDegrees = sky["rotationDegrees"].get<double>();
-    sky = sceneToJson(standard, "", JsonForm::Complete)["sky"];
+  const auto isOf = [&key](const auto& rows) { return findField(rows, key) != nullptr; };
+  if (sky.contains(key) || isOf(anySkyFields())) return;
+  if (!isOf(skyImageFields()) && !isOf(skyColorFields()) && !isOf(skyGradientFields())) return;
+  // A gradient starts from the standard one; an image and a colour from nothing.
+  Json chosen = Json::object();
+  if (isOf(skyGradientFields())) chosen = sceneToJson(Scene(), "", JsonForm::Complete)["sky"];
+  for (const FieldRow<Scene>& row : anySkyFields()) {
+    const std::string kept(row.key);
+    if (sky.contains(kept)) chosen[kept] = sky[kept];
   }
+  sky = std::move(chosen);
 }
 
 /// Walks from the root to the value to replace. Fills `path` for messages.
@@ -174,10 +174,6 @@ std::optional<double> sceneNumber(const Scene& scene, const std::string& keys) {
   } catch (const FieldError&) {
     return std::nullopt;
   }
-}
-
-void setSceneField(Scene& scene, const std::string& assignment) {
-  setSceneFields(scene, {assignment});
 }
 
 }  // namespace boxprobe

@@ -7,7 +7,7 @@
 
 namespace boxprobe {
 
-/// Levels down to one texel a face.
+/// Levels down to one texel per face.
 int fullLevels(int faceSize);
 
 /// Levels 1 and up of a source cube from its level 0. A constant stays constant.

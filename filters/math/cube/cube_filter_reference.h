@@ -31,7 +31,7 @@ class CubeFilterReference {
   };
   int faceSize_;
   float tolerance_;
-  /// Ninths of texels, then texels, then 2 x 2 of the level before, to one a face; each as six faces of rows.
+  /// Ninths of texels, then texels, then 2 x 2 of the level before, to one per face; each as six faces of rows.
   std::vector<std::vector<Patch>> levels_;
   std::vector<int> sizes_;
 };

@@ -34,7 +34,7 @@ double cubeSolidAngle(double s0, double t0, double s1, double t1);
 class CubeMap : public shading::CubeSampler {
  public:
   CubeMap() = default;
-  /// All texels 0. Level l has `faceSize >> l` texels a side, at least 1.
+  /// All texels 0. Level l has `faceSize >> l` texels per side, at least 1.
   CubeMap(int faceSize, int levels);
 
   bool empty() const { return levels_.empty(); }

@@ -15,7 +15,7 @@ namespace boxprobe {
 class GlassShell : public shading::ShellSampler {
  public:
   /// Positions relative to the middle, outward normals (not all unit) one a position, triangles wound counter-clockwise
-  /// from outside. `faceSize` texels a side.
+  /// from outside. `faceSize` texels per side.
   GlassShell(const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
              const std::vector<std::uint32_t>& indices, int faceSize = 128);
 

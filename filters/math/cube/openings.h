@@ -12,7 +12,7 @@ namespace boxprobe {
 
 constexpr int kOpeningsFaceSize = 32;
 
-/// Level 0 of `cube`, averaged down to at most kOpeningsFaceSize texels a side. One level.
+/// Level 0 of `cube`, averaged down to at most kOpeningsFaceSize texels per side. One level.
 CubeMap reducedCube(const CubeMap& cube);
 
 /// Is any texel's alpha, its coverage, less than a whole? Of a cube as captured: averages of half floats lose a crack.

@@ -1,20 +1,9 @@
 // See published_math.h. The only translation unit that compiles shaders/published.
 #include "filters/math/published/published_math.h"
 
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
-#include <glm/geometric.hpp>
+#include "filters/math/shared/glsl_built_ins.h"
 
 namespace boxprobe::shading {
-
-using glm::abs;
-using glm::clamp;
-using glm::dot;
-using glm::length;
-using glm::max;
-using glm::min;
-using glm::mix;
-using glm::sqrt;
 
 #include "shaders/published/blend.glsl"
 #include "shaders/published/box_max.glsl"

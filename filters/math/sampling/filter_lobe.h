@@ -32,8 +32,8 @@ struct GaussianSettings {
 /// How a chain is made from a capture.
 struct PrefilterSettings {
   FilterLobe::Kind filter = FilterLobe::Kind::Ggx;
-  /// Directions for a texel of level 1; each further level has half the texels a side and takes twice as many, up to
-  /// kMaxSamples. Quality against time: README, "Prefilter".
+  /// Directions for a texel of level 1; each further level has half the texels per side and takes twice as many, up to
+  /// kMaxSamples. Quality against time: tests/bench/README.md, "Prefilter".
   int samples = 64;
   GaussianSettings gaussian;
 };

@@ -3,27 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
+
+#include "filters/math/shared/glsl_built_ins.h"
 
 namespace boxprobe::shading {
-
-using glm::abs;
-using glm::ceil;
-using glm::clamp;
-using glm::cos;
-using glm::cross;
-using glm::dot;
-using glm::exp2;
-using glm::length;
-using glm::log2;
-using glm::max;
-using glm::min;
-using glm::normalize;
-using glm::sin;
-using glm::sqrt;
 
 namespace {
 

@@ -1,22 +1,11 @@
-// GLSL's built-ins are GLM's, as in shared_math.cpp.
+// The translation unit that compiles shaders/shared/refraction.glsl as C++.
 #include "filters/math/shared/refraction.h"
 
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
-#include <glm/geometric.hpp>
+#include "filters/math/shared/glsl_built_ins.h"
 
 #define GLASS_SHELL GlassShellMap
 
 namespace boxprobe::shading {
-
-using glm::abs;
-using glm::clamp;
-using glm::dot;
-using glm::length;
-using glm::max;
-using glm::min;
-using glm::pow;
-using glm::sqrt;
 
 static vec4 fetchGlassShell(GlassShellMap shell, vec3 direction) {
   return shell != nullptr ? shell->fetchShell(direction) : vec4(0.0f);

@@ -48,14 +48,6 @@ AutomaticChoice chooseAutomatic(double roughnessMin, double roughnessMax, double
   return nearest;
 }
 
-double smallestBudget() {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const MeasuredTechnique& candidate : measuredTechniques()) {
-    smallest = std::min(smallest, worstBetween(candidate.error, 0.0, 1.0));
-  }
-  return smallest;
-}
-
 bool isAutomatic(Technique technique) {
   return evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id == "auto";
 }

@@ -38,8 +38,6 @@ using TechniqueErrors = std::vector<std::array<double, 6>>;
 /// For surfaces whose perceptual roughness lies between the two values. Never `auto` itself. `own` null: the table's.
 AutomaticChoice chooseAutomatic(double roughnessMin, double roughnessMax, double budget,
                                 const TechniqueErrors* own = nullptr);
-/// The smallest budget that some technique keeps at every roughness.
-double smallestBudget();
 
 /// Is it a technique of its own, or one that chooses?
 bool isAutomatic(Technique technique);

@@ -1,14 +1,9 @@
-// The one translation unit that compiles the shader files as C++. GLSL's built-ins are GLM's; PROBE_MAP and fetchProbe
-// are what each host supplies (a sampler and textureLod on the GPU, a CubeSampler here).
-#include <glm/common.hpp>
-#include <glm/exponential.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
-
+// The one translation unit that compiles the shader files as C++. PROBE_MAP and fetchProbe are what each host supplies
+// (a sampler and textureLod on the GPU, a CubeSampler here).
 #include "filters/math/cube/light_table.h"
 #include "filters/math/cube/relief.h"
 #include "filters/math/sampling/blue_noise.h"
+#include "filters/math/shared/glsl_built_ins.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/math/technique/automatic.h"
 #include "filters/math/technique/technique_table.h"
@@ -19,22 +14,6 @@
 
 namespace boxprobe::shading {
 
-using glm::abs;
-using glm::clamp;
-using glm::cos;
-using glm::cross;
-using glm::dot;
-using glm::exp2;
-using glm::floor;
-using glm::length;
-using glm::log2;
-using glm::max;
-using glm::min;
-using glm::mix;
-using glm::normalize;
-using glm::pow;
-using glm::sin;
-using glm::sqrt;
 using glm::uint;
 
 #include "shaders/shared/finite.glsl"  // what both fetches use
@@ -104,6 +83,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/box_occlusion.glsl"
 #include "shaders/shared/cube.glsl"
 #include "shaders/shared/edge_fixup.glsl"  // after cube.glsl, which it uses
+#include "shaders/shared/fresnel.glsl"
 #include "shaders/shared/ggx.glsl"
 #include "shaders/shared/hash.glsl"
 #include "shaders/shared/level_curve.glsl"  // after roughness.glsl, which it uses
@@ -142,18 +122,20 @@ namespace boxprobe {
 
 const std::vector<ProjectionRow>& projectionRows() {
   static const std::vector<ProjectionRow> rows = {
-      {"normal", "Normal (painted on)", "Looked up with the surface normal: the picture sticks to the object.",
+      {"normal", "Normal (painted on)", "Samples along the surface normal: the picture sticks to the object.",
        "technique/projection_normal.glsl", "projectNormal", shading::projectNormal},
       {"infinite", "Infinite (no correction)",
-       "Looked up with the bare reflection vector: right only for far surroundings.",
+       "Samples along the bare reflection vector: correct only for distant surroundings.",
        "technique/projection_infinite.glsl", "projectInfinite", shading::projectInfinite},
-      {"sphere", "Sphere proxy", "The ray is intersected with the sphere around the box: straight walls bend.",
+      {"sphere", "Sphere proxy", "Intersects the ray with the sphere around the box: straight walls bend.",
        "technique/projection_sphere.glsl", "projectSphere", shading::projectSphere},
-      {"box", "Box projection", "The ray is intersected with the probe's box: exact where the room is the box.",
+      {"box", "Box projection",
+       "Box projection (parallax correction): intersects the ray with the probe's box; exact where the room is the "
+       "box.",
        "technique/projection_box.glsl", "projectBox", shading::projectBox},
       {"impostor",
        "Impostor (box refined)",
-       "The box's hit refined against the distances the probe saw: for rooms that are not boxes.",
+       "Refines the box's hit by the captured distances: for rooms that are not boxes.",
        "technique/projection_impostor.glsl",
        "projectImpostor",
        shading::projectImpostor,
@@ -169,7 +151,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
   static const std::vector<EvaluationRow> rows = {
       {"none",
        "No contact hardening",
-       "One fetch at the surface's own roughness, whatever the distance.",
+       "One lookup at the surface's own roughness, whatever the distance.",
        "technique/evaluation_none.glsl",
        "evaluateNone",
        shading::evaluateNone,
@@ -177,7 +159,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        {"curve"}},
       {"approximate",
        "Approximate hardening",
-       "Sharper where what is reflected is nearer than the hardening length.",
+       "Sharper where the reflected surface is nearer than the hardening length.",
        "technique/evaluation_approximate.glsl",
        "evaluateApproximate",
        shading::evaluateApproximate,
@@ -201,7 +183,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        {"hardeningLength", "fresnel", "power", "curve"}},
       {"footprint1",
        "One footprint",
-       "One fetch that follows the size of the patch of wall the lobe covers.",
+       "One lookup at the mip level that matches the patch of wall under the lobe.",
        "technique/evaluation_footprint1.glsl",
        "evaluateFootprint1",
        shading::evaluateFootprint1,
@@ -210,7 +192,8 @@ const std::vector<EvaluationRow>& evaluationRows() {
        true},
       {"footprint2",
        "Two footprints",
-       "The lobe in 2 pieces, each looked up by the patch it covers: reflections stretch at grazing angles.",
+       "Divides the lobe into 2 pieces, each sampled at the mip level of its patch: reflections stretch at grazing "
+       "angles.",
        "technique/evaluation_footprint2.glsl",
        "evaluateFootprint2",
        shading::evaluateFootprint2,
@@ -219,7 +202,8 @@ const std::vector<EvaluationRow>& evaluationRows() {
        true},
       {"footprint4",
        "Four footprints",
-       "The lobe in 4 pieces, each looked up by the patch it covers: reflections stretch at grazing angles.",
+       "Divides the lobe into 4 pieces, each sampled at the mip level of its patch: reflections stretch at grazing "
+       "angles.",
        "technique/evaluation_footprint4.glsl",
        "evaluateFootprint4",
        shading::evaluateFootprint4,
@@ -229,7 +213,8 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "footprint1"},
       {"footprint8",
        "Eight footprints",
-       "The lobe in 8 pieces, each looked up by the patch it covers: reflections stretch at grazing angles.",
+       "Divides the lobe into 8 pieces, each sampled at the mip level of its patch: reflections stretch at grazing "
+       "angles.",
        "technique/evaluation_footprint8.glsl",
        "evaluateFootprint8",
        shading::evaluateFootprint8,
@@ -239,7 +224,8 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "footprint1"},
       {"footprint16",
        "Sixteen footprints",
-       "The lobe in 16 pieces, each looked up by the patch it covers: reflections stretch at grazing angles.",
+       "Divides the lobe into 16 pieces, each sampled at the mip level of its patch: reflections stretch at grazing "
+       "angles.",
        "technique/evaluation_footprint16.glsl",
        "evaluateFootprint16",
        shading::evaluateFootprint16,
@@ -249,7 +235,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "footprint1"},
       {"raytraced",
        "Ray-traced",
-       "Rays of the surface's lobe, each followed to the proxy: what the others approximate, and noisy with few rays.",
+       "Follows random rays of the surface's lobe to the proxy: the others approximate this; noisy with few rays.",
        "technique/evaluation_raytraced.glsl",
        "evaluateRaytraced",
        shading::evaluateRaytraced,
@@ -261,7 +247,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "footprint1"},
       {"auto",
        "Automatic",
-       "For each object the cheapest evaluation whose measured error stays within the budget at its roughness.",
+       "Chooses for each object the cheapest evaluation whose measured error stays within the budget at its roughness.",
        "filters/math/technique/automatic.cpp",
        "",
        shading::evaluateAutomatic,

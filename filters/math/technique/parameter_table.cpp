@@ -9,7 +9,7 @@ const std::vector<ParameterRow>& parameterRows() {
       {"samples",
        "Samples",
        "",
-       "Reflected rays a pixel, each one lookup.",
+       "Reflected rays per pixel, each one lookup.",
        Kind::WholeNumber,
        1,
        256,
@@ -19,9 +19,8 @@ const std::vector<ParameterRow>& parameterRows() {
       {"pattern",
        "Pattern",
        "",
-       "How rays are spread: at random, evenly with fine-grained noise (blue), evenly with a shift by pixel (r2), or "
-       "the same in "
-       "every pixel, which shows ghosts in place of noise.",
+       "How rays are spread: at random (white), evenly with fine-grained noise (blue), evenly with a shift per pixel "
+       "(r2), or equally in every pixel (deterministic), which shows ghosts instead of noise.",
        Kind::Choice,
        0,
        0,
@@ -29,7 +28,15 @@ const std::vector<ParameterRow>& parameterRows() {
        {"white", "blue", "r2", "deterministic"},
        nullptr,
        &Values::pattern},
-      {"animated", "Animated", "", "A new pattern every frame, gathered over time.", Kind::Switch, 0, 0, 0, {}},
+      {"animated",
+       "Animated",
+       "",
+       "Draws a new pattern every frame and averages the frames.",
+       Kind::Switch,
+       0,
+       0,
+       0,
+       {}},
       {"levelOffset",
        "Level offset",
        "",
@@ -55,9 +62,8 @@ const std::vector<ParameterRow>& parameterRows() {
       {"sampling",
        "Sampling",
        "",
-       "What rays are drawn from: the surface's lobe, or half of them from the probe's brightness, for small lamps. "
-       "Rays that "
-       "are blurred find lamps by themselves and come from the lobe alone.",
+       "Distribution of the rays: the surface's lobe, or half of them from the probe's brightness, for small lights. "
+       "Blurred rays find lights by themselves and come from the lobe alone.",
        Kind::Choice,
        0,
        0,
@@ -65,7 +71,7 @@ const std::vector<ParameterRow>& parameterRows() {
        {"ggx", "luminance"},
        nullptr,
        &Values::sampling},
-      {"blur", "Blur", "", "Smooths the sampled picture, normals kept apart.", Kind::Switch, 0, 0, 0, {}},
+      {"blur", "Blur", "", "Smooths the sampled picture, but not across different normals.", Kind::Switch, 0, 0, 0, {}},
       {"power",
        "Power",
        "",
@@ -81,8 +87,8 @@ const std::vector<ParameterRow>& parameterRows() {
       {"hardeningLength",
        "Hardening length",
        "m",
-       "Distance from the surface to what it reflects at which the reflection has the surface's full roughness. "
-       "Published: 6.",
+       "Distance from the surface to the reflected surface at which the reflection has its full roughness. Published: "
+       "6.",
        Kind::Number,
        1e-6,  // divided by, so never 0
        1e6,
@@ -92,7 +98,7 @@ const std::vector<ParameterRow>& parameterRows() {
       {"fresnel",
        "Fresnel",
        "",
-       "What sets in towards grazing angles: the factor above, or the surface's own Fresnel reflectance.",
+       "Factor towards grazing angles: the one above, or the surface's own Fresnel reflectance.",
        Kind::Choice,
        0,
        0,
@@ -114,7 +120,7 @@ const std::vector<ParameterRow>& parameterRows() {
       {"steps",
        "Steps",
        "",
-       "Lookups of the probe's distances that refine the box's hit: 1 at the hit, 2 also on the way to it, from 3 on "
+       "Lookups of the captured distances that refine the box's hit: 1 at the hit, 2 also on the way to it, from 3 on "
        "secant steps.",
        Kind::WholeNumber,
        1,
@@ -125,7 +131,7 @@ const std::vector<ParameterRow>& parameterRows() {
       {"budget",
        "Error budget",
        "",
-       "The largest error accepted, RMSE of (x/(1+x))^(1/2.2) as `boxprobe bench` measures it.",
+       "Largest accepted error, RMSE of (x/(1+x))^(1/2.2) as `boxprobe bench` measures it.",
        Kind::Number,
        0,
        1,

@@ -202,8 +202,8 @@ std::string studyTables(const BenchResult& result) {
     text += formatted(" %.3f (%.3f) |\n", row->tally.light[off], row->tally.lightError[off]);
   }
   text +=
-      "\nLight over the reference's, seen from above (N.V above 0.7), obliquely and at grazing angles (below 0.35):\n\n"
-      "| technique |";
+      "\nLight relative to the reference, seen from above (N.V above 0.7), obliquely and at grazing angles (below "
+      "0.35):\n\n| technique |";
   std::string line = "|---|";
   for (const char* roughness : {"0.07", "0.2", "0.4", "0.6", "0.8", "1"}) {
     text += std::string(" ") + roughness + " |";

@@ -14,7 +14,7 @@
 
 namespace boxprobe {
 
-/// By material name: metals of any brightness, coated and glossy materials; not what is unlit or matt.
+/// By material name: metals of any brightness, coated and glossy materials; not unlit or diffuse ones.
 std::map<std::string, SurfaceKind> reflectingMaterials(const Scene& scene,
                                                        const std::vector<std::shared_ptr<const Model>>& models);
 

@@ -21,7 +21,7 @@ struct TruthSettings {
 };
 
 struct TruthColors {
-  std::vector<glm::dvec3> color;  ///< one a pixel, everything but the reflection being the point's own
+  std::vector<glm::dvec3> color;  ///< one per pixel, everything but the reflection being the point's own
   /// Root mean square of the standard error of tone-mapped values, over pixels and components.
   double standardError = 0.0;
   double raysPerPixel = 0.0;

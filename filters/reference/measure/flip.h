@@ -12,7 +12,7 @@ namespace boxprobe {
 /// Pixels a degree of visual angle: a 0.7 m wide monitor of 3840 pixels seen from 0.7 m.
 inline constexpr double kFlipPixelsPerDegree = 67.0206;
 
-/// One value a pixel, rows from the top: 0 (equal) to 1. Linear pictures of one size; each is brought into the
+/// One value per pixel, rows from the top: 0 (equal) to 1. Linear pictures of one size; each is brought into the
 /// display's range by x / (1 + x) first, as all metrics here are, and taken as linear light with sRGB's primaries.
 std::vector<float> flipMap(const ImageRgbaF& picture, const ImageRgbaF& reference,
                            double pixelsPerDegree = kFlipPixelsPerDegree);

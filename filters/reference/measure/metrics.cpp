@@ -39,7 +39,7 @@ PictureError pictureError(const ImageRgbaF& picture, const ImageRgbaF& reference
       referenceSum += b;
     }
   }
-  if (error.pixels == 0) throw InputError("no pixel to compare: the mask leaves out the whole picture");
+  if (error.pixels == 0) throw InputError("no pixel to compare: the mask covers the whole picture");
   const auto quotient = [](double a, double b, double both) {
     return b > 0.0 ? a / b : a > 0.0 ? std::numeric_limits<double>::infinity() : both;
   };

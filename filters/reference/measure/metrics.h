@@ -7,7 +7,7 @@
 
 namespace boxprobe {
 
-/// Linear pictures of one size; `mask` empty (every pixel counts) or one entry a pixel. Alpha does not count.
+/// Linear pictures of one size; `mask` empty (every pixel counts) or one entry per pixel. Alpha does not count.
 struct PictureError {
   /// Root of the mean squared difference of (x / (1 + x))^(1/2.2), over pixels and components: the study's measure.
   double toneMappedRmse = 0.0;

@@ -1,26 +1,14 @@
 #include "filters/reference/trace/surface_texture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
+
+#include "filters/math/cube/srgb.h"
 
 namespace boxprobe {
 
 namespace {
-
-// IEC 61966-2-1.
-const std::array<float, 256>& linearOfSrgb() {
-  static const std::array<float, 256> table = [] {
-    std::array<float, 256> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double c = static_cast<double>(i) / 255.0;
-      values[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-    }
-    return values;
-  }();
-  return table;
-}
 
 // `i` is a whole number, in a double because it may be beyond an int.
 int wrapped(double i, int size, Wrap wrap) {
@@ -37,8 +25,7 @@ glm::vec4 texel(const ImageRgba8& image, int column, int row, bool srgb) {
                                         4];
   const float alpha = static_cast<float>(p[3]) / 255.0f;
   if (!srgb) return glm::vec4(glm::vec3(p[0], p[1], p[2]) / 255.0f, alpha);
-  const auto& linear = linearOfSrgb();
-  return {linear[p[0]], linear[p[1]], linear[p[2]], alpha};
+  return {linearOfSrgb(p[0]), linearOfSrgb(p[1]), linearOfSrgb(p[2]), alpha};
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class VisibleNormalLobe {
   Sample sample(const glm::dvec2& u) const;
 
   /// The same of a given direction (unit), for estimates that draw directions otherwise; `density`: how densely
-  /// sample() draws it, per solid angle, 0 below the surface. Not for a mirror, whose density is no number.
+  /// sample() draws it, per solid angle, 0 below the surface. Not for a mirror, whose density is NaN.
   struct Density {
     double density = 0.0;
     double weight = 0.0;

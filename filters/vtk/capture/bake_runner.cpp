@@ -2,6 +2,7 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include "filters/vtk/draw/pass_scope.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/maps/cube_transfer.h"
 
@@ -28,7 +29,7 @@ BakeRunner::BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState>
       state_(std::move(state)),
       capture_(capture),
       times_(times),
-      prefilter_(window, &state_->counters) {}
+      prefilter_(window, &state_->counts.counters) {}
 
 // Six faces; the source's mip chain with the copy of level 0; level 1; further levels; the diffuse light, which is next
 // to nothing, with the last of them.
@@ -52,12 +53,12 @@ void BakeRunner::step() {
   if (!pending()) return;
   BounceCost& cost = times_->bounces[static_cast<std::size_t>(item_->bounce - 1)];
   const double before = processCpuSeconds();
-  const std::uint64_t captured = state_->counters.facesCaptured;
+  const std::uint64_t captured = state_->counts.counters.facesCaptured;
   const bool facesDone = makeFaces();
   const bool done = facesDone && filter();
   if (!item_->sky) {
     cost.cpuSeconds += processCpuSeconds() - before;
-    cost.faces += state_->counters.facesCaptured - captured;
+    cost.faces += state_->counts.counters.facesCaptured - captured;
   }
   ++unit_;
   if (!done) return;
@@ -92,7 +93,7 @@ bool BakeRunner::makeFaces() {
       return false;
     }
     copyFace(*source.same, face);
-    ++state_->counters.facesReused;
+    ++state_->counts.counters.facesReused;
   }
   return true;
 }
@@ -101,24 +102,23 @@ void BakeRunner::captureFace(const FaceSource& source, int face) {
   // Put back even if the driver refuses the capture: the window draws on.
   struct Drawing {
     const BakeItem& item;
-    DrawState& state;
-    Drawing(const BakeItem& i, DrawState& s) : item(i), state(s) {
+    explicit Drawing(const BakeItem& i) : item(i) {
       if (item.drawing) item.drawing(true);
-      state.firstBounce = item.reflectNothing;
-      state.movingShadowsOn = false;
     }
     ~Drawing() {
-      state.firstBounce = false;
-      state.movingShadowsOn = true;
       if (item.drawing) item.drawing(false);
     }
   };
   {
-    const Drawing drawing(*item_, *state_);
+    const Drawing drawing(*item_);
+    const PassScope scope(*state_, [this](PassSettings& pass) {
+      pass.firstBounce = item_->reflectNothing;
+      pass.movingShadowsOn = false;
+    });
     capture_->captureFace(item_->settings, face, source.props, source.lights, source_,
                           item_->sky ? nullptr : &maps_->distance);
   }
-  ++(item_->sky ? state_->counters.skyFacesCaptured : state_->counters.facesCaptured);
+  ++(item_->sky ? state_->counts.counters.skyFacesCaptured : state_->counts.counters.facesCaptured);
 }
 
 void BakeRunner::copyFace(const ProbeMaps& from, int face) {

@@ -1,4 +1,4 @@
-// Makes one cubemap step by step: a face, a level at a time. Knows no scene: it is handed what to photograph and whom
+// Makes one cubemap step by step: a face, a level at a time. Knows no scene: it is handed what to capture and whom
 // to tell. Called by the probe set outside of the window's renders.
 #pragma once
 

@@ -13,6 +13,7 @@
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/math/shared/shared_math.h"
+#include "filters/vtk/draw/pass_scope.h"
 #include "filters/vtk/frame/vtkPicturePass.h"
 #include "filters/vtk/frame/vtkTargetPass.h"
 
@@ -37,7 +38,7 @@ CubeCapture::CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawStat
       renderer_(vtkSmartPointer<vtkRenderer>::New()),
       pass_(vtkSmartPointer<vtkTargetPass>::New()),
       faceCamera_(vtkSmartPointer<vtkCamera>::New()),
-      resolve_({"shared/cube.glsl", "gpu/resolve_capture.glsl"}, &state_->counters) {
+      resolve_({"shared/cube.glsl", "gpu/resolve_capture.glsl"}, &state_->counts.counters) {
   // Cullers judge by the window's shape, not the face's.
   renderer_->GetCullers()->RemoveAllItems();
   renderer_->AutomaticLightCreationOff();
@@ -51,8 +52,7 @@ CubeCapture::CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawStat
 
 CubeCapture::~CubeCapture() = default;
 
-void CubeCapture::prepare(vtkCamera* camera, int width, int height, const std::vector<vtkLight*>& lights,
-                          const glm::vec3& clearColor) {
+void CubeCapture::prepare(int width, int height, const std::vector<vtkLight*>& lights, const glm::vec3& clearColor) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (std::max(width, height) > largest) {
@@ -63,34 +63,28 @@ void CubeCapture::prepare(vtkCamera* camera, int width, int height, const std::v
   target_.allocate(width, height);
   renderer_->SetRenderWindow(window_);
   renderer_->SetBackground(clearColor.x, clearColor.y, clearColor.z);
-  renderer_->SetActiveCamera(camera);
   renderer_->RemoveAllLights();
   for (vtkLight* light : lights) renderer_->AddLight(light);
-  // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload, whoever made
-  // that.
-  camera->Modified();
 }
 
-void CubeCapture::draw() {
-  const float exposure = state_->exposure;
-  const bool countDraws = state_->countDraws;
-  state_->exposure = -1.0f;
-  state_->countDraws = false;
+void CubeCapture::draw(vtkCamera* camera) {
+  const PassScope scope(*state_, renderer_, camera, [](PassSettings& pass) {
+    pass.exposure = kLinearOutput;
+    pass.countDraws = false;
+  });
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   renderer_->Render();
-  state_->exposure = exposure;
-  state_->countDraws = countDraws;
 }
 
 void CubeCapture::renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
                              const std::vector<vtkLight*>& lights, const glm::vec3& clearColor) {
-  prepare(camera, width, height, lights, clearColor);
+  prepare(width, height, lights, clearColor);
   renderer_->SetPass(pass_);
   pass_->Framebuffer = target_.framebuffer();
   pass_->Viewport[2] = width;
   pass_->Viewport[3] = height;
   pass_->Props = props;
-  draw();
+  draw(camera);
 }
 
 void CubeCapture::captureFace(const CaptureSettings& settings, int face, const std::vector<vtkProp*>& props,
@@ -105,12 +99,12 @@ void CubeCapture::captureFace(const CaptureSettings& settings, int face, const s
   faceCamera_->SetViewUp(up.x, up.y, up.z);
   faceCamera_->SetClippingRange(settings.nearDistance, settings.farDistance);
   const int size = radiance.faceSize() * settings.samplesPerTexelSide;
-  // A probe photographs the scene, not the debug view of it.
-  const int view = state_->debug.view;
-  state_->debug.view = 0;
   const auto* color = std::get_if<glm::vec3>(&settings.clear);
-  renderInto(faceCamera_, size, size, props, lights, color != nullptr ? *color : glm::vec3(0.0f));
-  state_->debug.view = view;
+  {
+    // A probe captures the scene, not the debug view of it.
+    const PassScope scope(*state_, [](PassSettings& pass) { pass.debug.view = 0; });
+    renderInto(faceCamera_, size, size, props, lights, color != nullptr ? *color : glm::vec3(0.0f));
+  }
 
   const PassState saved(window_);
   faces_.bind(window_, radiance, face, 0, distance);
@@ -144,8 +138,8 @@ void CubeCapture::captureFace(const CaptureSettings& settings, int face, const s
   };
   if (const GLuint bad = count(1); bad > 0) {
     const GLuint notFinite = count(2);
-    state_->counters.texelsNotFinite += notFinite;
-    state_->counters.texelsClamped += bad - notFinite;
+    state_->counts.counters.texelsNotFinite += notFinite;
+    state_->counts.counters.texelsClamped += bad - notFinite;
   }
 }
 
@@ -170,7 +164,7 @@ ImageRgbaF CubeCapture::renderFrame(vtkCamera* camera, int width, int height, in
   if (picture == nullptr) {
     renderInto(shaped, w, h, props, lights, glm::vec3(0.0f));
   } else {
-    prepare(shaped, w, h, lights, glm::vec3(0.0f));
+    prepare(w, h, lights, glm::vec3(0.0f));
     picture->Framebuffer = target_.framebuffer();
     picture->Width = w;
     picture->Height = h;
@@ -178,7 +172,7 @@ ImageRgbaF CubeCapture::renderFrame(vtkCamera* camera, int width, int height, in
     renderer_->SetPass(picture);
     for (int frame = 0; frame < picture->Limit; ++frame) {
       if (beforeFrame) beforeFrame(frame);
-      draw();
+      draw(shaped);
     }
   }
 

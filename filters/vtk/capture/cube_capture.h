@@ -1,4 +1,4 @@
-// Photographs a scene from one point: a face at a time into RGBA float at several samples a texel, resolved to
+// Captures a scene from one point: a face at a time into RGBA float at several samples per texel, resolved to
 // half-float radiance with coverage in alpha and to distance. Called by the bake queue outside of any render of the
 // window.
 #pragma once
@@ -12,8 +12,8 @@
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/full_screen_pass.h"
-#include "filters/vtk/surface/draw_state.h"
 
 class vtkCamera;
 class vtkLight;
@@ -54,7 +54,7 @@ class CubeCapture {
   void drawOnce(const CaptureSettings& settings, const std::vector<vtkProp*>& props,
                 const std::vector<vtkLight*>& lights);
 
-  /// A whole frame in linear units through any camera: RGBA, `samplesPerSide`² samples a pixel, rows from the top. By
+  /// A whole frame in linear units through any camera: RGBA, `samplesPerSide`² samples per pixel, rows from the top. By
   /// way of `picture` if given: as many frames as its limit; `beforeFrame` is called before each with its number.
   ImageRgbaF renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide,
                          const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights,
@@ -65,9 +65,8 @@ class CubeCapture {
  private:
   void renderInto(vtkCamera* camera, int width, int height, const std::vector<vtkProp*>& props,
                   const std::vector<vtkLight*>& lights, const glm::vec3& clearColor);
-  void prepare(vtkCamera* camera, int width, int height, const std::vector<vtkLight*>& lights,
-               const glm::vec3& clearColor);
-  void draw();
+  void prepare(int width, int height, const std::vector<vtkLight*>& lights, const glm::vec3& clearColor);
+  void draw(vtkCamera* camera);
 
   vtkOpenGLRenderWindow* window_;
   std::shared_ptr<DrawState> state_;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "filters/math/sampling/filter_lobe.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/full_screen_pass.h"
-#include "filters/vtk/surface/draw_state.h"
 
 class vtkOpenGLRenderWindow;
 

@@ -81,7 +81,7 @@ void addFrontLine(vtkChartXY* chart, const std::vector<ParetoPoint>& front) {
   if (front.size() < 2) return;
   vtkNew<vtkPlotLine> line;
   line->SetInputData(tableOf(front), 0, 1);
-  line->SetLabel("front: none both cheaper and better");
+  line->SetLabel("Pareto front");
   line->SetColor(214, 96, 32, 255);
   line->SetWidth(2.0f);
   line->SetMarkerStyle(vtkPlotPoints::NONE);

@@ -16,7 +16,7 @@ namespace boxprobe {
 struct FrontChartText {
   std::string title;
   std::string errorAxis = "Error (tone-mapped RMSE)";
-  std::string costAxis = "Frame time over plain box projection's";
+  std::string costAxis = "Frame time relative to plain box projection";
   std::string current;  ///< label of the point to ring, empty: none
 };
 

@@ -7,6 +7,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkTextProperty.h>
+#include <vtkVector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,25 @@ struct Rectangle {
     return w > 0.0 && h > 0.0 ? w * h : 0.0;
   }
 };
+
+/// The point of a label's rectangle that its leader line ends at.
+vtkVector2d nearestOn(const Rectangle& place, double x, double y) {
+  return {std::clamp(x, place.left, place.left + place.width), std::clamp(y, place.low, place.low + place.height)};
+}
+
+/// Small squares along a leader line, so that labels and lines keep clear of each other. The ends are left out: there
+/// are the mark and the label themselves.
+std::vector<Rectangle> alongLine(double x, double y, const vtkVector2d& end) {
+  constexpr double kSide = 3.0;
+  std::vector<Rectangle> squares;
+  const int count = static_cast<int>(std::hypot(end.GetX() - x, end.GetY() - y) / kSide);
+  for (int k = 4; k < count; ++k) {
+    const double share = static_cast<double>(k) / count;
+    squares.push_back(
+        {x + share * (end.GetX() - x) - 0.5 * kSide, y + share * (end.GetY() - y) - 0.5 * kSide, kSide, kSide});
+  }
+  return squares;
+}
 
 double along(vtkAxis* axis, int component, double value) {
   const double range = axis->GetMaximum() - axis->GetMinimum();
@@ -89,15 +109,21 @@ bool vtkParetoLabels::Paint(vtkContext2D* painter) {
         double covered = within ? 0.0 : 1e6;
         for (const Rectangle& other : taken) covered += place.overlapArea(other);
         if (covered < least) {
+          for (const Rectangle& square : alongLine(x, y, nearestOn(place, x, y))) {
+            for (const Rectangle& other : taken) covered += 4.0 * square.overlapArea(other);
+          }
+        }
+        if (covered < least) {
           least = covered;
           best = place;
         }
       }
     }
     taken.push_back(best);
-    const double nearX = std::clamp(x, best.left, best.left + best.width);
-    const double nearY = std::clamp(y, best.low, best.low + best.height);
+    const vtkVector2d near = nearestOn(best, x, y);
+    const double nearX = near.GetX(), nearY = near.GetY();
     if (std::hypot(nearX - x, nearY - y) > kMark + 8.0) {
+      for (const Rectangle& square : alongLine(x, y, near)) taken.push_back(square);
       painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
       painter->GetPen()->SetColor(150, 150, 155, 255);
       painter->GetPen()->SetWidth(1.0f);

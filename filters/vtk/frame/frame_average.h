@@ -1,5 +1,5 @@
 // The mean of the frames of a picture in linear light: sums of what each frame drew. Called by vtkPicturePass, which
-// decides when a picture begins anew; knows no scene.
+// decides when a picture begins again; knows no scene.
 #pragma once
 
 #include "filters/vtk/gl/frame_target.h"

@@ -26,13 +26,13 @@ std::vector<std::string> skippedLines(const FrameReport& report) {
     if (n > 0) lines.push_back(counted(n, one, many) + rest);
   };
   const std::size_t drawn = drawnObjects(report, [](const Object&) { return true; });
-  say(report.objects.size() - drawn, "object is", "objects are", " out of the view or hidden: not drawn");
+  say(report.objects.size() - drawn, "object is", "objects are", " out of view or hidden: not drawn");
   const auto without = [&](bool used) {
     return static_cast<std::size_t>(std::count_if(
         report.probes.begin(), report.probes.end(),
         [&](const FrameReport::ProbeUse& probe) { return (probe.objects > 0) == used && probe.drawn == 0; }));
   };
-  say(without(false), "probe lights", "probes light", " no visible object: nothing is made for it");
+  say(without(false), "probe lights", "probes light", " no visible object: nothing is captured for it");
   say(without(true), "probe lights", "probes light", " only what this frame does not show");
   const auto notMade = std::count_if(report.probes.begin(), report.probes.end(),
                                      [](const FrameReport::ProbeUse& probe) { return probe.bytes == 0; });
@@ -40,11 +40,11 @@ std::vector<std::string> skippedLines(const FrameReport& report) {
   say(drawnObjects(report, [](const Object& o) { return o.unlit; }), "draw is", "draws are",
       " unlit: no light, no probe");
   say(drawnObjects(report, [](const Object& o) { return !o.unlit && o.probes.empty(); }), "draw has", "draws have",
-      " no probe: the sky alone, no projection");
+      " no probe: only the sky, no projection");
   say(drawnObjects(report, [](const Object& o) { return o.probes.size() == 1 && !o.weights; }), "draw has",
-      "draws have", " one probe at full weight: no weights, no second lookup");
+      "draws have", " one probe at full weight: no weights computed, no second lookup");
   say(drawnObjects(report, [](const Object& o) { return !o.probes.empty() && o.sky <= 0.0; }), "draw leaves",
-      "draws leave", " nothing to the sky: no lookup in it");
+      "draws leave", " nothing to the sky: the sky is not sampled");
   for (const FrameReport::MirrorUse& mirror : report.mirrors) {
     if (!mirror.drawn) lines.push_back("mirror \"" + mirror.node + "\" has no picture: " + mirror.why);
   }

@@ -11,6 +11,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "filters/vtk/draw/pass_scope.h"
 #include "filters/vtk/frame/vtkTargetPass.h"
 #include "filters/vtk/gl/gl_objects.h"
 
@@ -87,8 +88,6 @@ vtkCamera* MirrorPainter::camera(const PictureView& view) {
   }
   camera_->SetExplicitProjectionTransformMatrix(projection);
   camera_->UseExplicitProjectionTransformMatrixOn();
-  // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload.
-  camera_->Modified();
   return camera_;
 }
 
@@ -99,17 +98,16 @@ void MirrorPainter::paint(const PictureView& view, const glm::dvec4& heightPlane
   for (const std::size_t i : hiding) solid.push_back(twinOf(i, true));
   for (const std::size_t i : moving) shown.push_back(twinOf(i, false));
   renderer_->SetRenderWindow(window_);
-  renderer_->SetActiveCamera(camera(view));
   renderer_->RemoveAllLights();
   for (vtkLight* light : content_->lightPointers()) renderer_->AddLight(light);
 
   // Normals turn into view space by the view's rotation; relative to the eye there is no translation.
   const glm::dvec3 normalView(view.viewFromEye() * glm::dvec4(glm::dvec3(heightPlane), 0.0));
-  state_->heightPlaneView = glm::vec4(glm::vec3(normalView), static_cast<float>(heightPlane.w));
-  const float exposure = state_->exposure;
-  const bool countDraws = state_->countDraws;
-  state_->exposure = -1.0f;
-  state_->countDraws = false;
+  const PassScope scope(*state_, renderer_, camera(view), [&](PassSettings& pass) {
+    pass.heightPlaneView = glm::vec4(glm::vec3(normalView), static_cast<float>(heightPlane.w));
+    pass.exposure = kLinearOutput;
+    pass.countDraws = false;
+  });
 
   vtkOpenGLState* gl = window_->GetState();
   const vtkOpenGLState::ScopedglEnableDisable samples(gl, GL_MULTISAMPLE);
@@ -127,9 +125,6 @@ void MirrorPainter::paint(const PictureView& view, const glm::dvec4& heightPlane
   pass_->Props = shown;
   renderer_->Render();
   target.finish(window_);
-
-  state_->exposure = exposure;
-  state_->countDraws = countDraws;
 }
 
 void MirrorPainter::release() {

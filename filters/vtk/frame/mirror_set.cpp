@@ -92,11 +92,11 @@ const char* mirrorStateText(MirrorState state) {
     case MirrorState::FacingAway:
       return "it faces away";
     case MirrorState::NotInView:
-      return "it is out of the view";
+      return "it is out of view";
     case MirrorState::NothingDynamic:
-      return "nothing dynamic is in what it shows";
+      return "no dynamic object is in its view";
     case MirrorState::OverBudget:
-      return "larger ones took the mirrorBudget";
+      return "larger mirrors used up the mirrorBudget";
     case MirrorState::Drawn:
     case MirrorState::NotDrawn:
       break;
@@ -169,7 +169,7 @@ void MirrorSet::update() {
 }
 
 void MirrorSet::count(MirrorState state) {
-  MirrorCounters& c = state_->counters.mirrors;
+  MirrorCounters& c = state_->counts.counters.mirrors;
   switch (state) {
     case MirrorState::Drawn:
       ++c.drawn;
@@ -267,7 +267,7 @@ void MirrorSet::findHiding(Plan& plan, const std::vector<std::size_t>& own) {
 
 void MirrorSet::draw(vtkCamera* camera, double aspect, int width, int height, int samples) {
   hide();
-  state_->counters.mirrors = {};
+  state_->counts.counters.mirrors = {};
   reports_.clear();
   if (mirrors_.empty()) return;
   const PictureView view = pictureView(camera, aspect, width, height);
@@ -309,7 +309,6 @@ void MirrorSet::draw(vtkCamera* camera, double aspect, int width, int height, in
     }
     count(reports_[i].state);
   }
-  if (!plans.empty()) camera->Modified();  // see CubeCapture::prepare: shared programs were lit for another camera
 }
 
 void MirrorSet::paint(const Plan& plan, const PictureView& view, int samples) {
@@ -319,7 +318,7 @@ void MirrorSet::paint(const Plan& plan, const PictureView& view, int samples) {
   mirror.target->allocate(texels(plan.view.width), texels(plan.view.height), samples, mips);
   const glm::dvec4 heights(plan.plane.normal, glm::dot(plan.plane.normal, plan.view.eye - plan.plane.center));
   painter_.paint(plan.view, heights / plan.farHeight, plan.moving, plan.hiding, *mirror.target);
-  state_->counters.mirrors.texels +=
+  state_->counts.counters.mirrors.texels +=
       static_cast<std::uint64_t>(mirror.target->width()) * static_cast<std::uint64_t>(mirror.target->rows());
 
   // Positions relative to the eye, as the shader has them.

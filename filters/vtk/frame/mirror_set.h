@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "filters/core/geometry/mirror_view.h"
+#include "filters/vtk/draw/mirror_picture.h"
 #include "filters/vtk/frame/mirror_painter.h"
-#include "filters/vtk/surface/mirror_picture.h"
 
 namespace boxprobe {
 
@@ -33,7 +33,7 @@ class MirrorSet {
  public:
   MirrorSet(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, const SceneContent* content);
 
-  /// After objects, materials or mirrors of the scene changed: planes are found anew, and the objects whose programs
+  /// After objects, materials or mirrors of the scene changed: planes are found again, and the objects whose programs
   /// look a picture up are told so.
   void update();
   /// Before a picture of `width` x `height` pixels through `camera` is drawn; the context must be current. `samples`:

@@ -15,37 +15,23 @@ namespace {
 
 constexpr std::array<GLenum, 2> kBuffers = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 
-GLuint makeBuffer(int width, int height, int samples, GLenum format) {
-  GLuint handle = 0;
-  glGenRenderbuffers(1, &handle);
-  glBindRenderbuffer(GL_RENDERBUFFER, handle);
-  if (samples > 1) {
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-  } else {
-    glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-  }
-  return handle;
-}
-
 }  // namespace
 
 void MirrorTarget::allocate(int width, int height, int samples, bool mips) {
   int levels = 1;
   for (int size = std::max(width, height); mips && size > 1; size /= 2) ++levels;
-  if (resolved_ != 0 && width == width_ && height == rows_ && samples == samples_ && levels == levels_) return;
+  if (resolved_.made() && width == width_ && height == rows_ && samples == samples_ && levels == levels_) return;
   release();
   width_ = width;
   rows_ = height;
   samples_ = samples;
   levels_ = levels;
-  GLint texture = 0, bound = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &texture);
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  glGenFramebuffers(1, &resolved_);
-  glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
-  for (std::size_t i = 0; i < textures_.size(); ++i) {
-    glGenTextures(1, &textures_[i]);
-    glBindTexture(GL_TEXTURE_2D, textures_[i]);
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+  std::vector<FramebufferImage> colors, sampledColors;
+  for (GLuint& texture : textures_) {
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
     for (int level = 0; level < levels; ++level) {
       glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, std::max(width >> level, 1), std::max(height >> level, 1), 0,
                    GL_RGBA, GL_HALF_FLOAT, nullptr);
@@ -58,33 +44,27 @@ void MirrorTarget::allocate(int width, int height, int samples, bool mips) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, kBuffers[i], GL_TEXTURE_2D, textures_[i], 0);
+    colors.push_back(textureImage(texture));
   }
-  glDrawBuffers(2, kBuffers.data());
-  if (samples <= 1) {
-    depth_ = makeBuffer(width, height, 1, GL_DEPTH_COMPONENT32F);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
-  }
-  bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  if (samples > 1) {
-    glGenFramebuffers(1, &sampled_);
-    glBindFramebuffer(GL_FRAMEBUFFER, sampled_);
-    for (std::size_t i = 0; i < buffers_.size(); ++i) {
-      buffers_[i] = makeBuffer(width, height, samples, GL_RGBA16F);
-      glFramebufferRenderbuffer(GL_FRAMEBUFFER, kBuffers[i], GL_RENDERBUFFER, buffers_[i]);
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+  const auto refusal = [&](GLenum) {
+    return "this driver cannot draw a mirror's picture of " + std::to_string(width) + " x " + std::to_string(height) +
+           " texels at " + std::to_string(samples) + " samples; lower the mirrors' resolution, or set enabled to false";
+  };
+  try {
+    if (samples <= 1) depth_ = makeRenderBuffer(width, height, 1, GL_DEPTH_COMPONENT32F);
+    resolved_.attach(colors, renderBufferImage(depth_), refusal);
+    if (samples <= 1) return;
+    for (GLuint& buffer : buffers_) {
+      buffer = makeRenderBuffer(width, height, samples, GL_RGBA16F);
+      sampledColors.push_back(renderBufferImage(buffer));
     }
-    sampledDepth_ = makeBuffer(width, height, samples, GL_DEPTH_COMPONENT32F);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, sampledDepth_);
-    glDrawBuffers(2, kBuffers.data());
-    complete = complete && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    sampledDepth_ = makeRenderBuffer(width, height, samples, GL_DEPTH_COMPONENT32F);
+    sampled_.attach(sampledColors, renderBufferImage(sampledDepth_), refusal);
+  } catch (const WorkError&) {
+    release();
+    throw;
   }
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture));
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
-  if (complete) return;
-  release();
-  throw WorkError("this driver cannot draw a mirror's picture of " + std::to_string(width) + " x " +
-                  std::to_string(height) + " texels at " + std::to_string(samples) +
-                  " samples; lower the mirrors' resolution, or set enabled to false");
 }
 
 void MirrorTarget::clear(vtkOpenGLRenderWindow* window) {
@@ -116,8 +96,8 @@ void MirrorTarget::finish(vtkOpenGLRenderWindow* window) {
     const PassState saved(window);
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->PushFramebufferBindings();
-    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_);
-    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
+    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.handle());
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.handle());
     for (const GLenum buffer : kBuffers) {
       glReadBuffer(buffer);
       glDrawBuffer(buffer);
@@ -163,10 +143,8 @@ std::shared_ptr<const MirrorTexels> MirrorTarget::readBack() const {
 }
 
 void MirrorTarget::release() {
-  for (GLuint* framebuffer : {&resolved_, &sampled_}) {
-    if (*framebuffer != 0) glDeleteFramebuffers(1, framebuffer);
-    *framebuffer = 0;
-  }
+  resolved_.release();
+  sampled_.release();
   for (GLuint* buffer : {&depth_, &sampledDepth_, &buffers_[0], &buffers_[1]}) {
     if (*buffer != 0) glDeleteRenderbuffers(1, buffer);
     *buffer = 0;

@@ -1,4 +1,4 @@
-// What a planar mirror's picture is drawn into: half-float colour and height, four samples a texel resolved, with mip
+// What a planar mirror's picture is drawn into: half-float colour and height, four samples per texel resolved, with mip
 // levels. Called by the mirrors' painter; knows no scene. Every function needs the window's context current.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "filters/math/shared/mirror_math.h"
+#include "filters/vtk/gl/framebuffer.h"
 
 class vtkOpenGLRenderWindow;
 
@@ -29,7 +30,7 @@ class MirrorTarget {
   void clear(vtkOpenGLRenderWindow* window);
   /// Draws go to depth alone, or to colour and height as well.
   void drawColors(vtkOpenGLRenderWindow* window, bool colors);
-  GLuint framebuffer() const { return samples_ > 1 ? sampled_ : resolved_; }
+  GLuint framebuffer() const { return (samples_ > 1 ? sampled_ : resolved_).handle(); }
   /// Brings what was drawn into the textures, all levels.
   void finish(vtkOpenGLRenderWindow* window);
 
@@ -44,7 +45,8 @@ class MirrorTarget {
  private:
   int width_ = 0, rows_ = 0, samples_ = 0, levels_ = 0;
   std::array<GLuint, 2> textures_{}, buffers_{};
-  GLuint resolved_ = 0, depth_ = 0, sampled_ = 0, sampledDepth_ = 0;
+  Framebuffer resolved_, sampled_;
+  GLuint depth_ = 0, sampledDepth_ = 0;
 };
 
 }  // namespace boxprobe

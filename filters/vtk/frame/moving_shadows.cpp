@@ -53,7 +53,7 @@ MovingShadows::MovingShadows(vtkOpenGLRenderWindow* window, std::shared_ptr<Draw
 void MovingShadows::update() {
   if (!stale_) return;
   stale_ = false;
-  state_->movingShadows.clear();
+  state_->resources.movingShadows.clear();
   std::optional<Box> casters;
   for (const DrawnObject& object : content_->objects) {
     if (!casts(object)) continue;
@@ -63,15 +63,16 @@ void MovingShadows::update() {
   if (!casters) return;
   const std::vector<Light>& lights = content_->scene.lights;
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    if (lights[i].shadows != LightShadows::CoverageAndMap || state_->shadowLightsInUse.count(static_cast<int>(i)) == 0)
+    if (lights[i].shadows != LightShadows::CoverageAndMap ||
+        state_->resources.shadowLightsInUse.count(static_cast<int>(i)) == 0)
       continue;
     const auto matrix = movingMapFromWorld(lights[i], *casters);
     if (!matrix) continue;
-    const std::size_t at = state_->movingShadows.size();
+    const std::size_t at = state_->resources.movingShadows.size();
     if (maps_.size() <= at) maps_.emplace_back();
     drawMap(maps_[at], *matrix);
-    state_->movingShadows.push_back({static_cast<int>(i), maps_[at].texture, *matrix});
-    ++state_->counters.shadowMapsDrawn;
+    state_->resources.movingShadows.push_back({static_cast<int>(i), maps_[at].texture, *matrix});
+    ++state_->counts.counters.shadowMapsDrawn;
   }
 }
 
@@ -89,14 +90,10 @@ void MovingShadows::drawMap(Map& map, const glm::dmat4& mapFromWorld) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    glGenFramebuffers(1, &map.framebuffer);
-    state->vtkglBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.texture, 0);
-    glDrawBuffer(GL_NONE);
-    glReadBuffer(GL_NONE);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      throw WorkError("OpenGL refuses the framebuffer for a shadow map");
-    }
+  }
+  if (!map.framebuffer.made()) {
+    map.framebuffer.attach({}, textureImage(map.texture),
+                           [](GLenum) { return "OpenGL refuses the framebuffer for a shadow map"; });
   }
   vtkOpenGLShaderCache* cache = window_->GetShaderCache();
   if (program_ == nullptr) {
@@ -104,12 +101,12 @@ void MovingShadows::drawMap(Map& map, const glm::dmat4& mapFromWorld) {
     const std::string fragment =
         "//VTK::System::Dec\n//VTK::Output::Dec\nvoid main()\n{\n  gl_FragData[0] = vec4(0.0);\n}\n";
     program_ = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
-    ++state_->counters.programsCompiled;
+    ++state_->counts.counters.programsCompiled;
   } else {
     cache->ReadyShaderProgram(program_);
   }
   if (program_ == nullptr || !program_->GetCompiled()) throw WorkError("the shader depth_vertex does not compile");
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer);
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, map.framebuffer.handle());
   state->vtkglViewport(0, 0, kMovingMapSize, kMovingMapSize);
   const vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST), cull(state, GL_CULL_FACE);
   const vtkOpenGLState::ScopedglDepthMask depthMask(state);
@@ -143,10 +140,10 @@ void MovingShadows::release() {
   geometry_.release();
   for (Map& map : maps_) {
     glDeleteTextures(1, &map.texture);
-    glDeleteFramebuffers(1, &map.framebuffer);
+    map.framebuffer.release();
   }
   maps_.clear();
-  state_->movingShadows.clear();
+  state_->resources.movingShadows.clear();
   program_ = nullptr;
   stale_ = true;
 }

@@ -3,12 +3,13 @@
 // The map lies tightly about what moves: beyond its edges there is no shadow, and what lies behind it is in it.
 #pragma once
 
+#include <deque>
 #include <memory>
-#include <vector>
 
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/frame/depth_geometry.h"
+#include "filters/vtk/gl/framebuffer.h"
 #include "filters/vtk/scene/scene_content.h"
-#include "filters/vtk/surface/draw_state.h"
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -29,7 +30,8 @@ class MovingShadows {
 
  private:
   struct Map {
-    GLuint texture = 0, framebuffer = 0;
+    GLuint texture = 0;
+    Framebuffer framebuffer;
   };
   void drawMap(Map& map, const glm::dmat4& mapFromWorld);
 
@@ -39,7 +41,7 @@ class MovingShadows {
   bool stale_ = true;
   DepthGeometry geometry_;
   vtkShaderProgram* program_ = nullptr;
-  std::vector<Map> maps_;
+  std::deque<Map> maps_;
 };
 
 }  // namespace boxprobe

@@ -82,7 +82,7 @@ PictureFrames::Key PictureFrames::key() const {
     if (binding == nullptr) continue;
     for (const auto& probe : binding->probes) key.maps.push_back(probe->maps);
   }
-  key.maps.push_back(state_->sky);
+  key.maps.push_back(state_->resources.sky);
   return key;
 }
 

@@ -18,6 +18,7 @@
 #include <algorithm>
 
 #include "filters/core/base/errors.h"
+#include "filters/vtk/draw/pass_scope.h"
 #include "filters/vtk/frame/vtkTargetPass.h"
 #include "filters/vtk/surface/glass_order.h"
 
@@ -40,11 +41,11 @@ vtkPicturePass::~vtkPicturePass() = default;
 
 void vtkPicturePass::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
   this->State = std::move(state);
-  this->Average = std::make_unique<boxprobe::FrameAverage>(&this->State->counters);
-  this->Blur = std::make_unique<boxprobe::ReflectionBlur>(&this->State->counters);
+  this->Average = std::make_unique<boxprobe::FrameAverage>(&this->State->counts.counters);
+  this->Blur = std::make_unique<boxprobe::ReflectionBlur>(&this->State->counts.counters);
   this->Presented = std::make_unique<boxprobe::FullScreenPass>(
       std::vector<std::string>{"gpu/output_uniforms.glsl", "gpu/output.glsl", "gpu/present_picture.glsl"},
-      &this->State->counters);
+      &this->State->counts.counters);
 }
 
 void vtkPicturePass::Render(const vtkRenderState* s) {
@@ -52,9 +53,7 @@ void vtkPicturePass::Render(const vtkRenderState* s) {
     this->RenderPicture(s);
   } catch (const boxprobe::Error& error) {
     // An exception must not pass through VTK's renderer, which would stay in the middle of a frame.
-    if (this->State->error.empty()) {
-      this->State->error = error.what();
-    }
+    this->State->counts.fail(error.what());
   }
 }
 
@@ -93,14 +92,13 @@ void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
   this->OnTop->Render(&onTop);
 }
 
-// Several samples a pixel resolved first would mix the surfaces at an edge, which smoothing has to tell apart: it is
+// Several samples per pixel resolved first would mix the surfaces at an edge, which smoothing has to tell apart: it is
 // done on a finer picture instead.
 int vtkPicturePass::Finer() const {
   return this->BlurredRays > 0 && this->Samples > 1 ? 2 : 1;
 }
 
 void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*>& props) {
-  boxprobe::DrawState& state = *this->State;
   const bool apart = this->BlurredRays > 0;
   const int finer = this->Finer();
   this->Frame.allocate(finer * this->Width, finer * this->Height, finer > 1 ? 0 : this->Samples,
@@ -108,9 +106,10 @@ void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*
   this->Target->Framebuffer = this->Frame.framebuffer();
   this->Target->Viewport[2] = this->Frame.width();
   this->Target->Viewport[3] = this->Frame.height();
-  const float exposure = state.exposure;
-  state.exposure = -1.0f;
-  state.frame = this->Average->frames();
+  const boxprobe::PassScope scope(*this->State, [this](boxprobe::PassSettings& pass) {
+    pass.exposure = boxprobe::kLinearOutput;
+    pass.frame = this->Average->frames();
+  });
   if (!apart) {
     this->DrawProps(renderer, props, true, true);
   } else {
@@ -126,8 +125,6 @@ void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*
     this->DrawProps(renderer, sky, false, false);
     this->DrawProps(renderer, translucent, false, true);
   }
-  state.frame = 0;
-  state.exposure = exposure;
   this->Frame.resolve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
 }
 
@@ -176,7 +173,7 @@ void vtkPicturePass::Present(vtkRenderer* renderer) {
     program->SetUniformi("bpDepth", depth.unit());
     program->SetUniformi("bpFiner", this->Finer());
     program->SetUniformf("bpScale", blurred ? 1.0f : 1.0f / static_cast<float>(std::max(this->Average->frames(), 1)));
-    program->SetUniformf("bpExposure", this->Framebuffer == 0 ? this->State->exposure : -1.0f);
+    program->SetUniformf("bpExposure", this->Framebuffer == 0 ? this->State->pass().exposure : boxprobe::kLinearOutput);
   });
 }
 

@@ -14,9 +14,9 @@
 #include <memory>
 #include <vector>
 
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/frame/frame_average.h"
 #include "filters/vtk/frame/reflection_blur.h"
-#include "filters/vtk/surface/draw_state.h"
 
 class vtkProp;
 class vtkSequencePass;

@@ -7,6 +7,8 @@
 
 #include <array>
 
+#include "filters/vtk/gl/framebuffer.h"
+
 class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
@@ -21,13 +23,13 @@ class FrameTarget {
   FrameTarget(const FrameTarget&) = delete;
   FrameTarget& operator=(const FrameTarget&) = delete;
 
-  /// `samples`: 0 or 1 for one a pixel; several for colour alone. Keeps what it has when nothing differs. Throws
+  /// `samples`: 0 or 1 for one per pixel; several for colour alone. Keeps what it has when nothing differs. Throws
   /// WorkError if the driver refuses.
   void allocate(int width, int height, int samples, int attachments);
   void release();
 
   /// What is drawn into.
-  GLuint framebuffer() const { return samples_ > 1 ? sampled_ : resolved_; }
+  GLuint framebuffer() const { return (samples_ > 1 ? sampled_ : resolved_).handle(); }
   /// Draws go to colour alone, or to every attachment. The framebuffer must be bound.
   void drawTo(bool everyAttachment) const;
   /// Brings what was drawn into the textures.
@@ -41,9 +43,10 @@ class FrameTarget {
 
  private:
   int width_ = 0, height_ = 0, samples_ = 0, attachments_ = 0;
-  GLuint resolved_ = 0, depth_ = 0;
+  Framebuffer resolved_, sampled_;
+  GLuint depth_ = 0;
   std::array<GLuint, kMostAttachments> textures_{};
-  GLuint sampled_ = 0, sampledColor_ = 0, sampledDepth_ = 0;  // several samples a pixel: render buffers
+  GLuint sampledColor_ = 0, sampledDepth_ = 0;  // several samples per pixel: render buffers
 };
 
 }  // namespace boxprobe

@@ -31,14 +31,6 @@ class CubeBinding {
   GLint previous_ = 0;
 };
 
-void requireComplete(const char* what) {
-  const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-  if (status != GL_FRAMEBUFFER_COMPLETE) {
-    throw WorkError(std::string("OpenGL refuses the framebuffer for ") + what + " (status " + std::to_string(status) +
-                    "); a driver with float render targets is needed");
-  }
-}
-
 }  // namespace
 
 std::string seamlessCubesProblem() {
@@ -113,67 +105,35 @@ void CubeTexture::writeFace(int face, int level, const std::vector<float>& rgba)
 }
 
 void FloatTarget::allocate(int width, int height) {
-  if (framebuffer_ != 0 && width == width_ && height == height_) return;
+  if (framebuffer_.made() && width == width_ && height == height_) return;
   release();
   width_ = width;
   height_ = height;
-  GLint previous = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &previous);
-  const auto make = [&](GLenum internalFormat, GLenum format) {
-    GLuint handle = 0;
-    glGenTextures(1, &handle);
-    glBindTexture(GL_TEXTURE_2D, handle);
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), width, height, 0, format, GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    return handle;
-  };
-  color_ = make(GL_RGBA32F, GL_RGBA);
-  depth_ = make(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(previous));
-
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  glGenFramebuffers(1, &framebuffer_);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
-  requireComplete("float colour");
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  color_ = makeTargetTexture(width, height, GL_RGBA32F, GL_RGBA);
+  depth_ = makeTargetTexture(width, height, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
+  framebuffer_.attach({textureImage(color_)}, textureImage(depth_), floatRefusal("float colour"));
 }
 
 void FloatTarget::release() {
-  if (framebuffer_ == 0) return;
-  glDeleteFramebuffers(1, &framebuffer_);
-  glDeleteTextures(1, &color_);
-  glDeleteTextures(1, &depth_);
-  framebuffer_ = color_ = depth_ = 0;
+  framebuffer_.release();
+  if (color_ != 0) glDeleteTextures(1, &color_);
+  if (depth_ != 0) glDeleteTextures(1, &depth_);
+  color_ = depth_ = 0;
 }
 
 void CubeFramebuffer::bind(vtkOpenGLRenderWindow* window, const CubeTexture& color, int face, int level,
                            const CubeTexture* second) {
+  std::vector<FramebufferImage> images = {textureImage(color.handle(), faceTarget(face), level)};
+  if (second != nullptr) images.push_back(textureImage(second->handle(), faceTarget(face), level));
+  framebuffer_.attach(images, {}, floatRefusal("a cube face"));
   vtkOpenGLState* state = window->GetState();
-  if (framebuffer_ == 0) glGenFramebuffers(1, &framebuffer_);
-  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, faceTarget(face), color.handle(), level);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, second != nullptr ? faceTarget(face) : GL_TEXTURE_2D,
-                         second != nullptr ? second->handle() : 0, second != nullptr ? level : 0);
-  const GLenum buffers[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  glDrawBuffers(second != nullptr ? 2 : 1, buffers);
-  glReadBuffer(GL_COLOR_ATTACHMENT0);
-  requireComplete("a cube face");
+  state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.handle());
   const int size = color.faceSize() >> level;
   state->vtkglViewport(0, 0, size, size);
 }
 
 void CubeFramebuffer::bindDraw(vtkOpenGLRenderWindow* window) {
-  window->GetState()->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
-}
-
-void CubeFramebuffer::release() {
-  if (framebuffer_ != 0) glDeleteFramebuffers(1, &framebuffer_);
-  framebuffer_ = 0;
+  window->GetState()->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.handle());
 }
 
 struct PassState::Saved {

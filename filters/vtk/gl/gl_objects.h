@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "filters/vtk/gl/framebuffer.h"
+
 class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
@@ -55,34 +57,30 @@ class FloatTarget {
   /// Keeps what it has when the size is unchanged. Throws WorkError if the driver refuses it.
   void allocate(int width, int height);
   void release();
-  GLuint framebuffer() const { return framebuffer_; }
+  GLuint framebuffer() const { return framebuffer_.handle(); }
   GLuint color() const { return color_; }
   GLuint depth() const { return depth_; }
   int width() const { return width_; }
   int height() const { return height_; }
 
  private:
-  GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
+  Framebuffer framebuffer_;
+  GLuint color_ = 0, depth_ = 0;
   int width_ = 0, height_ = 0;
 };
 
 /// A framebuffer that faces and levels of cube maps are attached to in turn.
 class CubeFramebuffer {
  public:
-  CubeFramebuffer() = default;
-  ~CubeFramebuffer() { release(); }
-  CubeFramebuffer(const CubeFramebuffer&) = delete;
-  CubeFramebuffer& operator=(const CubeFramebuffer&) = delete;
-
   /// Binds it with `color` (and `second` as attachment 1 if given) and sets the viewport to the level's size.
   void bind(vtkOpenGLRenderWindow* window, const CubeTexture& color, int face, int level,
             const CubeTexture* second = nullptr);
   /// Binds it for drawing only, with what is attached: the other side of a blit.
   void bindDraw(vtkOpenGLRenderWindow* window);
-  void release();
+  void release() { framebuffer_.release(); }
 
  private:
-  GLuint framebuffer_ = 0;
+  Framebuffer framebuffer_;
 };
 
 /// What a full-screen pass changes, put back when it goes out of scope: framebuffer bindings, viewport, depth test,

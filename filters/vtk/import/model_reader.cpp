@@ -25,6 +25,7 @@
 #include <optional>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/file_extension.h"
 #include "filters/vtk/import/file_guards.h"
 #include "filters/vtk/import/ply_guard.h"
 #include "filters/vtk/import/polydata_mesh.h"
@@ -33,12 +34,6 @@
 namespace boxprobe {
 
 namespace {
-
-std::string extensionOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 /// For files that say nothing of it: light grey plastic, seen from both sides, because winding is not reliable there.
 Material plainMaterial() {
@@ -71,7 +66,7 @@ class ReaderProgress {
 
   /// Throws if the progress said so, then or now.
   void check() const {
-    if (stopped_ || (progress_ && !progress_(0.8))) throw LoadCancelled(path_ + ": loading was stopped");
+    if (stopped_ || (progress_ && !progress_(0.8))) throw LoadCancelled(path_ + ": loading was cancelled");
   }
 
  private:
@@ -155,7 +150,7 @@ Material materialOf(vtkActor* actor, const std::string& name, double shine) {
 
 Model readObj(const std::string& path, const LoadProgress& progress) {
   const ObjNames names = checkObj(path);
-  if (progress && !progress(0.2)) throw LoadCancelled(path + ": loading was stopped");
+  if (progress && !progress(0.2)) throw LoadCancelled(path + ": loading was cancelled");
   const VtkErrorCatcher errors;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
@@ -184,7 +179,7 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
     model.materials.push_back(materialOf(actor, mesh.name, shininess(importer, output)));
     model.instances.push_back({mesh.name, static_cast<int>(model.meshes.size()), glm::dmat4(1.0)});
     model.meshes.push_back(std::move(mesh));
-    if (progress && !progress(0.9)) throw LoadCancelled(path + ": loading was stopped");
+    if (progress && !progress(0.9)) throw LoadCancelled(path + ": loading was cancelled");
   }
   if (model.instances.empty()) throw InputError(path + ": has no triangles to show");
   return model;
@@ -193,7 +188,7 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
 }  // namespace
 
 bool isModelFile(const std::string& path) {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerExtension(path);
   for (const char* known : {".glb", ".gltf", ".obj", ".ply", ".stl", ".vtp"}) {
     if (extension == known) return true;
   }
@@ -206,7 +201,7 @@ const std::string& modelFilePatterns() {
 }
 
 Model readModel(const std::string& path, const LoadProgress& progress) {
-  const std::string extension = extensionOf(path);
+  const std::string extension = lowerExtension(path);
   if (extension == ".obj") return readObj(path, progress);
   if (extension == ".ply") return readPly(path, progress);
   if (extension == ".stl") {

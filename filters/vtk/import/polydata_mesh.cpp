@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "filters/core/base/errors.h"
+#include "filters/math/cube/srgb.h"
 
 namespace boxprobe {
 
@@ -49,17 +50,13 @@ void checkGeometry(vtkPolyData* data, const std::string& place) {
   }
 }
 
-float linearOfSrgb(double c) {
-  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-}
-
 void readColors(vtkPointData* points, Mesh& mesh) {
   for (int a = 0; a < points->GetNumberOfArrays(); ++a) {
     auto* bytes = vtkUnsignedCharArray::SafeDownCast(points->GetArray(a));
     if (bytes == nullptr || bytes->GetNumberOfComponents() < 3 || bytes->GetNumberOfComponents() > 4) continue;
     for (vtkIdType i = 0; i < bytes->GetNumberOfTuples(); ++i) {
       glm::vec4 color(1.0f);
-      for (int c = 0; c < 3; ++c) color[c] = linearOfSrgb(bytes->GetTypedComponent(i, c) / 255.0);
+      for (int c = 0; c < 3; ++c) color[c] = linearOfSrgb(bytes->GetTypedComponent(i, c));
       if (bytes->GetNumberOfComponents() == 4) color.a = static_cast<float>(bytes->GetTypedComponent(i, 3)) / 255.0f;
       mesh.colors.push_back(color);
     }

@@ -7,7 +7,8 @@
 
 namespace boxprobe {
 
-FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, const DrawState& state) {
+FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, const MirrorSet& mirrors,
+                        const Counters& counters) {
   FrameReport report;
   for (const Probe& probe : content.scene.probes) {
     const auto maps = probes.maps(report.probes.size());
@@ -43,11 +44,29 @@ FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, con
     if (line.drawn) variants.insert(line.variant);
     report.objects.push_back(std::move(line));
   }
-  std::copy(state.counters.drawsByProbeCount.begin(), state.counters.drawsByProbeCount.end(),
-            report.drawsByProbeCount.begin());
+  std::copy(counters.drawsByProbeCount.begin(), counters.drawsByProbeCount.end(), report.drawsByProbeCount.begin());
   report.variants = variants.size();
   report.bytes = probes.memoryBytes();
+  for (const MirrorReport& m : mirrors.reports()) {
+    report.mirrors.push_back(
+        {m.node, m.state == MirrorState::Drawn, mirrorStateText(m.state), m.width, m.height, m.objects, m.hiding});
+  }
+  report.mirrorBytes = mirrors.memoryBytes();
   return report;
+}
+
+FrameReport::Lookups lookupsOf(const ImageRgbaF& picture) {
+  FrameReport::Lookups lookups;
+  std::size_t surfaces = 0;
+  for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+    if (picture.pixels[i + 3] <= 0.0f) continue;
+    const double here = std::max(0.0, static_cast<double>(picture.pixels[i]));
+    lookups.mean += here;
+    lookups.most = std::max(lookups.most, here);
+    ++surfaces;
+  }
+  lookups.mean /= static_cast<double>(std::max(surfaces, std::size_t{1}));
+  return lookups;
 }
 
 }  // namespace boxprobe

@@ -2,10 +2,14 @@
 #pragma once
 
 #include "filters/vtk/frame/frame_report.h"
+#include "filters/vtk/frame/mirror_set.h"
 #include "filters/vtk/probes/probe_set.h"
 
 namespace boxprobe {
 
-FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, const DrawState& state);
+FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, const MirrorSet& mirrors,
+                        const Counters& counters);
+/// Of a picture drawn with the debug view of lookups, transparent where no surface is.
+FrameReport::Lookups lookupsOf(const ImageRgbaF& picture);
 
 }  // namespace boxprobe

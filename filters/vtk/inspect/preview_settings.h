@@ -9,7 +9,7 @@ enum class SphereKind {
   Off,
   Chrome,   ///< level 0: the capture itself
   Rough,    ///< a metal of PreviewSphereSettings::roughness
-  Diffuse,  ///< a white matt surface: the irradiance
+  Diffuse,  ///< a white diffuse surface: the irradiance
 };
 
 struct PreviewSphereSettings {

@@ -1,4 +1,4 @@
-// A sphere at a probe's origin that shows what the probe holds: a mirror, a rough metal or a matt white, lit by that
+// A sphere at a probe's origin that shows what the probe holds: a mirror, a rough metal or a diffuse white, lit by that
 // probe's maps alone. Owned by the scene renderer. Drawn in a layer of its own over the scene (behind whatever stands
 // before it), so that no capture, explanation or exported picture sees it; hidden it is not there at all.
 #pragma once
@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/inspect/preview_settings.h"
-#include "filters/vtk/surface/draw_state.h"
 #include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 
 class vtkRenderer;

@@ -11,14 +11,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/core/base/errors.h"
+#include "filters/vtk/draw/pass_scope.h"
 #include "filters/vtk/frame/vtkTargetPass.h"
 #include "filters/vtk/gl/gl_objects.h"
 
 namespace boxprobe {
 
-SurfaceCapture::SurfaceCapture(vtkOpenGLRenderWindow* window)
-    : window_(window), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+SurfaceCapture::SurfaceCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state)
+    : window_(window), state_(std::move(state)), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
   renderer_->GetCullers()->RemoveAllItems();
   renderer_->AutomaticLightCreationOff();
   renderer_->SetLightFollowCamera(false);
@@ -33,38 +33,19 @@ SurfaceCapture::SurfaceCapture(vtkOpenGLRenderWindow* window)
 SurfaceCapture::~SurfaceCapture() = default;
 
 void SurfaceCapture::allocate(int width, int height) {
-  if (framebuffer_ != 0 && width == width_ && height == height_) return;
+  if (framebuffer_.made() && width == width_ && height == height_) return;
   release();
   width_ = width;
   height_ = height;
-  GLint previousTexture = 0, previousFramebuffer = 0;
-  glGetIntegerv(GL_TEXTURE_BINDING_2D, &previousTexture);
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &previousFramebuffer);
-  const auto make = [&](GLenum internalFormat, GLenum format) {
-    GLuint handle = 0;
-    glGenTextures(1, &handle);
-    glBindTexture(GL_TEXTURE_2D, handle);
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), width, height, 0, format, GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    return handle;
-  };
-  glGenFramebuffers(1, &framebuffer_);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  std::array<GLenum, kAttachments> buffers{};
-  for (std::size_t i = 0; i < textures_.size(); ++i) {
-    textures_[i] = make(GL_RGBA32F, GL_RGBA);
-    buffers[i] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, buffers[i], GL_TEXTURE_2D, textures_[i], 0);
+  std::vector<FramebufferImage> colors;
+  for (GLuint& texture : textures_) {
+    texture = makeTargetTexture(width, height, GL_RGBA32F, GL_RGBA);
+    colors.push_back(textureImage(texture));
   }
-  depth_ = make(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_, 0);
-  glDrawBuffers(kAttachments, buffers.data());
-  const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(previousTexture));
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(previousFramebuffer));
-  if (!complete)
-    throw WorkError("this driver cannot draw into seven float textures at once; pixels cannot be explained");
+  depth_ = makeTargetTexture(width, height, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT);
+  framebuffer_.attach(colors, textureImage(depth_), [](GLenum) {
+    return "this driver cannot draw into seven float textures at once; pixels cannot be explained";
+  });
 }
 
 std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, int height, const PixelRect& rect,
@@ -77,26 +58,31 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
   shaped->SetExplicitAspectRatio(static_cast<double>(width) / height);
 
   auto* pass = vtkTargetPass::SafeDownCast(renderer_->GetPass());
-  pass->Framebuffer = framebuffer_;
+  pass->Framebuffer = framebuffer_.handle();
   pass->Viewport[0] = -rect.x;
   pass->Viewport[1] = -(height - rect.y - rect.height);
   pass->Viewport[2] = width;
   pass->Viewport[3] = height;
   pass->Props = props;
   renderer_->SetRenderWindow(window_);
-  renderer_->SetActiveCamera(shaped);
   renderer_->RemoveAllLights();
   for (vtkLight* light : lights) renderer_->AddLight(light);
-  // VTK's lighting uniforms are uploaded only when the camera is newer than the program's last upload.
-  shaped->Modified();
-  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  renderer_->Render();
+  {
+    const PassScope scope(*state_, renderer_, shaped, [&](PassSettings& settings) {
+      settings.debug.view = 0;
+      settings.exposure = kLinearOutput;
+      settings.countDraws = false;
+      settings.pixelOrigin = glm::ivec2(rect.x, height - rect.y - rect.height);
+    });
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    renderer_->Render();
+  }
 
   const auto count = static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
   std::array<std::vector<glm::vec4>, kAttachments> values;
   {
     const PassState saved(window_);
-    window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.handle());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i].resize(count);
@@ -143,10 +129,10 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
 }
 
 void SurfaceCapture::release() {
-  if (framebuffer_ != 0) glDeleteFramebuffers(1, &framebuffer_);
+  framebuffer_.release();
   if (textures_[0] != 0) glDeleteTextures(kAttachments, textures_.data());
   if (depth_ != 0) glDeleteTextures(1, &depth_);
-  framebuffer_ = depth_ = 0;
+  depth_ = 0;
   textures_ = {};
   width_ = height_ = 0;
   renderer_->SetRenderWindow(nullptr);

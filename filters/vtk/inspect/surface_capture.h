@@ -7,9 +7,12 @@
 #include <vtk_glew.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "filters/explain/explanation.h"
+#include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/gl/framebuffer.h"
 
 class vtkCamera;
 class vtkLight;
@@ -32,7 +35,7 @@ struct SurfacePixel {
 
 class SurfaceCapture {
  public:
-  explicit SurfaceCapture(vtkOpenGLRenderWindow* window);
+  SurfaceCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state);
   ~SurfaceCapture();
   SurfaceCapture(const SurfaceCapture&) = delete;
   SurfaceCapture& operator=(const SurfaceCapture&) = delete;
@@ -47,8 +50,10 @@ class SurfaceCapture {
   void allocate(int width, int height);
 
   vtkOpenGLRenderWindow* window_;
+  std::shared_ptr<DrawState> state_;
   vtkSmartPointer<vtkRenderer> renderer_;
-  GLuint framebuffer_ = 0, depth_ = 0;
+  Framebuffer framebuffer_;
+  GLuint depth_ = 0;
   std::array<GLuint, kAttachments> textures_{};
   int width_ = 0, height_ = 0;
 };

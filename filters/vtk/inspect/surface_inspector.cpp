@@ -16,7 +16,7 @@ namespace boxprobe {
 
 SurfaceInspector::SurfaceInspector(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state,
                                    SceneContent* content)
-    : window_(window), state_(std::move(state)), content_(content), capture_(window) {}
+    : window_(window), state_(std::move(state)), content_(content), capture_(window, state_) {}
 
 // Shares geometry, property and textures with the object; only the program is another one.
 vtkProp* SurfaceInspector::twinOf(std::size_t index) {
@@ -84,16 +84,9 @@ std::shared_ptr<const BakedMaps> SurfaceInspector::onCpu(const std::shared_ptr<c
 std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width, int height,
                                                    const std::vector<glm::ivec2>& pixels) {
   if (brdf_.texels.empty()) brdf_ = makeBrdfTable();
-  const DebugDraw debug = state_->debug;
-  const float exposure = state_->exposure;
-  const bool countDraws = state_->countDraws;
-  state_->debug.view = 0;
-  state_->exposure = -1.0f;
-  state_->countDraws = false;
   const bool single = pixels.size() == 1;
   PixelRect rect{0, 0, width, height};
   if (single) rect = {pixels[0].x, pixels[0].y, 1, 1};
-  state_->pixelOrigin = glm::ivec2(rect.x, height - rect.y - rect.height);
   std::vector<SurfacePixel> surfaces;
   const std::vector<vtkLight*> lights = content_->lightPointers();
   if (single) {
@@ -115,10 +108,6 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
       std::any_of(pixels.begin(), pixels.end(), [&](const glm::ivec2& p) { return surfaces[at(p)].object == 0; });
   std::vector<SurfacePixel> sky;
   if (anyBackground) sky = capture_.capture(camera, width, height, rect, {content_->sky}, lights);
-  state_->debug = debug;
-  state_->exposure = exposure;
-  state_->pixelOrigin = glm::ivec2(0);
-  state_->countDraws = countDraws;
 
   readMovingMaps();
   std::vector<Explanation> result;
@@ -143,7 +132,7 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
 
 void SurfaceInspector::readMovingMaps() {
   movingMaps_.clear();
-  for (const MovingShadow& shadow : state_->movingShadows) {
+  for (const MovingShadow& shadow : state_->resources.movingShadows) {
     MovingMap map{shadow.light, kMovingMapSize, {}, shadow.mapFromWorld};
     map.depth.resize(std::size_t{kMovingMapSize} * kMovingMapSize);
     const BoundTexture bound(window_, GL_TEXTURE_2D, shadow.texture);
@@ -160,7 +149,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.surface = pixel.point;
   in.surface.object = object.node;
   in.surface.material = object.materialName;
-  in.surface.frame = state_->frame;
+  in.surface.frame = state_->pass().frame;
   in.lighting = binding.lighting == Lighting::Probes  ? ExplainInput::Lighting::Probes
                 : binding.lighting == Lighting::Unlit ? ExplainInput::Lighting::Unlit
                                                       : ExplainInput::Lighting::Plain;
@@ -186,11 +175,11 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.onlyProbes = binding.onlyProbes;
   in.shares = binding.shares;
   in.skyShare = binding.skyShare;
-  in.skyMaps = onCpu(state_->sky).get();
+  in.skyMaps = onCpu(state_->resources.sky).get();
   in.brdf = &brdf_;
   in.lights = content_->scene.lights;
   if (object.mapper->DrawsGlass()) {
-    int faceSize = state_->sky ? state_->sky->radiance.faceSize() : 0;
+    int faceSize = state_->resources.sky ? state_->resources.sky->radiance.faceSize() : 0;
     for (const auto& probe : binding.probes) {
       if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
     }

@@ -150,16 +150,16 @@ void ViewLegend::showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& 
   renderer->AddActor2D(names_);
 }
 
-void ViewLegend::upload(vtkOpenGLRenderWindow* window, DebugDraw& debug) const {
-  if (debug.colorMap != 0) return;
+void ViewLegend::upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const {
+  if (resources.viewColors != 0) return;
   std::vector<float> texels;
   for (int i = 0; i < kColors; ++i) {
     double rgb[3];
     colors_->GetColor(static_cast<double>(i) / (kColors - 1), rgb);
     for (const double c : rgb) texels.push_back(static_cast<float>(c));
   }
-  glGenTextures(1, &debug.colorMap);
-  const BoundTexture bound(window, GL_TEXTURE_2D, debug.colorMap);
+  glGenTextures(1, &resources.viewColors);
+  const BoundTexture bound(window, GL_TEXTURE_2D, resources.viewColors);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, kColors, 1, 0, GL_RGB, GL_FLOAT, texels.data());
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "filters/core/scene/surface_view.h"
-#include "filters/vtk/surface/draw_state.h"
+#include "filters/vtk/draw/scene_resources.h"
 
 class vtkColorTransferFunction;
 class vtkLegendBoxActor;
@@ -29,7 +29,7 @@ class ViewLegend {
   void show(vtkRenderer* renderer, const SurfaceViewRow& row, double low, double high,
             const std::vector<std::string>& probeNames);
   /// The colour map as the shader reads it. The context must be current.
-  void upload(vtkOpenGLRenderWindow* window, DebugDraw& debug) const;
+  void upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const;
 
  private:
   void showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& colors, const std::vector<std::string>& names);

@@ -17,7 +17,7 @@ int faceSize(const ProbeMaps& maps);
 
 class LevelReader {
  public:
-  /// Begins anew. `level` is brought into the chain; `distance` reads the distances, which have one level.
+  /// Begins again. `level` is brought into the chain; `distance` reads the distances, which have one level.
   void start(std::shared_ptr<const ProbeMaps> maps, int level, bool distance);
   void stop();
   bool pending() const { return face_ < 6; }

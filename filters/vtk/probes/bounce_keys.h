@@ -30,7 +30,7 @@ class BounceKeys {
   /// The key of a probe's maps as of a bounce; 1 is the first. More than its own bounces: the last.
   const std::string& key(std::size_t probe, int bounce) const;
   const std::string& finalKey(std::size_t probe) const { return key(probe, inputs_[probe].bounces); }
-  /// The probes a probe's later bounces show: as its record has it, so that maps once made are not undone by a box,
+  /// The probes per probe's later bounces show: as its record has it, so that maps once made are not undone by a box,
   /// plus those that came since.
   const std::vector<std::size_t>& sees(std::size_t probe) const { return sees_[probe]; }
   /// What to remember with maps that are made now.

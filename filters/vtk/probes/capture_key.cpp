@@ -13,7 +13,7 @@ namespace boxprobe {
 namespace {
 
 // Raise it whenever captures or filters come to give other texels for the same inputs: files baked before are then
-// baked anew.
+// baked again.
 constexpr int kBakeVersion = 3;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {

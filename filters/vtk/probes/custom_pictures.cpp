@@ -12,14 +12,15 @@ void CustomPictures::update(const Scene& scene) {
     if (probe.mode != ProbeMode::Custom) continue;
     const std::string place = "probes." + probe.name + ".image: ";
     const auto it = pictures_.find(probe.name);
-    if (it == pictures_.end() || it->second.file != probe.image || it->second.layout != probe.imageLayout) {
+    if (it == pictures_.end() || !it->second.isOf(probe)) {
       Picture& picture = pictures_[probe.name];
       picture.file = probe.image;
       picture.layout = probe.imageLayout;
+      picture.code = {probe.encoding, probe.decode};
       picture.error.clear();
       try {
-        if (probe.image.empty()) throw InputError("mode custom needs the path of an EXR or HDR picture");
-        LoadedCube loaded = loadCube(probe.image, probe.imageLayout);
+        if (probe.image.empty()) throw InputError("mode custom needs the path of a picture");
+        LoadedCube loaded = loadCube(probe.image, probe.imageLayout, 0, picture.code);
         picture.notFinite = loaded.texelsNotFinite;
         picture.clamped = loaded.texelsClamped;
         picture.cube = std::make_shared<const CubeMap>(std::move(loaded.radiance));
@@ -45,7 +46,8 @@ std::vector<std::string> CustomPictures::remarks() const {
       texts.push_back(place + std::to_string(picture.notFinite) + " texels are NaN or infinite and were set to 0");
     }
     if (picture.clamped > 0) {
-      texts.push_back(place + std::to_string(picture.clamped) + " texels are beyond 65504 and were brought down to it");
+      texts.push_back(place + std::to_string(picture.clamped) +
+                      " texels are above 65504, the largest half-float value, and were clamped to it");
     }
   }
   return texts;

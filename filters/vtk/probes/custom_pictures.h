@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "filters/core/scene/scene.h"
+#include "filters/io/cube/picture_code.h"
 #include "filters/math/cube/cube_map.h"
 
 namespace boxprobe {
@@ -16,7 +17,7 @@ class CustomPictures {
  public:
   /// Reads what is not there yet.
   void update(const Scene& scene);
-  /// Reads it anew at the next update: the file may have changed.
+  /// Reads it again at the next update: the file may have changed.
   void forget(const std::string& probeName) { pictures_.erase(probeName); }
 
   /// Null: none could be read so far.
@@ -32,11 +33,16 @@ class CustomPictures {
   struct Picture {
     std::string file;
     CubeLayout layout = CubeLayout::Automatic;
+    PictureCode code;
     std::shared_ptr<const CubeMap> cube;
     std::string error;
     std::size_t notFinite = 0, clamped = 0;  ///< texels
     std::string key;
     FilterKind keyFilter = FilterKind::Ggx;
+
+    bool isOf(const Probe& probe) const {
+      return file == probe.image && layout == probe.imageLayout && code == PictureCode{probe.encoding, probe.decode};
+    }
   };
   mutable std::map<std::string, Picture> pictures_;  ///< by probe
   std::string error_;

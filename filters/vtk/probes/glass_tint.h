@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "filters/math/cube/cube_map.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/scene/scene_content.h"
-#include "filters/vtk/surface/draw_state.h"
 
 namespace boxprobe {
 

@@ -1,12 +1,12 @@
-// Which probes an object uses. CPU only, no GL.
+// Which probes per object uses. CPU only, no GL.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/scene/model_actors.h"
-#include "filters/vtk/surface/draw_state.h"
 
 namespace boxprobe {
 

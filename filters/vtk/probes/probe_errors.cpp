@@ -51,7 +51,7 @@ void ProbeErrors::measure(std::size_t index) {
   const TurnedCube turned(chain, geometry.mapFromProbe);
   probe.drawn->errors = std::make_shared<const TechniqueErrors>(
       measureTechniqueErrors(turned, probeShape(geometry, chain.maxLevel(), 0.0f)));
-  ++state_->counters.errorsMeasured;
+  ++state_->counts.counters.errorsMeasured;
 }
 
 }  // namespace boxprobe

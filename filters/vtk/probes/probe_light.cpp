@@ -36,22 +36,23 @@ bool ProbeLight::updateOpenings() {
     const bool open = asked && drawn.maps && openingsOf(*drawn.maps).any;
     changed |= drawn.open != open;
     drawn.open = open;
-    if (!open || !state_->sky) continue;
-    const auto of = std::make_pair(drawn.maps, state_->sky);
+    if (!open || !state_->resources.sky) continue;
+    const auto of = std::make_pair(drawn.maps, state_->resources.sky);
     if (probe.openSkyOf == of) continue;
     probe.openSkyOf = of;
     drawn.openSky = skyThroughOpenings(openingsOf(*drawn.maps).reduced, rotationMatrix(drawn.maps->capturedRotation),
-                                       openingsOf(*state_->sky).reduced);
+                                       openingsOf(*state_->resources.sky).reduced);
   }
   return changed;
 }
 
 void ProbeLight::updateShadowLights() {
   const std::vector<Light>& lights = content_->scene.lights;
-  state_->shadowLights.clear();
+  state_->resources.shadowLights.clear();
   for (const Light& light : lights) {
     const bool bySize = light.shadowLevel == ShadowLevel::Size;
-    state_->shadowLights.push_back({lightSize(light), bySize ? -1.0f : static_cast<float>(light.levelsPerUnit)});
+    state_->resources.shadowLights.push_back(
+        {lightSize(light), bySize ? -1.0f : static_cast<float>(light.levelsPerUnit)});
   }
   for (std::size_t i = 0; i < shown_->size(); ++i) {
     const Probe& probe = content_->scene.probes[i];

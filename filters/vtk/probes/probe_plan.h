@@ -41,7 +41,7 @@ class ProbePlan {
   const std::string& skyWanted() const { return skyWanted_; }
   bool skyStale() const { return skyWanted_ != skyShown_; }
 
-  /// Plans anew from what entries show and want. The memory is to be checked again.
+  /// Plans again from what entries show and want. The memory is to be checked again.
   void make();
   /// In the order in which they are done. A job leaves the list by the plan that is made when its maps are shown.
   const std::vector<ProbeJob>& jobs() const { return jobs_; }

@@ -33,13 +33,13 @@ void ProbePrograms::assign(bool newProgramsAllowed) {
 
 // By what objects are drawn with, not by what meets them.
 void ProbePrograms::recordUse() {
-  state_->shadowLightsInUse.clear();
+  state_->resources.shadowLightsInUse.clear();
   std::vector<ObjectUse> uses;
   for (const DrawnObject& object : content_->objects) {
     ObjectUse use;
     use.lit = !object.unlit && object.settings.visible;
     if (const ProbeBinding* binding = object.mapper->GetBinding()) {
-      state_->shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
+      state_->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
       for (const auto& probe : binding->probes) {
         // During a drag an object may still be drawn with one that is no longer in the list.
         if (shown_->has(*probe)) use.probes.push_back(static_cast<std::size_t>(probe->index));

@@ -19,7 +19,7 @@ void ProbePublisher::show(std::size_t index, const std::string& key, std::shared
 }
 
 void ProbePublisher::showSky(const std::string& key, std::shared_ptr<const ProbeMaps> maps) {
-  state_->sky = std::move(maps);
+  state_->resources.sky = std::move(maps);
   plan_->skyShows(key);
   if (light_->updateOpenings()) programs_->assign();
 }

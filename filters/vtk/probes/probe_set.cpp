@@ -50,7 +50,7 @@ void ProbeSet::setSeen(std::optional<std::vector<std::size_t>> objects) {
 void ProbeSet::setInteractive(bool interactive) {
   if (plan_.interactive() == interactive) return;
   plan_.setInteractive(interactive);
-  state_->dragging = interactive;
+  state_->setDragging(interactive);
   programs_.assignAll();
   work_.replan();
 }

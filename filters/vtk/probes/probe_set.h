@@ -7,7 +7,7 @@
 //   ProbePrograms   which object is drawn with which probes
 //
 // A baked probe is made once for given inputs (capture_key.h, bounce_keys.h), kept for undo, and taken from a file
-// where one with the same key lies. A realtime probe follows what it shows: one face a step, only faces that changed,
+// where one with the same key lies. A realtime probe follows what it shows: one face per step, only faces that changed,
 // and the new maps replace the old ones whole, so that no half of one moment is seen beside half of another. A custom
 // probe is filtered from a picture.
 #pragma once

@@ -53,7 +53,7 @@ void ProbeWork::loadFile(const ProbeJob& job) {
   for (int face = 0; index && face < 6; ++face) {
     made.faces[static_cast<std::size_t>(face)] = keys_->face(*index, job.bounce, face);
   }
-  ++state_->counters.mapsLoaded;
+  ++state_->counts.counters.mapsLoaded;
   finish(std::move(made));
 }
 

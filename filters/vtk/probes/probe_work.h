@@ -1,5 +1,5 @@
 // The probe set's work, one cube map after another: a planned job is begun, made step by step or read from its file,
-// and handed to the publisher; then the plan is made anew. Called by the probe set; decides neither what is made nor
+// and handed to the publisher; then the plan is made again. Called by the probe set; decides neither what is made nor
 // what is shown.
 #pragma once
 

@@ -62,10 +62,10 @@ void ShownProbes::seeAgain() {
 
 std::function<void(bool)> ShownProbes::withoutSky(std::function<void(bool)> drawing) {
   return [this, drawing = std::move(drawing)](bool begins) {
-    if (begins) skyKept_ = state_->sky;
-    if (begins) state_->sky = nullptr;
+    if (begins) skyKept_ = state_->resources.sky;
+    if (begins) state_->resources.sky = nullptr;
     if (drawing) drawing(begins);
-    if (!begins) state_->sky = std::move(skyKept_);
+    if (!begins) state_->resources.sky = std::move(skyKept_);
   };
 }
 
@@ -74,7 +74,7 @@ void ShownProbes::release() {
     probe.openSkyOf = {};
     probe.drawn->maps.reset();
   }
-  state_->sky.reset();
+  state_->resources.sky.reset();
 }
 
 }  // namespace boxprobe

@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/probes/probe_entries.h"
-#include "filters/vtk/surface/draw_state.h"
 
 namespace boxprobe {
 

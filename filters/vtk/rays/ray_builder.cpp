@@ -13,7 +13,7 @@ namespace boxprobe {
 
 namespace {
 
-// Below this share the picture does not fetch a probe either (shaders/gpu/probe_share.glsl).
+// Below this share the picture does not fetch per probe either (shaders/gpu/probe_share.glsl).
 constexpr float kSmallestShare = 1.0e-5f;
 // A ray starts this much above its own surface, relative to the scene, so that rounding does not make it hit that.
 constexpr double kStartSkin = 1.0e-6;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "filters/vtk/draw/glass_surface.h"
 #include "filters/vtk/rays/ray_calculation.h"
-#include "filters/vtk/surface/glass_surface.h"
 
 namespace boxprobe {
 

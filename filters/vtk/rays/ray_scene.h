@@ -1,4 +1,4 @@
-// A scene's triangles to send rays into: the first one a ray meets. The search structure is built when the first ray
+// A scene's triangles to send rays into: the first one per ray meets. The search structure is built when the first ray
 // asks for it. Called by vtkProjectionRays (the true hit) and by the sources of points; knows neither probes nor
 // cameras.
 #pragma once

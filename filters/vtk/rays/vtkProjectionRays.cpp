@@ -62,7 +62,7 @@ struct vtkProjectionRays::Internals {
   std::vector<Light> lights;
   std::array<bool, kRayKinds> kinds{};
   std::vector<RayGlass> glass;
-  // Kept from one execution to the next while the scene is the same: its search structure is dear.
+  // Kept from one execution to the next while the scene is the same: its search structure is expensive.
   std::unique_ptr<RayScene> scene;
   vtkPolyData* sceneData = nullptr;
   vtkMTimeType sceneTime = 0;

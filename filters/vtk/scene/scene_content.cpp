@@ -105,6 +105,21 @@ std::vector<vtkProp*> SceneContent::shownProps(vtkCulledRenderer* renderer) cons
   return props;
 }
 
+// Of many objects those in the view count: how far the rest reaches would only cost depth.
+void SceneContent::resetClippingRange(vtkCulledRenderer* renderer) const {
+  if (!many) return renderer->ResetCameraClippingRange();
+  Box box;
+  bool any = false;
+  for (const std::size_t i : renderer->InView()) {
+    const Box b = worldBounds(objects[culled[i]]);
+    box = any ? Box{glm::min(box.min, b.min), glm::max(box.max, b.max)} : b;
+    any = true;
+  }
+  if (!any) box = culledBounds;
+  const double bounds[6] = {box.min.x, box.max.x, box.min.y, box.max.y, box.min.z, box.max.z};
+  renderer->ResetCameraClippingRange(bounds);
+}
+
 void SceneContent::rebuildObjects(vtkCulledRenderer* renderer, const std::shared_ptr<DrawState>& state) {
   if (!objects.empty() && placeObjects()) return;
   builtModels_ = models;

@@ -43,6 +43,8 @@ struct SceneContent {
   void showObjects(vtkCulledRenderer* renderer);
   /// The visible objects' actors, of many those in the view: for passes, which draw what they are given.
   std::vector<vtkProp*> shownProps(vtkCulledRenderer* renderer) const;
+  /// The camera's near and far distances, for what there is to see.
+  void resetClippingRange(vtkCulledRenderer* renderer) const;
   /// Are they culled? Then the renderer's indices are those of `culled`, which has the objects'.
   bool many = false;
   std::vector<std::size_t> culled;

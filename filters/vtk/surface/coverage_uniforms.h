@@ -2,20 +2,12 @@
 // the mapper while it draws; the texts that read it are shaders/gpu/coverage*.glsl and moving_shadow.glsl.
 #pragma once
 
-#include <glm/vec3.hpp>
-#include <memory>
-#include <vector>
-
-#include "filters/vtk/surface/draw_state.h"
-
-class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
+#include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/draw/probe_binding.h"
+#include "filters/vtk/surface/uniform_upload.h"
 
 namespace boxprobe {
 
-/// `eyeWorld`: the camera's position. Textures stay bound for the life of what is added to `bound`.
-void uploadCoverage(vtkShaderProgram* program, vtkOpenGLRenderWindow* window, const DrawState& state,
-                    const ProbeBinding& binding, const glm::dvec3& eyeWorld,
-                    std::vector<std::unique_ptr<BoundTexture>>& bound);
+void uploadCoverage(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding);
 
 }  // namespace boxprobe

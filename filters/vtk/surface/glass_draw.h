@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "filters/vtk/surface/glass_surface.h"
+#include "filters/vtk/draw/glass_surface.h"
 
 class vtkOpenGLState;
 class vtkShaderProgram;

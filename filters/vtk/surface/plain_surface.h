@@ -3,7 +3,7 @@
 // the mapper and the benchmarks; knows no probes.
 #pragma once
 
-#include "filters/vtk/surface/surface_material.h"
+#include "filters/vtk/draw/surface_material.h"
 
 class vtkPolyData;
 class vtkProperty;

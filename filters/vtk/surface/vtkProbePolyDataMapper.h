@@ -14,9 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "filters/vtk/surface/draw_state.h"
-#include "filters/vtk/surface/mirror_picture.h"
-#include "filters/vtk/surface/surface_material.h"
+#include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/draw/mirror_picture.h"
+#include "filters/vtk/draw/probe_binding.h"
+#include "filters/vtk/draw/surface_material.h"
+#include "filters/vtk/surface/uniform_upload.h"
 
 class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
  public:
@@ -68,15 +70,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   vtkProbePolyDataMapper(const vtkProbePolyDataMapper&) = delete;
   void operator=(const vtkProbePolyDataMapper&) = delete;
 
-  void UploadSurface(vtkShaderProgram* program, vtkRenderer* renderer);
-  void UploadProbes(vtkShaderProgram* program, vtkRenderer* renderer);
-  void UploadDebug(vtkShaderProgram* program, vtkRenderer* renderer);
-  void UploadSky(vtkShaderProgram* program, vtkRenderer* renderer);
-  void UploadSlots(vtkShaderProgram* program, vtkRenderer* renderer);
-  void UploadMirror(vtkShaderProgram* program, vtkRenderer* renderer);
-  void UploadRelief(vtkShaderProgram* program, vtkRenderer* renderer);
-  void UploadGlass(vtkShaderProgram* program, vtkRenderer* renderer);
-  int Bind(vtkRenderer* renderer, unsigned int target, unsigned int handle);
+  void UploadLighting(const boxprobe::UniformUpload& to);
 
   std::shared_ptr<boxprobe::DrawState> State;
   void UpdateDrawn();

@@ -22,7 +22,7 @@ vtkSkyProp::~vtkSkyProp() = default;
 void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
   this->State = std::move(state);
   this->Pass = std::make_unique<boxprobe::FullScreenPass>(std::vector<std::string>{"shared/sky.glsl", "gpu/sky.glsl"},
-                                                          &this->State->counters);
+                                                          &this->State->counts.counters);
 }
 
 void vtkSkyProp::SetSky(const boxprobe::Sky& sky, double rotationDegrees,
@@ -91,7 +91,7 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
     program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToTurnedRotation(camera, this->RotationDegrees).data());
     program->SetUniform2f("bpTangents", tangents);
     program->SetUniformf("bpParallel", camera->GetParallelProjection() ? 1.0f : 0.0f);
-    program->SetUniformf("bpExposure", this->State->exposure);
+    program->SetUniformf("bpExposure", this->State->pass().exposure);
     if (image) {
       program->SetUniformi("bpSkyImage", image->unit());
     }

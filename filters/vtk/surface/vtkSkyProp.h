@@ -13,8 +13,8 @@
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/full_screen_pass.h"
-#include "filters/vtk/surface/draw_state.h"
 
 class vtkSkyProp : public vtkProp {
  public:

@@ -5,19 +5,11 @@
 
 #include <string>
 
-#include "filters/vtk/surface/draw_state.h"
-#include "filters/vtk/surface/surface_material.h"
+#include "filters/vtk/draw/probe_binding.h"
+#include "filters/vtk/draw/surface_material.h"
+#include "filters/vtk/surface/surface_output.h"
 
 namespace boxprobe {
-
-/// What a program writes.
-enum class SurfaceOutput {
-  Picture,               ///< the colour
-  Debug,                 ///< any row of surfaceViews(), and what the surface is into further attachments
-  SpecularSeparate,      ///< the colour, and what its techniques sample into further attachments
-  SpecularSeparateNone,  ///< the same of a surface that keeps nothing apart
-  Heights,               ///< the colour, and the height over a planar mirror into another attachment
-};
 
 /// The shaders of one program as VTK has written them.
 struct ShaderSources {
@@ -32,8 +24,5 @@ struct ShaderSources {
 /// points) has nothing to splice and is left as it is.
 std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const SurfaceMaterial* surface,
                       SurfaceOutput output = SurfaceOutput::Picture, bool mirror = false);
-
-/// Name of the uniform array that holds a number of `row` for each of a draw's probes.
-std::string parameterUniform(const ParameterRow& row);
 
 }  // namespace boxprobe

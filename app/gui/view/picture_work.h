@@ -1,0 +1,65 @@
+// Brings the picture up to the document: syncs the renderer, has pictures drawn and captures made in turns of the event
+// loop, and cheaper techniques while something moves. What fails stops the work and is told as one line. Called by the
+// main window; knows no panel, and of what lies over the scene only that it is placed before each picture.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <string>
+
+#include "filters/core/scene/document.h"
+
+namespace boxprobe {
+
+class MotionPreview;
+class RenderScheduler;
+class SceneRenderer;
+class Viewport;
+
+class PictureWork : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `beforePicture` is called with the view as it will be drawn. Everything must outlive this.
+  PictureWork(const Document& document, SceneRenderer& renderer, Viewport& viewport,
+              std::function<void()> beforePicture, QObject* parent);
+
+  RenderScheduler& scheduler() { return *scheduler_; }
+  MotionPreview& motion() { return *motion_; }
+
+  /// Before any view of the document asks the renderer. While something is dragged the renderer puts off what only the
+  /// final value needs: programs, further bounces.
+  void syncScene(const Changes& changes);
+  /// An edit ended, whichever way.
+  void editSettled();
+  void setReflectionsShown(bool shown);
+  /// The scene's camera of that index; nothing for an index it does not have.
+  void showCamera(int index);
+  /// Its first camera, or one that sees everything.
+  void resetCamera();
+
+ signals:
+  void cameraPlaced();
+  void failed(const QString& line);
+  /// The first picture with all captures done is on the screen.
+  void firstPictureComplete();
+
+ private:
+  template <typename Work>
+  void guarded(const Work& work);
+  void draw();
+  void workEnded();
+  void tellError();
+  void place(const Camera& camera);
+
+  const Document& document_;
+  SceneRenderer& renderer_;
+  Viewport& viewport_;
+  std::function<void()> beforePicture_;
+  RenderScheduler* scheduler_;
+  MotionPreview* motion_;
+  bool firstPictureDone_ = false;
+  std::string toldError_;
+};
+
+}  // namespace boxprobe

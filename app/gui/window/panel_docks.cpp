@@ -1,0 +1,190 @@
+// See panel_docks.h.
+#include "app/gui/window/panel_docks.h"
+
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/gui/explain/debug_view.h"
+#include "app/gui/explain/explain_card.h"
+#include "app/gui/explain/surface_view_panel.h"
+#include "app/gui/panels/bake_panel.h"
+#include "app/gui/panels/capture_panel.h"
+#include "app/gui/panels/cost_panel.h"
+#include "app/gui/panels/frame_panel.h"
+#include "app/gui/panels/light_panel.h"
+#include "app/gui/panels/material_panel.h"
+#include "app/gui/panels/object_panel.h"
+#include "app/gui/panels/picture_panel.h"
+#include "app/gui/panels/probe_list.h"
+#include "app/gui/panels/probe_panel.h"
+#include "app/gui/panels/probe_preview.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/window/menu_bar.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kPanelWidth = 450;  // the widest panel, its margins and a scroll bar
+
+QScrollArea* scrolled(QWidget* content) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  return scroll;
+}
+
+QWidget* column(std::initializer_list<QWidget*> panels) {
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(6);
+  for (QWidget* panel : panels) layout->addWidget(panel);
+  layout->addStretch(1);
+  return content;
+}
+
+}  // namespace
+
+PanelDocks::PanelDocks(QMainWindow* window, const Parts& parts) : QObject(window), window_(window), parts_(parts) {
+  // Six names do not fit side by side.
+  window_->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
+  buildProbes();
+  buildPreview();
+  buildDebug();
+  buildCost();
+  buildFrame();
+  first_->raise();
+}
+
+QDockWidget* PanelDocks::add(const QString& title, const char* name, QWidget* content) {
+  auto* dock = new QDockWidget(title, window_);
+  dock->setObjectName(name);
+  dock->setWidget(content);
+  if (first_ == nullptr) {
+    first_ = dock;
+    window_->addDockWidget(Qt::RightDockWidgetArea, dock);
+    window_->resizeDocks({dock}, {kPanelWidth}, Qt::Horizontal);
+  } else {
+    window_->tabifyDockWidget(first_, dock);
+  }
+  parts_.menu.addDockToggle(dock->toggleViewAction());
+  return dock;
+}
+
+void PanelDocks::buildProbes() {
+  Editor& editor = parts_.editor;
+  SceneRenderer& renderer = parts_.renderer;
+  probeList_ = new ProbeList(editor, {[&renderer] {
+                                        const double* target = renderer.renderer()->GetActiveCamera()->GetFocalPoint();
+                                        return glm::dvec3(target[0], target[1], target[2]);
+                                      },
+                                      [&renderer] { return renderer.bounds(); }});
+  bakePanel_ = new BakePanel(editor, renderer, parts_.scheduler);
+  probePanel_ = new ProbePanel(editor);
+  capturePanel_ = new CapturePanel(editor);
+  materialPanel_ = new MaterialPanel(editor);
+  objectPanel_ = new ObjectPanel(editor);
+  lightPanel_ = new LightPanel(editor);
+  picturePanel_ = new PicturePanel(editor);
+  QScrollArea* panels = scrolled(column(
+      {probeList_, bakePanel_, probePanel_, capturePanel_, materialPanel_, objectPanel_, lightPanel_, picturePanel_}));
+  panels->setMinimumWidth(kPanelWidth);
+  add(tr("Probes"), "probes", panels)->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+  connect(bakePanel_, &BakePanel::statesChanged, probeList_, &ProbeList::showStates);
+  connect(bakePanel_, &BakePanel::message, this, &PanelDocks::message);
+  connect(bakePanel_, &BakePanel::failed, this, &PanelDocks::failed);
+}
+
+void PanelDocks::buildPreview() {
+  Viewport& viewport = parts_.viewport;
+  preview_ = new ProbePreview(parts_.editor, parts_.renderer, [&viewport] { viewport.window3d()->MakeCurrent(); });
+  QDockWidget* dock = add(tr("Cubemap"), "cubemap", scrolled(preview_));
+  dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+  connect(dock, &QDockWidget::visibilityChanged, preview_, &ProbePreview::setWatched);
+  connect(preview_, &ProbePreview::pictureChanged, this, &PanelDocks::pictureChanged);
+  connect(&parts_.scheduler, &RenderScheduler::rendered, preview_, &ProbePreview::update);
+}
+
+void PanelDocks::buildDebug() {
+  DebugView& debugView = parts_.debugView;
+  add(tr("Debug"), "debug", scrolled(debugView.panel()));
+  QDockWidget* card = add(tr("Explain"), "explain", debugView.card());
+  connect(&debugView, &DebugView::toolChanged, card, [card](bool on) {
+    if (!on) return;
+    card->show();
+    card->raise();
+  });
+}
+
+void PanelDocks::buildCost() {
+  costPanel_ = new CostPanel(parts_.editor);
+  QDockWidget* dock = add(tr("Run time against error"), "cost", costPanel_);
+  connect(dock, &QDockWidget::visibilityChanged, costPanel_, &CostPanel::setWatched);
+  connect(costPanel_, &CostPanel::message, this, &PanelDocks::message);
+  connect(costPanel_, &CostPanel::failed, this, &PanelDocks::failed);
+}
+
+void PanelDocks::buildFrame() {
+  const Parts& p = parts_;
+  framePanel_ = new FramePanel(p.editor, {[&r = p.renderer] { return r.frameReport(); },
+                                          [&r = p.renderer, &view = p.viewport, &scheduler = p.scheduler] {
+                                            view.window3d()->MakeCurrent();
+                                            const int* size = view.window3d()->GetSize();
+                                            const auto lookups = r.measureLookups(size[0], size[1]);
+                                            scheduler.requestRender();
+                                            return lookups;
+                                          }});
+  QDockWidget* dock = add(tr("Frame"), "frame", framePanel_);
+  connect(dock, &QDockWidget::visibilityChanged, framePanel_, &FramePanel::setWatched);
+  connect(&p.scheduler, &RenderScheduler::rendered, framePanel_, &FramePanel::update);
+  SurfaceViewPanel* views = p.debugView.surfacePanel();
+  const int lookups = *findSurfaceView("lookups");
+  connect(framePanel_, &FramePanel::heatMapSwitched, views,
+          [views, lookups](bool on) { views->choose(on ? lookups : 0); });
+  connect(views, &SurfaceViewPanel::changed, framePanel_,
+          [this, lookups](const SurfaceViewSettings& settings) { framePanel_->showHeatMap(settings.view == lookups); });
+}
+
+void PanelDocks::subscribe(ChangeViews& views) {
+  using C = Changes;
+  views.add("probe list", {&C::probeList, &C::selection}, [this](const C&) { probeList_->update(); });
+  views.add("probe panel", selectedProbeKinds(), [this](const C&) { probePanel_->update(); });
+  // Whatever makes a capture stale, or an object use a probe.
+  views.add("bake panel",
+            {&C::probeShape, &C::probeTechnique, &C::probeCapture, &C::probeList, &C::selection, &C::materials,
+             &C::objects, &C::lights, &C::sky, &C::models},
+            [this](const C&) { bakePanel_->update(); });
+  views.add("capture panel", {&C::probeCapture, &C::probeList, &C::selection},
+            [this](const C&) { capturePanel_->update(); });
+  views.add("material panel", {&C::materials, &C::models}, [this](const C&) { materialPanel_->update(); });
+  views.add("object panel", {&C::objects, &C::models}, [this](const C&) { objectPanel_->update(); });
+  views.add("light panel", {&C::lights, &C::sky}, [this](const C&) { lightPanel_->update(); });
+  views.add("picture panel", {&C::exposure}, [this](const C&) { picturePanel_->update(); });
+  // Its maps come with the pictures that follow them.
+  views.add("cubemap", {&C::probeList, &C::selection, &C::exposure}, [this](const C&) { preview_->update(); });
+  views.add("cost panel", {&C::probeTechnique, &C::probeList, &C::selection, &C::file},
+            [this](const C&) { costPanel_->update(); });
+}
+
+void PanelDocks::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
+  capturePanel_->setModels(models);
+  materialPanel_->setModels(models);
+  objectPanel_->setModels(models);
+}
+
+void PanelDocks::stopReading() {
+  preview_->setWatched(false);
+}
+
+}  // namespace boxprobe

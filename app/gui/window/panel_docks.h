@@ -1,0 +1,90 @@
+// The docks at the window's right: makes the panels of the scene, lays them out, and says which kinds of change each of
+// them shows. Called by the main window; what the panels do is theirs.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "app/gui/edit/change_views.h"
+#include "filters/core/scene/model.h"
+
+class QDockWidget;
+class QMainWindow;
+class QWidget;
+
+namespace boxprobe {
+
+class BakePanel;
+class CapturePanel;
+class CostPanel;
+class DebugView;
+class Editor;
+class FramePanel;
+class LightPanel;
+class MaterialPanel;
+class MenuBar;
+class ObjectPanel;
+class PicturePanel;
+class ProbeList;
+class ProbePanel;
+class ProbePreview;
+class RenderScheduler;
+class SceneRenderer;
+class Viewport;
+
+class PanelDocks : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    Editor& editor;
+    SceneRenderer& renderer;
+    Viewport& viewport;
+    RenderScheduler& scheduler;
+    DebugView& debugView;
+    MenuBar& menu;  ///< gets a switch for each dock
+  };
+
+  PanelDocks(QMainWindow* window, const Parts& parts);
+
+  /// Each panel is updated for the kinds of change that it shows, and for no other.
+  void subscribe(ChangeViews& views);
+  /// Other geometry, in the order of scene.models.
+  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
+  /// Nothing is read from the graphics side any more.
+  void stopReading();
+
+  ProbeList& probeList() { return *probeList_; }
+  BakePanel& bakePanel() { return *bakePanel_; }
+
+ signals:
+  void pictureChanged();
+  void message(const QString& text);
+  void failed(const QString& line);
+
+ private:
+  QDockWidget* add(const QString& title, const char* name, QWidget* content);
+  void buildProbes();
+  void buildPreview();
+  void buildDebug();
+  void buildCost();
+  void buildFrame();
+
+  QMainWindow* window_;
+  Parts parts_;
+  QDockWidget* first_ = nullptr;  ///< the others are tabs beside it
+  ProbeList* probeList_ = nullptr;
+  ProbePanel* probePanel_ = nullptr;
+  BakePanel* bakePanel_ = nullptr;
+  CapturePanel* capturePanel_ = nullptr;
+  MaterialPanel* materialPanel_ = nullptr;
+  ObjectPanel* objectPanel_ = nullptr;
+  LightPanel* lightPanel_ = nullptr;
+  PicturePanel* picturePanel_ = nullptr;
+  ProbePreview* preview_ = nullptr;
+  CostPanel* costPanel_ = nullptr;
+  FramePanel* framePanel_ = nullptr;
+};
+
+}  // namespace boxprobe

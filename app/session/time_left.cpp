@@ -1,0 +1,35 @@
+// See time_left.h.
+#include "app/session/time_left.h"
+
+#include <cmath>
+
+namespace boxprobe {
+
+namespace {
+
+/// Before this much time and progress an estimate would jump about.
+constexpr double kLeastSeconds = 1.0;
+constexpr double kLeastProgress = 0.02;
+
+}  // namespace
+
+std::optional<double> TimeLeft::update(double fraction, double seconds) {
+  if (!started_ || fraction < lastFraction_) {
+    started_ = true;
+    startFraction_ = fraction;
+    startSeconds_ = seconds;
+  }
+  lastFraction_ = fraction;
+  const double done = fraction - startFraction_, taken = seconds - startSeconds_;
+  if (done < kLeastProgress || taken < kLeastSeconds) return std::nullopt;
+  return taken / done * (1.0 - fraction);
+}
+
+std::string TimeLeft::text(double seconds) {
+  constexpr double kMostSeconds = 90.0;  // in minutes from here on
+  if (seconds < 1.0) return "under 1 s left";
+  if (seconds < kMostSeconds) return std::to_string(std::lround(seconds)) + " s left";
+  return std::to_string(std::lround(seconds / 60.0)) + " min left";
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,137 @@
+// The rows of what stands at the top of the scene file, and of models, skies and cameras.
+#include "filters/core/scene/scene_fields.h"
+
+namespace boxprobe {
+
+const std::vector<FieldRow<Scene>>& sceneFields() {
+  static const std::vector<FieldRow<Scene>> rows = {
+      keyOnly<Scene>("format", "What kind of file this is: the same in every scene file.")
+          .as(FieldKind::Text)
+          .writtenAs("`\"boxprobe-scene\"`")
+          .require("\"format\": \"boxprobe-scene\""),
+      keyOnly<Scene>("version", "Version of the format.").as(FieldKind::Integer).oneOf({1}).require("\"version\": 1"),
+      keyOnly<Scene>("model", "The model, if there is one: a file name, or an object as in `models`.")
+          .writtenAs("file name or object")
+          .leftOut("none")
+          .changing({&Changes::models}),
+      field<&Scene::models>("models", "", "Several models in place of `model`: a list of file names or objects.")
+          .writtenAs("list of file names and objects")
+          .leftOut("none")
+          .changing({&Changes::models}),
+      field<&Scene::sky>("sky", "", "What is seen where there is no object: an image, one colour, or a gradient.")
+          .writtenAs("object")
+          .leftOut("the gradient below")
+          .changing({&Changes::sky}),
+      field<&Scene::cameras>("cameras", "", "Viewpoints by name; the first is shown when the scene opens.")
+          .writtenAs("objects by name")
+          .leftOut("none: the window shows all, `render` uses the defaults below")
+          .changing({&Changes::cameras}),
+      field<&Scene::lights>("lights", "", "A list of lights.")
+          .writtenAs("list of objects")
+          .leftOut("none")
+          .changing({&Changes::lights}),
+      field<&Scene::materials>("materials", "", "Changes to materials of the models, by the material's name.")
+          .writtenAs("objects by name")
+          .leftOut("none")
+          .changing({&Changes::materials}),
+      field<&Scene::objects>("objects", "", "Changes to objects of the models, by the node's name.")
+          .writtenAs("objects by name")
+          .leftOut("none")
+          .changing({&Changes::objects}),
+      field<&Scene::mirrors>("mirrors", "",
+                             "Planar mirrors, by the node's name: each shows the dynamic objects over the probes' "
+                             "reflection.")
+          .writtenAs("objects by name")
+          .leftOut("none")
+          .changing({&Changes::objects}),
+      field<&Scene::mirrorBudget>("mirrorBudget", "texels",
+                                  "Limit on the pictures of all planar mirrors in one frame; the largest mirrors on "
+                                  "the screen come first.")
+          .atLeast(0)
+          .changing({&Changes::objects}),
+      field<&Scene::probes>("probes", "", "A list of reflection probes, at most 10000.")
+          .writtenAs("list of objects")
+          .leftOut("none"),  // its rows say what changes
+      field<&Scene::exposure>("exposure", "",
+                              "Factor on linear light before display: display = (exposure * linear)^(1/2.2).")
+          .atLeast(0)
+          .usually(1e-3, 1000)
+          .changing({&Changes::exposure}),
+  };
+  return rows;
+}
+
+const std::vector<FieldRow<ModelFile>>& modelFields() {
+  static const std::vector<FieldRow<ModelFile>> rows = {
+      field<&ModelFile::file>("file", "", "Model file: .glb, .gltf, .obj, .ply, .stl or .vtp.")
+          .as(FieldKind::File)
+          .require("add \"file\": \"NAME.glb\"")
+          .notEmpty("name a model file"),
+      field<&ModelFile::translation>("translation", "m", "Moves the model, last of all."),
+      field<&ModelFile::rotationDegrees>("rotationDegrees", "°", "Turns the model about X, then Y, then Z.")
+          .anyFinite(),
+      field<&ModelFile::scale>("scale", "", "Scales the model, before it is turned.").above(0),
+      field<&ModelFile::unit>("unit", "", "Length of one unit in the model file; glTF files are in metres.")
+          .choose({{"m"}, {"cm"}, {"mm"}, {"in"}, {"ft"}}),
+      field<&ModelFile::upAxis>("upAxis", "", "Axis that points up in the model file; the model is turned to +Y.")
+          .choose({{"x"}, {"y"}, {"z"}}),
+  };
+  return rows;
+}
+
+const std::vector<FieldRow<SkyImage>>& skyImageFields() {
+  static const std::vector<FieldRow<SkyImage>> rows = {
+      field<&SkyImage::file>("image", "", "Latitude-longitude picture of linear radiance: .exr or .hdr.")
+          .as(FieldKind::File)
+          .notEmpty("name an EXR or HDR file")
+          .leftOut("none")
+          .always(),
+  };
+  return rows;
+}
+
+const std::vector<FieldRow<SkyColor>>& skyColorFields() {
+  static const std::vector<FieldRow<SkyColor>> rows = {
+      field<&SkyColor::color>("color", "", "The same radiance in every direction.").leftOut("none").always(),
+  };
+  return rows;
+}
+
+const std::vector<FieldRow<SkyGradient>>& skyGradientFields() {
+  static const std::vector<FieldRow<SkyGradient>> rows = {
+      field<&SkyGradient::top>("top", "", "Radiance straight up.").always(),
+      field<&SkyGradient::horizon>("horizon", "", "Radiance at the horizon.").always(),
+      field<&SkyGradient::ground>("ground", "", "Radiance straight down.").always(),
+  };
+  return rows;
+}
+
+const std::vector<FieldRow<Scene>>& anySkyFields() {
+  static const std::vector<FieldRow<Scene>> rows = {
+      field<&Scene::skyRotationDegrees>("rotationDegrees", "°",
+                                        "Turns the sky about the vertical: 90 takes +Z to +X. Probes that clear to "
+                                        "`open` follow without a capture.")
+          .anyFinite()
+          .usually(-360, 360)
+          .changing({&Changes::sky}),
+  };
+  return rows;
+}
+
+const std::vector<FieldRow<Camera>>& cameraFields() {
+  static const std::vector<FieldRow<Camera>> rows = {
+      field<&Camera::position>("position", "m", "Where the camera stands.").always(),
+      field<&Camera::target>("target", "m", "Point the camera looks at; not its own position.").always(),
+      field<&Camera::up>("up", "", "Direction that points up in the picture; not along the view direction.")
+          .as(FieldKind::Direction)
+          .anyFinite(),
+      field<&Camera::verticalFovDegrees>("verticalFovDegrees", "°", "Angle of view from bottom to top.")
+          .between(0, 180),
+      field<&Camera::parallelHeight>("parallelHeight", "m",
+                                     "Height of the view of a parallel projection; 0 is a perspective view.")
+          .atLeast(0),
+  };
+  return rows;
+}
+
+}  // namespace boxprobe

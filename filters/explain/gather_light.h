@@ -1,0 +1,35 @@
+// Light that a draw's probes, the sky and a planar mirror's picture bring to a point: shared out and summed as
+// bpGatherLight does. Called by explainPixel for the surface, its coat and what glass is looked through.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "filters/explain/explain_input.h"
+#include "filters/explain/explanation.h"
+
+namespace boxprobe {
+
+struct GatheredLight {
+  glm::vec3 specular{0.0f};
+  glm::vec3 irradiance{0.0f};
+  std::vector<ProbeExplanation> probes;
+  float skyWeight = 0.0f, skyLevel = 0.0f;
+  glm::vec3 skyValue{0.0f};
+  int lookups = 0;
+  float brightestTexel = 0.0f;
+  std::optional<MirrorExplanation> mirror;
+};
+
+/// For a normal and a perceptual roughness at the input's surface; `fresnel`: its mean reflectance there.
+GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float roughness, float fresnel);
+
+/// The same from another place, round about a direction: what glass is looked through, and mirrors within.
+GatheredLight gatherAlong(const ExplainInput& in, const glm::dvec3& positionWorld, const glm::vec3& direction,
+                          float roughness);
+
+/// That as glass has it, with the names of what it comes from.
+GatheredGlass gatherForGlass(const ExplainInput& in, const glm::dvec3& positionWorld, const glm::vec3& direction,
+                             float roughness);
+
+}  // namespace boxprobe

@@ -1,0 +1,31 @@
+// GLSL's built-in functions, as shaders/shared and shaders/technique call them when they are compiled as C++: GLM's.
+// For the translation units that do that, and for nothing else: these names are short.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace boxprobe::shading {
+
+using glm::abs;
+using glm::ceil;
+using glm::clamp;
+using glm::cos;
+using glm::cross;
+using glm::dot;
+using glm::exp2;
+using glm::floor;
+using glm::length;
+using glm::log2;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::normalize;
+using glm::pow;
+using glm::sin;
+using glm::sqrt;
+
+}  // namespace boxprobe::shading

@@ -1,0 +1,39 @@
+// How the draws of one pass differ from those of another: plain values that the mappers read when they draw. Changed
+// for a pass by a PassScope and by nothing else.
+#pragma once
+
+#include <glm/ext/vector_int2.hpp>
+#include <glm/vec4.hpp>
+
+namespace boxprobe {
+
+/// An exposure that asks for linear output, without a display's encoding.
+constexpr float kLinearOutput = -1.0f;
+
+/// What the debug view's programs show.
+struct DebugView {
+  int view = 0;  ///< row of surfaceViews()
+  float low = 0.0f, high = 1.0f;
+  bool operator==(const DebugView& o) const { return view == o.view && low == o.low && high == o.high; }
+};
+
+struct PassSettings {
+  float exposure = 1.0f;        ///< factor of display colours; kLinearOutput
+  bool dragging = false;        ///< a handle is held: uniforms change, and nothing is worked out for them
+  DebugView debug;              ///< not in captures
+  bool firstBounce = false;     ///< of a capture: probes reflect nothing yet, and the sky lights in their place
+  bool movingShadowsOn = true;  ///< not in captures of what stands still
+  bool countDraws = true;       ///< of the frame on the screen, not of captures
+  int frame = 0;                ///< of those that are averaged
+  glm::ivec2 pixelOrigin{0};    ///< where in the picture the framebuffer's lower left lies
+  /// Of the mirror whose picture is being drawn, view space; see mirrored_output.glsl.
+  glm::vec4 heightPlaneView{0.0f};
+
+  bool operator==(const PassSettings& o) const {
+    return exposure == o.exposure && dragging == o.dragging && debug == o.debug && firstBounce == o.firstBounce &&
+           movingShadowsOn == o.movingShadowsOn && countDraws == o.countDraws && frame == o.frame &&
+           pixelOrigin == o.pixelOrigin && heightPlaneView == o.heightPlaneView;
+  }
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,120 @@
+#include "filters/vtk/draw/probe_binding.h"
+
+#include <algorithm>
+
+namespace boxprobe {
+
+Technique ProbeBinding::technique(std::size_t slot) const {
+  return slot < techniques.size() ? techniques[slot] : probes[slot]->geometry.technique;
+}
+
+bool ProbeBinding::rotated() const {
+  return std::any_of(probes.begin(), probes.end(),
+                     [](const auto& probe) { return probe->geometry.rotated || probe->geometry.mapTurned; });
+}
+
+bool ProbeBinding::bevelled() const {
+  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.bevelled; });
+}
+
+bool ProbeBinding::occluded() const {
+  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.occluded; });
+}
+
+bool ProbeBinding::open() const {
+  return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->open; });
+}
+
+bool ProbeBinding::openByLookup(std::size_t slot) const {
+  return probes[slot]->open && looksUpPieces(technique(slot));
+}
+
+bool ProbeBinding::distances() const {
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (projectionRows()[static_cast<std::size_t>(technique(i).projection)].distances) return true;
+  }
+  return false;
+}
+
+bool ProbeBinding::chooses(std::string_view parameter, std::string_view choice) const {
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (boxprobe::chooses(technique(i), probes[i]->geometry.parameters, parameter, choice)) return true;
+  }
+  return false;
+}
+
+std::shared_ptr<const ProbeBinding> ProbeBinding::standIn() const {
+  auto cheap = std::make_shared<ProbeBinding>(*this);
+  cheap->techniques.clear();
+  bool differs = false;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    cheap->techniques.push_back(standInFor(technique(i)));
+    differs |= !(cheap->techniques[i] == technique(i));
+  }
+  return differs ? cheap : nullptr;
+}
+
+int ProbeBinding::animatedSamples() const {
+  int samples = 0;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const ProbeGeometry& g = probes[i]->geometry;
+    if (!g.animated || !(technique(i) == g.technique)) continue;
+    samples = std::max(samples, static_cast<int>(g.parameters.samples));
+  }
+  return samples;
+}
+
+bool ProbeBinding::blurred(std::size_t slot) const {
+  return probes[slot]->geometry.blurred && technique(slot) == probes[slot]->geometry.technique;
+}
+
+int ProbeBinding::blurredSamples() const {
+  int samples = 0;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (blurred(i)) samples = std::max(samples, static_cast<int>(probes[i]->geometry.parameters.samples));
+  }
+  return samples;
+}
+
+std::vector<int> ProbeBinding::groups() const {
+  std::vector<int> result;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const bool same = i > 0 && probes[i]->geometry.importance == probes[i - 1]->geometry.importance;
+    result.push_back(i == 0 ? 0 : result.back() + (same ? 0 : 1));
+  }
+  return result;
+}
+
+std::vector<const ParameterRow*> ProbeBinding::parameters() const {
+  std::vector<const ParameterRow*> rows;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    for (const ParameterRow* row : parametersOf(technique(i))) {
+      if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+std::string ProbeBinding::variantKey() const {
+  std::string key(1, static_cast<char>('0' + static_cast<int>(lighting)));
+  if (rotated()) key += 'r';
+  if (weights) key += shares.empty() ? 'w' : 'c';
+  if (weights && onlyProbes) key += 'p';
+  if (sky) key += 's';
+  if (diffuse) key += 'd';
+  const std::vector<int> group = groups();
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    key += " " + std::to_string(group[i]) + ":" + techniqueId(technique(i)) + (blurred(i) ? "~" : "");
+    for (const ParameterRow* row : parametersOf(technique(i))) {
+      if (row->choice != nullptr) key += "/" + std::to_string(probes[i]->geometry.parameters.*row->choice);
+    }
+    if (probes[i]->geometry.bevelled) key += 'b';
+    if (probes[i]->geometry.occluded) key += 'o';
+    if (probes[i]->open) key += 'y';
+  }
+  for (const int light : shadowLights) key += " L" + std::to_string(light);
+  for (const int light : movingLights) key += " M" + std::to_string(light);
+  return key;
+}
+
+}  // namespace boxprobe

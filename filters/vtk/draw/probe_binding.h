@@ -1,0 +1,83 @@
+// Which probes per object is drawn with, and what of them its program is compiled for. Chosen by the probe set, read by
+// the mapper and the splice. Plain data; knows no scene.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/math/technique/automatic.h"
+#include "filters/vtk/maps/probe_maps.h"
+
+namespace boxprobe {
+
+/// A probe as draws see it. `maps` is null until the first capture is complete; it then gives nothing.
+struct DrawnProbe {
+  int index = 0;  ///< in the scene's list
+  ProbeGeometry geometry;
+  std::shared_ptr<const ProbeMaps> maps;
+  /// What `auto` goes by; null: by what was measured elsewhere.
+  std::shared_ptr<const TechniqueErrors> errors;
+  bool open = false;               ///< the sky shows where the probe saw nothing, and there is such a place
+  ShCoefficients openSky{};        ///< its diffuse light that comes in there, to be added to the maps'
+  std::uint32_t shadowLights = 0;  ///< a bit for each light that asks for shadows and lies outside of its box
+  bool imported = false;           ///< from a picture, which may have no coverage
+};
+
+enum class Lighting {
+  Plain,   ///< VTK's own: no probe, no sky
+  Unlit,   ///< KHR_materials_unlit: emission only
+  Probes,  ///< probes, and the sky for what they leave
+};
+
+/// Which probes one actor uses: what its program is compiled for.
+struct ProbeBinding {
+  Lighting lighting = Lighting::Plain;
+  std::vector<std::shared_ptr<const DrawnProbe>> probes;  ///< most important first, at most kMaxProbesPerDraw
+  static constexpr std::size_t kMaxProbesPerDraw = 4;
+  bool weights = true;        ///< false: one probe, at full weight all over the object
+  bool sky = true;            ///< false: the probes leave nothing to it
+  bool onlyProbes = false;    ///< what they leave to it goes to them, wherever one has weight
+  std::vector<float> shares;  ///< of all of the object, in place of weights a pixel; empty: those
+  float skyShare = 1.0f;      ///< beside `shares`
+  /// Lights that a probe's coverage stands before, and those of them with maps of what moves; in the scene's order.
+  std::vector<int> shadowLights, movingLights;
+  std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
+  bool diffuse = true;      ///< false: the material is all metal
+
+  /// What draws each: the probe's own technique, or what `auto` chose for this object. Empty: their own.
+  std::vector<Technique> techniques;
+  Technique technique(std::size_t slot) const;
+
+  /// Equal keys share a program: techniques, importance groups, and what can be left out.
+  std::string variantKey() const;
+  /// The same by what stands in for its techniques while something moves; null if nothing does.
+  std::shared_ptr<const ProbeBinding> standIn() const;
+  /// Is a technique that is drawn one whose picture is a mean of frames, and of how many rays per pixel and frame? 0:
+  /// no.
+  int animatedSamples() const;
+  /// Is what a technique samples here smoothed afterwards?
+  bool blurred(std::size_t slot) const;
+  /// Rays a pixel and frame of those that are; 0: none is.
+  int blurredSamples() const;
+  /// Is a box turned, or what a probe holds against its box?
+  bool rotated() const;
+  bool bevelled() const;
+  bool occluded() const;
+  /// Does the sky show through a probe? And lookup by lookup?
+  bool open() const;
+  bool openByLookup(std::size_t slot) const;
+  /// Does a technique of a probe fetch from its distance cubemap?
+  bool distances() const;
+  /// Does a technique of a probe read the parameter, set to that choice?
+  bool chooses(std::string_view parameter, std::string_view choice) const;
+  /// Parameters that any of its techniques reads, each once.
+  std::vector<const ParameterRow*> parameters() const;
+  /// Group of equal importance of each probe, from 0.
+  std::vector<int> groups() const;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,41 @@
+// What the draws of a scene renderer read whatever the pass: textures and lights of the scene as it stands. Filled by
+// the renderer, the probe set and the passes that make them; read by the mappers. Plain data; owns no texture.
+#pragma once
+
+#include <vtk_glew.h>
+
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "filters/core/geometry/light_shadow.h"
+#include "filters/vtk/maps/probe_maps.h"
+
+namespace boxprobe {
+
+/// Side of the maps of what moves, texels.
+constexpr int kMovingMapSize = 1024;
+struct MovingShadow {
+  int light = 0;
+  GLuint texture = 0;
+  glm::dmat4 mapFromWorld{1.0};
+};
+/// What a light that asks for shadows looks like.
+struct ShadowLight {
+  LightSize size;
+  float levelsPerUnit = -1.0f;  ///< negative: by its size; 0: the probe's own
+};
+
+struct SceneResources {
+  std::shared_ptr<const ProbeMaps> sky;
+  GLuint brdfTable = 0;
+  GLuint blueNoise = 0;                   ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
+  GLuint blackCube = 0;                   ///< stands in for maps not captured yet
+  GLuint viewColors = 0;                  ///< 256 x 1, of the debug view; made when that is first shown
+  std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
+  std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about
+  std::vector<MovingShadow> movingShadows;
+};
+
+}  // namespace boxprobe

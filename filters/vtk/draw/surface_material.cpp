@@ -1,0 +1,57 @@
+#include "filters/vtk/draw/surface_material.h"
+
+#include "filters/vtk/gl/software_driver.h"
+
+namespace boxprobe {
+
+namespace {
+
+GLint wrapMode(Wrap wrap) {
+  if (wrap == Wrap::ClampToEdge) return GL_CLAMP_TO_EDGE;
+  return wrap == Wrap::MirroredRepeat ? GL_MIRRORED_REPEAT : GL_REPEAT;
+}
+
+}  // namespace
+
+const std::array<const char*, kSurfaceSlots>& surfaceSlotNames() {
+  static const std::array<const char*, kSurfaceSlots> names = {
+      "BaseColor", "RoughMetal", "Normal", "Occlusion", "Emissive", "Coat", "CoatRoughness", "CoatNormal"};
+  return names;
+}
+
+SurfaceTexture::SurfaceTexture(const TextureUse& use, bool srgb)
+    : image_(use.image), wrapS_(use.wrapS), wrapT_(use.wrapT), srgb_(srgb), nearest_(use.nearest) {}
+
+GLuint SurfaceTexture::handle() const {
+  if (handle_ != 0) return handle_;
+  GLint previousTexture = 0, previousAlignment = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &previousTexture);
+  glGetIntegerv(GL_UNPACK_ALIGNMENT, &previousAlignment);
+  glGenTextures(1, &handle_);
+  glBindTexture(GL_TEXTURE_2D, handle_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  // Rows as the file has them, from the top: v = 0 is then the first row, as in glTF.
+  glTexImage2D(GL_TEXTURE_2D, 0, srgb_ ? GL_SRGB8_ALPHA8 : GL_RGBA8, image_->width, image_->height, 0, GL_RGBA,
+               GL_UNSIGNED_BYTE, image_->pixels.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, nearest_ ? 1.0f : textureAnisotropy());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, nearest_ ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest_ ? GL_NEAREST : GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapMode(wrapS_));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapMode(wrapT_));
+  glPixelStorei(GL_UNPACK_ALIGNMENT, previousAlignment);
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(previousTexture));
+  return handle_;
+}
+
+void SurfaceTexture::release() const {
+  if (handle_ != 0) glDeleteTextures(1, &handle_);
+  handle_ = 0;
+}
+
+std::size_t SurfaceTexture::bytes() const {
+  // A mip chain is a third more than its largest level.
+  return handle_ == 0 ? 0 : image_->pixels.size() * 4 / 3;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,77 @@
+// A material as the surface program wants it: textures on the graphics side, and what the vertices bring. Made by
+// model_actors.cpp, read by the mapper (uniforms) and the splice (which code a program needs). Knows no probes.
+#pragma once
+
+#include <vtk_glew.h>
+
+#include <array>
+#include <glm/mat3x2.hpp>
+#include <memory>
+#include <string>
+
+#include "filters/core/scene/model.h"
+#include "filters/vtk/draw/glass_surface.h"
+
+namespace boxprobe {
+
+/// A picture with mip levels, uploaded when a draw first needs it. VTK 9.1's own texture would wrap along both axes
+/// alike and keep a second copy of the pixels.
+class SurfaceTexture {
+ public:
+  SurfaceTexture(const TextureUse& use, bool srgb);
+  ~SurfaceTexture() { release(); }
+  SurfaceTexture(const SurfaceTexture&) = delete;
+  SurfaceTexture& operator=(const SurfaceTexture&) = delete;
+
+  /// The context must be current; likewise for release().
+  GLuint handle() const;
+  void release() const;
+  /// On the graphics side, mip levels included; 0 before the upload.
+  std::size_t bytes() const;
+
+  const ImageRgba8& image() const { return *image_; }
+  Wrap wrap() const { return wrapS_; }  ///< along s
+  bool srgb() const { return srgb_; }
+
+ private:
+  std::shared_ptr<const ImageRgba8> image_;
+  Wrap wrapS_, wrapT_;
+  bool srgb_, nearest_;
+  mutable GLuint handle_ = 0;
+};
+
+struct SurfaceSlot {
+  std::shared_ptr<const SurfaceTexture> texture;
+  int uvSet = 0;
+  glm::mat3x2 uvTransform{1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};
+};
+
+enum SurfaceSlotIndex {
+  kBaseColorSlot,
+  kRoughMetalSlot,
+  kNormalSlot,
+  kOcclusionSlot,
+  kEmissiveSlot,
+  kCoatSlot,
+  kCoatRoughnessSlot,
+  kCoatNormalSlot,
+  kSurfaceSlots
+};
+/// As they are called in shaders.
+const std::array<const char*, kSurfaceSlots>& surfaceSlotNames();
+
+struct SurfaceMaterial {
+  std::array<SurfaceSlot, kSurfaceSlots> slots;
+  std::array<bool, 2> uv{};  ///< which sets of coordinates the textures read
+  bool colors = false;
+  bool tangents = false;
+  bool unlit = false;
+  AlphaMode alphaMode = AlphaMode::Opaque;
+  float alpha = 1.0f;
+  float alphaCutoff = 0.5f;
+  float normalScale = 1.0f;
+  float coatNormalScale = 1.0f;
+  GlassSurface glass;
+};
+
+}  // namespace boxprobe

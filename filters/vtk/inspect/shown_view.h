@@ -1,0 +1,31 @@
+// The debug view that is shown: its range, where that is the scene's own, and its legend. Owned by the scene renderer.
+#pragma once
+
+#include <utility>
+
+#include "filters/core/scene/surface_view.h"
+#include "filters/vtk/inspect/view_legend.h"
+#include "filters/vtk/scene/scene_content.h"
+
+namespace boxprobe {
+
+class ShownView {
+ public:
+  const SurfaceViewSettings& settings() const { return settings_; }
+  void set(const SurfaceViewSettings& settings) { settings_ = settings; }
+  /// Is it a debug view, and not the picture?
+  bool any() const { return settings_.view != 0; }
+
+  /// The ends of its scale: those that were set, else the row's own, else the scene's.
+  std::pair<double, double> range(const SceneContent& content) const;
+  /// Gives objects, draws and legend the view as it is.
+  void apply(SceneContent& content, DrawState& state, vtkRenderer* renderer);
+  /// Before each frame. The context must be current.
+  void upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const;
+
+ private:
+  SurfaceViewSettings settings_;
+  ViewLegend legend_;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,215 @@
+#include "filters/vtk/scene_parts.h"
+
+#include <vtkCamera.h>
+#include <vtkOpenGLRenderWindow.h>
+
+#include "filters/core/base/errors.h"
+#include "filters/vtk/draw/static_textures.h"
+
+namespace boxprobe {
+
+namespace {
+
+// Of a texel of a planar mirror's picture, where it is drawn for as many pixels as the screen has.
+constexpr int kMirrorSamples = 4;
+
+// What is called when a picture is drawn, or has failed to be.
+class AtEnd {
+ public:
+  explicit AtEnd(std::function<void()> call) : call_(std::move(call)) {}
+  ~AtEnd() { call_(); }
+  AtEnd(const AtEnd&) = delete;
+  AtEnd& operator=(const AtEnd&) = delete;
+
+ private:
+  std::function<void()> call_;
+};
+
+}  // namespace
+
+SceneParts::SceneParts(vtkOpenGLRenderWindow* shownIn)
+    : window(shownIn),
+      state(std::make_shared<DrawState>()),
+      capture(window, state),
+      probes(window, state, &capture, &content, &times),
+      inspector(window, state, &content),
+      frames(window, renderer, state, &content),
+      mirrors(window, state, &content),
+      sphere(window, renderer, state),
+      shadows(window, state, &content) {
+  state->shown = renderer;
+  content.sky->SetDrawState(state);
+  renderer->AutomaticLightCreationOff();
+  renderer->SetLightFollowCamera(false);
+  renderer->SetBackground(0.0, 0.0, 0.0);
+  frameObserver->SetClientData(this);
+  frameObserver->SetCallback([](vtkObject*, unsigned long event, void* client, void*) {
+    auto* parts = static_cast<SceneParts*>(client);
+    if (event == vtkCommand::StartEvent) {
+      parts->beginFrame();
+    } else {
+      parts->endFrame();
+    }
+  });
+  renderer->AddObserver(vtkCommand::StartEvent, frameObserver);
+  renderer->AddObserver(vtkCommand::EndEvent, frameObserver);
+  window->AddRenderer(renderer);
+}
+
+SceneParts::~SceneParts() {
+  releaseGraphics();
+  renderer->RemoveObserver(frameObserver);
+  window->RemoveRenderer(renderer);
+}
+
+void SceneParts::makeCurrent() {
+  if (state->resources.brdfTable != 0) window->MakeCurrent();
+}
+
+void SceneParts::prepareDraws() {
+  makeStaticTextures(window, state->resources, state->counts);
+  shadows.update();
+  content.resetClippingRange(renderer);
+}
+
+void SceneParts::drawMirrors(double aspect, int width, int height, int samples) {
+  try {
+    mirrors.draw(renderer->GetActiveCamera(), aspect, width, height, samples);
+  } catch (const Error& failure) {
+    mirrors.hide();
+    state->counts.fail(failure.what());
+  }
+}
+
+void SceneParts::beginFrame() {
+  prepareDraws();
+  view.upload(window, state->resources);
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  state->setExposure(static_cast<float>(content.scene.exposure));
+  Counters& counters = state->counts.counters;
+  counters.drawsByProbeCount = {};
+  counters.drawsWithOpenSky = counters.drawsWithCoverage = 0;
+  counters.glassDraws = counters.glassPasses = 0;
+  frames.beginFrame(view.any());
+  if (sphere.shown()) {
+    const auto index = findProbe(content.scene, sphere.settings().probe);
+    sphere.follow(index ? &content.scene.probes[*index] : nullptr, probes.maps(sphere.settings().probe));
+  }
+  const int* size = renderer->GetSize();
+  drawMirrors(renderer->GetTiledAspectRatio(), size[0], size[1], kMirrorSamples);
+}
+
+void SceneParts::endFrame() {
+  ++state->counts.counters.renders;
+  mirrors.hide();
+  if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
+  seen = renderer->GetDrawnGeneration();
+  std::vector<std::size_t> objects;
+  for (const std::size_t i : renderer->GetDrawn()) objects.push_back(content.culled[i]);
+  probes.setSeen(std::move(objects));
+}
+
+void SceneParts::sync(const Scene& scene, const Changes& changes) {
+  makeCurrent();
+  content.scene = scene;
+  const bool anyProbe = changes.probeList || changes.probeShape;
+  // Not while a box is dragged: cutting makes geometry again.
+  const bool divided = (changes.models || anyProbe) && !interactive && content.divideModels();
+  const bool models = changes.models || divided;
+  const bool objects = models || changes.materials || changes.objects;
+  const bool lit = models || anyProbe || changes.probeTechnique || changes.probeCapture || objects || changes.lights;
+  if (models) {
+    state->counts.error.clear();
+    content.rebuildObjects(renderer, state);
+    inspector.forgetObjects();
+    mirrors.forgetObjects();
+  }
+  if (objects) {
+    for (DrawnObject& object : content.objects) applyOverrides(object, scene);
+    content.showObjects(renderer);
+  }
+  // Of many objects none has been seen yet: the first frame will tell.
+  if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
+  if (models || changes.lights) content.rebuildLights(renderer);
+  if (changes.sky) content.rebuildSky();
+  if (lit) {
+    shadows.sceneChanged();
+    probes.updateShapes();
+    probes.assignToObjects();
+  }
+  if (objects) mirrors.update();
+  if (lit || changes.sky) probes.updateCaptures();
+  if (view.any()) applyView();
+  if (lit || changes.sky || changes.exposure) frames.sceneChanged();
+}
+
+void SceneParts::setInteractive(bool active) {
+  makeCurrent();
+  interactive = active;
+  probes.setInteractive(active);
+  if (active || !content.divideModels()) return;
+  Changes cut;
+  cut.models = true;
+  const Scene scene = content.scene;
+  sync(scene, cut);
+}
+
+void SceneParts::step() {
+  makeStaticTextures(window, state->resources, state->counts);
+  try {
+    probes.step();
+  } catch (const WorkError& error) {
+    // Not thrown on: a window goes on without what could not be made, and says so.
+    state->counts.fail(error.what());
+    probes.giveUp();
+  }
+}
+
+std::vector<Explanation> SceneParts::explain(const std::vector<glm::ivec2>& pixels, int width, int height) {
+  window->MakeCurrent();
+  prepareDraws();
+  const AtEnd hidden([this] { mirrors.hide(); });
+  drawMirrors(static_cast<double>(width) / height, width, height, kMirrorSamples);
+  mirrors.readBack();
+  return inspector.explain(renderer->GetActiveCamera(), width, height, pixels);
+}
+
+ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
+                                    const std::function<void(int)>& beforeFrame) {
+  window->MakeCurrent();
+  probes.setMoving(false);
+  prepareDraws();
+  std::vector<vtkProp*> props = content.shownProps(renderer);
+  // The sky has no value in the debug view: it stays transparent.
+  if (!view.any()) props.push_back(content.sky);
+  const AtEnd released([this] {
+    mirrors.hide();
+    frames.releaseLinear();
+  });
+  vtkPicturePass* pass = !view.any() ? frames.linearPass(frameLimit) : nullptr;
+  const int finer = samplesPerSide(samplesPerPixel);
+  drawMirrors(static_cast<double>(width) / height, width * finer, height * finer, finer > 1 ? 1 : kMirrorSamples);
+  return capture.renderFrame(renderer->GetActiveCamera(), width, height, finer, props, content.lightPointers(), pass,
+                             beforeFrame);
+}
+
+void SceneParts::releaseGraphics() {
+  if (window == nullptr || state->resources.brdfTable == 0) return;
+  window->MakeCurrent();
+  frames.release();
+  mirrors.release();
+  shadows.release();
+  sphere.release();
+  probes.release();
+  capture.release();
+  inspector.release();
+  releaseStaticTextures(state->resources);
+  for (const DrawnObject& object : content.objects) {
+    for (const SurfaceSlot& slot : object.surface->slots) {
+      if (slot.texture) slot.texture->release();
+    }
+  }
+  content.sky->ReleaseGraphicsResources(window);
+}
+
+}  // namespace boxprobe

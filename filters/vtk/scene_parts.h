@@ -1,0 +1,72 @@
+// What a scene renderer is made of, and how its parts work together in a frame, an explanation or a linear picture.
+// Owned by SceneRenderer, which is what programs see; knows no program.
+#pragma once
+
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+
+#include <functional>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <vector>
+
+#include "filters/core/scene/document.h"
+#include "filters/explain/explanation.h"
+#include "filters/vtk/capture/cube_capture.h"
+#include "filters/vtk/frame/mirror_set.h"
+#include "filters/vtk/frame/moving_shadows.h"
+#include "filters/vtk/frame/picture_frames.h"
+#include "filters/vtk/inspect/preview_sphere.h"
+#include "filters/vtk/inspect/shown_view.h"
+#include "filters/vtk/inspect/surface_inspector.h"
+#include "filters/vtk/probes/probe_set.h"
+#include "filters/vtk/scene/scene_content.h"
+#include "filters/vtk/scene/vtkCulledRenderer.h"
+
+namespace boxprobe {
+
+struct SceneParts {
+  explicit SceneParts(vtkOpenGLRenderWindow* window);
+  ~SceneParts();
+  SceneParts(const SceneParts&) = delete;
+  SceneParts& operator=(const SceneParts&) = delete;
+
+  vtkOpenGLRenderWindow* window;
+  std::shared_ptr<DrawState> state;
+  Times times;
+  vtkNew<vtkCulledRenderer> renderer;
+  std::uint64_t seen = 0;  ///< generation of what the renderer drew that the probes know of
+  vtkNew<vtkCallbackCommand> frameObserver;
+  SceneContent content;
+  CubeCapture capture;
+  ProbeSet probes;
+  SurfaceInspector inspector;
+  PictureFrames frames;
+  MirrorSet mirrors;
+  PreviewSphere sphere;
+  MovingShadows shadows;
+  ShownView view;
+  bool interactive = false;
+
+  /// The SceneRenderer's functions of these names.
+  void sync(const Scene& scene, const Changes& changes);
+  void setInteractive(bool active);
+  void step();
+  std::vector<Explanation> explain(const std::vector<glm::ivec2>& pixels, int width, int height);
+  ImageRgbaF renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
+                          const std::function<void(int)>& beforeFrame);
+  void releaseGraphics();
+
+  /// Maps that are replaced, and those under way that are given up, are deleted, which needs their context.
+  void makeCurrent();
+  void applyView() { view.apply(content, *state, renderer); }
+
+ private:
+  void beginFrame();
+  void endFrame();
+  /// What is made for any picture through the active camera; with the context current.
+  void prepareDraws();
+  void drawMirrors(double aspect, int width, int height, int samples);
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,44 @@
+#include "filters/vtk/surface/fragment_source.h"
+
+#include "filters/math/shared/shader_source.h"
+#include "filters/vtk/gl/full_screen_pass.h"
+#include "filters/vtk/surface/material_source.h"
+#include "filters/vtk/surface/probe_source.h"
+
+namespace boxprobe {
+
+std::string fragmentDeclarations(const SurfaceProgram& program) {
+  const bool probes = program.probes();
+  std::string text = probes ? probeDeclarations(program.binding, program.output, program.mirror)
+                            : std::string(shaderSource("gpu/output_uniforms.glsl"));
+  if (probes) text += coverageDeclarations(program.binding);
+  text += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
+  if (program.surface != nullptr) text += materialDeclarations(*program.surface);
+  if (program.glass()) text += glassDeclarations(program.surface->glass);
+  if (program.output == SurfaceOutput::Heights) text += "uniform vec4 bpHeightPlane;\n";
+  if (program.debug()) {
+    if (!probes) text += "uniform mat3 bpViewToWorld;\nuniform int bpView;\n";
+    text += std::string("#define BP_LIT ") + (probes ? "1\n" : "0\n");
+    text += shaderSource("gpu/surface_view.glsl");
+  }
+  return text;
+}
+
+std::string fragmentOutput(const SurfaceProgram& program, const std::string& edges) {
+  std::string text = program.binding.lighting == Lighting::Unlit ? "color = emissiveColor;\n" : "";
+  // Explained as it is, not mixed with what lies behind it.
+  if (program.glass() && !program.debug()) text += shaderSource("gpu/glass_output.glsl");
+  text += program.debug() ? "color = bpViewColor(color);\n" : "color = bpOutput(color);\n";
+  text += edges;
+  if (program.debug()) text += shaderSource("gpu/surface_output.glsl");
+  if (program.output == SurfaceOutput::Heights) text += shaderSource("gpu/mirrored_output.glsl");
+  if (program.output == SurfaceOutput::SpecularSeparate || program.output == SurfaceOutput::SpecularSeparateNone) {
+    // A surface without probes has nothing to keep apart, whatever it was asked.
+    const bool sampled = program.probes() && program.output == SurfaceOutput::SpecularSeparate;
+    text += std::string("#define BP_APART ") + (sampled ? "1\n" : "2\n");
+    text += shaderSource("gpu/reflection_apart.glsl");
+  }
+  return text;
+}
+
+}  // namespace boxprobe

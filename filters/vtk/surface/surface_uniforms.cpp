@@ -1,0 +1,60 @@
+#include "filters/vtk/surface/surface_uniforms.h"
+
+#include <vtkShaderProgram.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "filters/vtk/surface/glass_draw.h"
+
+namespace boxprobe {
+
+void uploadMaterial(const UniformUpload& to, const SurfaceMaterial& surface) {
+  to.program->SetUniformf("bpAlpha", surface.alpha);
+  to.program->SetUniformf("bpAlphaCutoff", surface.alphaCutoff);
+  to.program->SetUniformf("bpNormalScale", surface.normalScale);
+  to.program->SetUniformf("bpCoatNormalScale", surface.coatNormalScale);
+  for (std::size_t i = 0; i < surface.slots.size(); ++i) {
+    const SurfaceSlot& slot = surface.slots[i];
+    if (!slot.texture) continue;
+    const std::string name = surfaceSlotNames()[i];
+    // A slot that this variant does not read would only take a unit.
+    if (!to.used("bpTex" + name)) continue;
+    to.texture2d("bpTex" + name, slot.texture->handle());
+    const glm::mat3x2& m = slot.uvTransform;
+    const float rows[2][3] = {{m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}};
+    to.program->SetUniform3fv(("bpUv" + name).c_str(), 2, rows);
+  }
+}
+
+void uploadMirror(const UniformUpload& to, const MirrorPicture& mirror, const SceneResources& resources) {
+  to.program->SetUniformf("bpMirrorOn", mirror.shown ? 1.0f : 0.0f);
+  const GLuint none = resources.brdfTable;  // not read
+  to.texture2d("bpMirrorColor", mirror.shown ? mirror.color : none);
+  to.texture2d("bpMirrorHeight", mirror.shown ? mirror.height : none);
+  const shading::MirrorLook& look = mirror.look;
+  const std::array<glm::vec4, 3> places = {look.toU, look.toV, look.toW};
+  to.program->SetUniform4fv("bpMirrorPlaces", 3, reinterpret_cast<const float(*)[4]>(&places[0].x));
+  const glm::vec4 normal(look.normal, look.farHeight), eye(look.eye, look.texelSize);
+  to.program->SetUniform4f("bpMirrorNormal", &normal.x);
+  to.program->SetUniform4f("bpMirrorEye", &eye.x);
+  const glm::vec3 levels(look.parallel, look.maxLevel, look.sharpLevel);
+  to.program->SetUniform3f("bpMirrorLevels", &levels.x);
+  const glm::vec2 size(look.sizeX, look.sizeY);
+  to.program->SetUniform2f("bpMirrorSize", &size.x);
+}
+
+void uploadGlassOf(const UniformUpload& to, const GlassSurface& glass, const ProbeBinding& binding,
+                   const SceneResources& resources) {
+  int faceSize = resources.sky ? resources.sky->radiance.faceSize() : 0;
+  for (const auto& probe : binding.probes) {
+    if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
+  }
+  const bool followed = glass.shell && to.used("bpGlassShell");
+  const int unit = followed ? to.bind(GL_TEXTURE_CUBE_MAP, glass.shell->handle()) : -1;
+  uploadGlass(to.program, glass, to.eyeWorld(), faceSize, unit);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,12 @@
+// Schlick's approximation of Fresnel reflectance between normal incidence and the edge, as VTK's shader has it
+// (Schlick 1994).
+vec3 schlickFresnel(vec3 f0, vec3 f90, float cosine)
+{
+  return f0 + (f90 - f0) * pow(1.0f - cosine, 5.0f);
+}
+
+// Mean over the three colours: what the smoothing of sampled reflections goes by.
+float meanFresnel(vec3 f0, vec3 f90, float cosine)
+{
+  return dot(schlickFresnel(f0, f90, cosine), vec3(1.0f / 3.0f));
+}
