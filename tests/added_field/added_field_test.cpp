@@ -44,18 +44,18 @@ TEST(AddedField, TellsScenesApart) {
 
 TEST(AddedField, IsSetFromTheCommandLine) {
   Scene scene = parsed("");
-  setSceneField(scene, "probes.room.fadeSeconds=3");
+  setSceneFields(scene, {"probes.room.fadeSeconds=3"});
   EXPECT_EQ(scene.probes[0].fadeSeconds, 3.0);
   EXPECT_EQ(sceneNumber(scene, "probes.room.fadeSeconds"), 3.0);
-  EXPECT_EQ(errorText([&] { setSceneField(scene, "probes.room.fadeSecond=3"); }),
+  EXPECT_EQ(errorText([&] { setSceneFields(scene, {"probes.room.fadeSecond=3"}); }),
             "--set probes.room.fadeSecond=3: probes.room.fadeSecond: unknown key; did you mean \"fadeSeconds\"?");
 }
 
 TEST(AddedField, IsRefusedOutOfItsRangeAndOfAnotherType) {
   EXPECT_EQ(errorText([] { parsed(R"(, "fadeSeconds": 11)"); }),
-            "scene.json:1:77: probes.room.fadeSeconds: is 11 and must be from 0 to 10");
+            "scene.json:1:72: probes.room.fadeSeconds: is 11 and must be from 0 to 10");
   EXPECT_EQ(errorText([] { parsed(R"(, "fadeSeconds": "slow")"); }),
-            "scene.json:1:77: probes.room.fadeSeconds: must be a number, not \"slow\"");
+            "scene.json:1:72: probes.room.fadeSeconds: must be a number, not \"slow\"");
 }
 
 TEST(AddedField, IsInFormsAndInTheReference) {
