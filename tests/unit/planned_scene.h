@@ -38,6 +38,7 @@ class PlannedScene {
   Scene scene;
   std::vector<PlacedObject> objects;
   std::set<std::string> notDrawnByProbes;  ///< nodes of objects that are drawn without any
+  std::set<std::string> hidden;            ///< nodes of objects that are not drawn
   std::set<std::string> cache;             ///< keys of maps at hand
   std::vector<FaceKeys> facesMade;         ///< of each bounce that was made, in order
 
@@ -55,8 +56,8 @@ class PlannedScene {
     entries.match();
     std::vector<ObjectUse> uses;
     for (const PlacedObject& object : objects) {
-      ObjectUse use{!object.unlit, {}};
-      if (use.lit && notDrawnByProbes.count(object.node) == 0)
+      ObjectUse use{!object.unlit && hidden.count(object.node) == 0, {}};
+      if (!object.unlit && notDrawnByProbes.count(object.node) == 0)
         use.probes = entries.places().meeting(object.boundsWorld);
       uses.push_back(std::move(use));
     }
@@ -80,7 +81,7 @@ class PlannedScene {
     if (!plan.keepsCurrent()) plan.end();
   }
 
-  /// The jobs planned, one word each: the kind's first letter, the probe's name and, of bounces, which one.
+  /// The jobs planned, one word each: the kind, the probe's name and, of bounces, which one.
   std::vector<std::string> jobs() const {
     std::vector<std::string> words;
     for (const ProbeJob& job : plan.jobs()) words.push_back(word(job));
@@ -88,7 +89,7 @@ class PlannedScene {
   }
   static std::string word(const ProbeJob& job) {
     static const char* const kinds[] = {"sky", "file", "picture", "drag", "bounce", "realtime"};
-    const std::string kind = kinds[static_cast<std::size_t>(job.kind)];
+    std::string kind = kinds[static_cast<std::size_t>(job.kind)];
     if (job.name.empty()) return kind;
     return kind + ":" + job.name + (job.kind == JobKind::Bounce ? std::to_string(job.bounce) : "");
   }

@@ -14,6 +14,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 constexpr double kFar = 100.0;
+const Box kEverywhere{glm::dvec3(-2.0 * kFar), glm::dvec3(2.0 * kFar)};
 
 /// Two probes that each show an object the other lights, and a third far off with an object of its own, which sees no
 /// further than its room.
@@ -58,6 +59,11 @@ TEST(ProbePlan, AProbeThatNoObjectUsesIsNotPlanned) {
   EXPECT_EQ(rooms.plan.state("near"), BakeState::NotUsed);
   EXPECT_EQ(rooms.plan.state("far"), BakeState::Stale);
   EXPECT_EQ(rooms.plan.state("nobody"), BakeState::NotUsed);
+  rooms.notDrawnByProbes.clear();
+  rooms.hidden = {"a", "b"};
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), ElementsAre("sky", "bounce:far1", "bounce:far2"));
+  rooms.hidden.clear();
   // One that is used shows what an unused one lights: of that the bounces before are needed, and no more.
   rooms.notDrawnByProbes = {"b"};
   rooms.update();
@@ -107,6 +113,10 @@ TEST(ProbePlan, AMovedBoxLeavesNoJobAndAMovedOriginMakesOne) {
   near.intensity = 0.5;
   rooms.update();
   EXPECT_THAT(rooms.jobs(), IsEmpty());
+  rooms.scene.probes[2].influence = kEverywhere;  // and so does this one, of what others show
+  rooms.update();
+  EXPECT_THAT(rooms.jobs(), IsEmpty()) << "they were made as the boxes were";
+  rooms.scene.probes[2].influence.reset();
 
   rooms.scene.probes[2].origin.x += 0.25;
   rooms.update();
@@ -119,6 +129,21 @@ TEST(ProbePlan, AMovedBoxLeavesNoJobAndAMovedOriginMakesOne) {
   near.origin.x -= 0.25;
   rooms.update();
   EXPECT_THAT(rooms.jobs(), IsEmpty()) << "as it was";
+}
+
+TEST(ProbePlan, MapsThatAreGoneAreMadeByTheBoxesAsTheyAre) {
+  ThreeRooms rooms(2);
+  rooms.makeAll();
+  const std::string before = rooms.entries[0].wanted;
+  rooms.scene.probes[2].influence = kEverywhere;
+  rooms.scene.probes[0].origin.x += 0.25;
+  rooms.update();
+  rooms.makeAll();
+  rooms.cache.clear();
+  rooms.scene.probes[0].origin.x -= 0.25;
+  rooms.update();
+  EXPECT_NE(rooms.entries[0].wanted, before);
+  EXPECT_THAT(rooms.jobs(), ElementsAre("bounce:near1", "bounce:next1", "bounce:far1", "bounce:near2", "bounce:next2"));
 }
 
 TEST(ProbePlan, AnEditMakesWhatShowsItAgain) {
@@ -210,6 +235,10 @@ TEST(ProbePlan, NothingIsMadeWhileProbesAreOff) {
   rooms.replan();
   EXPECT_THAT(rooms.jobs(), IsEmpty());
   EXPECT_FALSE(rooms.plan.current()) << "nor finished";
+  rooms.scene.probes[0].mode = ProbeMode::Realtime;
+  rooms.plan.begin({JobKind::Realtime, "near", 1, {}, 32});
+  rooms.update();
+  EXPECT_FALSE(rooms.plan.current());
 }
 
 TEST(ProbePlan, AProbeKeepsItsEntryThroughAChangeOfTheList) {
@@ -254,6 +283,10 @@ TEST(ProbePlan, MapsThatDoNotFitAreNotMade) {
   EXPECT_TRUE(rooms.plan.checkMemory(4 * one + scratch)) << "a probe that is not used needs none";
   rooms.makeAll();
   EXPECT_FALSE(rooms.plan.memoryUnchecked()) << "nothing is planned";
+  rooms.notDrawnByProbes = {"b", "c"};
+  rooms.update();
+  EXPECT_TRUE(rooms.plan.checkMemory(2 * one + scratch)) << "one that has maps but is used no more";
+  EXPECT_FALSE(rooms.plan.checkMemory(2 * one + scratch - 1));
 }
 
 }  // namespace
