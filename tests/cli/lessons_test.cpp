@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
@@ -10,6 +11,7 @@ namespace boxprobe::test {
 namespace {
 
 using nlohmann::json;
+using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -20,6 +22,8 @@ TEST(LessonsCommand, ListsWithoutADisplay) {
   EXPECT_THAT(text.out, HasSubstr("floor-mirror"));
   const Outcome outcome = runProgram({"lessons", "--json"}, DisplayKind::Unset);
   const json list = json::parse(outcome.out);
+  EXPECT_FALSE(list["language"].get<std::string>().empty());
+  EXPECT_TRUE(list["textErrors"].empty()) << list["textErrors"];
   EXPECT_GE(list["lessons"].size(), 28u);
   EXPECT_TRUE(list["errors"].empty()) << list["errors"];
 }
@@ -63,7 +67,9 @@ TEST(LessonsCommand, BadUseIsOneLine) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"lessons", "flor-mirror"},
                                                     {"lessons", "-o", folder.path("all.png")},
                                                     {"lessons", "floor-mirror", "-o", folder.path("sheet.tiff")},
-                                                    {"lessons", "--folder", folder.path("none")}}) {
+                                                    {"lessons", "--folder", folder.path("none")},
+                                                    {"lessons", "--language", "xx"},
+                                                    {"lessons", "floor-mirror", "--language", "xx"}}) {
     const Outcome outcome = runProgram(arguments);
     EXPECT_EQ(outcome.exitStatus, 2) << arguments.back();
     EXPECT_EQ(outcome.errLines().size(), 1u) << outcome.err;
@@ -81,6 +87,45 @@ TEST(LessonsCommand, ABrokenLessonIsToldAndTheOthersList) {
   EXPECT_EQ(outcome.exitStatus, 0);
   EXPECT_THAT(outcome.out, HasSubstr("Whole"));
   EXPECT_THAT(outcome.err, HasSubstr("1-broken.lesson.json"));
+}
+
+TEST(LessonsCommand, ShowsTheLanguageAskedForOrTheLocales) {
+  const TemporaryFolder folder;
+  for (const char* name : {"1-first", "2-second"}) {
+    folder.write(std::string(name) + ".lesson.json",
+                 R"({"format": "boxprobe-lesson", "version": 1, "chapter": "c", "scene": ")" + demoScene("six-faces") +
+                     R"(", "steps": [{"id": "one"}]})");
+  }
+  const auto texts = [&](const std::string& language, const std::string& lessons) {
+    std::filesystem::create_directories(folder.path("text"));
+    folder.write("text/" + language + ".json", R"({"format": "boxprobe-lesson-text", "version": 1, "language": ")" +
+                                                   language + R"(", "chapters": {"c": "C"}, "lessons": {)" + lessons +
+                                                   "}}");
+  };
+  const auto lesson = [](const std::string& name, const std::string& title) {
+    return "\"" + name + R"(": {"title": ")" + title +
+           R"(", "summary": "S", "steps": {"one": {"title": "t", "say": "s"}}})";
+  };
+  texts("en", lesson("first", "Good day") + ", " + lesson("second", "Farewell"));
+  texts("eo", lesson("first", "Bonan tagon"));
+  const auto list = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"lessons", "--folder", folder.path("")});
+    const Outcome outcome = runProgram(more, DisplayKind::Unset);
+    EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.out;
+  };
+  EXPECT_THAT(list({"--language", "en"}), AllOf(HasSubstr("Good day\n"), HasSubstr("Language: en (of en, eo)\n")));
+  EXPECT_THAT(list({"--language", "eo"}), AllOf(HasSubstr("Bonan tagon\n"), HasSubstr("Farewell (en)\n")));
+  const char* before = std::getenv("LC_ALL");
+  const std::string kept = before != nullptr ? before : "";
+  ::setenv("LC_ALL", "eo_XX.UTF-8", 1);
+  const json byLocale = json::parse(list({"--json"}));
+  before != nullptr ? ::setenv("LC_ALL", kept.c_str(), 1) : ::unsetenv("LC_ALL");
+  EXPECT_EQ(byLocale["language"], "eo");
+  EXPECT_EQ(byLocale["lessons"][0]["language"], "eo");
+  EXPECT_EQ(byLocale["lessons"][0]["title"], "Bonan tagon");
+  EXPECT_EQ(byLocale["lessons"][1]["language"], "en");
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ void LessonWindowTest::SetUp() {
   forgetLessons();
   WindowTest::SetUp();
   lessons().setFolder(lessonFolder());
+  lessons().setLanguage("en");
 }
 
 void LessonWindowTest::TearDown() {

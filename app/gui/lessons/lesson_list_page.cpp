@@ -80,16 +80,21 @@ void LessonListPage::show(const LessonList& list) {
     rows_->addWidget(button);
     buttons_[name] = button;
   }
-  if (!list.errors.empty()) addHeading(tr("These lessons cannot be read"));
-  for (const std::string& error : list.errors) {
-    QLabel* line = helpLabel(content);
+  addErrors(tr("These lessons cannot be read"), list.errors);
+  addErrors(tr("Faults in the lessons' texts"), list.textErrors);
+  rows_->addStretch(1);
+}
+
+void LessonListPage::addErrors(const QString& heading, const std::vector<std::string>& errors) {
+  if (!errors.empty()) addHeading(heading);
+  for (const std::string& error : errors) {
+    QLabel* line = helpLabel(scroll_->widget());
     line->setTextFormat(Qt::PlainText);
     line->setText(QString::fromStdString(error));
     line->setTextInteractionFlags(Qt::TextSelectableByMouse);
     line->setProperty("lessonError", true);
     rows_->addWidget(line);
   }
-  rows_->addStretch(1);
 }
 
 void LessonListPage::showProgress(const LessonList& list, const QString& last) {

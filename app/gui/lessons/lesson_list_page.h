@@ -1,10 +1,11 @@
-// All lessons by chapter, each with how far the learner has come; at the end the files that cannot be read, one line
-// each. Called by the lesson panel.
+// All lessons by chapter, each with how far the learner has come; at the end what cannot be read, one line each. Called
+// by the lesson panel.
 #pragma once
 
 #include <QWidget>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "filters/io/scene/lesson_file.h"
 
@@ -39,6 +40,7 @@ class LessonListPage : public QWidget {
 
  private:
   void addHeading(const QString& text);
+  void addErrors(const QString& heading, const std::vector<std::string>& errors);
 
   QLabel* intro_;
   QPushButton* leave_;

@@ -71,6 +71,8 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures) {
     body_ += "<h2>" + html(chapter_) + "</h2>\n";
   }
   contents_ += "<li><a href=\"#" + html(lesson.name) + "\">" + html(lesson.title) + "</a></li>\n";
+  const bool own = lesson.language != "en";  // than the page's head
+  if (own) body_ += "<section lang=\"" + html(lesson.language) + "\">\n";
   body_ += "<h3 id=\"" + html(lesson.name) + "\">" + html(lesson.title) + "</h3><p>" + html(lesson.summary) +
            "</p><div class=\"steps\">\n";
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) body_ += stepHtml(lesson.steps[i], i, pictures.steps[i]);
@@ -79,7 +81,7 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures) {
     body_ += "<p>" + html(claim.say) + " <b>" + html(claim.measured) + "</b>" +
              (claim.holds ? "" : " <span class=\"failed\">does not hold</span>") + "</p>";
   }
-  body_ += "</div>\n";
+  body_ += own ? "</div>\n</section>\n" : "</div>\n";
 }
 
 std::string LessonPage::text() const {

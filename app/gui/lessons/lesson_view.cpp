@@ -21,6 +21,7 @@
 #include "app/gui/lessons/lesson_progress.h"
 #include "app/gui/lessons/lesson_step_page.h"
 #include "app/gui/view/viewport.h"
+#include "app/lessons/lesson_language.h"
 #include "app/lessons/lesson_measure.h"
 #include "filters/io/gltf/model_file.h"
 #include "filters/vtk/scene_renderer.h"
@@ -80,6 +81,11 @@ LessonView::~LessonView() = default;
 
 void LessonView::setFolder(const std::string& folder) {
   folder_ = folder;
+  read_ = false;
+}
+
+void LessonView::setLanguage(const std::string& language) {
+  language_ = language;
   read_ = false;
 }
 
@@ -152,7 +158,7 @@ void LessonView::guarded(const Work& work) {
 
 void LessonView::readLessons() {
   try {
-    list_ = loadLessons(folder_);
+    list_ = loadLessons(folder_, lessonLanguage(language_, folder_));
   } catch (const std::exception& error) {
     list_ = {};
     list_.errors.emplace_back(error.what());

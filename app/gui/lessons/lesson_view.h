@@ -47,6 +47,8 @@ class LessonView : public QObject {
   LessonPanel* panel() const { return panel_; }
   /// Another folder of lessons, read when the list is shown next.
   void setFolder(const std::string& folder);
+  /// Another language of the lessons' texts, from then on; empty: the locale's.
+  void setLanguage(const std::string& language);
 
   void showList();
   /// At the step, or where the learner left off. An unknown name is told by `failed`.
@@ -97,7 +99,7 @@ class LessonView : public QObject {
   std::optional<double> measure(const LessonMeasure& measure);
 
   Parts parts_;
-  std::string folder_;
+  std::string folder_, language_;
   LessonList list_;
   bool read_ = false;
   LessonPanel* panel_;

@@ -12,6 +12,7 @@
 #include "app/gui/lessons/lesson_page.h"
 #include "app/gui/lessons/lesson_sheet.h"
 #include "app/gui/window/window_app.h"
+#include "app/lessons/lesson_language.h"
 #include "app/session/display_check.h"
 #include "app/session/interrupt.h"
 #include "app/session/messages.h"
@@ -20,6 +21,7 @@
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
+#include "filters/core/base/nearest_name.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/scene/lesson_file.h"
 
@@ -36,6 +38,7 @@ struct LessonsOptions {
   std::string name;
   std::string outputPath;
   std::string folder = BOXPROBE_DATA_DIR "/lessons";
+  std::string language;  ///< empty: the locale's
   bool check = false;
   ReportOptions report;
 };
@@ -57,9 +60,13 @@ void saveSheet(const std::string& path, const QImage& sheet) {
 }
 
 nlohmann::ordered_json listJson(const LessonList& list) {
-  nlohmann::ordered_json json = {{"lessons", nlohmann::ordered_json::array()}, {"errors", list.errors}};
+  nlohmann::ordered_json json = {{"language", list.language},
+                                 {"lessons", nlohmann::ordered_json::array()},
+                                 {"errors", list.errors},
+                                 {"textErrors", list.textErrors}};
   for (const Lesson& lesson : list.lessons) {
     json["lessons"].push_back({{"name", lesson.name},
+                               {"language", lesson.language},
                                {"title", lesson.title},
                                {"chapter", lesson.chapter},
                                {"summary", lesson.summary},
@@ -70,18 +77,24 @@ nlohmann::ordered_json listJson(const LessonList& list) {
   return json;
 }
 
-void printList(const LessonList& list) {
+void printList(const LessonList& list, const std::string& folder) {
   std::string chapter;
   for (const Lesson& lesson : list.lessons) {
     if (lesson.chapter != chapter) std::printf("%s%s\n", chapter.empty() ? "" : "\n", lesson.chapter.c_str());
     chapter = lesson.chapter;
-    std::printf("  %-22s %s\n", lesson.name.c_str(), lesson.title.c_str());
+    const std::string other = lesson.language == list.language ? "" : " (" + lesson.language + ")";
+    std::printf("  %-22s %s%s\n", lesson.name.c_str(), lesson.title.c_str(), other.c_str());
   }
+  const std::vector<std::string> languages = lessonLanguages(folder);
+  const std::string all = languages.size() > 1 ? " (of " + nameList(languages, languages.size()) + ")" : "";
+  std::printf("\nLanguage: %s%s\n", list.language.c_str(), all.c_str());
 }
 
 /// The broken ones are told, and the rest goes on.
 void warnOfBroken(const LessonList& list, const LessonsOptions& options) {
-  if (!options.report.quiet) printWarnings(list.errors);
+  if (options.report.quiet) return;
+  printWarnings(list.errors);
+  printWarnings(list.textErrors);
 }
 
 std::vector<const Lesson*> chosen(const LessonList& list, const std::string& name) {
@@ -160,14 +173,14 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
 }
 
 void runLessons(const LessonsOptions& options, int& argc, char** argv) {
-  const LessonList list = loadLessons(options.folder);
+  const LessonList list = loadLessons(options.folder, lessonLanguage(options.language, options.folder));
   warnOfBroken(list, options);
   const bool draws = options.check || !options.outputPath.empty();
   if (options.name.empty() && !draws) {
     if (options.report.json) {
       std::puts(listJson(list).dump(2).c_str());
     } else {
-      printList(list);
+      printList(list, options.folder);
     }
     return;
   }
@@ -177,6 +190,7 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
     WindowOptions window;
     window.statsPath = options.report.statsPath;
     window.lesson = options.name;
+    window.language = options.language;
     runWindow(argc, argv, {}, window);
     return;
   }
@@ -204,6 +218,10 @@ Subcommand addLessonsCommand(CLI::App& program, int& argc, char** argv) {
   command->add_flag("--check", options->check, "Measure the lessons' claims; exit status 1 if a claim does not hold");
   command->add_option("--folder", options->folder, "Folder of the lesson files (default: the program's own)")
       ->type_name("DIR");
+  command
+      ->add_option("--language", options->language,
+                   "Language of the lessons' texts (default: the locale's if it has a file of texts, otherwise en)")
+      ->type_name("ID");
   addReportOptions(*command, options->report, "Print the list or the measured claims as JSON");
   command->footer(
       "Examples:\n"

@@ -7,6 +7,7 @@
 #include <exception>
 #include <optional>
 
+#include "app/gui/lessons/lesson_view.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/file_commands.h"
@@ -64,6 +65,7 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
     window.showScene(std::move(loaded));
     window.files().remember(QString::fromStdString(scenePath));
   }
+  window.lessons().setLanguage(options.language);
   window.show();
   if (!options.lesson.empty()) window.openLesson(QString::fromStdString(options.lesson));
   QApplication::exec();

@@ -9,6 +9,7 @@ namespace boxprobe {
 struct WindowOptions {
   std::string statsPath;  ///< --stats: written when the window closes; empty: not at all
   std::string lesson;     ///< name of a lesson to open; empty: none
+  std::string language;   ///< of lessons; empty: the locale's
 };
 
 /// Returns the process's exit status when the window was closed. `scenePath` may be empty. Throws InputError if it

@@ -1,5 +1,5 @@
-// A lesson as plain values: what a *.lesson.json file holds. Read by filters/io, shown by the window and by sheets and
-// pages, held to its claims by tests. Knows neither VTK nor Qt nor files.
+// A lesson as plain values: what a *.lesson.json file holds, with its texts in one language. Read by filters/io, shown
+// by the window and by sheets and pages, held to its claims by tests. Knows neither VTK nor Qt nor files.
 #pragma once
 
 #include <array>
@@ -100,8 +100,9 @@ struct LessonStep {
 };
 
 struct Lesson {
-  std::string name;  ///< what the command line calls it: of the file, without its number
-  std::string path;  ///< of the file
+  std::string name;             ///< what the command line calls it: of the file, without its number
+  std::string path;             ///< of the file
+  std::string language = "en";  ///< of what a person reads below
   std::string title;
   std::string chapter;
   std::string summary;  ///< one sentence for lists

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/nearest_name.h"
+#include "filters/core/base/one_line.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/scene/lesson_json.h"
+#include "filters/io/scene/lesson_texts.h"
 #include "filters/io/scene/scene_file.h"
 
 namespace boxprobe {
@@ -59,15 +62,18 @@ void requireSteps(const Lesson& lesson) {
   }
 }
 
-}  // namespace
-
-Lesson loadLessonFile(const std::string& path) {
+/// `texts` are those of the lesson's folder, read when the first lesson wants them.
+Lesson readLesson(const std::string& path, std::optional<LessonTexts>& texts) {
   const JsonText json = parseJsonText(readWholeFile(path, kLargestLesson), path);
   try {
-    const std::string folder = fs::path(path).parent_path().string();
-    Lesson lesson = lessonFromJson(json.root, folder.empty() ? "." : folder);
+    requireLessonHeader(json.root);
+    const fs::path parent = fs::path(path).parent_path();
+    const std::string folder = parent.empty() ? "." : parent.string(), name = lessonName(path);
+    if (!carriesTexts(json.root) && !texts) texts.emplace(folder, "en");
+    Lesson lesson =
+        lessonFromJson(carriesTexts(json.root) ? json.root : texts->lessonWithTexts(json.root, name), folder);
     lesson.path = path;
-    lesson.name = lessonName(path);
+    lesson.name = name;
     try {
       loadSceneFile(lesson.scene);
     } catch (const InputError& error) {
@@ -80,7 +86,25 @@ Lesson loadLessonFile(const std::string& path) {
   }
 }
 
-LessonList loadLessons(const std::string& folder) {
+/// A language that has neither a file nor a lesson of its own is a mistake of whoever asked for it.
+void requireLanguage(const LessonList& list, const LessonTexts& texts, const std::string& folder) {
+  const auto isOfIt = [&](const Lesson& lesson) { return lesson.language == list.language; };
+  if (list.language == "en" || texts.has(list.language)) return;
+  if (std::any_of(list.lessons.begin(), list.lessons.end(), isOfIt)) return;
+  const std::vector<std::string> languages = lessonLanguages(folder);
+  const std::string guess = didYouMean(list.language, languages);
+  throw InputError("language " + oneLine(list.language) + ": no lesson is in it" +
+                   (guess.empty() ? "; there are lessons in " + nameList(languages) : guess));
+}
+
+}  // namespace
+
+Lesson loadLessonFile(const std::string& path) {
+  std::optional<LessonTexts> texts;
+  return readLesson(path, texts);
+}
+
+LessonList loadLessons(const std::string& folder, const std::string& language) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw InputError(folder + ": no such folder of lessons");
   std::vector<std::string> paths;
@@ -89,15 +113,30 @@ LessonList loadLessons(const std::string& folder) {
   }
   if (paths.empty()) throw InputError(folder + ": no lesson is in it; lessons are files named NAME" + kEnding);
   std::sort(paths.begin(), paths.end());
+  std::optional<LessonTexts> texts(std::in_place, folder, language);
   LessonList list;
+  list.language = language;
   for (const std::string& path : paths) {
     try {
-      list.lessons.push_back(loadLessonFile(path));
+      list.lessons.push_back(readLesson(path, texts));
     } catch (const InputError& broken) {
       list.errors.emplace_back(broken.what());
     }
   }
+  requireLanguage(list, *texts, folder);
+  list.textErrors = texts->faults();
+  // A lesson that cannot be read may be the one that asks for them.
+  if (list.errors.empty()) {
+    for (const std::string& stray : texts->strays()) list.textErrors.push_back(stray);
+  }
   return list;
+}
+
+std::vector<std::string> lessonLanguages(const std::string& folder) {
+  std::vector<std::string> languages = lessonTextLanguages(folder);
+  if (std::find(languages.begin(), languages.end(), "en") == languages.end()) languages.emplace_back("en");
+  std::sort(languages.begin(), languages.end());
+  return languages;
 }
 
 const Lesson& findLesson(const LessonList& list, const std::string& name) {

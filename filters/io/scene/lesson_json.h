@@ -9,7 +9,11 @@
 
 namespace boxprobe {
 
-/// Names of files are resolved against `folder`. Throws FieldError. The scene is not read.
+/// Throws FieldError unless it says that it is a lesson, of a version that this program reads, and has a lesson's keys.
+void requireLessonHeader(const Json& root);
+
+/// Of a lesson with its header and its texts. Names of files are resolved against `folder`. Throws FieldError. The
+/// scene is not read.
 Lesson lessonFromJson(const Json& root, const std::string& folder);
 
 }  // namespace boxprobe

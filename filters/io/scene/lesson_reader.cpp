@@ -5,6 +5,8 @@
 #include "filters/core/scene/surface_view.h"
 #include "filters/io/json/json_cursor.h"
 #include "filters/io/scene/lesson_json.h"
+#include "filters/io/scene/lesson_language.h"
+#include "filters/io/scene/lesson_places.h"
 
 namespace boxprobe {
 
@@ -21,6 +23,11 @@ std::string required(const JsonCursor& entry, const char* key) {
 std::string optional(const JsonCursor& entry, const char* key) {
   const auto value = entry.find(key);
   return value ? value->text() : std::string();
+}
+
+/// Under its id an entry's texts stand apart; where they do not, it may have one all the same.
+void checkId(const JsonCursor& entry) {
+  if (const auto id = entry.find("id")) lessonTextId(*id);
 }
 
 JsonCursor requiredValue(const JsonCursor& entry, const char* key) {
@@ -134,7 +141,8 @@ LessonCondition readCondition(const JsonCursor& entry, std::size_t steps) {
 }
 
 LessonClaim readClaim(const JsonCursor& entry, std::size_t steps) {
-  entry.requireObject({"say", "unit", "measure", "above", "below", "equals", "within", "times"});
+  entry.requireObject({"id", "say", "unit", "measure", "above", "below", "equals", "within", "times"});
+  checkId(entry);
   LessonClaim claim;
   claim.say = required(entry, "say");
   claim.unit = optional(entry, "unit");
@@ -150,7 +158,8 @@ LessonQuestion readQuestion(const JsonCursor& entry) {
   answers.requireArray();
   int right = 0;
   for (const JsonCursor& answer : answers.elements()) {
-    answer.requireObject({"text", "right", "reply"});
+    answer.requireObject({"id", "text", "right", "reply"});
+    checkId(answer);
     const auto isRight = answer.find("right");
     question.answers.push_back({required(answer, "text"), isRight && isRight->boolean(), required(answer, "reply")});
     right += question.answers.back().right ? 1 : 0;
@@ -185,8 +194,9 @@ Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
 }
 
 LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std::string& folder) {
-  entry.requireObject({"title", "say", "formula", "set", "camera", "view", "published", "reflections", "boxes", "rays",
-                       "mayMove", "question", "task"});
+  entry.requireObject({"id", "title", "say", "formula", "set", "camera", "view", "published", "reflections", "boxes",
+                       "rays", "mayMove", "question", "task"});
+  checkId(entry);
   LessonStep step;
   step.title = required(entry, "title");
   step.say = required(entry, "say");
@@ -218,23 +228,28 @@ LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std:
   return step;
 }
 
-void readHeader(const JsonCursor& root) {
+}  // namespace
+
+void requireLessonHeader(const Json& json) {
+  const JsonCursor root(json, {});
+  root.requireObject();
   const auto format = root.find("format");
   if (!format || format->json() != "boxprobe-lesson") {
     root.fail("is not a lesson; it starts with { \"format\": \"boxprobe-lesson\", \"version\": 1, ...");
   }
   const JsonCursor version = requiredValue(root, "version");
   if (version.whole() != 1) version.fail("is not 1, the one this program reads; get a newer program");
+  root.requireObject(
+      {"format", "version", "language", "title", "chapter", "summary", "scene", "set", "steps", "claims"});
 }
-
-}  // namespace
 
 Lesson lessonFromJson(const Json& json, const std::string& folder) {
   const JsonCursor root(json, {});
-  root.requireObject();
-  readHeader(root);
-  root.requireObject({"format", "version", "title", "chapter", "summary", "scene", "set", "steps", "claims"});
   Lesson lesson;
+  if (const auto language = root.find("language")) {
+    lesson.language = language->text();
+    if (!isLanguageId(lesson.language)) language->fail("must be a language, such as \"en\" or \"pt-BR\"");
+  }
   lesson.title = required(root, "title");
   lesson.chapter = required(root, "chapter");
   lesson.summary = required(root, "summary");
