@@ -53,9 +53,9 @@ TEST(AddedField, IsSetFromTheCommandLine) {
 
 TEST(AddedField, IsRefusedOutOfItsRangeAndOfAnotherType) {
   EXPECT_EQ(errorText([] { parsed(R"(, "fadeSeconds": 11)"); }),
-            "scene.json:1:77: probes.room.fadeSeconds: is 11 and must be from 0 to 10");
+            "scene.json:1:72: probes.room.fadeSeconds: is 11 and must be from 0 to 10");
   EXPECT_EQ(errorText([] { parsed(R"(, "fadeSeconds": "slow")"); }),
-            "scene.json:1:77: probes.room.fadeSeconds: must be a number, not \"slow\"");
+            "scene.json:1:72: probes.room.fadeSeconds: must be a number, not \"slow\"");
 }
 
 TEST(AddedField, IsInFormsAndInTheReference) {

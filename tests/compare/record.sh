@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Records what a boxprobe binary does, seen from outside and the same in every run: see README.md.
 # record.sh PROGRAM OUT_DIR [DATA_DIR]    DATA_DIR holds scenes/ and lessons/; default: this checkout's data
-# Environment: SCENES="room glass" records only these scenes and no lessons; ALL_VIEWS=1 every debug view through every
-# camera (default: all through the first, a third of them through each other one, taken in turns).
+# Environment: SCENES="room glass" records only these scenes and no lessons; FEW_VIEWS=1 all debug views through the
+# first camera only, and a third of them through each other one, taken in turns.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
@@ -65,7 +65,7 @@ for s in "${scenes[@]}"; do
     for v in "${!views[@]}"; do
       view=${views[v]}
       [[ $view == all ]] && continue
-      ((c == 0 || (c + v) % 3 == 0)) || [[ -n ${ALL_VIEWS:-} ]] || continue
+      [[ -n ${FEW_VIEWS:-} ]] && ((c > 0 && (c + v) % 3 != 0)) && continue
       job /dev/null render "$(scene "$s")" -o "$out/views/$s/$camera $view.exr" --size 160x90 --quiet \
         --camera "$camera" --view "$view"
     done

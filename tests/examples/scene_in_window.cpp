@@ -15,7 +15,10 @@ int main(int argc, char** argv) {
   }
   vtkNew<vtkRenderWindow> window;  // a window of your own: Qt's, or any other of OpenGL
   window->SetSize(640, 360);
-  boxprobe::SceneRenderer renderer(vtkOpenGLRenderWindow::SafeDownCast(window));
+  window->SetMultiSamples(0);
+  auto* openGl = vtkOpenGLRenderWindow::SafeDownCast(window);
+  openGl->Initialize();
+  boxprobe::SceneRenderer renderer(openGl);
   renderer.setModels(models);
   renderer.sync(scene, boxprobe::Changes::all());
   renderer.applyCamera(scene.cameras.front());
