@@ -183,6 +183,7 @@ void lookups(const NamedCube& input, const CubeFilterReference& reference, Stock
   }
   for (const float p : {0.1f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f}) {
     std::vector<glm::vec4> truth;
+    truth.reserve(directions.size());
     for (const glm::vec3& d : directions) truth.push_back(reference.value({FilterLobe::Kind::Ggx, p * p}, d));
     const double vtk = lookupError(theirs, stock.levelLookedUp(p), directions, truth);
     const double own = lookupError(chain, shading::levelForRoughness(p, chain.maxLevel()), directions, truth);
