@@ -52,7 +52,7 @@ TEST_F(PanelUpdatesTest, EachEditReachesThePanelThatShowsIt) {
   const auto updatesOf = [&](const Document::Edit& edit) {
     const Updates before = since();
     document().preview(edit);
-    const Updates updates = withoutNone(since(before));
+    Updates updates = withoutNone(since(before));
     document().cancel();
     return updates;
   };
