@@ -8,9 +8,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/session/box_picture.h"
 #include "app/session/explanation_json.h"
 #include "app/session/load_scene.h"
+#include "app/session/reference_box_picture.h"
 #include "filters/core/scene/surface_view.h"
 #include "filters/explain/surface_value.h"
 #include "filters/io/scene/scene_file.h"

@@ -4,10 +4,10 @@
 
 #include "filters/vtk/gl/window_pixels.h"
 #include "filters/vtk/inspect/frame_recorder.h"
-#include "filters/vtk/inspect/scene_remarks.h"
+#include "filters/vtk/inspect/render_remarks.h"
 #include "filters/vtk/maps/cube_transfer.h"
 #include "filters/vtk/scene/camera_values.h"
-#include "filters/vtk/scene_parts.h"
+#include "filters/vtk/scene_renderer_parts.h"
 
 namespace boxprobe {
 

@@ -1,5 +1,5 @@
 // A scene drawn by VTK with box-projected reflections: owns the VTK actors, the probes' textures and the capture work,
-// in any vtkOpenGLRenderWindow (the Qt window's, or an off-screen one). Called by app/session and app/gui; knows neither.
+// in any vtkOpenGLRenderWindow (the Qt window's, or an off-screen one). Called by app/session, app/gui; knows neither.
 //
 // How it is driven:
 //   sync(scene, changes)   after every document change; cheap: notes what is stale, updates uniforms and actors

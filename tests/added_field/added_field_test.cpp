@@ -44,10 +44,10 @@ TEST(AddedField, TellsScenesApart) {
 
 TEST(AddedField, IsSetFromTheCommandLine) {
   Scene scene = parsed("");
-  setSceneField(scene, "probes.room.fadeSeconds=3");
+  setSceneFields(scene, {"probes.room.fadeSeconds=3"});
   EXPECT_EQ(scene.probes[0].fadeSeconds, 3.0);
   EXPECT_EQ(sceneNumber(scene, "probes.room.fadeSeconds"), 3.0);
-  EXPECT_EQ(errorText([&] { setSceneField(scene, "probes.room.fadeSecond=3"); }),
+  EXPECT_EQ(errorText([&] { setSceneFields(scene, {"probes.room.fadeSecond=3"}); }),
             "--set probes.room.fadeSecond=3: probes.room.fadeSecond: unknown key; did you mean \"fadeSeconds\"?");
 }
 

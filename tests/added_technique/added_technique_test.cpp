@@ -1,5 +1,5 @@
-// A technique added as shaders/technique/README.md says is known everywhere by its row alone: to scene files, to the picture and to the
-// explanation, which agree about it.
+// A technique added as shaders/technique/README.md says is known everywhere by its row alone: to scene files, to the
+// picture and to the explanation, which agree about it.
 #include <gtest/gtest.h>
 
 #include <algorithm>

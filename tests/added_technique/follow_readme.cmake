@@ -1,6 +1,6 @@
 # Run as a script: does what the section "Add a technique" of shaders/technique/README.md says, to a copy. The section's blocks of code
 # follow lines that name where they go in `backquotes`: a .glsl block is a new file, the .cpp block is a row above that of `auto`.
-#   README, SOURCE: that README and the source tree; OUTPUT: folder for shaders/, compiled_shaders.cpp and technique_files.inc
+#   README, SOURCE: that README and the source tree; OUTPUT: folder for shaders/, technique_rows.cpp and technique_files.inc
 file(READ "${README}" text)
 string(REPLACE ";" "\\;" text "${text}")
 string(REGEX MATCH "## Add a technique\n.*" section "${text}")
@@ -31,7 +31,7 @@ if(at LESS 0)
 endif()
 string(SUBSTRING "${rows}" 0 ${at} before)
 string(SUBSTRING "${rows}" ${at} -1 after)
-file(WRITE "${OUTPUT}/compiled_shaders.cpp" "${before}${row}${after}")
+file(WRITE "${OUTPUT}/technique_rows.cpp" "${before}${row}${after}")
 
 file(GLOB files RELATIVE "${OUTPUT}" "${OUTPUT}/shaders/technique/*.glsl")
 list(SORT files)

@@ -81,7 +81,7 @@ TEST(Bake, StoppedWorkLeavesWholeFilesAndGoesOn) {
   const Outcome stopped = program.finish();
   EXPECT_EQ(stopped.exitStatus, 1);
   ASSERT_THAT(stopped.errLines(), SizeIs(1)) << stopped.err;
-  EXPECT_THAT(stopped.err, HasSubstr("goes on from there"));
+  EXPECT_THAT(stopped.err, HasSubstr("continues from there"));
   // Whatever is there is whole: nothing temporary, nothing half written.
   arguments = {"bake", demoScene("room"), "-o", out, "--set", "probes.room.faceSize=16", "--quiet"};
   EXPECT_EQ(runProgram(arguments).exitStatus, 0);

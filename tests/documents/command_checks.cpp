@@ -106,9 +106,10 @@ std::vector<std::string> CommandChecks::problems(const Command& command) const {
     }
     case CommandKind::CMake:
       return cmakeProblems(command);
+    case CommandKind::Ninja:
+      return ninjaProblems(command);
     case CommandKind::Script:
-      if (access((root_ + "/" + command.name).c_str(), X_OK) == 0) return {};
-      return {"no script " + command.name};
+      return scriptProblems(command);
     case CommandKind::Unknown:
       break;
   }
@@ -187,6 +188,37 @@ std::vector<std::string> CommandChecks::builtProblems(const Command& command) co
   return problems;
 }
 
+bool CommandChecks::builds(const std::string& target) const {
+  return std::any_of(programs_.begin(), programs_.end(),
+                     [&](const BuiltProgram& program) { return fs::path(program.path).filename() == target; });
+}
+
+std::vector<std::string> CommandChecks::ninjaProblems(const Command& command) const {
+  std::vector<std::string> problems;
+  for (std::size_t i = 0; i < command.arguments.size(); ++i) {
+    if (command.arguments[i] == "-C") {
+      ++i;  // the folder
+    } else if (flagOf(command.arguments[i]).empty() && !builds(command.arguments[i])) {
+      problems.push_back("no program " + command.arguments[i]);
+    }
+  }
+  return problems;
+}
+
+std::vector<std::string> CommandChecks::scriptProblems(const Command& command) const {
+  const std::string path = root_ + "/" + command.name;
+  if (access(path.c_str(), X_OK) != 0) return {"no script " + command.name};
+  const std::string text = readFile(path);
+  std::vector<std::string> problems;
+  for (const std::string& word : command.arguments) {
+    const std::string flag = flagOf(word);
+    if (!flag.empty() && text.find(flag) == std::string::npos) {
+      problems.push_back(joined({command.name, " has no ", flag}));
+    }
+  }
+  return problems;
+}
+
 std::vector<std::string> CommandChecks::cmakeProblems(const Command& command) const {
   std::ifstream in(root_ + "/CMakePresets.json");
   const nlohmann::json presets = nlohmann::json::parse(in);
@@ -199,9 +231,7 @@ std::vector<std::string> CommandChecks::cmakeProblems(const Command& command) co
     if (command.arguments[i] == "--preset") {
       for (const auto& preset : presets.at(kind)) known |= preset.at("name") == value;
     }
-    if (command.arguments[i] == "-R" && std::none_of(programs_.begin(), programs_.end(), [&](const BuiltProgram& p) {
-          return fs::path(p.path).filename() == value;
-        })) {
+    if (command.arguments[i] == "-R" && !builds(value)) {
       problems.push_back("no test " + value);
     }
   }

@@ -23,6 +23,9 @@ class CommandChecks {
   std::vector<std::string> programProblems(const Command& command) const;
   std::vector<std::string> builtProblems(const Command& command) const;
   std::vector<std::string> cmakeProblems(const Command& command) const;
+  std::vector<std::string> ninjaProblems(const Command& command) const;
+  std::vector<std::string> scriptProblems(const Command& command) const;
+  bool builds(const std::string& target) const;
   bool exists(const std::string& path) const;
 
   std::string root_;

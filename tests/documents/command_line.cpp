@@ -27,6 +27,7 @@ CommandKind kindOf(const std::string& name, const std::vector<std::string>& argu
   if (startsWith(name, "build/release/fuzz/")) return CommandKind::Fuzzer;
   if (startsWith(name, "build/release/")) return CommandKind::Built;
   if (name == "cmake" || name == "ctest") return CommandKind::CMake;
+  if (name == "ninja") return CommandKind::Ninja;
   if (startsWith(name, "tests/") && name.size() > 3 && name.substr(name.size() - 3) == ".sh") {
     return CommandKind::Script;
   }
@@ -65,7 +66,7 @@ std::vector<std::string> shellWords(const std::string& line) {
 
 bool isPlaceholder(const std::string& word) {
   static const std::regex pattern(
-      R"(\[?(SCENE|PROGRAM|ARGS|NAME|ID|FILE(\.json)?|FIELD=VALUE|(OUT)?DIR(/.*)?|N|S|X,Y|WxH|LOW,HIGH)\]?(\.\.\.)?)");
+      R"(\[?(SCENE|PROGRAM|OLD_BOXPROBE|ARGS|NAME|ID|FILE(\.json)?|FIELD=VALUE|(OUT)?DIR(/.*)?|N|S|X,Y|WxH|LOW,HIGH)\]?(\.\.\.)?)");
   return std::regex_match(word, pattern);
 }
 

@@ -17,7 +17,8 @@ enum class CommandKind {
   Built,    ///< another program of build/release
   Fuzzer,   ///< of build/release/fuzz
   CMake,    ///< cmake, ctest
-  Script,   ///< tests/.../NAME.sh
+  Ninja,
+  Script,  ///< tests/.../NAME.sh
 };
 
 struct Command {

@@ -94,6 +94,8 @@ TEST_F(DocumentedCommands, AWrongOneIsNoticed) {
   EXPECT_THAT(problems("./run --setup-all"), ElementsAre(HasSubstr("has no --setup-all")));
   EXPECT_THAT(problems("build/release/fuzz/tests/fuzz/fuzz_sound"), ElementsAre("no fuzzer of sound"));
   EXPECT_THAT(problems("tests/bench/last_frame.sh"), ElementsAre(HasSubstr("no script")));
+  EXPECT_THAT(problems("tests/bench/first_frame.sh --slowly"), ElementsAre(HasSubstr("has no --slowly")));
+  EXPECT_THAT(problems("ninja -C build/release no_program"), ElementsAre("no program no_program"));
   EXPECT_THAT(problems("make all"), ElementsAre(HasSubstr("no command that this test knows")));
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "tests/cli/program.h"
@@ -112,8 +113,8 @@ TEST(Documents, BlocksSayWhatTheyAre) {
   }
 }
 
-/// What is shown as a program is one of tests/examples, whole, which tests run; the rest is what tests/added_technique
-/// follows.
+/// What is shown as a program is one of tests/examples, whole, which tests run. tests/added_technique and
+/// tests/added_field follow the rest.
 TEST(Documents, CodeIsCompiled) {
   std::map<std::string, int> shown;
   for (const auto& entry : fs::directory_iterator(kRoot + "/tests/examples")) {
@@ -122,7 +123,7 @@ TEST(Documents, CodeIsCompiled) {
   for (const Readme& readme : readmes()) {
     for (const CodeBlock& block : codeBlocks(readme)) {
       if (block.language != "cpp" && block.language != "glsl") continue;
-      if (readme.path == "shaders/technique/README.md") continue;
+      if (readme.path == "shaders/technique/README.md" || readme.path == "data/scenes/README.md") continue;
       std::string text;
       for (const std::string& line : block.lines) text += line + '\n';
       EXPECT_EQ(shown.count(text), 1u) << block.place.text() << ": equal to no file of tests/examples";
@@ -130,6 +131,17 @@ TEST(Documents, CodeIsCompiled) {
     }
   }
   for (const auto& [text, times] : shown) EXPECT_EQ(times, 1) << "in no README.md, or in two:\n" << text;
+}
+
+TEST(Documents, JsonIsJson) {
+  for (const Readme& readme : readmes()) {
+    for (const CodeBlock& block : codeBlocks(readme)) {
+      if (block.language != "json") continue;
+      std::string text;
+      for (const std::string& line : block.lines) text += line + '\n';
+      EXPECT_TRUE(nlohmann::json::accept(text)) << block.place.text() << ":\n" << text;
+    }
+  }
 }
 
 /// A `span` over two lines would hide from the tests what it holds.

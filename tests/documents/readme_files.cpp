@@ -74,7 +74,8 @@ std::vector<CodeBlock> codeBlocks(const Readme& readme) {
     if (in == In::Indent && !isIndented(line)) in = In::Text;
     if (isFence(line)) {
       if (in == In::Text) {
-        blocks.push_back({{readme.path, number + 1}, line.substr(line.find_first_not_of(" `")), {}});
+        const std::size_t language = line.find_first_not_of(" `");
+        blocks.push_back({{readme.path, number + 1}, language == std::string::npos ? "" : line.substr(language), {}});
       }
       in = in == In::Fence ? In::Text : In::Fence;
     } else if (in == In::Text && afterBlank && isIndented(line)) {

@@ -27,6 +27,7 @@
 #include "app/gui/explain/surface_view_panel.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/dialogs.h"
@@ -121,6 +122,24 @@ TEST_F(DebugViewTest, FollowsThePointerOnceATurn) {
   EXPECT_EQ(explanations(), before + 1) << "ten moves in one turn";
   EXPECT_EQ(window_->scheduler().renders(), renders + 1);
   EXPECT_NE(debug().card()->text(), first);
+}
+
+// A point of the mirror floor whose reflected ray meets a wall: the picture in app/README.md.
+TEST_F(DebugViewTest, TheFloorReflectsAWall) {
+  const QSize before = window_->size();
+  window_->resize(1440, 900);
+  const Probe room = loadSceneFile(BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json").probes.front();
+  window_->editor().commitProbe("As in the scene", [&](Probe& edited) { edited = room; });
+  waitUntilIdle();
+  key(Qt::Key_E);
+  move(pixelOf({-0.9, 0.0, 1.3}));
+  settle();
+  EXPECT_TRUE(debug().card()->text().contains("\"mirror\"")) << debug().card()->text().toStdString();
+  EXPECT_TRUE(debug().schematic()->isVisible());
+  keep("explain");
+  key(Qt::Key_Z, Qt::ControlModifier);
+  window_->resize(before);
+  waitUntilIdle();
 }
 
 TEST_F(DebugViewTest, TheCardSaysWhatTheScreenShows) {

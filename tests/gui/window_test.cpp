@@ -124,7 +124,7 @@ QPointF WindowTest::facePixel(const BoxFace& face) const {
 }
 
 QPointF WindowTest::originPixel(std::size_t probe) const {
-  return pixelOf(document().scene().probes.at(probe).origin);
+  return pixelOf(window_->document().scene().probes.at(probe).origin);
 }
 
 QPointF WindowTest::pixelOf(const glm::dvec3& pointWorld) const {

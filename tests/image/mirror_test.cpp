@@ -49,7 +49,7 @@ ImageRgbaF truth(ScenePicture& picture, const Camera& camera) {
   const Scene kept = picture.scene;
   picture.scene.objects["floor"].visible = false;
   picture.show(mirroredInFloor(camera, 0.0));
-  ImageRgbaF image = flippedTopToBottom(picture.linear());
+  ImageRgbaF image = flippedTopToBottom(picture.fineLinear());
   picture.scene = kept;
   return image;
 }

@@ -83,14 +83,14 @@ Camera behindTheWall(Camera camera) {
 }
 
 /// All of the hall through the mirror, as white as the mirror is.
-ImageRgbaF wallTruth(ScenePicture& picture, const Camera& camera, int samples = 4) {
+ImageRgbaF wallTruth(ScenePicture& picture, const Camera& camera) {
   const Scene kept = picture.scene;
   picture.scene.objects["wall mirror"].visible = false;
   picture.scene.objects["wall north"].visible = false;  // the mirrored eye stands behind it
   picture.scene.objects["wall mirror"].seenByProbes = true;
   picture.scene.objects["wall north"].seenByProbes = true;
   picture.show(behindTheWall(camera));
-  ImageRgbaF image = flippedLeftToRight(picture.linear(samples));
+  ImageRgbaF image = flippedLeftToRight(picture.fineLinear());
   picture.scene = kept;
   return image;
 }

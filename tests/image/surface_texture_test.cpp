@@ -1,8 +1,8 @@
 // How textures of materials are sampled on the driver at hand.
 #include <gtest/gtest.h>
 
-#include "filters/vtk/gl/software_driver.h"
 #include "filters/vtk/draw/surface_material.h"
+#include "filters/vtk/gl/software_driver.h"
 #include "tests/support/gpu_window.h"
 
 namespace {

@@ -60,6 +60,23 @@ ImageRgbaF ScenePicture::linear(int samplesPerPixel) {
   return renderer->renderLinear(size[0], size[1], samplesPerPixel);
 }
 
+ImageRgbaF ScenePicture::fineLinear() {
+  constexpr int kFiner = 4;
+  const int* size = window->GetSize();
+  const int width = size[0], height = size[1];
+  const ImageRgbaF fine = renderer->renderLinear(kFiner * width, kFiner * height, 1);
+  ImageRgbaF mean = fine;
+  mean.width = width;
+  mean.height = height;
+  mean.pixels.assign(static_cast<std::size_t>(4 * width * height), 0.0f);
+  const auto columns = static_cast<std::size_t>(width);
+  for (std::size_t i = 0; i < fine.pixels.size(); ++i) {
+    const std::size_t pixel = i / 4, x = pixel % (kFiner * columns) / kFiner, y = pixel / (kFiner * columns) / kFiner;
+    mean.pixels[4 * (y * columns + x) + i % 4] += fine.pixels[i] / (kFiner * kFiner);
+  }
+  return mean;
+}
+
 const Camera& cameraNamed(const Scene& scene, const std::string& name) {
   for (const Camera& camera : scene.cameras) {
     if (camera.name == name) return camera;

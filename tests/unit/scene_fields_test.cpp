@@ -105,7 +105,7 @@ void expectEachFieldWorks(const std::vector<FieldRow<Part>>& rows, const Scene& 
 /// A scene with one of each part.
 Scene oneOfEach() {
   Scene scene;
-  scene.models.push_back({"a.glb", {}, {}, 1.0});
+  scene.models.push_back({"a.glb", {1, 0, 0}, {}, 1.0});  // moved: else its name alone is written
   scene.cameras.emplace_back();
   scene.lights.emplace_back();
   scene.materials["floor"];
@@ -225,7 +225,9 @@ TEST(SceneFields, RowsAreSound) {
       EXPECT_EQ(field->help.back(), '.') << "one sentence or more";
       EXPECT_EQ(field->help.find_first_of("|\n"), std::string_view::npos) << "would break the reference's table";
       // An empty name of a file, which is no default, aside.
-      if (field->ifEmpty.empty()) EXPECT_NO_THROW(checkField(*field, standard, {"part"})) << "the default";
+      if (field->ifEmpty.empty()) {
+        EXPECT_NO_THROW(checkField(*field, standard, {"part"})) << "the default";
+      }
       const FieldRange form = formRange(*field);
       EXPECT_GE(form.lowest, field->range.lowest);
       EXPECT_LE(form.highest, field->range.highest);

@@ -1,4 +1,5 @@
-// The scenes that come with the program: what the other tests and data/scenes/README.md say about them, read from the files.
+// The scenes that come with the program: what the other tests and data/scenes/README.md say about them, read from the
+// files.
 #include "data/scenes/scenes.h"
 
 #include <gmock/gmock.h>

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/session/box_picture.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/offscreen_scene.h"
 #include "app/session/progress_line.h"
+#include "app/session/reference_box_picture.h"
 #include "app/session/scene_work.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"

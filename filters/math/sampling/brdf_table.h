@@ -1,6 +1,6 @@
 // The second half of the split sum: how much of F0 and of F90 a surface reflects, by N.V and roughness. Computed on the
 // CPU once, in milliseconds: VTK's own table (1024² texels, 1024 samples each) takes seconds on a software renderer.
-// filters/vtk/draw/static_textures uploads it; vtk_pbr_splice.cpp reads it on the GPU, explain and reference on the CPU.
+// filters/vtk/draw/static_textures uploads it; vtk_pbr_splice.cpp reads it on the GPU, explain, reference on the CPU.
 #pragma once
 
 #include <glm/vec2.hpp>

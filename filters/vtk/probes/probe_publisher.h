@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "filters/vtk/maps/map_cache.h"
-#include "filters/vtk/probes/probe_items.h"
+#include "filters/vtk/probes/bake_items.h"
 #include "filters/vtk/probes/probe_light.h"
 #include "filters/vtk/probes/probe_plan.h"
 #include "filters/vtk/probes/probe_programs.h"

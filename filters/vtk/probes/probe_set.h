@@ -18,9 +18,9 @@
 #include <vector>
 
 #include "filters/vtk/maps/map_cache.h"
+#include "filters/vtk/probes/bake_items.h"
 #include "filters/vtk/probes/capture_inputs.h"
 #include "filters/vtk/probes/probe_errors.h"
-#include "filters/vtk/probes/probe_items.h"
 #include "filters/vtk/probes/probe_light.h"
 #include "filters/vtk/probes/probe_plan.h"
 #include "filters/vtk/probes/probe_programs.h"

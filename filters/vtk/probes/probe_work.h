@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "filters/vtk/capture/bake_runner.h"
-#include "filters/vtk/probes/probe_items.h"
+#include "filters/vtk/probes/bake_items.h"
 #include "filters/vtk/probes/probe_plan.h"
 #include "filters/vtk/probes/probe_publisher.h"
 

@@ -1,4 +1,4 @@
-#include "filters/vtk/inspect/scene_remarks.h"
+#include "filters/vtk/inspect/render_remarks.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "filters/vtk/probes/probe_items.h"
+#include "filters/vtk/probes/bake_items.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "filters/vtk/scene_parts.h"
+#include "filters/vtk/scene_renderer_parts.h"
 
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>

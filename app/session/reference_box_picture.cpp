@@ -1,5 +1,5 @@
-// See box_picture.h.
-#include "app/session/box_picture.h"
+// See reference_box_picture.h.
+#include "app/session/reference_box_picture.h"
 
 #include <algorithm>
 

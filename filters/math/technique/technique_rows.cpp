@@ -1,5 +1,5 @@
-// The one translation unit that compiles the shader files as C++. PROBE_MAP and fetchProbe are what each host supplies
-// (a sampler and textureLod on the GPU, a CubeSampler here).
+// The rows of projections and evaluations, in the one translation unit that compiles the shader files as C++. Each host
+// supplies PROBE_MAP and fetchProbe: a sampler and textureLod on the GPU, a CubeSampler here.
 #include "filters/math/cube/light_table.h"
 #include "filters/math/cube/relief.h"
 #include "filters/math/sampling/blue_noise.h"
