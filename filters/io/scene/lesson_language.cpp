@@ -77,7 +77,9 @@ class TextMover {
       if (entry.find(name.c_str())) continue;
       KeyPath at = key;
       at.push_back(name);
-      entry.fail("has no " + name + "; add \"" + name + "\": " + (places_.count(at) != 0 ? "\"...\"" : "{...}"));
+      std::string reason = "has no " + name;
+      reason.append("; add \"").append(name).append(places_.count(at) != 0 ? "\": \"...\"" : "\": {...}");
+      entry.fail(reason);
     }
   }
 
