@@ -14,7 +14,7 @@ namespace boxprobe::bench {
 void addFrameOptions(CLI::App& program, FrameOptions& options, const std::string& pairsFlag) {
   program.add_option("SCENE", options.scene, "Scene file")->capture_default_str();
   program.add_option("--size", options.size, "Pixels")->capture_default_str();
-  program.add_option("--samples", options.samples, "Samples a pixel")->capture_default_str();
+  program.add_option("--samples", options.samples, "Samples per pixel")->capture_default_str();
   // Fewer than 2 have no interval.
   program.add_option(pairsFlag, options.frames, "Pairs of frames")->check(CLI::Range(2, 100000))->capture_default_str();
 }
@@ -64,8 +64,8 @@ Comparison compare(int warmUp, int pairs, const std::function<double()>& first, 
 
 void printHeader(const FrameOptions& options, const OffscreenScene& drawn) {
   const int* size = drawn.window()->GetSize();
-  std::printf("%s: %d x %d, %d samples a pixel, %d pairs of frames, CPU milliseconds\n", options.scene.c_str(), size[0],
-              size[1], std::max(drawn.window()->GetMultiSamples(), 1), options.frames);
+  std::printf("%s: %d x %d, %d samples per pixel, %d pairs of frames, CPU milliseconds\n", options.scene.c_str(),
+              size[0], size[1], std::max(drawn.window()->GetMultiSamples(), 1), options.frames);
 }
 
 int runProgram(CLI::App& program, int argc, char** argv, const std::function<void()>& run) {

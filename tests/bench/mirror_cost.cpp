@@ -29,7 +29,7 @@ void compare(const CLI::App& program, const char* what, const LoadedScene& loade
 
 void run(const CLI::App& program, const bench::FrameOptions& options) {
   const LoadedScene loaded = loadScene(options.scene);
-  std::printf("%s: camera %s, %s, %d samples a pixel, %d pairs of frames, median CPU time\n", options.scene.c_str(),
+  std::printf("%s: camera %s, %s, %d samples per pixel, %d pairs of frames, median CPU time\n", options.scene.c_str(),
               options.camera.c_str(), options.size.c_str(), options.samples, options.frames);
   const auto measure = [&](const std::string& what, const Scene& scene) {
     compare(program, what.c_str(), loaded, scene, options);

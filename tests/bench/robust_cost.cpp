@@ -128,8 +128,8 @@ void run(const CLI::App& program, const BenchOptions& options) {
       for (const std::string& id : options.techniques) measurePass(window, id, options.frames, lookup);
     }
   }
-  std::printf("%s, %s, %d samples a pixel: %d pairs of frames, CPU time\n", options.scene.c_str(), options.size.c_str(),
-              options.samples, options.frames);
+  std::printf("%s, %s, %d samples per pixel: %d pairs of frames, CPU time\n", options.scene.c_str(),
+              options.size.c_str(), options.samples, options.frames);
   for (const std::string& id : options.techniques) measureFrame(program, options, id);
 }
 

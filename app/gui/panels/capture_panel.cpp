@@ -77,7 +77,7 @@ void CapturePanel::buildSampling(QFormLayout* form) {
   };
   faceSize_ =
       addWhole(tr("Face size"), "faceSize", probeField("faceSize").values, tr("%1 × %1 texels"), &Probe::faceSize);
-  samples_ = addWhole(tr("Samples"), "samplesPerPixel", probeField("samplesPerPixel").values, tr("%1 a texel"),
+  samples_ = addWhole(tr("Samples"), "samplesPerPixel", probeField("samplesPerPixel").values, tr("%1 per texel"),
                       &Probe::samplesPerPixel);
   std::vector<int> bounces;
   const FieldRange bounceRange = formRange(probeField("bounces"));
@@ -160,7 +160,7 @@ void CapturePanel::update() {
   const bool custom = probe->mode == ProbeMode::Custom;
   image_->update(*probe);
   showChoice(faceSize_, probe->faceSize, tr("%1 × %1 texels"));
-  showChoice(samples_, probe->samplesPerPixel, tr("%1 a texel"));
+  showChoice(samples_, probe->samplesPerPixel, tr("%1 per texel"));
   showChoice(bounces_, probe->bounces);
   showChoice(filter_, static_cast<int>(probe->filter));
   showChoice(filterSamples_, probe->filterSamples, tr("%1 directions"));

@@ -104,7 +104,7 @@ void LightPanel::addShadows(QFormLayout* form) {
       fieldTip(level), [this](int value) {
         commit(tr("softness"), [value](Light& light) { light.shadowLevel = static_cast<ShadowLevel>(value); });
       });
-  perUnit_ = addNumber(form, tr("Levels a metre"), "levelsPerUnit", 0.05, 3, &Light::levelsPerUnit);
+  perUnit_ = addNumber(form, tr("Levels per metre"), "levelsPerUnit", 0.05, 3, &Light::levelsPerUnit);
 }
 
 void LightPanel::showRow(QWidget* field, bool shown) {

@@ -55,7 +55,7 @@ ObjectPanel::ObjectPanel(Editor& editor, QWidget* parent)
   maxRoughness_->setObjectName("mirrorMaxRoughness");
   resolution_->setObjectName("mirrorResolution");
   addRow(part, tr("Roughness limit"), maxRoughness_, fieldTip(mirrorField("maxRoughness")));
-  addRow(part, tr("Texels a pixel"), resolution_, fieldTip(mirrorField("resolution")));
+  addRow(part, tr("Texels per pixel"), resolution_, fieldTip(mirrorField("resolution")));
   plane->addRow(mirrorPart_);
   problem_->setObjectName("mirrorProblem");
   plane->addRow(problem_);

@@ -25,7 +25,7 @@ std::vector<ParetoPoint> loadParetoFront(const std::string& path, const std::str
       points.push_back(point);
     }
   } catch (const nlohmann::json::exception&) {
-    throw InputError(path + ": not a bench.json of this version; write it anew with boxprobe bench");
+    throw InputError(path + ": not a bench.json of this version; write it again with boxprobe bench");
   }
   return points;
 }

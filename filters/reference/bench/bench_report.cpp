@@ -160,7 +160,7 @@ std::string noiseTable(const BenchResult& result) {
   }
   if (means.empty()) return {};
   std::string text =
-      "## Noise of the sampled techniques\n\nShare of the error's power below an eighth of a cycle a pixel (white "
+      "## Noise of the sampled techniques\n\nShare of the error's power below an eighth of a cycle per pixel (white "
       "noise: 0.05), and the error before and after a blur of 3 x 3 pixels; roughness 0 apart.\n\n"
       "| technique | low frequencies | error | after blur |\n|---|---|---|---|\n";
   for (const auto& [technique, mean] : means) {

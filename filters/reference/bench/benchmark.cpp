@@ -45,7 +45,7 @@ class Run {
     if (scene.probes.empty()) throw InputError("the scene has no probe: there is no reflection to measure; add one");
     if (materials_.empty()) {
       throw InputError(
-          "the scene has no reflecting surface: every material is unlit or matt; give one a roughness below 0.5 or "
+          "the scene has no reflecting surface: every material is unlit or diffuse; give one a roughness below 0.5 or "
           "metallic 1");
     }
   }

@@ -34,7 +34,7 @@ void FrameTarget::allocate(int width, int height, int samples, int attachments) 
   const auto refusal = [&](GLenum) {
     return "this driver cannot draw " + std::to_string(attachments) + " float pictures of " + std::to_string(width) +
            " x " + std::to_string(height) + " at " + std::to_string(samples) +
-           " samples a pixel, which averaging frames needs; switch `animated` and `blur` off, or ask for a smaller "
+           " samples per pixel, which averaging frames needs; switch `animated` and `blur` off, or ask for a smaller "
            "picture";
   };
   try {
