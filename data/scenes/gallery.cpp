@@ -7,6 +7,7 @@
 #include <string>
 
 #include "data/scenes/composer.h"
+#include "data/scenes/mural_wall.h"
 #include "data/scenes/picture.h"
 #include "data/scenes/scenes.h"
 
@@ -19,15 +20,10 @@ const glm::dvec3 kLow(-5.0, 0.0, -3.5), kSize(10.0, 3.5, 7.0);
 const std::vector<double> kCutsX = {0.0, 1.0, 1.8, 2.0, 2.3, 3.6, 5.8, 6.8, 7.1, 8.2, 8.4, 10.0};
 const std::vector<double> kCutsY = {0.0, 1.2, 2.0, 2.4, 3.5};
 const std::vector<double> kCutsZ = {0.0, 1.5, 1.8, 2.4, 2.6, 3.3, 3.4, 5.0, 5.3, 7.0};
-constexpr double kFloorEnd = 5.8;  ///< the bumpy part begins
-constexpr double kBumpTile = 1.2;  ///< its picture repeats
-constexpr double kSoft = 0.05;     ///< edges in pictures, metres
-
-/// A rectangle of a wall's own grid, in metres along it.
-struct Patch {
-  double left, right, low, high;
-  bool holds(double x, double y) const { return x > left && x < right && y > low && y < high; }
-};
+constexpr double kFloorEnd = 5.8;     ///< the bumpy part begins
+constexpr double kBumpTile = 1.2;     ///< its picture repeats
+constexpr double kSoft = 0.05;        ///< edges in pictures, metres
+constexpr double kWallTexels = 64.0;  ///< a metre: as fine as a probe of 256² faces sees the nearest wall
 
 glm::dvec3 bricks(double x, double y) {  // north: courses of 12 cm, every other one shifted
   const double course = y / 0.12, row = std::floor(course);
@@ -116,64 +112,6 @@ Picture bumps() {
   return image;
 }
 
-std::vector<double> reversed(std::vector<double> cuts) {
-  std::reverse(cuts.begin(), cuts.end());
-  for (double& cut : cuts) cut = 1.0 - cut;
-  return cuts;
-}
-
-std::vector<double> fractions(std::vector<double> metres) {
-  const double whole = metres.back();
-  for (double& cut : metres) cut /= whole;
-  return metres;
-}
-
-/// A wall, its picture, and the lamps cut out of it.
-class Wall {
- public:
-  Wall(glm::dvec3 corner, glm::dvec3 right, glm::dvec3 up, std::vector<double> rightCuts, std::vector<double> upCuts)
-      : corner_(corner), right_(right), up_(up), rightCuts_(std::move(rightCuts)), upCuts_(std::move(upCuts)) {}
-
-  MeshBuilder part(const std::function<bool(double x, double y)>& keep, UvRectangle uv = {}) const {
-    MeshBuilder mesh;
-    const glm::dvec2 metres = size();
-    mesh.quadGrid(corner_, right_, up_, rightCuts_, upCuts_, uv, [&](int column, int row) {
-      const auto c = static_cast<std::size_t>(column), r = static_cast<std::size_t>(row);
-      return keep(metres.x * 0.5 * (rightCuts_[c] + rightCuts_[c + 1]), metres.y * 0.5 * (upCuts_[r] + upCuts_[r + 1]));
-    });
-    return mesh;
-  }
-  glm::dvec2 size() const { return {glm::length(right_), glm::length(up_)}; }
-
- private:
-  glm::dvec3 corner_, right_, up_;
-  std::vector<double> rightCuts_, upCuts_;
-};
-
-struct Lamp {
-  const char* name;
-  Patch patch;
-  glm::vec3 radiance;
-};
-
-using Mural = glm::dvec3 (*)(double x, double y);
-
-void addWall(Composer& scene, const std::string& name, const Wall& wall, Mural mural, const std::vector<Lamp>& lamps) {
-  const glm::dvec2 metres = wall.size();
-  constexpr double kTexels = 64.0;  // a metre: as fine as a probe of 256² faces sees the nearest wall
-  const Picture picture =
-      paint(name, static_cast<int>(kTexels * metres.x), static_cast<int>(kTexels * metres.y),
-            [mural, metres](double u, double v) { return mural(metres.x * u, metres.y * (1.0 - v)); });
-  const auto lampAt = [&](double x, double y) {
-    return std::any_of(lamps.begin(), lamps.end(), [&](const Lamp& l) { return l.patch.holds(x, y); });
-  };
-  scene.add(name, wall.part([&](double x, double y) { return !lampAt(x, y); }), scene.material(unlit(name, picture)));
-  for (const Lamp& l : lamps) {
-    scene.add(l.name, wall.part([&](double x, double y) { return l.patch.holds(x, y); }),
-              scene.material(lamp(l.name, l.radiance)));
-  }
-}
-
 }  // namespace
 
 Model gallery() {
@@ -181,7 +119,7 @@ Model gallery() {
   const glm::dvec3 x(kSize.x, 0, 0), y(0, kSize.y, 0), z(0, 0, kSize.z);
   const std::vector<double> cutsX = fractions(kCutsX), cutsY = fractions(kCutsY), cutsZ = fractions(kCutsZ);
 
-  const Wall floor(kLow + z, x, -z, cutsX, reversed(cutsZ));
+  const MuralWall floor(kLow + z, x, -z, cutsX, reversed(cutsZ));
   scene.add("floor", floor.part([](double across, double) { return across < kFloorEnd; }),
             scene.material(perfectMirror("floor")));
   Material bumpy = perfectMirror("bumpy floor");
@@ -192,16 +130,16 @@ Model gallery() {
                         .finish("bumpy floor", scene.material(bumpy));
   bumpyFloor.tangents.assign(bumpyFloor.positions.size(), glm::vec4(1, 0, 0, 1));
   scene.place("bumpy floor", scene.mesh(std::move(bumpyFloor)));
-  addWall(scene, "carpet", floor, carpet, {});
+  addWall(scene, kWallTexels, "carpet", floor, carpet, {});
 
-  addWall(scene, "wall north", Wall(kLow, x, y, cutsX, cutsY), bricks,
+  addWall(scene, kWallTexels, "wall north", MuralWall(kLow, x, y, cutsX, cutsY), bricks,
           {{"sconce north", {8.2, 8.4, 2.0, 2.4}, {18.0f, 14.0f, 9.0f}}});
-  addWall(scene, "wall south", Wall(kLow + x + z, -x, y, reversed(cutsX), cutsY), pictures,
+  addWall(scene, kWallTexels, "wall south", MuralWall(kLow + x + z, -x, y, reversed(cutsX), cutsY), pictures,
           {{"window", {8.2, 9.0, 1.2, 2.4}, {5.0f, 6.4f, 8.0f}}});  // x runs west here: 1 m to 1.8 m from the west wall
-  addWall(scene, "wall east", Wall(kLow + x, z, y, cutsZ, cutsY), tiles,
+  addWall(scene, kWallTexels, "wall east", MuralWall(kLow + x, z, y, cutsZ, cutsY), tiles,
           {{"sconce east", {2.4, 2.6, 2.0, 2.4}, {18.0f, 14.0f, 9.0f}}});
-  addWall(scene, "wall west", Wall(kLow + z, -z, y, reversed(cutsZ), cutsY), boards, {});
-  addWall(scene, "ceiling", Wall(kLow + y, x, z, cutsX, cutsZ), plaster,
+  addWall(scene, kWallTexels, "wall west", MuralWall(kLow + z, -z, y, reversed(cutsZ), cutsY), boards, {});
+  addWall(scene, kWallTexels, "ceiling", MuralWall(kLow + y, x, z, cutsX, cutsZ), plaster,
           {{"spot 1", {2.0, 2.3, 1.5, 1.8}, {60.0f, 50.0f, 36.0f}},
            {"spot 2", {6.8, 7.1, 5.0, 5.3}, {60.0f, 50.0f, 36.0f}},
            {"tube", {3.6, 5.8, 3.3, 3.4}, {22.0f, 25.0f, 28.0f}}});
