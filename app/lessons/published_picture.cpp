@@ -76,8 +76,7 @@ bool PublishedPicture::draw(int rows) {
       if (finite(direction) && glm::dot(direction, direction) > 0.0f) {
         const glm::vec3 along = glm::mat3(probe->mapFromProbe) * direction;
         const glm::vec3 light(maps->radiance.fetch(along, probe->lookups.front().level));
-        const glm::vec3 factor = e.f0 * e.brdf.x + glm::vec3(e.brdf.y);
-        color += factor * probe->weight * probe->intensity * (light - probe->specular);
+        color += e.specularFactor * probe->weight * probe->intensity * (light - probe->specular);
       } else {
         ++broken_;
         color = glm::vec3(1.0f, 0.0f, 1.0f) / static_cast<float>(scene_.exposure);

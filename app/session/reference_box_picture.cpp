@@ -13,6 +13,7 @@ ReferenceBoxMaps boxMaps(SceneRenderer& renderer, const Scene& scene) {
   ReferenceBoxMaps maps;
   for (const Probe& probe : scene.probes) maps.probes.push_back(renderer.mapsOnCpu(probe.name));
   maps.sky = renderer.mapsOnCpu("");
+  maps.energy = scene.energy;
   maps.findBright();
   return maps;
 }
@@ -22,7 +23,6 @@ ReferencePicture integrateBox(SceneRenderer& renderer, const ReferenceBoxMaps& m
                               const ReferenceProgress& progress) {
   const int side = positionsPerSide(size.samplesPerPixel), positions = side * side;
   const RayPlan plan = planRays(size.raysPerPixel, positions);
-  const BrdfTable brdf = makeBrdfTable();
   constexpr int kBandPositions = 1 << 17;
   const int bandRows = std::clamp(kBandPositions / (size.width * positions), 1, size.height);
   ProgressivePicture picture(size.width, size.height);
@@ -43,7 +43,7 @@ ReferencePicture integrateBox(SceneRenderer& renderer, const ReferenceBoxMaps& m
         const LitPoint surface = litPoint(surfaces[at]);
         const std::uint64_t place = static_cast<std::uint64_t>(first) << 32;
         bool exact = true;
-        pixel.color += referenceBoxColor(surface, maps, brdf, plan.raysPerPass,
+        pixel.color += referenceBoxColor(surface, maps, plan.raysPerPass,
                                          stirred(stirred(place + at) + static_cast<std::uint64_t>(pass)), &exact);
         pixel.alpha += surface.hit ? 1.0 : 0.0;
         pixel.exact = pixel.exact && exact;

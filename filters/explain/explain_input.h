@@ -12,7 +12,6 @@
 #include "filters/core/scene/scene.h"
 #include "filters/core/surface/surface_point.h"
 #include "filters/explain/explain_glass.h"
-#include "filters/math/sampling/brdf_table.h"
 #include "filters/math/shared/mirror_math.h"
 
 namespace boxprobe {
@@ -49,7 +48,7 @@ struct ExplainInput {
   std::vector<float> shares;  ///< of all of the object, in place of weights at the point; empty: those
   float skyShare = 1.0f;      ///< beside `shares`
   const BakedMaps* skyMaps = nullptr;
-  const BrdfTable* brdf = nullptr;
+  Energy energy = Energy::Single;
   std::vector<Light> lights;
   std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as such
   /// Of a planar mirror whose picture is shown, relative to the eye, its texels read back; null: none.

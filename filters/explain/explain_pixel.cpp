@@ -8,10 +8,30 @@
 #include "filters/explain/explain_shadow.h"
 #include "filters/explain/explanation_notes.h"
 #include "filters/explain/gather_light.h"
+#include "filters/math/sampling/brdf_table.h"
 
 namespace boxprobe {
 
 namespace {
+
+glm::vec3 scattered(const ExplainInput& in, const glm::vec3& f0, const glm::vec2& brdf) {
+  return in.energy == Energy::Multiple ? shading::multipleScattering(f0, brdf) : glm::vec3(1.0f);
+}
+
+float coatNDotV(const SurfacePoint& s) {
+  return std::clamp(glm::dot(s.coatNormalWorld, s.viewWorld), 1.0e-5f, 1.0f);
+}
+
+/// What gets through the coat once; 1 without one.
+float throughCoat(const SurfacePoint& s) {
+  return s.coatStrength > 0.0f ? shading::coatPasses(s.coatStrength, s.coatF0, coatNDotV(s)) : 1.0f;
+}
+
+/// Of the base's reflection, beside the split sum: further reflections between its microfacets, and the coat's share.
+glm::vec3 baseFactor(const Explanation& e, const ExplainInput& in) {
+  const float passes = throughCoat(in.surface);
+  return passes * passes * scattered(in, e.f0, e.brdf);
+}
 
 /// What glass reflects is less by what passes it, and what passes is looked up along the bent view.
 void addGlass(Explanation& e, const ExplainInput& in, const shading::GlassView& through,
@@ -20,7 +40,8 @@ void addGlass(Explanation& e, const ExplainInput& in, const shading::GlassView& 
   const float reflected = through.reflectance >= 1.0f ? 1.0f : through.reflectance * (e.brdf.x + e.brdf.y);
   const glm::vec3 factor =
       glm::mix(reflected * mirrorTransmittance(*in.glass, s, through), e.f0 * e.brdf.x + edge * e.brdf.y, s.metallic);
-  e.specular = s.occlusion * reflectedLight * factor;
+  e.specularFactor = s.occlusion * factor * baseFactor(e, in);
+  e.specular = reflectedLight * e.specularFactor;
   e.diffuse *= 1.0f - in.glass->transmission;
   e.glass = explainGlass(*in.glass, s, through, reflected,
                          [&in](const glm::dvec3& position, const glm::vec3& direction, float roughness) {
@@ -32,12 +53,12 @@ void addGlass(Explanation& e, const ExplainInput& in, const shading::GlassView& 
 /// The clear coat's own reflection, along its own normal.
 void addCoat(Explanation& e, const ExplainInput& in) {
   const SurfacePoint& s = in.surface;
-  const float coatNDotV = std::clamp(glm::dot(s.coatNormalWorld, s.viewWorld), 1.0e-5f, 1.0f);
+  const float nDotV = coatNDotV(s);
   const GatheredLight coat = gatherLight(in, s.coatNormalWorld, s.coatRoughness,
-                                         shading::meanFresnel(glm::vec3(s.coatF0), glm::vec3(1.0f), coatNDotV));
-  const glm::vec2 brdf = sampleBrdf(*in.brdf, coatNDotV, s.coatRoughness);
-  const float fresnel = s.coatF0 + (1.0f - s.coatF0) * std::pow(1.0f - coatNDotV, 5.0f);
-  e.coat = s.occlusion * coat.specular * (s.coatF0 * brdf.x + brdf.y) * fresnel * s.coatStrength;
+                                         shading::meanFresnel(glm::vec3(s.coatF0), glm::vec3(1.0f), nDotV));
+  const glm::vec2 brdf = splitSum(nDotV, s.coatRoughness);
+  e.coat = s.occlusion * coat.specular * (s.coatF0 * brdf.x + brdf.y) * s.coatStrength *
+           scattered(in, glm::vec3(s.coatF0), brdf);
   e.lookupCount += coat.lookups;
   e.brightestTexel = std::max(e.brightestTexel, coat.brightestTexel);
 }
@@ -63,9 +84,10 @@ void lightByProbes(Explanation& e, const ExplainInput& in, const glm::vec3& edge
                             ? gatherAlong(in, s.eyeWorld + glm::dvec3(through->mirrored.position),
                                           through->mirrored.direction, std::sqrt(through->mirrored.alpha))
                             : gatherLight(in, s.normalWorld, s.roughness, shading::meanFresnel(e.f0, edge, e.nDotV));
-  e.brdf = sampleBrdf(*in.brdf, e.nDotV, s.roughness);
-  e.specular = s.occlusion * light.specular * (e.f0 * e.brdf.x + edge * e.brdf.y);
-  e.diffuse = s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo;
+  e.specularFactor = s.occlusion * (e.f0 * e.brdf.x + edge * e.brdf.y) * baseFactor(e, in);
+  e.specular = light.specular * e.specularFactor;
+  e.diffuse =
+      s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo * throughCoat(s);
   if (through) addGlass(e, in, *through, light.specular, edge);
   e.probes = std::move(light.probes);
   e.skyWeight = light.skyWeight;
@@ -115,7 +137,13 @@ Explanation explainPixel(const ExplainInput& in) {
   std::vector<glm::vec3> arrives(in.lights.size(), glm::vec3(1.0f));
   if (in.lighting == ExplainInput::Lighting::Probes) e.shadows = explainShadows(in);
   for (const LightShadow& shadow : e.shadows) arrives[static_cast<std::size_t>(shadow.light)] = shadow.through;
-  e.direct = directLight(s, e.f0, edge, in.lights, &arrives);
+  e.brdf = splitSum(e.nDotV, s.roughness);
+  Scattering scattering{scattered(in, e.f0, e.brdf), glm::vec3(1.0f)};
+  if (s.coatStrength > 0.0f) {
+    const glm::vec3 coatF0(s.coatF0);
+    scattering.coat = scattered(in, coatF0, splitSum(coatNDotV(s), s.coatRoughness));
+  }
+  e.direct = directLight(s, e.f0, edge, in.lights, &arrives, scattering);
 
   if (in.lighting == ExplainInput::Lighting::Probes) lightByProbes(e, in, edge);
   e.color = e.direct + e.diffuse + e.specular + e.coat + e.emissive;

@@ -55,6 +55,10 @@ void SceneRenderer::setInteractive(bool interactive) {
   impl_->setInteractive(interactive);
 }
 
+void SceneRenderer::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table) {
+  impl_->lightAsVtk(columns, rows, table);
+}
+
 void SceneRenderer::setEditable(bool editable) {
   impl_->probes.setEditable(editable);
 }

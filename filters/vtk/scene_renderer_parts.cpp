@@ -101,6 +101,9 @@ void SceneParts::endFrame() {
 void SceneParts::sync(const Scene& scene, const Changes& changes) {
   makeCurrent();
   content.scene = scene;
+  if (state->resources.lightForm != LightForm::Vtk) {
+    state->resources.lightForm = scene.energy == Energy::Multiple ? LightForm::Multiple : LightForm::Single;
+  }
   const bool anyProbe = changes.probeList || changes.probeShape;
   // Not while a box is dragged: cutting makes geometry again.
   const bool divided = (changes.models || anyProbe) && !interactive && content.divideModels();
@@ -130,6 +133,13 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   if (lit || changes.sky) probes.updateCaptures();
   if (view.any()) applyView();
   if (lit || changes.sky || changes.exposure) frames.sceneChanged();
+}
+
+void SceneParts::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table) {
+  window->MakeCurrent();
+  makeStaticTextures(window, state->resources, state->counts);
+  uploadSplitSumTable(window, state->resources.brdfTable, columns, rows, table);
+  state->resources.lightForm = LightForm::Vtk;
 }
 
 void SceneParts::setInteractive(bool active) {

@@ -51,6 +51,7 @@ struct SceneParts {
   /// The SceneRenderer's functions of these names.
   void sync(const Scene& scene, const Changes& changes);
   void setInteractive(bool active);
+  void lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table);
   void step();
   std::vector<Explanation> explain(const std::vector<glm::ivec2>& pixels, int width, int height);
   ImageRgbaF renderLinear(int width, int height, int samplesPerPixel, int frameLimit,

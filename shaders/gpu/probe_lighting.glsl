@@ -20,7 +20,6 @@ uniform ivec2 bpPixelOrigin;    // where in the picture the framebuffer's lower 
 uniform int bpFrame;            // of those that are averaged, from 0
 uniform float bpParallel;       // 1 under parallel projection
 uniform float bpExposure;       // negative: linear output; else display colours at this exposure
-uniform sampler2D bpBrdf;       // split-sum table: N.V across, roughness up
 uniform samplerCube bpSkyMap;   // prefiltered sky
 uniform float bpSkyMaxLevel;
 uniform float bpSkyIntensity;   // 0: the sky gives nothing

@@ -39,15 +39,3 @@ LobeSample lobeTowards(FootprintLobe lobe, vec3 direction)
   result.solidAngle = 6.2831853f * (lobe.view.z + lobe.maskView) * q * q / a2;
   return result;
 }
-
-// Mean of the weights above: what single scattering keeps of white light. A fit over cosines and roughnesses from 0.02 to 1, off by 1.4 %
-// in the root mean square and by 4 % at most.
-float lobeAlbedo(FootprintLobe lobe)
-{
-  float a = lobe.alpha;
-  float nv = lobe.view.z;
-  float q = a / (nv + a);
-  float lost = q * (0.4344f - 1.2513f * nv + q * (2.4276f * nv - 0.4910f)) +
-               a * (0.0375f + 0.8749f * nv + a * (0.0501f - 0.3300f * nv));
-  return 1.0f - lost;
-}

@@ -87,7 +87,7 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   }
   if (count >= kFewSamples && weights > 0.0f) { return sum / weights; }
   // Divided by the mean of all weights there could be, so that frames average to the integral.
-  float albedo = lobeAlbedo(lobe);
+  float albedo = whiteAlbedo(lobe.view.z, point.roughness);
   if (lightSize > 0) { return sum / albedo; }
   // What these samples' weights lack is made up for with the lobe's prefiltered mean, so that even light stays even; were it to be
   // more than all, their own weights are the norm.

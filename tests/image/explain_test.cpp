@@ -80,6 +80,8 @@ std::vector<Case> cases() {
   for (auto& [name, material] : rough.materials) material.roughness = 0.3f;
   rough.materials["floor"].roughness = 0.4f;
   rough.materials["floor"].coat = 0.8f;
+  rough.energy = Energy::Multiple;
+  rough.lights.push_back({LightType::Point, {0, -1, 0}, {1.0, 2.0, 0.5}, {1.0f, 0.8f, 0.6f}, 2.0f});
   rough.sky = SkyImage{std::string(BOXPROBE_DATA_DIR) + "/scenes/sky.hdr"};
   rough.probes.front().box.max.y *= 0.8;
   rough.probes.front().influence.reset();
@@ -95,7 +97,7 @@ std::vector<Case> cases() {
   Scene plain = fileScene("room");
   for (auto& [name, material] : plain.materials) material.roughness = 0.3f;
   result.push_back({kPlain, plain});
-  result.push_back({"room, rough under a clear coat, sky from a picture", rough});
+  result.push_back({"room, rough under a clear coat, a lamp, multiple scattering, sky from a picture", rough});
   result.push_back({"windows: open to the sky, sun by coverage, a globe that moves", fileScene("windows")});
   Scene lamps = fileScene("windows");
   lamps.probes.front().rotationDegrees = {0.0, 8.0, 0.0};

@@ -38,6 +38,7 @@ struct Sample {
   std::size_t pixel = 0;
   SurfacePoint surface;
   ReflectingLayer layer;
+  glm::dvec3 factor;  // what the renderer multiplies a lobe's mean by
   glm::dvec3 other{0.0}, reflected{0.0};
   glm::dvec3 start{0.0};     // of reflected rays
   std::uint64_t seed = 0;    // of those that `reflected` is the mean of
@@ -68,10 +69,12 @@ std::vector<Sample> samplesOf(const ReferenceScene& reference, const Camera& cam
       Sample sample;
       sample.surface = reference.tracer().surface(*hit, camera.position);
       if (sample.surface.metallic < 0.5f) continue;
-      const auto layers = reflectingLayers(sample.surface, reference.light().brdf());
+      const auto layers = reflectingLayers(sample.surface, Energy::Single);
       if (layers.empty()) continue;
       sample.pixel = static_cast<std::size_t>(y / kSide * kWidth + x / kSide);
       sample.layer = layers.front();
+      const glm::vec2 split = splitSum(glm::dot(sample.surface.normalWorld, sample.surface.viewWorld), sample.surface.roughness);
+      sample.factor = glm::dvec3(sample.layer.fresnel.f0 * split.x + sample.layer.fresnel.f90 * split.y);
       sample.other = glm::dvec3(reference.light().unreflected(sample.surface, false));
       samples.push_back(sample);
       starts.push_back(reference.tracer().awayFrom(*hit));
@@ -161,7 +164,7 @@ void add(Tally& tally, const std::string& id, float steps, const ReferenceScene&
         id == kExactRays  ? exactRays(reference, s, probe, maps)
         : id == kExactHit ? glm::dvec3(glm::vec3(maps.radiance.fetch(glm::vec3(s.hitWorld - probe.origin), level)))
                           : glm::dvec3(glm::vec3(evaluate(&maps.radiance, shape, point)));
-    const glm::dvec3 ours = s.other + s.layer.factor * value, right = s.other + s.reflected;
+    const glm::dvec3 ours = s.other + s.factor * value, right = s.other + s.reflected;
     for (int c = 0; c < 3; ++c) {
       drawn.pixels[4 * s.pixel + static_cast<std::size_t>(c)] += static_cast<float>(ours[c]) / count[s.pixel];
       traced.pixels[4 * s.pixel + static_cast<std::size_t>(c)] += static_cast<float>(right[c]) / count[s.pixel];

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "filters/math/sampling/brdf_table.h"
 #include "filters/reference/light/reference_box.h"
 #include "filters/reference/trace/visible_normal_lobe.h"
 #include "tests/support/scene_picture.h"
@@ -52,7 +51,6 @@ inline NoisyRoomTruth truthOf(ScenePicture& picture) {
   ReferenceBoxMaps maps;
   maps.probes.push_back(picture.renderer->mapsOnCpu(picture.scene.probes[0].name));
   maps.sky = picture.renderer->mapsOnCpu("");
-  const BrdfTable brdf = makeBrdfTable();
   NoisyRoomTruth truth;
   truth.picture = {kWidth, kHeight, {}};
   const std::vector<Explanation> explained = picture.renderer->explain(places, kWidth, kHeight);
@@ -60,7 +58,7 @@ inline NoisyRoomTruth truthOf(ScenePicture& picture) {
     constexpr int kRays = 512;
     const bool lit = e.hit && !e.probes.empty();
     const glm::dvec3 color =
-        lit ? referenceBoxColor(litPoint(e), maps, brdf, kRays, stirred(static_cast<std::uint64_t>(e.y * kWidth + e.x)))
+        lit ? referenceBoxColor(litPoint(e), maps, kRays, stirred(static_cast<std::uint64_t>(e.y * kWidth + e.x)))
             : glm::dvec3(e.color);
     for (int c = 0; c < 3; ++c) truth.picture.pixels.push_back(static_cast<float>(color[c]));
     truth.picture.pixels.push_back(1.0f);

@@ -232,7 +232,6 @@ TEST(Reference, BoxAndSceneAgreeWhereTheBoxIsTheTruth) {
     ScenePicture picture(emptyRoom(roughness), kWidth, kHeight);
     picture.scene.probes[0].faceSize = 512;
     const ReferenceScene reference = referenceOf(picture.scene);
-    const BrdfTable& brdf = reference.light().brdf();
     Scores apart, everything;
     double leftOut = 0.0, rays = 0.0;
     for (const char* name : {"main", "B"}) {
@@ -251,7 +250,7 @@ TEST(Reference, BoxAndSceneAgreeWhereTheBoxIsTheTruth) {
         const auto hit = reference.tracer().firstHit(camera.position, e.surface.positionWorld - camera.position);
         ASSERT_TRUE(hit.has_value());
         const glm::dvec3 away = reference.tracer().awayFrom(*hit);
-        const ReflectingLayer layer = reflectingLayers(e.surface, brdf).at(0);
+        const ReflectingLayer layer = reflectingLayers(e.surface, Energy::Single).at(0);
         const VisibleNormalLobe lobe(glm::normalize(layer.normalWorld), glm::normalize(glm::dvec3(e.surface.viewWorld)),
                                      roughness * roughness);
         const BoxWorld world(e.probes.at(0), capture);

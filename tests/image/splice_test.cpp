@@ -180,7 +180,8 @@ TEST(Splice, MissingAnchorIsNamedAndNothingIsChanged) {
   EXPECT_EQ(splicePbr(sources, binding, &surface), "");
   EXPECT_EQ(sources.fragment, lines) << "not a physically based shader: left alone";
 
-  const std::string anchors[] = {"float d = (NdH * a2 - NdH) * NdH + 1.0;",
+  const std::string anchors[] = {"float V = V_SmithCorrelated(NdV, NdL, roughness);",
+                                 "float d = (NdH * a2 - NdH) * NdH + 1.0;",
                                  "vec3 V = normalize(-vertexVC.xyz);",
                                  "vec3 emissiveColor = vec3(0.0);",
                                  "vec3 irradiance = vec3(0.0);",

@@ -28,7 +28,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "filters/math/sampling/brdf_table.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/gl/software_driver.h"
 #include "filters/vtk/surface/vtkProbePolyDataMapper.h"
@@ -105,6 +104,35 @@ Mesh sphere() {
   return mesh;
 }
 
+// VTK 9.1's split sum: Schlick's masking with k = alpha / 2 (Karis 2013).
+constexpr int kTableColumns = 128, kTableRows = 64;
+std::vector<glm::vec2> vtkTable() {
+  std::vector<glm::vec2> table;
+  constexpr int kSamples = 64;
+  for (int row = 0; row < kTableRows; ++row) {
+    for (int column = 0; column < kTableColumns; ++column) {
+      const float cosine = (static_cast<float>(column) + 0.5f) / kTableColumns;
+      const float roughness = (static_cast<float>(row) + 0.5f) / kTableRows;
+      const float alpha = roughness * roughness, k = 0.5f * alpha;
+      const auto masking = [k](float c) { return c / (c * (1.0f - k) + k); };
+      const glm::vec3 view(std::sqrt(std::max(1.0f - cosine * cosine, 0.0f)), 0.0f, cosine);
+      glm::vec2 sum(0.0f);
+      for (int i = 0; i < kSamples; ++i) {
+        const float u = static_cast<float>(std::fmod((i + 0.5) * 0.6180339887498949, 1.0));
+        const glm::vec3 half = shading::ggxHalfVector(glm::vec2(u, (i + 0.5f) / kSamples), alpha);
+        const float viewHalf = glm::dot(view, half);
+        const glm::vec3 light = 2.0f * viewHalf * half - view;
+        if (light.z <= 0.0f || viewHalf <= 0.0f) continue;
+        const float visible = masking(cosine) * masking(light.z) * viewHalf / (half.z * cosine);
+        const float fresnel = std::pow(1.0f - std::min(viewHalf, 1.0f), 5.0f);
+        sum += glm::vec2((1.0f - fresnel) * visible, fresnel * visible);
+      }
+      table.push_back(sum / static_cast<float>(kSamples));
+    }
+  }
+  return table;
+}
+
 const std::vector<std::uint8_t> kChecker = {255, 255, 255, 255, 90,  120, 160, 255,
                                             200, 80,  40,  255, 255, 255, 255, 255};
 
@@ -174,6 +202,8 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   picture.renderer->sync(scene, Changes::all());
   picture.renderer->applyCamera(camera);
   picture.renderer->finishWork();
+  const std::vector<glm::vec2> values = vtkTable();
+  picture.renderer->lightAsVtk(kTableColumns, kTableRows, values);
   const ImageRgba8 ours = picture.display();
   keepPicture(ours, "stock_ours");
   const ImageRgbaF coverage = picture.linear(1);
@@ -204,11 +234,10 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
     cube.writeFace(face, 0, texels);
   }
   stock->Irradiance->Give(picture.window, cube.handle(), GL_TEXTURE_CUBE_MAP, 1);
-  const BrdfTable values = makeBrdfTable();
   GLuint tableTexture = 0;
   glGenTextures(1, &tableTexture);
   glBindTexture(GL_TEXTURE_2D, tableTexture);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, values.columns, values.rows, 0, GL_RG, GL_FLOAT, values.texels.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, kTableColumns, kTableRows, 0, GL_RG, GL_FLOAT, values.data());
   glBindTexture(GL_TEXTURE_2D, 0);
   stock->Table->Give(picture.window, tableTexture, GL_TEXTURE_2D, 1);
 

@@ -159,12 +159,14 @@ TEST(BoxSurroundings, RaysTowardsLampsFindTheSameMean) {
     pixel.probes = {probe};
     const dvec3 view = glm::normalize(dvec3(unit(random) - 0.5, 0.05 + unit(random), unit(random) - 0.5));
     const VisibleNormalLobe lobe(dvec3(0, 1, 0), view, alpha);
+    ReflectingLayer white;
+    white.fresnel.f0 = glm::vec3(1.0f);
     const auto passes = [&](const ReferenceBoxMaps& maps, int rays, int count, double* standardError) {
       const BoxSurroundings around(pixel, maps);
       double sum = 0.0, squares = 0.0;
       for (int i = 0; i < count; ++i) {
         const auto seed = stirred(static_cast<std::uint64_t>(1000 * trial + i));
-        const double value = around.mean(lobe, dvec3(1.0), dvec3(1.0), rays, seed).x;
+        const double value = around.reflected(lobe, white, rays, seed).x;
         sum += value;
         squares += value * value;
       }

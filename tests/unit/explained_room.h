@@ -32,11 +32,9 @@ struct ExplainedRoom {
   }
 
   Explanation explain() const {
-    static const BrdfTable brdf = makeBrdfTable();
     ExplainInput input;
     input.surface = surface;
     input.probes.push_back({probe.name, 0, 0, probeGeometry(probe, probe.origin), captured ? &maps : nullptr});
-    input.brdf = &brdf;
     Explanation e = explainPixel(input);
     e.x = 640;
     e.y = 360;

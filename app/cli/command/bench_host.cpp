@@ -68,6 +68,7 @@ std::vector<LitPoint> VtkBenchHost::surfaces(const Scene& scene, const Camera& c
 
 ReferenceBoxMaps VtkBenchHost::maps(const Scene& scene) {
   ReferenceBoxMaps maps;
+  maps.energy = scene.energy;
   for (const Probe& probe : scene.probes) maps.probes.push_back(impl_->first.renderer().mapsOnCpu(probe.name));
   maps.sky = impl_->first.renderer().mapsOnCpu("");
   return maps;

@@ -237,6 +237,12 @@ struct Probe {
   bool operator==(const Probe&) const;
 };
 
+/// What becomes of light that meets more than one microfacet of a rough surface.
+enum class Energy {
+  Single,    ///< it is lost
+  Multiple,  ///< it is added back (Turquin 2019)
+};
+
 struct Scene {
   std::vector<ModelFile> models;
   Sky sky;
@@ -249,6 +255,7 @@ struct Scene {
   double mirrorBudget = 8.0e6;  ///< texels of all mirrors' pictures per frame, the largest on the screen first
   std::vector<Probe> probes;    ///< names unique
   double exposure = 1.0;        ///< display = (exposure * linear)^(1/2.2)
+  Energy energy = Energy::Single;
 
   bool operator==(const Scene&) const;
 };

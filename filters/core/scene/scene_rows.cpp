@@ -57,6 +57,11 @@ const std::vector<FieldRow<Scene>>& sceneFields() {
           .atLeast(0)
           .usually(1e-3, 1000)
           .changing({&Changes::exposure}),
+      field<&Scene::energy>("energy", "",
+                            "What becomes of light that meets more than one microfacet of a rough surface.")
+          .choose({{"single", "it is lost: rough metals darken"},
+                   {"multiple", "it is added back, of lamps and probes alike (Turquin 2019)"}})
+          .changing({&Changes::lights}),
   };
   return rows;
 }

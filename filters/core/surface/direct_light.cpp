@@ -1,5 +1,5 @@
-// The terms and their clamps are vtkPBRFunctions.glsl's of VTK 9.1.0, its masking term with roughness in place of alpha
-// included, and the guard of filters/vtk/surface/vtk_pbr_splice.cpp against 0/0: this must give what is on the screen.
+// The terms and their clamps are vtkPBRFunctions.glsl's of VTK 9.1.0 with what filters/vtk/surface/vtk_pbr_splice.cpp mends
+// in them, the masking term and a guard against 0/0: this must give what is on the screen.
 #include "filters/core/surface/direct_light.h"
 
 #include <algorithm>
@@ -29,9 +29,8 @@ Lobe isotropicLobe(float nDotH, float nDotV, float nDotL, float hDotL, float rou
   const float alpha = roughness * roughness, a2 = alpha * alpha;
   const float d = std::max((nDotH * a2 - nDotH) * nDotH + 1.0f, std::max(a2, 1.0e-12f));
   const float distribution = a2 / (3.14159265359f * d * d);
-  const float r2 = roughness * roughness;
-  const float masking = 0.5f / (nDotL * std::sqrt(r2 + nDotV * (nDotV - r2 * nDotV)) +
-                                nDotV * std::sqrt(r2 + nDotL * (nDotL - r2 * nDotL)));
+  const float masking = 0.5f / (nDotL * std::sqrt(a2 + nDotV * (nDotV - a2 * nDotV)) +
+                                nDotV * std::sqrt(a2 + nDotL * (nDotL - a2 * nDotL)));
   const glm::vec3 fresnel = f0 + (f90 - f0) * std::pow(1.0f - hDotL, 5.0f);
   return {distribution * masking * fresnel, fresnel};
 }
@@ -39,7 +38,8 @@ Lobe isotropicLobe(float nDotH, float nDotV, float nDotL, float hDotL, float rou
 }  // namespace
 
 glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec3& f90,
-                      const std::vector<Light>& lights, const std::vector<glm::vec3>* through) {
+                      const std::vector<Light>& lights, const std::vector<glm::vec3>* through,
+                      const Scattering& scattering) {
   const glm::vec3 n = s.normalWorld, v = s.viewWorld;
   const float nDotV = clampedCosine(n, v);
   glm::vec3 sum(0.0f);
@@ -71,11 +71,11 @@ glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec
       const Lobe coat = isotropicLobe(clampedCosine(coatN, h), clampedCosine(coatN, v), coatNDotL, hDotL,
                                       s.coatRoughness, glm::vec3(s.coatF0), glm::vec3(1.0f));
       const glm::vec3 under = 1.0f - coat.fresnel * s.coatStrength;
-      sum += coat.specular * radiance * coatNDotL * s.coatStrength;
+      sum += scattering.coat * coat.specular * radiance * coatNDotL * s.coatStrength;
       base.specular *= under * under;
       diffuse *= under;
     }
-    sum += radiance * (diffuse + base.specular) * nDotL;
+    sum += radiance * (diffuse + scattering.base * base.specular) * nDotL;
   }
   return sum;
 }

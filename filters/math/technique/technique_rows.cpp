@@ -3,6 +3,7 @@
 #include "filters/math/cube/light_table.h"
 #include "filters/math/cube/relief.h"
 #include "filters/math/sampling/blue_noise.h"
+#include "filters/math/sampling/brdf_table.h"
 #include "filters/math/shared/glsl_built_ins.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/math/technique/automatic.h"
@@ -73,6 +74,11 @@ static vec3 probeFromMap(const ProbeShape& probe, vec3 direction) {
   return turn != nullptr ? glm::transpose(*turn) * direction : direction;
 }
 
+static float whiteAlbedo(float cosine, float roughness) {
+  const vec2 sum = splitSum(cosine, roughness);
+  return sum.x + sum.y;
+}
+
 static vec2 fetchBlueNoise(ivec2 pixel) {
   return blueNoiseAt(pixel);
 }
@@ -94,6 +100,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/sh.glsl"
 #include "shaders/shared/sky.glsl"
 #include "shaders/shared/slab.glsl"
+#include "shaders/shared/split_sum.glsl"  // after fresnel.glsl, which it uses
 #include "shaders/shared/source_level.glsl"
 #include "shaders/shared/true_hit.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/weights.glsl"

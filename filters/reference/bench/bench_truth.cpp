@@ -87,17 +87,16 @@ TruthColors estimated(std::size_t count, const std::vector<glm::dvec3>& offset, 
 
 }  // namespace
 
-TruthColors boxTruth(const std::vector<BenchPixel>& pixels, const ReferenceBoxMaps& maps, const BrdfTable& brdf,
-                     const TruthSettings& settings, const ReferenceProgress& progress) {
+TruthColors boxTruth(const std::vector<BenchPixel>& pixels, const ReferenceBoxMaps& maps, const TruthSettings& settings,
+                     const ReferenceProgress& progress) {
   const auto estimate = [&](std::size_t i, std::uint64_t seed, bool* exact) {
-    return referenceBoxColor(pixels[i].point, maps, brdf, settings.raysPerPass, seed, exact);
+    return referenceBoxColor(pixels[i].point, maps, settings.raysPerPass, seed, exact);
   };
   return estimated(pixels.size(), {}, settings, estimate, progress);
 }
 
 TruthColors sceneTruth(const std::vector<BenchPixel>& pixels, const TruthColors& box, const ReferenceBoxMaps& maps,
                        const ReferenceScene& scene, const TruthSettings& settings, const ReferenceProgress& progress) {
-  const BrdfTable& brdf = scene.light().brdf();
   const auto estimate = [&](std::size_t i, std::uint64_t seed, bool* exact) {
     const LitPoint& e = pixels[i].point;
     *exact = true;
@@ -106,8 +105,8 @@ TruthColors sceneTruth(const std::vector<BenchPixel>& pixels, const TruthColors&
     if (!hit) return sum;
     const glm::dvec3 away = scene.tracer().awayFrom(*hit);
     const BoxSurroundings surroundings(e, maps);
-    for (const ReflectingLayer& layer : reflectingLayers(e.surface, brdf)) {
-      const VisibleNormalLobe lobe(glm::normalize(layer.normalWorld), glm::normalize(glm::dvec3(e.surface.viewWorld)),
+    for (const ReflectingLayer& layer : reflectingLayers(e.surface, scene.light().energy())) {
+      const VisibleNormalLobe lobe(layer.normalWorld, glm::normalize(glm::dvec3(e.surface.viewWorld)),
                                    layer.roughness * layer.roughness);
       *exact = *exact && lobe.mirror();
       const auto difference = [&](const glm::dvec3& l) {
@@ -116,8 +115,7 @@ TruthColors sceneTruth(const std::vector<BenchPixel>& pixels, const TruthColors&
         light.bright = scene.seenFrom(away, l, RaySees::Probes) - surroundings.radiance(l);
         return light;
       };
-      sum += layer.factor * surroundings.meanOf(difference, lobe, glm::dvec3(layer.fresnel.f0),
-                                                glm::dvec3(layer.fresnel.f90), settings.raysPerPass, seed);
+      sum += surroundings.reflectedOf(difference, lobe, layer, settings.raysPerPass, seed);
       seed = stirred(seed);
     }
     return sum;

@@ -29,7 +29,7 @@ struct TruthColors {
 };
 
 /// Against the probe's box.
-TruthColors boxTruth(const std::vector<BenchPixel>& pixels, const ReferenceBoxMaps& maps, const BrdfTable& brdf,
+TruthColors boxTruth(const std::vector<BenchPixel>& pixels, const ReferenceBoxMaps& maps,
                      const TruthSettings& settings, const ReferenceProgress& progress);
 
 /// Against the traced scene: what it differs in from `box`, sampled, on top of that (a control variate), since where

@@ -29,8 +29,7 @@ class Run {
         host_(host),
         progress_(progress),
         sink_(sink),
-        materials_(reflectingMaterials(scene, models)),
-        brdf_(makeBrdfTable()) {
+        materials_(reflectingMaterials(scene, models)) {
     const auto views = static_cast<double>(plan.cameras.size() * plan.roughnesses.size());
     const auto techniques = static_cast<double>(plan.techniques.size());
     steps_ = views * (kTruthSteps + kPictureSteps * techniques) +
@@ -92,7 +91,6 @@ class Run {
   const ReferenceProgress& progress_;
   const BenchPictureSink& sink_;
   std::map<std::string, SurfaceKind> materials_;
-  BrdfTable brdf_;
   BenchResult result_;
   double steps_ = 1.0, done_ = 0.0;
 
@@ -132,7 +130,7 @@ void Run::measureView(const Camera& camera, double roughness) {
   ReferenceBoxMaps maps = host_.maps(base);
   maps.findBright();
   truth_[Truth::Box] =
-      boxTruth(pixels_, maps, brdf_, plan_.boxTruth, [&](double share) { return report(0.6 * kTruthSteps * share); });
+      boxTruth(pixels_, maps, plan_.boxTruth, [&](double share) { return report(0.6 * kTruthSteps * share); });
   step(0.6 * kTruthSteps);
   if (!truth_[Truth::Box].complete) throw Stopped();
   truth_[Truth::Scene] = sceneTruth(pixels_, truth_[Truth::Box], maps, host_.tracedScene(base), plan_.sceneTruth,

@@ -5,12 +5,13 @@
 #include <glm/matrix.hpp>
 
 #include "filters/core/surface/direct_light.h"
+#include "filters/reference/light/lobe_albedo.h"
 #include "filters/reference/light/reflecting_layers.h"
 
 namespace boxprobe {
 
 CaptureLight::CaptureLight(const Scene& scene, std::shared_ptr<const ImageRgbaF> skyImage)
-    : sky_(scene.sky, std::move(skyImage), scene.skyRotationDegrees), brdf_(makeBrdfTable()), lights_(scene.lights) {
+    : sky_(scene.sky, std::move(skyImage), scene.skyRotationDegrees), energy_(scene.energy), lights_(scene.lights) {
   for (const Probe& probe : scene.probes) {
     probes_.push_back({probeGeometry(probe, probe.origin), std::holds_alternative<ClearToOpen>(probe.clear)});
   }
@@ -67,11 +68,23 @@ std::optional<glm::dvec3> CaptureLight::capturedFrom(const glm::dvec3& position)
   return best->originWorld;
 }
 
+Scattering CaptureLight::scattering(const SurfacePoint& s, const FresnelEnds& ends) const {
+  Scattering result;
+  if (energy_ == Energy::Single) return result;
+  const auto back = [&](const glm::vec3& normal, float roughness, const glm::vec3& f0) {
+    const glm::dvec2 white = lobeAlbedo(static_cast<double>(glm::dot(normal, s.viewWorld)), static_cast<double>(roughness));
+    return 1.0f + f0 * static_cast<float>(1.0 / (white.x + white.y) - 1.0);
+  };
+  result.base = back(s.normalWorld, s.roughness, ends.f0);
+  if (s.coatStrength > 0.0f) result.coat = back(s.coatNormalWorld, s.coatRoughness, glm::vec3(s.coatF0));
+  return result;
+}
+
 glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through) const {
   if (unlit) return s.emissive;
   const FresnelEnds ends = fresnelEnds(s);
   glm::vec3 sum = s.emissive;
-  if (!lights_.empty()) sum += directLight(s, ends.f0, ends.f90, lights_, through);
+  if (!lights_.empty()) sum += directLight(s, ends.f0, ends.f90, lights_, through, scattering(s, ends));
   if (s.metallic < 1.0f) {
     sum += s.occlusion * shares(s.positionWorld).diffuse * (1.0f - ends.f0) * (1.0f - s.metallic) * s.albedo *
            sky_.irradiance(s.normalWorld);
@@ -84,9 +97,10 @@ glm::vec3 CaptureLight::captured(const SurfacePoint& s, bool unlit, const std::v
   if (unlit) return sum;
   const float share = shares(s.positionWorld).sky;
   if (share <= 1.0e-5f) return sum;
-  for (const ReflectingLayer& layer : reflectingLayers(s, brdf_)) {
-    const glm::vec3 direction = shading::reflectedView(glm::vec3(layer.normalWorld), s.viewWorld);
-    sum += share * glm::vec3(layer.factor) * sky_.reflection(direction, static_cast<float>(layer.roughness));
+  for (const ReflectingLayer& layer : reflectingLayers(s, energy_)) {
+    const glm::vec3 normal(layer.normalWorld), direction = shading::reflectedView(normal, s.viewWorld);
+    const double nDotV = std::max(static_cast<double>(glm::dot(normal, s.viewWorld)), 0.0);
+    sum += share * glm::vec3(layer.albedo(nDotV)) * sky_.reflection(direction, static_cast<float>(layer.roughness));
   }
   return sum;
 }

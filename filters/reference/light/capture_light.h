@@ -9,9 +9,10 @@
 
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/scene/scene.h"
+#include "filters/core/surface/direct_light.h"
 #include "filters/core/surface/surface_point.h"
-#include "filters/math/sampling/brdf_table.h"
 #include "filters/reference/light/reference_sky.h"
+#include "filters/reference/light/reflecting_layers.h"
 
 namespace boxprobe {
 
@@ -21,7 +22,7 @@ class CaptureLight {
   CaptureLight(const Scene& scene, std::shared_ptr<const ImageRgbaF> skyImage);
 
   const ReferenceSky& sky() const { return sky_; }
-  const BrdfTable& brdf() const { return brdf_; }
+  Energy energy() const { return energy_; }
 
   const std::vector<Light>& lights() const { return lights_; }
   /// Emission, light sources and diffuse light. `through`: how much of each light arrives, null for all of it.
@@ -39,9 +40,10 @@ class CaptureLight {
     float sky = 1.0f;      ///< what the probes leave
   };
   Shares shares(const glm::dvec3& positionWorld) const;
+  Scattering scattering(const SurfacePoint& surface, const FresnelEnds& ends) const;
 
   ReferenceSky sky_;
-  BrdfTable brdf_;
+  Energy energy_;
   std::vector<Light> lights_;
   struct LightingProbe : ProbeGeometry {
     bool open = false;  ///< its captures go without the sky's light

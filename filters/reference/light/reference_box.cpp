@@ -7,8 +7,6 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 
-#include "filters/reference/light/reflecting_layers.h"
-
 namespace boxprobe {
 
 BoxWorld::BoxWorld(const ProbeAtPoint& probe, const CubeMap& radiance)
@@ -172,37 +170,33 @@ double BoxSurroundings::lampDensity(const std::vector<double>& chances, const gl
   return sum;
 }
 
-glm::dvec3 BoxSurroundings::mean(const VisibleNormalLobe& lobe, const glm::dvec3& f0, const glm::dvec3& f90, int rays,
-                                 std::uint64_t seed) const {
-  return meanOf([&](const glm::dvec3& l) { return light(l); }, lobe, f0, f90, rays, seed);
+glm::dvec3 BoxSurroundings::reflected(const VisibleNormalLobe& lobe, const ReflectingLayer& layer, int rays,
+                                      std::uint64_t seed) const {
+  return reflectedOf([&](const glm::dvec3& l) { return light(l); }, lobe, layer, rays, seed);
 }
 
-glm::dvec3 BoxSurroundings::meanOf(const std::function<Light(const glm::dvec3&)>& light, const VisibleNormalLobe& lobe,
-                                   const glm::dvec3& f0, const glm::dvec3& f90, int rays, std::uint64_t seed) const {
+glm::dvec3 BoxSurroundings::reflectedOf(const std::function<Light(const glm::dvec3&)>& light,
+                                        const VisibleNormalLobe& lobe, const ReflectingLayer& layer, int rays,
+                                        std::uint64_t seed) const {
+  const auto reflectance = [&](double hDotV) { return layer.reflectance(hDotV); };
   if (groups_ == 0 || lobe.mirror()) {
-    return lobeMean(lobe, f0, f90, rays, seed, [&](const glm::dvec3& l) {
+    return lobeReflected(lobe, rays, seed, reflectance, [&](const glm::dvec3& l) {
       const Light of = light(l);
       return of.even + of.bright;
     });
   }
   // As many rays towards lamps as by the lobe: either alone is at a loss where the other is good.
   const int towardsLamps = std::max(rays / 2, 1), byLobe = std::max(rays - towardsLamps, 1);
-  const auto fresnel = [&](double hDotV) {
-    const double grazing = 1.0 - hDotV, square = grazing * grazing;
-    return f0 + (f90 - f0) * (square * square * grazing);
-  };
   const std::vector<double> chances = lampChances(lobe);
-  glm::dvec3 bright(0.0), weights(0.0);
+  glm::dvec3 bright(0.0);
   const auto addBright = [&](const glm::dvec3& l, const VisibleNormalLobe::Density& of, const glm::dvec3& value) {
     if (value == glm::dvec3(0.0)) return;
     const double density = byLobe * of.density + towardsLamps * lampDensity(chances, l);
-    if (density > 0.0) bright += of.weight * of.density / density * fresnel(of.hDotV) * value;
+    if (density > 0.0) bright += of.weight * of.density / density * layer.reflectance(of.hDotV) * value;
   };
-  const glm::dvec3 even = lobeMean(lobe, f0, f90, byLobe, seed, [&](const glm::dvec3& l) {
+  const glm::dvec3 even = lobeReflected(lobe, byLobe, seed, reflectance, [&](const glm::dvec3& l) {
     const Light seen = light(l);
-    const VisibleNormalLobe::Density of = lobe.at(l);
-    weights += of.weight * fresnel(of.hDotV);
-    addBright(l, of, seen.bright);
+    addBright(l, lobe.at(l), seen.bright);
     return seen.even;
   });
   const ShiftedPoints points(stirred(seed ^ 0x5bd1e995u));
@@ -211,27 +205,21 @@ glm::dvec3 BoxSurroundings::meanOf(const std::function<Light(const glm::dvec3&)>
     const VisibleNormalLobe::Density of = lobe.at(l);
     if (of.weight > 0.0) addBright(l, of, light(l).bright);
   }
-  // Over the mean of the weights of all the lobe's rays, those below the surface counting 0.
-  glm::dvec3 result = even;
-  for (int c = 0; c < 3; ++c) {
-    if (weights[c] > 0.0) result[c] += bright[c] * byLobe / weights[c];
-  }
-  return result;
+  return even + bright;
 }
 
-glm::dvec3 referenceBoxColor(const LitPoint& pixel, const ReferenceBoxMaps& maps, const BrdfTable& brdf, int rays,
-                             std::uint64_t seed, bool* exact) {
+glm::dvec3 referenceBoxColor(const LitPoint& pixel, const ReferenceBoxMaps& maps, int rays, std::uint64_t seed,
+                             bool* exact) {
   if (exact != nullptr) *exact = true;
   if (!pixel.hit) return glm::dvec3(pixel.color);
   const BoxSurroundings surroundings(pixel, maps);
   glm::dvec3 color(pixel.direct + pixel.emissive + pixel.diffuse);
   if (surroundings.empty()) return color;
-  for (const ReflectingLayer& layer : reflectingLayers(pixel.surface, brdf)) {
-    const VisibleNormalLobe lobe(glm::normalize(layer.normalWorld), glm::normalize(glm::dvec3(pixel.surface.viewWorld)),
+  for (const ReflectingLayer& layer : reflectingLayers(pixel.surface, maps.energy)) {
+    const VisibleNormalLobe lobe(layer.normalWorld, glm::normalize(glm::dvec3(pixel.surface.viewWorld)),
                                  layer.roughness * layer.roughness);
     if (exact != nullptr) *exact = *exact && lobe.mirror();
-    color +=
-        layer.factor * surroundings.mean(lobe, glm::dvec3(layer.fresnel.f0), glm::dvec3(layer.fresnel.f90), rays, seed);
+    color += surroundings.reflected(lobe, layer, rays, seed);
     seed = stirred(seed);
   }
   return color;

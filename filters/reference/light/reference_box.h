@@ -1,4 +1,4 @@
-// The world as box projection has it, integrated: a lobe's mean of what the probe's own unfiltered capture shows where
+// The world as box projection has it, integrated: what a lobe reflects of what the probe's own unfiltered capture shows where
 // its rays meet the box, in double precision. What is left of a technique's error against this is the technique's
 // alone: neither the box's nor the capture's. Called by the command line, the benchmark and tests, with points that say
 // what the surface is and which probes light it; knows no GL.
@@ -11,7 +11,7 @@
 
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/surface/lit_point.h"
-#include "filters/math/sampling/brdf_table.h"
+#include "filters/reference/light/reflecting_layers.h"
 #include "filters/reference/trace/bright_directions.h"
 #include "filters/reference/trace/visible_normal_lobe.h"
 
@@ -53,6 +53,8 @@ struct ReferenceBoxMaps {
   /// where lamps are small.
   std::vector<std::shared_ptr<const BrightDirections>> bright;
 
+  Energy energy = Energy::Single;  ///< the scene's
+
   void findBright();  ///< fills `bright` from `probes`
 };
 
@@ -64,10 +66,9 @@ class BoxSurroundings {
   bool empty() const { return parts_.empty() && skyShare_ <= 0.0; }
   glm::dvec3 radiance(const glm::dvec3& directionWorld) const;
 
-  /// Its mean over the lobe as lobeMean() has it. What stands out in a capture is summed apart, over directions drawn
-  /// both by the lobe and towards it.
-  glm::dvec3 mean(const VisibleNormalLobe& lobe, const glm::dvec3& f0, const glm::dvec3& f90, int rays,
-                  std::uint64_t seed) const;
+  /// What the layer reflects of it, as lobeReflected() has it. What stands out in a capture is summed apart, over
+  /// directions drawn both by the lobe and towards it. `lobe`: the layer's.
+  glm::dvec3 reflected(const VisibleNormalLobe& lobe, const ReflectingLayer& layer, int rays, std::uint64_t seed) const;
 
   /// What a direction shows, in two parts.
   struct Light {
@@ -76,8 +77,9 @@ class BoxSurroundings {
                              ///< Guibas 1995); all of it must lie where lamps are for that to be of use
   };
   /// The same of any light.
-  glm::dvec3 meanOf(const std::function<Light(const glm::dvec3& directionWorld)>& light, const VisibleNormalLobe& lobe,
-                    const glm::dvec3& f0, const glm::dvec3& f90, int rays, std::uint64_t seed) const;
+  glm::dvec3 reflectedOf(const std::function<Light(const glm::dvec3& directionWorld)>& light,
+                         const VisibleNormalLobe& lobe, const ReflectingLayer& layer, int rays,
+                         std::uint64_t seed) const;
 
  private:
   struct Part {
@@ -101,7 +103,7 @@ class BoxSurroundings {
 /// One estimate of the colour of a pixel, all of whose probes are taken as box worlds whatever their
 /// technique, the sky as it is. Everything but reflections is the point's own. `exact`: says whether another seed
 /// would give the same. Mean of estimates with independent seeds: the reference; their spread: its standard error.
-glm::dvec3 referenceBoxColor(const LitPoint& pixel, const ReferenceBoxMaps& maps, const BrdfTable& brdf, int rays,
-                             std::uint64_t seed, bool* exact = nullptr);
+glm::dvec3 referenceBoxColor(const LitPoint& pixel, const ReferenceBoxMaps& maps, int rays, std::uint64_t seed,
+                             bool* exact = nullptr);
 
 }  // namespace boxprobe

@@ -85,11 +85,12 @@ glm::dvec3 ReferenceScene::seenFrom(const glm::dvec3& origin, const glm::dvec3& 
 glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,
                                          std::uint64_t seed) const {
   glm::dvec3 sum(0.0);
-  for (const ReflectingLayer& layer : reflectingLayers(surface, light_.brdf())) {
-    const VisibleNormalLobe lobe(glm::normalize(layer.normalWorld), glm::normalize(glm::dvec3(surface.viewWorld)),
+  for (const ReflectingLayer& layer : reflectingLayers(surface, light_.energy())) {
+    const VisibleNormalLobe lobe(layer.normalWorld, glm::normalize(glm::dvec3(surface.viewWorld)),
                                  layer.roughness * layer.roughness);
-    sum += layer.factor * lobeMean(lobe, glm::dvec3(layer.fresnel.f0), glm::dvec3(layer.fresnel.f90), rays, seed,
-                                   [&](const glm::dvec3& direction) { return seenFrom(away, direction, sees); });
+    sum += lobeReflected(
+        lobe, rays, seed, [&](double hDotV) { return layer.reflectance(hDotV); },
+        [&](const glm::dvec3& direction) { return seenFrom(away, direction, sees); });
     seed = stirred(seed);
   }
   return sum;
@@ -139,7 +140,7 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
         if (passes == 1.0) continue;
       }
       pixel.color += (1.0 - passes) * reflectedFrom(surface, tracer_.awayFrom(*hit), sees, plan.raysPerPass, seed);
-      pixel.exact = pixel.exact && mirrorsOnly(reflectingLayers(surface, light_.brdf()), surface);
+      pixel.exact = pixel.exact && mirrorsOnly(reflectingLayers(surface, light_.energy()), surface);
     }
     pixel.color /= side * side;
     pixel.alpha /= side * side;

@@ -6,8 +6,9 @@
 //   for those that ask for them, which have a traced area light's (shadow_light.h) - the sky's diffuse light even
 //   indoors, though not where a probe is open to the sky. A technique's picture has its probes' diffuse light there, so
 //   errors are to be measured on metals, or on the reflection alone.
-// - Reflections: single-scatter GGX over visible normals, the mean radiance of the lobe times the split-sum factor of
-//   VTK 9.1. What a reflection ray hits shows what the first capture shows: a mirror in a mirror is black.
+// - Reflections: GGX over visible normals, distribution, height-correlated masking and Fresnel's term evaluated for each
+//   ray; no table and no mean weight stands between. What a reflection ray hits shows what the first capture shows: a
+//   mirror in a mirror is black.
 // - Reflection rays see what the probes see, or, on request, what the picture shows. What the probes see
 //   is lit as looked at from the capture origin of the probe that counts most where the ray starts: a highlight that
 //   moves with the eye is nothing that a projection could bring back. On request it is looked at along the ray.

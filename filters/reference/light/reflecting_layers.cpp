@@ -1,23 +1,50 @@
-// The terms are those of the shader, as filters/explain has them, which is held to the graphics side pixel by pixel.
 #include "filters/reference/light/reflecting_layers.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "filters/reference/light/lobe_albedo.h"
 
 namespace boxprobe {
 
 namespace {
 
-float clampedCosine(const glm::vec3& a, const glm::vec3& b) {
-  return std::clamp(glm::dot(a, b), 1.0e-5f, 1.0f);
+double clampedCosine(const glm::dvec3& a, const glm::vec3& b) {
+  return std::clamp(glm::dot(a, glm::dvec3(b)), 1.0e-5, 1.0);
 }
 
 bool hasNormal(const glm::vec3& n) {
   return glm::dot(n, n) > 0.25f;
 }
 
+// Schlick's grazing term.
+double grazing(double cosine) {
+  const double rest = 1.0 - std::min(cosine, 1.0), square = rest * rest;
+  return square * square * rest;
+}
+
+glm::dvec3 scattered(const ReflectingLayer& layer, const glm::vec3& view, Energy energy) {
+  if (energy == Energy::Single) return glm::dvec3(1.0);
+  // Turquin 2019: what one reflection loses of white light comes out coloured by F0.
+  const glm::dvec2 white = lobeAlbedo(clampedCosine(layer.normalWorld, view), layer.roughness);
+  return 1.0 + glm::dvec3(layer.fresnel.f0) * (1.0 / (white.x + white.y) - 1.0);
+}
+
 }  // namespace
+
+glm::dvec3 ReflectingLayer::reflectance(double hDotV) const {
+  const double edge = grazing(hDotV);
+  const double passes = 1.0 - coatStrength * (coatF0 + (1.0 - coatF0) * edge);
+  return factor * (passes * passes) * glm::mix(glm::dvec3(fresnel.f0), glm::dvec3(fresnel.f90), edge);
+}
+
+glm::dvec3 ReflectingLayer::albedo(double nDotV) const {
+  const glm::dvec2 of = lobeAlbedo(nDotV, roughness);
+  const double passes = 1.0 - coatStrength * (coatF0 + (1.0 - coatF0) * grazing(nDotV));
+  return factor * (passes * passes) * (of.x * glm::dvec3(fresnel.f0) + of.y * glm::dvec3(fresnel.f90));
+}
 
 FresnelEnds fresnelEnds(const SurfacePoint& s) {
   const glm::vec3 f0 = glm::mix(glm::vec3(s.baseF0), s.albedo, s.metallic);
@@ -25,22 +52,26 @@ FresnelEnds fresnelEnds(const SurfacePoint& s) {
   return {f0, glm::mix(glm::vec3(edge), glm::vec3(1.0f), s.metallic)};
 }
 
-std::vector<ReflectingLayer> reflectingLayers(const SurfacePoint& s, const BrdfTable& brdf) {
+std::vector<ReflectingLayer> reflectingLayers(const SurfacePoint& s, Energy energy) {
   std::vector<ReflectingLayer> layers;
   if (!hasNormal(s.normalWorld)) return layers;
-  const FresnelEnds ends = fresnelEnds(s);
-  const glm::vec2 base = sampleBrdf(brdf, clampedCosine(s.normalWorld, s.viewWorld), s.roughness);
-  const glm::vec3 factor = s.occlusion * (ends.f0 * base.x + ends.f90 * base.y);
-  if (std::max({factor.x, factor.y, factor.z}) > 0.0f) {
-    layers.push_back({glm::dvec3(s.normalWorld), s.roughness, ends, glm::dvec3(factor)});
+  const bool coated = s.coatStrength > 0.0f && hasNormal(s.coatNormalWorld);
+  ReflectingLayer base{glm::normalize(glm::dvec3(s.normalWorld)), s.roughness, fresnelEnds(s)};
+  const glm::vec3 most = glm::max(base.fresnel.f0, base.fresnel.f90);
+  if (s.occlusion * std::max({most.x, most.y, most.z}) > 0.0f) {
+    base.factor = static_cast<double>(s.occlusion) * scattered(base, s.viewWorld, energy);
+    if (coated) {
+      base.coatStrength = s.coatStrength;
+      base.coatF0 = s.coatF0;
+    }
+    layers.push_back(base);
   }
-  if (s.coatStrength > 0.0f && hasNormal(s.coatNormalWorld)) {
-    const float nDotV = clampedCosine(s.coatNormalWorld, s.viewWorld);
-    const glm::vec2 coat = sampleBrdf(brdf, nDotV, s.coatRoughness);
-    const float fresnel = s.coatF0 + (1.0f - s.coatF0) * std::pow(1.0f - nDotV, 5.0f);
-    const double strength = s.occlusion * (s.coatF0 * coat.x + coat.y) * fresnel * s.coatStrength;
-    layers.push_back(
-        {glm::dvec3(s.coatNormalWorld), s.coatRoughness, {glm::vec3(s.coatF0), glm::vec3(1.0f)}, glm::dvec3(strength)});
+  if (coated && s.occlusion > 0.0f) {
+    ReflectingLayer coat{glm::normalize(glm::dvec3(s.coatNormalWorld)),
+                         s.coatRoughness,
+                         {glm::vec3(s.coatF0), glm::vec3(1.0f)}};
+    coat.factor = static_cast<double>(s.occlusion * s.coatStrength) * scattered(coat, s.viewWorld, energy);
+    layers.push_back(coat);
   }
   return layers;
 }

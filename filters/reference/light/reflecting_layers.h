@@ -1,13 +1,13 @@
-// What of a surface reflects its surroundings: the base and, over it, a clear coat, each a lobe and the split-sum
-// factor that VTK 9.1's shader multiplies its reflection with. Called by both references, so that all they differ in
-// from the picture is what the lobe sees.
+// What of a surface reflects its surroundings: the base and, over it, a clear coat, each a lobe and what one of its
+// microfacets reflects. Called by both references, which evaluate it ray by ray: no table of the renderer's stands
+// between them and the light.
 #pragma once
 
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "filters/core/scene/scene.h"
 #include "filters/core/surface/surface_point.h"
-#include "filters/math/sampling/brdf_table.h"
 
 namespace boxprobe {
 
@@ -21,10 +21,16 @@ struct ReflectingLayer {
   glm::dvec3 normalWorld{0.0};
   double roughness = 0.0;  ///< perceptual
   FresnelEnds fresnel;
-  glm::dvec3 factor{0.0};  ///< of the mean radiance over the lobe: split sum, ambient occlusion, the coat's strength
+  glm::dvec3 factor{1.0};                  ///< ambient occlusion, the coat's strength, multiple scattering
+  double coatStrength = 0.0, coatF0 = 0.0;  ///< of the coat above it, which light passes on both ways
+
+  /// Of a microfacet that the view meets at this cosine: Schlick's Fresnel, times all that comes on top.
+  glm::dvec3 reflectance(double hDotV) const;
+  /// Of even light, seen at `nDotV`: what the mean of all microfacets' reflectances is.
+  glm::dvec3 albedo(double nDotV) const;
 };
 
 /// None for a surface that reflects nothing or has no normal.
-std::vector<ReflectingLayer> reflectingLayers(const SurfacePoint& surface, const BrdfTable& brdf);
+std::vector<ReflectingLayer> reflectingLayers(const SurfacePoint& surface, Energy energy);
 
 }  // namespace boxprobe

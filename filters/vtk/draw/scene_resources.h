@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "filters/core/geometry/light_shadow.h"
+#include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/maps/probe_maps.h"
 
 namespace boxprobe {
@@ -30,6 +31,7 @@ struct ShadowLight {
 struct SceneResources {
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
+  LightForm lightForm = LightForm::Single;
   GLuint blueNoise = 0;                   ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
   GLuint blackCube = 0;                   ///< stands in for maps not captured yet
   GLuint viewColors = 0;                  ///< 256 x 1, of the debug view; made when that is first shown

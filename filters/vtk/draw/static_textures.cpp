@@ -10,12 +10,11 @@ namespace boxprobe {
 void makeStaticTextures(vtkOpenGLRenderWindow* window, SceneResources& resources, FrameCounts& counts) {
   if (resources.brdfTable != 0) return;
   counts.fail(seamlessCubesProblem());
-  const BrdfTable table = makeBrdfTable();
   glGenTextures(1, &resources.brdfTable);
   {
     const BoundTexture bound(window, GL_TEXTURE_2D, resources.brdfTable);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, table.columns, table.rows, 0, GL_RG, GL_FLOAT, table.texels.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16, kBrdfTableSize, kBrdfTableSize, 0, GL_RG, GL_UNSIGNED_SHORT, kBrdfTable);
     for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
       glTexParameteri(GL_TEXTURE_2D, name, GL_LINEAR);
     for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
@@ -30,6 +29,13 @@ void makeStaticTextures(vtkOpenGLRenderWindow* window, SceneResources& resources
     glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, GL_RGBA16F, 1, 1, 0, GL_RGBA, GL_FLOAT, black);
   }
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void uploadSplitSumTable(vtkOpenGLRenderWindow* window, GLuint texture, int columns, int rows,
+                         const std::vector<glm::vec2>& table) {
+  const BoundTexture bound(window, GL_TEXTURE_2D, texture);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG16F, columns, rows, 0, GL_RG, GL_FLOAT, table.data());
 }
 
 void makeBlueNoise(vtkOpenGLRenderWindow* window, SceneResources& resources) {

@@ -83,7 +83,6 @@ std::shared_ptr<const BakedMaps> SurfaceInspector::onCpu(const std::shared_ptr<c
 
 std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width, int height,
                                                    const std::vector<glm::ivec2>& pixels) {
-  if (brdf_.texels.empty()) brdf_ = makeBrdfTable();
   const bool single = pixels.size() == 1;
   PixelRect rect{0, 0, width, height};
   if (single) rect = {pixels[0].x, pixels[0].y, 1, 1};
@@ -176,7 +175,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.shares = binding.shares;
   in.skyShare = binding.skyShare;
   in.skyMaps = onCpu(state_->resources.sky).get();
-  in.brdf = &brdf_;
+  in.energy = content_->scene.energy;
   in.lights = content_->scene.lights;
   if (object.mapper->DrawsGlass()) {
     int faceSize = state_->resources.sky ? state_->resources.sky->radiance.faceSize() : 0;

@@ -10,7 +10,6 @@
 
 #include "filters/core/picture/baked_probe.h"
 #include "filters/explain/explain_pixel.h"
-#include "filters/math/sampling/brdf_table.h"
 #include "filters/vtk/inspect/surface_capture.h"
 #include "filters/vtk/scene/scene_content.h"
 
@@ -47,7 +46,6 @@ class SurfaceInspector {
   std::shared_ptr<DrawState> state_;
   SceneContent* content_;
   SurfaceCapture capture_;
-  BrdfTable brdf_;
   std::vector<MovingMap> movingMaps_;  ///< as the last explanation saw them
   std::map<std::size_t, Twin> twins_;
   struct Copy {

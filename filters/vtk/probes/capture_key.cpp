@@ -14,7 +14,7 @@ namespace {
 
 // Raise it whenever captures or filters come to give other texels for the same inputs: files baked before are then
 // baked again.
-constexpr int kBakeVersion = 3;
+constexpr int kBakeVersion = 4;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
   if (!use.image) return {};
@@ -157,6 +157,7 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& o
     lights.addVector(light.color).add(light.intensity);
     lights.add(light.innerConeDegrees).add(light.outerConeDegrees).add(light.range);
   }
+  if (scene.energy == Energy::Multiple) lights.add("multiple");
   world.lights = lights.text();
   std::vector<Box> bounds;
   for (const PlacedObject& placed : objects) {

@@ -1,5 +1,6 @@
 #include "filters/vtk/surface/fragment_source.h"
 
+#include "filters/math/sampling/brdf_table.h"
 #include "filters/math/shared/shader_source.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/surface/material_source.h"
@@ -9,8 +10,14 @@ namespace boxprobe {
 
 std::string fragmentDeclarations(const SurfaceProgram& program) {
   const bool probes = program.probes();
-  std::string text = probes ? probeDeclarations(program.binding, program.output, program.mirror)
-                            : std::string(shaderSource("gpu/output_uniforms.glsl"));
+  std::string text;
+  if (program.table()) {
+    text += "#define BP_BRDF_SIZE " + std::to_string(kBrdfTableSize) + ".0f\n";
+    if (program.form == LightForm::Vtk) text += "#define BP_VTK_TABLE\n";
+    text += joinShaderSources({"shared/fresnel.glsl", "shared/split_sum.glsl", "gpu/fetch_split_sum.glsl"});
+  }
+  text += probes ? probeDeclarations(program.binding, program.output, program.mirror)
+                 : std::string(shaderSource("gpu/output_uniforms.glsl"));
   if (probes) text += coverageDeclarations(program.binding);
   text += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
   if (program.surface != nullptr) text += materialDeclarations(*program.surface);

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/draw/surface_material.h"
 #include "filters/vtk/surface/surface_output.h"
@@ -16,9 +17,12 @@ struct SurfaceProgram {
   const SurfaceMaterial* surface;  ///< null: the material is VTK's own
   SurfaceOutput output;
   bool mirror;  ///< a planar mirror's picture is looked up
+  LightForm form = LightForm::Single;
 
   bool probes() const { return binding.lighting == Lighting::Probes; }
   bool debug() const { return output == SurfaceOutput::Debug; }
+  /// Is the split-sum table read?
+  bool table() const { return probes() || (form == LightForm::Multiple && binding.lighting == Lighting::Plain); }
   bool glass() const { return probes() && surface != nullptr && surface->glass.drawn; }
 };
 

@@ -154,7 +154,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
          std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/finite.glsl", "shared/slab.glsl", "shared/roughness.glsl",
-                            "shared/weights.glsl", "shared/fresnel.glsl", "shared/sh.glsl"}) +
+                            "shared/weights.glsl", "shared/sh.glsl"}) +
          (debug ? joinShaderSources({"shared/cube.glsl", "gpu/debug_trace.glsl"}) : std::string()) + lighting;
 }
 

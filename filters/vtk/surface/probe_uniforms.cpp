@@ -190,9 +190,13 @@ void uploadChoices(const UniformUpload& to, const ProbeBinding& binding) {
 
 }  // namespace
 
+void uploadSplitSum(const UniformUpload& to, const SceneResources& resources) {
+  to.texture2d("bpBrdf", resources.brdfTable);
+}
+
 void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding) {
   to.program->SetUniformMatrix3x3("bpViewToWorld", viewToWorldRotation(to.camera()).data());
-  to.texture2d("bpBrdf", resources.brdfTable);
+  uploadSplitSum(to, resources);
   if (binding.sky || binding.open()) uploadSky(to, resources);
 }
 

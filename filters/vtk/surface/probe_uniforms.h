@@ -8,7 +8,8 @@
 
 namespace boxprobe {
 
-/// The split-sum table, the camera's axes, and the sky where the binding looks it up.
+void uploadSplitSum(const UniformUpload& to, const SceneResources& resources);
+/// That, the camera's axes, and the sky where the binding looks it up.
 void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding);
 
 /// The slots: maps, boxes, weights and parameters; `debug`: the debug view's own maps, too. Makes the blue-noise mask

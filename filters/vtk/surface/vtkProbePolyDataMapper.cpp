@@ -175,7 +175,7 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
                                : samples                 ? SurfaceOutput::SpecularSeparate
                                                          : SurfaceOutput::SpecularSeparateNone;
   const std::string failure =
-      boxprobe::splicePbr(sources, *this->Drawn, this->Surface.get(), output, this->Mirror != nullptr);
+      boxprobe::splicePbr(sources, *this->Drawn, this->Surface.get(), output, this->Mirror != nullptr, this->Form);
   this->State->counts.fail(failure);
   boxprobe::breakShaderIfAsked(sources.fragment, "surface");
   shaders[vtkShader::Vertex]->SetSource(sources.vertex);
@@ -187,6 +187,11 @@ void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer*
   const int glass = this->DrawsGlass() ? this->Surface->glass.variant() : 0;
   if (glass != this->GlassVariant) {
     this->GlassVariant = glass;
+    this->Modified();
+  }
+  if (this->State && this->State->resources.lightForm != this->Form) {
+    this->Form = this->State->resources.lightForm;
+    this->Refused = false;
     this->Modified();
   }
   this->Superclass::UpdateShaders(cellBO, renderer, actor);
@@ -214,6 +219,8 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
   const bool probes = this->Drawn->lighting == Lighting::Probes;
   if (probes) {
     this->UploadLighting(to);
+  } else if (this->Form == boxprobe::LightForm::Multiple) {
+    boxprobe::uploadSplitSum(to, this->State->resources);
   }
   if (this->Heights) {
     program->SetUniform4f("bpHeightPlane", &this->State->pass().heightPlaneView.x);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/draw/mirror_picture.h"
 #include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/draw/surface_material.h"
@@ -84,6 +85,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<const boxprobe::MirrorPicture> Mirror;
   std::string VariantKey;
   int GlassVariant = 0;  // the program's
+  boxprobe::LightForm Form = boxprobe::LightForm::Single;  // the program's
   bool Again = false;    // a further pass of the same piece
   bool Debug = false;
   bool Refused = false;  // the driver did not compile the spliced program: VTK's own is drawn

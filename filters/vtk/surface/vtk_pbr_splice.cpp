@@ -82,6 +82,20 @@ const std::vector<Anchor>& materialAnchors() {
   return anchors;
 }
 
+const std::vector<Anchor>& tableAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"split-sum table",
+       {"vec2 brdf = vec2(0.0, 0.0);", "vec2 brdf = texture(brdfTex, vec2(NdV, roughness)).rg;"},
+       {"vec2 brdf = bpSplitSum(NdV, roughness);"},
+       false},
+      {"clear-coat split-sum table",
+       {"vec2 coatBrdf = vec2(0.0);", "vec2 coatBrdf = texture(brdfTex, vec2(coatNdV, coatRoughness)).rg;"},
+       {"vec2 coatBrdf = bpSplitSum(coatNdV, coatRoughness);"},
+       true},
+  };
+  return anchors;
+}
+
 const std::vector<Anchor>& lightingAnchors() {
   static const std::vector<Anchor> anchors = {
       {"diffuse irradiance",
@@ -97,10 +111,6 @@ const std::vector<Anchor>& lightingAnchors() {
         "vec3 prefilteredSpecularColor = textureLod(prefilterTex, worldReflect, roughness * prefilterMaxLevel).rgb;"},
        {"vec3 prefilteredSpecularColor = bpLight.specular;"},
        false},
-      {"split-sum table",
-       {"vec2 brdf = vec2(0.0, 0.0);", "vec2 brdf = texture(brdfTex, vec2(NdV, roughness)).rg;"},
-       {"vec2 brdf = texture(bpBrdf, vec2(NdV, roughness)).rg;"},
-       false},
       {"clear-coat reflection",
        {"vec3 prefilteredSpecularCoatColor = vec3(0.0);",
         "vec3 prefilteredSpecularCoatColor = textureLod(prefilterTex, coatWorldReflect, coatRoughness * "
@@ -108,12 +118,69 @@ const std::vector<Anchor>& lightingAnchors() {
        {"vec3 prefilteredSpecularCoatColor = bpGatherLight(vertexVC.xyz, coatN, V, coatRoughness,\n"
         "    meanFresnel(vec3(coatF0Uniform), vec3(1.0), coatNdV)).specular;"},
        true},
-      {"clear-coat split-sum table",
-       {"vec2 coatBrdf = vec2(0.0);", "vec2 coatBrdf = texture(brdfTex, vec2(coatNdV, coatRoughness)).rg;"},
-       {"vec2 coatBrdf = texture(bpBrdf, vec2(coatNdV, coatRoughness)).rg;"},
+  };
+  return anchors;
+}
+
+// VTK 9.1 masks lamps by roughness where Smith's term wants alpha.
+const std::vector<Anchor>& maskingAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"lamps' masking",
+       {"float V = V_SmithCorrelated(NdV, NdL, roughness);"},
+       {"float V = V_SmithCorrelated(NdV, NdL, roughness * roughness);"},
+       false},
+  };
+  return anchors;
+}
+
+// Surroundings in a clear coat as lamps are: reflected once by its Fresnel term, where VTK 9.1 multiplies by that twice,
+// and dimmed on their way to the base and back, which VTK does too late for its sum.
+const std::vector<Anchor>& coatAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"base under a clear coat",
+       {"vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+       {"float bpCoatPasses = coatPasses(coatStrength, coatF0Uniform, coatNdV);\n"
+        "  specularBrdf *= bpCoatPasses * bpCoatPasses;\n  vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+       true},
+      {"diffuse base under a clear coat",
+       {"vec3 iblDiffuse = (1.0 - F0) * (1.0 - metallic) * irradiance * albedo;"},
+       {"vec3 iblDiffuse = (1.0 - F0) * (1.0 - metallic) * irradiance * albedo * bpCoatPasses;"},
+       true},
+      {"reflection of a clear coat",
+       {"prefilteredSpecularCoatColor * (coatF0 * coatBrdf.r + coatBrdf.g) * Fc;"},
+       {"prefilteredSpecularCoatColor * (coatF0 * coatBrdf.r + coatBrdf.g) * coatStrength;"},
        true},
   };
   return anchors;
+}
+
+// What further reflections between microfacets bring back, of surroundings and of lamps by the same factor.
+const std::vector<Anchor>& scatteringAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"multiple scattering",
+       {"vec3 F90 = mix(vec3(f90), edgeTintUniform, metallic);"},
+       {"vec3 F90 = mix(vec3(f90), edgeTintUniform, metallic);\n  vec3 bpScattering = multipleScattering(F0, brdf);"},
+       false},
+      {"multiple scattering of surroundings",
+       {"vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+       {"specularBrdf *= bpScattering;\n  vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+       false},
+      {"multiple scattering in a clear coat",
+       {"vec3 coatF90 = vec3(1.0);"},
+       {"vec3 coatF90 = vec3(1.0);\n  vec3 bpCoatScattering = multipleScattering(coatF0, coatBrdf);"},
+       true},
+      {"multiple scattering of a clear coat's surroundings",
+       {"prefilteredSpecularCoatColor * ("},
+       {"prefilteredSpecularCoatColor * bpCoatScattering * ("},
+       true},
+  };
+  return anchors;
+}
+
+// Of every lamp: as many as VTK has written in.
+void scatterLamps(std::string& text) {
+  replaceAll(text, "Lo += radiance * (diffuse + specular)", "Lo += radiance * (diffuse + bpScattering * specular)");
+  replaceAll(text, "Lo += coatLayer;", "Lo += bpCoatScattering * coatLayer;");
 }
 
 // What a material that transmits light changes, in VTK's text with the lighting above in it (see
@@ -232,10 +299,10 @@ std::string spliceMaterial(std::string& fragment, bool coat) {
 }  // namespace
 
 std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const SurfaceMaterial* surface,
-                      SurfaceOutput writes, bool mirror) {
+                      SurfaceOutput writes, bool mirror, LightForm form) {
   if (sources.fragment.find(kPbrMark) == std::string::npos) return {};
   const bool coat = sources.fragment.find(kCoatMark) != std::string::npos;
-  const SurfaceProgram program{binding, surface, writes, mirror};
+  const SurfaceProgram program{binding, surface, writes, mirror, form};
 
   ShaderSources spliced = sources;
   std::string& text = spliced.fragment;
@@ -248,7 +315,15 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   if (failure.empty() && surface != nullptr) failure = spliceVertices(spliced, *surface);
   if (failure.empty() && program.probes()) failure = applyCoverage(text, binding);
   if (failure.empty() && program.probes()) failure = applyAnchors(text, lightingAnchors(), coat);
+  if (failure.empty() && program.table()) failure = applyAnchors(text, tableAnchors(), coat);
   if (failure.empty() && program.glass()) failure = applyAnchors(text, glassAnchors(), coat);
+  const bool own = form != LightForm::Vtk;
+  if (failure.empty() && own) failure = applyAnchors(text, maskingAnchors(), coat);
+  if (failure.empty() && own && program.probes()) failure = applyAnchors(text, coatAnchors(), coat);
+  if (failure.empty() && form == LightForm::Multiple && program.table()) {
+    failure = applyAnchors(text, scatteringAnchors(), coat);
+    if (failure.empty()) scatterLamps(text);
+  }
   if (!failure.empty()) return failure;
 
   constexpr const char* kOutput = "color = pow(color, vec3(1.0/2.2));";

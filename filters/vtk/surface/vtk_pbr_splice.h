@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/draw/surface_material.h"
 #include "filters/vtk/surface/surface_output.h"
@@ -23,6 +24,7 @@ struct ShaderSources {
 /// that is not there (the sources are then unchanged). A shader without physically based shading (no light, lines,
 /// points) has nothing to splice and is left as it is.
 std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const SurfaceMaterial* surface,
-                      SurfaceOutput output = SurfaceOutput::Picture, bool mirror = false);
+                      SurfaceOutput output = SurfaceOutput::Picture, bool mirror = false,
+                      LightForm form = LightForm::Single);
 
 }  // namespace boxprobe

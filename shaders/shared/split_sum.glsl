@@ -1,0 +1,23 @@
+// What turns the mean light of a lobe into reflected light (the second half of the split sum, Karis 2013): A F0 + B F90. The table of
+// A and B is filters/math/sampling/brdf_table.h; A + B is the albedo of a surface that reflects all (F0 = F90 = 1).
+
+// Where the table of `size` texels a side holds them: N.V across, perceptual roughness up, both ends at the centre of a texel. The root
+// spends more texels on grazing views, where a smooth surface's masking sets in.
+vec2 splitSumPlace(float cosine, float roughness, float size)
+{
+  return vec2(sqrt(clamp(cosine, 0.0f, 1.0f)), clamp(roughness, 0.0f, 1.0f)) * ((size - 1.0f) / size) + vec2(0.5f / size);
+}
+
+// Factor that adds back the light which leaves the microfacets after more than one reflection (Turquin 2019): what one reflection
+// loses of white light, 1 - E, comes out coloured by F0.
+vec3 multipleScattering(vec3 f0, vec2 splitSum)
+{
+  float albedo = max(splitSum.x + splitSum.y, 1.0e-3f);
+  return vec3(1.0f) + f0 * ((1.0f - albedo) / albedo);
+}
+
+// Share of light that gets through a clear coat once, seen at `cosine` to its normal. What the base reflects passes twice.
+float coatPasses(float strength, float coatF0, float cosine)
+{
+  return 1.0f - strength * schlickFresnel(vec3(coatF0), vec3(1.0f), cosine).x;
+}

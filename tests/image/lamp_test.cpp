@@ -1,0 +1,141 @@
+// Lamps and probes light alike: a sphere that shines with radiance L, as a probe captured it, against VTK's point light
+// of the same strength, I = L pi r², in its place. Only the renderer's light loop knows the one, only the capture, the
+// prefilter, the technique and the split-sum table the other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/support/scene_picture.h"
+
+namespace {
+
+using namespace boxprobe;
+using namespace boxprobe::test;
+
+constexpr int kSize = 160;
+constexpr float kLampRadius = 0.4f;
+const glm::dvec3 kLamp(0.0, 4.0, 10.0);  // in the middle of the box's wall
+
+Mesh sphere(float radius) {
+  Mesh mesh;
+  constexpr int kRows = 96, kColumns = 192;
+  for (int row = 0; row <= kRows; ++row) {
+    for (int column = 0; column <= kColumns; ++column) {
+      const double a = 3.14159265358979 * row / kRows, b = 2.0 * 3.14159265358979 * column / kColumns;
+      const glm::vec3 n(std::sin(a) * std::cos(b), std::cos(a), -std::sin(a) * std::sin(b));
+      mesh.positions.push_back(radius * n);
+      mesh.normals.push_back(n);
+    }
+  }
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    for (std::uint32_t column = 0; column < kColumns; ++column) {
+      const std::uint32_t i = row * (kColumns + 1) + column, j = i + kColumns + 1;
+      for (const std::uint32_t index : {i, j, i + 1, i + 1, j, j + 1}) mesh.indices.push_back(index);
+    }
+  }
+  return mesh;
+}
+
+struct Case {
+  const char* technique;
+  std::map<std::string, ParameterValue> parameters;
+};
+
+class Lamp : public testing::TestWithParam<std::tuple<float, Energy>> {};
+
+// Light of the highlight over the sphere's pixels that face the eye, both ways.
+TEST_P(Lamp, ShinesAsItsCaptureDoes) {
+  const auto [roughness, energy] = GetParam();
+  Model model;
+  Material ball, lamp;
+  ball.name = "ball";
+  ball.metallic = 1.0f;
+  ball.roughness = roughness;
+  ball.baseColor = {0.9f, 0.6f, 0.3f, 1.0f};
+  lamp.name = "lamp";
+  lamp.baseColor = {0.0f, 0.0f, 0.0f, 1.0f};
+  lamp.ior = 1.0f;
+  lamp.emissive = glm::vec3(200.0f);
+  model.materials = {ball, lamp};
+  model.meshes = {sphere(0.5f), sphere(kLampRadius)};
+  model.meshes[1].material = 1;
+  model.instances = {{"ball", 0, glm::dmat4(1.0)}, {"lamp", 1, glm::translate(glm::dmat4(1.0), kLamp)}};
+  for (Mesh& mesh : model.meshes) mesh.material = std::max(mesh.material, 0);
+
+  Scene scene;
+  scene.models.push_back({"ball", {}, {}, 1.0});
+  scene.sky = SkyColor{glm::vec3(0.0f)};
+  scene.energy = energy;
+  Probe probe;
+  probe.box = Box{glm::dvec3(-10.0), glm::dvec3(10.0)};
+  probe.blendDistance = {};
+  probe.faceSize = 512;
+  probe.samplesPerPixel = 16;
+  scene.probes.push_back(probe);
+  scene.objects["ball"].seenByProbes = false;
+  Camera camera;
+  camera.position = {0, 0, 5};
+  camera.target = {0, 0, 0};
+  camera.verticalFovDegrees = 12.0;
+
+  ScenePicture picture(scene, kSize, kSize);
+  picture.renderer->setModels({std::make_shared<Model>(model)});
+  const auto light = [&](const ImageRgbaF& image) {
+    glm::dvec3 sum(0.0);
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        // Of the sphere, the disc whose normals are within 60 degrees of the eye.
+        const double half = 5.0 * std::tan(glm::radians(6.0));
+        const double across = ((x + 0.5) / kSize * 2.0 - 1.0) * half, up = ((y + 0.5) / kSize * 2.0 - 1.0) * half;
+        if (std::hypot(across, up) > 0.5 * std::sin(glm::radians(60.0))) continue;
+        const float* p = &image.pixels[4 * (static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x))];
+        sum += glm::dvec3(p[0], p[1], p[2]);
+      }
+    }
+    return sum;
+  };
+
+  const auto show = [&] {
+    picture.renderer->sync(picture.scene, Changes::all());
+    picture.renderer->applyCamera(camera);
+    picture.renderer->finishWork();
+  };
+
+  Scene lit = scene;
+  lit.probes.clear();
+  lit.objects["lamp"].visible = false;
+  Light point;
+  point.type = LightType::Point;
+  point.position = kLamp;
+  point.intensity = static_cast<float>(lamp.emissive.x * 3.14159265f * kLampRadius * kLampRadius);
+  lit.lights.push_back(point);
+  picture.scene = lit;
+  show();
+  const ImageRgbaF byLamp = picture.linear(4);
+  const glm::dvec3 expected = light(byLamp);
+  keepPicture(byLamp, "lamp_light");
+  ASSERT_GT(expected.r, 0.0);
+
+  for (const Case& c : {Case{"raytraced", {{"samples", 64.0}, {"filtered", true}, {"pattern", std::string("deterministic")}}},
+                        Case{"footprint8", {}}}) {
+    picture.scene = scene;
+    picture.scene.probes[0].technique = c.technique;
+    picture.scene.probes[0].parameters = c.parameters;
+    show();
+    const ImageRgbaF byProbe = picture.linear(4);
+    keepPicture(byProbe, std::string("lamp_") + c.technique);
+    const glm::dvec3 found = light(byProbe);
+    std::printf("  roughness %.2f, %-10s light %.4f %.4f %.4f of the lamp's\n", static_cast<double>(roughness), c.technique,
+                found.r / expected.r, found.g / expected.g, found.b / expected.b);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k] / expected[k], 1.0, 0.02) << c.technique;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Roughness, Lamp,
+                         testing::Combine(testing::Values(0.2f, 0.35f, 0.5f, 0.75f, 1.0f),
+                                          testing::Values(Energy::Single, Energy::Multiple)));
+
+}  // namespace
