@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/cli/command/bench_host.h"
+#include "app/cli/command/truth_bench.h"
 #include "app/cli/options/bench_options.h"
 #include "app/cli/report/contact_sheet.h"
 #include "app/session/interrupt.h"
@@ -37,17 +38,6 @@ std::string processorName() {
     if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
   }
   return "unknown";
-}
-
-/// A folder that can be written into, before minutes of work.
-void requireFolder(const std::string& folder) {
-  std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
-    throw InputError("-o " + folder + ": this is a file; -o names a folder");
-  }
-  fs::create_directories(folder, error);
-  if (error) throw InputError("-o " + folder + ": cannot create this folder: " + error.message());
-  requireWritable("-o", folder + "/bench.json");
 }
 
 void printSummary(const BenchResult& result, const std::string& folder) {
@@ -131,7 +121,7 @@ void runBench(const BenchOptions& options) {
   const FrameSize timed = timedFrameSize(options);
   VtkBenchHost host({"boxprobe bench", timed.width, timed.height, 1, options.report.quiet}, loaded.models,
                     loadSkyImage(loaded.scene), [] {});
-  requireFolder(options.folder);
+  requireBenchFolder(options.folder, "bench.json");
   Contacts contacts(plan);
   BenchResult result = [&] {
     ProgressLine line("measuring", !options.report.quiet);
@@ -178,7 +168,7 @@ Subcommand addBenchCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("bench", "Measure every technique's run time and error");
   const auto options = std::make_shared<BenchOptions>();
   addBenchOptions(*command, *options);
-  return {command, [options] { runBench(*options); }};
+  return {command, [options] { options->truthPath.empty() ? runBench(*options) : runTruthBench(*options); }};
 }
 
 }  // namespace boxprobe

@@ -2,15 +2,38 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <sstream>
 
+#include "app/session/output_check.h"
 #include "filters/core/base/errors.h"
 
 namespace boxprobe {
 
 namespace {
 
-std::vector<double> parsedRoughnesses(const std::string& list) {
+std::vector<Camera> chosenCameras(const BenchOptions& options, const Scene& scene) {
+  std::vector<Camera> cameras;
+  for (const std::string& name : listedNames(options.cameras)) cameras.push_back(chooseCamera(scene, name));
+  if (!cameras.empty()) return cameras;
+  const Camera first = chooseCamera(scene, "");
+  cameras.push_back(first);
+  for (const Camera& camera : scene.cameras) {
+    if (!options.quick && !(camera == first)) cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+}  // namespace
+
+std::vector<std::string> listedNames(const std::string& list) {
+  std::vector<std::string> names;
+  std::istringstream stream(list);
+  for (std::string name; std::getline(stream, name, ',');) names.push_back(name);
+  return names;
+}
+
+std::vector<double> chosenRoughnesses(const std::string& list) {
   std::vector<double> values;
   std::istringstream stream(list);
   for (std::string word; std::getline(stream, word, ',');) {
@@ -25,20 +48,16 @@ std::vector<double> parsedRoughnesses(const std::string& list) {
   return values;
 }
 
-std::vector<Camera> chosenCameras(const BenchOptions& options, const Scene& scene) {
-  std::vector<Camera> cameras;
-  std::istringstream stream(options.cameras);
-  for (std::string name; std::getline(stream, name, ',');) cameras.push_back(chooseCamera(scene, name));
-  if (!cameras.empty()) return cameras;
-  const Camera first = chooseCamera(scene, "");
-  cameras.push_back(first);
-  for (const Camera& camera : scene.cameras) {
-    if (!options.quick && !(camera == first)) cameras.push_back(camera);
+void requireBenchFolder(const std::string& folder, const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+    throw InputError("-o " + folder + ": this is a file; -o names a folder");
   }
-  return cameras;
+  fs::create_directories(folder, error);
+  if (error) throw InputError("-o " + folder + ": cannot create this folder: " + error.message());
+  requireWritable("-o", folder + "/" + file);
 }
-
-}  // namespace
 
 void addBenchOptions(CLI::App& command, BenchOptions& options) {
   command.add_option(
@@ -66,6 +85,10 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
       .add_option("--rooms", options.rooms,
                   "Number of random rooms judged beside the scene (default 192, with --quick 8; 0: none)")
       ->check(CLI::Range(0, 1000));
+  // A flag that may have a value: --truth=FILE.
+  command.add_flag("--truth{" BOXPROBE_TRUTH_FILE "}", options.truthPath,
+                   "Compare references and techniques with pictures of an independent path tracer instead; writes "
+                   "truth.json (--truth=FILE: another file of such pictures)");
   command.add_option("--seed", options.seed, "Seed of the references' rays")->capture_default_str();
   command.add_option("--set", options.assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
@@ -75,7 +98,8 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
       "Measures every technique at every roughness through every camera against two references: the integral over\nthe "
       "probe's box and the ray-traced scene. Takes some minutes; Ctrl-C keeps partial results as "
       "bench.json.partial.\nExamples:\n  boxprobe bench -o out/bench\n  boxprobe bench "
-      "data/scenes/building.boxprobe.json -o out/building --techniques box,hdrp,footprint4 --quick");
+      "data/scenes/building.boxprobe.json -o out/building --techniques box,hdrp,footprint4 --quick\n  boxprobe bench "
+      "--truth --techniques footprint8 -o out/truth");
 }
 
 FrameSize timedFrameSize(const BenchOptions& options) {
@@ -87,8 +111,8 @@ BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
   plan.techniques = chooseBenchTechniques(options.techniques);
   plan.cameras = chosenCameras(options, scene);
   plan.roughnesses = options.roughnesses.empty()
-                         ? parsedRoughnesses(options.quick ? "0.1,0.5,1" : "0,0.1,0.25,0.5,0.75,1")
-                         : parsedRoughnesses(options.roughnesses);
+                         ? chosenRoughnesses(options.quick ? "0.1,0.5,1" : "0,0.1,0.25,0.5,0.75,1")
+                         : chosenRoughnesses(options.roughnesses);
   if (plan.roughnesses.empty()) throw InputError("--roughness: contains no number");
   const FrameSize size = !options.size.empty() ? parseFrameSize(options.size)
                          : options.quick       ? FrameSize{160, 90}

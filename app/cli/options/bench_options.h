@@ -19,12 +19,20 @@ struct BenchOptions {
   std::string cameras;
   std::string size;
   std::optional<int> rooms;  ///< of the study; none: as the plan has it
+  std::string truthPath;     ///< of the truth pictures' file; empty: a benchmark without them
   std::uint64_t seed = 1;
   std::vector<std::string> assignments;
   ReportOptions report;
 };
 
 void addBenchOptions(CLI::App& command, BenchOptions& options);
+
+/// "low,steep" as two names. Empty: none.
+std::vector<std::string> listedNames(const std::string& list);
+/// Sorted, each once; none of an empty list. Throws InputError for what is no roughness.
+std::vector<double> chosenRoughnesses(const std::string& list);
+/// Makes the folder of -o where it is missing. Throws InputError unless `file` can be written into it.
+void requireBenchFolder(const std::string& folder, const std::string& file);
 
 /// Width and height of the frames that are timed.
 FrameSize timedFrameSize(const BenchOptions& options);

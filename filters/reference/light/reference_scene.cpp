@@ -1,10 +1,9 @@
 #include "filters/reference/light/reference_scene.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
 #include "filters/reference/light/reflecting_layers.h"
+#include "filters/reference/trace/picture_rays.h"
 #include "filters/reference/trace/refraction_tracer.h"
 #include "filters/reference/trace/shadow_light.h"
 #include "filters/reference/trace/visible_normal_lobe.h"
@@ -12,34 +11,6 @@
 namespace boxprobe {
 
 namespace {
-
-/// Rays through a picture as vtkCamera projects it: the field of view is the vertical one, pixels are square; in
-/// parallel projection all rays are, and each starts at its own place beside the camera's.
-class PictureRays {
- public:
-  PictureRays(const Camera& camera, int width, int height)
-      : width_(width), height_(height), eye_(camera.position), parallel_(camera.parallelHeight > 0.0) {
-    forward_ = glm::normalize(camera.target - camera.position);
-    const double half =
-        parallel_ ? 0.5 * camera.parallelHeight : std::tan(0.5 * glm::radians(camera.verticalFovDegrees));
-    const glm::dvec3 right = glm::normalize(glm::cross(forward_, camera.up));
-    right_ = right * (half * width / height);
-    up_ = glm::cross(right, forward_) * half;
-  }
-  /// Pixels from the top left.
-  glm::dvec3 origin(double x, double y) const { return parallel_ ? eye_ + beside(x, y) : eye_; }
-  /// Not unit.
-  glm::dvec3 direction(double x, double y) const { return parallel_ ? forward_ : forward_ + beside(x, y); }
-
- private:
-  glm::dvec3 beside(double x, double y) const {
-    return (2.0 * x / width_ - 1.0) * right_ + (1.0 - 2.0 * y / height_) * up_;
-  }
-  int width_, height_;
-  glm::dvec3 eye_;
-  bool parallel_;
-  glm::dvec3 forward_, right_, up_;
-};
 
 bool mirrorsOnly(const std::vector<ReflectingLayer>& layers, const SurfacePoint& s) {
   for (const ReflectingLayer& layer : layers) {

@@ -1,0 +1,75 @@
+#include "app/session/truth_stage.h"
+
+#include <utility>
+
+#include "app/session/offscreen_scene.h"
+#include "app/session/reference_box_picture.h"
+#include "filters/core/base/errors.h"
+#include "filters/reference/bench/bench_surfaces.h"
+
+namespace boxprobe {
+
+TruthStage::TruthStage(const TruthIndex& index, const std::string& scene, OffscreenScene& shown,
+                       ReferenceProgress progress)
+    : index_(index),
+      loaded_(loadScene(index.scenePath(scene))),
+      sky_(loadSkyImage(loaded_.scene)),
+      shown_(shown),
+      progress_(std::move(progress)) {
+  if (!index.isBox(scene)) return;
+  maps_ = captured(1);
+  fineMaps_ = captured(2);
+}
+
+void TruthStage::setFloor(const TruthPicture& picture) {
+  scene_ = withTruthFloor(loaded_.scene, picture);
+  models_ = withTruthFloor(loaded_.models, picture);
+  reference_ = std::make_unique<ReferenceScene>(scene_, models_, sky_);
+}
+
+const Camera& TruthStage::camera(const std::string& name) const {
+  for (const Camera& c : loaded_.scene.cameras) {
+    if (c.name == name) return c;
+  }
+  throw InputError(loaded_.path + ": has no camera " + name + ", which the truth pictures were made with");
+}
+
+TruthRow TruthStage::sceneRow(const TruthPicture& picture, int rays) const {
+  const Camera& from = camera(picture.camera);
+  const ReferencePicture traced = traceTruth(*reference_, index_, picture, from, rays, progress_);
+  return compareWithTruth(index_, picture, from, "reference-scene", traced.color,
+                          noiseOnFloor(traced, loadTruthPicture(index_, picture)));
+}
+
+TruthRow TruthStage::boxRow(const TruthPicture& picture, int rays) const {
+  const Camera& from = camera(picture.camera);
+  const auto integrated = [&](const ReferenceBoxMaps& maps) {
+    return integrateTruth(*reference_, loaded_.scene.probes.at(0), maps, index_, picture, from, rays, progress_);
+  };
+  const ReferencePicture made = integrated(maps_), finer = integrated(fineMaps_);
+  const ImageRgbaF truth = loadTruthPicture(index_, picture);
+  TruthRow row = compareWithTruth(index_, picture, from, "reference-box", made.color, noiseOnFloor(made, truth));
+  row.texelCost = texelCost(made, finer, truth);
+  return row;
+}
+
+TruthRow TruthStage::techniqueRow(const TruthPicture& picture, const BenchTechnique& technique) {
+  const Camera& from = camera(picture.camera);
+  shown_.show(withTechnique(scene_, technique), models_, {from});
+  shown_.capture();
+  const ImageRgbaF fine =
+      shown_.renderer().renderLinear(kTruthFineness * index_.width, kTruthFineness * index_.height, 4);
+  shown_.requireHealthy();
+  return compareWithTruth(index_, picture, from, technique.label(), boxAveraged(fine, kTruthFineness), 0.0);
+}
+
+ReferenceBoxMaps TruthStage::captured(int fineness) {
+  Scene scene = loaded_.scene;
+  for (Probe& probe : scene.probes) probe.faceSize *= fineness;
+  shown_.show(scene, loaded_.models);
+  shown_.capture();
+  shown_.requireHealthy();
+  return boxMaps(shown_.renderer(), scene);
+}
+
+}  // namespace boxprobe

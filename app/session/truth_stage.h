@@ -1,0 +1,49 @@
+// One scene of the truth pictures as the program has it: its references and techniques at the truth pictures' size.
+// Called by `bench --truth` and by tests.
+#pragma once
+
+#include <memory>
+
+#include "app/session/load_scene.h"
+#include "filters/reference/study/bench_technique.h"
+#include "filters/reference/truth/truth_comparison.h"
+#include "filters/reference/truth/truth_trace.h"
+
+namespace boxprobe {
+
+class OffscreenScene;
+
+class TruthStage {
+ public:
+  /// `index` and `shown` must outlive this. Captures the probe twice where the scene is its box. `progress` is asked
+  /// whether to go on; rows made after it said no are unfinished. Throws as loadScene() does.
+  TruthStage(const TruthIndex& index, const std::string& scene, OffscreenScene& shown, ReferenceProgress progress = {});
+
+  /// Of the picture and of all those after it.
+  void setFloor(const TruthPicture& picture);
+
+  /// `rays` per pixel. Of the floor that was set.
+  TruthRow sceneRow(const TruthPicture& picture, int rays) const;
+  /// Of a scene that is its box alone.
+  TruthRow boxRow(const TruthPicture& picture, int rays) const;
+  TruthRow techniqueRow(const TruthPicture& picture, const BenchTechnique& technique);
+
+  const ReferenceScene& reference() const { return *reference_; }
+  /// Throws InputError if the scene has none of that name.
+  const Camera& camera(const std::string& name) const;
+
+ private:
+  ReferenceBoxMaps captured(int fineness);
+
+  const TruthIndex& index_;
+  LoadedScene loaded_;
+  std::shared_ptr<const ImageRgbaF> sky_;
+  OffscreenScene& shown_;
+  ReferenceProgress progress_;
+  Scene scene_;
+  std::vector<std::shared_ptr<const Model>> models_;
+  std::unique_ptr<ReferenceScene> reference_;
+  ReferenceBoxMaps maps_, fineMaps_;  ///< as captured, and by faces of twice the size
+};
+
+}  // namespace boxprobe

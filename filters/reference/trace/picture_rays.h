@@ -1,0 +1,30 @@
+// Rays through a picture as vtkCamera projects it: the field of view is the vertical one, pixels are square; in
+// parallel projection all rays have one direction, and each starts at its own place beside the camera's. Called by what
+// renders or judges a reference; knows no scene.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "filters/core/scene/scene.h"
+
+namespace boxprobe {
+
+class PictureRays {
+ public:
+  PictureRays(const Camera& camera, int width, int height);
+  /// Pixels from the top left.
+  glm::dvec3 origin(double x, double y) const { return parallel_ ? eye_ + beside(x, y) : eye_; }
+  /// Not unit.
+  glm::dvec3 direction(double x, double y) const { return parallel_ ? forward_ : forward_ + beside(x, y); }
+
+ private:
+  glm::dvec3 beside(double x, double y) const {
+    return (2.0 * x / width_ - 1.0) * right_ + (1.0 - 2.0 * y / height_) * up_;
+  }
+  int width_, height_;
+  glm::dvec3 eye_;
+  bool parallel_;
+  glm::dvec3 forward_, right_, up_;
+};
+
+}  // namespace boxprobe
