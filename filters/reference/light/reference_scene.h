@@ -6,7 +6,8 @@
 //   for those that ask for them, which have a traced area light's (shadow_light.h) - the sky's diffuse light even
 //   indoors, though not where a probe is open to the sky. A technique's picture has its probes' diffuse light there, so
 //   errors are to be measured on metals, or on the reflection alone.
-// - Reflections: GGX over visible normals, distribution, height-correlated masking and Fresnel's term evaluated for each
+// - Reflections: GGX over visible normals, distribution, height-correlated masking and Fresnel's term evaluated for
+// each
 //   ray; no table and no mean weight stands between. What a reflection ray hits shows what the first capture shows: a
 //   mirror in a mirror is black.
 // - Reflection rays see what the probes see, or, on request, what the picture shows. What the probes see
