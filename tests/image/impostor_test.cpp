@@ -12,6 +12,7 @@
 #include <map>
 
 #include "filters/io/gltf/model_file.h"
+#include "filters/math/sampling/brdf_table.h"
 #include "filters/math/technique/technique_table.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/light/reflecting_layers.h"

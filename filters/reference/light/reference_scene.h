@@ -22,6 +22,8 @@
 
 #include "filters/reference/light/capture_light.h"
 #include "filters/reference/light/progressive_picture.h"
+#include "filters/reference/light/reflecting_layers.h"
+#include "filters/reference/trace/lamp_triangles.h"
 #include "filters/reference/trace/scene_tracer.h"
 
 namespace boxprobe {
@@ -55,9 +57,13 @@ class ReferenceScene {
                           const ReferenceProgress& progress = {}) const;
 
  private:
+  glm::dvec3 sent(const TracedHit& hit, const glm::dvec3& originWorld, RaySees sees) const;
+  glm::dvec3 reflected(const ReflectingLayer& layer, const glm::dvec3& view, const glm::dvec3& away, RaySees sees,
+                       int rays, std::uint64_t seed) const;
   std::vector<glm::vec3> throughTo(const TracedHit& hit, RaySees sees, int side) const;
 
   SceneTracer tracer_;
+  LampTriangles lamps_;
   CaptureLight light_;
 };
 
