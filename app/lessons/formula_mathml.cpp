@@ -21,8 +21,8 @@ const std::map<std::string, std::string>& operators() {
 
 const std::map<std::string, std::string>& letters() {
   static const std::map<std::string, std::string> table = {
-      {"alpha", "\u03b1"}, {"beta", "\u03b2"},   {"theta", "\u03b8"}, {"omega", "\u03c9"},
-      {"pi", "\u03c0"},    {"lambda", "\u03bb"}, {"eta", "\u03b7"},   {"sigma", "\u03c3"}};
+      {"alpha", "\u03b1"},  {"beta", "\u03b2"},   {"theta", "\u03b8"}, {"omega", "\u03c9"}, {"pi", "\u03c0"},
+      {"lambda", "\u03bb"}, {"Lambda", "\u039b"}, {"eta", "\u03b7"},   {"sigma", "\u03c3"}};
   return table;
 }
 

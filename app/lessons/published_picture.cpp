@@ -1,5 +1,6 @@
 // See published_picture.h. The forms are those of shaders/published, which say where each is from, and one more:
 //   behind   a box's planes selected with step(0, R) into mix(max, min): those behind the ray
+//   masking  not a lookup: the split sum made with the masking that is most often printed
 #include "app/lessons/published_picture.h"
 
 #include <algorithm>
@@ -43,10 +44,17 @@ glm::vec3 lookupBy(const std::string& form, const Explanation& e, const ProbeExp
   return shading::publishedBoxWorld(shape, origin, glm::vec3(e.surface.positionWorld), probe.reflectionProbe).direction;
 }
 
+// What the reflection would be times, were the split sum made with the printed masking.
+glm::vec3 byPublishedMasking(const Explanation& e) {
+  const glm::vec2 printed = shading::publishedSplitSum(e.nDotV, e.surface.roughness);
+  const glm::vec3 ours = e.f0 * e.brdf.x + e.brdf.y;
+  return (e.f0 * printed.x + printed.y) / glm::max(ours, glm::vec3(1.0e-6f));
+}
+
 }  // namespace
 
 bool isPublishedForm(const std::string& id) {
-  return id == "behind" || id == "select" || id == "world" || id == "rounded";
+  return id == "behind" || id == "select" || id == "world" || id == "rounded" || id == "masking";
 }
 
 PublishedPicture::PublishedPicture(SceneRenderer& renderer, const Scene& scene, std::string form, int width, int height)
@@ -67,8 +75,9 @@ bool PublishedPicture::draw(int rows) {
   for (std::size_t i = 0; i < explanations.size(); ++i) {
     const Explanation& e = explanations[i];
     glm::vec3 color = e.rendered.value_or(e.color);
+    if (form_ == "masking" && e.hit) color += e.specular * (byPublishedMasking(e) - 1.0f);
     const ProbeExplanation* probe =
-        e.hit && e.dominant >= 0 ? &e.probes[static_cast<std::size_t>(e.dominant)] : nullptr;
+        e.hit && e.dominant >= 0 && form_ != "masking" ? &e.probes[static_cast<std::size_t>(e.dominant)] : nullptr;
     const auto maps = probe != nullptr && !probe->lookups.empty() ? renderer_.mapsOnCpu(probe->name) : nullptr;
     if (maps) {
       ++reflecting_;

@@ -14,7 +14,7 @@ namespace boxprobe {
 
 class SceneRenderer;
 
-/// "behind", "select", "world", "rounded"; see published_picture.cpp.
+/// "behind", "select", "world", "rounded", "masking"; see published_picture.cpp.
 bool isPublishedForm(const std::string& id);
 
 /// A row at a time, so that a window can go on in between. The renderer's camera and maps must not change meanwhile.

@@ -86,8 +86,7 @@ void lightByProbes(Explanation& e, const ExplainInput& in, const glm::vec3& edge
                             : gatherLight(in, s.normalWorld, s.roughness, shading::meanFresnel(e.f0, edge, e.nDotV));
   e.specularFactor = s.occlusion * (e.f0 * e.brdf.x + edge * e.brdf.y) * baseFactor(e, in);
   e.specular = light.specular * e.specularFactor;
-  e.diffuse =
-      s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo * throughCoat(s);
+  e.diffuse = s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo * throughCoat(s);
   if (through) addGlass(e, in, *through, light.specular, edge);
   e.probes = std::move(light.probes);
   e.skyWeight = light.skyWeight;

@@ -96,9 +96,9 @@ struct Explanation {
   glm::vec2 brdf{0.0f};    ///< split-sum factors of F0 and F90
   glm::vec3 direct{0.0f};  ///< light sources, both lobes
   glm::vec3 emissive{0.0f};
-  glm::vec3 diffuse{0.0f};                ///< of probes and sky, with albedo
-  glm::vec3 specularFactor{0.0f};         ///< of what probes and sky send: split sum, occlusion, what the coat lets through
-  glm::vec3 specular{0.0f};               ///< of probes and sky, with that factor
+  glm::vec3 diffuse{0.0f};         ///< of probes and sky, with albedo
+  glm::vec3 specularFactor{0.0f};  ///< of what probes and sky send: split sum, occlusion, what the coat lets through
+  glm::vec3 specular{0.0f};        ///< of probes and sky, with that factor
   std::optional<GlassExplanation> glass;  ///< of a material that transmits light; its light is part of `color`
   glm::vec3 coat{0.0f};                   ///< what a clear coat adds; 0 without one
   int lookupCount = 0;                    ///< fetches from cubemaps in all, coat and sky included

@@ -12,6 +12,7 @@
 #include <map>
 
 #include "filters/io/gltf/model_file.h"
+#include "filters/math/sampling/brdf_table.h"
 #include "filters/math/technique/technique_table.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/light/reflecting_layers.h"
@@ -73,7 +74,8 @@ std::vector<Sample> samplesOf(const ReferenceScene& reference, const Camera& cam
       if (layers.empty()) continue;
       sample.pixel = static_cast<std::size_t>(y / kSide * kWidth + x / kSide);
       sample.layer = layers.front();
-      const glm::vec2 split = splitSum(glm::dot(sample.surface.normalWorld, sample.surface.viewWorld), sample.surface.roughness);
+      const glm::vec2 split =
+          splitSum(glm::dot(sample.surface.normalWorld, sample.surface.viewWorld), sample.surface.roughness);
       sample.factor = glm::dvec3(sample.layer.fresnel.f0 * split.x + sample.layer.fresnel.f90 * split.y);
       sample.other = glm::dvec3(reference.light().unreflected(sample.surface, false));
       samples.push_back(sample);

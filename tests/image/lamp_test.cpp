@@ -119,8 +119,9 @@ TEST_P(Lamp, ShinesAsItsCaptureDoes) {
   keepPicture(byLamp, "lamp_light");
   ASSERT_GT(expected.r, 0.0);
 
-  for (const Case& c : {Case{"raytraced", {{"samples", 64.0}, {"filtered", true}, {"pattern", std::string("deterministic")}}},
-                        Case{"footprint8", {}}}) {
+  for (const Case& c :
+       {Case{"raytraced", {{"samples", 64.0}, {"filtered", true}, {"pattern", std::string("deterministic")}}},
+        Case{"footprint8", {}}}) {
     picture.scene = scene;
     picture.scene.probes[0].technique = c.technique;
     picture.scene.probes[0].parameters = c.parameters;
@@ -128,8 +129,8 @@ TEST_P(Lamp, ShinesAsItsCaptureDoes) {
     const ImageRgbaF byProbe = picture.linear(4);
     keepPicture(byProbe, std::string("lamp_") + c.technique);
     const glm::dvec3 found = light(byProbe);
-    std::printf("  roughness %.2f, %-10s light %.4f %.4f %.4f of the lamp's\n", static_cast<double>(roughness), c.technique,
-                found.r / expected.r, found.g / expected.g, found.b / expected.b);
+    std::printf("  roughness %.2f, %-10s light %.4f %.4f %.4f of the lamp's\n", static_cast<double>(roughness),
+                c.technique, found.r / expected.r, found.g / expected.g, found.b / expected.b);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k] / expected[k], 1.0, 0.02) << c.technique;
   }
 }

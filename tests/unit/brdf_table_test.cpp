@@ -1,5 +1,5 @@
-// The split-sum table against integrals that know nothing of how it was made: over half vectors in the textbook forms of
-// the terms, and a path tracer's.
+// The split-sum table against integrals that know nothing of how it was made: over half vectors in the textbook forms
+// of the terms, and a path tracer's.
 #include "filters/math/sampling/brdf_table.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Walter et al. 2007, equation 33, and height-correlated Smith masking (Heitz 2014, equation 99), summed over half vectors
-// in angles that are dense where the distribution is high.
+// Walter et al. 2007, equation 33, and height-correlated Smith masking (Heitz 2014, equation 99), summed over half
+// vectors in angles that are dense where the distribution is high.
 glm::dvec2 textbookAlbedo(double cosine, double roughness, int steps) {
   const double alpha = roughness * roughness, a2 = alpha * alpha;
   const glm::dvec3 v(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
@@ -88,8 +88,8 @@ TEST(BrdfTable, IsOffByLittleBetweenItsTexels) {
     squares += off * off;
     if (cosine > 0.01 && roughness > 0.08) usual = std::max(usual, off);
   }
-  std::printf("  %d places: off by at most %.4f, from N.V .01 and roughness .08 on %.4f, root mean square %.5f\n", kPlaces,
-              worst, usual, std::sqrt(squares / kPlaces));
+  std::printf("  %d places: off by at most %.4f, from N.V .01 and roughness .08 on %.4f, root mean square %.5f\n",
+              kPlaces, worst, usual, std::sqrt(squares / kPlaces));
   EXPECT_LT(worst, 0.01);
   EXPECT_LT(usual, 0.001);
 }

@@ -1,5 +1,5 @@
-// The terms and their clamps are vtkPBRFunctions.glsl's of VTK 9.1.0 with what filters/vtk/surface/vtk_pbr_splice.cpp mends
-// in them, the masking term and a guard against 0/0: this must give what is on the screen.
+// The terms and their clamps are vtkPBRFunctions.glsl's of VTK 9.1.0 with what filters/vtk/surface/vtk_pbr_splice.cpp
+// mends in them, the masking term and a guard against 0/0: this must give what is on the screen.
 #include "filters/core/surface/direct_light.h"
 
 #include <algorithm>

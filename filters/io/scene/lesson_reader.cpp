@@ -217,8 +217,8 @@ LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std:
       step.camera = readStepCamera(*camera, folder);
   }
   if (const auto published = entry.find("published")) {
-    const char* const forms[] = {"behind", "select", "world", "rounded"};
-    step.published = forms[published->choice({"behind", "select", "world", "rounded"})];
+    const char* const forms[] = {"behind", "select", "world", "rounded", "masking"};
+    step.published = forms[published->choice({"behind", "select", "world", "rounded", "masking"})];
   }
   if (const auto reflections = entry.find("reflections")) step.reflections = reflections->boolean();
   if (const auto boxes = entry.find("boxes")) step.boxes = boxes->boolean();

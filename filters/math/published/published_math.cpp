@@ -1,6 +1,8 @@
 // See published_math.h. The only translation unit that compiles shaders/published.
 #include "filters/math/published/published_math.h"
 
+#include <cmath>
+
 #include "filters/math/shared/glsl_built_ins.h"
 
 namespace boxprobe::shading {
@@ -14,5 +16,18 @@ namespace boxprobe::shading {
 #include "shaders/published/ggx.glsl"
 #include "shaders/published/rounded_box.glsl"  // as well
 #include "shaders/published/sphere.glsl"
+#include "shaders/published/split_sum.glsl"
+
+vec2 publishedSplitSum(float cosine, float roughness) {
+  constexpr int kSamples = 256;
+  vec2 sum(0.0f);
+  for (int i = 0; i < kSamples; ++i) {
+    // A golden-ratio lattice: even in both dimensions.
+    const double turn = (i + 0.5) * 0.6180339887498949;
+    const vec2 u(static_cast<float>(turn - std::floor(turn)), (static_cast<float>(i) + 0.5f) / kSamples);
+    sum += publishedSplitSumSample(ggxHalfVector(u, roughness * roughness), cosine, roughness * roughness);
+  }
+  return sum / static_cast<float>(kSamples);
+}
 
 }  // namespace boxprobe::shading

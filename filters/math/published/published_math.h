@@ -15,6 +15,8 @@ float publishedDistanceRoughness(float hitDistance, vec3 lookup, float roughness
 float publishedFootprintScale(ProbeShape probe, ProbeHit hit, vec3 direction);
 float publishedDistribution(float nh, float alpha);
 float publishedMasking(float nv, float alpha);
+/// Factors of F0 and F90 by the masking that is most often printed; 256 samples.
+vec2 publishedSplitSum(float cosine, float roughness);
 float publishedInfluence(vec3 position, vec3 influenceMin, vec3 influenceMax, float blendDistance);
 
 }  // namespace boxprobe::shading

@@ -47,8 +47,8 @@ glm::dvec2 integrateBrdf(double cosine, double roughness, int points) {
   const auto root = [a2](double x) { return std::sqrt(a2 + (1.0 - a2) * x * x); };
   const double viewRoot = root(c);
   // Half vectors by s: tan² of the angle to the normal is alpha² u / (1 - u), u their share within that angle, 1 - u =
-  // (1 - s)². Mirrored in half vectors from the first angle on some directions lie below the surface, from the second on
-  // all do.
+  // (1 - s)². Mirrored in half vectors from the first angle on some directions lie below the surface, from the second
+  // on all do.
   const auto place = [alpha](double angle) {
     const double t = std::tan(angle) / alpha;
     return 1.0 - 1.0 / std::sqrt(1.0 + t * t);

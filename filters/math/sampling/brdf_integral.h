@@ -7,8 +7,8 @@
 namespace boxprobe {
 
 /// Albedos of single-scatter GGX with height-correlated Smith masking (Heitz 2014, equation 99), seen at `cosine` =
-/// N.V in (0, 1], perceptual `roughness` in [0, 1]: x scales F0, y scales F90 of Schlick's Fresnel. Gauss-Legendre over half
-/// vectors, `points` each way, between the angles where the integrand has kinks; 32 leave less than 2e-5.
+/// N.V in (0, 1], perceptual `roughness` in [0, 1]: x scales F0, y scales F90 of Schlick's Fresnel. Gauss-Legendre over
+/// half vectors, `points` each way, between the angles where the integrand has kinks; 32 leave less than 2e-5.
 glm::dvec2 integrateBrdf(double cosine, double roughness, int points = 32);
 
 }  // namespace boxprobe

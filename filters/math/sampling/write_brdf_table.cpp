@@ -16,8 +16,10 @@ int main(int argc, char** argv) {
     for (int column = 0; column <= kLast; ++column) {
       // The root of N.V is even across (splitSumPlace). At the edge itself the limit is taken from just beside it.
       const double across = static_cast<double>(column) / kLast;
-      const glm::dvec2 e = boxprobe::integrateBrdf(std::fmax(across * across, 1.0e-6), static_cast<double>(row) / kLast);
-      std::fprintf(file, "%ld,%ld,%s", std::lround(65535.0 * e.x), std::lround(65535.0 * e.y), column % 8 == 7 ? "\n" : "");
+      const glm::dvec2 e =
+          boxprobe::integrateBrdf(std::fmax(across * across, 1.0e-6), static_cast<double>(row) / kLast);
+      std::fprintf(file, "%ld,%ld,%s", std::lround(65535.0 * e.x), std::lround(65535.0 * e.y),
+                   column % 8 == 7 ? "\n" : "");
     }
   }
   return std::fclose(file) == 0 ? 0 : 1;

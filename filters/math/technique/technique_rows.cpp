@@ -100,9 +100,9 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/sh.glsl"
 #include "shaders/shared/sky.glsl"
 #include "shaders/shared/slab.glsl"
-#include "shaders/shared/split_sum.glsl"  // after fresnel.glsl, which it uses
 #include "shaders/shared/source_level.glsl"
-#include "shaders/shared/true_hit.glsl"  // after cube.glsl and slab.glsl, which it uses
+#include "shaders/shared/split_sum.glsl"  // after fresnel.glsl, which it uses
+#include "shaders/shared/true_hit.glsl"   // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
 #include "shaders/shared/footprint.glsl"       // after roughness.glsl and lobe_frame.glsl, which it uses

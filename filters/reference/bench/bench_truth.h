@@ -29,8 +29,8 @@ struct TruthColors {
 };
 
 /// Against the probe's box.
-TruthColors boxTruth(const std::vector<BenchPixel>& pixels, const ReferenceBoxMaps& maps,
-                     const TruthSettings& settings, const ReferenceProgress& progress);
+TruthColors boxTruth(const std::vector<BenchPixel>& pixels, const ReferenceBoxMaps& maps, const TruthSettings& settings,
+                     const ReferenceProgress& progress);
 
 /// Against the traced scene: what it differs in from `box`, sampled, on top of that (a control variate), since where
 /// the room is the box next to nothing is left to sample. Pixels the tracer does not find keep the box's colour.

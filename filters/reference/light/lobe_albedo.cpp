@@ -43,8 +43,7 @@ glm::dvec2 lobeAlbedo(double nDotV, double roughness) {
   const auto at = [&](int column, int row) {
     return grid[static_cast<std::size_t>(row) * (kCells + 1) + static_cast<std::size_t>(column)];
   };
-  return (1.0 - b) * ((1.0 - a) * at(i, j) + a * at(i + 1, j)) +
-         b * ((1.0 - a) * at(i, j + 1) + a * at(i + 1, j + 1));
+  return (1.0 - b) * ((1.0 - a) * at(i, j) + a * at(i + 1, j)) + b * ((1.0 - a) * at(i, j + 1) + a * at(i + 1, j + 1));
 }
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// The world as box projection has it, integrated: what a lobe reflects of what the probe's own unfiltered capture shows where
-// its rays meet the box, in double precision. What is left of a technique's error against this is the technique's
+// The world as box projection has it, integrated: what a lobe reflects of what the probe's own unfiltered capture shows
+// where its rays meet the box, in double precision. What is left of a technique's error against this is the technique's
 // alone: neither the box's nor the capture's. Called by the command line, the benchmark and tests, with points that say
 // what the surface is and which probes light it; knows no GL.
 #pragma once

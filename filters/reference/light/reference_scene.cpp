@@ -27,7 +27,7 @@ int positionsPerSide(int samplesPerPixel) {
 
 ReferenceScene::ReferenceScene(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
                                std::shared_ptr<const ImageRgbaF> skyImage)
-    : tracer_(makeTriangleScene(scene, models)), light_(scene, std::move(skyImage)) {}
+    : tracer_(makeTriangleScene(scene, models)), lamps_(tracer_.scene()), light_(scene, std::move(skyImage)) {}
 
 // How much of each light arrives; empty if none asks for shadows.
 std::vector<glm::vec3> ReferenceScene::throughTo(const TracedHit& hit, RaySees sees, int side) const {
@@ -43,13 +43,17 @@ std::vector<glm::vec3> ReferenceScene::throughTo(const TracedHit& hit, RaySees s
 
 glm::dvec3 ReferenceScene::seenFrom(const glm::dvec3& origin, const glm::dvec3& direction, RaySees sees) const {
   const auto hit = tracer_.firstHit(origin, direction, sees);
-  if (!hit) return glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+  return hit ? sent(*hit, origin, sees) : glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+}
+
+// What a hit sends back to where its ray started.
+glm::dvec3 ReferenceScene::sent(const TracedHit& hit, const glm::dvec3& origin, RaySees sees) const {
   // Highlights and other gloss move with the eye; a probe has them as they are from its origin.
   const glm::dvec3 eye = sees == RaySees::Probes ? light_.capturedFrom(origin).value_or(origin) : origin;
   // What is reflected is a mean of many: few rays to a light do.
   constexpr int kShadowSide = 2;
-  const std::vector<glm::vec3> through = throughTo(*hit, sees, kShadowSide);
-  return glm::dvec3(light_.captured(tracer_.surface(*hit, eye), tracer_.object(*hit).material.unlit,
+  const std::vector<glm::vec3> through = throughTo(hit, sees, kShadowSide);
+  return glm::dvec3(light_.captured(tracer_.surface(hit, eye), tracer_.object(hit).material.unlit,
                                     through.empty() ? nullptr : &through));
 }
 
@@ -57,14 +61,45 @@ glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm:
                                          std::uint64_t seed) const {
   glm::dvec3 sum(0.0);
   for (const ReflectingLayer& layer : reflectingLayers(surface, light_.energy())) {
-    const VisibleNormalLobe lobe(layer.normalWorld, glm::normalize(glm::dvec3(surface.viewWorld)),
-                                 layer.roughness * layer.roughness);
-    sum += lobeReflected(
-        lobe, rays, seed, [&](double hDotV) { return layer.reflectance(hDotV); },
-        [&](const glm::dvec3& direction) { return seenFrom(away, direction, sees); });
+    sum += reflected(layer, glm::normalize(glm::dvec3(surface.viewWorld)), away, sees, rays, seed);
     seed = stirred(seed);
   }
   return sum;
+}
+
+// Half of the rays go by the lobe and half towards what shines; what both can meet counts by how likely both together
+// were to draw it (the balance heuristic, Veach and Guibas 1995).
+glm::dvec3 ReferenceScene::reflected(const ReflectingLayer& layer, const glm::dvec3& view, const glm::dvec3& away,
+                                     RaySees sees, int rays, std::uint64_t seed) const {
+  const VisibleNormalLobe lobe(layer.normalWorld, view, layer.roughness * layer.roughness);
+  const auto reflectance = [&](double hDotV) { return layer.reflectance(hDotV); };
+  if (lamps_.empty() || lobe.mirror() || rays < 2) {
+    return lobeReflected(lobe, rays, seed, reflectance,
+                         [&](const glm::dvec3& direction) { return seenFrom(away, direction, sees); });
+  }
+  const int towards = rays / 2, byLobe = rays - towards;
+  const auto ofLamp = [&](const TracedHit& hit, const VisibleNormalLobe::Density& of) {
+    const double density = byLobe * of.density + towards * lamps_.density(hit);
+    return density > 0.0 ? of.weight * of.density / density * layer.reflectance(of.hDotV) * sent(hit, away, sees)
+                         : glm::dvec3(0.0);
+  };
+  glm::dvec3 lamps(0.0);
+  const glm::dvec3 rest = lobeReflected(lobe, byLobe, seed, reflectance, [&](const glm::dvec3& direction) {
+    const auto hit = tracer_.firstHit(away, direction, sees);
+    if (!hit) return glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+    if (!lamps_.shines(*hit)) return sent(*hit, away, sees);
+    lamps += ofLamp(*hit, lobe.at(direction));
+    return glm::dvec3(0.0);
+  });
+  const ShiftedPoints points(stirred(seed ^ 0x5bd1e995u));
+  for (int i = 0; i < towards; ++i) {
+    const glm::dvec3 direction = lamps_.towards(away, points[i]);
+    const VisibleNormalLobe::Density of = lobe.at(direction);
+    if (!(of.weight > 0.0)) continue;
+    const auto hit = tracer_.firstHit(away, direction, sees);
+    if (hit && lamps_.shines(*hit)) lamps += ofLamp(*hit, of);
+  }
+  return rest + lamps;
 }
 
 ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSettings& settings,

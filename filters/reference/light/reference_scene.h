@@ -6,7 +6,8 @@
 //   for those that ask for them, which have a traced area light's (shadow_light.h) - the sky's diffuse light even
 //   indoors, though not where a probe is open to the sky. A technique's picture has its probes' diffuse light there, so
 //   errors are to be measured on metals, or on the reflection alone.
-// - Reflections: GGX over visible normals, distribution, height-correlated masking and Fresnel's term evaluated for each
+// - Reflections: GGX over visible normals, distribution, height-correlated masking and Fresnel's term evaluated for
+// each
 //   ray; no table and no mean weight stands between. What a reflection ray hits shows what the first capture shows: a
 //   mirror in a mirror is black.
 // - Reflection rays see what the probes see, or, on request, what the picture shows. What the probes see
@@ -21,6 +22,8 @@
 
 #include "filters/reference/light/capture_light.h"
 #include "filters/reference/light/progressive_picture.h"
+#include "filters/reference/light/reflecting_layers.h"
+#include "filters/reference/trace/lamp_triangles.h"
 #include "filters/reference/trace/scene_tracer.h"
 
 namespace boxprobe {
@@ -54,9 +57,13 @@ class ReferenceScene {
                           const ReferenceProgress& progress = {}) const;
 
  private:
+  glm::dvec3 sent(const TracedHit& hit, const glm::dvec3& originWorld, RaySees sees) const;
+  glm::dvec3 reflected(const ReflectingLayer& layer, const glm::dvec3& view, const glm::dvec3& away, RaySees sees,
+                       int rays, std::uint64_t seed) const;
   std::vector<glm::vec3> throughTo(const TracedHit& hit, RaySees sees, int side) const;
 
   SceneTracer tracer_;
+  LampTriangles lamps_;
   CaptureLight light_;
 };
 

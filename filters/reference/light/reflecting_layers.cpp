@@ -67,9 +67,8 @@ std::vector<ReflectingLayer> reflectingLayers(const SurfacePoint& s, Energy ener
     layers.push_back(base);
   }
   if (coated && s.occlusion > 0.0f) {
-    ReflectingLayer coat{glm::normalize(glm::dvec3(s.coatNormalWorld)),
-                         s.coatRoughness,
-                         {glm::vec3(s.coatF0), glm::vec3(1.0f)}};
+    ReflectingLayer coat{
+        glm::normalize(glm::dvec3(s.coatNormalWorld)), s.coatRoughness, {glm::vec3(s.coatF0), glm::vec3(1.0f)}};
     coat.factor = static_cast<double>(s.occlusion * s.coatStrength) * scattered(coat, s.viewWorld, energy);
     layers.push_back(coat);
   }

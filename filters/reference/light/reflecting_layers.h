@@ -21,7 +21,7 @@ struct ReflectingLayer {
   glm::dvec3 normalWorld{0.0};
   double roughness = 0.0;  ///< perceptual
   FresnelEnds fresnel;
-  glm::dvec3 factor{1.0};                  ///< ambient occlusion, the coat's strength, multiple scattering
+  glm::dvec3 factor{1.0};                   ///< ambient occlusion, the coat's strength, multiple scattering
   double coatStrength = 0.0, coatF0 = 0.0;  ///< of the coat above it, which light passes on both ways
 
   /// Of a microfacet that the view meets at this cosine: Schlick's Fresnel, times all that comes on top.

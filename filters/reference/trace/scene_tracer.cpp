@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -167,6 +168,7 @@ std::optional<TracedHit> SceneTracer::firstHit(const glm::dvec3& origin, const g
   hit.distance = glm::dot(hit.positionWorld - origin, unit);
   hit.frontWorld = glm::normalize(glm::cross(b - a, c - a));
   hit.backSide = glm::dot(hit.frontWorld, unit) > 0.0;
+  hit.cosine = std::abs(glm::dot(hit.frontWorld, unit));
   if (hit.backSide) hit.frontWorld = -hit.frontWorld;
   return hit;
 }

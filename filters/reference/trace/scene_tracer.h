@@ -20,6 +20,7 @@ struct TracedHit {
   std::uint32_t triangle = 0;
   glm::dvec2 barycentric{0.0};  ///< weights of the second and third corner
   double distance = 0.0;        ///< scene units
+  double cosine = 0.0;          ///< between the ray and the triangle's normal, at least 0
   glm::dvec3 positionWorld{0.0};
   glm::dvec3 frontWorld{0.0};  ///< unit normal of the triangle, on the side that was hit
   bool backSide = false;       ///< of a double-sided object

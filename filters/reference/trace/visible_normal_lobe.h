@@ -62,9 +62,9 @@ class VisibleNormalLobe {
   double viewRoot_;                 ///< sqrt(alpha² + (1 - alpha²) cos²) of the view
 };
 
-/// What the lobe reflects of `radiance(direction)`: the integral of D, G2 and the microfacets' `reflectance(hDotV)` over
-/// the directions, estimated ray by ray. Nothing is divided by what the rays' weights sum up to: even light comes back
-/// as the lobe's albedo, and the estimate is right on average with any number of rays.
+/// What the lobe reflects of `radiance(direction)`: the integral of D, G2 and the microfacets' `reflectance(hDotV)`
+/// over the directions, estimated ray by ray. Nothing is divided by what the rays' weights sum up to: even light comes
+/// back as the lobe's albedo, and the estimate is right on average with any number of rays.
 template <typename Reflectance, typename Radiance>
 glm::dvec3 lobeReflected(const VisibleNormalLobe& lobe, int rays, std::uint64_t seed, const Reflectance& reflectance,
                          const Radiance& radiance) {
@@ -80,9 +80,9 @@ glm::dvec3 lobeReflected(const VisibleNormalLobe& lobe, int rays, std::uint64_t 
 
 /// Mean of `radiance(direction)` over the lobe, weighed by what each direction contributes: masking and Schlick's
 /// Fresnel from `f0` to `f90`, by component. Weights are divided by their own sum, so a constant comes back exactly:
-/// what a technique's lookups stand for, whose light the renderer multiplies by the lobe's albedo. Such a quotient is off by a share that
-/// falls with the number of rays (by about a hundredth of the lobe's contrast with 8 rays at roughness 1, far less with
-/// more). A component that reflects nothing gives 0.
+/// what a technique's lookups stand for, whose light the renderer multiplies by the lobe's albedo. Such a quotient is
+/// off by a share that falls with the number of rays (by about a hundredth of the lobe's contrast with 8 rays at
+/// roughness 1, far less with more). A component that reflects nothing gives 0.
 template <typename Radiance>
 glm::dvec3 lobeMean(const VisibleNormalLobe& lobe, const glm::dvec3& f0, const glm::dvec3& f90, int rays,
                     std::uint64_t seed, const Radiance& radiance) {

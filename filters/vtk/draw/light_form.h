@@ -1,5 +1,5 @@
-// Which light a surface's program works out: one value for all draws of a scene. Set by the renderer, compiled in by the
-// splice.
+// Which light a surface's program works out: one value for all draws of a scene. Set by the renderer, compiled in by
+// the splice.
 #pragma once
 
 namespace boxprobe {

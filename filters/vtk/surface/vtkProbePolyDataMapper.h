@@ -84,9 +84,9 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   bool Heights = false;
   std::shared_ptr<const boxprobe::MirrorPicture> Mirror;
   std::string VariantKey;
-  int GlassVariant = 0;  // the program's
+  int GlassVariant = 0;                                    // the program's
   boxprobe::LightForm Form = boxprobe::LightForm::Single;  // the program's
-  bool Again = false;    // a further pass of the same piece
+  bool Again = false;                                      // a further pass of the same piece
   bool Debug = false;
   bool Refused = false;  // the driver did not compile the spliced program: VTK's own is drawn
   int ObjectNumber = 0;

@@ -133,14 +133,15 @@ const std::vector<Anchor>& maskingAnchors() {
   return anchors;
 }
 
-// Surroundings in a clear coat as lamps are: reflected once by its Fresnel term, where VTK 9.1 multiplies by that twice,
-// and dimmed on their way to the base and back, which VTK does too late for its sum.
+// Surroundings in a clear coat as lamps are: reflected once by its Fresnel term, where VTK 9.1 multiplies by that
+// twice, and dimmed on their way to the base and back, which VTK does too late for its sum.
 const std::vector<Anchor>& coatAnchors() {
   static const std::vector<Anchor> anchors = {
       {"base under a clear coat",
        {"vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
        {"float bpCoatPasses = coatPasses(coatStrength, coatF0Uniform, coatNdV);\n"
-        "  specularBrdf *= bpCoatPasses * bpCoatPasses;\n  vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+        "  specularBrdf *= bpCoatPasses * bpCoatPasses;\n  vec3 iblSpecular = prefilteredSpecularColor * "
+        "specularBrdf;"},
        true},
       {"diffuse base under a clear coat",
        {"vec3 iblDiffuse = (1.0 - F0) * (1.0 - metallic) * irradiance * albedo;"},
