@@ -1,5 +1,5 @@
 // The references against an independent path tracer: Cycles' pictures of the scenes in this folder, see README.md.
-// Prints what `boxprobe bench --truth` prints of the references, made with fewer rays.
+// Prints what `boxprobe bench --truth` prints of the references, made at fewer pixels.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -105,9 +105,9 @@ TEST(Truth, ReferencesHoldToCycles) {
   for (const TruthPicture* picture : pictures) {
     if (picture->scene != scene) stage = std::make_unique<TruthStage>(truth(), scene = picture->scene, sharedWindow());
     stage->setFloor(*picture);
-    constexpr int kSceneRays = 128, kBoxRays = 64;
-    rows.push_back(stage->sceneRow(*picture, kSceneRays));
-    if (truth().isBox(scene)) rows.push_back(stage->boxRow(*picture, kBoxRays));
+    const TruthEffort effort{256, 7};
+    rows.push_back(stage->sceneRow(*picture, effort));
+    if (truth().isBox(scene)) rows.push_back(stage->boxRow(*picture, effort));
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const TruthRow& a, const TruthRow& b) { return a.technique > b.technique; });
