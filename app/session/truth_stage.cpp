@@ -17,8 +17,8 @@ TruthStage::TruthStage(const TruthIndex& index, const std::string& scene, Offscr
       shown_(shown),
       progress_(std::move(progress)) {
   if (!index.isBox(scene)) return;
-  maps_ = captured(1);
-  fineMaps_ = captured(2);
+  maps_ = captured(kBoxFaceSize);
+  coarseMaps_ = captured(kBoxFaceSize / 2);
 }
 
 void TruthStage::setFloor(const TruthPicture& picture) {
@@ -34,22 +34,22 @@ const Camera& TruthStage::camera(const std::string& name) const {
   throw InputError(loaded_.path + ": has no camera " + name + ", which the truth pictures were made with");
 }
 
-TruthRow TruthStage::sceneRow(const TruthPicture& picture, int rays) const {
+TruthRow TruthStage::sceneRow(const TruthPicture& picture, const TruthEffort& effort) const {
   const Camera& from = camera(picture.camera);
-  const ReferencePicture traced = traceTruth(*reference_, index_, picture, from, rays, progress_);
+  const ReferencePicture traced = traceTruth(*reference_, index_, picture, from, effort, progress_);
   return compareWithTruth(index_, picture, from, "reference-scene", traced.color,
                           noiseOnFloor(traced, loadTruthPicture(index_, picture)));
 }
 
-TruthRow TruthStage::boxRow(const TruthPicture& picture, int rays) const {
+TruthRow TruthStage::boxRow(const TruthPicture& picture, const TruthEffort& effort) const {
   const Camera& from = camera(picture.camera);
   const auto integrated = [&](const ReferenceBoxMaps& maps) {
-    return integrateTruth(*reference_, loaded_.scene.probes.at(0), maps, index_, picture, from, rays, progress_);
+    return integrateTruth(*reference_, loaded_.scene.probes.at(0), maps, index_, picture, from, effort, progress_);
   };
-  const ReferencePicture made = integrated(maps_), finer = integrated(fineMaps_);
+  const ReferencePicture made = integrated(maps_), coarser = integrated(coarseMaps_);
   const ImageRgbaF truth = loadTruthPicture(index_, picture);
   TruthRow row = compareWithTruth(index_, picture, from, "reference-box", made.color, noiseOnFloor(made, truth));
-  row.texelCost = texelCost(made, finer, truth);
+  row.texelCost = texelCost(made, coarser, truth);
   return row;
 }
 
@@ -63,9 +63,13 @@ TruthRow TruthStage::techniqueRow(const TruthPicture& picture, const BenchTechni
   return compareWithTruth(index_, picture, from, technique.label(), boxAveraged(fine, kTruthFineness), 0.0);
 }
 
-ReferenceBoxMaps TruthStage::captured(int fineness) {
+ReferenceBoxMaps TruthStage::captured(int faceSize) {
   Scene scene = loaded_.scene;
-  for (Probe& probe : scene.probes) probe.faceSize *= fineness;
+  for (Probe& probe : scene.probes) {
+    probe.faceSize = faceSize;
+    probe.samplesPerPixel = 16;
+    probe.filterSamples = 8;  // rough levels are not read
+  }
   shown_.show(scene, loaded_.models);
   shown_.capture();
   shown_.requireHealthy();

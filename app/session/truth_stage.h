@@ -13,6 +13,9 @@ namespace boxprobe {
 
 class OffscreenScene;
 
+/// Texels along a face of the captures that reference-box integrates.
+inline constexpr int kBoxFaceSize = 512;
+
 class TruthStage {
  public:
   /// `index` and `shown` must outlive this. Captures the probe twice where the scene is its box. `progress` is asked
@@ -22,10 +25,11 @@ class TruthStage {
   /// Of the picture and of all those after it.
   void setFloor(const TruthPicture& picture);
 
-  /// `rays` per pixel. Of the floor that was set.
-  TruthRow sceneRow(const TruthPicture& picture, int rays) const;
-  /// Of a scene that is its box alone.
-  TruthRow boxRow(const TruthPicture& picture, int rays) const;
+  /// Of the floor that was set.
+  TruthRow sceneRow(const TruthPicture& picture, const TruthEffort& effort) const;
+  /// Of a scene that is its box alone, captured with faces of kBoxFaceSize: what is judged is the integral.
+  TruthRow boxRow(const TruthPicture& picture, const TruthEffort& effort) const;
+  /// Captured as the scene has it.
   TruthRow techniqueRow(const TruthPicture& picture, const BenchTechnique& technique);
 
   const ReferenceScene& reference() const { return *reference_; }
@@ -33,7 +37,7 @@ class TruthStage {
   const Camera& camera(const std::string& name) const;
 
  private:
-  ReferenceBoxMaps captured(int fineness);
+  ReferenceBoxMaps captured(int faceSize);
 
   const TruthIndex& index_;
   LoadedScene loaded_;
@@ -43,7 +47,7 @@ class TruthStage {
   Scene scene_;
   std::vector<std::shared_ptr<const Model>> models_;
   std::unique_ptr<ReferenceScene> reference_;
-  ReferenceBoxMaps maps_, fineMaps_;  ///< as captured, and by faces of twice the size
+  ReferenceBoxMaps maps_, coarseMaps_;  ///< by faces of kBoxFaceSize and of half of it
 };
 
 }  // namespace boxprobe

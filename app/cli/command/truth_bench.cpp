@@ -74,7 +74,7 @@ void runTruthBench(const BenchOptions& options) {
   requireBenchFolder(options.folder, "truth.json");
   OffscreenScene shown(
       {"boxprobe bench --truth", kTruthFineness * index.width, kTruthFineness * index.height, 1, options.report.quiet});
-  const int sceneRays = options.quick ? 256 : 2048, boxRays = options.quick ? 128 : 512;
+  const TruthEffort effort{options.quick ? 256 : 1024, options.quick ? 4 : 1};
   std::vector<TruthRow> rows;
   bool complete = true;
   {
@@ -92,8 +92,8 @@ void runTruthBench(const BenchOptions& options) {
         stage->setFloor(*picture);
       }
       last = picture;
-      rows.push_back(stage->sceneRow(*picture, sceneRays));
-      if (index.isBox(picture->scene)) rows.push_back(stage->boxRow(*picture, boxRays));
+      rows.push_back(stage->sceneRow(*picture, effort));
+      if (index.isBox(picture->scene)) rows.push_back(stage->boxRow(*picture, effort));
       if (interrupt.interrupted()) {
         while (!rows.empty() && rows.back().reference()) rows.pop_back();  // some may be unfinished
         complete = false;

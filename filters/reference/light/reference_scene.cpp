@@ -27,7 +27,10 @@ int positionsPerSide(int samplesPerPixel) {
 
 ReferenceScene::ReferenceScene(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
                                std::shared_ptr<const ImageRgbaF> skyImage)
-    : tracer_(makeTriangleScene(scene, models)), lamps_(tracer_.scene()), light_(scene, std::move(skyImage)) {}
+    : tracer_(makeTriangleScene(scene, models)),
+      lamps_(tracer_.scene()),
+      light_(scene, std::move(skyImage)),
+      brightSky_(light_.sky().chain()) {}
 
 // How much of each light arrives; empty if none asks for shadows.
 std::vector<glm::vec3> ReferenceScene::throughTo(const TracedHit& hit, RaySees sees, int side) const {
@@ -67,39 +70,59 @@ glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm:
   return sum;
 }
 
-// Half of the rays go by the lobe and half towards what shines; what both can meet counts by how likely both together
-// were to draw it (the balance heuristic, Veach and Guibas 1995).
+// Half of the rays go by the lobe and half towards what shines, lamps and bright sky; what several can meet counts by
+// how likely all together were to draw it (the balance heuristic, Veach and Guibas 1995).
 glm::dvec3 ReferenceScene::reflected(const ReflectingLayer& layer, const glm::dvec3& view, const glm::dvec3& away,
                                      RaySees sees, int rays, std::uint64_t seed) const {
   const VisibleNormalLobe lobe(layer.normalWorld, view, layer.roughness * layer.roughness);
   const auto reflectance = [&](double hDotV) { return layer.reflectance(hDotV); };
-  if (lamps_.empty() || lobe.mirror() || rays < 2) {
+  const int aims = (lamps_.empty() ? 0 : 1) + (brightSky_.empty() ? 0 : 1);
+  if (aims == 0 || lobe.mirror() || rays < 2 * aims) {
     return lobeReflected(lobe, rays, seed, reflectance,
                          [&](const glm::dvec3& direction) { return seenFrom(away, direction, sees); });
   }
-  const int towards = rays / 2, byLobe = rays - towards;
-  const auto ofLamp = [&](const TracedHit& hit, const VisibleNormalLobe::Density& of) {
-    const double density = byLobe * of.density + towards * lamps_.density(hit);
-    return density > 0.0 ? of.weight * of.density / density * layer.reflectance(of.hDotV) * sent(hit, away, sees)
-                         : glm::dvec3(0.0);
+  const int each = rays / (2 * aims), byLobe = rays - aims * each;
+  const int towardsLamps = lamps_.empty() ? 0 : each, towardsSky = brightSky_.empty() ? 0 : each;
+  glm::dvec3 shining(0.0);
+  const auto add = [&](const VisibleNormalLobe::Density& of, double aimed, const glm::dvec3& light) {
+    const double density = byLobe * of.density + each * aimed;
+    if (density > 0.0) shining += of.weight * of.density / density * layer.reflectance(of.hDotV) * light;
   };
-  glm::dvec3 lamps(0.0);
+  const auto addSky = [&](const glm::dvec3& direction, const VisibleNormalLobe::Density& of, const glm::dvec3& light) {
+    add(of, brightSky_.density(direction), light);
+  };
+  const auto skyAt = [&](const glm::dvec3& direction) {
+    return glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+  };
   const glm::dvec3 rest = lobeReflected(lobe, byLobe, seed, reflectance, [&](const glm::dvec3& direction) {
     const auto hit = tracer_.firstHit(away, direction, sees);
-    if (!hit) return glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
-    if (!lamps_.shines(*hit)) return sent(*hit, away, sees);
-    lamps += ofLamp(*hit, lobe.at(direction));
-    return glm::dvec3(0.0);
+    if (hit && !lamps_.shines(*hit)) return sent(*hit, away, sees);
+    if (hit) {
+      add(lobe.at(direction), lamps_.density(*hit), sent(*hit, away, sees));
+      return glm::dvec3(0.0);
+    }
+    const glm::dvec3 all = skyAt(direction);
+    if (towardsSky == 0) return all;
+    const glm::dvec3 bright = brightSky_.excess(all);
+    addSky(direction, lobe.at(direction), bright);
+    return all - bright;
   });
-  const ShiftedPoints points(stirred(seed ^ 0x5bd1e995u));
-  for (int i = 0; i < towards; ++i) {
-    const glm::dvec3 direction = lamps_.towards(away, points[i]);
-    const VisibleNormalLobe::Density of = lobe.at(direction);
+  const ShiftedPoints lampPoints(stirred(seed ^ 0x5bd1e995u));
+  for (int i = 0; i < towardsLamps; ++i) {
+    const LampTriangles::Towards lamp = lamps_.towards(away, lampPoints[i]);
+    const VisibleNormalLobe::Density of = lobe.at(lamp.direction);
     if (!(of.weight > 0.0)) continue;
-    const auto hit = tracer_.firstHit(away, direction, sees);
-    if (hit && lamps_.shines(*hit)) lamps += ofLamp(*hit, of);
+    const auto hit = tracer_.firstHit(away, lamp.direction, sees);
+    if (hit && lamp.meets(*hit)) add(of, lamps_.density(*hit), sent(*hit, away, sees));
   }
-  return rest + lamps;
+  const ShiftedPoints skyPoints(stirred(seed ^ 0x1b873593u));
+  for (int i = 0; i < towardsSky; ++i) {
+    const glm::dvec3 direction = brightSky_.towards(skyPoints[i]);
+    const VisibleNormalLobe::Density of = lobe.at(direction);
+    if (!(of.weight > 0.0) || tracer_.firstHit(away, direction, sees)) continue;
+    addSky(direction, of, brightSky_.excess(skyAt(direction)));
+  }
+  return rest + shining;
 }
 
 ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSettings& settings,

@@ -20,6 +20,7 @@
 #include <memory>
 #include <vector>
 
+#include "filters/reference/light/bright_sky.h"
 #include "filters/reference/light/capture_light.h"
 #include "filters/reference/light/progressive_picture.h"
 #include "filters/reference/light/reflecting_layers.h"
@@ -65,6 +66,7 @@ class ReferenceScene {
   SceneTracer tracer_;
   LampTriangles lamps_;
   CaptureLight light_;
+  BrightSky brightSky_;
 };
 
 /// Positions along each side of a pixel for 1, 4 or 16 in all.

@@ -18,6 +18,8 @@ class ReferenceSky {
   ReferenceSky(const Sky& sky, std::shared_ptr<const ImageRgbaF> image, double rotationDegrees = 0.0);
 
   glm::vec3 radiance(const glm::vec3& directionWorld) const;
+  /// Level 0: radiance by direction.
+  const CubeMap& chain() const { return chain_; }
   /// Over pi.
   glm::vec3 irradiance(const glm::vec3& normalWorld) const;
   /// As a surface of that roughness reflects it: one lookup, like the renderer's.

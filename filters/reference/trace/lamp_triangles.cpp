@@ -50,14 +50,15 @@ LampTriangles::LampTriangles(const TriangleScene& scene)
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (!objects_[i]) continue;
     perArea_[i] = brightness(scene.objects[i]) / power;
+    std::uint32_t number = 0;
     forEach(scene.objects[i], [&](const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3& b) {
       before += 0.5 * glm::length(glm::cross(a, b)) * perArea_[i];
-      triangles_.push_back({scene.anchorWorld + corner, a, b, before});
+      triangles_.push_back({scene.anchorWorld + corner, a, b, static_cast<int>(i), number++, before});
     });
   }
 }
 
-glm::dvec3 LampTriangles::towards(const glm::dvec3& from, const glm::dvec2& u) const {
+LampTriangles::Towards LampTriangles::towards(const glm::dvec3& from, const glm::dvec2& u) const {
   const auto found = std::lower_bound(triangles_.begin(), triangles_.end(), u.x,
                                       [](const Triangle& t, double share) { return t.cumulated < share; });
   const auto at = std::min<std::size_t>(static_cast<std::size_t>(found - triangles_.begin()), triangles_.size() - 1);
@@ -67,7 +68,7 @@ glm::dvec3 LampTriangles::towards(const glm::dvec3& from, const glm::dvec2& u) c
   const double root = std::sqrt(width > 0.0 ? std::clamp((u.x - first) / width, 0.0, 1.0) : 0.5);
   const glm::dvec3 way = t.corner + root * ((1.0 - u.y) * t.along + u.y * t.up) - from;
   const double length = glm::length(way);
-  return length > 0.0 ? way / length : glm::dvec3(0.0);
+  return {length > 0.0 ? way / length : glm::dvec3(0.0), t.object, t.number};
 }
 
 double LampTriangles::density(const TracedHit& hit) const {

@@ -18,16 +18,33 @@ constexpr float kCovered = 0.9995f;
 // Narrower where the view is low: there the lobe changes fastest. The last one is open to 1.
 constexpr std::array<double, 7> kEdges = {0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0};
 
-bool onFloor(const ImageRgbaF& truth, std::size_t pixel) {
-  return truth.pixels[4 * pixel + 3] >= kCovered;
-}
-
 glm::dvec3 colorAt(const ImageRgbaF& image, std::size_t pixel) {
   const float* p = &image.pixels[4 * pixel];
   return {p[0], p[1], p[2]};
 }
 
+bool counts(const ImageRgbaF& truth, const ImageRgbaF& drawn, std::size_t pixel) {
+  return coveredByFloor(truth, pixel) && coveredByFloor(drawn, pixel);
+}
+
+/// Root mean square of a difference by pixel, over that of the light.
+template <typename Difference>
+double relativeOnFloor(const ImageRgbaF& truth, const ImageRgbaF& drawn, const Difference& difference) {
+  double squares = 0.0, light = 0.0;
+  for (std::size_t i = 0; i < truth.pixels.size() / 4; ++i) {
+    if (!counts(truth, drawn, i)) continue;
+    const glm::dvec3 d = difference(i), color = colorAt(truth, i);
+    squares += glm::dot(d, d);
+    light += glm::dot(color, color);
+  }
+  return light > 0.0 ? std::sqrt(squares / light) : 0.0;
+}
+
 }  // namespace
+
+bool coveredByFloor(const ImageRgbaF& truth, std::size_t pixel) {
+  return truth.pixels[4 * pixel + 3] >= kCovered;
+}
 
 bool TruthRow::holds() const {
   return std::abs(meanLight - 1.0) <= largestLightError() && relativeRmse <= largestRmse();
@@ -53,7 +70,7 @@ TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, 
     for (int x = 0; x < truth.width; ++x) {
       const auto pixel =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(truth.width) + static_cast<std::size_t>(x);
-      if (!onFloor(truth, pixel)) continue;
+      if (!counts(truth, drawn, pixel)) continue;
       const glm::dvec3 value = colorAt(drawn, pixel), right = colorAt(truth, pixel);
       all.add(value, right, 0.0);
       const double nDotV = -glm::normalize(rays.direction(x + 0.5, y + 0.5)).y;  // the floor is level
@@ -75,25 +92,12 @@ TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, 
 }
 
 double noiseOnFloor(const ReferencePicture& picture, const ImageRgbaF& truth) {
-  double noise = 0.0, light = 0.0;
-  for (std::size_t i = 0; i < truth.pixels.size() / 4; ++i) {
-    if (!onFloor(truth, i)) continue;
-    const glm::dvec3 error = colorAt(picture.standardError, i), color = colorAt(truth, i);
-    noise += glm::dot(error, error);
-    light += glm::dot(color, color);
-  }
-  return light > 0.0 ? std::sqrt(noise / light) : 0.0;
+  return relativeOnFloor(truth, picture.color, [&](std::size_t i) { return colorAt(picture.standardError, i); });
 }
 
-double texelCost(const ReferencePicture& picture, const ReferencePicture& finer, const ImageRgbaF& truth) {
-  double difference = 0.0, light = 0.0;
-  for (std::size_t i = 0; i < truth.pixels.size() / 4; ++i) {
-    if (!onFloor(truth, i)) continue;
-    const glm::dvec3 d = colorAt(picture.color, i) - colorAt(finer.color, i), color = colorAt(truth, i);
-    difference += glm::dot(d, d);
-    light += glm::dot(color, color);
-  }
-  return light > 0.0 ? 2.0 * std::sqrt(difference / light) : 0.0;
+double texelCost(const ReferencePicture& picture, const ReferencePicture& coarser, const ImageRgbaF& truth) {
+  return relativeOnFloor(truth, picture.color,
+                         [&](std::size_t i) { return colorAt(picture.color, i) - colorAt(coarser.color, i); });
 }
 
 ImageRgbaF boxAveraged(const ImageRgbaF& fine, int factor) {
@@ -110,17 +114,6 @@ ImageRgbaF boxAveraged(const ImageRgbaF& fine, int factor) {
     image.pixels[i] = static_cast<float>(sum / static_cast<double>(side * side));
   }
   return image;
-}
-
-ReferencePicture boxAveraged(const ReferencePicture& fine, int factor) {
-  ReferencePicture picture;
-  picture.complete = fine.complete;
-  picture.color = boxAveraged(fine.color, factor);
-  ImageRgbaF squares = fine.standardError;
-  for (float& e : squares.pixels) e *= e;
-  picture.standardError = boxAveraged(squares, factor);
-  for (float& e : picture.standardError.pixels) e = std::sqrt(e) / static_cast<float>(factor);
-  return picture;
 }
 
 }  // namespace boxprobe

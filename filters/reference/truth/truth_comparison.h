@@ -38,21 +38,23 @@ struct TruthRow {
   bool holds() const;
 };
 
+/// Does the floor cover all of this pixel of a truth picture?
+bool coveredByFloor(const ImageRgbaF& truth, std::size_t pixel);
+
 /// `drawn`: of the truth's size, what is not floor being of any colour. `ownNoise`: relative RMS of its own noise. Only
-/// pixels that the floor covers count. Throws InputError if there are none.
+/// pixels count that the floor covers and that are covered in `drawn`. Throws InputError if there are none.
 TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, const Camera& camera,
                           const std::string& technique, const ImageRgbaF& drawn, double ownNoise);
 
-/// Relative RMS of a reference's own noise over the floor of `truth`.
+/// Relative RMS of a reference's own noise over the pixels that count.
 double noiseOnFloor(const ReferencePicture& picture, const ImageRgbaF& truth);
 
-/// What texels cost, as relative RMS over the floor of `truth`: of pictures from a capture and from one of twice its
-/// resolution. An error in proportion to the texel is twice their difference, one in proportion to its square less.
-double texelCost(const ReferencePicture& picture, const ReferencePicture& finer, const ImageRgbaF& truth);
+/// What texels cost, as relative RMS over the pixels that count: of pictures from a capture and from one of half its
+/// resolution. An error in proportion to the texel is their difference, one in proportion to its square a third of it.
+double texelCost(const ReferencePicture& picture, const ReferencePicture& coarser, const ImageRgbaF& truth);
 
-/// Each pixel the mean of `factor` x `factor`; standard errors as of independent pixels.
+/// Each pixel the mean of `factor` x `factor`.
 ImageRgbaF boxAveraged(const ImageRgbaF& fine, int factor);
-ReferencePicture boxAveraged(const ReferencePicture& fine, int factor);
 
 /// One line a technique, scene, kind and camera; by roughness the mean light, the relative RMSE and, of a reference,
 /// what that may be. What a reference does not hold is marked by '!'.

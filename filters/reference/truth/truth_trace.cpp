@@ -1,5 +1,7 @@
 #include "filters/reference/truth/truth_trace.h"
 
+#include <algorithm>
+#include <functional>
 #include <glm/matrix.hpp>
 
 #include "filters/core/geometry/probe_geometry.h"
@@ -11,7 +13,52 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kSide = 4;  // positions along each side of a pixel
+/// How a pixel's rays are divided: so many positions in each of so many passes, all drawn at random, so that the spread
+/// of the passes holds what positions cost, too. A mirror needs positions alone.
+struct FloorPlan {
+  int passes, positions, raysEach;
+};
+FloorPlan planFloor(double roughness, int rays) {
+  constexpr int kPasses = 8;
+  if (roughness < 0.01) return {kPasses, 32, 1};
+  const int positions = roughness < 0.2 ? 8 : 2;
+  return {kPasses, positions, std::max(rays / (kPasses * positions), 1)};
+}
+
+/// Colour at one position, by that many rays.
+using FloorEstimate =
+    std::function<glm::dvec3(const TracedHit& hit, const glm::dvec3& eye, int rays, std::uint64_t seed)>;
+
+ReferencePicture onFloor(const ReferenceScene& reference, const TruthIndex& index, const TruthPicture& picture,
+                         const Camera& camera, const TruthEffort& effort, const FloorEstimate& estimate,
+                         const ReferenceProgress& progress) {
+  const ImageRgbaF truth = loadTruthPicture(index, picture);
+  const PictureRays view(camera, index.width, index.height);
+  const FloorPlan plan = planFloor(picture.roughness, effort.rays);
+  const auto ofPixel = [&](int x, int y, int pass) {
+    ProgressivePicture::Pixel pixel;
+    const auto at = static_cast<std::size_t>(y * index.width + x);
+    // Steps of 3 and 5 spread the pixels that are made over rows and columns.
+    pixel.exact = !coveredByFloor(truth, at) || (3 * x + 5 * y) % effort.stride != 0;
+    if (pixel.exact) return pixel;
+    const std::uint64_t seed = stirred(stirred(at) + static_cast<std::uint64_t>(pass));
+    const ShiftedPoints places(seed);
+    for (int k = 0; k < plan.positions; ++k) {
+      const double across = x + places[k].x, down = y + places[k].y;
+      const glm::dvec3 eye = view.origin(across, down);
+      const auto hit = reference.tracer().firstHit(eye, view.direction(across, down));
+      if (!hit || reference.tracer().object(*hit).material.unlit) continue;
+      pixel.color += estimate(*hit, eye, plan.raysEach, stirred(seed + static_cast<std::uint64_t>(k)));
+      pixel.alpha += 1.0;
+    }
+    pixel.color /= plan.positions;
+    pixel.alpha /= plan.positions;
+    return pixel;
+  };
+  ProgressivePicture made(index.width, index.height);
+  made.run(0, index.height, plan.passes, ofPixel, progress);
+  return made.picture();
+}
 
 /// As the renderer would explain it: what the surface is, and the probe in its box with all of the weight.
 LitPoint pointOf(const ReferenceScene& reference, const TracedHit& hit, const glm::dvec3& eye,
@@ -34,51 +81,23 @@ LitPoint pointOf(const ReferenceScene& reference, const TracedHit& hit, const gl
 
 }  // namespace
 
-bool isMirror(const TruthPicture& picture) {
-  return picture.roughness < 0.01;
-}
-
 ReferencePicture traceTruth(const ReferenceScene& reference, const TruthIndex& index, const TruthPicture& picture,
-                            const Camera& camera, int rays, const ReferenceProgress& progress) {
-  const int fineness = isMirror(picture) ? kTruthFineness : 1;
-  ReferenceSettings settings;
-  settings.width = fineness * index.width;
-  settings.height = fineness * index.height;
-  settings.samplesPerPixel = kSide * kSide;
-  settings.raysPerPixel = isMirror(picture) ? kSide * kSide : rays;
-  return boxAveraged(reference.render(camera, settings, progress), fineness);
+                            const Camera& camera, const TruthEffort& effort, const ReferenceProgress& progress) {
+  const auto estimate = [&](const TracedHit& hit, const glm::dvec3& eye, int rays, std::uint64_t seed) {
+    return reference.reflectedFrom(reference.tracer().surface(hit, eye), reference.tracer().awayFrom(hit),
+                                   RaySees::Probes, rays, seed);
+  };
+  return onFloor(reference, index, picture, camera, effort, estimate, progress);
 }
 
 ReferencePicture integrateTruth(const ReferenceScene& reference, const Probe& probe, const ReferenceBoxMaps& maps,
-                                const TruthIndex& index, const TruthPicture& picture, const Camera& camera, int rays,
-                                const ReferenceProgress& progress) {
-  const int fineness = isMirror(picture) ? kTruthFineness : 1;
-  const int width = fineness * index.width, height = fineness * index.height;
-  const RayPlan plan = isMirror(picture) ? RayPlan{1, 1} : planRays(rays, kSide * kSide);
+                                const TruthIndex& index, const TruthPicture& picture, const Camera& camera,
+                                const TruthEffort& effort, const ReferenceProgress& progress) {
   const ProbeGeometry geometry = probeGeometry(probe, probe.origin);
-  const PictureRays view(camera, width, height);
-  const auto estimate = [&](int x, int y, int pass) {
-    ProgressivePicture::Pixel pixel;
-    pixel.exact = true;
-    for (int k = 0; k < kSide * kSide; ++k) {
-      const double across = x + (k % kSide + 0.5) / kSide, down = y + (k / kSide + 0.5) / kSide;
-      const glm::dvec3 eye = view.origin(across, down);
-      const auto hit = reference.tracer().firstHit(eye, view.direction(across, down));
-      if (!hit || reference.tracer().object(*hit).material.unlit) continue;
-      const auto place = static_cast<std::uint64_t>((y * width + x) * kSide * kSide + k);
-      const std::uint64_t seed = stirred(stirred(place) + static_cast<std::uint64_t>(pass));
-      bool exact = true;
-      pixel.color += referenceBoxColor(pointOf(reference, *hit, eye, geometry), maps, plan.raysPerPass, seed, &exact);
-      pixel.alpha += 1.0;
-      pixel.exact = pixel.exact && exact;
-    }
-    pixel.color /= kSide * kSide;
-    pixel.alpha /= kSide * kSide;
-    return pixel;
+  const auto estimate = [&](const TracedHit& hit, const glm::dvec3& eye, int rays, std::uint64_t seed) {
+    return referenceBoxColor(pointOf(reference, hit, eye, geometry), maps, rays, seed);
   };
-  ProgressivePicture made(width, height);
-  made.run(0, height, plan.passes, estimate, progress);
-  return boxAveraged(made.picture(), fineness);
+  return onFloor(reference, index, picture, camera, effort, estimate, progress);
 }
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// The scene reference at the size of a truth picture: rays enough for its floor. Called by `bench --truth` and by
-// tests.
+// Both references at the floor of a truth picture, with positions and rays enough for it. Called by `bench --truth` and
+// by tests; knows no GL.
 #pragma once
 
 #include "filters/reference/light/reference_box.h"
@@ -12,17 +12,18 @@ namespace boxprobe {
 /// down. A technique's derivatives are then those of a picture of usual size, and a mirror has positions enough.
 inline constexpr int kTruthFineness = 5;
 
-/// `reference`: of the scene with the picture's floor. `rays` per pixel where the floor is rough; a mirror needs
-/// positions alone.
+struct TruthEffort {
+  int rays = 1024;  ///< per pixel of a rough floor; a mirror needs positions alone
+  int stride = 1;   ///< of the floor's pixels, one in so many is made; the others have alpha 0
+};
+
+/// `reference`: of the scene with the picture's floor.
 ReferencePicture traceTruth(const ReferenceScene& reference, const TruthIndex& index, const TruthPicture& picture,
-                            const Camera& camera, int rays, const ReferenceProgress& progress = {});
+                            const Camera& camera, const TruthEffort& effort, const ReferenceProgress& progress = {});
 
 /// The integral over the box of the scene's only probe, of which `maps` are: on the points that the tracer finds.
 ReferencePicture integrateTruth(const ReferenceScene& reference, const Probe& probe, const ReferenceBoxMaps& maps,
-                                const TruthIndex& index, const TruthPicture& picture, const Camera& camera, int rays,
-                                const ReferenceProgress& progress = {});
-
-/// Where a floor is so smooth that one ray a position tells all.
-bool isMirror(const TruthPicture& picture);
+                                const TruthIndex& index, const TruthPicture& picture, const Camera& camera,
+                                const TruthEffort& effort, const ReferenceProgress& progress = {});
 
 }  // namespace boxprobe
