@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "filters/io/image/image_file.h"
@@ -16,6 +18,28 @@ namespace {
 using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+
+/// Set for the programs that are started while this lives.
+class EnvironmentVariable {
+ public:
+  EnvironmentVariable(const char* name, const char* value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    setenv(name, value, 1);
+  }
+  ~EnvironmentVariable() {
+    if (before_) {
+      setenv(name_, before_->c_str(), 1);
+    } else {
+      unsetenv(name_);
+    }
+  }
+  EnvironmentVariable(const EnvironmentVariable&) = delete;
+  EnvironmentVariable& operator=(const EnvironmentVariable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
 
 class Render : public ::testing::Test {
  protected:
@@ -86,6 +110,18 @@ TEST_F(Render, SameInputSameBytes) {
   EXPECT_GT(first.size(), 1000u);
   EXPECT_TRUE(first == readFile(render("building", "second.png")));
   EXPECT_TRUE(readFile(render("room", "first.exr")) == readFile(render("room", "second.exr")));
+}
+
+// CMakePresets.json lets the tests run without the optimiser of Mesa's software renderer.
+TEST_F(Render, TheDriversOptimizerChangesNoPixel) {
+  const EnvironmentVariable fresh("MESA_SHADER_CACHE_DISABLE", "true");  // neither takes what the other compiled
+  const auto drawn = [&](const char* perf, const char* file) {
+    const EnvironmentVariable set("GALLIVM_PERF", perf);
+    return readFile(render("building", file));
+  };
+  const std::string optimized = drawn("", "with.exr");
+  EXPECT_GT(optimized.size(), 1000u);
+  EXPECT_TRUE(optimized == drawn("nopt", "without.exr"));
 }
 
 TEST_F(Render, ExrIsTheLinearSideOfThePng) {

@@ -29,7 +29,12 @@ class MotionPreviewTest : public WindowTest {
     window_->motionPreview().setEnabled(true);
     waitUntilIdle();
   }
-  void TearDown() override { window_->motionPreview().setEnabled(true); }
+  void TearDown() override {
+    window_->motionPreview().setEnabled(true);
+    window_->motionPreview().setRest(MotionPreview::kRestMilliseconds);
+  }
+  /// Until it is let go or setRest is called again: drawing slowly is not holding still.
+  void neverRest() { window_->motionPreview().setRest(24 * 3600 * 1000); }
 
   QString pictureState() const {
     const auto* label = window_->findChild<QLabel*>("pictureState");
@@ -48,13 +53,15 @@ class MotionPreviewTest : public WindowTest {
 TEST_F(MotionPreviewTest, AMovingCameraShowsTheCheaperPictureAndOneRenderBringsTheFullOneBack) {
   const std::uint64_t programs = counters().programsCompiled;
   const QPointF from(30, 30);
+  neverRest();
   press(from);
   for (int i = 1; i <= 4; ++i) move(from + QPointF(6 * i, 2 * i));
   EXPECT_TRUE(window_->motionPreview().active());
   EXPECT_TRUE(pictureState().contains("preview")) << pictureState().toStdString();
   const QImage moving = shown();
   const std::uint64_t before = renders();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !window_->motionPreview().active(); }, 5000));
+  window_->motionPreview().setRest(MotionPreview::kRestMilliseconds);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window_->motionPreview().active(); }, 60000));
   waitUntilIdle();
   EXPECT_EQ(renders(), before + 1) << "still, though the button is held";
   EXPECT_EQ(pictureState(), "");
@@ -69,6 +76,7 @@ TEST_F(MotionPreviewTest, AMovingCameraShowsTheCheaperPictureAndOneRenderBringsT
 TEST_F(MotionPreviewTest, ADraggedFaceComesToRestWhenItIsLetGo) {
   const std::uint64_t programs = counters().programsCompiled;
   const QPointF handle = facePixel({0, true});
+  neverRest();
   move(handle);
   press(handle);
   for (int i = 1; i <= 4; ++i) move(handle + QPointF(-5 * i, 0));

@@ -7,12 +7,6 @@
 
 namespace boxprobe {
 
-namespace {
-
-constexpr int kRestMilliseconds = 200;  ///< shorter, and a hand that slows down would see two pictures take turns
-
-}  // namespace
-
 MotionPreview::MotionPreview(Hooks hooks, QObject* parent)
     : QObject(parent), hooks_(std::move(hooks)), chosen_(cheaperWhileMoving()) {
   resting_.setSingleShot(true);
@@ -43,6 +37,10 @@ void MotionPreview::moved() {
   // Where nothing stands in for anything, there is nothing to come back from.
   active_ = enabled_ && hooks_.setMoving(true);
   if (active_) resting_.start();
+}
+
+void MotionPreview::setRest(int milliseconds) {
+  resting_.setInterval(milliseconds);  // begins anew if it runs
 }
 
 void MotionPreview::rest() {

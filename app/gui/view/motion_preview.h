@@ -34,6 +34,11 @@ class MotionPreview : public QObject {
   /// A cheaper picture is shown until things come to rest.
   bool active() const { return active_; }
 
+  /// How many milliseconds without a movement are rest. Tests lengthen it: a slow machine is no rest.
+  void setRest(int milliseconds);
+  /// Shorter, and a hand that slows down would see two pictures take turns.
+  static constexpr int kRestMilliseconds = 200;
+
  signals:
   void enabledChanged(bool enabled);
   /// The full picture has to be drawn.

@@ -11,13 +11,6 @@
 
 namespace boxprobe {
 
-namespace {
-
-/// Steps of wheel and keys that follow each other faster than this are one edit.
-constexpr int kRestMilliseconds = 400;
-
-}  // namespace
-
 ValueField::ValueField(const Format& format, QWidget* parent) : QDoubleSpinBox(parent) {
   setDecimals(format.decimals);
   setRange(format.minimum, format.maximum);
@@ -55,6 +48,10 @@ void ValueField::endScrub() {
   commitPreview();
 }
 
+void ValueField::setRest(int milliseconds) {
+  restTimer_.setInterval(milliseconds);  // begins anew if it runs
+}
+
 void ValueField::stepBy(int steps) {
   stepping_ = true;
   QDoubleSpinBox::stepBy(steps);
@@ -82,6 +79,11 @@ void ValueField::commitPreview() {
   emit committed(value());
 }
 
+// Not the rest's timer with another interval: it would keep that.
+void ValueField::commitSoon() {
+  if (previewing_) QTimer::singleShot(0, this, &ValueField::commitPreview);
+}
+
 void ValueField::wheelEvent(QWheelEvent* event) {
   if (!hasFocus()) return event->ignore();
   QDoubleSpinBox::wheelEvent(event);
@@ -89,12 +91,12 @@ void ValueField::wheelEvent(QWheelEvent* event) {
 
 void ValueField::mouseReleaseEvent(QMouseEvent* event) {
   QDoubleSpinBox::mouseReleaseEvent(event);
-  if (previewing_) restTimer_.start(0);
+  commitSoon();
 }
 
 void ValueField::focusOutEvent(QFocusEvent* event) {
   QDoubleSpinBox::focusOutEvent(event);
-  if (previewing_) restTimer_.start(0);
+  commitSoon();
 }
 
 bool ValueField::event(QEvent* event) {

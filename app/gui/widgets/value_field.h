@@ -30,6 +30,10 @@ class ValueField : public QDoubleSpinBox {
   void scrubTo(double value);
   void endScrub();
 
+  /// How many milliseconds steps may be apart and still be one edit. Tests lengthen it: a slow machine is no rest.
+  void setRest(int milliseconds);
+  static constexpr int kRestMilliseconds = 400;
+
  signals:
   void previewed(double value);
   void committed(double value);
@@ -44,6 +48,7 @@ class ValueField : public QDoubleSpinBox {
  private:
   void changed(double value);
   void commitPreview();
+  void commitSoon();
 
   QTimer restTimer_;
   bool stepping_ = false;
