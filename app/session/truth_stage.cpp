@@ -15,16 +15,13 @@ TruthStage::TruthStage(const TruthIndex& index, const std::string& scene, Offscr
       loaded_(loadScene(index.scenePath(scene))),
       sky_(loadSkyImage(loaded_.scene)),
       shown_(shown),
-      progress_(std::move(progress)) {
-  if (!index.isBox(scene)) return;
-  maps_ = captured(kBoxFaceSize);
-  coarseMaps_ = captured(kBoxFaceSize / 2);
-}
+      progress_(std::move(progress)) {}
 
 void TruthStage::setFloor(const TruthPicture& picture) {
   scene_ = withTruthFloor(loaded_.scene, picture);
   models_ = withTruthFloor(loaded_.models, picture);
-  reference_ = std::make_unique<ReferenceScene>(scene_, models_, sky_);
+  reference_ = reference_ ? std::make_unique<ReferenceScene>(scene_, models_, *reference_)
+                          : std::make_unique<ReferenceScene>(scene_, models_, sky_);
 }
 
 const Camera& TruthStage::camera(const std::string& name) const {
@@ -40,7 +37,11 @@ TruthRow TruthStage::sceneRow(const TruthPicture& picture, const TruthEffort& ef
   return compareWithTruth(index_, picture, from, "reference-scene", traced.color, &traced.standardError);
 }
 
-TruthRow TruthStage::boxRow(const TruthPicture& picture, const TruthEffort& effort) const {
+TruthRow TruthStage::boxRow(const TruthPicture& picture, const TruthEffort& effort) {
+  if (maps_.probes.empty()) {
+    maps_ = captured(kBoxFaceSize);
+    coarseMaps_ = captured(kBoxFaceSize / 2);
+  }
   const Camera& from = camera(picture.camera);
   const auto integrated = [&](const ReferenceBoxMaps& maps) {
     return integrateTruth(*reference_, loaded_.scene.probes.at(0), maps, index_, picture, from, effort, progress_);
