@@ -15,16 +15,13 @@ TruthStage::TruthStage(const TruthIndex& index, const std::string& scene, Offscr
       loaded_(loadScene(index.scenePath(scene))),
       sky_(loadSkyImage(loaded_.scene)),
       shown_(shown),
-      progress_(std::move(progress)) {
-  if (!index.isBox(scene)) return;
-  maps_ = captured(kBoxFaceSize);
-  coarseMaps_ = captured(kBoxFaceSize / 2);
-}
+      progress_(std::move(progress)) {}
 
 void TruthStage::setFloor(const TruthPicture& picture) {
   scene_ = withTruthFloor(loaded_.scene, picture);
   models_ = withTruthFloor(loaded_.models, picture);
-  reference_ = std::make_unique<ReferenceScene>(scene_, models_, sky_);
+  reference_ = reference_ ? std::make_unique<ReferenceScene>(scene_, models_, *reference_)
+                          : std::make_unique<ReferenceScene>(scene_, models_, sky_);
 }
 
 const Camera& TruthStage::camera(const std::string& name) const {
@@ -37,19 +34,21 @@ const Camera& TruthStage::camera(const std::string& name) const {
 TruthRow TruthStage::sceneRow(const TruthPicture& picture, const TruthEffort& effort) const {
   const Camera& from = camera(picture.camera);
   const ReferencePicture traced = traceTruth(*reference_, index_, picture, from, effort, progress_);
-  return compareWithTruth(index_, picture, from, "reference-scene", traced.color,
-                          noiseOnFloor(traced, loadTruthPicture(index_, picture)));
+  return compareWithTruth(index_, picture, from, "reference-scene", traced.color, &traced.standardError);
 }
 
-TruthRow TruthStage::boxRow(const TruthPicture& picture, const TruthEffort& effort) const {
+TruthRow TruthStage::boxRow(const TruthPicture& picture, const TruthEffort& effort) {
+  if (maps_.probes.empty()) {
+    maps_ = captured(kBoxFaceSize);
+    coarseMaps_ = captured(kBoxFaceSize / 2);
+  }
   const Camera& from = camera(picture.camera);
   const auto integrated = [&](const ReferenceBoxMaps& maps) {
     return integrateTruth(*reference_, loaded_.scene.probes.at(0), maps, index_, picture, from, effort, progress_);
   };
   const ReferencePicture made = integrated(maps_), coarser = integrated(coarseMaps_);
-  const ImageRgbaF truth = loadTruthPicture(index_, picture);
-  TruthRow row = compareWithTruth(index_, picture, from, "reference-box", made.color, noiseOnFloor(made, truth));
-  row.texelCost = texelCost(made, coarser, truth);
+  TruthRow row = compareWithTruth(index_, picture, from, "reference-box", made.color, &made.standardError);
+  row.texelCost = texelCost(made, coarser, loadTruthPicture(index_, picture));
   return row;
 }
 
@@ -60,7 +59,7 @@ TruthRow TruthStage::techniqueRow(const TruthPicture& picture, const BenchTechni
   const ImageRgbaF fine =
       shown_.renderer().renderLinear(kTruthFineness * index_.width, kTruthFineness * index_.height, 4);
   shown_.requireHealthy();
-  return compareWithTruth(index_, picture, from, technique.label(), boxAveraged(fine, kTruthFineness), 0.0);
+  return compareWithTruth(index_, picture, from, technique.label(), boxAveraged(fine, kTruthFineness));
 }
 
 ReferenceBoxMaps TruthStage::captured(int faceSize) {

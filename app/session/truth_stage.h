@@ -18,7 +18,7 @@ inline constexpr int kBoxFaceSize = 512;
 
 class TruthStage {
  public:
-  /// `index` and `shown` must outlive this. Captures the probe twice where the scene is its box. `progress` is asked
+  /// `index` and `shown` must outlive this. `progress` is asked
   /// whether to go on; rows made after it said no are unfinished. Throws as loadScene() does.
   TruthStage(const TruthIndex& index, const std::string& scene, OffscreenScene& shown, ReferenceProgress progress = {});
 
@@ -27,8 +27,8 @@ class TruthStage {
 
   /// Of the floor that was set.
   TruthRow sceneRow(const TruthPicture& picture, const TruthEffort& effort) const;
-  /// Of a scene that is its box alone, captured with faces of kBoxFaceSize: what is judged is the integral.
-  TruthRow boxRow(const TruthPicture& picture, const TruthEffort& effort) const;
+  /// Of a scene that is its box alone; at first captured with faces of kBoxFaceSize: what is judged is the integral.
+  TruthRow boxRow(const TruthPicture& picture, const TruthEffort& effort);
   /// Captured as the scene has it.
   TruthRow techniqueRow(const TruthPicture& picture, const BenchTechnique& technique);
 

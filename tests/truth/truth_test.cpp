@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -15,6 +16,7 @@
 #include "app/session/truth_stage.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/files/read_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/reference/measure/metrics.h"
 
 namespace {
@@ -48,9 +50,9 @@ TEST(Truth, EveryPictureOfThePlanIsThereAndQuiet) {
   }
   std::size_t wanted = 0;
   for (const auto& [scene, metal] : plan["scenes"].items()) {
-    TruthStage stage(truth(), scene, sharedWindow());
+    const std::vector<Camera> cameras = loadSceneFile(truth().scenePath(scene)).cameras;
     for (const char* camera : {"low", "slant", "middle", "steep"}) {
-      EXPECT_NO_THROW(stage.camera(camera));
+      EXPECT_EQ(std::count_if(cameras.begin(), cameras.end(), [&](const Camera& c) { return c.name == camera; }), 1);
       for (const std::string& kind : {metal.get<std::string>(), std::string("dielectric"), std::string("coat")}) {
         for (const double roughness : plan["roughness"]) {
           ++wanted;
@@ -81,7 +83,7 @@ TEST(Truth, BothRenderersSeeTheSameScene) {
     TruthStage stage(truth(), picture.scene, sharedWindow());
     stage.setFloor(picture);
     const ImageRgbaF seen = loadTruthPicture(truth(), picture);
-    constexpr int kFineness = 8;  // lamps have hard edges
+    constexpr int kFineness = 6;  // lamps have hard edges
     ReferenceSettings settings;
     settings.width = kFineness * truth().width;
     settings.height = kFineness * truth().height;
@@ -109,6 +111,8 @@ TEST(Truth, ReferencesHoldToCycles) {
   std::string scene;
   for (const TruthPicture* picture : pictures) {
     if (picture->scene != scene) stage = std::make_unique<TruthStage>(truth(), scene = picture->scene, sharedWindow());
+    // A coat is a dielectric's interface: two roughnesses tell whether it is drawn as one.
+    if (picture->kind == "coat" && picture->roughness != 0.25 && picture->roughness != 0.75) continue;
     stage->setFloor(*picture);
     const TruthEffort effort{256, 7};
     rows.push_back(stage->sceneRow(*picture, effort));
@@ -120,7 +124,9 @@ TEST(Truth, ReferencesHoldToCycles) {
   for (const TruthRow& row : rows) {
     const std::string where = row.technique + ", " + row.scene + ", " + row.kind + ", " + row.camera + ", roughness " +
                               std::to_string(row.roughness);
-    EXPECT_NEAR(row.meanLight, 1.0, row.largestLightError()) << where;
+    // Fewer pixels and rays than `bench --truth` takes: their noise comes on top, and is small by itself.
+    EXPECT_LE(std::abs(row.meanLight - 1.0), row.largestLightError() + 2.0 * row.lightNoise) << where;
+    EXPECT_LT(row.lightNoise, 0.02) << where;
     EXPECT_LE(row.relativeRmse, row.largestRmse()) << where;
   }
 }

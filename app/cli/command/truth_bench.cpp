@@ -68,13 +68,13 @@ void runTruthBench(const BenchOptions& options) {
   if (!options.assignments.empty())
     throw InputError("--set is not for --truth: the truth pictures are of scenes as they are");
   const InterruptGuard interrupt;
-  const TruthIndex index = loadTruthIndex(options.truthPath);
+  const TruthIndex index = loadTruthIndex(options.truthPath == kOwnTruth ? BOXPROBE_TRUTH_FILE : options.truthPath);
   const std::vector<const TruthPicture*> pictures = chosenPictures(index, options);
   const std::vector<BenchTechnique> techniques = chooseBenchTechniques(options.techniques);
   requireBenchFolder(options.folder, "truth.json");
   OffscreenScene shown(
       {"boxprobe bench --truth", kTruthFineness * index.width, kTruthFineness * index.height, 1, options.report.quiet});
-  const TruthEffort effort{options.quick ? 256 : 1024, options.quick ? 4 : 1};
+  const TruthEffort effort{options.quick ? 256 : 512, options.quick ? 4 : 1};
   std::vector<TruthRow> rows;
   bool complete = true;
   {

@@ -86,7 +86,7 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
                   "Number of random rooms judged beside the scene (default 192, with --quick 8; 0: none)")
       ->check(CLI::Range(0, 1000));
   // A flag that may have a value: --truth=FILE.
-  command.add_flag("--truth{" BOXPROBE_TRUTH_FILE "}", options.truthPath,
+  command.add_flag(std::string("--truth{") + kOwnTruth + "}", options.truthPath,
                    "Compare references and techniques with pictures of an independent path tracer instead; writes "
                    "truth.json (--truth=FILE: another file of such pictures)");
   command.add_option("--seed", options.seed, "Seed of the references' rays")->capture_default_str();

@@ -10,6 +10,9 @@
 
 namespace boxprobe {
 
+/// --truth without a file: the pictures that come with the source.
+inline constexpr const char* kOwnTruth = "own";
+
 struct BenchOptions {
   std::string scenePath;  ///< empty: the scene that comes with the program for this
   std::string folder = "bench";
@@ -19,7 +22,7 @@ struct BenchOptions {
   std::string cameras;
   std::string size;
   std::optional<int> rooms;  ///< of the study; none: as the plan has it
-  std::string truthPath;     ///< of the truth pictures' file; empty: a benchmark without them
+  std::string truthPath;     ///< of the truth pictures' file, or kOwnTruth; empty: a benchmark without them
   std::uint64_t seed = 1;
   std::vector<std::string> assignments;
   ReportOptions report;

@@ -29,13 +29,20 @@ ReferenceScene::ReferenceScene(const Scene& scene, const std::vector<std::shared
                                std::shared_ptr<const ImageRgbaF> skyImage)
     : tracer_(makeTriangleScene(scene, models)),
       lamps_(tracer_.scene()),
-      light_(scene, std::move(skyImage)),
-      brightSky_(light_.sky().chain()) {}
+      light_(std::make_shared<CaptureLight>(scene, std::move(skyImage))),
+      brightSky_(std::make_shared<BrightSky>(light_->sky().chain())) {}
+
+ReferenceScene::ReferenceScene(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
+                               const ReferenceScene& sameLight)
+    : tracer_(makeTriangleScene(scene, models)),
+      lamps_(tracer_.scene()),
+      light_(sameLight.light_),
+      brightSky_(sameLight.brightSky_) {}
 
 // How much of each light arrives; empty if none asks for shadows.
 std::vector<glm::vec3> ReferenceScene::throughTo(const TracedHit& hit, RaySees sees, int side) const {
   std::vector<glm::vec3> through;
-  const std::vector<Light>& lights = light_.lights();
+  const std::vector<Light>& lights = light_->lights();
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (lights[i].shadows == LightShadows::None) continue;
     through.resize(lights.size(), glm::vec3(1.0f));
@@ -46,24 +53,24 @@ std::vector<glm::vec3> ReferenceScene::throughTo(const TracedHit& hit, RaySees s
 
 glm::dvec3 ReferenceScene::seenFrom(const glm::dvec3& origin, const glm::dvec3& direction, RaySees sees) const {
   const auto hit = tracer_.firstHit(origin, direction, sees);
-  return hit ? sent(*hit, origin, sees) : glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+  return hit ? sent(*hit, origin, sees) : glm::dvec3(light_->sky().radiance(glm::vec3(direction)));
 }
 
 // What a hit sends back to where its ray started.
 glm::dvec3 ReferenceScene::sent(const TracedHit& hit, const glm::dvec3& origin, RaySees sees) const {
   // Highlights and other gloss move with the eye; a probe has them as they are from its origin.
-  const glm::dvec3 eye = sees == RaySees::Probes ? light_.capturedFrom(origin).value_or(origin) : origin;
+  const glm::dvec3 eye = sees == RaySees::Probes ? light_->capturedFrom(origin).value_or(origin) : origin;
   // What is reflected is a mean of many: few rays to a light do.
   constexpr int kShadowSide = 2;
   const std::vector<glm::vec3> through = throughTo(hit, sees, kShadowSide);
-  return glm::dvec3(light_.captured(tracer_.surface(hit, eye), tracer_.object(hit).material.unlit,
-                                    through.empty() ? nullptr : &through));
+  return glm::dvec3(light_->captured(tracer_.surface(hit, eye), tracer_.object(hit).material.unlit,
+                                     through.empty() ? nullptr : &through));
 }
 
 glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,
                                          std::uint64_t seed) const {
   glm::dvec3 sum(0.0);
-  for (const ReflectingLayer& layer : reflectingLayers(surface, light_.energy())) {
+  for (const ReflectingLayer& layer : reflectingLayers(surface, light_->energy())) {
     sum += reflected(layer, glm::normalize(glm::dvec3(surface.viewWorld)), away, sees, rays, seed);
     seed = stirred(seed);
   }
@@ -76,23 +83,23 @@ glm::dvec3 ReferenceScene::reflected(const ReflectingLayer& layer, const glm::dv
                                      RaySees sees, int rays, std::uint64_t seed) const {
   const VisibleNormalLobe lobe(layer.normalWorld, view, layer.roughness * layer.roughness);
   const auto reflectance = [&](double hDotV) { return layer.reflectance(hDotV); };
-  const int aims = (lamps_.empty() ? 0 : 1) + (brightSky_.empty() ? 0 : 1);
+  const int aims = (lamps_.empty() ? 0 : 1) + (brightSky_->empty() ? 0 : 1);
   if (aims == 0 || lobe.mirror() || rays < 2 * aims) {
     return lobeReflected(lobe, rays, seed, reflectance,
                          [&](const glm::dvec3& direction) { return seenFrom(away, direction, sees); });
   }
   const int each = rays / (2 * aims), byLobe = rays - aims * each;
-  const int towardsLamps = lamps_.empty() ? 0 : each, towardsSky = brightSky_.empty() ? 0 : each;
+  const int towardsLamps = lamps_.empty() ? 0 : each, towardsSky = brightSky_->empty() ? 0 : each;
   glm::dvec3 shining(0.0);
   const auto add = [&](const VisibleNormalLobe::Density& of, double aimed, const glm::dvec3& light) {
     const double density = byLobe * of.density + each * aimed;
     if (density > 0.0) shining += of.weight * of.density / density * layer.reflectance(of.hDotV) * light;
   };
   const auto addSky = [&](const glm::dvec3& direction, const VisibleNormalLobe::Density& of, const glm::dvec3& light) {
-    add(of, brightSky_.density(direction), light);
+    add(of, brightSky_->density(direction), light);
   };
   const auto skyAt = [&](const glm::dvec3& direction) {
-    return glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+    return glm::dvec3(light_->sky().radiance(glm::vec3(direction)));
   };
   const glm::dvec3 rest = lobeReflected(lobe, byLobe, seed, reflectance, [&](const glm::dvec3& direction) {
     const auto hit = tracer_.firstHit(away, direction, sees);
@@ -103,7 +110,7 @@ glm::dvec3 ReferenceScene::reflected(const ReflectingLayer& layer, const glm::dv
     }
     const glm::dvec3 all = skyAt(direction);
     if (towardsSky == 0) return all;
-    const glm::dvec3 bright = brightSky_.excess(all);
+    const glm::dvec3 bright = brightSky_->excess(all);
     addSky(direction, lobe.at(direction), bright);
     return all - bright;
   });
@@ -117,10 +124,10 @@ glm::dvec3 ReferenceScene::reflected(const ReflectingLayer& layer, const glm::dv
   }
   const ShiftedPoints skyPoints(stirred(seed ^ 0x1b873593u));
   for (int i = 0; i < towardsSky; ++i) {
-    const glm::dvec3 direction = brightSky_.towards(skyPoints[i]);
+    const glm::dvec3 direction = brightSky_->towards(skyPoints[i]);
     const VisibleNormalLobe::Density of = lobe.at(direction);
     if (!(of.weight > 0.0) || tracer_.firstHit(away, direction, sees)) continue;
-    addSky(direction, of, brightSky_.excess(skyAt(direction)));
+    addSky(direction, of, brightSky_->excess(skyAt(direction)));
   }
   return rest + shining;
 }
@@ -142,7 +149,7 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
       const glm::dvec3 eye = rays.origin(across, down), direction = rays.direction(across, down);
       const auto hit = tracer_.firstHit(eye, direction);
       if (!hit) {
-        pixel.color += glm::dvec3(light_.sky().radiance(glm::vec3(direction)));
+        pixel.color += glm::dvec3(light_->sky().radiance(glm::vec3(direction)));
         continue;
       }
       pixel.alpha += 1.0;
@@ -155,7 +162,7 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
       constexpr int kShadowSide = 6;
       const std::vector<glm::vec3> through = throughTo(*hit, RaySees::Picture, kShadowSide);
       pixel.color +=
-          (1.0 - passes) * glm::dvec3(light_.unreflected(surface, unlit, through.empty() ? nullptr : &through));
+          (1.0 - passes) * glm::dvec3(light_->unreflected(surface, unlit, through.empty() ? nullptr : &through));
       if (unlit) continue;
       const std::uint64_t place =
           (static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)) *
@@ -169,7 +176,7 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
         if (passes == 1.0) continue;
       }
       pixel.color += (1.0 - passes) * reflectedFrom(surface, tracer_.awayFrom(*hit), sees, plan.raysPerPass, seed);
-      pixel.exact = pixel.exact && mirrorsOnly(reflectingLayers(surface, light_.energy()), surface);
+      pixel.exact = pixel.exact && mirrorsOnly(reflectingLayers(surface, light_->energy()), surface);
     }
     pixel.color /= side * side;
     pixel.alpha /= side * side;

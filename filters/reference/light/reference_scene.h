@@ -43,9 +43,13 @@ class ReferenceScene {
   /// `skyImage`: the sky's picture if it has one. Throws WorkError.
   ReferenceScene(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
                  std::shared_ptr<const ImageRgbaF> skyImage);
+  /// Of a scene that differs from that of `sameLight` in surfaces alone: sky, lights and probes are shared, which take
+  /// seconds to prepare.
+  ReferenceScene(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
+                 const ReferenceScene& sameLight);
 
   const SceneTracer& tracer() const { return tracer_; }
-  const CaptureLight& light() const { return light_; }
+  const CaptureLight& light() const { return *light_; }
 
   /// Radiance that arrives along a ray, as reflections see it. RaySees::Probes: as captured.
   glm::dvec3 seenFrom(const glm::dvec3& originWorld, const glm::dvec3& directionWorld, RaySees sees) const;
@@ -65,8 +69,8 @@ class ReferenceScene {
 
   SceneTracer tracer_;
   LampTriangles lamps_;
-  CaptureLight light_;
-  BrightSky brightSky_;
+  std::shared_ptr<const CaptureLight> light_;
+  std::shared_ptr<const BrightSky> brightSky_;
 };
 
 /// Positions along each side of a pixel for 1, 4 or 16 in all.

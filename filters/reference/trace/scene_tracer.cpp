@@ -10,6 +10,7 @@
 #include <string>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/scene/coat.h"
 #include "filters/reference/trace/surface_texture.h"
 
 namespace boxprobe {
@@ -216,8 +217,7 @@ SurfacePoint SceneTracer::surface(const TracedHit& hit, const glm::dvec3& eye) c
   s.metallic = m.metallic * roughMetal.b;
   s.roughness = m.roughness * roughMetal.g;
   s.occlusion = glm::mix(1.0f, at.sampled(m.occlusionTexture, false).r, m.occlusionStrength);
-  // As vtkProperty has it: a coat of index 2, and a base between lying in air and lying under it.
-  constexpr float kCoatIor = 2.0f;
+  // As vtkProperty has it: a base between lying in air and lying under its coat.
   s.baseF0 = glm::mix(reflectanceOf(m.ior, 1.0f), reflectanceOf(m.ior, kCoatIor), m.coat);
   s.coatStrength = m.coat * at.sampled(m.coatTexture, false).r;
   s.coatRoughness = m.coatRoughness * at.sampled(m.coatRoughnessTexture, false).g;

@@ -40,6 +40,25 @@ double relativeOnFloor(const ImageRgbaF& truth, const ImageRgbaF& drawn, const D
   return light > 0.0 ? std::sqrt(squares / light) : 0.0;
 }
 
+/// `ofTruth`: relative RMS. Its channels are taken to err alike, as the reference's do: the largest error of a mean.
+void setNoise(TruthRow& row, const ImageRgbaF& truth, const ImageRgbaF& drawn, const ImageRgbaF* standardError,
+              double ofTruth) {
+  double squares = 0.0, sum = 0.0, noise = 0.0, sumNoise = 0.0;
+  for (std::size_t i = 0; i < truth.pixels.size() / 4; ++i) {
+    if (!counts(truth, drawn, i)) continue;
+    const glm::dvec3 color = colorAt(truth, i);
+    squares += glm::dot(color, color);
+    sum += color.x + color.y + color.z;
+    if (standardError == nullptr) continue;
+    const glm::dvec3 error = colorAt(*standardError, i);
+    noise += glm::dot(error, error);
+    sumNoise += std::pow(error.x + error.y + error.z, 2.0);
+  }
+  if (!(sum > 0.0)) return;
+  row.noise = std::hypot(ofTruth, std::sqrt(noise / squares));
+  row.lightNoise = std::hypot(ofTruth * std::sqrt(3.0 * squares), std::sqrt(sumNoise)) / sum;
+}
+
 }  // namespace
 
 bool coveredByFloor(const ImageRgbaF& truth, std::size_t pixel) {
@@ -51,7 +70,7 @@ bool TruthRow::holds() const {
 }
 
 TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, const Camera& camera,
-                          const std::string& technique, const ImageRgbaF& drawn, double ownNoise) {
+                          const std::string& technique, const ImageRgbaF& drawn, const ImageRgbaF* standardError) {
   const ImageRgbaF truth = loadTruthPicture(index, picture);
   if (drawn.width != truth.width || drawn.height != truth.height) {
     throw InputError(picture.file + ": compared with a picture of another size");
@@ -62,7 +81,6 @@ TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, 
   row.kind = picture.kind;
   row.roughness = picture.roughness;
   row.technique = technique;
-  row.noise = std::hypot(picture.noise, ownNoise);
   ErrorTally all;
   std::array<ErrorTally, kEdges.size() - 1> byAngle;
   const PictureRays rays(camera, truth.width, truth.height);
@@ -80,6 +98,7 @@ TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, 
     }
   }
   if (all.pixels() == 0) throw InputError(picture.file + ": shows no floor");
+  setNoise(row, truth, drawn, standardError, picture.noise);
   row.meanLight = all.brightnessRatio();
   row.relativeRmse = all.relativeRmse();
   row.pixels = all.pixels();
@@ -89,10 +108,6 @@ TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, 
         {kEdges[i], kEdges[i + 1], byAngle[i].brightnessRatio(), byAngle[i].relativeRmse(), byAngle[i].pixels()});
   }
   return row;
-}
-
-double noiseOnFloor(const ReferencePicture& picture, const ImageRgbaF& truth) {
-  return relativeOnFloor(truth, picture.color, [&](std::size_t i) { return colorAt(picture.standardError, i); });
 }
 
 double texelCost(const ReferencePicture& picture, const ReferencePicture& coarser, const ImageRgbaF& truth) {

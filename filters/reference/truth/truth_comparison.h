@@ -27,6 +27,7 @@ struct TruthRow {
   double relativeRmse = 0.0;  ///< root of the sum of squared differences over that of the truth's squares
   double noise = 0.0;         ///< joint, of both pictures: what relativeRmse is if they agree
   double texelCost = 0.0;     ///< relative RMS of what the texels of a captured radiance cost; 0: it has none
+  double lightNoise = 0.0;    ///< joint standard error of meanLight
   std::size_t pixels = 0;
   std::vector<TruthBucket> buckets;
 
@@ -41,13 +42,12 @@ struct TruthRow {
 /// Does the floor cover all of this pixel of a truth picture?
 bool coveredByFloor(const ImageRgbaF& truth, std::size_t pixel);
 
-/// `drawn`: of the truth's size, what is not floor being of any colour. `ownNoise`: relative RMS of its own noise. Only
-/// pixels count that the floor covers and that are covered in `drawn`. Throws InputError if there are none.
+/// `drawn`: of the truth's size, what is not floor being of any colour. `standardError`: of each of its pixels; null:
+/// it has no noise. Only pixels count that the floor covers and that are covered in `drawn`. Throws InputError if there
+/// are none.
 TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, const Camera& camera,
-                          const std::string& technique, const ImageRgbaF& drawn, double ownNoise);
-
-/// Relative RMS of a reference's own noise over the pixels that count.
-double noiseOnFloor(const ReferencePicture& picture, const ImageRgbaF& truth);
+                          const std::string& technique, const ImageRgbaF& drawn,
+                          const ImageRgbaF* standardError = nullptr);
 
 /// What texels cost, as relative RMS over the pixels that count: of pictures from a capture and from one of half its
 /// resolution. An error in proportion to the texel is their difference, one in proportion to its square a third of it.

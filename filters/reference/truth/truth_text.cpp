@@ -31,6 +31,7 @@ Json rowJson(const TruthRow& row) {
                {"meanLight", rounded(row.meanLight, 5)},
                {"relativeRmse", rounded(row.relativeRmse, 6)},
                {"noise", rounded(row.noise, 6)},
+               {"lightNoise", rounded(row.lightNoise, 5)},
                {"texelCost", rounded(row.texelCost, 6)},
                {"pixels", row.pixels}};
   if (row.reference()) json["holds"] = row.holds();

@@ -21,7 +21,7 @@ struct FloorPlan {
 FloorPlan planFloor(double roughness, int rays) {
   constexpr int kPasses = 8;
   if (roughness < 0.01) return {kPasses, 32, 1};
-  const int positions = roughness < 0.2 ? 8 : 2;
+  const int positions = roughness < 0.2 ? 4 : 2;
   return {kPasses, positions, std::max(rays / (kPasses * positions), 1)};
 }
 

@@ -13,8 +13,8 @@ namespace boxprobe {
 inline constexpr int kTruthFineness = 5;
 
 struct TruthEffort {
-  int rays = 1024;  ///< per pixel of a rough floor; a mirror needs positions alone
-  int stride = 1;   ///< of the floor's pixels, one in so many is made; the others have alpha 0
+  int rays = 512;  ///< per pixel of a rough floor; a mirror needs positions alone
+  int stride = 1;  ///< of the floor's pixels, one in so many is made; the others have alpha 0
 };
 
 /// `reference`: of the scene with the picture's floor.

@@ -15,6 +15,7 @@
 #include <tuple>
 
 #include "filters/core/geometry/model_placement.h"
+#include "filters/core/scene/coat.h"
 #include "filters/core/scene/material_override.h"
 
 namespace boxprobe {
@@ -208,6 +209,7 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
   property->SetBaseIOR(material.ior);
   property->SetCoatStrength(material.coat);
   property->SetCoatRoughness(material.coatRoughness);
+  property->SetCoatIOR(kCoatIor);
   object.actor->SetVisibility(object.settings.visible ? 1 : 0);
 }
 
