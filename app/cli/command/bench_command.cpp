@@ -40,7 +40,7 @@ std::string processorName() {
 }
 
 /// A folder that can be written into, before minutes of work.
-void requireFolder(const std::string& folder) {
+void requireResultFolder(const std::string& folder) {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
     throw InputError("-o " + folder + ": this is a file; -o names a folder");
@@ -131,7 +131,7 @@ void runBench(const BenchOptions& options) {
   const FrameSize timed = timedFrameSize(options);
   VtkBenchHost host({"boxprobe bench", timed.width, timed.height, 1, options.report.quiet}, loaded.models,
                     loadSkyImage(loaded.scene), [] {});
-  requireFolder(options.folder);
+  requireResultFolder(options.folder);
   Contacts contacts(plan);
   BenchResult result = [&] {
     ProgressLine line("measuring", !options.report.quiet);
