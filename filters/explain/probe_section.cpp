@@ -12,7 +12,7 @@ using namespace explained;
 
 namespace {
 
-constexpr char kAxes[] = "xyz";
+constexpr char kAxisNames[] = "xyz";
 /// Slab factors from here on stand for "never": the ray runs along that plane.
 constexpr float kNever = 1e30f;
 
@@ -24,10 +24,10 @@ std::string subtrahend(double value) {
 ExplanationRow slabRow(const ProbeExplanation& p, int axis) {
   const float t = (*p.slabFactors)[axis];
   const float r = p.reflectionProbe[axis];
-  const std::string symbol = std::string("t_") + kAxes[axis];
+  const std::string symbol = std::string("t_") + kAxisNames[axis];
   if (t > kNever) {
     return row(symbol, {"infinite"}, "",
-               std::string("R has no part along ") + kAxes[axis] + ": that pair of planes is never met");
+               std::string("R has no part along ") + kAxisNames[axis] + ": that pair of planes is never met");
   }
   const bool positive = r > 0.0f;
   const float plane = positive ? p.boxMax[axis] : p.boxMin[axis];

@@ -16,7 +16,7 @@ namespace boxprobe {
 namespace {
 
 constexpr int kDecimals = 2;
-constexpr char kAxes[] = "xyz";
+constexpr char kAxisLetters[] = "xyz";
 
 /// What both views show, in the probe's frame.
 struct Ray {
@@ -128,7 +128,7 @@ class ViewBuilder {
       from[axis] = to[axis] = plane;
       glm::dvec3 crossing = r.position + t * r.reflection;
       if (axis == smallest && r.hit) crossing = *r.hit;
-      const std::string label = std::string("t_") + kAxes[axis] + " = " + fixedText(t, kDecimals);
+      const std::string label = std::string("t_") + kAxisLetters[axis] + " = " + fixedText(t, kDecimals);
       // The third axis of `from` and `to` vanishes on paper.
       glm::dvec2 a = paper(from), b = paper(to);
       view_.planes.push_back({a, b, paper(crossing), label, axis == smallest});

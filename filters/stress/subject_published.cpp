@@ -64,7 +64,7 @@ Trial tryBoxWorld(const StressInput& input, const StressClass& c, TrialLog* log)
       input, c, log);
 }
 
-Trial tryRoundedBox(const StressInput& input, const StressClass& c, TrialLog* log) {
+Trial tryPublishedRoundedBox(const StressInput& input, const StressClass& c, TrialLog* log) {
   const LocalInput in = published(input, log);
   const ProbeHit hit = shading::publishedRoundedBox(in.probe, in.point.position, in.point.reflection);
   Trial trial;
@@ -100,7 +100,7 @@ Trial tryDistanceRatio(const StressInput& input, const StressClass& c, TrialLog*
   return trial;
 }
 
-Trial tryFootprintScale(const StressInput& input, const StressClass& c, TrialLog* log) {
+Trial tryPublishedFootprintScale(const StressInput& input, const StressClass& c, TrialLog* log) {
   const LocalInput in = localInput(input);
   const ProbeHit hit = boxHit(in);
   const float scale = shading::publishedFootprintScale(in.probe, hit, in.point.reflection);
@@ -110,7 +110,7 @@ Trial tryFootprintScale(const StressInput& input, const StressClass& c, TrialLog
   return trial;
 }
 
-Trial tryDistribution(const StressInput& input, const StressClass& c, TrialLog* log) {
+Trial tryPublishedDistribution(const StressInput& input, const StressClass& c, TrialLog* log) {
   const LocalInput in = published(input, nullptr);
   const float alpha = in.point.roughness * in.point.roughness;
   const float within = std::min(alpha, 1.0f);
@@ -125,7 +125,7 @@ Trial tryDistribution(const StressInput& input, const StressClass& c, TrialLog* 
   return trial;
 }
 
-Trial tryMasking(const StressInput& input, const StressClass& c, TrialLog* log) {
+Trial tryPublishedMasking(const StressInput& input, const StressClass& c, TrialLog* log) {
   const LocalInput in = published(input, nullptr);
   const float alpha = in.point.roughness * in.point.roughness;
   const float cosine = std::clamp(glm::dot(in.point.normal, in.point.view), 0.0f, 1.0f);
@@ -138,7 +138,7 @@ Trial tryMasking(const StressInput& input, const StressClass& c, TrialLog* log) 
   return trial;
 }
 
-Trial tryWeight(const StressInput& input, const StressClass&, TrialLog* log) {
+Trial tryPublishedWeight(const StressInput& input, const StressClass&, TrialLog* log) {
   const LocalInput in = published(input, log);
   const float w = shading::publishedInfluence(in.point.position, in.probe.boxMin, in.probe.boxMax, input.blendDistance);
   Trial trial;
@@ -147,7 +147,7 @@ Trial tryWeight(const StressInput& input, const StressClass&, TrialLog* log) {
   return trial;
 }
 
-Trial tryReflection(const StressInput& input, const StressClass& c, TrialLog* log) {
+Trial tryPublishedReflection(const StressInput& input, const StressClass& c, TrialLog* log) {
   const LocalInput in = published(input, nullptr);
   const glm::vec3 r = glm::reflect(-in.point.view, in.point.normal);
   Trial trial;
@@ -163,14 +163,14 @@ const std::vector<StressSubject>& publishedSubjects() {
       {"published:box-select", {}, tryBoxSelect, "box+none", 0.0, {}},
       {"published:box-max", {}, tryBoxMax, "box+none", 0.0, {}},
       {"published:box-world", {}, tryBoxWorld, "box+none", 0.0, {}},
-      {"published:rounded-box", {}, tryRoundedBox, "term:rounded-box", 0.0, {}},
+      {"published:rounded-box", {}, tryPublishedRoundedBox, "term:rounded-box", 0.0, {}},
       {"published:sphere", {}, trySphere, "sphere+none", 0.0, {}},
       {"published:distance-ratio", {}, tryDistanceRatio, "box+hdrp", 0.0, {}},
-      {"published:footprint-scale", {}, tryFootprintScale, "term:footprint-scale", 0.0, {}},
-      {"published:ggx-distribution", {}, tryDistribution, "term:ggx-distribution", 0.0, {}},
-      {"published:ggx-masking", {}, tryMasking, "term:ggx-masking", 0.0, {}},
-      {"published:blend-weight", {}, tryWeight, "term:blend-weight", 0.0, {}},
-      {"published:reflection", {}, tryReflection, "term:reflection", 0.0, {}},
+      {"published:footprint-scale", {}, tryPublishedFootprintScale, "term:footprint-scale", 0.0, {}},
+      {"published:ggx-distribution", {}, tryPublishedDistribution, "term:ggx-distribution", 0.0, {}},
+      {"published:ggx-masking", {}, tryPublishedMasking, "term:ggx-masking", 0.0, {}},
+      {"published:blend-weight", {}, tryPublishedWeight, "term:blend-weight", 0.0, {}},
+      {"published:reflection", {}, tryPublishedReflection, "term:reflection", 0.0, {}},
   };
   return subjects;
 }

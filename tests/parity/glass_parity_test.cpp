@@ -16,7 +16,7 @@ using namespace boxprobe;
 using glm::vec3;
 using glm::vec4;
 
-constexpr std::size_t kCount = 65536;
+constexpr std::size_t kGlassCount = 65536;
 
 // The same formula on both sides, smooth, so that only the way through is compared.
 constexpr const char* kShell =
@@ -37,7 +37,7 @@ TEST(GlassParity, TheWayThroughIsTheSame) {
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   const auto direction = [&] { return glm::normalize(vec3(gauss(random), gauss(random), gauss(random))); };
   std::vector<vec4> position, normal, view;
-  for (std::size_t i = 0; i < kCount; ++i) {
+  for (std::size_t i = 0; i < kGlassCount; ++i) {
     const vec3 n = direction();
     vec3 v = direction();
     if (glm::dot(n, v) < 0.0f && i % 16 != 0) v = -v;
@@ -60,7 +60,7 @@ TEST(GlassParity, TheWayThroughIsTheSame) {
     const Shell shell;
     std::size_t beyond = 0;
     float worst = 0.0f;
-    for (std::size_t i = 0; i < kCount; ++i) {
+    for (std::size_t i = 0; i < kGlassCount; ++i) {
       shading::GlassObject glass{};
       glass.ior = normal[i].w;
       glass.form = form;
@@ -78,8 +78,8 @@ TEST(GlassParity, TheWayThroughIsTheSame) {
       if (off <= 1.0e-3f) worst = std::max(worst, off);
     }
     std::printf("  form %d: worst difference %.2g, %zu of %zu beyond 1e-3\n", form, static_cast<double>(worst), beyond,
-                kCount);
-    EXPECT_LE(beyond, kCount / 1000) << form;
+                kGlassCount);
+    EXPECT_LE(beyond, kGlassCount / 1000) << form;
   }
 }
 

@@ -21,7 +21,7 @@
 namespace boxprobe {
 namespace {
 
-const std::string kFolder = scenesFolder();
+const std::string kScenesFolder = scenesFolder();
 
 /// What a scene's probe sees is a closed room: exactly on the box, seen from inside, without a gap.
 void expectClosedRoom(const Model& model, const Scene& scene) {
@@ -59,24 +59,24 @@ void expectClosedRoom(const Model& model, const Scene& scene) {
 }
 
 TEST(Room, WallsAreTheBoxAndLeaveNoGap) {
-  const Scene scene = loadSceneFile(kFolder + "room.boxprobe.json");
+  const Scene scene = loadSceneFile(kScenesFolder + "room.boxprobe.json");
   const Probe& probe = scene.probes.front();
   EXPECT_EQ(probe.box.size(), glm::dvec3(8, 3, 6));
   EXPECT_EQ(probe.blendDistance, (BlendDistance{glm::dvec3(0.0), glm::dvec3(0.0)}));
   EXPECT_EQ(probe.bounces, 1);
   EXPECT_THAT(scene.lights, testing::IsEmpty());
-  expectClosedRoom(loadModelFile(kFolder + "room.glb"), scene);
+  expectClosedRoom(loadModelFile(kScenesFolder + "room.glb"), scene);
 }
 
 TEST(Gallery, WhatTheProbeSeesIsTheBoxAndNothingElse) {
-  const Scene scene = loadSceneFile(kFolder + "gallery.boxprobe.json");
+  const Scene scene = loadSceneFile(kScenesFolder + "gallery.boxprobe.json");
   EXPECT_EQ(scene.probes.front().box.size(), glm::dvec3(10, 3.5, 7));
   EXPECT_EQ(scene.probes.front().blendDistance, (BlendDistance{glm::dvec3(0.0), glm::dvec3(0.0)}));
-  expectClosedRoom(loadModelFile(kFolder + "gallery.glb"), scene);
+  expectClosedRoom(loadModelFile(kScenesFolder + "gallery.glb"), scene);
 }
 
 TEST(Room, LampLiesInTheCeilingAndFloorIsPureMetal) {
-  const Model model = loadModelFile(kFolder + "room.glb");
+  const Model model = loadModelFile(kScenesFolder + "room.glb");
   double lamp = 0.0;
   for (const Triangle& t : triangles(model)) {
     if (t.node == "lamp") {
@@ -97,7 +97,7 @@ TEST(Room, LampLiesInTheCeilingAndFloorIsPureMetal) {
 }
 
 TEST(Room, MuralsAreLinearRadianceInRangeWithSoftEdges) {
-  const Model model = loadModelFile(kFolder + "room.glb");
+  const Model model = loadModelFile(kScenesFolder + "room.glb");
   const auto linear = [](std::uint8_t byte) {
     const double c = byte / 255.0;
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -148,10 +148,10 @@ std::optional<Hit> castFromMiddle(const std::vector<Triangle>& scene, const glm:
 }
 
 TEST(SixFaces, WallsAreTheBoxAndLeaveNoGap) {
-  const Scene scene = loadSceneFile(kFolder + "six-faces.boxprobe.json");
+  const Scene scene = loadSceneFile(kScenesFolder + "six-faces.boxprobe.json");
   EXPECT_EQ(scene.probes.front().origin, glm::dvec3(0.0));
   EXPECT_EQ(scene.probes.front().box, (Box{glm::dvec3(-2.0), glm::dvec3(2.0)}));
-  expectClosedRoom(loadModelFile(kFolder + "six-faces.glb"), scene);
+  expectClosedRoom(loadModelFile(kScenesFolder + "six-faces.glb"), scene);
 }
 
 TEST(SixFaces, EachWallShowsItsCubeMapFace) {
@@ -162,7 +162,7 @@ TEST(SixFaces, EachWallShowsItsCubeMapFace) {
                                              {0.66, 0.08, 0.62},
                                              {0.08, 0.16, 0.85},
                                              {0.85, 0.70, 0.06}}};
-  const Model model = loadModelFile(kFolder + "six-faces.glb");
+  const Model model = loadModelFile(kScenesFolder + "six-faces.glb");
   const std::vector<Triangle> scene = triangles(model);
   const auto expectColor = [&](int face, double s, double t, const glm::dvec3& expected) {
     const glm::vec3 direction = shading::cubeDirection(face, static_cast<float>(s), static_cast<float>(t));
@@ -194,7 +194,7 @@ TEST(SixFaces, EachWallShowsItsCubeMapFace) {
 TEST(SixFaces, BrightestQuadrantsLieWhereTheReadmeSays) {
   const std::array<glm::dvec3, 6> brightest = {
       {{2, 1, 1}, {-2, 1, -1}, {-1, 2, -1}, {-1, -2, 1}, {-1, 1, 2}, {1, 1, -2}}};
-  const Model model = loadModelFile(kFolder + "six-faces.glb");
+  const Model model = loadModelFile(kScenesFolder + "six-faces.glb");
   const std::vector<Triangle> scene = triangles(model);
   for (const glm::dvec3& point : brightest) {
     const std::optional<Hit> hit = castFromMiddle(scene, point);

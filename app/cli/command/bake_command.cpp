@@ -56,7 +56,7 @@ std::vector<std::string> chooseProbes(const Scene& scene, const std::vector<std:
 }
 
 /// Before hours of work, not after them.
-void requireFolder(const std::string& folder) {
+void requireBakeFolder(const std::string& folder) {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
     throw InputError(folder + ": this is a file; -o names a folder");
@@ -106,7 +106,7 @@ void runBake(const BakeOptions& options) {
   interrupt.check();
 
   OffscreenScene shown({"boxprobe bake", 16, 16, 1, options.report.quiet});
-  requireFolder(folder);
+  requireBakeFolder(folder);
   ShownSettings settings;
   settings.bakedFolder = folder;
   settings.bakeTargets = probes;

@@ -18,21 +18,21 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kListed = 40;  // lines of a kind, for people
 
-std::string number(const char* format, double value) {
+std::string formatted(const char* format, double value) {
   char text[48];
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
 
-std::string objectLine(const FrameReport::Object& object) {
+std::string drawnObjectLine(const FrameReport::Object& object) {
   std::string line = "  " + object.node;
   if (!object.drawn) return line + ": not drawn";
   if (object.unlit) return line + ": unlit";
   line += ":";
   for (const FrameReport::Share& share : object.probes) {
-    line += " " + share.probe + number(" %.0f %%,", 100.0 * share.weight);
+    line += " " + share.probe + formatted(" %.0f %%,", 100.0 * share.weight);
   }
-  return line + number(" sky %.0f %%", 100.0 * object.sky);
+  return line + formatted(" sky %.0f %%", 100.0 * object.sky);
 }
 
 }  // namespace
@@ -101,10 +101,10 @@ std::string frameReportText(const FrameReport& report) {
   for (const std::size_t draws : report.drawsByProbeCount) text += " " + std::to_string(draws);
   text += "\n  shader variants: " + std::to_string(report.variants) + "\n";
   if (report.lookups) {
-    text += "  lookups per pixel:" + number(" mean %.3f,", report.lookups->mean) +
-            number(" at most %.0f\n", report.lookups->most);
+    text += "  lookups per pixel:" + formatted(" mean %.3f,", report.lookups->mean) +
+            formatted(" at most %.0f\n", report.lookups->most);
   }
-  text += "  maps: " + number("%.1f MiB\n", static_cast<double>(report.bytes) / 1048576.0);
+  text += "  maps: " + formatted("%.1f MiB\n", static_cast<double>(report.bytes) / 1048576.0);
   const std::vector<std::string> mirrors = mirrorLines(report);
   if (!mirrors.empty()) text += "planar mirrors\n";
   for (const std::string& line : mirrors) text += "  " + line + "\n";
@@ -114,7 +114,7 @@ std::string frameReportText(const FrameReport& report) {
   text += "probes of the drawn objects, by share of their bounds\n";
   std::size_t listed = 0;
   for (const FrameReport::Object& object : report.objects) {
-    if (object.drawn && ++listed <= kListed) text += objectLine(object) + "\n";
+    if (object.drawn && ++listed <= kListed) text += drawnObjectLine(object) + "\n";
   }
   if (listed > kListed) text += "  and " + std::to_string(listed - kListed) + " more; --json has them\n";
   text += "memory by probe\n";
@@ -124,7 +124,7 @@ std::string frameReportText(const FrameReport& report) {
   }
   std::stable_sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.bytes > b.bytes; });
   for (std::size_t i = 0; i < held.size() && i < kListed; ++i) {
-    text += "  " + held[i].name + ": " + number("%.2f MiB", static_cast<double>(held[i].bytes) / 1048576.0) +
+    text += "  " + held[i].name + ": " + formatted("%.2f MiB", static_cast<double>(held[i].bytes) / 1048576.0) +
             ", lights " + std::to_string(held[i].objects) + " objects, " + std::to_string(held[i].drawn) +
             " of them drawn\n";
   }

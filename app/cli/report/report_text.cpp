@@ -9,14 +9,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string number(double value) {
+std::string numberText(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
 }
 
 std::string vector3(const Json& v) {
-  return "(" + number(v[0].get<double>()) + ", " + number(v[1].get<double>()) + ", " + number(v[2].get<double>()) + ")";
+  return "(" + numberText(v[0].get<double>()) + ", " + numberText(v[1].get<double>()) + ", " +
+         numberText(v[2].get<double>()) + ")";
 }
 
 std::string box(const Json& b) {
@@ -68,13 +69,13 @@ std::string skyLine(const Json& sky) {
 
 std::string cameraLine(const Json& c) {
   return word(c["name"]) + ": at " + vector3(c["position"]) + ", towards " + vector3(c["target"]) + ", " +
-         number(c["verticalFovDegrees"].get<double>()) + " degrees high";
+         numberText(c["verticalFovDegrees"].get<double>()) + " degrees high";
 }
 
 std::string lightLine(const Json& l) {
   const bool directional = l["type"] == "directional";
   return word(l["type"]) + (directional ? ", direction " + vector3(l["direction"]) : ", at " + vector3(l["position"])) +
-         ", colour " + vector3(l["color"]) + ", intensity " + number(l["intensity"].get<double>());
+         ", colour " + vector3(l["color"]) + ", intensity " + numberText(l["intensity"].get<double>());
 }
 
 template <class Line>

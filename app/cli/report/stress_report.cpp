@@ -28,7 +28,7 @@ std::string floatText(float value) {
   return text;
 }
 
-Json number(double value) {
+Json jsonNumber(double value) {
   if (std::isfinite(value)) return value;
   return std::isnan(value) ? "nan" : (value > 0 ? "inf" : "-inf");
 }
@@ -74,13 +74,13 @@ Json stressLine(const StressCell& cell, std::uint64_t seed, const std::string& d
                {"nonFinite", t.nonFinite}, {"badLookups", t.badLookups},    {"broken", t.broken}, {"wrong", t.wrong}};
   for (std::size_t i = 0; i < kMeasures; ++i) {
     const ErrorHistogram& e = t.errors[i];
-    line[std::string("worst") + kMeasureNames[i]] = e.measured() ? number(e.worst()) : Json();
-    line[std::string("p9999") + kMeasureNames[i]] = e.measured() ? number(e.quantile(kQuantile)) : Json();
+    line[std::string("worst") + kMeasureNames[i]] = e.measured() ? jsonNumber(e.worst()) : Json();
+    line[std::string("p9999") + kMeasureNames[i]] = e.measured() ? jsonNumber(e.quantile(kQuantile)) : Json();
   }
   if (t.count == 0) return line;
   Json input = Json::array();
   for (const float n : numbersOf(cell.worstInput(seed), cell.subject->parameters)) {
-    input.push_back(number(static_cast<double>(n)));
+    input.push_back(jsonNumber(static_cast<double>(n)));
   }
   line["worstInput"] = input;
   line["replay"] = replayText(cell, seed);

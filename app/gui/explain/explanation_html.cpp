@@ -10,7 +10,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr const char* kDim = "#aab0b9";
+constexpr const char* kDimText = "#aab0b9";
 constexpr const char* kAccent = "#ffb31a";
 constexpr const char* kDeciding = "#4a3a12";
 constexpr int kColumns = 5;  ///< symbol, three numbers, swatch
@@ -33,7 +33,7 @@ QString swatchCell(const ExplanationRow& row, double exposure) {
 }
 
 QString small(const QString& html) {
-  return QString("<span style=\"color:%1; font-size:small\">%2</span>").arg(kDim, html);
+  return QString("<span style=\"color:%1; font-size:small\">%2</span>").arg(kDimText, html);
 }
 
 QString rowHtml(const ExplanationRow& row, double exposure) {

@@ -18,7 +18,7 @@ namespace boxprobe {
 namespace {
 
 const QColor kMark(255, 179, 26);
-const QColor kRim(10, 12, 16);
+const QColor kMarkRim(10, 12, 16);
 constexpr float kSmallestShare = 1e-3f;  ///< less is not outlined: nothing of it can be seen in the colour
 
 struct Texel {
@@ -48,7 +48,7 @@ QImage imageOf(const ImageRgba8& picture) {
 /// A line that reads on any picture: a dark rim under the colour.
 void drawRimmed(QPainter& painter, const QPolygonF& outline, double width) {
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kRim, width + 2.0));
+  painter.setPen(QPen(kMarkRim, width + 2.0));
   painter.drawPolygon(outline);
   painter.setPen(QPen(kMark, width));
   painter.drawPolygon(outline);
@@ -142,7 +142,7 @@ void FootprintView::paintTexels(QPainter& painter, const CubePicture& picture, c
   // Texels may be smaller than a pixel: a ring says where they are.
   constexpr double kSmallestSeen = 10.0;
   if (around.isNull() || std::max(around.width(), around.height()) > kSmallestSeen) return;
-  for (const auto& [color, width] : {std::pair(kRim, 4.0), std::pair(kMark, 2.0)}) {
+  for (const auto& [color, width] : {std::pair(kMarkRim, 4.0), std::pair(kMark, 2.0)}) {
     painter.setPen(QPen(color, width));
     painter.drawEllipse(around.center(), kSmallestSeen, kSmallestSeen);
   }

@@ -11,7 +11,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kMargin = 10;
+constexpr int kInsetMargin = 10;
 /// Of the picture's width, within what is legible and what is needed; logical pixels.
 constexpr double kShareOfWidth = 0.6;
 constexpr int kSmallestWidth = 380, kLargestWidth = 680;
@@ -48,10 +48,11 @@ void SchematicInset::setShown(bool shown) {
 void SchematicInset::place() {
   const QSize room = parentWidget()->size();
   const int wanted = std::clamp(static_cast<int>(kShareOfWidth * room.width()), kSmallestWidth, kLargestWidth);
-  const int width = std::min(wanted, room.width() - 2 * kMargin);
+  const int width = std::min(wanted, room.width() - 2 * kInsetMargin);
   const int height = std::min(width / 2, static_cast<int>(kLargestShareOfHeight * room.height()));
-  QRect place(room.width() - width - kMargin, room.height() - height - kMargin, width, height);
-  if (place.adjusted(-kMargin, -kMargin, kMargin, kMargin).contains(position_.toPoint())) place.moveTop(kMargin);
+  QRect place(room.width() - width - kInsetMargin, room.height() - height - kInsetMargin, width, height);
+  if (place.adjusted(-kInsetMargin, -kInsetMargin, kInsetMargin, kInsetMargin).contains(position_.toPoint()))
+    place.moveTop(kInsetMargin);
   setGeometry(place);
 }
 

@@ -22,7 +22,7 @@ const QColor& ink() {
   return color;
 }
 
-QString html(const std::string& text) {
+QString escaped(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped();
 }
 
@@ -59,13 +59,13 @@ struct Caption {
 
 QString questionHtml(const LessonStep& step) {
   QString text;
-  if (!step.mayMove.empty()) text += "<p><b>Try it:</b> " + html(step.mayMove) + "</p>";
+  if (!step.mayMove.empty()) text += "<p><b>Try it:</b> " + escaped(step.mayMove) + "</p>";
   if (step.question) {
-    text += "<p><b>Question:</b> " + html(step.question->ask) + "</p><ul style=\"margin-top:2px\">";
-    for (const LessonAnswer& answer : step.question->answers) text += "<li>" + html(answer.text) + "</li>";
+    text += "<p><b>Question:</b> " + escaped(step.question->ask) + "</p><ul style=\"margin-top:2px\">";
+    for (const LessonAnswer& answer : step.question->answers) text += "<li>" + escaped(answer.text) + "</li>";
     text += "</ul>";
   }
-  if (step.task) text += "<p><b>Task:</b> " + html(step.task->ask) + "</p>";
+  if (step.task) text += "<p><b>Task:</b> " + escaped(step.task->ask) + "</p>";
   return text;
 }
 
@@ -73,7 +73,7 @@ Caption caption(const LessonStep& step, std::size_t number, int width) {
   const QString above =
       QString("<p style=\"font-size:18px; margin-bottom:4px\"><b>%1&ensp;%2</b></p><p style=\"margin-top:0\">%3</p>")
           .arg(number + 1)
-          .arg(html(step.title), html(step.say));
+          .arg(escaped(step.title), escaped(step.say));
   QImage formula;
   if (!step.formula.empty()) {
     formula = formulaPicture(QString::fromStdString(formulaMathml(step.formula)), kFormulaPoints, ink(), 1.0);
@@ -85,7 +85,7 @@ Caption caption(const LessonStep& step, std::size_t number, int width) {
 QString measuredHtml(const LessonPictures& pictures) {
   QString text;
   for (const LessonPictures::Claim& claim : pictures.claims) {
-    text += "<p style=\"margin-top:2px; margin-bottom:2px\">" + html(claim.say) + " <b>" + html(claim.measured) +
+    text += "<p style=\"margin-top:2px; margin-bottom:2px\">" + escaped(claim.say) + " <b>" + escaped(claim.measured) +
             "</b>" + (claim.holds ? "" : " <b style=\"color:#b00020\">does not hold</b>") + "</p>";
   }
   return text.isEmpty() ? text : "<p style=\"margin-bottom:2px\"><b>Measured</b></p>" + text;
@@ -103,7 +103,7 @@ QImage lessonSheet(const Lesson& lesson, const LessonPictures& pictures) {
   const Block heading(QString("<p style=\"font-size:14px; margin-bottom:0; color:#5a626c\">%1</p>"
                               "<p style=\"font-size:27px; margin-top:2px; margin-bottom:2px\"><b>%2</b></p>"
                               "<p style=\"margin-top:0; font-size:16px\">%3</p>")
-                          .arg(html(lesson.chapter), html(lesson.title), html(lesson.summary)),
+                          .arg(escaped(lesson.chapter), escaped(lesson.title), escaped(lesson.summary)),
                       inner);
   const Block measured(measuredHtml(pictures), inner);
 

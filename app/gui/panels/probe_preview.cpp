@@ -23,7 +23,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kRadiance = 0, kDistance = 1;
+constexpr int kLightMap = 0, kDistanceMap = 1;
 constexpr const char* kFaceNames[6] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
 
 /// Distances as greys, white at `farthest` and beyond.
@@ -83,8 +83,8 @@ void ProbePreview::buildFields() {
   QFormLayout* form = addSection(this, tr("Cubemap of the selected probe"));
   what_ = addProbeChoice(
       form, tr("Show"),
-      {{tr("Light"), kRadiance, tr("Captured and filtered radiance at the picture's exposure")},
-       {tr("Distance"), kDistance,
+      {{tr("Light"), kLightMap, tr("Captured and filtered radiance at the picture's exposure")},
+       {tr("Distance"), kDistanceMap,
         tr("Distance from the capture origin to the captured surfaces; black where nothing was captured")}},
       tr("Which of the probe's maps is shown"), [this](int) { update(); });
   kind_ = addProbeChoice(
@@ -125,7 +125,7 @@ void ProbePreview::buildFields() {
 }
 
 bool ProbePreview::showsDistance() const {
-  return what_->currentData().toInt() == kDistance;
+  return what_->currentData().toInt() == kDistanceMap;
 }
 
 int ProbePreview::level() const {

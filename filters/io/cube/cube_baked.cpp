@@ -36,7 +36,7 @@ constexpr const char* kComments =
     "capturedRotation, if it is there. Part distance: from the "
     "capture origin, scene units, 0 where nothing was seen. Linear Rec. 709, premultiplied; A is coverage.";
 
-std::string folderOf(const std::string& path) {
+std::string parentFolder(const std::string& path) {
   return std::filesystem::path(path).parent_path().string();
 }
 
@@ -200,7 +200,7 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
   }
 
   Imf::Header& metadata = parts.front().header;
-  addProbeAttributes(metadata, file.info, folderOf(path));
+  addProbeAttributes(metadata, file.info, parentFolder(path));
   addCoefficients(metadata, file.maps.irradiance);
   addVectorAttribute(metadata, "capturedAt", file.maps.capturedAt);
   if (turned) addVectorAttribute(metadata, kRotationAttribute, file.maps.capturedRotation);
@@ -214,7 +214,7 @@ BakedProbeFile loadBakedProbe(const std::string& path) {
   BakedProbeFile result;
   withExrFile(path, [&](Imf::MultiPartInputFile& file) {
     result.maps = readMaps(file, path, result.texelsNotFinite);
-    result.info = readProbeAttributes(file.header(0), folderOf(path), path);
+    result.info = readProbeAttributes(file.header(0), parentFolder(path), path);
   });
   return result;
 }

@@ -18,7 +18,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kLargestFace = 4096;
+constexpr int kLargestLoadedFace = 4096;
 constexpr int kLargestAutomaticFace = 2048, kSmallestAutomaticFace = 16;  // what a probe may have
 
 /// A picture's value at a pixel: its colour, or its distance in red.
@@ -220,9 +220,9 @@ LoadedCube loadSixFiles(const std::string& path, int faceSize, const PictureCode
 }  // namespace
 
 LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, const PictureCode& code) {
-  if (faceSize < 0 || faceSize > kLargestFace || (faceSize & (faceSize - 1)) != 0) {
+  if (faceSize < 0 || faceSize > kLargestLoadedFace || (faceSize & (faceSize - 1)) != 0) {
     throw InputError(path + ": a face size of " + std::to_string(faceSize) +
-                     " was asked for; use a power of two up to " + std::to_string(kLargestFace));
+                     " was asked for; use a power of two up to " + std::to_string(kLargestLoadedFace));
   }
   std::error_code ignored;
   const bool pattern = path.find('%') != std::string::npos && !std::filesystem::exists(path, ignored);

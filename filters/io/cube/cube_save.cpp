@@ -14,7 +14,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kLargestFace = 4096;
+constexpr int kLargestSavedFace = 4096;
 
 /// The level as asked for, and its distances, as functions of direction.
 class Surroundings {
@@ -154,9 +154,9 @@ void saveCubePicture(const std::string& path, const CubeMap& cube, CubeLayout la
     throw InputError(path + ": level " + std::to_string(options.level) + " was asked for; the cube has " +
                      std::to_string(cube.levels()) + " levels, counted from 0");
   }
-  if (options.faceSize < 0 || options.faceSize > kLargestFace) {
+  if (options.faceSize < 0 || options.faceSize > kLargestSavedFace) {
     throw InputError(path + ": faces of " + std::to_string(options.faceSize) + " texels were asked for; use 1 to " +
-                     std::to_string(kLargestFace));
+                     std::to_string(kLargestSavedFace));
   }
   const Surroundings source(cube, options);
   const int faceSize = options.faceSize > 0 ? options.faceSize : source.size();

@@ -30,7 +30,7 @@ Light readLight(GltfFile& file, int index, const glm::dmat4& worldFromNode, cons
   const tinygltf::Light& source = lights[static_cast<std::size_t>(index)];
   const auto bounded = [&](double value) {
     if (!std::isfinite(value)) file.fail(where, "light " + std::to_string(index) + " has a number that is not finite");
-    return std::clamp(value, 0.0, kLargestNumber);
+    return std::clamp(value, 0.0, kLargestGltfNumber);
   };
   Light light;
   light.position = glm::dvec3(worldFromNode[3]);
@@ -70,7 +70,7 @@ Camera readCamera(GltfFile& file, int index, const glm::dmat4& worldFromNode, co
   camera.target = camera.position + turned(worldFromNode, {0.0, 0.0, -1.0});
   camera.up = turned(worldFromNode, {0.0, 1.0, 0.0});
   if (source.type == "orthographic") {
-    if (!(source.orthographic.ymag > 0.0 && source.orthographic.ymag <= kLargestNumber)) {
+    if (!(source.orthographic.ymag > 0.0 && source.orthographic.ymag <= kLargestGltfNumber)) {
       file.fail(where, "camera " + std::to_string(index) + ": ymag must be greater than 0; repair the model");
     }
     camera.parallelHeight = 2.0 * source.orthographic.ymag;

@@ -51,8 +51,8 @@ class MaterialReader {
  private:
   /// Beyond 1e18 products with light would leave single precision.
   float bounded(double value) {
-    if (std::fabs(value) > kLargestNumber) file_.warn("has material numbers above 1e18, which were clamped to it");
-    return static_cast<float>(std::clamp(value, -kLargestNumber, kLargestNumber));
+    if (std::fabs(value) > kLargestGltfNumber) file_.warn("has material numbers above 1e18, which were clamped to it");
+    return static_cast<float>(std::clamp(value, -kLargestGltfNumber, kLargestGltfNumber));
   }
   static float unit(double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); }
 

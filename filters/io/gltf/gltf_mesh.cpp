@@ -131,7 +131,7 @@ Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mod
   const std::size_t count = mesh.positions.size();
   for (std::size_t i = 0; i < count; ++i) {
     const glm::vec3 reach = glm::abs(mesh.positions[i]);
-    if (std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(kLargestNumber)) continue;
+    if (std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(kLargestGltfNumber)) continue;
     file.fail(place + ": POSITION", "entry " + std::to_string(i) + " lies beyond 1e18; repair the model");
   }
   if (count > 0xffffffffu) file.fail(place, "has more than 2^32 positions; split it");

@@ -128,7 +128,7 @@ class TreeWalk {
   void checkReach(std::size_t index, const glm::dmat4& worldFromNode) const {
     for (int i = 0; i < 16; ++i) {
       // Also false for NaN, which infinity times 0 leaves.
-      if (std::fabs(worldFromNode[i / 4][i % 4]) <= kLargestNumber) continue;
+      if (std::fabs(worldFromNode[i / 4][i % 4]) <= kLargestGltfNumber) continue;
       file_.fail(nodePlace(file_, index),
                  "its transform, with those of its parents, reaches beyond 1e18; repair the model");
     }

@@ -19,7 +19,7 @@ namespace boxprobe {
 
 /// Of positions, transforms and factors. A transform of this size takes a position of this size to 1e36, still inside
 /// single precision.
-constexpr double kLargestNumber = 1e18;
+constexpr double kLargestGltfNumber = 1e18;
 
 struct GltfFile {
   std::string path;

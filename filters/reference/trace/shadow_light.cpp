@@ -10,7 +10,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kFullTurn = 6.283185307179586;
 
 /// What one ray brings over `distance`.
 glm::dvec3 alongRay(const SceneTracer& tracer, glm::dvec3 origin, const glm::dvec3& direction, double distance,
@@ -46,7 +46,7 @@ glm::dvec3 lightThrough(const SceneTracer& tracer, const glm::dvec3& away, const
   glm::dvec3 sum(0.0);
   for (int i = 0; i < side * side; ++i) {
     // Equal areas: rings by the root of one coordinate, angles by the other.
-    const double r = radius * std::sqrt((i % side + 0.5) / side), angle = 2.0 * kPi * (i / side + 0.5) / side;
+    const double r = radius * std::sqrt((i % side + 0.5) / side), angle = kFullTurn * (i / side + 0.5) / side;
     const glm::dvec3 target = to + r * (std::cos(angle) * right + std::sin(angle) * up);
     const double length = glm::length(target);
     sum += alongRay(tracer, away, target / length, directional ? 1.0e30 : length, sees);

@@ -13,7 +13,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr std::array<GLenum, 2> kBuffers = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+constexpr std::array<GLenum, 2> kMirrorBuffers = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
 
 }  // namespace
 
@@ -86,7 +86,7 @@ void MirrorTarget::drawColors(vtkOpenGLRenderWindow* window, bool colors) {
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer());
   constexpr GLenum kNone[2] = {GL_NONE, GL_NONE};
-  glDrawBuffers(2, colors ? kBuffers.data() : kNone);
+  glDrawBuffers(2, colors ? kMirrorBuffers.data() : kNone);
   state->PopFramebufferBindings();
 }
 
@@ -98,13 +98,13 @@ void MirrorTarget::finish(vtkOpenGLRenderWindow* window) {
     state->PushFramebufferBindings();
     state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.handle());
     state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.handle());
-    for (const GLenum buffer : kBuffers) {
+    for (const GLenum buffer : kMirrorBuffers) {
       glReadBuffer(buffer);
       glDrawBuffer(buffer);
       glBlitFramebuffer(0, 0, width_, rows_, 0, 0, width_, rows_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
-    glReadBuffer(kBuffers[0]);
-    glDrawBuffers(2, kBuffers.data());
+    glReadBuffer(kMirrorBuffers[0]);
+    glDrawBuffers(2, kMirrorBuffers.data());
     state->PopFramebufferBindings();
   }
   if (levels_ == 1) return;

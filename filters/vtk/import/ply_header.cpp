@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostElements = 256;  // VTK searches all of them for each
 
-std::string quoted(std::string_view word) {
+std::string inQuotes(std::string_view word) {
   return "\"" + std::string(word) + "\"";
 }
 
@@ -46,7 +46,7 @@ class HeaderReader {
       } else if (word == "property") {
         readProperty();
       } else {
-        fail(quoted(word.substr(0, 40)) + " is not a word of PLY headers; delete the line");
+        fail(inQuotes(word.substr(0, 40)) + " is not a word of PLY headers; delete the line");
       }
     }
     checkWhole();
@@ -94,9 +94,9 @@ class HeaderReader {
     } else if (words_[1] == "binary_big_endian") {
       header_.format = PlyFormat::BigEndian;
     } else {
-      fail(quoted(words_[1]) + " is not a format; ascii, binary_little_endian and binary_big_endian are");
+      fail(inQuotes(words_[1]) + " is not a format; ascii, binary_little_endian and binary_big_endian are");
     }
-    if (words_[2] != "1.0") fail("version " + quoted(words_[2]) + " is not supported; save the file as PLY 1.0");
+    if (words_[2] != "1.0") fail("version " + inQuotes(words_[2]) + " is not supported; save the file as PLY 1.0");
   }
 
   void readElement() {
@@ -104,7 +104,7 @@ class HeaderReader {
     PlyElementHead element;
     element.name = words_[1];
     element.line = line_;
-    const std::string name = quoted(element.name);
+    const std::string name = inQuotes(element.name);
     for (const PlyElementHead& other : header_.elements) {
       if (other.name != element.name) continue;
       fail("element " + name + " stands in line " + std::to_string(other.line) + " already; join the two");
@@ -116,7 +116,7 @@ class HeaderReader {
     const std::string_view digits = words_[2];
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
     if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) {
-      fail(quoted(digits) + " is not a count of " + name + "; write a whole number");
+      fail(inQuotes(digits) + " is not a count of " + name + "; write a whole number");
     }
     if (count < 0) fail("promises " + std::string(digits) + " of " + name + "; a count is 0 or more");
     // Each takes a byte at least.
@@ -139,7 +139,7 @@ class HeaderReader {
     for (const auto& [name, type] : names) {
       if (name == word) return type;
     }
-    fail(quoted(word) + " is not a type; write char, uchar, short, ushort, int, uint, float or double");
+    fail(inQuotes(word) + " is not a type; write char, uchar, short, ushort, int, uint, float or double");
   }
 
   void readProperty() {
@@ -162,9 +162,9 @@ class HeaderReader {
                                       "green", "blue", "alpha", "diffuse_red", "diffuse_green", "diffuse_blue"})
                : isOneOf(field.name, {"intensity", "red", "green", "blue", "alpha"});
     if ((vertex || face) && number && list)
-      fail(quoted(field.name) + " is a list where a number is needed; save the file again");
+      fail(inQuotes(field.name) + " is a list where a number is needed; save the file again");
     if (face && !list && isOneOf(field.name, {"vertex_indices", "texcoord"})) {
-      fail(quoted(words_.back()) + " is a number where a list is needed; save the file again");
+      fail(inQuotes(words_.back()) + " is a number where a list is needed; save the file again");
     }
     header_.elements.back().fields.push_back(std::move(field));
   }
@@ -177,13 +177,13 @@ class HeaderReader {
         return std::any_of(element.fields.begin(), element.fields.end(), [&](const auto& f) { return f.name == name; });
       };
       if (element.fields.empty()) {
-        failPly(path_, element.line, "element " + quoted(element.name) + " has no properties; delete it");
+        failPly(path_, element.line, "element " + inQuotes(element.name) + " has no properties; delete it");
       }
       if (element.name == "vertex") {
         hasVertex = true;
         for (const char* axis : {"x", "y", "z"}) {
           if (has(axis)) continue;
-          failPly(path_, element.line, "\"vertex\" has no property " + quoted(axis) + "; save the file again");
+          failPly(path_, element.line, "\"vertex\" has no property " + inQuotes(axis) + "; save the file again");
         }
       }
       if (element.name == "face" && !has("vertex_indices")) {

@@ -9,8 +9,6 @@
 
 namespace boxprobe {
 
-namespace {
-
 class vtkFirstErrorWindow : public vtkOutputWindow {
  public:
   static vtkFirstErrorWindow* New();
@@ -21,8 +19,6 @@ class vtkFirstErrorWindow : public vtkOutputWindow {
   std::string First;
 };
 vtkStandardNewMacro(vtkFirstErrorWindow);
-
-}  // namespace
 
 struct VtkErrorCatcher::Impl {
   vtkSmartPointer<vtkOutputWindow> before;

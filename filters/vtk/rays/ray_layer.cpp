@@ -26,7 +26,7 @@ namespace {
 constexpr float kDot = 3.4f;        // where a ray hits
 constexpr float kErrorLine = 1.8f;  // an error is what one looks for
 
-void setText(vtkTextProperty* text, int size) {
+void setBarText(vtkTextProperty* text, int size) {
   text->SetFontFamilyToArial();
   text->SetFontSize(size);
   text->SetColor(1.0, 1.0, 1.0);
@@ -65,9 +65,9 @@ bool headed(RayKind kind) {
 
 RayLayer::RayLayer(vtkRenderer* renderer) : renderer_(renderer) {
   bar_->UnconstrainedFontSizeOn();
-  setText(bar_->GetTitleTextProperty(), 15);
-  setText(bar_->GetLabelTextProperty(), 14);
-  setText(bar_->GetAnnotationTextProperty(), 14);
+  setBarText(bar_->GetTitleTextProperty(), 15);
+  setBarText(bar_->GetLabelTextProperty(), 14);
+  setBarText(bar_->GetAnnotationTextProperty(), 14);
   // The names of choices stand outside of the bar's own background.
   bar_->GetAnnotationTextProperty()->SetBackgroundColor(0.08, 0.08, 0.09);
   bar_->GetAnnotationTextProperty()->SetBackgroundOpacity(0.78);

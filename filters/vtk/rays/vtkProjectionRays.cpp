@@ -23,10 +23,9 @@
 
 vtkStandardNewMacro(vtkProjectionRays);
 
-namespace {
+namespace boxprobe {
 
-using namespace boxprobe;
-
+/// A probe as the filter was given it. Not in the namespace without a name: the filter's own members are of this type.
 struct FilterProbe {
   Probe probe;
   std::optional<double> maximumLevel;
@@ -36,6 +35,12 @@ struct FilterProbe {
   LazyRelief relief;  // of them
   std::shared_ptr<const CubeMap> coverage;
 };
+
+}  // namespace boxprobe
+
+namespace {
+
+using namespace boxprobe;
 
 RayProbe rayProbe(const FilterProbe& p, const std::vector<Light>& lights) {
   RayProbe result;
@@ -51,7 +56,7 @@ RayProbe rayProbe(const FilterProbe& p, const std::vector<Light>& lights) {
   return result;
 }
 
-bool finite(const glm::dvec3& v) {
+bool allFinite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
@@ -98,7 +103,7 @@ int vtkProjectionRays::RequestData(vtkInformation*, vtkInformationVector** input
   settings.view = {this->ParallelProjection != 0,
                    {this->Eye[0], this->Eye[1], this->Eye[2]},
                    {this->ViewDirection[0], this->ViewDirection[1], this->ViewDirection[2]}};
-  if (!finite(settings.view.parallel ? settings.view.viewDirection : settings.view.eyeWorld)) {
+  if (!allFinite(settings.view.parallel ? settings.view.viewDirection : settings.view.eyeWorld)) {
     vtkErrorMacro("the eye or the view direction is not a finite number");
     return 0;
   }
@@ -126,7 +131,7 @@ int vtkProjectionRays::RequestData(vtkInformation*, vtkInformationVector** input
     const vtkIdType id = i * count / kept;  // spread evenly over what there is
     glm::dvec3 position(0.0), normal(0.0);
     points->GetPoint(id, &position.x);
-    if (!finite(position)) continue;
+    if (!allFinite(position)) continue;
     if (normals != nullptr && normals->GetNumberOfComponents() == 3) normals->GetTuple(id, &normal.x);
     const auto p = static_cast<float>(roughness != nullptr ? roughness->GetComponent(id, 0) : 0.0);
     const SurfaceRay ray = surfaceRay(position, normal, p, settings.view);
@@ -204,7 +209,7 @@ Probe* vtkProjectionRays::EditProbe(int index, bool valid) {
 namespace {
 
 bool validBox(const Box& box) {
-  return finite(box.min) && finite(box.max) && glm::all(glm::lessThanEqual(box.min, box.max));
+  return allFinite(box.min) && allFinite(box.max) && glm::all(glm::lessThanEqual(box.min, box.max));
 }
 
 }  // namespace
@@ -215,7 +220,7 @@ void vtkProjectionRays::SetProbeName(int index, const char* name) {
 
 void vtkProjectionRays::SetProbeOrigin(int index, double x, double y, double z) {
   const glm::dvec3 origin(x, y, z);
-  if (Probe* probe = this->EditProbe(index, finite(origin))) probe->origin = origin;
+  if (Probe* probe = this->EditProbe(index, allFinite(origin))) probe->origin = origin;
 }
 
 void vtkProjectionRays::SetProbeBounds(int index, double xMin, double xMax, double yMin, double yMax, double zMin,
@@ -232,7 +237,7 @@ void vtkProjectionRays::SetProbeInfluence(int index, double xMin, double xMax, d
 
 void vtkProjectionRays::SetProbeRotation(int index, double xDegrees, double yDegrees, double zDegrees) {
   const glm::dvec3 rotation(xDegrees, yDegrees, zDegrees);
-  if (Probe* probe = this->EditProbe(index, finite(rotation))) probe->rotationDegrees = rotation;
+  if (Probe* probe = this->EditProbe(index, allFinite(rotation))) probe->rotationDegrees = rotation;
 }
 
 void vtkProjectionRays::SetProbeBlendDistance(int index, double distance) {
@@ -261,14 +266,14 @@ void vtkProjectionRays::SetProbeMaximumLevel(int index, double level) {
 
 void vtkProjectionRays::SetProbeCapturedAt(int index, double x, double y, double z) {
   const glm::dvec3 origin(x, y, z);
-  if (this->EditProbe(index, finite(origin)) != nullptr) {
+  if (this->EditProbe(index, allFinite(origin)) != nullptr) {
     this->Internal->probes[static_cast<std::size_t>(index)].capturedAt = origin;
   }
 }
 
 void vtkProjectionRays::SetProbeCapturedRotation(int index, double xDegrees, double yDegrees, double zDegrees) {
   const glm::dvec3 degrees(xDegrees, yDegrees, zDegrees);
-  if (this->EditProbe(index, finite(degrees)) != nullptr) {
+  if (this->EditProbe(index, allFinite(degrees)) != nullptr) {
     this->Internal->probes[static_cast<std::size_t>(index)].capturedRotation = degrees;
   }
 }
