@@ -8,7 +8,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfTurn = 3.14159265358979323846;
 
 struct Node {
   double at, weight;  // within [0, 1]
@@ -18,7 +18,7 @@ struct Node {
 std::vector<Node> gaussLegendre(int count) {
   std::vector<Node> nodes;
   for (int i = 0; i < count; ++i) {
-    double x = std::cos(kPi * (i + 0.75) / (count + 0.5)), slope = 1.0;
+    double x = std::cos(kHalfTurn * (i + 0.75) / (count + 0.5)), slope = 1.0;
     for (int step = 0; step < 50; ++step) {
       double value = 1.0, before = 0.0;
       for (int n = 1; n <= count; ++n) {
@@ -53,7 +53,8 @@ glm::dvec2 integrateBrdf(double cosine, double roughness, int points) {
     const double t = std::tan(angle) / alpha;
     return 1.0 - 1.0 / std::sqrt(1.0 + t * t);
   };
-  const double view = std::acos(c), ends[] = {0.0, place(0.25 * kPi - 0.5 * view), place(0.25 * kPi + 0.5 * view)};
+  const double view = std::acos(c),
+               ends[] = {0.0, place(0.25 * kHalfTurn - 0.5 * view), place(0.25 * kHalfTurn + 0.5 * view)};
   glm::dvec2 sum(0.0);
   for (int part = 0; part < 2; ++part) {
     const double width = ends[part + 1] - ends[part];
@@ -70,7 +71,7 @@ glm::dvec2 integrateBrdf(double cosine, double roughness, int points) {
         const double value = viewHalf / (c * z) * 2.0 * c * light / (c * root(light) + light * viewRoot);
         const double grazing = 1.0 - std::min(viewHalf, 1.0), grazing2 = grazing * grazing;
         const double fresnel = grazing2 * grazing2 * grazing;
-        const double weight = width * out.weight * 2.0 * (1.0 - s) * turn.weight * most / kPi;
+        const double weight = width * out.weight * 2.0 * (1.0 - s) * turn.weight * most / kHalfTurn;
         sum += weight * value * glm::dvec2(1.0 - fresnel, fresnel);
       }
     }

@@ -22,27 +22,27 @@ double rounded(double value, int digits) {
 }
 
 Json rowJson(const TruthRow& row) {
-  Json json = {{"scene", row.scene},
-               {"camera", row.camera},
-               {"kind", row.kind},
-               {"roughness", row.roughness},
-               {"technique", row.technique},
-               {"reference", "truth"},
-               {"meanLight", rounded(row.meanLight, 5)},
-               {"relativeRmse", rounded(row.relativeRmse, 6)},
-               {"noise", rounded(row.noise, 6)},
-               {"lightNoise", rounded(row.lightNoise, 5)},
-               {"texelCost", rounded(row.texelCost, 6)},
-               {"pixels", row.pixels}};
-  if (row.reference()) json["holds"] = row.holds();
-  json["buckets"] = Json::array();
+  Json out = {{"scene", row.scene},
+              {"camera", row.camera},
+              {"kind", row.kind},
+              {"roughness", row.roughness},
+              {"technique", row.technique},
+              {"reference", "truth"},
+              {"meanLight", rounded(row.meanLight, 5)},
+              {"relativeRmse", rounded(row.relativeRmse, 6)},
+              {"noise", rounded(row.noise, 6)},
+              {"lightNoise", rounded(row.lightNoise, 5)},
+              {"texelCost", rounded(row.texelCost, 6)},
+              {"pixels", row.pixels}};
+  if (row.reference()) out["holds"] = row.holds();
+  out["buckets"] = Json::array();
   for (const TruthBucket& b : row.buckets) {
-    json["buckets"].push_back({{"nDotV", {b.nDotVLow, b.nDotVHigh}},
-                               {"meanLight", rounded(b.meanLight, 5)},
-                               {"relativeRmse", rounded(b.relativeRmse, 6)},
-                               {"pixels", b.pixels}});
+    out["buckets"].push_back({{"nDotV", {b.nDotVLow, b.nDotVHigh}},
+                              {"meanLight", rounded(b.meanLight, 5)},
+                              {"relativeRmse", rounded(b.relativeRmse, 6)},
+                              {"pixels", b.pixels}});
   }
-  return json;
+  return out;
 }
 
 }  // namespace
@@ -84,12 +84,12 @@ std::string truthTable(const TruthIndex& index, const std::vector<TruthRow>& row
 }
 
 std::string truthJson(const TruthIndex& index, const std::vector<TruthRow>& rows, bool complete) {
-  Json json = {{"renderer", index.renderer},
-               {"complete", complete},
-               {"pictures", {{"width", index.width}, {"height", index.height}}}};
-  json["rows"] = Json::array();
-  for (const TruthRow& row : rows) json["rows"].push_back(rowJson(row));
-  return formatJson(json);
+  Json out = {{"renderer", index.renderer},
+              {"complete", complete},
+              {"pictures", {{"width", index.width}, {"height", index.height}}}};
+  out["rows"] = Json::array();
+  for (const TruthRow& row : rows) out["rows"].push_back(rowJson(row));
+  return formatJson(out);
 }
 
 }  // namespace boxprobe
