@@ -20,23 +20,23 @@ using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::IsEmpty;
 
-const std::string kRoot = BOXPROBE_SOURCE_DIR;
+const std::string kProject = BOXPROBE_SOURCE_DIR;
 
 const std::vector<Readme>& readmes() {
-  static const std::vector<Readme> all = readReadmes(kRoot);
+  static const std::vector<Readme> all = readReadmes(kProject);
   return all;
 }
 
 const Readme* readmeAt(const fs::path& path) {
   for (const Readme& readme : readmes()) {
-    if (fs::path(kRoot) / readme.path == path) return &readme;
+    if (fs::path(kProject) / readme.path == path) return &readme;
   }
   return nullptr;
 }
 
 TEST(Documents, TheFirstOneIsShort) {
-  ASSERT_NE(readmeAt(fs::path(kRoot) / "README.md"), nullptr);
-  EXPECT_LE(fs::file_size(fs::path(kRoot) / "README.md"), 7000u);
+  ASSERT_NE(readmeAt(fs::path(kProject) / "README.md"), nullptr);
+  EXPECT_LE(fs::file_size(fs::path(kProject) / "README.md"), 7000u);
 }
 
 TEST(Documents, LinksAndPicturesAreThere) {
@@ -46,7 +46,7 @@ TEST(Documents, LinksAndPicturesAreThere) {
       if (link.target.find("://") != std::string::npos) continue;
       const std::size_t hash = link.target.find('#');
       const std::string file = link.target.substr(0, hash);
-      const fs::path from = fs::path(kRoot) / readme.path;
+      const fs::path from = fs::path(kProject) / readme.path;
       const fs::path target = file.empty() ? from : (from.parent_path() / file).lexically_normal();
       EXPECT_TRUE(fs::exists(target)) << link.place.text() << ": " << link.target;
       ++checked;
@@ -62,12 +62,12 @@ TEST(Documents, LinksAndPicturesAreThere) {
 TEST(Documents, EveryDocumentIsReachedFromTheFirst) {
   std::vector<std::string> reached = {"README.md"};
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    const Readme* readme = readmeAt(fs::path(kRoot) / reached[i]);
+    const Readme* readme = readmeAt(fs::path(kProject) / reached[i]);
     if (readme == nullptr) continue;
     for (const Link& link : links(*readme)) {
-      const fs::path folder = (fs::path(kRoot) / readme->path).parent_path();
+      const fs::path folder = (fs::path(kProject) / readme->path).parent_path();
       const fs::path target = (folder / link.target.substr(0, link.target.find('#'))).lexically_normal();
-      const std::string path = target.lexically_relative(kRoot).string();
+      const std::string path = target.lexically_relative(kProject).string();
       if (std::find(reached.begin(), reached.end(), path) == reached.end()) reached.push_back(path);
     }
   }
@@ -82,7 +82,7 @@ TEST(Documents, FilesNamedInSentencesAreThere) {
     for (const CodeSpan& span : codeSpans(readme)) {
       // In its own section a technique is added that is not there.
       if (!std::regex_match(span.text, path) || span.text.find("evaluation_halved") != std::string::npos) continue;
-      EXPECT_TRUE(fs::exists(fs::path(kRoot) / span.text)) << span.place.text() << ": " << span.text;
+      EXPECT_TRUE(fs::exists(fs::path(kProject) / span.text)) << span.place.text() << ": " << span.text;
     }
   }
 }
@@ -117,7 +117,7 @@ TEST(Documents, BlocksSayWhatTheyAre) {
 /// tests/added_field follow the rest.
 TEST(Documents, CodeIsCompiled) {
   std::map<std::string, int> shown;
-  for (const auto& entry : fs::directory_iterator(kRoot + "/tests/examples")) {
+  for (const auto& entry : fs::directory_iterator(kProject + "/tests/examples")) {
     if (entry.path().extension() == ".cpp") shown[readFile(entry.path().string())] = 0;
   }
   for (const Readme& readme : readmes()) {

@@ -14,7 +14,6 @@ constexpr double kHalfX = 4.5, kHalfZ = 3.5, kHeight = 3.4;  // of the space wit
 constexpr double kThick = 0.9;                               // of pillars and beams, outwards
 constexpr double kBeam = 2.8;                                // underside of the beams
 constexpr double kGround = -0.02;                            // a little below the floor
-constexpr double kSoft = 0.08;                               // edges in pictures, metres
 constexpr double kPi = 3.141592653589793;
 
 glm::dvec3 vault(double x, double y) {

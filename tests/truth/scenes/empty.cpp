@@ -9,7 +9,6 @@
 namespace boxprobe::scenes {
 namespace {
 
-constexpr double kSoft = 0.08;  // edges in pictures, metres: wider than a texel, so that both renderers see the same
 
 glm::dvec3 diamonds(double x, double y) {  // north
   const double a = softLines(x + y, 0.9, 0.22, kSoft), b = softLines(x - y, 0.9, 0.22, kSoft);

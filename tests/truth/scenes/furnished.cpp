@@ -10,7 +10,6 @@
 namespace boxprobe::scenes {
 namespace {
 
-constexpr double kSoft = 0.08;  // edges in pictures, metres
 
 glm::dvec3 bands(double x, double y) {  // north: level, brighter towards the east
   return blend({0.40, 0.30, 0.12}, {0.75, 0.70, 0.55}, softLines(y, 0.5, 0.12, kSoft)) * (0.4 + 0.09 * x);
@@ -35,7 +34,7 @@ glm::dvec3 boards(double x, double y) {  // the ceiling
   return blend({0.36, 0.33, 0.29}, {0.14, 0.11, 0.09}, softLines(y, 0.6, 0.06, kSoft)) * (1.15 - 0.12 * x);
 }
 
-glm::dvec3 carpet(double x, double y) {
+glm::dvec3 shaggyCarpet(double x, double y) {
   return blend({0.06, 0.07, 0.12}, {0.20, 0.20, 0.26}, softLines(x, 0.8, 0.2, kSoft) * softLines(y, 0.8, 0.2, kSoft));
 }
 
@@ -82,7 +81,7 @@ Model truthFurnished() {
   shell.south = {arches, {}};
   shell.west = {slants, {{"niche", {1.3, 1.5, 1.1, 1.8}, {10.0f, 6.0f, 3.0f}}}};
   shell.ceiling = {boards, {{"panel", {1.0, 1.9, 1.4, 2.0}, {10.0f, 9.5f, 8.5f}}}};
-  shell.carpet = carpet;
+  shell.carpet = shaggyCarpet;
   Composer scene;
   addShell(scene, shell);
 

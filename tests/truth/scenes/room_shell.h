@@ -10,6 +10,9 @@
 
 namespace boxprobe::scenes {
 
+/// Edges in the scenes' pictures, metres: wider than a texel, so that both renderers see the same.
+constexpr double kSoft = 0.08;
+
 struct RoomShell {
   glm::dvec3 low, size;
   /// Where lamps begin and end, metres from `low`, the room's length last.
