@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "filters/math/sampling/blue_noise.h"
+#include "filters/math/sampling/brdf_table.h"
 #include "filters/stress/stress_light.h"
 #include "filters/stress/stress_subjects.h"
 #include "filters/stress_gpu/stress_program.h"
@@ -45,7 +46,9 @@ void pack(const StressInput& input, const std::vector<const ParameterRow*>& para
   textures[4][at] = {in.probe.boxMin, static_cast<float>(p.pixel.x)};
   textures[5][at] = {in.probe.boxMax, static_cast<float>(p.pixel.y)};
   textures[6][at] = {lobeNumbers(input), blendRate(input), static_cast<float>(input.pixel.x & 1)};
-  textures[7][at] = {blueNoiseAt(p.pixel), 0.0f, 0.0f};
+  const shading::ShadingPoint guarded = localInput(input).point;
+  const glm::vec2 albedo = splitSum(shading::footprintLobe(guarded, 1.0f).view.z, guarded.roughness);
+  textures[7][at] = {blueNoiseAt(p.pixel), albedo.x + albedo.y, 0.0f};
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const ParameterRow& row = *parameters[i];
     const float value = row.number != nullptr
@@ -80,7 +83,7 @@ std::string sourceOf(const StressProgram& program, const std::vector<const Param
       "  point.reflection = directionOr(in3.xyz, reflectedView(point.normal, point.view));\n"
       "  point.roughness = roughnessWithin(in0.w); point.fresnel = point.roughness;\n  point.pixel = ivec2(in4.w, "
       "in5.w);\n"
-      "  point.frame = int(in2.w);\n  vec4 extra = in6;\n  stressBlueNoise = in7.xy;\n"
+      "  point.frame = int(in2.w);\n  vec4 extra = in6;\n  stressBlueNoise = in7.xy;\n  stressAlbedo = in7.z;\n"
       "  vec4 out0 = vec4(0.0);\n  vec4 out1 = vec4(0.0);\n" +
       program.body + "  gl_FragData[0] = out0;\n  gl_FragData[1] = out1;\n}\n";
   return text;

@@ -21,6 +21,13 @@ vec2 fetchBlueNoise(ivec2 pixel)
   return stressBlueNoise;
 }
 
+float stressAlbedo;  // of the input's surface, set by main()
+
+float whiteAlbedo(float cosine, float roughness)
+{
+  return stressAlbedo;
+}
+
 // Of the light table of filters/stress/stress_light.h; the box is not turned against the map.
 #define STRESS_LIGHT_CELLS 96
 uniform vec4 stressLight[STRESS_LIGHT_CELLS];

@@ -204,7 +204,7 @@ TEST_F(ManyProbes, OneObjectInOneProbeIsOneLookupAPixel) {
 }
 
 // Without probes every object has VTK's own lighting: the picture is that of VTK's own mapper. Not where this program
-// mends it: unlit materials, emission without a texture, a perfect mirror's highlight.
+// mends it: unlit materials, emission without a texture, a perfect mirror's highlight; lamps' masking is set to VTK's.
 TEST_F(ManyProbes, ProbesOffIsStockVtk) {
   Scene scene = ScenePicture::fromFile("scenes/building.boxprobe.json", 8, 8).scene;
   for (const char* mirror : {"mirror", "sphere"}) scene.materials[mirror].roughness = 0.3f;
@@ -213,6 +213,7 @@ TEST_F(ManyProbes, ProbesOffIsStockVtk) {
   }
   for (const char* unlit : {"near hills", "far hills"}) scene.objects[unlit].visible = false;
   ScenePicture picture(scene, kWidth, kHeight);
+  picture.renderer->lightAsVtk(1, 1, {glm::vec2(0.0f)});  // the table is not read without probes
   picture.renderer->setProbesEnabled(false);
   picture.show(cameraNamed(scene, "main"));
   const ImageRgba8 ours = picture.display();
