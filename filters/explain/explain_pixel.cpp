@@ -22,15 +22,14 @@ float coatNDotV(const SurfacePoint& s) {
   return std::clamp(glm::dot(s.coatNormalWorld, s.viewWorld), 1.0e-5f, 1.0f);
 }
 
-/// What gets through the coat once; 1 without one.
+/// What the coat leaves to its base; 1 without one.
 float throughCoat(const SurfacePoint& s) {
   return s.coatStrength > 0.0f ? shading::coatPasses(s.coatStrength, s.coatF0, coatNDotV(s)) : 1.0f;
 }
 
 /// Of the base's reflection, beside the split sum: further reflections between its microfacets, and the coat's share.
 glm::vec3 baseFactor(const Explanation& e, const ExplainInput& in) {
-  const float passes = throughCoat(in.surface);
-  return passes * passes * scattered(in, e.f0, e.brdf);
+  return throughCoat(in.surface) * scattered(in, e.f0, e.brdf);
 }
 
 /// What glass reflects is less by what passes it, and what passes is looked up along the bent view.

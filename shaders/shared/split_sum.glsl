@@ -16,7 +16,8 @@ vec3 multipleScattering(vec3 f0, vec2 splitSum)
   return vec3(1.0f) + f0 * ((1.0f - albedo) / albedo);
 }
 
-// Share of light that gets through a clear coat once, seen at `cosine` to its normal. What the base reflects passes twice.
+// Share of light that a clear coat, seen at `cosine` to its normal, leaves to its base: what it does not reflect itself. Light that goes
+// back and forth between the two is with it, so that a white mirror stays one (KHR_materials_clearcoat).
 float coatPasses(float strength, float coatF0, float cosine)
 {
   return 1.0f - strength * schlickFresnel(vec3(coatF0), vec3(1.0f), cosine).x;

@@ -172,7 +172,7 @@ std::map<const study::PaddedCube*, shading::ProbeData>* InRooms::data_ = nullptr
 TEST_F(InRooms, FramesAverageToTheIntegral) {
   for (const int samples : {1, 16}) {
     for (const int sampling : {0, 1}) {
-      const study::TechniqueTally many = judge(2048 / samples, [=](auto& p) {
+      const study::TechniqueTally many = judge(2560 / samples, [=](auto& p) {
         p.samples = static_cast<float>(samples);
         p.sampling = sampling;
       });

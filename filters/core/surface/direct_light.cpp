@@ -72,7 +72,7 @@ glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec
                                       s.coatRoughness, glm::vec3(s.coatF0), glm::vec3(1.0f));
       const glm::vec3 under = 1.0f - coat.fresnel * s.coatStrength;
       sum += scattering.coat * coat.specular * radiance * coatNDotL * s.coatStrength;
-      base.specular *= under * under;
+      base.specular *= under;
       diffuse *= under;
     }
     sum += radiance * (diffuse + scattering.base * base.specular) * nDotL;

@@ -37,13 +37,13 @@ glm::dvec3 scattered(const ReflectingLayer& layer, const glm::vec3& view, Energy
 glm::dvec3 ReflectingLayer::reflectance(double hDotV) const {
   const double edge = grazing(hDotV);
   const double passes = 1.0 - coatStrength * (coatF0 + (1.0 - coatF0) * edge);
-  return factor * (passes * passes) * glm::mix(glm::dvec3(fresnel.f0), glm::dvec3(fresnel.f90), edge);
+  return factor * passes * glm::mix(glm::dvec3(fresnel.f0), glm::dvec3(fresnel.f90), edge);
 }
 
 glm::dvec3 ReflectingLayer::albedo(double nDotV) const {
   const glm::dvec2 of = lobeAlbedo(nDotV, roughness);
   const double passes = 1.0 - coatStrength * (coatF0 + (1.0 - coatF0) * grazing(nDotV));
-  return factor * (passes * passes) * (of.x * glm::dvec3(fresnel.f0) + of.y * glm::dvec3(fresnel.f90));
+  return factor * passes * (of.x * glm::dvec3(fresnel.f0) + of.y * glm::dvec3(fresnel.f90));
 }
 
 FresnelEnds fresnelEnds(const SurfacePoint& s) {

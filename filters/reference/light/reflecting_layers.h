@@ -22,7 +22,7 @@ struct ReflectingLayer {
   double roughness = 0.0;  ///< perceptual
   FresnelEnds fresnel;
   glm::dvec3 factor{1.0};                   ///< ambient occlusion, the coat's strength, multiple scattering
-  double coatStrength = 0.0, coatF0 = 0.0;  ///< of the coat above it, which light passes on both ways
+  double coatStrength = 0.0, coatF0 = 0.0;  ///< of the coat above it, which leaves the rest to it
 
   /// Of a microfacet that the view meets at this cosine: Schlick's Fresnel, times all that comes on top.
   glm::dvec3 reflectance(double hDotV) const;

@@ -140,7 +140,7 @@ const std::vector<Anchor>& coatAnchors() {
       {"base under a clear coat",
        {"vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
        {"float bpCoatPasses = coatPasses(coatStrength, coatF0Uniform, coatNdV);\n"
-        "  specularBrdf *= bpCoatPasses * bpCoatPasses;\n  vec3 iblSpecular = prefilteredSpecularColor * "
+        "  specularBrdf *= bpCoatPasses;\n  vec3 iblSpecular = prefilteredSpecularColor * "
         "specularBrdf;"},
        true},
       {"diffuse base under a clear coat",
@@ -320,6 +320,8 @@ std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const
   if (failure.empty() && program.glass()) failure = applyAnchors(text, glassAnchors(), coat);
   const bool own = form != LightForm::Vtk;
   if (failure.empty() && own) failure = applyAnchors(text, maskingAnchors(), coat);
+  // Lamps' share that the coat leaves to its base, as that of surroundings: shared/split_sum.glsl.
+  if (own) replaceAll(text, "specular *= (1.0 - Fc) * (1.0 - Fc);", "specular *= 1.0 - Fc;");
   if (failure.empty() && own && program.probes()) failure = applyAnchors(text, coatAnchors(), coat);
   if (failure.empty() && form == LightForm::Multiple && program.table()) {
     failure = applyAnchors(text, scatteringAnchors(), coat);
