@@ -77,8 +77,8 @@ class SceneRenderer {
   /// false: no reflections from probes or sky at all, every object draws with VTK's plain program.
   void setProbesEnabled(bool enabled);
 
-  /// For pictures that are compared with VTK's own: lamps, coats and occlusion of the split sum as VTK 9.1 has them,
-  /// the latter by VTK's `table` (N.V across, roughness up, texel centres; x scales F0, y scales F90). From then on.
+  /// For pictures that are compared with VTK's own: lamps and coats as VTK 9.1 has them, and
+  /// the split sum by VTK's `table` (N.V across, roughness up, texel centres; x scales F0, y scales F90). From then on.
   void lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table);
 
   /// Places the active camera; clipping range follows the scene's bounds at each render.

@@ -10,6 +10,7 @@
 
 #include "filters/reference/light/reference_box.h"
 #include "tests/support/scene_picture.h"
+#include "tests/support/sphere_mesh.h"
 
 namespace {
 
@@ -19,26 +20,6 @@ using namespace boxprobe::test;
 constexpr int kSize = 160;
 constexpr float kLampRadius = 0.4f;
 const glm::dvec3 kLamp(0.0, 4.0, 10.0);  // in the middle of the box's wall
-
-Mesh sphere(float radius) {
-  Mesh mesh;
-  constexpr int kRows = 96, kColumns = 192;
-  for (int row = 0; row <= kRows; ++row) {
-    for (int column = 0; column <= kColumns; ++column) {
-      const double a = 3.14159265358979 * row / kRows, b = 2.0 * 3.14159265358979 * column / kColumns;
-      const glm::vec3 n(std::sin(a) * std::cos(b), std::cos(a), -std::sin(a) * std::sin(b));
-      mesh.positions.push_back(radius * n);
-      mesh.normals.push_back(n);
-    }
-  }
-  for (std::uint32_t row = 0; row < kRows; ++row) {
-    for (std::uint32_t column = 0; column < kColumns; ++column) {
-      const std::uint32_t i = row * (kColumns + 1) + column, j = i + kColumns + 1;
-      for (const std::uint32_t index : {i, j, i + 1, i + 1, j, j + 1}) mesh.indices.push_back(index);
-    }
-  }
-  return mesh;
-}
 
 class Lamp : public testing::TestWithParam<std::tuple<float, Energy>> {};
 
@@ -56,7 +37,7 @@ TEST_P(Lamp, ShinesAsItsCaptureDoes) {
   lamp.ior = 1.0f;
   lamp.emissive = glm::vec3(200.0f);
   model.materials = {ball, lamp};
-  model.meshes = {sphere(0.5f), sphere(kLampRadius)};
+  model.meshes = {sphereMesh(0.5f, 96, 192), sphereMesh(kLampRadius, 96, 192)};
   model.meshes[1].material = 1;
   model.instances = {{"ball", 0, glm::dmat4(1.0)}, {"lamp", 1, glm::translate(glm::dmat4(1.0), kLamp)}};
   for (Mesh& mesh : model.meshes) mesh.material = std::max(mesh.material, 0);

@@ -28,10 +28,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "filters/math/published/published_math.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/gl/software_driver.h"
 #include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 #include "tests/support/scene_picture.h"
+#include "tests/support/sphere_mesh.h"
 
 namespace {
 
@@ -83,51 +85,14 @@ class GivenRenderer : public vtkOpenGLRenderer {
   }
 };
 
-Mesh sphere() {
-  Mesh mesh;
-  constexpr int kRows = 32, kColumns = 64;
-  for (int row = 0; row <= kRows; ++row) {
-    for (int column = 0; column <= kColumns; ++column) {
-      const double a = 3.14159265358979 * row / kRows, b = 2.0 * 3.14159265358979 * column / kColumns;
-      const glm::vec3 n(std::sin(a) * std::cos(b), std::cos(a), -std::sin(a) * std::sin(b));
-      mesh.positions.push_back(0.45f * n);
-      mesh.normals.push_back(n);
-      mesh.uv.emplace_back(static_cast<float>(column) / kColumns, static_cast<float>(row) / kRows);
-    }
-  }
-  for (std::uint32_t row = 0; row < kRows; ++row) {
-    for (std::uint32_t column = 0; column < kColumns; ++column) {
-      const std::uint32_t i = row * (kColumns + 1) + column, j = i + kColumns + 1;
-      for (const std::uint32_t index : {i, j, i + 1, i + 1, j, j + 1}) mesh.indices.push_back(index);
-    }
-  }
-  return mesh;
-}
-
-// VTK 9.1's split sum: Schlick's masking with k = alpha / 2 (Karis 2013).
+// VTK 9.1's split sum: the masking that is most often printed.
 constexpr int kTableColumns = 128, kTableRows = 64;
 std::vector<glm::vec2> vtkTable() {
   std::vector<glm::vec2> table;
-  constexpr int kSamples = 64;
   for (int row = 0; row < kTableRows; ++row) {
     for (int column = 0; column < kTableColumns; ++column) {
-      const float cosine = (static_cast<float>(column) + 0.5f) / kTableColumns;
-      const float roughness = (static_cast<float>(row) + 0.5f) / kTableRows;
-      const float alpha = roughness * roughness, k = 0.5f * alpha;
-      const auto masking = [k](float c) { return c / (c * (1.0f - k) + k); };
-      const glm::vec3 view(std::sqrt(std::max(1.0f - cosine * cosine, 0.0f)), 0.0f, cosine);
-      glm::vec2 sum(0.0f);
-      for (int i = 0; i < kSamples; ++i) {
-        const float u = static_cast<float>(std::fmod((i + 0.5) * 0.6180339887498949, 1.0));
-        const glm::vec3 half = shading::ggxHalfVector(glm::vec2(u, (i + 0.5f) / kSamples), alpha);
-        const float viewHalf = glm::dot(view, half);
-        const glm::vec3 light = 2.0f * viewHalf * half - view;
-        if (light.z <= 0.0f || viewHalf <= 0.0f) continue;
-        const float visible = masking(cosine) * masking(light.z) * viewHalf / (half.z * cosine);
-        const float fresnel = std::pow(1.0f - std::min(viewHalf, 1.0f), 5.0f);
-        sum += glm::vec2((1.0f - fresnel) * visible, fresnel * visible);
-      }
-      table.push_back(sum / static_cast<float>(kSamples));
+      table.push_back(shading::publishedSplitSum((static_cast<float>(column) + 0.5f) / kTableColumns,
+                                                 (static_cast<float>(row) + 0.5f) / kTableRows));
     }
   }
   return table;
@@ -168,7 +133,7 @@ Model spheres() {
       if (row == 2) material.coat = 0.7f;
       if (row == 2) material.coatRoughness = 0.3f;
       if (row == 3) material.baseColorTexture.image = material.metallicRoughnessTexture.image = checker;
-      Mesh mesh = sphere();
+      Mesh mesh = sphereMesh(0.45f, 32, 64);
       mesh.material = static_cast<int>(model.materials.size());
       model.materials.push_back(material);
       model.meshes.push_back(std::move(mesh));

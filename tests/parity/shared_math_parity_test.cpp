@@ -255,7 +255,8 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
           "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.slot = "
           "0;\n" +
               assignments(parameters) +
-              "  probe.parameters.hardeningLength = in6.x; probe.parameters.power = in6.y; mask = in6.zw; albedo = in7.x;\n"
+              "  probe.parameters.hardeningLength = in6.x; probe.parameters.power = in6.y; mask = in6.zw; albedo = "
+              "in7.x;\n"
               "  ShadingPoint point; point.position = in0.xyz; point.normal = in1.xyz; point.view = in5.xyz; "
               "point.reflection = in2.xyz; point.roughness = in5.w; point.pixel = ivec2(gl_FragCoord.xy); "
               "point.frame = 3; point.fresnel = 0.09 * in6.x;\n  out0 = " +

@@ -3,11 +3,16 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 namespace boxprobe {
 
 /// Factors of F0 and F90 of Schlick's Fresnel, seen at `nDotV` in (0, 1], perceptual `roughness` in [0, 1]; off by less
 /// than 0.003. The first call makes a table, in about a tenth of a second.
 glm::dvec2 lobeAlbedo(double nDotV, double roughness);
+
+/// Factor that adds back what meets more than one microfacet (Turquin 2019): what one reflection loses of white light
+/// comes out coloured by `f0`. Arguments as above; a smaller `nDotV` counts as grazing.
+glm::dvec3 scatteredBack(const glm::dvec3& f0, double nDotV, double roughness);
 
 }  // namespace boxprobe

@@ -11,10 +11,6 @@ namespace boxprobe {
 
 namespace {
 
-double clampedCosine(const glm::dvec3& a, const glm::vec3& b) {
-  return std::clamp(glm::dot(a, glm::dvec3(b)), 1.0e-5, 1.0);
-}
-
 bool hasNormal(const glm::vec3& n) {
   return glm::dot(n, n) > 0.25f;
 }
@@ -27,9 +23,7 @@ double grazing(double cosine) {
 
 glm::dvec3 scattered(const ReflectingLayer& layer, const glm::vec3& view, Energy energy) {
   if (energy == Energy::Single) return glm::dvec3(1.0);
-  // Turquin 2019: what one reflection loses of white light comes out coloured by F0.
-  const glm::dvec2 white = lobeAlbedo(clampedCosine(layer.normalWorld, view), layer.roughness);
-  return 1.0 + glm::dvec3(layer.fresnel.f0) * (1.0 / (white.x + white.y) - 1.0);
+  return scatteredBack(glm::dvec3(layer.fresnel.f0), glm::dot(layer.normalWorld, glm::dvec3(view)), layer.roughness);
 }
 
 }  // namespace

@@ -133,8 +133,8 @@ const std::vector<Anchor>& maskingAnchors() {
   return anchors;
 }
 
-// Surroundings in a clear coat as lamps are: reflected once by its Fresnel term, where VTK 9.1 multiplies by that
-// twice, and dimmed on their way to the base and back, which VTK does too late for its sum.
+// A clear coat reflects its surroundings by Fresnel's term once; VTK 9.1 multiplies by that twice. It leaves its base
+// the rest; VTK dims the base too late, after it has added up the colour.
 const std::vector<Anchor>& coatAnchors() {
   static const std::vector<Anchor> anchors = {
       {"base under a clear coat",

@@ -9,7 +9,6 @@
 namespace boxprobe::scenes {
 namespace {
 
-
 glm::dvec3 diamonds(double x, double y) {  // north
   const double a = softLines(x + y, 0.9, 0.22, kSoft), b = softLines(x - y, 0.9, 0.22, kSoft);
   return blend({0.06, 0.10, 0.32}, {0.85, 0.72, 0.30}, a * (1.0 - b) + b * (1.0 - a)) * (0.5 + 0.2 * y);

@@ -10,7 +10,6 @@
 namespace boxprobe::scenes {
 namespace {
 
-
 glm::dvec3 bands(double x, double y) {  // north: level, brighter towards the east
   return blend({0.40, 0.30, 0.12}, {0.75, 0.70, 0.55}, softLines(y, 0.5, 0.12, kSoft)) * (0.4 + 0.09 * x);
 }
