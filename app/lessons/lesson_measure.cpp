@@ -28,13 +28,9 @@ constexpr int kGridColumns = 32, kGridRows = 20;  // places a view's mean is tak
 constexpr int kSamples = 4;                       // a pixel
 constexpr int kTruthRays = 64;                    // a pixel, over its samples
 
-struct PixelRange {
-  int left, top, right, bottom;  ///< right and bottom excluded
-};
-
-PixelRange pixelsOf(const PictureRegion& region, int width, int height) {
+PicturePart pixelsOf(const PictureRegion& region, int width, int height) {
   const auto at = [](double share, int size) { return static_cast<int>(std::lround(share * size)); };
-  PixelRange range{at(region[0], width), at(region[1], height), at(region[2], width), at(region[3], height)};
+  PicturePart range{at(region[0], width), at(region[1], height), at(region[2], width), at(region[3], height)};
   range.left = std::min(range.left, width - 1);
   range.top = std::min(range.top, height - 1);
   range.right = std::max(range.right, range.left + 1);
@@ -43,7 +39,7 @@ PixelRange pixelsOf(const PictureRegion& region, int width, int height) {
 }
 
 std::vector<bool> maskOf(const PictureRegion& region, int width, int height) {
-  const PixelRange range = pixelsOf(region, width, height);
+  const PicturePart range = pixelsOf(region, width, height);
   std::vector<bool> mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = range.top; y < range.bottom; ++y) {
     for (int x = range.left; x < range.right; ++x) {
@@ -93,13 +89,14 @@ double errorAgainstScene(const ShownScene& shown, const ImageRgbaF& picture, con
   settings.height = picture.height;
   settings.samplesPerPixel = kSamples;
   settings.raysPerPixel = kTruthRays;
+  settings.part = pixelsOf(region, picture.width, picture.height);
   const ReferenceScene scene(shown.scene, shown.models, loadSkyImage(shown.scene));
   const ImageRgbaF truth = scene.render(shown.camera, settings).color;
   return pictureDifference(picture, truth, region);
 }
 
 double errorAgainstBox(const ShownScene& shown, const PictureRegion& region) {
-  const BoxPictureSize size{shown.width, shown.height, 1, kTruthRays};
+  const BoxPictureSize size{shown.width, shown.height, 1, kTruthRays, pixelsOf(region, shown.width, shown.height)};
   const ImageRgbaF truth = integrateBox(shown.renderer, boxMaps(shown.renderer, shown.scene), size).color;
   return pictureDifference(shown.renderer.renderLinear(shown.width, shown.height, 1), truth, region);
 }

@@ -26,11 +26,13 @@ ReferencePicture integrateBox(SceneRenderer& renderer, const ReferenceBoxMaps& m
   constexpr int kBandPositions = 1 << 17;
   const int bandRows = std::clamp(kBandPositions / (size.width * positions), 1, size.height);
   ProgressivePicture picture(size.width, size.height);
-  for (int first = 0; first < size.height; first += bandRows) {
-    const int end = std::min(first + bandRows, size.height);
+  const PicturePart part = size.part.within(size.width, size.height);
+  const int columns = (part.right - part.left) * side;
+  for (int first = part.top; first < part.bottom; first += bandRows) {
+    const int end = std::min(first + bandRows, part.bottom);
     std::vector<glm::ivec2> places;
     for (int y = first * side; y < end * side; ++y) {
-      for (int x = 0; x < size.width * side; ++x) places.emplace_back(x, y);
+      for (int x = part.left * side; x < part.right * side; ++x) places.emplace_back(x, y);
     }
     const std::vector<Explanation> surfaces = renderer.explain(places, size.width * side, size.height * side);
     const auto estimate = [&](int x, int y, int pass) {
@@ -38,13 +40,14 @@ ReferencePicture integrateBox(SceneRenderer& renderer, const ReferenceBoxMaps& m
       pixel.exact = true;
       for (int k = 0; k < positions; ++k) {
         const auto row = static_cast<std::size_t>((y - first) * side + k / side);
-        const std::size_t at =
-            row * static_cast<std::size_t>(size.width * side) + static_cast<std::size_t>(x * side + k % side);
-        const LitPoint surface = litPoint(surfaces[at]);
-        const std::uint64_t place = static_cast<std::uint64_t>(first) << 32;
+        const auto column = static_cast<std::size_t>((x - part.left) * side + k % side);
+        const LitPoint surface = litPoint(surfaces[row * static_cast<std::size_t>(columns) + column]);
+        // Of the place in the whole picture: a part of it is drawn with the same rays.
+        const std::uint64_t place =
+            (static_cast<std::uint64_t>(y * side + k / side) << 32) + static_cast<std::uint64_t>(x * side + k % side);
         bool exact = true;
         pixel.color += referenceBoxColor(surface, maps, plan.raysPerPass,
-                                         stirred(stirred(place + at) + static_cast<std::uint64_t>(pass)), &exact);
+                                         stirred(stirred(place) + static_cast<std::uint64_t>(pass)), &exact);
         pixel.alpha += surface.hit ? 1.0 : 0.0;
         pixel.exact = pixel.exact && exact;
       }
@@ -52,8 +55,10 @@ ReferencePicture integrateBox(SceneRenderer& renderer, const ReferenceBoxMaps& m
       pixel.alpha /= positions;
       return pixel;
     };
-    const auto share = [&](double done) { return !progress || progress((first + done * (end - first)) / size.height); };
-    if (!picture.run(first, end, plan.passes, estimate, share)) break;
+    const auto share = [&](double done) {
+      return !progress || progress((first - part.top + done * (end - first)) / (part.bottom - part.top));
+    };
+    if (!picture.run({part.left, first, part.right, end}, plan.passes, estimate, share)) break;
   }
   return picture.picture();
 }

@@ -15,6 +15,7 @@ struct BoxPictureSize {
   int width = 1280, height = 720;
   int samplesPerPixel = 4;  ///< 1, 4 or 16
   int raysPerPixel = 256;   ///< over all of them
+  PicturePart part;         ///< what of the picture is wanted; the rest stays black
 };
 
 /// What the probes and the sky show now.

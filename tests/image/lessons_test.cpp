@@ -24,7 +24,7 @@ std::vector<std::string> names() {
 }
 
 LessonPlayer& player() {
-  static LessonPlayer kept(560, 350);
+  static LessonPlayer kept(320, 200);
   return kept;
 }
 

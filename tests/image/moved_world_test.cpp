@@ -55,7 +55,12 @@ std::vector<std::string> sceneNames() {
 class MovedWorld : public testing::TestWithParam<std::string> {};
 
 TEST_P(MovedWorld, SamePicture) {
-  const Scene scene = ScenePicture::fromFile(std::string("scenes/") + GetParam() + ".boxprobe.json", 8, 8).scene;
+  Scene scene = ScenePicture::fromFile(std::string("scenes/") + GetParam() + ".boxprobe.json", 8, 8).scene;
+  // Small captures show a wrong place as well as large ones.
+  for (Probe& probe : scene.probes) {
+    probe.faceSize = 64;
+    probe.bounces = 1;
+  }
   const ImageRgba8 here = pictureOf(scene);
   keepPicture(here, std::string("moved_") + GetParam() + "_0");
   for (const double distance : {1.0e4, 1.0e6}) {

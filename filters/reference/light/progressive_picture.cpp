@@ -10,6 +10,15 @@
 
 namespace boxprobe {
 
+PicturePart PicturePart::within(int width, int height) const {
+  PicturePart part;
+  part.left = std::clamp(left, 0, width);
+  part.top = std::clamp(top, 0, height);
+  part.right = std::clamp(right, part.left, width);
+  part.bottom = std::clamp(bottom, part.top, height);
+  return part;
+}
+
 RayPlan planRays(int rays, int positions) {
   constexpr int kLeastRays = 8, kMostPasses = 16;
   const int each = std::max(rays / positions, 1);
@@ -20,10 +29,10 @@ RayPlan planRays(int rays, int positions) {
 ProgressivePicture::ProgressivePicture(int width, int height)
     : width_(width), height_(height), sums_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-bool ProgressivePicture::run(int first, int end, int passes, const Estimate& estimate,
+bool ProgressivePicture::run(const PicturePart& part, int passes, const Estimate& estimate,
                              const ReferenceProgress& progress) {
   constexpr int kTile = 16;
-  const double whole = static_cast<double>(end - first) * width_ * passes;
+  const double whole = static_cast<double>(part.bottom - part.top) * (part.right - part.left) * passes;
   std::atomic<bool> stopped{false};
   std::mutex reporting;
   double done = 0.0;
@@ -49,7 +58,8 @@ bool ProgressivePicture::run(int first, int end, int passes, const Estimate& est
       done += static_cast<double>(tile.rows().size()) * static_cast<double>(tile.cols().size());
       if (progress && !stopped && !progress(done / whole)) stopped = true;
     };
-    tbb::parallel_for(Tile(first, end, kTile, 0, width_, kTile), work, tbb::simple_partitioner());
+    tbb::parallel_for(Tile(part.top, part.bottom, kTile, part.left, part.right, kTile), work,
+                      tbb::simple_partitioner());
   }
   complete_ = complete_ && !stopped;
   return !stopped;

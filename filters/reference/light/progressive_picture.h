@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 #include "filters/core/scene/model.h"
@@ -15,6 +16,13 @@ struct ReferencePicture {
   ImageRgbaF color;
   ImageRgbaF standardError;  ///< RGB; alpha is 0
   bool complete = true;      ///< false: stopped early; a pixel then holds the passes it has had, or nothing
+};
+
+/// Pixels of a picture, from the top left; the default is all of them.
+struct PicturePart {
+  int left = 0, top = 0;
+  int right = std::numeric_limits<int>::max(), bottom = std::numeric_limits<int>::max();  ///< one past the last
+  PicturePart within(int width, int height) const;
 };
 
 /// How a pixel's rays are divided: `raysPerPass` for each of its positions in each pass.
@@ -41,8 +49,8 @@ class ProgressivePicture {
   /// x, y from the top left. Asked from many threads at once.
   using Estimate = std::function<Pixel(int x, int y, int pass)>;
 
-  /// Rows `first` up to, not including, `end`. Returns false if `progress` stopped it.
-  bool run(int first, int end, int passes, const Estimate& estimate, const ReferenceProgress& progress);
+  /// Pixels of `part` alone; the others stay as they are, black at first. Returns false if `progress` stopped it.
+  bool run(const PicturePart& part, int passes, const Estimate& estimate, const ReferenceProgress& progress);
 
   ReferencePicture picture() const;
 

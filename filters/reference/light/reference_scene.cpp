@@ -183,7 +183,7 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
     return pixel;
   };
   ProgressivePicture picture(settings.width, settings.height);
-  picture.run(0, settings.height, plan.passes, estimate, progress);
+  picture.run(settings.part.within(settings.width, settings.height), plan.passes, estimate, progress);
   return picture.picture();
 }
 

@@ -36,6 +36,7 @@ struct ReferenceSettings {
   int raysPerPixel = 256;   ///< over all positions; see planRays
   bool full = false;        ///< reflection rays see what the picture shows
   std::uint64_t seed = 1;
+  PicturePart part;  ///< what of the picture is wanted; the rest stays black
 };
 
 class ReferenceScene {

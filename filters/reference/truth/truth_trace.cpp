@@ -56,7 +56,7 @@ ReferencePicture onFloor(const ReferenceScene& reference, const TruthIndex& inde
     return pixel;
   };
   ProgressivePicture made(index.width, index.height);
-  made.run(0, index.height, plan.passes, ofPixel, progress);
+  made.run({0, 0, index.width, index.height}, plan.passes, ofPixel, progress);
   return made.picture();
 }
 
