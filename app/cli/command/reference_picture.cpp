@@ -61,7 +61,7 @@ ReferencePicture boxPicture(const LoadedScene& loaded, const Camera& camera, con
   captureShown(shown, interrupt, options.report.quiet);
   ReferencePicture picture =
       integrateBox(shown.renderer(), readMaps(shown.renderer(), loaded.scene, options.report.quiet),
-                   {size.width, size.height, options.samples, options.rays}, progress);
+                   {size.width, size.height, options.samples, options.rays, {}}, progress);
   shown.requireHealthy();
   return picture;
 }
