@@ -60,6 +60,7 @@ Subcommand addInfoCommand(CLI::App& program) {
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
+  addModelOptions(*command, options->assignments);
   command->add_flag("--frame", options->frame, "Draw a frame and report what it did and what it skipped");
   command->add_option("--camera", options->camera, "Camera of that frame");
   command->add_option("--size", options->size, "Size of that frame in pixels")->type_name("WxH")->capture_default_str();

@@ -80,6 +80,11 @@ const std::vector<FieldRow<ModelFile>>& modelFields() {
           .choose({{"m"}, {"cm"}, {"mm"}, {"in"}, {"ft"}}),
       field<&ModelFile::upAxis>("upAxis", "", "Axis that points up in the model file; the model is turned to +Y.")
           .choose({{"x"}, {"y"}, {"z"}}),
+      field<&ModelFile::variant>("variant", "", "Name of one of a glTF file's material variants."),
+      field<&ModelFile::time>("time", "s", "When a glTF file's animations are looked at.")
+          .leftOut("at rest")
+          .atLeast(0)
+          .usually(0, 3600),
   };
   return rows;
 }
