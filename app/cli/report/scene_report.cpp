@@ -55,13 +55,16 @@ Json modelReport(const ModelFile& file, const Model& model) {
   }
   Json names = Json::array();
   for (const Material& material : model.materials) names.push_back(material.name);
-  return {{"file", file.file},
-          {"meshes", model.meshes.size()},
-          {"triangles", model.triangleCount()},
-          {"materials", names},
-          {"textures", images.size()},
-          {"textureBytes", bytes},
-          {"arrayBytes", arrayBytes(model)}};
+  Json report = {{"file", file.file},
+                 {"meshes", model.meshes.size()},
+                 {"triangles", model.triangleCount()},
+                 {"materials", names},
+                 {"textures", images.size()},
+                 {"textureBytes", bytes},
+                 {"arrayBytes", arrayBytes(model)}};
+  if (!model.variants.empty()) report["variants"] = model.variants;
+  if (model.animationSeconds > 0.0) report["animationSeconds"] = model.animationSeconds;
+  return report;
 }
 
 /// What one probe holds on the graphics side once captured: the prefiltered chain (RGBA16F) and distances (R32F).
