@@ -12,7 +12,7 @@
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/mirror_plane.h"
 #include "filters/core/geometry/model_placement.h"
-#include "filters/io/image/image_file.h"
+#include "filters/io/cube/sky_picture.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/import/model_reader.h"
@@ -108,7 +108,7 @@ std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const L
 
 std::shared_ptr<const ImageRgbaF> loadSkyImage(const Scene& scene) {
   const auto* image = std::get_if<SkyImage>(&scene.sky);
-  return image != nullptr ? std::make_shared<ImageRgbaF>(loadHdrImage(image->file)) : nullptr;
+  return image != nullptr ? std::make_shared<ImageRgbaF>(loadSkyPicture(image->file)) : nullptr;
 }
 
 std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models) {

@@ -14,7 +14,7 @@
 #include "app/gui/edit/editor.h"
 #include "app/gui/widgets/recent_files.h"
 #include "filters/core/base/errors.h"
-#include "filters/io/image/image_file.h"
+#include "filters/io/cube/sky_picture.h"
 #include "filters/io/json/json_text.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/import/model_reader.h"
@@ -31,7 +31,7 @@ bool canOpen(const QString& path) {
 
 /// A sky that cannot be read must be found out while the open scene can still stay.
 void requireSky(const Scene& scene) {
-  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) loadHdrImage(image->file);
+  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) loadSkyPicture(image->file);
 }
 
 }  // namespace

@@ -91,7 +91,8 @@ const std::vector<FieldRow<ModelFile>>& modelFields() {
 
 const std::vector<FieldRow<SkyImage>>& skyImageFields() {
   static const std::vector<FieldRow<SkyImage>> rows = {
-      field<&SkyImage::file>("image", "", "Latitude-longitude picture of linear radiance: .exr or .hdr.")
+      field<&SkyImage::file>(
+          "image", "", "Picture of linear radiance, .exr or .hdr: latitude-longitude, or a cube as a strip or a cross.")
           .as(FieldKind::File)
           .notEmpty("name an EXR or HDR file")
           .leftOut("none")
