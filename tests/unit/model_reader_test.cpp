@@ -101,6 +101,17 @@ TEST_F(ModelReader, ObjWithoutItsMaterialsIsGrey) {
   EXPECT_EQ(windows.materials[0].baseColorTexture.image->pixels[0], 255);
 }
 
+TEST_F(ModelReader, ObjMaterialNamesMayHaveSpaces) {
+  write("s.mtl", "newmtl hard shiny plastic\nKd 0.25 0 0\nTf 1 1 1\n");
+  const Model model = read("m.obj",
+                           "mtllib s.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl hard shiny plastic\n"
+                           "f 1 2 3\nusemtl\nf 2 4 3\n");
+  ASSERT_EQ(model.materials.size(), 2u);
+  EXPECT_EQ(model.materials[0].name, "hard_shiny_plastic");
+  EXPECT_NEAR(model.materials[0].baseColor.r, 0.25f, 1e-6f);
+  EXPECT_NEAR(model.materials[1].baseColor.r, 0.8f, 1e-6f);
+}
+
 TEST_F(ModelReader, ObjVertexColors) {
   const Model model = read("m.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
   const Mesh& mesh = model.meshes.at(0);

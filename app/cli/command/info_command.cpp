@@ -45,7 +45,10 @@ void runInfo(const InfoOptions& options) {
     report["frame"] = frameReportJson(frame);
     text += frameReportText(frame);
   }
-  std::fputs(options.report.json ? (report.dump(2) + "\n").c_str() : text.c_str(), stdout);
+  std::fputs(options.report.json
+                 ? (report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n").c_str()
+                 : text.c_str(),
+             stdout);
   // Without --frame nothing is drawn or captured here; with it, what that took is in the report.
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
 }

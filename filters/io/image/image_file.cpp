@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 #include "filters/core/base/errors.h"
@@ -81,6 +82,11 @@ void checkEncodedSize(const std::string& name, long long width, long long height
 }
 
 ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name, bool* hasAlpha) {
+  constexpr unsigned char kKtx2[] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb};
+  if (size >= sizeof(kKtx2) && std::equal(std::begin(kKtx2), std::end(kKtx2), bytes)) {
+    throw InputError(name +
+                     ": is a KTX2 picture, which is not read; save it as PNG (gltf-transform ktxdecompress IN OUT)");
+  }
   if (isWebp(bytes, size)) return decodeWebp(bytes, size, name, hasAlpha);
   ImageRgba8 image;
   image.name = name;

@@ -69,6 +69,19 @@ bool readColor(std::istringstream& numbers, std::array<float, 3>& position, glm:
   return true;
 }
 
+/// VTK 9.1 takes names of materials with spaces, and none at all, for others than those of the MTL file.
+std::string withMaterialWords(const std::string& obj) {
+  std::istringstream text(obj);
+  std::string result;
+  for (std::string line; std::getline(text, line);) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    result += (word == "usemtl" ? "usemtl " + materialWord(line) : line) + "\n";
+  }
+  return result;
+}
+
 }  // namespace
 
 ObjNames checkObj(const std::string& path) {
@@ -77,6 +90,7 @@ ObjNames checkObj(const std::string& path) {
   ObjCounts counts;
   std::set<std::string> seen;
   std::size_t number = 0, faces = 0;
+  bool respelled = false;
   constexpr std::size_t kLongestLine = 4000;  // VTK 9.1 splits longer ones
   for (std::string line; std::getline(text, line);) {
     ++number;
@@ -93,7 +107,11 @@ ObjNames checkObj(const std::string& path) {
       glm::vec3 color;
       if (readColor(words, position, color)) names.colors.emplace(position, color);
     }
-    if (word == "usemtl" && words >> word && seen.insert(word).second) names.materials.push_back(word);
+    if (word == "usemtl") {
+      const std::string material = materialWord(line);
+      if (seen.insert(material).second) names.materials.push_back(material);
+      respelled = respelled || trimmed(line.substr(line.find("usemtl") + 6)) != material;
+    }
     if (word == "vt") ++counts.uvs;
     if (word == "vn") ++counts.normals;
     if (word == "mtllib") {
@@ -113,6 +131,7 @@ ObjNames checkObj(const std::string& path) {
     faces += word == "f" ? 1 : 0;
     for (std::string corner; words >> corner;) checkCorner(path, number, corner, counts);
   }
+  if (respelled) names.text = withMaterialWords(text.str());
   if (faces == 0) fail(path, 0, "has no faces; is it an OBJ file?");
   return names;
 }

@@ -14,6 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What becomes part of a material; at others VTK's reader may stop.
+constexpr const char* kRead[] = {"Ka", "Kd", "Ks", "Ns", "Tr", "d", "illum"};
+
 class MaterialLines {
  public:
   MaterialLines(const std::string& file, const std::string& modelPath) : file_(file), modelPath_(modelPath) {}
@@ -40,12 +43,14 @@ class MaterialLines {
       std::string word;
       words >> word;
       if (word == "newmtl") {
-        words >> material_;
+        material_ = materialWord(line);
         defined_.insert(material_);
+        result_.text += "newmtl " + material_ + "\n";
+        continue;
       }
       if (word.rfind("map_", 0) == 0 || word == "bump" || word == "norm" || word == "disp" || word == "refl") {
         takePicture(word, words);
-      } else {
+      } else if (std::find(std::begin(kRead), std::end(kRead), word) != std::end(kRead)) {
         result_.text += line + "\n";
       }
     }
@@ -82,6 +87,18 @@ class MaterialLines {
 ObjMaterials readObjMaterials(const std::string& file, const std::string& modelPath,
                               const std::vector<std::string>& used) {
   return MaterialLines(file, modelPath).read(used);
+}
+
+std::string materialWord(const std::string& line) {
+  constexpr const char* kBetween = " \t\r";
+  const std::size_t key = line.find_first_not_of(kBetween);
+  const std::size_t space = key == std::string::npos ? key : line.find_first_of(kBetween, key);
+  const std::size_t from = space == std::string::npos ? space : line.find_first_not_of(kBetween, space);
+  if (from == std::string::npos) return "_";
+  std::string name = line.substr(from, line.find_last_not_of(kBetween) - from + 1);
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == '\t'; }, '_');
+  return name;
 }
 
 bool insideFolderOf(const std::string& file, const std::string& modelPath) {

@@ -21,6 +21,9 @@ struct ObjMaterials {
 ObjMaterials readObjMaterials(const std::string& file, const std::string& modelPath,
                               const std::vector<std::string>& used);
 
+/// The rest of a line behind its key as VTK can read it: one word, "_" for each space and for no name at all.
+std::string materialWord(const std::string& line);
+
 /// Inside the folder of the model, links followed?
 bool insideFolderOf(const std::string& file, const std::string& modelPath);
 

@@ -150,7 +150,8 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
   vtkNew<vtkOBJImporter> importer;
-  importer->SetFileName(path.c_str());
+  const TemporaryText respelled(names.text);
+  importer->SetFileName(names.text.empty() ? path.c_str() : respelled.path().c_str());
   const TemporaryText text(materials.text);
   if (!materials.text.empty()) importer->SetFileNameMTL(text.path().c_str());
   importer->SetRenderWindow(window);

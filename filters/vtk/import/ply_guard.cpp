@@ -145,7 +145,8 @@ class BodyCheck {
     const PlyType type = element_->fields[field].type;
     const double full = !isWhole(type) ? 1.0 : sizeInBytes(type) == 2 ? 65535.0 : 4294967295.0;
     const double share = value >= 0.0 ? std::min(value / full, 1.0) : 0.0;  // 0 of NaN, too
-    colors_[entry_][static_cast<std::size_t>(colorSlots_[field])] = static_cast<std::uint8_t>(std::lround(255.0 * share));
+    colors_[entry_][static_cast<std::size_t>(colorSlots_[field])] =
+        static_cast<std::uint8_t>(std::lround(255.0 * share));
   }
 
   /// Every corner makes a triangle with the two before it, turned over every other time; -1 ends a strip.

@@ -11,9 +11,9 @@
 namespace boxprobe {
 
 struct PlyCheck {
-  std::optional<std::string> text;                ///< to be read in place of the file; none: VTK can read the file
+  std::optional<std::string> text;                  ///< to be read in place of the file; none: VTK can read the file
   std::vector<std::array<std::uint8_t, 4>> colors;  ///< of vertices, where they are not in bytes: VTK casts those
-  std::vector<std::uint32_t> triangles;           ///< corners out of "tristrips", which VTK does not read
+  std::vector<std::uint32_t> triangles;             ///< corners out of "tristrips", which VTK does not read
 };
 
 /// Throws InputError ("m.ply:12: what is wrong; what to do") for files that VTK's reader would crash on or misread.
