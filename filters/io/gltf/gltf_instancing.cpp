@@ -1,4 +1,6 @@
 // EXT_mesh_gpu_instancing: a node that places its mesh many times.
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 

@@ -18,6 +18,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <glm/common.hpp>
+#include <map>
+#include <memory>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
