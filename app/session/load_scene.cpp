@@ -5,12 +5,14 @@
 #include <cctype>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <tuple>
 
 #include "app/session/fit_scene.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/mirror_plane.h"
 #include "filters/core/geometry/model_placement.h"
-#include "filters/io/image/image_file.h"
+#include "filters/io/cube/sky_picture.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/import/model_reader.h"
@@ -62,9 +64,20 @@ void requireMirrors(const LoadedScene& loaded, const std::string& path) {
   }
 }
 
-LoadedScene loadBareModel(const std::string& path, const LoadProgress& progress) {
+/// What says how the model is read, and so comes before that.
+std::vector<std::string> modelAssignments(const std::vector<std::string>& assignments) {
+  std::vector<std::string> list;
+  for (const std::string& assignment : assignments) {
+    if (assignment.rfind("models.", 0) == 0) list.push_back(assignment);
+  }
+  return list;
+}
+
+LoadedScene loadBareModel(const std::string& path, const std::vector<std::string>& assignments,
+                          const LoadProgress& progress) {
   LoadedScene loaded;
   loaded.scene = sceneForModel(path);
+  setSceneFields(loaded.scene, modelAssignments(assignments));
   loaded.models = loadModels(loaded.scene, progress);
   const Box bounds = modelBounds(*loaded.models.front());
   loaded.scene.probes = {fittedProbe(bounds)};
@@ -81,13 +94,13 @@ bool isModelPath(const std::string& path) {
 }
 
 std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const LoadProgress& progress) {
-  std::map<std::string, std::shared_ptr<const Model>> byFile;
+  std::map<std::tuple<std::string, std::string, std::optional<double>>, std::shared_ptr<const Model>> byFile;
   std::vector<std::shared_ptr<const Model>> models;
   for (const ModelFile& model : scene.models) {
-    std::shared_ptr<const Model>& loaded = byFile[model.file];
+    std::shared_ptr<const Model>& loaded = byFile[{model.file, model.variant, model.time}];
     const double before = static_cast<double>(models.size()), all = static_cast<double>(scene.models.size());
     const LoadProgress share = [&](double done) { return !progress || progress((before + done) / all); };
-    if (!loaded) loaded = std::make_shared<const Model>(readModel(model.file, share));
+    if (!loaded) loaded = std::make_shared<const Model>(readModel(model.file, share, {model.variant, model.time}));
     models.push_back(loaded);
   }
   return models;
@@ -95,7 +108,7 @@ std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const L
 
 std::shared_ptr<const ImageRgbaF> loadSkyImage(const Scene& scene) {
   const auto* image = std::get_if<SkyImage>(&scene.sky);
-  return image != nullptr ? std::make_shared<ImageRgbaF>(loadHdrImage(image->file)) : nullptr;
+  return image != nullptr ? std::make_shared<ImageRgbaF>(loadSkyPicture(image->file)) : nullptr;
 }
 
 std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models) {
@@ -119,7 +132,7 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
   if (fs::is_directory(path, ignored)) throw InputError(path + ": this is a folder; name a scene or model file in it");
   LoadedScene loaded;
   if (isModelPath(path)) {
-    loaded = loadBareModel(path, progress);
+    loaded = loadBareModel(path, assignments, progress);
     setSceneFields(loaded.scene, assignments);
     requireMirrors(loaded, path);
   } else if (endsWith(path, ".json")) {

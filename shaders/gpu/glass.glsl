@@ -93,7 +93,7 @@ float bpGlassReflected(BpGlass glass, vec2 brdf)
 // Share of the light behind that passes, by colour: what the surface reflects is gone.
 vec3 bpGlassPassed(BpGlass glass, vec3 reflected, vec3 albedo, float metallic)
 {
-  return bpGlassTransmission * (1.0f - metallic) * (1.0f - reflected) * albedo * glass.transmittance;
+  return bpGlassTransmission BP_TRANSMISSION_FACTOR * (1.0f - metallic) * (1.0f - reflected) * albedo * glass.transmittance;
 }
 
 // Of it, what is drawn behind already shows better than any cubemap.

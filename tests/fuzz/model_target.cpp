@@ -47,7 +47,8 @@ void checkMaterial(const Material& material) {
   promise(finite(material.baseColor) && finite(material.emissive), "a material's colour is not finite");
   for (const float value :
        {material.metallic, material.roughness, material.normalScale, material.occlusionStrength, material.coat,
-        material.coatRoughness, material.ior, material.alphaCutoff, material.coatNormalScale, material.transmission}) {
+        material.coatRoughness, material.ior, material.specular, material.reflectedIor(), material.thickness,
+        material.alphaCutoff, material.coatNormalScale, material.transmission}) {
     promise(std::isfinite(value), "a material's number is not finite");
   }
   for (const TextureUse* use : material.textures()) {
@@ -68,7 +69,14 @@ void parseModelFile(const std::string& bytes) {
   const bool binary = bytes.compare(0, 4, "glTF") == 0;
   const std::string path = scratch.write(binary ? "model.glb" : "model.gltf", bytes);
   try {
-    const Model model = loadModelFile(path);
+    Model model = loadModelFile(path);
+    // What the file offers besides, too.
+    if (!model.variants.empty() || model.animationSeconds > 0.0) {
+      ModelState state;
+      if (!model.variants.empty()) state.variant = model.variants.back();
+      state.seconds = 0.5 * model.animationSeconds;
+      model = loadModelFile(path, {}, state);
+    }
     for (const Material& material : model.materials) checkMaterial(material);
     for (const Mesh& mesh : model.meshes) checkMesh(mesh, model.materials.size());
     for (const Instance& instance : model.instances) {

@@ -10,6 +10,7 @@
 
 #include <limits>
 
+#include "filters/io/cube/sky_picture.h"
 #include "filters/io/image/image_file.h"
 #include "tests/unit/cube_pictures.h"
 #include "tests/unit/error_text.h"
@@ -145,6 +146,26 @@ TEST_F(CubeFile, DistanceIsAChannelOfItsOwnAndNotAveraged) {
       agree += value == distance.face(0, 0)[4 * i] ? 1 : 0;
     }
     EXPECT_GT(agree, layout == CubeLayout::Cross ? 1535 : 1000);
+  }
+}
+
+// A sky is drawn from a latitude-longitude map, whatever its file holds: +Z in the middle, +Y on top.
+TEST_F(CubeFile, SkiesOfAnyLayoutAreLatitudeLongitude) {
+  CubeMap cube(16, 1);
+  for (int face = 0; face < 6; ++face) {
+    for (int i = 0; i < 16 * 16; ++i) cube.face(0, face)[4 * i] = static_cast<float>(face + 1);
+  }
+  for (const CubeLayout layout : {CubeLayout::Strip, CubeLayout::Cross, CubeLayout::LatLong}) {
+    saveCubePicture(file("sky.exr"), cube, layout);
+    const ImageRgbaF sky = loadSkyPicture(file("sky.exr"));
+    ASSERT_EQ(sky.width, 64);
+    ASSERT_EQ(sky.height, 32);
+    const auto red = [&](int x, int y) { return sky.pixels[4 * (static_cast<std::size_t>(y) * 64 + x)]; };
+    EXPECT_NEAR(red(32, 16), 5.0f, 1e-3f) << "+Z";
+    EXPECT_NEAR(red(16, 16), 1.0f, 1e-3f) << "+X";
+    EXPECT_NEAR(red(48, 16), 2.0f, 1e-3f) << "-X";
+    EXPECT_NEAR(red(20, 1), 3.0f, 1e-3f) << "+Y";
+    EXPECT_NEAR(red(20, 30), 4.0f, 1e-3f) << "-Y";
   }
 }
 

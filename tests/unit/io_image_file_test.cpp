@@ -159,7 +159,7 @@ TEST_F(ImageFile, DamageIsOneLineThatNamesTheFile) {
   EXPECT_EQ(errorText([&] { loadImage8(file("cut.png")); }).rfind(file("cut.png") + ": is damaged", 0), 0u);
   write("text.png", "this is text");
   EXPECT_EQ(errorText([&] { loadImage8(file("text.png")); }),
-            file("text.png") + ": is not a PNG or JPEG picture; save it as one of these");
+            file("text.png") + ": is not a PNG, JPEG or WebP picture; save it as one of these");
   write("text.hdr", "this is text");
   EXPECT_NE(errorText([&] { loadHdrImage(file("text.hdr")); }), "");
   write("cut.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 64 +X 64\n\x02\x02");

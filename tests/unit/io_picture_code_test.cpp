@@ -129,7 +129,7 @@ TEST_F(PictureCodeFile, WhatCannotBeOfTheEncodingIsRefusedByName) {
                 ": has eight bits, which hold no radiance as it is; say how they are to be read with \"encoding\": "
                 "\"rgbm\", \"dldr\" or \"rgbmLinear\", or use an EXR or HDR picture");
   EXPECT_EQ(problem(write("cut.png", "no picture"), ImageEncoding::Rgbm),
-            file("cut.png") + ": is not a PNG or JPEG picture; save it as one of these");
+            file("cut.png") + ": is not a PNG, JPEG or WebP picture; save it as one of these");
   const unsigned char noAlpha[] = {// a PNG of 2 x 1 white pixels, RGB
                                    0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
                                    0x44, 0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x01, 0x08, 0x02, 0x00, 0x00,

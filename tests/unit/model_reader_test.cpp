@@ -71,6 +71,86 @@ TEST_F(ModelReader, ObjHasMaterialsTexturesAndNormals) {
   }
 }
 
+// What is missing beside an OBJ file costs the colour, not the shape, and is said.
+TEST_F(ModelReader, ObjWithoutItsMaterialsIsGrey) {
+  const std::string quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\n";
+  const Model gone = read("m.obj", "mtllib gone.mtl\n" + quad + "usemtl clay\nf 1 2 3\nusemtl oak\nf 1 3 4\n");
+  ASSERT_EQ(gone.warnings.size(), 1u);
+  EXPECT_EQ(gone.warnings[0], "has the material file gone.mtl, which does not exist; grey takes its place");
+  ASSERT_EQ(gone.materials.size(), 2u);
+  EXPECT_EQ(gone.materials[1].name, "oak");
+  EXPECT_NEAR(gone.materials[0].baseColor.g, 0.8f, 1e-6f);
+
+  write("q.mtl", "newmtl a\nKd 0 0 0\nmap_Kd gone.png\nnewmtl b\nKd 1 0 0\nmap_Kd text.png\n");
+  write("text.png", "no picture");
+  const Model plain =
+      read("m.obj", "mtllib q.mtl\n" + quad + "usemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 1 2 3\nusemtl c\nf 1 3 4\n");
+  ASSERT_EQ(plain.warnings.size(), 3u);
+  EXPECT_EQ(plain.warnings[0], "has the texture gone.png, which does not exist; grey takes its place");
+  EXPECT_NE(plain.warnings[1].find("material c, which its material file does not define"), std::string::npos);
+  EXPECT_NE(plain.warnings[2].find("text.png"), std::string::npos);
+  ASSERT_EQ(plain.materials.size(), 3u);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(plain.materials[i].baseColor.r, 0.2159f, 1e-4f) << i;
+
+  std::filesystem::create_directory(folder_ / "tex");
+  savePng(file("tex/red.png"), ImageRgba8{1, 1, {255, 0, 0, 255}, "red"});
+  write("tex/w.mtl", "newmtl a\nmap_Kd red.png\n");
+  const Model windows = read("m.obj", "mtllib tex\\w.mtl\n" + quad + "usemtl a\nf 1/1 2/1 3/1\n");
+  EXPECT_TRUE(windows.warnings.empty());
+  ASSERT_TRUE(windows.materials.at(0).baseColorTexture.image);
+  EXPECT_EQ(windows.materials[0].baseColorTexture.image->pixels[0], 255);
+}
+
+TEST_F(ModelReader, ObjMaterialNamesMayHaveSpaces) {
+  write("s.mtl", "newmtl hard shiny plastic\nKd 0.25 0 0\nTf 1 1 1\n");
+  const Model model = read("m.obj",
+                           "mtllib s.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl hard shiny plastic\n"
+                           "f 1 2 3\nusemtl\nf 2 4 3\n");
+  ASSERT_EQ(model.materials.size(), 2u);
+  EXPECT_EQ(model.materials[0].name, "hard_shiny_plastic");
+  EXPECT_NEAR(model.materials[0].baseColor.r, 0.25f, 1e-6f);
+  EXPECT_NEAR(model.materials[1].baseColor.r, 0.8f, 1e-6f);
+}
+
+TEST_F(ModelReader, ObjVertexColors) {
+  const Model model = read("m.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 0.5 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
+  const Mesh& mesh = model.meshes.at(0);
+  ASSERT_EQ(mesh.colors.size(), mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    if (mesh.positions[i].x == 1.0f) {
+      EXPECT_NEAR(mesh.colors[i].g, 0.2140f, 1e-3f) << "sRGB decoded";
+    }
+    if (mesh.positions[i].y == 1.0f) {
+      EXPECT_EQ(mesh.colors[i], glm::vec4(0, 0, 1, 1));
+    }
+  }
+}
+
+TEST_F(ModelReader, PlyFloatColorsAndStrips) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float red\nproperty float green\nproperty float blue\n";
+  const std::string vertices = "0 0 0 1 0 0\n1 0 0 1 0 0\n0 1 0 0 0 0.5\n1 1 0 1 0 0\n";
+  for (const bool strips : {false, true}) {
+    const Model model = read("m.ply", head + (strips ? "element tristrips 1\n" : "element face 2\n") +
+                                          "property list int int vertex_indices\nend_header\n" + vertices +
+                                          (strips ? "6 0 1 2 3 -1 0\n" : "3 0 1 2\n3 1 3 2\n"));
+    ASSERT_EQ(model.triangleCount(), 2u) << strips;
+    const Mesh& mesh = model.meshes.at(0);
+    ASSERT_EQ(mesh.colors.size(), mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const bool blue = mesh.positions[i] == glm::vec3(0, 1, 0);
+      EXPECT_NEAR(mesh.colors[i].r, blue ? 0.0f : 1.0f, 1e-6f);
+      EXPECT_NEAR(mesh.colors[i].b, blue ? 0.2158f : 0.0f, 2e-3f) << "sRGB decoded";
+      EXPECT_EQ(mesh.normals[i], glm::vec3(0, 0, 1)) << "every triangle the same way round";
+    }
+  }
+  expectRefused(
+      "m.ply",
+      head + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + vertices + "3 0 1 9\n",
+      "corner 9");
+}
+
 TEST_F(ModelReader, PlyHasVertexColorsAndPolygons) {
   const Model model = read("m.ply", kPly);
   ASSERT_EQ(model.triangleCount(), 2u);
@@ -155,11 +235,8 @@ TEST_F(ModelReader, BrokenFilesAreRefusedInOneLine) {
   expectRefused("m.obj", "", "has no faces");
   expectRefused("m.obj", std::string("v\0x", 3), "is not text");
   expectRefused("m.obj", "mtllib ../../secret.mtl\n" + v + "f 1 2 3\n", "lies outside the model's folder");
-  expectRefused("m.obj", "mtllib gone.mtl\n" + v + "f 1 2 3\n", "gone.mtl does not exist");
   write("p.mtl", "newmtl a\nmap_Kd /etc/passwd\n");
   expectRefused("m.obj", "mtllib p.mtl\n" + v + "f 1 2 3\n", "lies outside the model's folder");
-  write("q.mtl", "newmtl a\nmap_Kd gone.png\n");
-  expectRefused("m.obj", "mtllib q.mtl\n" + v + "f 1 2 3\n", "gone.png does not exist");
   expectRefused("m.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj");
   expectRefused("m.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj");
   expectRefused("m.ply", "obj\n", "does not start with");

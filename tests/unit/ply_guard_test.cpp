@@ -207,8 +207,8 @@ TEST_F(PlyGuard, TextureCoordinatesOfFacesDoNotReachVtk) {
 }
 
 TEST_F(PlyGuard, VtkReadsTheFileItselfWhereItCan) {
-  EXPECT_FALSE(checkPly(write("m.ply", kHeader + kPoints + "3 0 1 2\n")).has_value());
-  EXPECT_TRUE(checkPly(write("m.ply", kHeader + kPoints + "3 0 1 2")).has_value());
+  EXPECT_FALSE(checkPly(write("m.ply", kHeader + kPoints + "3 0 1 2\n")).text.has_value());
+  EXPECT_TRUE(checkPly(write("m.ply", kHeader + kPoints + "3 0 1 2")).text.has_value());
 }
 
 }  // namespace

@@ -153,6 +153,7 @@ Subcommand addBakeCommand(CLI::App& program) {
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
+  addModelOptions(*command, options->assignments);
   addReportOptions(*command, options->report, "Print the JSON that --stats writes");
   command->footer(
       "Skips probes whose file was made from the same inputs: a second call continues where the first one stopped\nand "

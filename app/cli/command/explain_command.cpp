@@ -101,6 +101,7 @@ Subcommand addExplainCommand(CLI::App& program) {
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
+  addModelOptions(*command, options->assignments);
   addReportOptions(*command, options->report, "Print the explanation as JSON");
   command->footer(
       "Example:\n"

@@ -45,7 +45,10 @@ void runInfo(const InfoOptions& options) {
     report["frame"] = frameReportJson(frame);
     text += frameReportText(frame);
   }
-  std::fputs(options.report.json ? (report.dump(2) + "\n").c_str() : text.c_str(), stdout);
+  std::fputs(options.report.json
+                 ? (report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n").c_str()
+                 : text.c_str(),
+             stdout);
   // Without --frame nothing is drawn or captured here; with it, what that took is in the report.
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
 }
@@ -60,6 +63,7 @@ Subcommand addInfoCommand(CLI::App& program) {
   command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
+  addModelOptions(*command, options->assignments);
   command->add_flag("--frame", options->frame, "Draw a frame and report what it did and what it skipped");
   command->add_option("--camera", options->camera, "Camera of that frame");
   command->add_option("--size", options->size, "Size of that frame in pixels")->type_name("WxH")->capture_default_str();

@@ -62,6 +62,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--set", options.assignments, "Change a field of the scene: probes.NAME.FIELD=VALUE (repeatable)")
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
+  addModelOptions(command, options.assignments);
   addReportOptions(command, options.report, "Print the JSON that --stats writes");
   command.footer(
       "Examples:\n"

@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace boxprobe {
 
@@ -17,6 +19,22 @@ struct ReportOptions {
   bool json = false;
   bool quiet = false;
 };
+
+/// In which of its states a glTF file is read; they become fields of the scene's first model, as --set would set them.
+inline void addModelOptions(CLI::App& command, std::vector<std::string>& assignments) {
+  const auto add = [&](const char* flag, const char* field, const char* help, bool text) {
+    return command.add_option_function<std::string>(
+        flag,
+        [&assignments, field, text](const std::string& value) {
+          const std::string json = text ? nlohmann::json(value).dump() : value;
+          assignments.push_back("models.0." + std::string(field) + "=" + json);
+        },
+        help);
+  };
+  add("--variant", "variant", "Materials of the (first) glTF model: one of its variants, which info lists", true)
+      ->type_name("NAME");
+  add("--time", "time", "Show the (first) glTF model's animations at this time in seconds", false)->type_name("S");
+}
 
 /// `jsonHelp`: what --json of this sub-command prints.
 inline void addReportOptions(CLI::App& command, ReportOptions& options, const std::string& jsonHelp) {

@@ -34,12 +34,19 @@ std::string word(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+std::string listOf(const Json& names) {
+  std::string list;
+  for (const Json& name : names) list += (list.empty() ? "" : ", ") + word(name);
+  return list;
+}
+
 std::string modelLine(const Json& m) {
-  std::string materials;
-  for (const Json& name : m["materials"]) materials += (materials.empty() ? "" : ", ") + word(name);
+  const std::string materials = listOf(m["materials"]);
   return word(m["file"]) + ": " + word(m["meshes"]) + " meshes, " + word(m["triangles"]) + " triangles (" +
          mebibytes(m["arrayBytes"]) + "), " + word(m["textures"]) + " textures (" + mebibytes(m["textureBytes"]) +
-         ")\n    materials: " + (materials.empty() ? "none" : materials);
+         ")\n    materials: " + (materials.empty() ? "none" : materials) +
+         (m.contains("variants") ? "\n    variants: " + listOf(m["variants"]) : "") +
+         (m.contains("animationSeconds") ? "\n    animations: " + word(m["animationSeconds"]) + " s" : "");
 }
 
 std::string objectLine(const Json& o) {

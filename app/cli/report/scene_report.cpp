@@ -5,7 +5,7 @@
 #include <string_view>
 #include <variant>
 
-#include "filters/io/image/image_file.h"
+#include "filters/io/cube/sky_picture.h"
 #include "filters/vtk/capture/prefilter.h"
 
 namespace boxprobe {
@@ -55,13 +55,16 @@ Json modelReport(const ModelFile& file, const Model& model) {
   }
   Json names = Json::array();
   for (const Material& material : model.materials) names.push_back(material.name);
-  return {{"file", file.file},
-          {"meshes", model.meshes.size()},
-          {"triangles", model.triangleCount()},
-          {"materials", names},
-          {"textures", images.size()},
-          {"textureBytes", bytes},
-          {"arrayBytes", arrayBytes(model)}};
+  Json report = {{"file", file.file},
+                 {"meshes", model.meshes.size()},
+                 {"triangles", model.triangleCount()},
+                 {"materials", names},
+                 {"textures", images.size()},
+                 {"textureBytes", bytes},
+                 {"arrayBytes", arrayBytes(model)}};
+  if (!model.variants.empty()) report["variants"] = model.variants;
+  if (model.animationSeconds > 0.0) report["animationSeconds"] = model.animationSeconds;
+  return report;
 }
 
 /// What one probe holds on the graphics side once captured: the prefiltered chain (RGBA16F) and distances (R32F).
@@ -124,7 +127,8 @@ Json skyReport(const Sky& sky) {
   if (const auto* color = std::get_if<SkyColor>(&sky)) return {{"kind", "color"}, {"color", vector3(color->color)}};
   if (const auto* image = std::get_if<SkyImage>(&sky)) {
     std::size_t notFinite = 0;
-    const ImageRgbaF pixels = loadHdrImage(image->file, &notFinite);  // one that cannot be read is found out here, too
+    const ImageRgbaF pixels =
+        loadSkyPicture(image->file, &notFinite);  // one that cannot be read is found out here, too
     return {{"kind", "image"},
             {"file", image->file},
             {"width", pixels.width},

@@ -14,7 +14,8 @@
 #include "app/gui/edit/editor.h"
 #include "app/gui/widgets/recent_files.h"
 #include "filters/core/base/errors.h"
-#include "filters/io/image/image_file.h"
+#include "filters/io/cube/sky_picture.h"
+#include "filters/io/json/json_text.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/import/model_reader.h"
 
@@ -30,7 +31,7 @@ bool canOpen(const QString& path) {
 
 /// A sky that cannot be read must be found out while the open scene can still stay.
 void requireSky(const Scene& scene) {
-  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) loadHdrImage(image->file);
+  if (const auto* image = std::get_if<SkyImage>(&scene.sky)) loadSkyPicture(image->file);
 }
 
 }  // namespace
@@ -76,12 +77,24 @@ void FileCommands::open() {
 }
 
 bool FileCommands::openPath(const QString& path) {
+  return openWith(path, {});
+}
+
+void FileCommands::openVariant(const QString& variant) {
+  const auto& models = document_.scene().models;
+  const std::string& path = document_.path();
+  if (models.empty()) return;
+  const std::string name = formatJson(Json(variant.toStdString()));
+  openWith(QString::fromStdString(path.empty() ? models.front().file : path), {"models.0.variant=" + name});
+}
+
+bool FileCommands::openWith(const QString& path, const std::vector<std::string>& assignments) {
   if (!confirmLeaving()) return false;
   try {
     QProgressDialog shown(tr("Loading %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 100, window_);
     shown.setWindowModality(Qt::WindowModal);
     shown.setMinimumDuration(500);  // what is there at once needs none
-    LoadedScene loaded = loadScene(path.toStdString(), {}, [&shown](double fraction) {
+    LoadedScene loaded = loadScene(path.toStdString(), assignments, [&shown](double fraction) {
       shown.setValue(std::min(static_cast<int>(100.0 * fraction), 99));  // lets events through
       return !shown.wasCanceled();
     });

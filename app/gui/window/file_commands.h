@@ -34,6 +34,8 @@ class FileCommands : public QObject {
   void open();
   /// After asking about unsaved changes. False if the user kept the scene or the file could not be read.
   bool openPath(const QString& path);
+  /// The same again, its first model with the materials of this variant.
+  void openVariant(const QString& variant);
   bool save();
   bool saveAs();
   void exportImage();
@@ -53,6 +55,7 @@ class FileCommands : public QObject {
   void recentChanged(const QStringList& paths);
 
  private:
+  bool openWith(const QString& path, const std::vector<std::string>& assignments);
   bool saveTo(const QString& path);
   QString folder() const;
   void showError(const QString& title, const QString& line);

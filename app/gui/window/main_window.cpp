@@ -153,6 +153,8 @@ void MainWindow::connectFiles() {
   connect(menu_, &MenuBar::exportRequested, files_, &FileCommands::exportImage);
   connect(menu_, &MenuBar::quitRequested, this, &QWidget::close);
   connect(menu_, &MenuBar::recentChosen, files_, &FileCommands::openPath, Qt::QueuedConnection);
+  // Later: the menu is made anew by what it brings about.
+  connect(menu_, &MenuBar::variantChosen, files_, &FileCommands::openVariant, Qt::QueuedConnection);
   connect(files_, &FileCommands::recentChanged, menu_, &MenuBar::showRecent);
   connect(files_, &FileCommands::message, status_, &StatusLine::showMessage);
   menu_->showRecent(recentFiles());
@@ -263,6 +265,12 @@ void MainWindow::updateInvitation() {
 void MainWindow::showScene(LoadedScene loaded) {
   lessons_->drop();
   showModels(loaded.models, loaded.path);
+  QStringList variants;
+  for (const std::string& name : loaded.models.empty() ? std::vector<std::string>() : loaded.models.front()->variants) {
+    variants.append(QString::fromStdString(name));
+  }
+  const auto& files = loaded.scene.models;
+  menu_->showVariants(variants, files.empty() ? QString() : QString::fromStdString(files.front().variant));
   document_.open(std::move(loaded.scene), loaded.path);
   if (!document_.scene().probes.empty()) document_.selectProbe(0);
   work_->resetCamera();

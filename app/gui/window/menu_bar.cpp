@@ -38,6 +38,9 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
 
   view_ = window->menuBar()->addMenu(tr("&View"));
   cameras_ = view_->addMenu(tr("&Camera"));
+  variants_ = view_->addMenu(tr("&Material variant"));
+  variants_->setObjectName("variants");
+  variants_->setEnabled(false);
   add(view_, tr("&Reset view"), QKeySequence("Home"), &MenuBar::resetViewRequested);
   view_->addSeparator();
   boxes_ = addToggle(view_, tr("Probe &boxes and handles"), QKeySequence("Ctrl+B"), &MenuBar::boxesShown);
@@ -81,6 +84,19 @@ QAction* MenuBar::addToggle(QMenu* menu, const QString& text, const QKeySequence
   action->setChecked(true);
   connect(action, &QAction::toggled, this, signal);
   return action;
+}
+
+void MenuBar::showVariants(const QStringList& names, const QString& shown) {
+  variants_->clear();
+  variants_->setEnabled(!names.isEmpty());
+  const auto offer = [this, &shown](const QString& text, const QString& name) {
+    QAction* action = variants_->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(name == shown);
+    connect(action, &QAction::triggered, this, [this, name] { emit variantChosen(name); });
+  };
+  if (!names.isEmpty()) offer(tr("The file's own"), QString());
+  for (const QString& name : names) offer(QString(name).replace('&', "&&"), name);
 }
 
 void MenuBar::showExplainTool(bool on) {

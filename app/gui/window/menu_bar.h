@@ -25,6 +25,8 @@ class MenuBar : public QObject {
   void update(const Document& document);
   void addDockToggle(QAction* action);
   void showRecent(const QStringList& paths);
+  /// Names of the model's other sets of materials; `shown` may be empty, for its own.
+  void showVariants(const QStringList& names, const QString& shown);
   void showMotionPreview(bool on);
   /// As if the user had switched them.
   void setBoxesShown(bool shown);
@@ -42,6 +44,7 @@ class MenuBar : public QObject {
   void exportRequested();
   void saveBakedRequested();
   void recentChosen(const QString& path);
+  void variantChosen(const QString& name);
   void quitRequested();
   void undoRequested();
   void redoRequested();
@@ -72,6 +75,7 @@ class MenuBar : public QObject {
   QMenu* view_;
   QMenu* cameras_;
   QMenu* recent_;
+  QMenu* variants_;
   std::vector<std::string> cameraNames_;
   QAction *undo_, *redo_, *duplicate_, *delete_, *bake_, *export_, *explain_, *motionPreview_, *boxes_, *reflections_,
       *projector_;

@@ -1,6 +1,9 @@
 // What can be said of a model from its arrays alone.
 #include "filters/core/scene/model.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace boxprobe {
 
 std::vector<TextureUse*> Material::textures() {
@@ -12,6 +15,14 @@ std::vector<const TextureUse*> Material::textures() const {
   std::vector<const TextureUse*> uses;
   for (TextureUse* use : const_cast<Material*>(this)->textures()) uses.push_back(use);
   return uses;
+}
+
+float Material::reflectedIor() const {
+  if (specular == 1.0f) return ior;
+  const float root = (ior - 1.0f) / (ior + 1.0f);
+  // A full mirror has no such index: this one comes to 0.9999998 of it.
+  const float amplitude = std::sqrt(std::clamp(specular * root * root, 0.0f, 1.0f));
+  return (1.0f + amplitude) / std::max(1.0f - amplitude, 1.0e-7f);
 }
 
 std::size_t Model::triangleCount() const {

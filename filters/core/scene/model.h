@@ -64,6 +64,7 @@ struct Material {
   float coatNormalScale = 1.0f;
   float transmission = 0.0f;  ///< KHR_materials_transmission
   float ior = 1.5f;
+  float specular = 1.0f;             ///< times the reflectance that `ior` gives (KHR_materials_specular); may exceed 1
   bool thin = true;                  ///< a sheet that bends nothing (KHR_materials_volume: thickness 0), not a solid
   float thickness = 0.0f;            ///< of a solid, where its true one is not known: scene units
   float attenuationDistance = 0.0f;  ///< white light has attenuationColor left after it; 0: nothing is absorbed
@@ -79,6 +80,9 @@ struct Material {
 
   /// Shows what lies behind it, bent.
   bool transmits() const { return transmission > 0.0f && !unlit; }
+
+  /// The index that gives what the surface reflects straight on: `ior`, but for `specular`.
+  float reflectedIor() const;
 
   /// All of them, those without an image too.
   std::vector<TextureUse*> textures();
@@ -111,6 +115,8 @@ struct Model {
   std::vector<Instance> instances;
   std::vector<Light> lights;          ///< in the file's frame, as instances are
   std::vector<Camera> cameras;        ///< likewise, names unique
+  std::vector<std::string> variants;  ///< names of other sets of materials that the file can be read with
+  double animationSeconds = 0.0;      ///< how long the file's animations last
   std::vector<std::string> warnings;  ///< what the file asks for and is not supported, named once
 
   std::size_t triangleCount() const;  ///< over all instances

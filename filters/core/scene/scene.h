@@ -30,6 +30,8 @@ struct ModelFile {
   double scale = 1.0;
   LengthUnit unit = LengthUnit::Metre;
   UpAxis upAxis = UpAxis::Y;
+  std::string variant = {};         ///< of a glTF file's materials; empty: its own
+  std::optional<double> time = {};  ///< of a glTF file's animations, seconds; none: at rest
   bool operator==(const ModelFile&) const;
 };
 

@@ -80,13 +80,19 @@ const std::vector<FieldRow<ModelFile>>& modelFields() {
           .choose({{"m"}, {"cm"}, {"mm"}, {"in"}, {"ft"}}),
       field<&ModelFile::upAxis>("upAxis", "", "Axis that points up in the model file; the model is turned to +Y.")
           .choose({{"x"}, {"y"}, {"z"}}),
+      field<&ModelFile::variant>("variant", "", "Name of one of a glTF file's material variants."),
+      field<&ModelFile::time>("time", "s", "When a glTF file's animations are looked at.")
+          .leftOut("at rest")
+          .atLeast(0)
+          .usually(0, 3600),
   };
   return rows;
 }
 
 const std::vector<FieldRow<SkyImage>>& skyImageFields() {
   static const std::vector<FieldRow<SkyImage>> rows = {
-      field<&SkyImage::file>("image", "", "Latitude-longitude picture of linear radiance: .exr or .hdr.")
+      field<&SkyImage::file>(
+          "image", "", "Picture of linear radiance, .exr or .hdr: latitude-longitude, or a cube as a strip or a cross.")
           .as(FieldKind::File)
           .notEmpty("name an EXR or HDR file")
           .leftOut("none")

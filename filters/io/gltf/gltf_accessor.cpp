@@ -186,8 +186,10 @@ int componentCount(const GltfFile& file, int index, const std::string& where) {
       return 3;
     case TINYGLTF_TYPE_VEC4:
       return 4;
+    case TINYGLTF_TYPE_MAT4:
+      return 16;
     default:
-      return 0;  // matrices, which no attribute read here has
+      return 0;  // smaller matrices, which nothing read here has
   }
 }
 
@@ -224,6 +226,35 @@ std::vector<std::uint32_t> readIndices(const GltfFile& file, int index, const st
   std::vector<std::uint32_t> values(accessor.count);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = indexAt(packed.data() + i * size, accessor.componentType);
   return values;
+}
+
+AddedAccessors::AddedAccessors(GltfFile& file)
+    : file_(file),
+      accessors_(file.gltf.accessors.size()),
+      views_(file.gltf.bufferViews.size()),
+      buffers_(file.gltf.buffers.size()) {}
+
+AddedAccessors::~AddedAccessors() {
+  file_.gltf.accessors.resize(accessors_);
+  file_.gltf.bufferViews.resize(views_);
+  file_.gltf.buffers.resize(buffers_);
+}
+
+int addAccessor(GltfFile& file, std::vector<unsigned char> bytes, std::size_t count, int componentType, int type,
+                bool normalized) {
+  tinygltf::BufferView view;
+  view.buffer = static_cast<int>(file.gltf.buffers.size());
+  view.byteLength = bytes.size();
+  tinygltf::Accessor accessor;
+  accessor.bufferView = static_cast<int>(file.gltf.bufferViews.size());
+  accessor.count = count;
+  accessor.componentType = componentType;
+  accessor.type = type;
+  accessor.normalized = normalized;
+  file.gltf.buffers.emplace_back().data = std::move(bytes);
+  file.gltf.bufferViews.push_back(std::move(view));
+  file.gltf.accessors.push_back(std::move(accessor));
+  return static_cast<int>(file.gltf.accessors.size()) - 1;
 }
 
 }  // namespace boxprobe

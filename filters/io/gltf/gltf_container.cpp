@@ -1,4 +1,4 @@
-// Opening a glTF or GLB file: the outer format, files beside it, versions and extensions.
+// Opening a glTF or GLB file: the outer format, and buffers beside it.
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -15,23 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string>& supportedExtensions() {
-  static const std::vector<std::string> names = {"KHR_materials_unlit",        "KHR_materials_emissive_strength",
-                                                 "KHR_materials_clearcoat",    "KHR_materials_ior",
-                                                 "KHR_materials_transmission", "KHR_materials_volume",
-                                                 "KHR_texture_transform",      "KHR_lights_punctual",
-                                                 "KHR_mesh_quantization"};
-  return names;
-}
-
-/// What tinygltf's callbacks work on. Exceptions must not pass through it: the first problem is kept here instead.
-struct Reading {
-  std::string modelPath;
-  fs::path folder;
-  std::string problem;
-  std::map<int, std::string> images;
-};
-
 bool insideFolder(const fs::path& file, const fs::path& folder) {
   std::error_code error;
   const fs::path whole = fs::weakly_canonical(file, error);
@@ -41,32 +24,6 @@ bool insideFolder(const fs::path& file, const fs::path& folder) {
   return std::mismatch(base.begin(), base.end(), whole.begin(), whole.end()).first == base.end();
 }
 
-bool readFileBeside(std::vector<unsigned char>* out, std::string*, const std::string& name, void* user) {
-  Reading& reading = *static_cast<Reading*>(user);
-  try {
-    if (!insideFolder(name, reading.folder)) {
-      throw InputError(name + ": lies outside the model's folder; put it inside");
-    }
-    const std::string bytes = readWholeFile(name);
-    out->assign(bytes.begin(), bytes.end());
-    return true;
-  } catch (const std::exception& error) {
-    if (reading.problem.empty()) reading.problem = oneLine(reading.modelPath + ": " + error.what());
-    return false;
-  }
-}
-
-/// Keeps the bytes of images from files and data URIs; decoding waits until a material asks. Buffer views are skipped:
-/// tinygltf passes them on without checking their bounds.
-bool keepImage(tinygltf::Image* image, const int index, std::string*, std::string*, int, int,
-               const unsigned char* bytes, int size, void* user) {
-  if (image->bufferView < 0 && size > 0) {
-    static_cast<Reading*>(user)->images[index].assign(reinterpret_cast<const char*>(bytes),
-                                                      static_cast<std::size_t>(size));
-  }
-  return true;
-}
-
 std::uint32_t littleEndian32(const std::string& bytes, std::size_t offset) {
   std::uint32_t value = 0;
   for (int i = 3; i >= 0; --i)
@@ -74,9 +31,15 @@ std::uint32_t littleEndian32(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
-/// The JSON chunk. All chunk lengths are checked here: tinygltf may read some bytes past a truncated binary chunk.
-std::string jsonChunk(const std::string& bytes, const std::string& path) {
+/// The JSON and the binary chunk of a GLB file.
+struct Chunks {
+  std::string json;
+  ByteRange binary;
+};
+
+Chunks chunksOf(const std::string& bytes, const std::string& path) {
   constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  constexpr std::uint32_t kBinary = 0x004e4942;
   const auto damaged = [&path](const std::string& what) {
     return InputError(path + ": " + what + "; export it again");
   };
@@ -88,17 +51,20 @@ std::string jsonChunk(const std::string& bytes, const std::string& path) {
     throw damaged("is cut off: the header says " + std::to_string(length) + " bytes, the file has " +
                   std::to_string(bytes.size()));
   }
-  std::string json;
+  Chunks chunks;
   std::size_t index = 0;
   for (std::size_t offset = kHeader; offset + kChunkHeader <= length; ++index) {
-    const std::size_t size = littleEndian32(bytes, offset);
-    if (size > length - offset - kChunkHeader) {
+    const std::size_t size = littleEndian32(bytes, offset), from = offset + kChunkHeader;
+    if (size > length - from) {
       throw damaged("chunk " + std::to_string(index) + " of " + std::to_string(size) + " bytes runs past the end");
     }
-    if (index == 0) json = bytes.substr(offset + kChunkHeader, size);
-    offset += kChunkHeader + size;
+    if (index == 0) chunks.json = bytes.substr(from, size);
+    if (index == 1 && littleEndian32(bytes, offset + 4) == kBinary) {
+      chunks.binary = {reinterpret_cast<const unsigned char*>(bytes.data()) + from, size};
+    }
+    offset = from + size;
   }
-  return json;
+  return chunks;
 }
 
 /// tinygltf's message as the middle of a sentence.
@@ -108,21 +74,69 @@ std::string reasonOf(const std::string& error) {
   return text.empty() ? "is not a glTF file" : text;
 }
 
-void checkVersionAndExtensions(GltfFile& file) {
-  if (file.gltf.asset.version.rfind("2.", 0) != 0) {
-    file.fail("asset", "is glTF version \"" + file.gltf.asset.version + "\"; export it as glTF 2.0");
-  }
-  const std::vector<std::string>& known = supportedExtensions();
-  const auto supported = [&](const std::string& name) {
-    return std::find(known.begin(), known.end(), name) != known.end();
+std::string percentDecoded(const std::string& uri) {
+  const auto digit = [&](std::size_t at) {
+    const char c = at < uri.size() ? uri[at] : '\0';
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
   };
-  for (const std::string& name : file.gltf.extensionsRequired) {
-    if (!supported(name)) {
-      file.fail("extensionsRequired", "needs " + name + ", which is not supported; export without it");
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] == '%' && digit(i + 1) >= 0 && digit(i + 2) >= 0) {
+      text += static_cast<char>(16 * digit(i + 1) + digit(i + 2));
+      i += 2;
+    } else {
+      text += uri[i];
     }
   }
-  for (const std::string& name : file.gltf.extensionsUsed) {
-    if (!supported(name)) file.warn("uses the extension " + oneLine(name) + ", which is not supported and is ignored");
+  return text;
+}
+
+/// The bytes behind the comma; tinygltf's decoder knows few media types, so all are called the same.
+std::string dataOf(const GltfFile& file, const std::string& uri) {
+  const std::size_t comma = uri.find(',');
+  const std::string kind = uri.substr(0, std::min(comma, std::size_t(100)));
+  std::vector<unsigned char> bytes;
+  std::string ignoredType;
+  const bool base64 = kind.size() >= 7 && kind.compare(kind.size() - 7, 7, ";base64") == 0;
+  if (comma == std::string::npos || !base64 ||
+      (comma + 1 < uri.size() &&
+       !tinygltf::DecodeDataURI(&bytes, ignoredType, "data:application/octet-stream;base64," + uri.substr(comma + 1), 0,
+                                false))) {
+    throw InputError(oneLine(file.path + ": the data URI \"" + kind.substr(0, 40) +
+                             "...\" cannot be decoded; only base64 is; export it again"));
+  }
+  return {bytes.begin(), bytes.end()};
+}
+
+void readBuffers(GltfFile& file, const GltfText& text, const Chunks* chunks) {
+  for (std::size_t i = 0; i < text.buffers.size(); ++i) {
+    const GltfText::Buffer& source = text.buffers[i];
+    std::vector<unsigned char>& data = file.gltf.buffers.at(i).data;
+    data.clear();
+    if (source.unused) continue;
+    const std::string place = "buffer " + std::to_string(i);
+    std::unique_ptr<std::string> bytes;
+    ByteRange range;
+    if (!source.uri.empty()) {
+      bytes = readUri(file, source.uri);
+      if (!bytes) {
+        throw InputError(oneLine(file.path + ": " +
+                                 (fs::path(file.path).parent_path() / percentDecoded(source.uri)).string() +
+                                 ": does not exist; check the path"));
+      }
+      range = {reinterpret_cast<const unsigned char*>(bytes->data()), bytes->size()};
+    } else if (chunks != nullptr) {
+      range = chunks->binary;
+    } else {
+      file.fail(place, "has no uri; export it again");
+    }
+    if (source.byteLength > range.size) {
+      file.fail(place, "has " + std::to_string(range.size) + " bytes, but byteLength is " +
+                           std::to_string(source.byteLength) + "; the file is cut off");
+    }
+    if (source.byteLength > 0) data.assign(range.data, range.data + source.byteLength);
   }
 }
 
@@ -136,54 +150,49 @@ void GltfFile::warn(const std::string& warning) {
   if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
 }
 
+std::unique_ptr<std::string> readUri(const GltfFile& file, const std::string& uri) {
+  if (uri.compare(0, 5, "data:") == 0) return std::make_unique<std::string>(dataOf(file, uri));
+  const fs::path folder = fs::path(file.path).parent_path().empty() ? fs::path(".") : fs::path(file.path).parent_path();
+  std::string name = percentDecoded(uri);
+  std::error_code ignored;
+  // Separators as Windows writes them.
+  if (!fs::exists(folder / name, ignored)) std::replace(name.begin(), name.end(), '\\', '/');
+  const fs::path whole = folder / name;
+  if (!insideFolder(whole, folder)) {
+    throw InputError(oneLine(file.path + ": " + whole.string() + ": lies outside the model's folder; put it inside"));
+  }
+  if (!fs::exists(whole, ignored)) return nullptr;
+  try {
+    return std::make_unique<std::string>(readWholeFile(whole.string()));
+  } catch (const InputError& error) {
+    throw InputError(oneLine(file.path + ": " + error.what()));
+  }
+}
+
 GltfFile openGltf(const std::string& path) {
   constexpr std::uintmax_t kLargestFile = 0xfffffff0u;  // tinygltf counts bytes in 32 bits
   const std::string bytes = readWholeFile(path, kLargestFile);
   const bool binary = bytes.compare(0, 4, "glTF") == 0;
-  if (binary) {
-    checkJsonSyntax(jsonChunk(bytes, path), path + ": JSON chunk");
-  } else {
-    checkJsonSyntax(bytes, path);
-  }
+  const Chunks chunks = binary ? chunksOf(bytes, path) : Chunks();
+  const std::string& json = binary ? chunks.json : bytes;
+  checkJsonSyntax(json, binary ? path + ": JSON chunk" : path);
 
   GltfFile file;
   file.path = path;
-  Reading reading;
-  reading.modelPath = path;
-  reading.folder = fs::path(path).parent_path().empty() ? fs::path(".") : fs::path(path).parent_path();
-
+  const GltfText text = prepareGltf(file, json);
   tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(&keepImage, &reading);
-  tinygltf::FsCallbacks callbacks = {};
-  // Every name counts as found in the model's folder, so that tinygltf does not look for it in the working directory.
-  callbacks.FileExists = [](const std::string&, void*) { return true; };
-  callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
-  callbacks.ReadWholeFile = &readFileBeside;
-  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
-    return false;
-  };
-  callbacks.user_data = &reading;
-  loader.SetFsCallbacks(callbacks);
-
-  std::string error, ignoredWarnings;  // its warnings are about images, whose problems are kept above
+  std::string error, ignoredWarnings;  // its warnings are about images, which it is not shown
   bool read = false;
   try {
-    const auto size = static_cast<unsigned int>(bytes.size());
-    if (binary) {
-      read = loader.LoadBinaryFromMemory(&file.gltf, &error, &ignoredWarnings,
-                                         reinterpret_cast<const unsigned char*>(bytes.data()), size,
-                                         reading.folder.string());
-    } else {
-      read =
-          loader.LoadASCIIFromString(&file.gltf, &error, &ignoredWarnings, bytes.data(), size, reading.folder.string());
-    }
+    read = loader.LoadASCIIFromString(&file.gltf, &error, &ignoredWarnings, text.json.data(),
+                                      static_cast<unsigned int>(text.json.size()), "");
   } catch (const std::exception& problem) {
     error = problem.what();
   }
-  if (!reading.problem.empty()) throw InputError(reading.problem);
   if (!read) throw InputError(path + ": " + reasonOf(error) + "; export it again");
-  file.encodedImages = std::move(reading.images);
-  checkVersionAndExtensions(file);
+  if (file.gltf.buffers.size() != text.buffers.size()) file.fail("buffers", "cannot be read; export it again");
+  readBuffers(file, text, binary ? &chunks : nullptr);
+  unpackMeshopt(file);
   return file;
 }
 

@@ -6,23 +6,41 @@
 
 namespace boxprobe {
 
+bool readImage(GltfFile& file, int index, const std::string& where) {
+  if (index < 0 || static_cast<std::size_t>(index) >= file.images.size()) {
+    file.fail(where,
+              "image " + std::to_string(index) + " does not exist; the file has " + std::to_string(file.images.size()));
+  }
+  GltfImage& image = file.images[static_cast<std::size_t>(index)];
+  if (image.uri.empty() || !image.bytes.empty()) return true;
+  const std::unique_ptr<std::string> bytes = readUri(file, image.uri);
+  if (!bytes) {
+    file.warn(oneLine("has the texture " + image.uri.substr(0, 200) + ", which does not exist; grey takes its place"));
+    return false;
+  }
+  image.bytes = std::move(*bytes);
+  if (image.uri.compare(0, 5, "data:") == 0) image.uri = "data:";  // the rest is needed no more
+  return true;
+}
+
 std::map<int, std::shared_ptr<const ImageRgba8>> decodeImages(const GltfFile& file, const std::set<int>& images,
                                                               const std::function<void(double)>& progress) {
   std::vector<EncodedImage> encoded;
   for (const int index : images) {
-    const tinygltf::Image& source = file.gltf.images[static_cast<std::size_t>(index)];
-    const std::string called = source.uri.empty() ? source.name : source.uri;
+    const GltfImage& source = file.images[static_cast<std::size_t>(index)];
+    const bool named = !source.uri.empty() && source.uri != "data:";
+    const std::string called = named ? source.uri : source.name;
     const std::string place = "image " + std::to_string(index);
     EncodedImage image;
     image.place = oneLine(file.path + ": " + place + (called.empty() ? "" : " (" + called + ")"));
     image.name = called.empty() ? place : called;
-    if (source.bufferView >= 0) {
+    if (source.uri.empty()) {
       const ByteRange bytes = bufferViewBytes(file, source.bufferView, place);
       image.data = bytes.data;
       image.size = bytes.size;
-    } else if (const auto kept = file.encodedImages.find(index); kept != file.encodedImages.end()) {
-      image.data = reinterpret_cast<const unsigned char*>(kept->second.data());
-      image.size = kept->second.size();
+    } else {
+      image.data = reinterpret_cast<const unsigned char*>(source.bytes.data());
+      image.size = source.bytes.size();
     }
     encoded.push_back(std::move(image));
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
 #include <set>
 
 #include "filters/core/base/one_line.h"
@@ -13,6 +15,13 @@ namespace boxprobe {
 namespace {
 
 constexpr double kDefaultIor = 1.5;
+
+/// Takes the place of a base colour whose picture does not exist: middle grey in sRGB, so that the surface is seen.
+const std::shared_ptr<const ImageRgba8>& missingPicture() {
+  static const auto picture =
+      std::make_shared<const ImageRgba8>(ImageRgba8{1, 1, {128, 128, 128, 255}, "missing texture"});
+  return picture;
+}
 
 class MaterialReader {
  public:
@@ -44,11 +53,30 @@ class MaterialReader {
                  ", which glTF does not define; drawn opaque");
     }
     material.alphaCutoff = bounded(std::max(source.alphaCutoff, 0.0));
+    specularFactor_ = 1.0f;
+    specularColor_ = glm::vec3(1.0f);
+    fullFresnel_ = false;
+    thicknessTexture_ = {};
+    glossiness_.reset();
     readExtensions(source, material);
+    applySpecular(material);
+    leaveOutMissing(material);
     return material;
   }
 
+  /// What is left to do for the material that was read last, once pictures are there.
+  const TextureUse& thicknessTexture() const { return thicknessTexture_; }
+  const std::optional<GltfSpecularGlossiness>& glossiness() const { return glossiness_; }
+
  private:
+  /// Grey is right for a colour alone: other pictures that do not exist are as if the file did not name them.
+  static void leaveOutMissing(Material& material) {
+    if (material.emissiveTexture.image == missingPicture()) material.emissive = glm::vec3(0.0f);
+    for (TextureUse* use : material.textures()) {
+      if (use != &material.baseColorTexture && use->image == missingPicture()) use->image = nullptr;
+    }
+  }
+
   /// Beyond 1e18 products with light would leave single precision.
   float bounded(double value) {
     if (std::fabs(value) > kLargestGltfNumber) file_.warn("has material numbers above 1e18, which were clamped to it");
@@ -75,7 +103,13 @@ class MaterialReader {
         for (int i = 0; i < 3; ++i)
           material.emissive[i] = bounded(static_cast<double>(material.emissive[i]) * strength);
       } else if (name == "KHR_materials_ior") {
-        material.ior = bounded(std::max(extensionNumber(extension, "ior", kDefaultIor), 1.0));
+        const double ior = extensionNumber(extension, "ior", kDefaultIor);
+        fullFresnel_ = ior == 0.0;
+        material.ior = fullFresnel_ ? static_cast<float>(kDefaultIor) : bounded(std::max(ior, 1.0));
+      } else if (name == "KHR_materials_specular") {
+        readSpecular(extension);
+      } else if (name == "KHR_materials_pbrSpecularGlossiness") {
+        readSpecularGlossiness(extension, material);
       } else if (name == "KHR_materials_clearcoat") {
         material.coat = unit(extensionNumber(extension, "clearcoatFactor", 0.0));
         material.coatRoughness = unit(extensionNumber(extension, "clearcoatRoughnessFactor", 0.0));
@@ -88,26 +122,68 @@ class MaterialReader {
       } else if (name == "KHR_materials_transmission") {
         material.transmission = unit(extensionNumber(extension, "transmissionFactor", 0.0));
         material.transmissionTexture = extensionTexture(extension, "transmissionTexture");
-        if (material.transmissionTexture.image) {
-          file_.warn("has materials with a transmission texture, which is not supported; only the factor is used");
-        }
       } else if (name == "KHR_materials_volume") {
         material.thickness = bounded(std::max(extensionNumber(extension, "thicknessFactor", 0.0), 0.0));
         material.thin = material.thickness == 0.0f;
+        thicknessTexture_ = extensionTexture(extension, "thicknessTexture");
         // Its default is infinite.
         material.attenuationDistance = bounded(std::max(extensionNumber(extension, "attenuationDistance", 0.0), 0.0));
-        material.attenuationColor = attenuationColor(extension);
+        material.attenuationColor = glm::min(colorOf(extension, "attenuationColor"), 1.0f);
       }
     }
   }
 
-  static glm::vec3 attenuationColor(const tinygltf::Value& extension) {
+  void readSpecular(const tinygltf::Value& extension) {
+    specularFactor_ = unit(extensionNumber(extension, "specularFactor", 1.0));
+    specularColor_ = colorOf(extension, "specularColorFactor");
+    for (const char* slot : {"specularTexture", "specularColorTexture"}) {
+      if (extension.IsObject() && extension.Has(slot)) {
+        file_.warn(std::string("has materials with a ") + slot + ", which is left out; its factor is used");
+      }
+    }
+  }
+
+  /// The model has one reflectance for all colours: a colour counts by its brightness.
+  void applySpecular(Material& material) {
+    constexpr float kSameColor = 0.02f;
+    const float brightness = glm::dot(specularColor_, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    const glm::vec3 away = glm::abs(specularColor_ - brightness);
+    if (std::max({away.r, away.g, away.b}) > kSameColor) {
+      file_.warn("has materials with coloured specular reflection, which is drawn grey");
+    }
+    if (!fullFresnel_) {
+      material.specular = specularFactor_ * brightness;
+      return;
+    }
+    // An index of 0 means a reflectance of 1 before the factors (KHR_materials_ior).
+    const float root = static_cast<float>((kDefaultIor - 1.0) / (kDefaultIor + 1.0));
+    material.specular = specularFactor_ * std::min(brightness, 1.0f) / (root * root);
+  }
+
+  void readSpecularGlossiness(const tinygltf::Value& extension, Material& material) {
+    GltfSpecularGlossiness factors;
+    factors.specular = glm::min(colorOf(extension, "specularFactor"), 1.0f);
+    factors.glossiness = unit(extensionNumber(extension, "glossinessFactor", 1.0));
+    glossiness_ = factors;
+    material.baseColor = glm::vec4(colorOf(extension, "diffuseFactor"), 1.0f);
+    if (extension.IsObject() && extension.Has("diffuseFactor")) {
+      const tinygltf::Value& diffuse = extension.Get("diffuseFactor");
+      if (diffuse.IsArray() && diffuse.ArrayLen() == 4 && diffuse.Get(3).IsNumber()) {
+        material.baseColor.a = unit(diffuse.Get(3).GetNumberAsDouble());
+      }
+    }
+    material.baseColorTexture = extensionTexture(extension, "diffuseTexture");
+    material.metallicRoughnessTexture = extensionTexture(extension, "specularGlossinessTexture");
+  }
+
+  /// Three or four numbers, the first three of which are not negative; white if there are none.
+  glm::vec3 colorOf(const tinygltf::Value& extension, const char* key) {
     glm::vec3 color(1.0f);
-    if (!extension.IsObject() || !extension.Has("attenuationColor")) return color;
-    const tinygltf::Value& values = extension.Get("attenuationColor");
+    if (!extension.IsObject() || !extension.Has(key)) return color;
+    const tinygltf::Value& values = extension.Get(key);
     for (int i = 0; i < 3; ++i) {
-      if (values.IsArray() && values.ArrayLen() == 3 && values.Get(i).IsNumber()) {
-        color[i] = unit(values.Get(i).GetNumberAsDouble());
+      if (values.IsArray() && values.ArrayLen() >= 3 && values.Get(i).IsNumber()) {
+        color[i] = bounded(std::max(values.Get(i).GetNumberAsDouble(), 0.0));
       }
     }
     return color;
@@ -134,12 +210,7 @@ class MaterialReader {
         info.Get("extensions").Has("KHR_texture_transform")) {
       transform = &info.Get("extensions").Get("KHR_texture_transform");
     }
-    return texture(wholeNumber(info, "index", -1), wholeNumber(info, "texCoord", 0), transform, slot);
-  }
-
-  static int wholeNumber(const tinygltf::Value& object, const char* key, int standard) {
-    const double value = extensionNumber(object, key, standard);
-    return value >= -1.0 && value <= 1.0e9 ? static_cast<int>(value) : standard;
+    return texture(extensionWhole(info, "index", -1), extensionWhole(info, "texCoord", 0), transform, slot);
   }
 
   glm::vec2 transformPair(const tinygltf::Value& transform, const char* key, float standard) {
@@ -160,7 +231,7 @@ class MaterialReader {
     const double turn = extensionNumber(transform, "rotation", 0.0);
     const auto c = static_cast<float>(std::cos(turn)), s = static_cast<float>(std::sin(turn));
     use.uvTransform = glm::mat3x2(c * scale.x, -s * scale.x, s * scale.y, c * scale.y, offset.x, offset.y);
-    use.uvSet = wholeNumber(transform, "texCoord", use.uvSet);
+    use.uvSet = extensionWhole(transform, "texCoord", use.uvSet);
   }
 
   TextureUse texture(int textureIndex, int texCoord, const tinygltf::Value* transform, const char* slot) {
@@ -189,24 +260,44 @@ class MaterialReader {
       use.wrapT = wrapMode(sampler.wrapT);
       use.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     }
-    if (source.source < 0) {
-      file_.warn("has textures without a PNG or JPEG image, which are ignored");
+    const int image = imageOf(source);
+    if (image < 0) {
+      file_.warn("has textures without a PNG, JPEG or WebP image, which are ignored");
       return use;
     }
-    if (static_cast<std::size_t>(source.source) >= file_.gltf.images.size()) {
-      file_.fail(where, "image " + std::to_string(source.source) + " does not exist; the file has " +
-                            std::to_string(file_.gltf.images.size()));
+    if (!readImage(file_, image, where)) {
+      use.image = missingPicture();
+      return use;
     }
     // Stands for the image until all are decoded.
     auto wanted = std::make_shared<ImageRgba8>();
-    wanted->width = -1 - source.source;
+    wanted->width = -1 - image;
     use.image = wanted;
     return use;
   }
 
+  static int imageOf(const tinygltf::Texture& source) {
+    const auto webp = source.extensions.find("EXT_texture_webp");
+    const int image = webp == source.extensions.end() ? -1 : extensionWhole(webp->second, "source", -1);
+    return image >= 0 ? image : source.source;
+  }
+
   GltfFile& file_;
   std::string place_;
+  // Of the material that is being read.
+  float specularFactor_ = 1.0f;
+  glm::vec3 specularColor_{1.0f};
+  bool fullFresnel_ = false;
+  TextureUse thicknessTexture_;
+  std::optional<GltfSpecularGlossiness> glossiness_;
 };
+
+/// The picture's green channel, on the whole.
+float meanGreen(const ImageRgba8& image) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < image.pixels.size(); i += 4) sum += image.pixels[i];
+  return image.pixels.empty() ? 1.0f : static_cast<float>(sum * 4.0 / 255.0 / static_cast<double>(image.pixels.size()));
+}
 
 }  // namespace
 
@@ -215,24 +306,40 @@ double extensionNumber(const tinygltf::Value& extension, const char* key, double
   return extension.Get(key).GetNumberAsDouble();
 }
 
+int extensionWhole(const tinygltf::Value& extension, const char* key, int standard) {
+  const double value = extensionNumber(extension, key, standard);
+  return value >= -1.0 && value <= 1.0e9 ? static_cast<int>(value) : standard;
+}
+
 std::vector<Material> readMaterials(GltfFile& file, const std::function<void(double)>& progress) {
   MaterialReader reader(file);
   std::vector<Material> materials;
+  std::vector<TextureUse> thickness;  // by material
+  std::vector<std::optional<GltfSpecularGlossiness>> glossiness;
   for (std::size_t i = 0; i < file.gltf.materials.size(); ++i) {
     materials.push_back(reader.read(file.gltf.materials[i], i));
+    thickness.push_back(reader.thicknessTexture());
+    glossiness.push_back(reader.glossiness());
   }
-  std::set<int> used;
+  const auto waits = [](const TextureUse& use) { return use.image && use.image->width < 0; };
   const auto wanted = [](const TextureUse& use) { return -1 - use.image->width; };
-  for (Material& material : materials) {
-    for (const TextureUse* use : material.textures()) {
-      if (use->image) used.insert(wanted(*use));
+  const auto forEach = [&](const auto& work) {
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+      for (TextureUse* use : materials[i].textures()) {
+        if (waits(*use)) work(*use);
+      }
+      if (waits(thickness[i])) work(thickness[i]);
     }
-  }
+  };
+  std::set<int> used;
+  forEach([&](const TextureUse& use) { used.insert(wanted(use)); });
   const auto images = decodeImages(file, used, progress);
-  for (Material& material : materials) {
-    for (TextureUse* use : material.textures()) {
-      if (use->image) use->image = images.at(wanted(*use));
-    }
+  forEach([&](TextureUse& use) { use.image = images.at(wanted(use)); });
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    // One thickness an object is what refraction knows.
+    if (thickness[i].image && thickness[i].image != missingPicture())
+      materials[i].thickness *= meanGreen(*thickness[i].image);
+    if (glossiness[i]) convertSpecularGlossiness(materials[i], *glossiness[i]);
   }
   return materials;
 }

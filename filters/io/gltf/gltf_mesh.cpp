@@ -91,7 +91,6 @@ void makeUnit(GltfFile& file, std::vector<glm::vec3>& normals) {
 }
 
 void warnOfTheRest(GltfFile& file, const tinygltf::Primitive& primitive) {
-  if (!primitive.targets.empty()) file.warn("has morph targets, which are not supported; the base shape is used");
   for (const char* name : {"COLOR_1", "TEXCOORD_2"}) {
     if (primitive.attributes.count(name) > 0) file.warn("has " + std::string(name) + ", which is ignored");
   }
@@ -122,21 +121,23 @@ int normalMapSet(const Mesh& mesh, const Material& material) {
   return -1;
 }
 
-Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mode, const std::string& place,
-                   const std::vector<Material>& materials) {
+Mesh readPrimitive(const GltfMeshReading& reading, const tinygltf::Primitive& primitive, int mode,
+                   const GltfShape& shape, const std::string& place) {
+  GltfFile& file = reading.file;
   Mesh mesh;
   const auto position = primitive.attributes.find("POSITION");
   if (position == primitive.attributes.end()) file.fail(place, "has no POSITION attribute; export it again");
   mesh.positions = asVectors<glm::vec3>(readFloats(file, position->second, 3, place + ": POSITION"));
   const std::size_t count = mesh.positions.size();
+  mesh.normals = readAttribute<glm::vec3>(file, primitive, "NORMAL", count, place);
+  mesh.tangents = readAttribute<glm::vec4>(file, primitive, "TANGENT", count, place);
+  applyShape(file, primitive, shape, mesh, place);
   for (std::size_t i = 0; i < count; ++i) {
     const glm::vec3 reach = glm::abs(mesh.positions[i]);
     if (std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(kLargestGltfNumber)) continue;
     file.fail(place + ": POSITION", "entry " + std::to_string(i) + " lies beyond 1e18; repair the model");
   }
   if (count > 0xffffffffu) file.fail(place, "has more than 2^32 positions; split it");
-  mesh.normals = readAttribute<glm::vec3>(file, primitive, "NORMAL", count, place);
-  mesh.tangents = readAttribute<glm::vec4>(file, primitive, "TANGENT", count, place);
   mesh.uv = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_0", count, place);
   mesh.uv1 = readAttribute<glm::vec2>(file, primitive, "TEXCOORD_1", count, place);
   mesh.colors = readColors(file, primitive, count, place);
@@ -160,18 +161,19 @@ Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mod
   }
   mesh.indices = triangleList(order, mode);
 
-  if (primitive.material >= 0 && static_cast<std::size_t>(primitive.material) >= file.gltf.materials.size()) {
-    file.fail(place, "material " + std::to_string(primitive.material) + " does not exist; the file has " +
+  const int material = reading.variant < 0 ? primitive.material : variantMaterial(primitive, reading.variant);
+  if (material >= 0 && static_cast<std::size_t>(material) >= file.gltf.materials.size()) {
+    file.fail(place, "material " + std::to_string(material) + " does not exist; the file has " +
                          std::to_string(file.gltf.materials.size()));
   }
-  mesh.material = primitive.material < 0 ? -1 : primitive.material;
+  mesh.material = material < 0 ? -1 : material;
   if (mesh.normals.empty()) {
     makeFlat(mesh);
   } else {
     makeUnit(file, mesh.normals);
   }
   if (mesh.material >= 0 && mesh.tangents.empty()) {
-    const int set = normalMapSet(mesh, materials[static_cast<std::size_t>(mesh.material)]);
+    const int set = normalMapSet(mesh, reading.materials[static_cast<std::size_t>(mesh.material)]);
     if (set >= 0) addTangents(mesh, set);
   }
   warnOfTheRest(file, primitive);
@@ -180,29 +182,37 @@ Mesh readPrimitive(GltfFile& file, const tinygltf::Primitive& primitive, int mod
 
 }  // namespace
 
-GltfMeshes readMeshes(GltfFile& file, const std::vector<Material>& materials,
+std::vector<int> readShapedMesh(const GltfMeshReading& reading, std::size_t index, const GltfShape& shape,
+                                GltfMeshes& result) {
+  GltfFile& file = reading.file;
+  const tinygltf::Mesh& source = file.gltf.meshes[index];
+  const std::string name = source.name.empty() ? "mesh" + std::to_string(index) : source.name;
+  std::vector<int> members;
+  for (std::size_t p = 0; p < source.primitives.size(); ++p) {
+    const std::string place = "mesh " + std::to_string(index) + " \"" + name + "\": primitive " + std::to_string(p);
+    const AddedAccessors dropped(file);
+    const tinygltf::Primitive primitive = unpackDraco(file, index, p, place);
+    const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+    if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
+      file.warn("has points or lines, which are not supported and are ignored");
+      continue;
+    }
+    Mesh mesh = readPrimitive(reading, primitive, mode, shape, place);
+    mesh.name = name;
+    if (mesh.indices.empty()) continue;
+    members.push_back(static_cast<int>(result.meshes.size()));
+    result.meshes.push_back(std::move(mesh));
+  }
+  return members;
+}
+
+GltfMeshes readMeshes(const GltfMeshReading& reading, const std::set<std::size_t>& leftOut,
                       const std::function<void(double)>& progress) {
   GltfMeshes result;
-  for (std::size_t m = 0; m < file.gltf.meshes.size(); ++m) {
-    const tinygltf::Mesh& source = file.gltf.meshes[m];
-    const std::string name = source.name.empty() ? "mesh" + std::to_string(m) : source.name;
-    std::vector<int> members;
-    for (std::size_t p = 0; p < source.primitives.size(); ++p) {
-      const tinygltf::Primitive& primitive = source.primitives[p];
-      const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-      if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
-        file.warn("has points or lines, which are not supported and are ignored");
-        continue;
-      }
-      const std::string place = "mesh " + std::to_string(m) + " \"" + name + "\": primitive " + std::to_string(p);
-      Mesh mesh = readPrimitive(file, primitive, mode, place, materials);
-      mesh.name = name;
-      if (mesh.indices.empty()) continue;
-      members.push_back(static_cast<int>(result.meshes.size()));
-      result.meshes.push_back(std::move(mesh));
-    }
-    result.primitives.push_back(std::move(members));
-    if (progress) progress(static_cast<double>(m + 1) / static_cast<double>(file.gltf.meshes.size()));
+  const std::size_t count = reading.file.gltf.meshes.size();
+  for (std::size_t m = 0; m < count; ++m) {
+    result.primitives.push_back(leftOut.count(m) > 0 ? std::vector<int>() : readShapedMesh(reading, m, {}, result));
+    if (progress) progress(static_cast<double>(m + 1) / static_cast<double>(count));
   }
   return result;
 }

@@ -1,9 +1,7 @@
-// The node tree of a glTF file flattened into placed meshes, in double: a building far from its file's origin keeps its
-// millimetres.
+// What the nodes of a glTF file place in the world: meshes, in their shapes and as often as they say, lights, cameras.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <map>
 
@@ -13,67 +11,8 @@ namespace boxprobe {
 
 namespace {
 
-std::string nodePlace(const GltfFile& file, std::size_t index) {
-  const std::string& name = file.gltf.nodes[index].name;
-  return "node " + std::to_string(index) + (name.empty() ? "" : " \"" + name + "\"");
-}
-
-glm::dmat4 localTransform(const GltfFile& file, std::size_t index) {
-  const tinygltf::Node& node = file.gltf.nodes[index];
-  const auto check = [&](const std::vector<double>& values, std::size_t length, const char* key) {
-    if (!values.empty() && values.size() != length) {
-      file.fail(nodePlace(file, index), std::string(key) + " must have " + std::to_string(length) + " numbers");
-    }
-    for (const double value : values) {
-      if (!std::isfinite(value))
-        file.fail(nodePlace(file, index), std::string(key) + " is not finite; repair the model");
-    }
-    return !values.empty();
-  };
-  glm::dmat4 matrix(1.0);
-  if (check(node.matrix, 16, "matrix")) {
-    auto number = node.matrix.begin();  // column by column
-    for (int column = 0; column < 4; ++column) {
-      for (int row = 0; row < 4; ++row) matrix[column][row] = *number++;
-    }
-    return matrix;
-  }
-  if (check(node.translation, 3, "translation")) {
-    matrix = glm::translate(matrix, {node.translation[0], node.translation[1], node.translation[2]});
-  }
-  if (check(node.rotation, 4, "rotation")) {
-    const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);  // w first
-    const double length = glm::length(rotation);
-    if (length == 0.0) file.fail(nodePlace(file, index), "rotation is a quaternion of length 0; repair the model");
-    matrix *= glm::mat4_cast(rotation / length);
-  }
-  if (check(node.scale, 3, "scale")) matrix = glm::scale(matrix, {node.scale[0], node.scale[1], node.scale[2]});
-  return matrix;
-}
-
-std::vector<int> rootNodes(const GltfFile& file) {
-  const auto& scenes = file.gltf.scenes;
-  if (!scenes.empty()) {
-    const int scene = file.gltf.defaultScene < 0 ? 0 : file.gltf.defaultScene;
-    if (static_cast<std::size_t>(scene) >= scenes.size()) {
-      file.fail("scene",
-                "scene " + std::to_string(scene) + " does not exist; the file has " + std::to_string(scenes.size()));
-    }
-    return scenes[static_cast<std::size_t>(scene)].nodes;
-  }
-  std::vector<bool> isChild(file.gltf.nodes.size(), false);
-  for (const tinygltf::Node& node : file.gltf.nodes) {
-    for (const int child : node.children) {
-      if (child >= 0 && static_cast<std::size_t>(child) < isChild.size())
-        isChild[static_cast<std::size_t>(child)] = true;
-    }
-  }
-  std::vector<int> roots;
-  for (std::size_t i = 0; i < isChild.size(); ++i) {
-    if (!isChild[i]) roots.push_back(static_cast<int>(i));
-  }
-  return roots;
-}
+/// A file of a few bytes may place the same list of instances at many nodes.
+constexpr std::size_t kMostInstances = std::size_t(1) << 20;
 
 /// A mirroring transform turns triangles inside out; a copy with the other winding keeps their fronts in front
 /// (glTF 2.0, section 3.7.4). The bitangent is a cross product, so its sign turns, too.
@@ -84,71 +23,117 @@ Mesh mirrored(const Mesh& mesh) {
   return copy;
 }
 
-/// Walks the tree with its own stack: files may nest deeper than a thread's stack allows.
-class TreeWalk {
+class NodeReader {
  public:
-  TreeWalk(GltfFile& file, GltfMeshes& meshes) : file_(file), meshes_(meshes), seen_(file.gltf.nodes.size(), false) {}
+  NodeReader(const GltfMeshReading& reading, const GltfPose& pose)
+      : file_(reading.file), reading_(reading), pose_(pose), placed_(placeNodes(file_, pose)) {
+    for (const GltfPlacedNode& node : placed_) worldFromNode_[node.index] = &node.worldFromNode;
+  }
 
-  GltfNodes walk() {
-    push(rootNodes(file_), glm::dmat4(1.0), "scene");
-    while (!stack_.empty()) {
-      const auto [index, worldFromParent] = stack_.back();
-      stack_.pop_back();
-      const tinygltf::Node& node = file_.gltf.nodes[index];
-      const glm::dmat4 worldFromNode = worldFromParent * localTransform(file_, index);
-      checkReach(index, worldFromNode);
-      if (node.mesh >= 0) place(index, worldFromNode);
-      placeLightAndCamera(index, worldFromNode);
-      if (node.skin >= 0) file_.warn("has skins, which are not supported; the bind pose is used");
-      push(node.children, worldFromNode, nodePlace(file_, index));
+  GltfNodes read(const std::function<void(double)>& progress) {
+    for (const GltfPlacedNode& placed : placed_) findShape(placed);
+    std::set<std::size_t> leftOut;
+    for (const auto& [index, shape] : shapes_) leftOut.insert(meshOf(index));
+    for (const GltfPlacedNode& placed : placed_) {
+      if (hasMesh(placed.index) && shapes_.count(placed.index) == 0) leftOut.erase(meshOf(placed.index));
     }
-    GltfNodes nodes;
-    nodes.instances = std::move(instances_);
-    nodes.lights = std::move(lights_);
-    nodes.cameras = std::move(cameras_);
-    return nodes;
+    meshes_ = readMeshes(reading_, leftOut, progress);
+    for (const GltfPlacedNode& placed : placed_) {
+      if (hasMesh(placed.index)) place(placed);
+      placeLightAndCamera(placed.index, placed.worldFromNode);
+    }
+    nodes_.meshes = std::move(meshes_.meshes);
+    return std::move(nodes_);
   }
 
  private:
-  void push(const std::vector<int>& children, const glm::dmat4& worldFromParent, const std::string& parent) {
-    for (auto child = children.rbegin(); child != children.rend(); ++child) {  // reversed: file order off the stack
-      if (*child < 0 || static_cast<std::size_t>(*child) >= seen_.size()) {
-        file_.fail(parent,
-                   "node " + std::to_string(*child) + " does not exist; the file has " + std::to_string(seen_.size()));
+  bool hasMesh(std::size_t node) const { return file_.gltf.nodes[node].mesh >= 0; }
+  std::size_t meshOf(std::size_t node) const { return static_cast<std::size_t>(file_.gltf.nodes[node].mesh); }
+
+  void findShape(const GltfPlacedNode& placed) {
+    const tinygltf::Node& node = file_.gltf.nodes[placed.index];
+    if (node.mesh < 0) return;
+    if (meshOf(placed.index) >= file_.gltf.meshes.size()) {
+      file_.fail(nodePlace(file_, placed.index), "mesh " + std::to_string(node.mesh) +
+                                                     " does not exist; the file has " +
+                                                     std::to_string(file_.gltf.meshes.size()));
+    }
+    GltfShape shape;
+    const auto posed = pose_.find(placed.index);
+    shape.weights = posed != pose_.end() && !posed->second.weights.empty() ? posed->second.weights
+                    : !node.weights.empty()                                ? node.weights
+                                            : file_.gltf.meshes[meshOf(placed.index)].weights;
+    if (node.skin >= 0) shape.joints = jointTransforms(placed);
+    if (!shape.atRest()) shapes_[placed.index] = std::move(shape);
+  }
+
+  /// A skin goes by its joints alone: the node's own transform does not count (glTF 2.0, section 3.7.3.3).
+  std::vector<glm::dmat4> jointTransforms(const GltfPlacedNode& placed) {
+    const std::string place = nodePlace(file_, placed.index);
+    const int index = file_.gltf.nodes[placed.index].skin;
+    if (static_cast<std::size_t>(index) >= file_.gltf.skins.size()) {
+      file_.fail(place, "skin " + std::to_string(index) + " does not exist; the file has " +
+                            std::to_string(file_.gltf.skins.size()));
+    }
+    const tinygltf::Skin& skin = file_.gltf.skins[static_cast<std::size_t>(index)];
+    const std::string skinPlace = "skin " + std::to_string(index);
+    std::vector<float> inverse;
+    if (skin.inverseBindMatrices >= 0) {
+      inverse = readFloats(file_, skin.inverseBindMatrices, 16, skinPlace + ": inverseBindMatrices");
+      if (inverse.size() < 16 * skin.joints.size()) {
+        file_.fail(skinPlace, "has " + std::to_string(inverse.size() / 16) + " inverse bind matrices for " +
+                                  std::to_string(skin.joints.size()) + " joints");
       }
-      const auto index = static_cast<std::size_t>(*child);
-      if (seen_[index])
-        file_.fail(nodePlace(file_, index), "stands in the tree twice, or is its own ancestor; repair the model");
-      seen_[index] = true;
-      stack_.emplace_back(index, worldFromParent);
     }
+    const glm::dmat4 nodeFromWorld = glm::translate(glm::dmat4(1.0), -glm::dvec3(placed.worldFromNode[3]));
+    std::vector<glm::dmat4> joints;
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+      const auto found = worldFromNode_.find(static_cast<std::size_t>(skin.joints[j]));
+      if (skin.joints[j] < 0 || found == worldFromNode_.end()) {
+        file_.fail(skinPlace, "joint " + std::to_string(skin.joints[j]) + " is no node of the scene; repair the model");
+      }
+      glm::dmat4 bind(1.0);
+      for (std::size_t i = 0; !inverse.empty() && i < 16; ++i) {
+        bind[static_cast<int>(i / 4)][static_cast<int>(i % 4)] = static_cast<double>(inverse[16 * j + i]);
+      }
+      joints.push_back(nodeFromWorld * *found->second * bind);
+    }
+    return joints;
   }
 
-  /// Parents multiply: every node may be sound and the product beyond any number.
-  void checkReach(std::size_t index, const glm::dmat4& worldFromNode) const {
-    for (int i = 0; i < 16; ++i) {
-      // Also false for NaN, which infinity times 0 leaves.
-      if (std::fabs(worldFromNode[i / 4][i % 4]) <= kLargestGltfNumber) continue;
-      file_.fail(nodePlace(file_, index),
-                 "its transform, with those of its parents, reaches beyond 1e18; repair the model");
-    }
-  }
-
-  void place(std::size_t index, const glm::dmat4& worldFromNode) {
-    const tinygltf::Node& node = file_.gltf.nodes[index];
-    const auto mesh = static_cast<std::size_t>(node.mesh);
-    if (mesh >= meshes_.primitives.size()) {
-      file_.fail(nodePlace(file_, index), "mesh " + std::to_string(node.mesh) + " does not exist; the file has " +
-                                              std::to_string(meshes_.primitives.size()));
-    }
-    const std::string& meshName = file_.gltf.meshes[mesh].name;
+  void place(const GltfPlacedNode& placed) {
+    const tinygltf::Node& node = file_.gltf.nodes[placed.index];
+    const std::string& meshName = file_.gltf.meshes[meshOf(placed.index)].name;
     const std::string name = !node.name.empty()  ? node.name
                              : !meshName.empty() ? meshName
-                                                 : "node" + std::to_string(index);
-    for (const int primitive : meshes_.primitives[mesh]) {
-      const bool mirrors = glm::determinant(glm::dmat3(worldFromNode)) < 0.0;
-      instances_.push_back({name, mirrors ? mirroredMesh(primitive) : primitive, worldFromNode});
+                                                 : "node" + std::to_string(placed.index);
+    const auto shaped = shapes_.find(placed.index);
+    const bool skinned = shaped != shapes_.end() && !shaped->second.joints.empty();
+    const std::vector<int> primitives =
+        shaped == shapes_.end() ? meshes_.primitives[meshOf(placed.index)] : shapedMesh(placed.index, shaped->second);
+    const glm::dmat4 worldFromMesh =
+        skinned ? glm::translate(glm::dmat4(1.0), glm::dvec3(placed.worldFromNode[3])) : placed.worldFromNode;
+    for (const glm::dmat4& instance : instanceTransforms(file_, placed.index)) {
+      const glm::dmat4 worldFromInstance = worldFromMesh * instance;
+      const glm::dmat4 turned = skinned ? worldFromInstance * shaped->second.joints.front() : worldFromInstance;
+      const bool mirrors = glm::determinant(glm::dmat3(turned)) < 0.0;
+      if (nodes_.instances.size() + primitives.size() > kMostInstances) {
+        file_.fail(nodePlace(file_, placed.index),
+                   "the file places more than " + std::to_string(kMostInstances) + " meshes; leave some out");
+      }
+      for (const int primitive : primitives) {
+        nodes_.instances.push_back({name, mirrors ? mirroredMesh(primitive) : primitive, worldFromInstance});
+      }
     }
+  }
+
+  /// Nodes that only set the same weights share a mesh.
+  std::vector<int> shapedMesh(std::size_t node, const GltfShape& shape) {
+    const std::size_t mesh = meshOf(node);
+    if (!shape.joints.empty()) return readShapedMesh(reading_, mesh, shape, meshes_);
+    const auto [entry, isNew] = morphed_.emplace(std::make_pair(mesh, shape.weights), std::vector<int>());
+    if (isNew) entry->second = readShapedMesh(reading_, mesh, shape, meshes_);
+    return entry->second;
   }
 
   void placeLightAndCamera(std::size_t index, const glm::dmat4& worldFromNode) {
@@ -157,7 +142,7 @@ class TreeWalk {
     const auto light = node.extensions.find("KHR_lights_punctual");
     if (light != node.extensions.end()) {
       const double number = extensionNumber(light->second, "light", -1.0);
-      lights_.push_back(
+      nodes_.lights.push_back(
           readLight(file_, number >= 0.0 && number <= 1.0e9 ? static_cast<int>(number) : -1, worldFromNode, where));
     }
     if (node.camera < 0) return;
@@ -165,10 +150,11 @@ class TreeWalk {
     if (!node.name.empty()) camera.name = node.name;
     const std::string stem = camera.name;
     const auto taken = [&] {
-      return std::any_of(cameras_.begin(), cameras_.end(), [&](const Camera& c) { return c.name == camera.name; });
+      return std::any_of(nodes_.cameras.begin(), nodes_.cameras.end(),
+                         [&](const Camera& c) { return c.name == camera.name; });
     };
     for (int copy = 2; taken(); ++copy) camera.name = stem + " " + std::to_string(copy);
-    cameras_.push_back(camera);
+    nodes_.cameras.push_back(camera);
   }
 
   int mirroredMesh(int original) {
@@ -178,19 +164,21 @@ class TreeWalk {
   }
 
   GltfFile& file_;
-  GltfMeshes& meshes_;
-  std::vector<bool> seen_;
-  std::vector<std::pair<std::size_t, glm::dmat4>> stack_;
+  const GltfMeshReading& reading_;
+  const GltfPose& pose_;
+  std::vector<GltfPlacedNode> placed_;
+  std::map<std::size_t, const glm::dmat4*> worldFromNode_;
+  std::map<std::size_t, GltfShape> shapes_;  ///< by node: those that are not at rest
+  std::map<std::pair<std::size_t, std::vector<double>>, std::vector<int>> morphed_;
   std::map<int, int> mirrored_;
-  std::vector<Instance> instances_;
-  std::vector<Light> lights_;
-  std::vector<Camera> cameras_;
+  GltfMeshes meshes_;
+  GltfNodes nodes_;
 };
 
 }  // namespace
 
-GltfNodes readNodes(GltfFile& file, GltfMeshes& meshes) {
-  return TreeWalk(file, meshes).walk();
+GltfNodes readNodes(const GltfMeshReading& reading, const GltfPose& pose, const std::function<void(double)>& progress) {
+  return NodeReader(reading, pose).read(progress);
 }
 
 }  // namespace boxprobe

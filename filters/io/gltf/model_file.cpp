@@ -1,6 +1,8 @@
 // Which reader takes which file, and the steps of reading a glTF one.
 #include "filters/io/gltf/model_file.h"
 
+#include <algorithm>
+
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
 #include "filters/io/gltf/gltf_parts.h"
@@ -12,9 +14,19 @@ namespace {
 // Shares of the time, roughly: a file's bytes, its pictures, its meshes.
 constexpr double kPicturesFrom = 0.1, kMeshesFrom = 0.7;
 
+/// -1 for no variant.
+int variantIndex(const GltfFile& file, const std::vector<std::string>& names, const std::string& wanted) {
+  if (wanted.empty()) return -1;
+  const auto found = std::find(names.begin(), names.end(), wanted);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  std::string known;
+  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + ("\"" + name + "\"");
+  file.fail("variants", "has no variant \"" + wanted + "\"; " + (known.empty() ? "it has none" : "it has " + known));
+}
+
 }  // namespace
 
-Model loadModelFile(const std::string& path, const LoadProgress& progress) {
+Model loadModelFile(const std::string& path, const LoadProgress& progress, const ModelState& state) {
   const auto report = [&](double from, double to) {
     return [&progress, &path, from, to](double share) {
       if (progress && !progress(from + (to - from) * share)) throw LoadCancelled(path + ": loading was cancelled");
@@ -29,13 +41,15 @@ Model loadModelFile(const std::string& path, const LoadProgress& progress) {
   GltfFile file = openGltf(path);
   Model model;
   model.materials = readMaterials(file, report(kPicturesFrom, kMeshesFrom));
-  GltfMeshes meshes = readMeshes(file, model.materials, report(kMeshesFrom, 1.0));
-  GltfNodes nodes = readNodes(file, meshes);
+  model.variants = variantNames(file);
+  model.animationSeconds = animationSeconds(file);
+  const GltfMeshReading reading{file, model.materials, variantIndex(file, model.variants, state.variant)};
+  const GltfPose pose = state.seconds ? poseAt(file, *state.seconds) : GltfPose();
+  GltfNodes nodes = readNodes(reading, pose, report(kMeshesFrom, 1.0));
+  model.meshes = std::move(nodes.meshes);
   model.instances = std::move(nodes.instances);
   model.lights = std::move(nodes.lights);
   model.cameras = std::move(nodes.cameras);
-  model.meshes = std::move(meshes.meshes);
-  if (!file.gltf.animations.empty()) file.warn("has animations, which are not supported and are ignored");
   if (model.instances.empty()) file.warn("has no triangles to show");
   model.warnings = std::move(file.warnings);
   return model;

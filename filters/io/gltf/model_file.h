@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "filters/core/base/errors.h"
@@ -19,8 +20,14 @@ class LoadCancelled : public WorkError {
   using WorkError::WorkError;
 };
 
+/// In which of its states a file is read.
+struct ModelState {
+  std::string variant;            ///< of KHR_materials_variants; empty: the file's own materials
+  std::optional<double> seconds;  ///< of its animations; none: at rest
+};
+
 /// Throws InputError naming the file, what is wrong and where (accessor, node, image). Never reads outside the model's
 /// folder.
-Model loadModelFile(const std::string& path, const LoadProgress& progress = {});
+Model loadModelFile(const std::string& path, const LoadProgress& progress = {}, const ModelState& state = {});
 
 }  // namespace boxprobe

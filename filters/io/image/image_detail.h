@@ -26,8 +26,8 @@ void checkEncodedSize(const std::string& name, long long width, long long height
 /// is.
 void checkPixelCount(const std::string& path, int width, int height, std::size_t values);
 
-/// PNG or JPEG from memory; `name` stands for it in messages and in the result. `*hasAlpha` when given: whether the
-/// file has an alpha channel.
+/// PNG, JPEG or WebP from memory; `name` stands for it in messages and in the result. `*hasAlpha` when given: whether
+/// the file has an alpha channel.
 ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name,
                         bool* hasAlpha = nullptr);
 

@@ -1,4 +1,4 @@
-// PNG, JPEG and Radiance HDR through stb; see the header. OpenEXR is in exr_file.cpp.
+// PNG, JPEG and Radiance HDR through stb; see the header. OpenEXR is in exr_file.cpp, WebP in webp_image.cpp.
 #include "filters/io/image/image_file.h"
 
 #include <stb/stb_image.h>
@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 #include "filters/core/base/errors.h"
@@ -15,6 +16,7 @@
 #include "filters/io/files/read_file.h"
 #include "filters/io/image/image_detail.h"
 #include "filters/io/image/radiance_check.h"
+#include "filters/io/image/webp_image.h"
 
 namespace boxprobe {
 
@@ -80,13 +82,19 @@ void checkEncodedSize(const std::string& name, long long width, long long height
 }
 
 ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name, bool* hasAlpha) {
+  constexpr unsigned char kKtx2[] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb};
+  if (size >= sizeof(kKtx2) && std::equal(std::begin(kKtx2), std::end(kKtx2), bytes)) {
+    throw InputError(name +
+                     ": is a KTX2 picture, which is not read; save it as PNG (gltf-transform ktxdecompress IN OUT)");
+  }
+  if (isWebp(bytes, size)) return decodeWebp(bytes, size, name, hasAlpha);
   ImageRgba8 image;
   image.name = name;
   int channels = 0;
   const int length = static_cast<int>(std::min(size, kLargestEncodedImage));
   if (size == 0 || size > kLargestEncodedImage ||
       stbi_info_from_memory(bytes, length, &image.width, &image.height, &channels) == 0) {
-    throw InputError(name + ": is not a PNG or JPEG picture; save it as one of these");
+    throw InputError(name + ": is not a PNG, JPEG or WebP picture; save it as one of these");
   }
   checkImageSize(name, image.width, image.height);
   // PNG: deflate makes 1032 bytes of one, each of 8 pixels at the lowest depth. JPEG: a bit for a block of 64 pixels.

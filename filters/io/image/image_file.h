@@ -24,8 +24,8 @@ void saveExr(const std::string& path, const ImageRgbaF& image, const std::vector
 /// InputError.
 ImageRgbaF loadHdrImage(const std::string& path, std::size_t* notFinite = nullptr);
 
-/// 8-bit PNG or JPEG. `*hasAlpha` when given: whether the file has an alpha channel; without one it is 255. Throws
-/// InputError.
+/// 8-bit PNG, JPEG or WebP. `*hasAlpha` when given: whether the file has an alpha channel; without one it is 255.
+/// Throws InputError.
 ImageRgba8 loadImage8(const std::string& path, bool* hasAlpha = nullptr);
 
 }  // namespace boxprobe

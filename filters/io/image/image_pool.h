@@ -30,8 +30,8 @@ struct ImageCounts {
 
 class ImagePool {
  public:
-  /// PNG or JPEG pictures in the order asked for, decoded on as many threads as the machine has cores. `progress` is
-  /// called between pictures, from one thread at a time, with the share that is done; what it throws ends the work.
+  /// PNG, JPEG or WebP pictures in the order asked for, decoded on as many threads as the machine has cores. `progress`
+  /// is called between pictures, from one thread at a time, with the share that is done; what it throws ends the work.
   /// Throws InputError of the first picture, in order, that cannot be read.
   std::vector<std::shared_ptr<const ImageRgba8>> decode(const std::vector<EncodedImage>& images,
                                                         const std::function<void(double)>& progress);

@@ -218,7 +218,7 @@ SurfacePoint SceneTracer::surface(const TracedHit& hit, const glm::dvec3& eye) c
   s.roughness = m.roughness * roughMetal.g;
   s.occlusion = glm::mix(1.0f, at.sampled(m.occlusionTexture, false).r, m.occlusionStrength);
   // As vtkProperty has it: a base between lying in air and lying under its coat.
-  s.baseF0 = glm::mix(reflectanceOf(m.ior, 1.0f), reflectanceOf(m.ior, kCoatIor), m.coat);
+  s.baseF0 = glm::mix(reflectanceOf(m.reflectedIor(), 1.0f), reflectanceOf(m.reflectedIor(), kCoatIor), m.coat);
   s.coatStrength = m.coat * at.sampled(m.coatTexture, false).r;
   s.coatRoughness = m.coatRoughness * at.sampled(m.coatRoughnessTexture, false).g;
   s.coatF0 = reflectanceOf(kCoatIor, 1.0f);

@@ -14,8 +14,9 @@ GLint wrapMode(Wrap wrap) {
 }  // namespace
 
 const std::array<const char*, kSurfaceSlots>& surfaceSlotNames() {
-  static const std::array<const char*, kSurfaceSlots> names = {
-      "BaseColor", "RoughMetal", "Normal", "Occlusion", "Emissive", "Coat", "CoatRoughness", "CoatNormal"};
+  static const std::array<const char*, kSurfaceSlots> names = {"BaseColor",     "RoughMetal", "Normal",
+                                                               "Occlusion",     "Emissive",   "Coat",
+                                                               "CoatRoughness", "CoatNormal", "Transmission"};
   return names;
 }
 

@@ -55,6 +55,7 @@ enum SurfaceSlotIndex {
   kCoatSlot,
   kCoatRoughnessSlot,
   kCoatNormalSlot,
+  kTransmissionSlot,
   kSurfaceSlots
 };
 /// As they are called in shaders.

@@ -4,11 +4,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <sstream>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/read_file.h"
+#include "filters/vtk/import/obj_materials.h"
 
 namespace boxprobe {
 
@@ -18,13 +20,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& path, std::size_t line, const std::string& reason) {
   throw InputError(oneLine(path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + reason));
-}
-
-bool insideFolderOf(const fs::path& file, const std::string& modelPath) {
-  std::error_code error;
-  const fs::path folder = fs::path(modelPath).parent_path().empty() ? fs::path(".") : fs::path(modelPath).parent_path();
-  const fs::path base = fs::weakly_canonical(folder, error), whole = fs::weakly_canonical(file, error);
-  return std::mismatch(base.begin(), base.end(), whole.begin(), whole.end()).first == base.end();
 }
 
 /// The rest of a line as a name: without the spaces around it.
@@ -61,23 +56,30 @@ void checkCorner(const std::string& path, std::size_t line, const std::string& c
   if (*at != '\0') fail(path, line, "\"" + corner + "\" is not a corner");
 }
 
-void checkMaterialFile(const std::string& file, const std::string& modelPath) {
-  std::istringstream text(readWholeFile(file));
-  std::size_t number = 0;
+/// "v X Y Z R G B", as several programs write it; false without a colour.
+bool readColor(std::istringstream& numbers, std::array<float, 3>& position, glm::vec3& color) {
+  std::string words[6];
+  for (std::string& word : words) numbers >> word;
+  if (words[5].empty()) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    position[i] = std::strtof(words[i].c_str(), nullptr);
+    const float value = std::strtof(words[3 + i].c_str(), nullptr);
+    color[static_cast<int>(i)] = value >= 0.0f ? std::min(value, 1.0f) : 0.0f;  // also of NaN
+  }
+  return true;
+}
+
+/// VTK 9.1 takes names of materials with spaces, and none at all, for others than those of the MTL file.
+std::string withMaterialWords(const std::string& obj) {
+  std::istringstream text(obj);
+  std::string result;
   for (std::string line; std::getline(text, line);) {
-    ++number;
     std::istringstream words(line);
     std::string word;
     words >> word;
-    if (word.rfind("map_", 0) != 0 && word != "bump" && word != "norm") continue;
-    std::string name;
-    for (std::string last; words >> last;) name = last;  // options may stand before it
-    const fs::path picture = fs::path(file).parent_path() / name;
-    if (!insideFolderOf(picture, modelPath))
-      fail(file, number, name + " lies outside the model's folder; put it inside");
-    std::error_code ignored;
-    if (word == "map_Kd" && !fs::exists(picture, ignored)) fail(file, number, name + " does not exist; check the path");
+    result += (word == "usemtl" ? "usemtl " + materialWord(line) : line) + "\n";
   }
+  return result;
 }
 
 }  // namespace
@@ -86,7 +88,9 @@ ObjNames checkObj(const std::string& path) {
   ObjNames names;
   std::istringstream text(readWholeFile(path));
   ObjCounts counts;
+  std::set<std::string> seen;
   std::size_t number = 0, faces = 0;
+  bool respelled = false;
   constexpr std::size_t kLongestLine = 4000;  // VTK 9.1 splits longer ones
   for (std::string line; std::getline(text, line);) {
     ++number;
@@ -97,23 +101,38 @@ ObjNames checkObj(const std::string& path) {
     if (line.size() > kLongestLine && !word.empty() && word[0] != '#') {
       fail(path, number, "the line is longer than " + std::to_string(kLongestLine) + " characters; split the polygon");
     }
-    if (word == "v") ++counts.positions;
+    if (word == "v") {
+      ++counts.positions;
+      std::array<float, 3> position;
+      glm::vec3 color;
+      if (readColor(words, position, color)) names.colors.emplace(position, color);
+    }
+    if (word == "usemtl") {
+      const std::string material = materialWord(line);
+      if (seen.insert(material).second) names.materials.push_back(material);
+      respelled = respelled || trimmed(line.substr(line.find("usemtl") + 6)) != material;
+    }
     if (word == "vt") ++counts.uvs;
     if (word == "vn") ++counts.normals;
     if (word == "mtllib") {
       const std::string name = trimmed(line.substr(line.find("mtllib") + 6));
-      const fs::path file = fs::path(path).parent_path() / name;
+      const std::string file = pathBeside(path, name);
       if (!insideFolderOf(file, path)) fail(path, number, name + " lies outside the model's folder; put it inside");
       std::error_code ignored;
-      if (!fs::exists(file, ignored)) fail(path, number, name + " does not exist; check the path");
-      names.materialFile = file.string();
+      if (fs::is_regular_file(file, ignored)) {
+        names.materialFile = file;
+      } else {
+        names.warnings.push_back(
+            oneLine("has the material file " + name + ", which does not exist; grey takes its place"));
+      }
+      continue;
     }
     if (word != "f" && word != "l" && word != "p") continue;
     faces += word == "f" ? 1 : 0;
     for (std::string corner; words >> corner;) checkCorner(path, number, corner, counts);
   }
+  if (respelled) names.text = withMaterialWords(text.str());
   if (faces == 0) fail(path, 0, "has no faces; is it an OBJ file?");
-  if (!names.materialFile.empty()) checkMaterialFile(names.materialFile, path);
   return names;
 }
 

@@ -1,32 +1,24 @@
 #include "filters/vtk/import/model_reader.h"
 
-#include <vtkActor.h>
-#include <vtkActorCollection.h>
 #include <vtkCallbackCommand.h>
-#include <vtkImageData.h>
-#include <vtkMapper.h>
+#include <vtkCellArray.h>
 #include <vtkNew.h>
-#include <vtkOBJImporter.h>
 #include <vtkPLYReader.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkSTLReader.h>
-#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataReader.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <cstdlib>
+#include <array>
 #include <filesystem>
 #include <functional>
-#include <optional>
+#include <vector>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
 #include "filters/vtk/import/file_guards.h"
+#include "filters/vtk/import/obj_reader.h"
 #include "filters/vtk/import/ply_guard.h"
 #include "filters/vtk/import/polydata_mesh.h"
 #include "filters/vtk/import/vtk_error_catcher.h"
@@ -34,17 +26,6 @@
 namespace boxprobe {
 
 namespace {
-
-/// For files that say nothing of it: light grey plastic, seen from both sides, because winding is not reliable there.
-Material plainMaterial() {
-  Material material;
-  material.name = "default";
-  material.baseColor = {0.8f, 0.8f, 0.8f, 1.0f};
-  material.metallic = 0.0f;
-  material.roughness = 0.5f;
-  material.doubleSided = true;
-  return material;
-}
 
 /// A reader's progress as this program's. VTK's readers can be asked to stop; what they have read is then thrown away.
 class ReaderProgress {
@@ -77,14 +58,37 @@ class ReaderProgress {
   bool stopped_ = false;
 };
 
+void setTriangles(vtkPolyData* data, const std::vector<std::uint32_t>& corners) {
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+    const vtkIdType triangle[3] = {corners[i], corners[i + 1], corners[i + 2]};
+    cells->InsertNextCell(3, triangle);
+  }
+  data->SetPolys(cells);
+}
+
+/// In the place of what VTK has cast to bytes.
+void setColors(vtkPolyData* data, const std::vector<std::array<std::uint8_t, 4>>& colors) {
+  vtkPointData* points = data->GetPointData();
+  for (const char* name : {"RGB", "RGBA", "diffuse_red"}) points->RemoveArray(name);
+  if (static_cast<std::size_t>(data->GetNumberOfPoints()) != colors.size()) return;
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName("RGBA");
+  array->SetNumberOfComponents(4);
+  for (const auto& color : colors) array->InsertNextTypedTuple(color.data());
+  points->AddArray(array);
+}
+
 template <typename Reader>
-Model readOneMesh(Reader* reader, const std::string& path, const LoadProgress& progress) {
+Model readOneMesh(Reader* reader, const std::string& path, const LoadProgress& progress,
+                  const std::function<void(vtkPolyData*)>& complete = {}) {
   const VtkErrorCatcher errors;
   const ReaderProgress reported(reader, path, progress);
   reader->Update();
   reported.check();
   if (!errors.error().empty()) throw InputError(path + ": " + errors.error() + "; save it again");
   Model model;
+  if (complete) complete(reader->GetOutput());
   Mesh mesh = meshFromPolyData(reader->GetOutput(), path);
   if (mesh.indices.empty()) throw InputError(path + ": has no triangles to show");
   mesh.name = std::filesystem::path(path).stem().string();
@@ -105,87 +109,28 @@ Model readOneMesh(const std::string& path, const LoadProgress& progress) {
 Model readPly(const std::string& path, const LoadProgress& progress) {
   vtkNew<vtkPLYReader> reader;
   reader->SetFileName(path.c_str());
-  if (const std::optional<std::string> text = checkPly(path)) {
+  const PlyCheck check = checkPly(path);
+  if (check.text) {
     reader->ReadFromInputStringOn();
-    reader->SetInputString(*text);
+    reader->SetInputString(*check.text);
   }
-  return readOneMesh(reader.Get(), path, progress);
-}
-
-/// MTL's own number, which VTK scales for its older shading: "... specular power 30 ..."
-double shininess(vtkOBJImporter* importer, int output) {
-  const std::string text = importer->GetOutputDescription(output), from = " specular power ";
-  const std::size_t start = text.find(from);
-  return start == std::string::npos ? 0.0 : std::max(std::strtod(text.c_str() + start + from.size(), nullptr), 0.0);
-}
-
-/// "data output 0 with material named NAME texture file ..."
-std::string materialName(vtkOBJImporter* importer, int output) {
-  const std::string text = importer->GetOutputDescription(output), from = " with material named ";
-  const std::size_t start = text.find(from), end = text.find(" texture file ");
-  if (start == std::string::npos || end == std::string::npos || end <= start + from.size()) {
-    return "material" + std::to_string(output);
-  }
-  return text.substr(start + from.size(), end - start - from.size());
-}
-
-/// MTL's colours are taken for linear. Its shininess n becomes the roughness of the microfacet lobe that is as wide as
-/// Blinn's: alpha = sqrt(2 / (n + 2)) (Walter et al. 2007), roughness = sqrt(alpha).
-Material materialOf(vtkActor* actor, const std::string& name, double shine) {
-  vtkProperty* property = actor->GetProperty();
-  Material material = plainMaterial();
-  material.name = name;
-  const double* color = property->GetDiffuseColor();
-  const double opacity = std::clamp(property->GetOpacity(), 0.0, 1.0);
-  material.baseColor = glm::vec4(std::clamp(color[0], 0.0, 1.0), std::clamp(color[1], 0.0, 1.0),
-                                 std::clamp(color[2], 0.0, 1.0), opacity);
-  if (opacity < 1.0) material.alphaMode = AlphaMode::Blend;
-  material.roughness = static_cast<float>(std::pow(2.0 / (shine + 2.0), 0.25));
-  if (vtkTexture* texture = actor->GetTexture()) {
-    texture->Update();
-    material.baseColorTexture.image = imageFromVtk(texture->GetInput(), name);
-  }
-  return material;
-}
-
-Model readObj(const std::string& path, const LoadProgress& progress) {
-  const ObjNames names = checkObj(path);
-  if (progress && !progress(0.2)) throw LoadCancelled(path + ": loading was cancelled");
-  const VtkErrorCatcher errors;
-  vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderer> renderer;
-  window->AddRenderer(renderer);
-  vtkNew<vtkOBJImporter> importer;
-  importer->SetFileName(path.c_str());
-  if (!names.materialFile.empty()) {
-    importer->SetFileNameMTL(names.materialFile.c_str());
-    const std::string folder = std::filesystem::path(names.materialFile).parent_path().string();
-    importer->SetTexturePath(folder.empty() ? "." : folder.c_str());
-  }
-  importer->SetRenderWindow(window);
-  importer->Read();
-  if (!errors.error().empty()) throw InputError(path + ": " + errors.error() + "; save it again");
-  Model model;
-  vtkActorCollection* actors = renderer->GetActors();
-  actors->InitTraversal();
-  int output = 0;
-  for (vtkActor* actor = actors->GetNextActor(); actor != nullptr; actor = actors->GetNextActor(), ++output) {
-    auto* data = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
-    if (data == nullptr) continue;
-    Mesh mesh = meshFromPolyData(data, path);
-    if (mesh.indices.empty()) continue;
-    mesh.name = materialName(importer, output);
-    mesh.material = static_cast<int>(model.materials.size());
-    model.materials.push_back(materialOf(actor, mesh.name, shininess(importer, output)));
-    model.instances.push_back({mesh.name, static_cast<int>(model.meshes.size()), glm::dmat4(1.0)});
-    model.meshes.push_back(std::move(mesh));
-    if (progress && !progress(0.9)) throw LoadCancelled(path + ": loading was cancelled");
-  }
-  if (model.instances.empty()) throw InputError(path + ": has no triangles to show");
-  return model;
+  return readOneMesh(reader.Get(), path, progress, [&check](vtkPolyData* data) {
+    if (!check.triangles.empty()) setTriangles(data, check.triangles);
+    if (!check.colors.empty()) setColors(data, check.colors);
+  });
 }
 
 }  // namespace
+
+Material plainMaterial() {
+  Material material;
+  material.name = "default";
+  material.baseColor = {0.8f, 0.8f, 0.8f, 1.0f};
+  material.metallic = 0.0f;
+  material.roughness = 0.5f;
+  material.doubleSided = true;
+  return material;
+}
 
 bool isModelFile(const std::string& path) {
   const std::string extension = lowerExtension(path);
@@ -200,8 +145,11 @@ const std::string& modelFilePatterns() {
   return patterns;
 }
 
-Model readModel(const std::string& path, const LoadProgress& progress) {
+Model readModel(const std::string& path, const LoadProgress& progress, const ModelState& state) {
   const std::string extension = lowerExtension(path);
+  if (!state.variant.empty() && extension != ".glb" && extension != ".gltf") {
+    throw InputError(path + ": has no variant \"" + state.variant + "\"; only glTF files have variants");
+  }
   if (extension == ".obj") return readObj(path, progress);
   if (extension == ".ply") return readPly(path, progress);
   if (extension == ".stl") {
@@ -212,7 +160,7 @@ Model readModel(const std::string& path, const LoadProgress& progress) {
     checkVtp(path);
     return readOneMesh<vtkXMLPolyDataReader>(path, progress);
   }
-  return loadModelFile(path, progress);
+  return loadModelFile(path, progress, state);
 }
 
 }  // namespace boxprobe

@@ -10,7 +10,7 @@
 namespace boxprobe {
 
 /// Throws InputError naming the file, what is wrong and where.
-Model readModel(const std::string& path, const LoadProgress& progress = {});
+Model readModel(const std::string& path, const LoadProgress& progress = {}, const ModelState& state = {});
 
 /// By its extension, in any case: is it a file for readModel?
 bool isModelFile(const std::string& path);

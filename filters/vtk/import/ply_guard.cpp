@@ -70,6 +70,8 @@ class BodyCheck {
     const auto last = face == header_.elements.end() ? vertex : face;
     vertices_ = vertex->count;
     for (auto element = header_.elements.begin(); element <= last; ++element) {
+      colorSlots_ = colorSlotsOf(*element);
+      if (colored()) colors_.assign(element->count, {255, 255, 255, 255});
       if (element->count == 0) continue;
       if (element != vertex && element != face) {
         failPly(path_, element->line,
@@ -81,8 +83,13 @@ class BodyCheck {
         checkBinary(*element);
       }
     }
+    const auto next = last + 1;
+    const bool noFaces = face == header_.elements.end() || face->count == 0;
+    if (noFaces && next < header_.elements.end() && next->name == "tristrips") readStrips(*next);
   }
 
+  std::vector<std::array<std::uint8_t, 4>> takeColors() { return std::move(colors_); }
+  std::vector<std::uint32_t> takeTriangles() { return std::move(triangles_); }
   bool changed() const { return changed_; }
 
  private:
@@ -113,11 +120,73 @@ class BodyCheck {
          " vertices, which count from 0; the file is damaged");
   }
 
-  void nextLine() {
+  /// Which of red, green, blue and alpha each field of "vertex" is; -1: none, or in bytes, which VTK reads.
+  static std::vector<int> colorSlotsOf(const PlyElementHead& element) {
+    std::vector<int> slots(element.fields.size(), -1);
+    if (element.name != "vertex") return slots;
+    constexpr std::string_view kNames[] = {"red", "green", "blue", "alpha"};
+    for (std::size_t f = 0; f < slots.size(); ++f) {
+      const PlyField& field = element.fields[f];
+      if (field.isList || sizeInBytes(field.type) == 1) continue;
+      for (int slot = 0; slot < 4; ++slot) {
+        if (field.name == kNames[slot] || field.name == "diffuse_" + std::string(kNames[slot])) {
+          slots[f] = slot;
+        }
+      }
+    }
+    return slots;
+  }
+  bool colored() const {
+    return std::any_of(colorSlots_.begin(), colorSlots_.end(), [](int slot) { return slot >= 0; });
+  }
+  /// Of whole numbers the type's largest is full, of others 1.
+  void keepColor(std::size_t field, double value) {
+    if (colorSlots_[field] < 0) return;
+    const PlyType type = element_->fields[field].type;
+    const double full = !isWhole(type) ? 1.0 : sizeInBytes(type) == 2 ? 65535.0 : 4294967295.0;
+    const double share = value >= 0.0 ? std::min(value / full, 1.0) : 0.0;  // 0 of NaN, too
+    colors_[entry_][static_cast<std::size_t>(colorSlots_[field])] =
+        static_cast<std::uint8_t>(std::lround(255.0 * share));
+  }
+
+  /// Every corner makes a triangle with the two before it, turned over every other time; -1 ends a strip.
+  void readStrips(const PlyElementHead& element) {
+    element_ = &element;
+    const bool text = header_.format == PlyFormat::Text;
+    for (entry_ = 0; entry_ < element.count; ++entry_) {
+      if (text) nextLine(bytes_.size());
+      for (const PlyField& field : element.fields) {
+        const auto next = [&](PlyType type, bool whole) { return text ? nextWord(field, whole) : nextBinary(type); };
+        if (!field.isList) {
+          next(field.type, false);
+          continue;
+        }
+        const std::size_t count = checkedCount(next(field.countType, isWhole(field.countType)));
+        std::vector<std::uint32_t> strip;
+        for (std::size_t i = 0; i < count; ++i) {
+          const double corner = next(field.type, isWhole(field.type));
+          if (field.name != "vertex_indices") continue;
+          if (corner < 0) {
+            strip.clear();
+            continue;
+          }
+          checkCorner(corner);
+          strip.push_back(static_cast<std::uint32_t>(corner));
+          const std::size_t n = strip.size();
+          if (n < 3) continue;
+          const std::size_t odd = n % 2 == 0 ? 1 : 0;
+          const std::uint32_t a = strip[n - 3], b = strip[n - 2 + odd], c = strip[n - 1 - odd];
+          if (a != b && b != c && a != c) triangles_.insert(triangles_.end(), {a, b, c});
+        }
+      }
+    }
+  }
+
+  void nextLine(std::size_t longest = kLongestPlyLine) {
     ++line_;
     const std::size_t end = bytes_.find('\n', at_);
     if (end == std::string::npos) failCutOff();
-    if (end - at_ > kLongestPlyLine) {
+    if (end - at_ > longest) {
       fail("the line is longer than " + std::to_string(kLongestPlyLine) + " characters; save the file as binary PLY");
     }
     splitPlyLine(std::string_view(bytes_).substr(at_, end - at_), words_);
@@ -150,7 +219,7 @@ class BodyCheck {
       for (std::size_t f = 0; f < element.fields.size(); ++f) {
         const PlyField& field = element.fields[f];
         if (!field.isList) {
-          nextWord(field, false);
+          keepColor(f, nextWord(field, false));
           continue;
         }
         const std::size_t first = word_;
@@ -239,6 +308,8 @@ class BodyCheck {
         if (f == corners) checkCorners(count);
         if (f == corners) {
           for (std::size_t i = 0; i < count; ++i) checkCorner(nextBinary(field.type));
+        } else if (colorSlots_[f] >= 0) {
+          keepColor(f, nextBinary(field.type));
         } else {
           at_ += count * size;
         }
@@ -256,6 +327,9 @@ class BodyCheck {
   const PlyHeader& header_;
   const PlyElementHead* element_ = nullptr;
   std::vector<std::string_view> words_;
+  std::vector<int> colorSlots_;  // by field of the element that is checked
+  std::vector<std::array<std::uint8_t, 4>> colors_;
+  std::vector<std::uint32_t> triangles_;
   std::size_t at_, line_, entry_ = 0, word_ = 0, vertices_ = 0;
   bool changed_ = false;
 };
@@ -270,7 +344,7 @@ void shorten(std::string& bytes, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-std::optional<std::string> checkPly(const std::string& path) {
+PlyCheck checkPly(const std::string& path) {
   std::string bytes = readWholeFile(path);
   const PlyHeader header = readPlyHeader(path, bytes);
   bool changed = !header.longComments.empty();
@@ -281,8 +355,11 @@ std::optional<std::string> checkPly(const std::string& path) {
   }
   BodyCheck body(path, bytes, header);
   body.check();
-  if (!changed && !body.changed()) return std::nullopt;
-  return bytes;
+  PlyCheck result;
+  result.colors = body.takeColors();
+  result.triangles = body.takeTriangles();
+  if (changed || body.changed()) result.text = std::move(bytes);
+  return result;
 }
 
 }  // namespace boxprobe

@@ -4,7 +4,6 @@
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -153,28 +152,6 @@ Mesh meshFromPolyData(vtkPolyData* source, const std::string& place) {
   }
   if (normal == nullptr) computeNormals(mesh);
   return mesh;
-}
-
-std::shared_ptr<const ImageRgba8> imageFromVtk(vtkImageData* data, const std::string& name) {
-  if (data == nullptr) return nullptr;
-  auto* bytes = vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars());
-  const int* size = data->GetDimensions();
-  if (bytes == nullptr || size[0] <= 0 || size[1] <= 0) return nullptr;
-  const int components = bytes->GetNumberOfComponents();
-  auto image = std::make_shared<ImageRgba8>();
-  image->width = size[0];
-  image->height = size[1];
-  image->name = name;
-  image->pixels.resize(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * 4, 255);
-  std::uint8_t* out = image->pixels.data();
-  for (int y = size[1] - 1; y >= 0; --y) {
-    for (int x = 0; x < size[0]; ++x, out += 4) {
-      const vtkIdType at = static_cast<vtkIdType>(y) * size[0] + x;
-      for (int c = 0; c < 3; ++c) out[c] = bytes->GetTypedComponent(at, components >= 3 ? c : 0);
-      if (components == 2 || components == 4) out[3] = bytes->GetTypedComponent(at, components - 1);
-    }
-  }
-  return image;
 }
 
 }  // namespace boxprobe

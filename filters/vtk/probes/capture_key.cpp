@@ -41,6 +41,7 @@ std::string materialKey(const Material& m, std::map<const void*, std::string>& i
   ContentHash hash;
   hash.add(m.name).addVector(m.baseColor).add(m.baseColor.a).add(m.metallic).add(m.roughness).addVector(m.emissive);
   hash.add(m.normalScale).add(m.occlusionStrength).add(m.coat).add(m.coatRoughness).add(m.ior);
+  if (m.specular != 1.0f) hash.add("specular").add(m.specular);
   hash.add(m.unlit ? 1 : 0).add(m.doubleSided ? 1 : 0);
   // One that is opaque keeps the key it had before glass was drawn.
   if (m.transmits()) {

@@ -102,6 +102,7 @@ std::shared_ptr<SurfaceMaterial> makeSurface(const Material& material, const Mes
   fill(kEmissiveSlot, material.emissiveTexture, true);
   fill(kCoatSlot, material.coatTexture, false);
   fill(kCoatRoughnessSlot, material.coatRoughnessTexture, false);
+  if (material.transmits()) fill(kTransmissionSlot, material.transmissionTexture, false);
   if (mesh.tangents.empty()) return surface;
   fill(kNormalSlot, material.normalTexture, false);
   fill(kCoatNormalSlot, material.coatNormalTexture, false);
@@ -206,7 +207,7 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
   object.actor->SetForceTranslucent(blended);
   property->SetRoughness(material.roughness);
   property->SetOcclusionStrength(material.occlusionTexture.image ? material.occlusionStrength : 0.0);
-  property->SetBaseIOR(material.ior);
+  property->SetBaseIOR(material.reflectedIor());
   property->SetCoatStrength(material.coat);
   property->SetCoatRoughness(material.coatRoughness);
   property->SetCoatIOR(kCoatIor);

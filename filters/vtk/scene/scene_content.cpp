@@ -4,7 +4,7 @@
 
 #include "filters/core/geometry/divide_model.h"
 #include "filters/core/geometry/model_placement.h"
-#include "filters/io/image/image_file.h"
+#include "filters/io/cube/sky_picture.h"
 #include "filters/vtk/scene/scene_lights.h"
 #include "filters/vtk/scene/vtkCulledRenderer.h"
 
@@ -156,7 +156,7 @@ void SceneContent::rebuildSky() {
     skyTexelsNotFinite = 0;
     skyImageFile_.clear();
   } else if (image->file != skyImageFile_) {
-    skyImage = std::make_shared<ImageRgbaF>(loadHdrImage(image->file, &skyTexelsNotFinite));
+    skyImage = std::make_shared<ImageRgbaF>(loadSkyPicture(image->file, &skyTexelsNotFinite));
     skyImageFile_ = image->file;
   }
   sky->SetSky(scene.sky, scene.skyRotationDegrees, skyImage);

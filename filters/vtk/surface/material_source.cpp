@@ -36,6 +36,7 @@ std::string materialDeclarations(const SurfaceMaterial& surface) {
   factor("BP_OCCLUSION_FACTOR", kOcclusionSlot, "bpSampleOcclusion().r");
   factor("BP_COAT_FACTOR", kCoatSlot, "bpSampleCoat().r");
   factor("BP_COAT_ROUGH_FACTOR", kCoatRoughnessSlot, "bpSampleCoatRoughness().g");
+  factor("BP_TRANSMISSION_FACTOR", kTransmissionSlot, "bpSampleTransmission().r");
   if (surface.unlit) {
     text += "#define BP_EMISSIVE_FACTOR * bpBase.rgb\n";
   } else {

@@ -201,7 +201,8 @@ const std::vector<Anchor>& glassAnchors() {
       {"glass: light from beyond",
        {"vec3 color = iblDiffuse + iblSpecular;"},
        {"bpGlass.looked = bpLookUpThrough(bpGlass);\n  vec3 bpPassed = bpGlassPassed(bpGlass, bpReflected, albedo, "
-        "metallic);\n  vec3 color = iblDiffuse * (1.0 - bpGlassTransmission) + iblSpecular + bpPassed * "
+        "metallic);\n  vec3 color = iblDiffuse * (1.0 - bpGlassTransmission BP_TRANSMISSION_FACTOR) + iblSpecular + "
+        "bpPassed * "
         "bpGlass.looked;"},
        false},
   };

@@ -1,0 +1,16 @@
+// WebP pictures through libwebp. Called by the decoder of 8-bit pictures alone.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "filters/core/scene/model.h"
+
+namespace boxprobe {
+
+bool isWebp(const unsigned char* bytes, std::size_t size);
+
+/// As decodeImage8. Animated files are refused.
+ImageRgba8 decodeWebp(const unsigned char* bytes, std::size_t size, const std::string& name, bool* hasAlpha);
+
+}  // namespace boxprobe
