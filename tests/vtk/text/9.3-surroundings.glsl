@@ -43,6 +43,15 @@ uniform mat4 MCVCMatrix;
 // picking support
 //VTK::Picking::Dec
 
+// Surface with edges on GLES 3.0
+//VTK::EdgesGLES30::Dec
+
+// PointSize on GLES 3.0
+//VTK::PointSizeGLES30::Dec
+
+// LineWidth on GLES 3.0
+//VTK::LineWidthGLES30::Dec
+
 void main()
 {
   //VTK::PointSizeGLES30::Impl
@@ -64,6 +73,8 @@ void main()
   gl_Position = MCDCMatrix * vertexMC;
 
 
+  //VTK::LineWidthGLES30::Impl
+
   //VTK::ValuePass::Impl
 
   //VTK::Light::Impl
@@ -71,6 +82,8 @@ void main()
   //VTK::Picking::Impl
 
   //VTK::CustomEnd::Impl
+
+  //VTK::EdgesGLES30::Impl
 }
 
 //--- fragment

@@ -38,11 +38,20 @@ uniform mat4 MCDCMatrix;
 // picking support
 //VTK::Picking::Dec
 
+// Surface with edges on GLES 3.0
+//VTK::EdgesGLES30::Dec
+
+// PointSize on GLES 3.0
+//VTK::PointSizeGLES30::Dec
+
+// LineWidth on GLES 3.0
+//VTK::LineWidthGLES30::Dec
+
 void main()
 {
-  //VTK::PointSizeGLES30::Impl
-
   //VTK::CustomBegin::Impl
+
+  //VTK::PointSizeGLES30::Impl
 
   //VTK::Color::Impl
 
@@ -57,6 +66,8 @@ void main()
     gl_Position = MCDCMatrix * vertexMC;
 
 
+  //VTK::LineWidthGLES30::Impl
+
   //VTK::ValuePass::Impl
 
   //VTK::Light::Impl
@@ -64,6 +75,8 @@ void main()
   //VTK::Picking::Impl
 
   //VTK::CustomEnd::Impl
+
+  //VTK::EdgesGLES30::Impl
 }
 
 //--- fragment
@@ -161,12 +174,15 @@ void main()
   // Generate the normal if we are not passed in one
   //VTK::Normal::Impl
 
+  //VTK::PBR::Impl
+
     gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);
-  gl_FragData[0].rgb = pow(gl_FragData[0].rgb, vec3(1.0/2.2));
+    gl_FragData[0].rgb = pow(gl_FragData[0].rgb, vec3(1.0/2.2));
   //VTK::Light::Impl
 
 
-  //VTK::TCoord::Impl
+
+  
 
   if (gl_FragData[0].a <= 0.0)
     {

@@ -42,6 +42,15 @@ uniform mat4 MCVCMatrix;
 // picking support
 //VTK::Picking::Dec
 
+// Surface with edges on GLES 3.0
+//VTK::EdgesGLES30::Dec
+
+// PointSize on GLES 3.0
+//VTK::PointSizeGLES30::Dec
+
+// LineWidth on GLES 3.0
+//VTK::LineWidthGLES30::Dec
+
 void main()
 {
   //VTK::CustomBegin::Impl
@@ -63,6 +72,8 @@ void main()
   gl_Position = MCDCMatrix * vertexMC;
 
 
+  //VTK::LineWidthGLES30::Impl
+
   //VTK::ValuePass::Impl
 
   //VTK::Light::Impl
@@ -70,6 +81,8 @@ void main()
   //VTK::Picking::Impl
 
   //VTK::CustomEnd::Impl
+
+  //VTK::EdgesGLES30::Impl
 }
 
 //--- geometry
@@ -397,6 +410,8 @@ float emix = clamp(0.5 + 0.5*lineWidth - min( min( edist[0], edist[1]), edist[2]
   if (gl_FrontFacing == false) { normalVCVSOutput = -normalVCVSOutput; }
 vec3 coatNormalVCVSOutput = normalVCVSOutput;
 //VTK::Normal::Impl
+
+  //VTK::PBR::Impl
 
   vec3 albedo = diffuseColor;
   float roughness = roughnessUniform;
