@@ -35,6 +35,9 @@ class vtkSurfacelessWindow : public vtkGenericOpenGLRenderWindow {
   int SupportsOpenGL() override { return 1; }
   vtkTypeBool IsDirect() override { return 1; }
   void OpenGLInitContext() override;
+  // The context is this window's alone: its state is kept from frame to frame, as on an X display, and not given back.
+  void OpenGLInit() override { this->vtkOpenGLRenderWindow::OpenGLInit(); }
+  void Render() override { this->vtkOpenGLRenderWindow::Render(); }
 
  protected:
   vtkSurfacelessWindow() { this->SetFrameBlitModeToNoBlit(); }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "app/session/offscreen_choice.h"
 #include "filters/io/image/image_file.h"
 #include "tests/cli/program.h"
 
@@ -18,6 +19,7 @@ namespace {
 using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
 /// Set for the programs that are started while this lives.
 class EnvironmentVariable {
