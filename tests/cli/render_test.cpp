@@ -119,9 +119,9 @@ TEST_F(Render, WithoutADisplayEglDrawsTheSamePicture) {
     const std::string onX = readFile(render("building", output));
     const std::string path = folder.path("egl-" + output);
     for (const char* kind : {"auto", "egl"}) {
-      const Outcome outcome = runProgram(
+      const Outcome done = runProgram(
           {"render", demoScene("building"), "-o", path, "--size", "160x90", "--offscreen", kind}, DisplayKind::Unset);
-      ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
+      ASSERT_EQ(done.exitStatus, 0) << done.err;
       EXPECT_TRUE(readFile(path) == onX) << kind << " " << output;
     }
   }
@@ -131,13 +131,12 @@ TEST_F(Render, AnOpenGlThatIsTooOldIsNamed) {
   EXPECT_EQ(missingFromOpenGl(45, true), "");
   EXPECT_EQ(missingFromOpenGl(31, true), "OpenGL 3.1 (3.2 is needed)");
   EXPECT_THAT(missingFromOpenGl(32, false), HasSubstr("RGBA32F"));
-  ::setenv("MESA_GL_VERSION_OVERRIDE", "3.1", 1);
-  const Outcome outcome =
+  const EnvironmentVariable old("MESA_GL_VERSION_OVERRIDE", "3.1");
+  const Outcome done =
       runProgram({"render", demoScene("room"), "-o", folder.path("old.png"), "--offscreen", "egl"}, DisplayKind::Unset);
-  ::unsetenv("MESA_GL_VERSION_OVERRIDE");
-  EXPECT_EQ(outcome.exitStatus, 2);
-  EXPECT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("EGL offers no OpenGL 3.2"));
+  EXPECT_EQ(done.exitStatus, 2);
+  EXPECT_THAT(done.errLines(), SizeIs(1)) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("EGL offers no OpenGL 3.2"));
 }
 
 // CMakePresets.json lets the tests run without the optimiser of Mesa's software renderer.
