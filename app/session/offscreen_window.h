@@ -1,10 +1,11 @@
-// A render window that never shows, for sub-commands and lessons. Debian's VTK draws through GLX alone, so an X display
-// is needed all the same.
+// A render window that never shows, for sub-commands and lessons: on an X display, or without any window system.
 #pragma once
 
 #include <vtkSmartPointer.h>
 
 #include <string>
+
+#include "app/session/offscreen_choice.h"
 
 class vtkOpenGLRenderWindow;
 
@@ -16,10 +17,11 @@ struct OffscreenSettings {
   int samplesPerPixel = 1;   ///< brought down to what the driver offers; see GetMultiSamples()
   bool quiet = false;        ///< VTK's warnings are not printed
   bool printErrors = false;  ///< VTK's errors are printed as they come, for a program that goes on
+  Offscreen offscreen = Offscreen::Automatic;
 };
 
-/// Asks for the display, takes over VTK's messages, then makes the window: initialised, its context current. Throws
-/// InputError without a display, WorkError where the driver refuses.
+/// Takes over VTK's messages, then makes the window: initialised, its context current. Throws InputError where there is
+/// nothing of the kind to draw with, WorkError where the driver refuses or has not what is needed.
 vtkSmartPointer<vtkOpenGLRenderWindow> openOffscreenWindow(const OffscreenSettings& settings);
 
 }  // namespace boxprobe

@@ -5,7 +5,6 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkShaderProgram.h>
-#include <vtk_glew.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +19,7 @@
 #include "filters/vtk/gl/framebuffer.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/gl_objects.h"
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 

@@ -3,7 +3,6 @@
 // time per pixel, which on a software driver is the time it takes; the median of several draws of all techniques in
 // turn.
 #include <vtkOpenGLState.h>
-#include <vtk_glew.h>
 
 #include <cstdio>
 #include <memory>
@@ -16,6 +15,7 @@
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/gl_objects.h"
+#include "filters/vtk/gl/opengl.h"
 #include "tests/bench/harness.h"
 
 namespace {

@@ -3,7 +3,6 @@
 // window.
 #include <vtkOpenGLRenderer.h>
 #include <vtkOpenGLState.h>
-#include <vtk_glew.h>
 
 #include <cstdio>
 #include <string>
@@ -15,6 +14,7 @@
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/gl_objects.h"
+#include "filters/vtk/gl/opengl.h"
 #include "tests/bench/harness.h"
 #include "tests/bench/published_sources.h"
 

@@ -217,7 +217,9 @@ TEST_F(BadInput, NoDisplay) {
   folder.write("model.gltf", triangleGltf());
   const std::string path = folder.write("good.boxprobe.json", scene(R"("exposure": 1)"));
   const std::vector<std::string> render = {"render", path, "-o", folder.path("out.png")};
-  expectRefused(render, {"no display", "DISPLAY", "xvfb-run"}, DisplayKind::Unset);
+  std::vector<std::string> withX = render;
+  withX.insert(withX.end(), {"--offscreen", "x"});
+  expectRefused(withX, {"no display", "DISPLAY", "xvfb-run"}, DisplayKind::Unset);
   expectRefused(render, {"no display", ":9876", "xvfb-run"}, DisplayKind::Unreachable);
   expectRefused({path}, {"no display", "DISPLAY"}, DisplayKind::Unset);
   expectRefused({path}, {"no display", ":9876"}, DisplayKind::Unreachable);

@@ -105,7 +105,7 @@ TEST(Bake, BadInputIsOneLine) {
   line({"bake", demoScene("room"), "-o", folder.path("file")}, 2, "names a folder");
   line({"bake", demoScene("room"), "-o", folder.path("file/in")}, 1, "cannot create");
   line({"bake", demoScene("room"), "-o", folder.path("x"), "--probe", "rom"}, 2, "--probe rom");
-  line({"bake", demoScene("room"), "-o", folder.path("x")}, 2, "DISPLAY", DisplayKind::Unset);
+  line({"bake", demoScene("room"), "-o", folder.path("x"), "--offscreen", "x"}, 2, "DISPLAY", DisplayKind::Unset);
   const std::string picture = folder.write("none.exr", "no picture");
   Json scene = twoProbeRoom();
   scene["probes"][0]["mode"] = "custom";

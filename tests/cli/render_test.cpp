@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "app/session/offscreen_choice.h"
 #include "filters/io/image/image_file.h"
 #include "tests/cli/program.h"
 
@@ -18,6 +19,7 @@ namespace {
 using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
 /// Set for the programs that are started while this lives.
 class EnvironmentVariable {
@@ -110,6 +112,31 @@ TEST_F(Render, SameInputSameBytes) {
   EXPECT_GT(first.size(), 1000u);
   EXPECT_TRUE(first == readFile(render("building", "second.png")));
   EXPECT_TRUE(readFile(render("room", "first.exr")) == readFile(render("room", "second.exr")));
+}
+
+TEST_F(Render, WithoutADisplayEglDrawsTheSamePicture) {
+  for (const std::string output : {"out.png", "out.exr"}) {
+    const std::string onX = readFile(render("building", output));
+    const std::string path = folder.path("egl-" + output);
+    for (const char* kind : {"auto", "egl"}) {
+      const Outcome done = runProgram(
+          {"render", demoScene("building"), "-o", path, "--size", "160x90", "--offscreen", kind}, DisplayKind::Unset);
+      ASSERT_EQ(done.exitStatus, 0) << done.err;
+      EXPECT_TRUE(readFile(path) == onX) << kind << " " << output;
+    }
+  }
+}
+
+TEST_F(Render, AnOpenGlThatIsTooOldIsNamed) {
+  EXPECT_EQ(missingFromOpenGl(45, true), "");
+  EXPECT_EQ(missingFromOpenGl(31, true), "OpenGL 3.1 (3.2 is needed)");
+  EXPECT_THAT(missingFromOpenGl(32, false), HasSubstr("RGBA32F"));
+  const EnvironmentVariable old("MESA_GL_VERSION_OVERRIDE", "3.1");
+  const Outcome done =
+      runProgram({"render", demoScene("room"), "-o", folder.path("old.png"), "--offscreen", "egl"}, DisplayKind::Unset);
+  EXPECT_EQ(done.exitStatus, 2);
+  EXPECT_THAT(done.errLines(), SizeIs(1)) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("EGL offers no OpenGL 3.2"));
 }
 
 // CMakePresets.json lets the tests run without the optimiser of Mesa's software renderer.

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 #include <unistd.h>
-#include <vtk_glew.h>
 
 #include <cmath>
 #include <fstream>
 
 #include "filters/core/scene/document.h"
+#include "filters/vtk/gl/opengl.h"
 #include "tests/stress/random_edits.h"
 #include "tests/support/scene_picture.h"
 

@@ -3,13 +3,13 @@
 #include <vtkOpenGLState.h>
 #include <vtkRenderWindow.h>
 #include <vtkShaderProgram.h>
-#include <vtk_glew.h>
 
 #include <memory>
 
 #include "filters/vtk/gl/framebuffer.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/gl_objects.h"
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe::test {
 

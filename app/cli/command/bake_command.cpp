@@ -105,7 +105,7 @@ void runBake(const BakeOptions& options) {
   const std::string folder = options.folder.empty() ? BakeFolder::besideScene(options.scenePath) : options.folder;
   interrupt.check();
 
-  OffscreenScene shown({"boxprobe bake", 16, 16, 1, options.report.quiet});
+  OffscreenScene shown({"boxprobe bake", 16, 16, 1, options.report.quiet, false, options.report.offscreen});
   requireBakeFolder(folder);
   ShownSettings settings;
   settings.bakedFolder = folder;
@@ -155,6 +155,7 @@ Subcommand addBakeCommand(CLI::App& program) {
       ->allow_extra_args(false);
   addModelOptions(*command, options->assignments);
   addReportOptions(*command, options->report, "Print the JSON that --stats writes");
+  addOffscreenOption(*command, options->report);
   command->footer(
       "Skips probes whose file was made from the same inputs: a second call continues where the first one stopped\nand "
       "does nothing if nothing changed.\nExample:\n  boxprobe bake data/scenes/building.boxprobe.json -o "

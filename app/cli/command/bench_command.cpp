@@ -119,8 +119,9 @@ void runBench(const BenchOptions& options) {
   interrupt.check();
 
   const FrameSize timed = timedFrameSize(options);
-  VtkBenchHost host({"boxprobe bench", timed.width, timed.height, 1, options.report.quiet}, loaded.models,
-                    loadSkyImage(loaded.scene), [] {});
+  VtkBenchHost host(
+      {"boxprobe bench", timed.width, timed.height, 1, options.report.quiet, false, options.report.offscreen},
+      loaded.models, loadSkyImage(loaded.scene), [] {});
   requireBenchFolder(options.folder, "bench.json");
   Contacts contacts(plan);
   BenchResult result = [&] {

@@ -1,12 +1,11 @@
 // See bench_host.h.
 #include "app/cli/command/bench_host.h"
 
-#include <vtk_glew.h>
-
 #include <algorithm>
 #include <optional>
 
 #include "app/session/offscreen_scene.h"
+#include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/gl/software_driver.h"
 
 namespace boxprobe {

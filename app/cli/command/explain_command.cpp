@@ -63,7 +63,8 @@ void runExplain(const ExplainOptions& options) {
   if (!options.report.quiet) printWarnings(loaded.warnings);
   interrupt.check();
 
-  OffscreenScene shown({"boxprobe explain", size.width, size.height, 1, options.report.quiet});
+  OffscreenScene shown(
+      {"boxprobe explain", size.width, size.height, 1, options.report.quiet, false, options.report.offscreen});
   ShownSettings settings{camera};
   settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
   shown.show(loaded.scene, loaded.models, settings);
@@ -103,6 +104,7 @@ Subcommand addExplainCommand(CLI::App& program) {
       ->allow_extra_args(false);
   addModelOptions(*command, options->assignments);
   addReportOptions(*command, options->report, "Print the explanation as JSON");
+  addOffscreenOption(*command, options->report);
   command->footer(
       "Example:\n"
       "  boxprobe explain data/scenes/building.boxprobe.json --pixel 640,500");

@@ -41,7 +41,7 @@ void runInfo(const InfoOptions& options) {
   std::string text = options.report.json ? std::string() : sceneReportText(report);
   if (options.frame) {
     const FrameReport frame =
-        drawnFrameReport(loaded, options.scenePath, options.camera, options.size, options.report.quiet);
+        drawnFrameReport(loaded, options.scenePath, options.camera, options.size, options.report);
     report["frame"] = frameReportJson(frame);
     text += frameReportText(frame);
   }
@@ -70,6 +70,7 @@ Subcommand addInfoCommand(CLI::App& program) {
   command->add_flag("--fields", options->fields, "Without a scene: list every field of the scene file")
       ->excludes(scene);
   addReportOptions(*command, options->report, "Print the explanation as JSON");
+  addOffscreenOption(*command, options->report);
   command->footer("Examples:\n  boxprobe info data/scenes/building.boxprobe.json\n  boxprobe info --fields");
   return {command, [options] { runInfo(*options); }};
 }

@@ -54,7 +54,8 @@ void runRender(const RenderOptions& options) {
   if (!options.report.quiet) printWarnings(loaded.warnings);
   interrupt.check();
 
-  OffscreenScene shown({"boxprobe render", size.width, size.height, options.samples, options.report.quiet});
+  OffscreenScene shown({"boxprobe render", size.width, size.height, options.samples, options.report.quiet, false,
+                        options.report.offscreen});
   if (!linear && !options.report.quiet) warnOfSamples(shown, options.samples);
   shown.show(loaded.scene, loaded.models,
              {camera, options.probes == "on", BakeFolder::besideScene(options.scenePath), {}, view});

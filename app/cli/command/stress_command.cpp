@@ -137,7 +137,9 @@ void requirePromise(const StressPlan& plan, const std::vector<StressCell>& cells
 std::vector<StressCell> results(const StressOptions& options, const StressPlan& plan, const InterruptGuard& interrupt) {
   const bool gpu = options.device == "gpu";
   vtkSmartPointer<vtkOpenGLRenderWindow> window;
-  if (gpu) window = openOffscreenWindow({"boxprobe stress --device gpu", 16, 16, 1, options.report.quiet});
+  if (gpu)
+    window = openOffscreenWindow(
+        {"boxprobe stress --device gpu", 16, 16, 1, options.report.quiet, false, options.report.offscreen});
   ProgressLine line("inputs", !options.report.quiet);
   const auto progress = [&](double fraction) {
     line.show(fraction);
@@ -197,6 +199,7 @@ Subcommand addStressCommand(CLI::App& program) {
                    "Write the lines to this file and print the table alone (default: lines on stdout, table on stderr)")
       ->type_name("FILE");
   addReportOptions(*command, options->report, "Print the lines and no table");
+  addOffscreenOption(*command, options->report);
   command->footer(
       "One JSON line for each class and technique. Exit status 1 if a result is no number, a lookup lies outside the\n"
       "chain, or an error exceeds its bound.\n"

@@ -72,8 +72,8 @@ void runTruthBench(const BenchOptions& options) {
   const std::vector<const TruthPicture*> pictures = chosenPictures(index, options);
   const std::vector<BenchTechnique> techniques = chooseBenchTechniques(options.techniques);
   requireBenchFolder(options.folder, "truth.json");
-  OffscreenScene shown(
-      {"boxprobe bench --truth", kTruthFineness * index.width, kTruthFineness * index.height, 1, options.report.quiet});
+  OffscreenScene shown({"boxprobe bench --truth", kTruthFineness * index.width, kTruthFineness * index.height, 1,
+                        options.report.quiet, false, options.report.offscreen});
   const TruthEffort effort{options.quick ? 256 : 512, options.quick ? 4 : 1};
   std::vector<TruthRow> rows;
   bool complete = true;

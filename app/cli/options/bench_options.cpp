@@ -94,6 +94,7 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
   addReportOptions(command, options.report, "Print bench.json");
+  addOffscreenOption(command, options.report);
   command.footer(
       "Measures every technique at every roughness through every camera against two references: the integral over\nthe "
       "probe's box and the ray-traced scene. Takes some minutes; Ctrl-C keeps partial results as "

@@ -64,6 +64,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->allow_extra_args(false);
   addModelOptions(command, options.assignments);
   addReportOptions(command, options.report, "Print the JSON that --stats writes");
+  addOffscreenOption(command, options.report);
   command.footer(
       "Examples:\n"
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png --size 1920x1080\n"

@@ -3,9 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "app/session/offscreen_choice.h"
 
 namespace boxprobe {
 
@@ -18,6 +21,7 @@ struct ReportOptions {
   std::string statsPath;  ///< empty: none asked for
   bool json = false;
   bool quiet = false;
+  Offscreen offscreen = Offscreen::Automatic;
 };
 
 /// In which of its states a glTF file is read; they become fields of the scene's first model, as --set would set them.
@@ -41,6 +45,17 @@ inline void addReportOptions(CLI::App& command, ReportOptions& options, const st
   command.add_option("--stats", options.statsPath, "Write counters and times to this file")->type_name("FILE.json");
   command.add_flag("--json", options.json, jsonHelp);
   command.add_flag("--quiet", options.quiet, "Print errors only: no progress, warnings or summary");
+}
+
+/// For sub-commands that draw.
+inline void addOffscreenOption(CLI::App& command, ReportOptions& options) {
+  static const std::map<std::string, Offscreen> choices = {
+      {"auto", Offscreen::Automatic}, {"egl", Offscreen::Egl}, {"osmesa", Offscreen::Osmesa}, {"x", Offscreen::X}};
+  command
+      .add_option("--offscreen", options.offscreen,
+                  "What to draw with: auto (an X display if DISPLAY is set, else EGL), egl, osmesa or x")
+      ->transform(CLI::CheckedTransformer(choices, CLI::ignore_case).description(""))
+      ->type_name("KIND");
 }
 
 }  // namespace boxprobe

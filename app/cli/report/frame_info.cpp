@@ -38,15 +38,16 @@ std::string drawnObjectLine(const FrameReport::Object& object) {
 }  // namespace
 
 FrameReport drawnFrameReport(const LoadedScene& loaded, const std::string& scenePath, const std::string& camera,
-                             const std::string& size, bool quiet) {
+                             const std::string& size, const ReportOptions& options) {
   const FrameSize frame = parseFrameSize(size);
   const Camera view = chooseCamera(loaded.scene, camera);
   const InterruptGuard interrupt;
-  OffscreenScene shown({"boxprobe info --frame", frame.width, frame.height, 1, quiet});
+  OffscreenScene shown(
+      {"boxprobe info --frame", frame.width, frame.height, 1, options.quiet, false, options.offscreen});
   ShownSettings settings{view};
   settings.bakedFolder = BakeFolder::besideScene(scenePath);
   shown.show(loaded.scene, loaded.models, settings);
-  captureShown(shown, interrupt, quiet);
+  captureShown(shown, interrupt, options.quiet);
   shown.window()->Render();
   shown.requireHealthy();
   FrameReport report = shown.renderer().frameReport();

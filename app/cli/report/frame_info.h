@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/cli/options/subcommand.h"
 #include "app/session/load_scene.h"
 #include "filters/vtk/frame/frame_report.h"
 
@@ -11,7 +12,7 @@ namespace boxprobe {
 
 /// Captures what the view of `camera` needs, draws it and reports.
 FrameReport drawnFrameReport(const LoadedScene& loaded, const std::string& scenePath, const std::string& camera,
-                             const std::string& size, bool quiet);
+                             const std::string& size, const ReportOptions& options);
 
 nlohmann::ordered_json frameReportJson(const FrameReport& report);
 std::string frameReportText(const FrameReport& report);

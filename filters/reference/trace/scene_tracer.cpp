@@ -1,7 +1,5 @@
 #include "filters/reference/trace/scene_tracer.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -11,6 +9,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/scene/coat.h"
+#include "filters/reference/trace/embree.h"
 #include "filters/reference/trace/surface_texture.h"
 
 namespace boxprobe {
@@ -152,9 +151,7 @@ std::optional<TracedHit> SceneTracer::firstHit(const glm::dvec3& origin, const g
                ~0u,    0u,     0u};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(sees == RaySees::Picture ? structures_->picture : structures_->probes, &context, &query);
+  intersectOne(sees == RaySees::Picture ? structures_->picture : structures_->probes, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
   TracedHit hit;

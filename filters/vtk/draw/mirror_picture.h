@@ -2,11 +2,10 @@
 // draw the mirror and by explanations. Plain data.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <memory>
 
 #include "filters/math/shared/mirror_math.h"
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 

@@ -2,8 +2,6 @@
 // the renderer, the probe set and the passes that make them; read by the mappers. Plain data; owns no texture.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <glm/mat4x4.hpp>
 #include <memory>
 #include <set>
@@ -11,6 +9,7 @@
 
 #include "filters/core/geometry/light_shadow.h"
 #include "filters/vtk/draw/light_form.h"
+#include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/maps/probe_maps.h"
 
 namespace boxprobe {

@@ -2,8 +2,6 @@
 // model_actors.cpp, read by the mapper (uniforms) and the splice (which code a program needs). Knows no probes.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <array>
 #include <glm/mat3x2.hpp>
 #include <memory>
@@ -11,6 +9,7 @@
 
 #include "filters/core/scene/model.h"
 #include "filters/vtk/draw/glass_surface.h"
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 

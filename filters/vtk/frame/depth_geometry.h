@@ -2,12 +2,11 @@
 // else. Every function needs the window's context current. Knows no scene.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <map>
 #include <memory>
 
 #include "filters/core/scene/model.h"
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 

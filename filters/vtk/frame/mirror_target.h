@@ -2,13 +2,12 @@
 // levels. Called by the mirrors' painter; knows no scene. Every function needs the window's context current.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <array>
 #include <memory>
 
 #include "filters/math/shared/mirror_math.h"
 #include "filters/vtk/gl/framebuffer.h"
+#include "filters/vtk/gl/opengl.h"
 
 class vtkOpenGLRenderWindow;
 

@@ -10,9 +10,10 @@
 
 #include <vtkNew.h>
 #include <vtkRenderPass.h>
-#include <vtk_glew.h>
 
 #include <vector>
+
+#include "filters/vtk/gl/opengl.h"
 
 class vtkProp;
 class vtkSequencePass;

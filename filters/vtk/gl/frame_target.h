@@ -3,11 +3,10 @@
 // current.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <array>
 
 #include "filters/vtk/gl/framebuffer.h"
+#include "filters/vtk/gl/opengl.h"
 
 class vtkOpenGLRenderWindow;
 

@@ -3,11 +3,11 @@
 // screen; every function needs the window's context current and leaves bindings as they were.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 

@@ -2,11 +2,11 @@
 
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
-#include <vtk_glew.h>
 
 #include "filters/core/base/errors.h"
 #include "filters/math/shared/shader_source.h"
 #include "filters/vtk/gl/broken_shader.h"
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 

@@ -2,12 +2,11 @@
 // Every function needs the window's context current. Knows nothing of scenes or probes.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <string>
 #include <vector>
 
 #include "filters/vtk/gl/framebuffer.h"
+#include "filters/vtk/gl/opengl.h"
 
 class vtkOpenGLRenderWindow;
 

@@ -2,12 +2,11 @@
 // at once, so that one wait serves them all. Called by the culled renderer while a frame is being drawn.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <functional>
 #include <vector>
 
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/gl/opengl.h"
 
 class vtkOpenGLRenderWindow;
 class vtkRenderer;

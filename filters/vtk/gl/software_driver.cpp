@@ -1,8 +1,8 @@
 #include "filters/vtk/gl/software_driver.h"
 
-#include <vtk_glew.h>
-
 #include <string>
+
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 

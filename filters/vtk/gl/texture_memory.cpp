@@ -1,10 +1,11 @@
 #include "filters/vtk/gl/texture_memory.h"
 
 #include <unistd.h>
-#include <vtk_glew.h>
 
 #include <cstdlib>
 #include <limits>
+
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 
@@ -30,10 +31,10 @@ std::size_t textureMemoryLimit() {
       return static_cast<std::size_t>(megabytes * static_cast<double>(kMegabyte));
     }
   }
-  if (const std::size_t all = queried(GL_GPU_MEMORY_INFO_TOTAL_AVAILABLE_MEMORY_NVX, GLEW_NVX_gpu_memory_info)) {
+  if (const std::size_t all = queried(GL_GPU_MEMORY_INFO_TOTAL_AVAILABLE_MEMORY_NVX, BOXPROBE_HAS_MEMORY_INFO_NVX)) {
     return all;
   }
-  if (const std::size_t left = queried(GL_TEXTURE_FREE_MEMORY_ATI, GLEW_ATI_meminfo)) return left;
+  if (const std::size_t left = queried(GL_TEXTURE_FREE_MEMORY_ATI, BOXPROBE_HAS_MEMORY_INFO_ATI)) return left;
   const long pages = ::sysconf(_SC_PHYS_PAGES), pageBytes = ::sysconf(_SC_PAGESIZE);
   if (pages <= 0 || pageBytes <= 0) return std::numeric_limits<std::size_t>::max();
   return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(pageBytes);

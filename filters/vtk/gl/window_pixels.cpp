@@ -3,7 +3,8 @@
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtk_glew.h>
+
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 

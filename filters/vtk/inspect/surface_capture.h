@@ -4,7 +4,6 @@
 #pragma once
 
 #include <vtkSmartPointer.h>
-#include <vtk_glew.h>
 
 #include <array>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "filters/explain/explanation.h"
 #include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/framebuffer.h"
+#include "filters/vtk/gl/opengl.h"
 
 class vtkCamera;
 class vtkLight;

@@ -2,9 +2,9 @@
 // it. Called by the mapper, with the window's context current; knows no scene.
 #pragma once
 
-#include <vtk_glew.h>
-
 #include <cstddef>
+
+#include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
 

@@ -8,7 +8,6 @@
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
-#include <vtk_glew.h>
 
 #include <array>
 #include <cstddef>
@@ -16,6 +15,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/math/shared/shader_source.h"
+#include "filters/vtk/gl/opengl.h"
 
 vtkStandardNewMacro(vtkRayLinesProp);
 

@@ -29,7 +29,8 @@ std::vector<vtkSmartPointer<vtkLight>> makeLights(const Scene& scene, const glm:
       vtk->SetPosition(light.position.x, light.position.y, light.position.z);
       vtk->SetFocalPoint(to.x, to.y, to.z);
     } else {
-      // Beside a positional light VTK 9.1 shades a directional one from its position: from far away the two agree.
+      // For pictures of plain VTK: before 9.5 it shades a directional light beside a positional one from its position;
+      // from far away the two agree. The splice takes the direction.
       constexpr double kFar = 1.0e6;
       const glm::dvec3 from = center - kFar * glm::normalize(light.direction);
       vtk->PositionalOff();

@@ -3,11 +3,15 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkDataObject.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
+#include <vtkLightingMapPass.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLHelper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShader.h>
 #include <vtkShaderProgram.h>
@@ -156,6 +160,14 @@ void vtkProbePolyDataMapper::BuildShaders(std::map<vtkShader::Type, vtkShader*> 
   }
 }
 
+// As VTK decides it for the primitives at hand: none for lines without normals, nor for passes that draw normals.
+bool vtkProbePolyDataMapper::LitPhysically(vtkActor* actor) {
+  vtkInformation* keys = actor->GetPropertyKeys();
+  return actor->GetProperty()->GetInterpolation() == VTK_PBR &&
+         static_cast<int>(this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity) > 0 &&
+         (keys == nullptr || keys->Has(vtkLightingMapPass::RENDER_NORMALS()) == 0);
+}
+
 void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
                                                  vtkActor* actor) {
   this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
@@ -174,9 +186,10 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
                                : !this->SeparateSpecular ? SurfaceOutput::Picture
                                : samples                 ? SurfaceOutput::SpecularSeparate
                                                          : SurfaceOutput::SpecularSeparateNone;
-  const std::string failure =
-      boxprobe::splicePbr(sources, *this->Drawn, this->Surface.get(), output, this->Mirror != nullptr, this->Form);
-  this->State->counts.fail(failure);
+  const boxprobe::SurfaceProgram program{*this->Drawn, this->Surface.get(), output, this->Mirror != nullptr,
+                                         this->Form};
+  const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, this->LitPhysically(actor));
+  this->State->counts.fail(report.failure);
   boxprobe::breakShaderIfAsked(sources.fragment, "surface");
   shaders[vtkShader::Vertex]->SetSource(sources.vertex);
   shaders[vtkShader::Geometry]->SetSource(sources.geometry);

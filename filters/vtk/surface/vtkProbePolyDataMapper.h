@@ -71,6 +71,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   vtkProbePolyDataMapper(const vtkProbePolyDataMapper&) = delete;
   void operator=(const vtkProbePolyDataMapper&) = delete;
 
+  bool LitPhysically(vtkActor* actor);
   void UploadLighting(const boxprobe::UniformUpload& to);
 
   std::shared_ptr<boxprobe::DrawState> State;

@@ -1,14 +1,13 @@
-// Puts probe lighting into the fragment shader VTK's polydata mapper has written for physically based shading. The only
-// file that knows the text of VTK's surface shader: every anchor, the check that each one matched, the versions it was
-// tried on.
+// Puts probe lighting into the fragment shader VTK's polydata mapper has written for physically based shading. Beside
+// it stand the only files that know the text of VTK's surface shader: pbr_anchors.cpp has the lines of VTK 9.1 that are
+// edited, vtk_text_forms.cpp brings newer versions' into these.
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "filters/vtk/draw/light_form.h"
-#include "filters/vtk/draw/probe_binding.h"
-#include "filters/vtk/draw/surface_material.h"
-#include "filters/vtk/surface/surface_output.h"
+#include "filters/vtk/surface/anchor_edits.h"
+#include "filters/vtk/surface/fragment_source.h"
 
 namespace boxprobe {
 
@@ -19,12 +18,15 @@ struct ShaderSources {
   std::string fragment;
 };
 
-/// Edits them in place; `mirror`: a planar mirror's picture is looked up, by a surface that has probes; `surface` may
-/// be null: then the material is VTK's own. Returns an empty string, or one line naming VTK's version and the anchor
-/// that is not there (the sources are then unchanged). A shader without physically based shading (no light, lines,
-/// points) has nothing to splice and is left as it is.
-std::string splicePbr(ShaderSources& sources, const ProbeBinding& binding, const SurfaceMaterial* surface,
-                      SurfaceOutput output = SurfaceOutput::Picture, bool mirror = false,
-                      LightForm form = LightForm::Single);
+struct SpliceReport {
+  bool needed = false;               ///< there is physically based shading, or there should be
+  std::string failure;               ///< one line: VTK's version, the line sought, the file to mend; empty: none
+  std::vector<AnchorCount> anchors;  ///< newer words first, then what was edited; up to the one that failed
+};
+
+/// Edits the sources in place; where an anchor is not there as often as it should be they stay unchanged, and the
+/// report says so. `lit`: the object is to be shaded physically by lights, so that a program without any sign of it is
+/// a failure, too; otherwise such a program (lines, points, no light) has nothing to splice and is left as it is.
+SpliceReport splicePbr(ShaderSources& sources, const SurfaceProgram& program, bool lit);
 
 }  // namespace boxprobe

@@ -1,0 +1,15 @@
+// A render window on EGL, for machines without a window system: Mesa's surfaceless platform, else EGL's default
+// display. VTK has such a window only where it was built with EGL, and Debian's 9.1 and 9.3 were not.
+#pragma once
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+namespace boxprobe {
+
+/// Its context is made; Initialize() starts VTK's side. Null where there is none: `why` then says so in a few words.
+vtkSmartPointer<vtkGenericOpenGLRenderWindow> makeSurfacelessWindow(std::string& why);
+
+}  // namespace boxprobe

@@ -1,0 +1,179 @@
+// Single statements that vtkOpenGLPolyDataMapper::ReplaceShaderLight of VTK 9.1 writes, and what takes their place.
+// Newer versions' words are brought into these first (see vtk_text_forms.h).
+#include "filters/vtk/surface/pbr_anchors.h"
+
+namespace boxprobe {
+
+const std::vector<Anchor>& viewAndOutputAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"view vector", {"vec3 V = normalize(-vertexVC.xyz);"}, {"vec3 V = bpViewVector(vertexVC.xyz);"}, false},
+      // d is at least a2; rounding makes it 0 where roughness is near 0 and the half vector is the normal: 0/0.
+      {"microfacet distribution",
+       {"float d = (NdH * a2 - NdH) * NdH + 1.0;"},
+       {"float d = max((NdH * a2 - NdH) * NdH + 1.0, max(a2, 1.0e-12));"},
+       false},
+      // VTK 9.1 drops the emissive factor of a material without an emissive texture.
+      {"emission",
+       {"vec3 emissiveColor = vec3(0.0);", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
+       {"vec3 emissiveColor = emissiveFactorUniform;", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
+       false},
+      // Occlusion is of light from all around (glTF 2.0, section 3.9.3); VTK darkens that of lamps, too.
+      {"occlusion",
+       {"color += Lo;\n  color = mix(color, color * ao, aoStrengthUniform);"},
+       {"color = mix(color, color * ao, aoStrengthUniform);\n  color += Lo;"},
+       false},
+  };
+  return anchors;
+}
+
+// A material's textures and vertex colours, sampled here and not by VTK (see shaders/gpu/material.glsl).
+const std::vector<Anchor>& materialAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"base colour",
+       {"vec3 albedo = diffuseColor;"},
+       {"vec4 bpBase = bpBaseColor();\n  vec3 albedo = diffuseColor * bpBase.rgb;\n  opacity = opacity * BP_ALPHA;\n"
+        "  if (BP_MASKED) { discard; }"},
+       false},
+      {"roughness",
+       {"float roughness = roughnessUniform;"},
+       {"float roughness = roughnessUniform BP_ROUGH_FACTOR;"},
+       false},
+      {"metallic", {"float metallic = metallicUniform;"}, {"float metallic = metallicUniform BP_METAL_FACTOR;"}, false},
+      {"ambient occlusion", {"float ao = 1.0;"}, {"float ao = 1.0f BP_OCCLUSION_FACTOR;"}, false},
+      {"emission of the material",
+       {"vec3 emissiveColor = emissiveFactorUniform;"},
+       {"vec3 emissiveColor = emissiveFactorUniform BP_EMISSIVE_FACTOR;"},
+       false},
+      {"clear coat",
+       {"float coatStrength = coatStrengthUniform;"},
+       {"float coatStrength = coatStrengthUniform BP_COAT_FACTOR;"},
+       true},
+      {"clear-coat roughness",
+       {"float coatRoughness = coatRoughnessUniform;"},
+       {"float coatRoughness = coatRoughnessUniform BP_COAT_ROUGH_FACTOR;"},
+       true},
+  };
+  return anchors;
+}
+
+const std::vector<Anchor>& tableAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"split-sum table",
+       {"vec2 brdf = vec2(0.0, 0.0);", "vec2 brdf = texture(brdfTex, vec2(NdV, roughness)).rg;"},
+       {"vec2 brdf = bpSplitSum(NdV, roughness);"},
+       false},
+      {"clear-coat split-sum table",
+       {"vec2 coatBrdf = vec2(0.0);", "vec2 coatBrdf = texture(brdfTex, vec2(coatNdV, coatRoughness)).rg;"},
+       {"vec2 coatBrdf = bpSplitSum(coatNdV, coatRoughness);"},
+       true},
+  };
+  return anchors;
+}
+
+const std::vector<Anchor>& lightingAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"diffuse irradiance",
+       {"vec3 irradiance = vec3(0.0);", "vec3 irradiance = texture(irradianceTex, envMatrix*N).rgb;",
+        "vec3 irradiance = vec3(ComputeSH(rotN, shRed), ComputeSH(rotN, shGreen), ComputeSH(rotN, shBlue));"},
+       {"vec3 bpF0 = mix(vec3(baseF0Uniform), albedo, metallic);\n"
+        "  vec3 bpF90 = mix(vec3(clamp(dot(bpF0, vec3(50.0 * 0.33)), 0.0, 1.0)), edgeTintUniform, metallic);\n"
+        "  BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness, meanFresnel(bpF0, bpF90, NdV));\n  vec3 "
+        "irradiance = bpLight.irradiance;"},
+       false},
+      {"specular reflection",
+       {"vec3 prefilteredSpecularColor = vec3(0.0);",
+        "vec3 prefilteredSpecularColor = textureLod(prefilterTex, worldReflect, roughness * prefilterMaxLevel).rgb;"},
+       {"vec3 prefilteredSpecularColor = bpLight.specular;"},
+       false},
+      {"clear-coat reflection",
+       {"vec3 prefilteredSpecularCoatColor = vec3(0.0);",
+        "vec3 prefilteredSpecularCoatColor = textureLod(prefilterTex, coatWorldReflect, coatRoughness * "
+        "prefilterMaxLevel).rgb;"},
+       {"vec3 prefilteredSpecularCoatColor = bpGatherLight(vertexVC.xyz, coatN, V, coatRoughness,\n"
+        "    meanFresnel(vec3(coatF0Uniform), vec3(1.0), coatNdV)).specular;"},
+       true},
+  };
+  return anchors;
+}
+
+// VTK 9.1 masks lamps by roughness where Smith's term wants alpha.
+const std::vector<Anchor>& maskingAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"lamps' masking",
+       {"float V = V_SmithCorrelated(NdV, NdL, roughness);"},
+       {"float V = V_SmithCorrelated(NdV, NdL, roughness * roughness);"},
+       false},
+  };
+  return anchors;
+}
+
+// A clear coat reflects its surroundings by Fresnel's term once; VTK 9.1 multiplies by that twice. It leaves its base
+// the rest; VTK dims the base too late, after it has added up the colour.
+const std::vector<Anchor>& coatAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"base under a clear coat",
+       {"vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+       {"float bpCoatPasses = coatPasses(coatStrength, coatF0Uniform, coatNdV);\n"
+        "  specularBrdf *= bpCoatPasses;\n  vec3 iblSpecular = prefilteredSpecularColor * "
+        "specularBrdf;"},
+       true},
+      {"diffuse base under a clear coat",
+       {"vec3 iblDiffuse = (1.0 - F0) * (1.0 - metallic) * irradiance * albedo;"},
+       {"vec3 iblDiffuse = (1.0 - F0) * (1.0 - metallic) * irradiance * albedo * bpCoatPasses;"},
+       true},
+      {"reflection of a clear coat",
+       {"prefilteredSpecularCoatColor * (coatF0 * coatBrdf.r + coatBrdf.g) * Fc;"},
+       {"prefilteredSpecularCoatColor * (coatF0 * coatBrdf.r + coatBrdf.g) * coatStrength;"},
+       true},
+  };
+  return anchors;
+}
+
+// What further reflections between microfacets bring back, of surroundings and of lamps by the same factor.
+const std::vector<Anchor>& scatteringAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"multiple scattering",
+       {"vec3 F90 = mix(vec3(f90), edgeTintUniform, metallic);"},
+       {"vec3 F90 = mix(vec3(f90), edgeTintUniform, metallic);\n  vec3 bpScattering = multipleScattering(F0, brdf);"},
+       false},
+      {"multiple scattering of surroundings",
+       {"vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+       {"specularBrdf *= bpScattering;\n  vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+       false},
+      {"multiple scattering in a clear coat",
+       {"vec3 coatF90 = vec3(1.0);"},
+       {"vec3 coatF90 = vec3(1.0);\n  vec3 bpCoatScattering = multipleScattering(coatF0, coatBrdf);"},
+       true},
+      {"multiple scattering of a clear coat's surroundings",
+       {"prefilteredSpecularCoatColor * ("},
+       {"prefilteredSpecularCoatColor * bpCoatScattering * ("},
+       true},
+  };
+  return anchors;
+}
+
+// What a material that transmits light changes, in VTK's text with the lighting above in it (see
+// shaders/gpu/glass.glsl).
+const std::vector<Anchor>& glassAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"glass: lookups",
+       {"BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness,"},
+       {"BpGlass bpGlass = bpLookThrough(vertexVC.xyz, N, V, roughness);\n  BpLight bpLight = "
+        "bpGatherLight(bpGlass.position, bpGlass.normal, bpGlass.view, bpGlass.roughness,"},
+       false},
+      {"glass: reflectance",
+       {kPbrMark},
+       {"vec3 bpReflected = vec3(bpGlassReflected(bpGlass, brdf));\n  vec3 specularBrdf = "
+        "mix(bpReflected * bpGlass.mirrorTransmittance, F0 * brdf.r + F90 * brdf.g, metallic);"},
+       false},
+      {"glass: light from beyond",
+       {"vec3 color = iblDiffuse + iblSpecular;"},
+       {"bpGlass.looked = bpLookUpThrough(bpGlass);\n  vec3 bpPassed = bpGlassPassed(bpGlass, bpReflected, albedo, "
+        "metallic);\n  vec3 color = iblDiffuse * (1.0 - bpGlassTransmission BP_TRANSMISSION_FACTOR) + iblSpecular + "
+        "bpPassed * bpGlass.looked;"},
+       false},
+  };
+  return anchors;
+}
+
+}  // namespace boxprobe
