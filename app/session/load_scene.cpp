@@ -26,10 +26,11 @@ bool endsWith(std::string text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// A scene without lights or cameras of its own has those of its models, which saving then writes down.
+/// A scene without lights or cameras of its own has those of its models, which saving then writes down. The lights of a
+/// bare model are chosen by then.
 void adoptFromModels(LoadedScene& loaded) {
   Scene& scene = loaded.scene;
-  const bool lights = scene.lights.empty(), cameras = scene.cameras.empty();
+  const bool lights = scene.lights.empty() && !loaded.fit, cameras = scene.cameras.empty();
   for (std::size_t i = 0; i < loaded.models.size(); ++i) {
     if (lights) {
       for (const Light& light : placedLights(*loaded.models[i], scene.models[i])) scene.lights.push_back(light);

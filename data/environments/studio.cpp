@@ -64,7 +64,9 @@ glm::dvec3 radiance(const glm::dvec3& direction) {
   const double above = std::clamp((direction.y - 0.80) / 0.12, 0.0, 1.0);
   sum += above * above * (3.0 - 2.0 * above) * glm::dvec3(2.4, 2.45, 2.5);  // top light
   for (const Softbox& box : boxes) sum += box.seen(direction);
-  return sum;
+  // White paper that faces the camera of a fitted object then has a radiance of 0.94.
+  constexpr double kLevel = 0.68;
+  return kLevel * sum;
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWis
   const std::string reflects = probe ? "one probe within it" : "no probe, the surroundings alone are reflected";
   fit.decided = what + "; " + reflects + "; " + lit;
   if (probe) scene.probes = {*std::move(probe)};
-  if (const std::string remark = sizeRemark(fit, bounds, scene.models.front()); !remark.empty()) {
+  if (const std::string remark = sizeRemark(fit, rays.bounds(), scene.models.front()); !remark.empty()) {
     fit.warnings.push_back(scene.models.front().file + ": " + remark);
   }
   return fit;

@@ -26,8 +26,8 @@ namespace {
 struct PlacedMesh {
   const Mesh* mesh = nullptr;
   glm::dmat4 worldFromMesh{1.0};
-  bool maySky = false;  ///< unlit, or called a sky
-  Box bounds;           ///< world
+  bool unlit = false, calledSky = false;
+  Box bounds;  ///< world
 };
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -54,31 +54,29 @@ Box worldBounds(const Mesh& mesh, const glm::dmat4& worldFromMesh) {
   return bounds;
 }
 
-/// Takes out the one mesh that may be a sky and is more than twice as large as all others together.
-void leaveOutSkyDome(std::vector<PlacedMesh>& placed) {
+/// Takes out the largest mesh while it may be a sky and is more than twice as large as all others together, those that
+/// are called skies or clouds aside.
+void leaveOutSkyDomes(std::vector<PlacedMesh>& placed) {
   const auto extent = [](const Box& box) { return glm::length(box.size()); };
-  const auto largest = std::max_element(placed.begin(), placed.end(), [&](const PlacedMesh& a, const PlacedMesh& b) {
-    return extent(a.bounds) < extent(b.bounds);
-  });
-  if (largest == placed.end() || !largest->maySky || placed.size() < 2) return;
-  Box others = nothing();
-  for (auto each = placed.begin(); each != placed.end(); ++each) {
-    if (each != largest) others = united(others, each->bounds);
+  while (placed.size() > 1) {
+    const auto largest = std::max_element(placed.begin(), placed.end(), [&](const PlacedMesh& a, const PlacedMesh& b) {
+      return extent(a.bounds) < extent(b.bounds);
+    });
+    Box others = nothing();
+    for (auto each = placed.begin(); each != placed.end(); ++each) {
+      if (each != largest && !each->calledSky) others = united(others, each->bounds);
+    }
+    const bool maySky = largest->unlit || largest->calledSky;
+    if (!maySky || others.min.x > others.max.x || extent(largest->bounds) <= 2.0 * extent(others)) return;
+    placed.erase(largest);
   }
-  if (extent(largest->bounds) > 2.0 * extent(others)) placed.erase(largest);
 }
 
-bool hidesWhatIsBehind(const Mesh& mesh, const Model& model) {
-  if (mesh.material < 0) return true;
-  const Material& material = model.materials[static_cast<std::size_t>(mesh.material)];
-  return !material.transmits() && material.alphaMode != AlphaMode::Blend;
-}
-
-/// "sky", "SkyDome", "skybox_mat".
+/// "sky", "SkyDome", "clouds.001".
 bool namesSky(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name.find("sky") != std::string::npos;
+  return name.find("sky") != std::string::npos || name.find("cloud") != std::string::npos;
 }
 
 std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Models& models) {
@@ -93,12 +91,12 @@ std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Mod
       const glm::dmat4 worldFromMesh = movedInstance(placement * instance.worldFromModel, scene, instance.node);
       const Material* material =
           mesh.material < 0 ? nullptr : &models[i]->materials[static_cast<std::size_t>(mesh.material)];
-      const bool maySky =
-          namesSky(instance.node) || (material != nullptr && (material->unlit || namesSky(material->name)));
-      placed.push_back({&mesh, worldFromMesh, maySky, worldBounds(mesh, worldFromMesh)});
+      const bool unlit = material != nullptr && material->unlit;
+      const bool calledSky = namesSky(instance.node) || (material != nullptr && namesSky(material->name));
+      placed.push_back({&mesh, worldFromMesh, unlit, calledSky, worldBounds(mesh, worldFromMesh)});
     }
   }
-  leaveOutSkyDome(placed);
+  leaveOutSkyDomes(placed);
   return placed;
 }
 

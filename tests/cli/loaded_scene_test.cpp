@@ -79,6 +79,8 @@ TEST(BareModel, FollowsWishes) {
   EXPECT_TRUE(object.scene.probes.empty());
   EXPECT_EQ(std::get<SkyImage>(object.scene.sky).file, studioFile());
   EXPECT_NO_THROW(loadSkyImage(object.scene));
+  wishes.light = FitLight::Studio;
+  EXPECT_TRUE(loadScene(kRoom, {}, {}, wishes).scene.lights.empty());
   EXPECT_FALSE(object.exposureAutomatic) << "the studio is made for an exposure of 1";
 }
 

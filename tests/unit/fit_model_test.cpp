@@ -140,6 +140,18 @@ TEST(ModelKind, ACupIsAnObjectHoweverHollow) {
   EXPECT_EQ(fitted(court(), {}, file).fit.kind, ModelKind::Object);
 }
 
+TEST(ModelKind, ADomeWithASkyIsNotAWall) {
+  Model model = closedRoom();
+  MadeModel dome;
+  dome.box({glm::dvec3(-100), glm::dvec3(100)}, true);
+  model.meshes.push_back(dome.model.meshes.front());
+  model.instances.push_back({"Sky.001", 1, glm::dmat4(1.0)});
+  const Fitted room = fitted(model);
+  EXPECT_EQ(room.fit.kind, ModelKind::Interior);
+  EXPECT_TRUE(room.fit.warnings.empty()) << "nor the size of the model";
+  EXPECT_NEAR(room.scene.probes.at(0).box.max.x, 4.0, 0.05);
+}
+
 TEST(ModelKind, ModelsWithoutSurfacesAreObjects) {
   EXPECT_EQ(fitted(Model{}).fit.kind, ModelKind::Object);
   Model flat = closedRoom();
