@@ -79,6 +79,12 @@ bool namesSky(std::string name) {
   return name.find("sky") != std::string::npos || name.find("cloud") != std::string::npos;
 }
 
+bool hidesWhatIsBehind(const Mesh& mesh, const Model& model) {
+  if (mesh.material < 0) return true;
+  const Material& material = model.materials[static_cast<std::size_t>(mesh.material)];
+  return !material.transmits() && material.alphaMode != AlphaMode::Blend;
+}
+
 std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Models& models) {
   std::vector<PlacedMesh> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
