@@ -5,23 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <glm/vec4.hpp>
-#include <limits>
 
 namespace boxprobe {
-
-Box modelBounds(const Model& model) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Box bounds{glm::dvec3(infinity), glm::dvec3(-infinity)};
-  for (const Instance& instance : model.instances) {
-    for (const glm::vec3& position : model.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
-      const glm::dvec3 world(instance.worldFromModel * glm::dvec4(glm::dvec3(position), 1.0));
-      bounds.min = glm::min(bounds.min, world);
-      bounds.max = glm::max(bounds.max, world);
-    }
-  }
-  return bounds.min.x <= bounds.max.x ? bounds : Box{};
-}
 
 Probe fittedProbe(const Box& bounds) {
   const double diagonal = glm::length(bounds.size());

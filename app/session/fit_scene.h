@@ -1,14 +1,10 @@
-// A probe and a camera for a model that came without a scene file. Called by loadScene; the user corrects by hand what
-// bounds alone cannot know.
+// A probe and a camera from bounds alone: for a probe that the user adds by hand, and a scene without a camera. Called
+// by the window; filters/fit knows better what a model is.
 #pragma once
 
-#include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 
 namespace boxprobe {
-
-/// World bounds of all instances; a unit box around the origin if there is no vertex.
-Box modelBounds(const Model& model);
 
 /// Probe whose box is `bounds` (a margin wider), captured at the centre.
 Probe fittedProbe(const Box& bounds);

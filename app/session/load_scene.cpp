@@ -8,7 +8,6 @@
 #include <optional>
 #include <tuple>
 
-#include "app/session/fit_scene.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/mirror_plane.h"
 #include "filters/core/geometry/model_placement.h"
@@ -29,10 +28,11 @@ bool endsWith(std::string text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// A scene without lights or cameras of its own has those of its models, which saving then writes down.
+/// A scene without lights or cameras of its own has those of its models, which saving then writes down. The lights of a
+/// bare model are chosen by then.
 void adoptFromModels(LoadedScene& loaded) {
   Scene& scene = loaded.scene;
-  const bool lights = scene.lights.empty(), cameras = scene.cameras.empty();
+  const bool lights = scene.lights.empty() && !loaded.fit, cameras = scene.cameras.empty();
   for (std::size_t i = 0; i < loaded.models.size(); ++i) {
     if (lights) {
       for (const Light& light : placedLights(*loaded.models[i], scene.models[i])) scene.lights.push_back(light);
@@ -64,30 +64,42 @@ void requireMirrors(const LoadedScene& loaded, const std::string& path) {
   }
 }
 
-/// What says how the model is read, and so comes before that.
-std::vector<std::string> modelAssignments(const std::vector<std::string>& assignments) {
-  std::vector<std::string> list;
-  for (const std::string& assignment : assignments) {
-    if (assignment.rfind("models.", 0) == 0) list.push_back(assignment);
-  }
-  return list;
+/// The group that an assignment of --set goes to: "models" of "models.0.unit=mm".
+std::string groupOf(const std::string& assignment) {
+  return assignment.substr(0, assignment.find_first_of(".[="));
+}
+
+/// What changes the model itself, and so what it is.
+bool changesModel(const std::string& assignment) {
+  const std::string group = groupOf(assignment);
+  return group == "model" || group == "models" || group == "objects" || group == "materials";
 }
 
 LoadedScene loadBareModel(const std::string& path, const std::vector<std::string>& assignments,
-                          const LoadProgress& progress) {
+                          const LoadProgress& progress, FitWishes wishes) {
   LoadedScene loaded;
   loaded.scene = sceneForModel(path);
-  setSceneFields(loaded.scene, modelAssignments(assignments));
-  loaded.models = loadModels(loaded.scene, progress);
-  const Box bounds = modelBounds(*loaded.models.front());
-  loaded.scene.probes = {fittedProbe(bounds)};
+  loaded.scene.probes.clear();
   loaded.scene.cameras.clear();
+  std::vector<std::string> first, then;
+  for (const std::string& assignment : assignments) (changesModel(assignment) ? first : then).push_back(assignment);
+  setSceneFields(loaded.scene, first);
+  loaded.models = loadModels(loaded.scene, progress);
+  if (wishes.studio.empty()) wishes.studio = studioFile();
+  loaded.fit = fitModel(loaded.scene, loaded.models, wishes);
   adoptFromModels(loaded);
-  if (loaded.scene.cameras.empty()) loaded.scene.cameras = {fittedCamera(bounds)};
+  setSceneFields(loaded.scene, then);
+  const bool exposureSet = std::any_of(then.begin(), then.end(),
+                                       [](const std::string& assignment) { return groupOf(assignment) == "exposure"; });
+  loaded.exposureAutomatic = !exposureSet && !loaded.fit->lightKnown;
   return loaded;
 }
 
 }  // namespace
+
+std::string studioFile() {
+  return BOXPROBE_DATA_DIR "/environments/studio.hdr";
+}
 
 bool isModelPath(const std::string& path) {
   return isModelFile(path);
@@ -125,15 +137,14 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std
 }
 
 LoadedScene loadScene(const std::string& path, const std::vector<std::string>& assignments,
-                      const LoadProgress& progress) {
+                      const LoadProgress& progress, FitWishes wishes) {
   const double begun = processCpuSeconds();
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw InputError(path + ": no such file");
   if (fs::is_directory(path, ignored)) throw InputError(path + ": this is a folder; name a scene or model file in it");
   LoadedScene loaded;
   if (isModelPath(path)) {
-    loaded = loadBareModel(path, assignments, progress);
-    setSceneFields(loaded.scene, assignments);
+    loaded = loadBareModel(path, assignments, progress, std::move(wishes));
     requireMirrors(loaded, path);
   } else if (endsWith(path, ".json")) {
     loaded.scene = loadSceneFile(path);
@@ -146,6 +157,8 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
     throw InputError(path + ": neither a scene (.boxprobe.json) nor a model (" + modelFilePatterns() + ")");
   }
   loaded.warnings = sceneWarnings(loaded.scene, loaded.models);
+  if (loaded.fit)
+    loaded.warnings.insert(loaded.warnings.end(), loaded.fit->warnings.begin(), loaded.fit->warnings.end());
   loaded.loadCpuSeconds = processCpuSeconds() - begun;
   return loaded;
 }

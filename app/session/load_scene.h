@@ -1,13 +1,15 @@
-// From a path on the command line to a scene with its models: a *.boxprobe.json file, or a bare model that gets a
-// fitted probe and camera. Called by the sub-commands and the window; needs no display.
+// From a path on the command line to a scene with its models: a *.boxprobe.json file, or a bare model that gets probe,
+// camera and light by what it is. Called by the sub-commands and the window; needs no display.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/fit/fit_model.h"
 #include "filters/io/gltf/model_file.h"
 
 namespace boxprobe {
@@ -17,13 +19,19 @@ struct LoadedScene {
   std::vector<std::shared_ptr<const Model>> models;  ///< in the order of scene.models
   std::string path;                                  ///< the scene file; empty for a bare model: never saved
   std::vector<std::string> warnings;                 ///< sceneWarnings() of it
+  std::optional<ModelFit> fit;                       ///< of a bare model
+  bool exposureAutomatic = false;                    ///< the scene's exposure is to follow the first picture
   double loadCpuSeconds = 0.0;                       ///< all threads
 };
 
-/// `assignments` are those of --set, applied in order before anything but a bare model is read, then validated
-/// together. Throws InputError naming file and place.
+/// `assignments` are those of --set, in order, then validated together. They are applied before the models are read;
+/// of a bare model those of models, objects and materials are, and the rest once probe, camera and light are fitted,
+/// as `wishes` leave open. Throws InputError naming file and place.
 LoadedScene loadScene(const std::string& path, const std::vector<std::string>& assignments = {},
-                      const LoadProgress& progress = {});
+                      const LoadProgress& progress = {}, FitWishes wishes = {});
+
+/// The picture of the studio that lights models without lights.
+std::string studioFile();
 
 /// The models a scene names, in its order. A file named twice is read once. Throws LoadCancelled if `progress` says so.
 std::vector<std::shared_ptr<const Model>> loadModels(const Scene& scene, const LoadProgress& progress = {});

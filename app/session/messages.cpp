@@ -24,6 +24,10 @@ void printError(const std::string& text) {
   std::fprintf(stderr, "boxprobe: %s\n", singleLine(text).c_str());
 }
 
+void printNote(const std::string& text) {
+  std::fprintf(stderr, "%s\n", singleLine(text).c_str());
+}
+
 void printWarnings(const std::vector<std::string>& texts) {
   std::set<std::string> printed;
   for (const std::string& text : texts) {

@@ -14,6 +14,9 @@ std::string singleLine(const std::string& text);
 /// `boxprobe: TEXT`
 void printError(const std::string& text);
 
+/// The text alone: something the program decided by itself.
+void printNote(const std::string& text);
+
 /// `boxprobe: warning: TEXT` for each, in order; a text that was printed before is left out.
 void printWarnings(const std::vector<std::string>& texts);
 

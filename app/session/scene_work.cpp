@@ -9,13 +9,21 @@
 namespace boxprobe {
 
 LoadedScene loadSceneShown(const std::string& path, const std::vector<std::string>& assignments,
-                           const InterruptGuard& interrupt, bool quiet) {
-  ProgressLine line("loading", !quiet);
-  return loadScene(path, assignments, [&](double fraction) {
-    line.show(fraction);
-    interrupt.check();
-    return true;
-  });
+                           const InterruptGuard& interrupt, bool quiet, const FitWishes& wishes) {
+  LoadedScene loaded;
+  {
+    ProgressLine line("loading", !quiet);  // wiped before anything else is printed
+    loaded = loadScene(
+        path, assignments,
+        [&](double fraction) {
+          line.show(fraction);
+          interrupt.check();
+          return true;
+        },
+        wishes);
+  }
+  if (loaded.fit && !quiet) printNote(path + ": " + loaded.fit->decided);
+  return loaded;
 }
 
 void captureShown(OffscreenScene& scene, const InterruptGuard& interrupt, bool quiet) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
@@ -13,6 +14,8 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
+namespace fs = std::filesystem;
+
 json infoJson(const std::vector<std::string>& arguments) {
   std::vector<std::string> all = {"info", "--json"};
   all.insert(all.end(), arguments.begin(), arguments.end());
@@ -21,20 +24,40 @@ json infoJson(const std::vector<std::string>& arguments) {
   return json::parse(outcome.out);
 }
 
-TEST(Info, BareModelGetsAProbeAndACameraFittedToIt) {
+TEST(Info, ABareObjectHasAStudioACameraAndNoProbe) {
   const TemporaryFolder folder;
   const json report = infoJson({folder.write("model.gltf", triangleGltf())});
   ASSERT_EQ(report["models"].size(), 1u);
   EXPECT_EQ(report["models"][0]["meshes"], 1);
   EXPECT_EQ(report["models"][0]["triangles"], 1);
   EXPECT_EQ(report["models"][0]["materials"], json({"paint"}));
-  ASSERT_EQ(report["probes"].size(), 1u);
-  EXPECT_EQ(report["probes"][0]["origin"], json({0.5, 0.5, 0.0}));  // bounds: (0, 0, 0) to (1, 1, 0)
-  EXPECT_LT(report["probes"][0]["box"]["min"][2], 0.0);             // a volume, though the triangle is flat
-  EXPECT_GT(report["probes"][0]["box"]["max"][2], 0.0);
+  EXPECT_EQ(report["models"][0]["unit"], "m");
+  EXPECT_EQ(report["fit"]["kind"], "object");
+  EXPECT_EQ(report["fit"]["light"], "studio");
+  EXPECT_EQ(report["fit"]["exposure"], "fixed");
+  EXPECT_EQ(report["exposure"], 1.0);
+  EXPECT_EQ(report["probes"].size(), 0u);
+  EXPECT_EQ(report["sky"]["kind"], "image");
   ASSERT_EQ(report["cameras"].size(), 1u);
-  EXPECT_EQ(report["cameras"][0]["target"], json({0.5, 0.5, 0.0}));
-  EXPECT_GT(report["cameras"][0]["position"][2], 0.7);  // outside the bounds
+  EXPECT_GT(report["cameras"][0]["position"][2], 0.7);  // outside the bounds: (0, 0, 0) to (1, 1, 0)
+}
+
+TEST(Info, ABareInteriorIsSaidWithItsReasonAndCanBeTreatedOtherwise) {
+  const std::string room = fs::path(demoScene("room")).replace_filename("room.glb").string();
+  const json report = infoJson({room});
+  EXPECT_EQ(report["fit"]["kind"], "interior");
+  EXPECT_EQ(report["fit"]["exposure"], "automatic");
+  ASSERT_EQ(report["probes"].size(), 1u);
+  EXPECT_NEAR(report["probes"][0]["box"]["max"][0].get<double>(), 4.0, 0.05);
+  const Outcome text = runProgram({"info", room}, DisplayKind::Unset);
+  EXPECT_THAT(text.out, HasSubstr("treated as an interior ("));
+  EXPECT_THAT(text.out, HasSubstr("exposure automatic: known once a frame is drawn"));
+  const json object = infoJson({room, "--as", "object", "--light", "daylight"});
+  EXPECT_EQ(object["fit"]["kind"], "object");
+  EXPECT_EQ(object["fit"]["found"], "interior");
+  EXPECT_EQ(object["fit"]["light"], "daylight");
+  EXPECT_EQ(object["probes"].size(), 0u);
+  EXPECT_EQ(runProgram({"info", room, "--as", "cave"}, DisplayKind::Unset).exitStatus, 2);
 }
 
 TEST(Info, FieldsListsEveryKeyWithoutAScene) {

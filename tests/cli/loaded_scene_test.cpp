@@ -1,34 +1,15 @@
-// What loading adds to the files: the probe and camera fitted to a bare model.
+// A probe and a camera from bounds, and what loading makes of a bare model and `--set`.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "app/session/fit_scene.h"
+#include "app/session/load_scene.h"
 
 namespace boxprobe::test {
 namespace {
-
-Model twoPoints(const glm::dmat4& worldFromModel) {
-  Model model;
-  Mesh mesh;
-  mesh.positions = {{0.0f, 0.0f, 0.0f}, {1.0f, 2.0f, 3.0f}};
-  model.meshes.push_back(mesh);
-  model.instances.push_back({"points", 0, worldFromModel});
-  return model;
-}
-
-TEST(ModelBounds, AreInWorldSpaceAndInDouble) {
-  const Box bounds = modelBounds(twoPoints(glm::translate(glm::dmat4(1.0), glm::dvec3(1e8 + 0.25, 0.0, -5.0))));
-  EXPECT_EQ(bounds.min, glm::dvec3(1e8 + 0.25, 0.0, -5.0));
-  EXPECT_EQ(bounds.max, glm::dvec3(1e8 + 1.25, 2.0, -2.0));
-}
-
-TEST(ModelBounds, OfNothingAreAUnitBox) {
-  EXPECT_EQ(modelBounds(Model{}), Box{});
-}
 
 TEST(FittedProbe, EnclosesTheBoundsWithoutChangingTheirCentre) {
   const Box bounds{glm::dvec3(-3, 0, -1), glm::dvec3(5, 3, 7)};
@@ -63,6 +44,44 @@ TEST(FittedCamera, SeesEveryCornerOfTheBounds) {
       EXPECT_GE(cosine, std::cos(halfAngle) - 1e-12);
     }
   }
+}
+
+const std::string kRoom = BOXPROBE_DATA_DIR "/scenes/room.glb";
+
+TEST(BareModel, IsFittedAfterItsUnitAndUpAxisAreSet) {
+  const LoadedScene metres = loadScene(kRoom);
+  ASSERT_EQ(metres.scene.probes.size(), 1u);
+  const LoadedScene centimetres = loadScene(kRoom, {"models.0.unit=cm", "models.0.scale=50"});
+  ASSERT_EQ(centimetres.scene.probes.size(), 1u);
+  EXPECT_NEAR(centimetres.scene.probes[0].box.max.x, 0.5 * metres.scene.probes[0].box.max.x, 0.01);
+  EXPECT_LT(glm::length(centimetres.scene.cameras[0].position), 2.6) << "within half the room";
+  const LoadedScene turned = loadScene(kRoom, {"models.0.upAxis=z"});
+  EXPECT_GT(turned.fit->survey.points.size(), 0u);
+  EXPECT_NEAR(turned.scene.probes.at(0).box.size().y, metres.scene.probes[0].box.size().z, 0.05);
+}
+
+TEST(BareModel, WhatIsSetGoesOverWhatIsFitted) {
+  const LoadedScene none = loadScene(kRoom, {"probes=[]", "exposure=2", "sky.color=[0,0,1]"});
+  EXPECT_TRUE(none.scene.probes.empty());
+  EXPECT_EQ(none.scene.exposure, 2.0);
+  EXPECT_FALSE(none.exposureAutomatic);
+  EXPECT_TRUE(std::holds_alternative<SkyColor>(none.scene.sky));
+  const LoadedScene set = loadScene(kRoom, {"probes.probe.faceSize=64", "lights.0.intensity=9"});
+  EXPECT_EQ(set.scene.probes[0].faceSize, 64);
+  EXPECT_EQ(set.scene.lights.at(0).intensity, 9.0f);
+  EXPECT_TRUE(set.exposureAutomatic);
+}
+
+TEST(BareModel, FollowsWishes) {
+  FitWishes wishes;
+  wishes.kind = ModelKind::Object;
+  const LoadedScene object = loadScene(kRoom, {}, {}, wishes);
+  EXPECT_TRUE(object.scene.probes.empty());
+  EXPECT_EQ(std::get<SkyImage>(object.scene.sky).file, studioFile());
+  EXPECT_NO_THROW(loadSkyImage(object.scene));
+  wishes.light = FitLight::Studio;
+  EXPECT_TRUE(loadScene(kRoom, {}, {}, wishes).scene.lights.empty());
+  EXPECT_FALSE(object.exposureAutomatic) << "the studio is made for an exposure of 1";
 }
 
 }  // namespace

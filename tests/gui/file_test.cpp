@@ -6,9 +6,11 @@
 #include <QMimeData>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QUrl>
 
 #include "app/gui/window/file_commands.h"
+#include "app/gui/window/model_fitter.h"
 #include "filters/io/scene/scene_file.h"
 #include "tests/gui/dialogs.h"
 #include "tests/gui/window_test.h"
@@ -79,12 +81,33 @@ TEST_F(FileTest, ADroppedSceneOpens) {
   waitUntilIdle();
 }
 
-TEST_F(FileTest, ADroppedModelGetsAProbeFittedToIt) {
-  drop(dataFile("building.glb"));
+TEST_F(FileTest, ADroppedModelIsTreatedByWhatItIsUntilTheUserSaysOtherwise) {
+  drop(dataFile("room.glb"));
   ASSERT_EQ(document().scene().probes.size(), 1u);
   EXPECT_EQ(probe().name, "probe");
-  EXPECT_GE(probe().box.max.x, 4.5);
+  EXPECT_NEAR(probe().box.max.x, 4.0, 0.1);
   EXPECT_TRUE(window_->windowTitle().contains("not saved"));
+  auto* kind = window_->findChild<QToolButton*>("modelKind");
+  ASSERT_NE(kind, nullptr);
+  EXPECT_FALSE(kind->isHidden());
+  EXPECT_EQ(kind->text(), "Interior");
+  waitUntilIdle();
+  for (int i = 0; i < 100 && document().scene().exposure == 1.0; ++i) QTest::qWait(20);
+  EXPECT_NE(document().scene().exposure, 1.0) << "found from the first picture";
+  EXPECT_FALSE(window_->isWindowModified()) << "and part of opening it";
+
+  window_->modelFitter().treatAs(ModelKind::Object);
+  EXPECT_TRUE(document().scene().probes.empty());
+  EXPECT_EQ(document().scene().exposure, 1.0);
+  EXPECT_EQ(kind->text(), "Object");
+  EXPECT_EQ(document().undoLabel(), "Treat as object");
+  window_->modelFitter().lightBy(FitLight::Daylight);
+  EXPECT_EQ(document().scene().lights.size(), 1u);
+  window_->editor().undo();
+  window_->editor().undo();
+  EXPECT_EQ(document().scene().probes.size(), 1u);
+  drop(dataFile("room.boxprobe.json"));
+  EXPECT_TRUE(kind->isHidden());
 }
 
 TEST_F(FileTest, OtherFilesAreNotTaken) {

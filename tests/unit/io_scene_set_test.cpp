@@ -71,6 +71,28 @@ TEST_F(SceneSet, NamesMayHoldDotsAndSpaces) {
   EXPECT_EQ(scene.materials.at("stone.001").roughness, 0.5f);
 }
 
+TEST_F(SceneSet, NamesInQuotesHoldAnything) {
+  set("materials.\"Material.001\".roughness=0.5");
+  EXPECT_EQ(scene.materials.at("Material.001").roughness, 0.5f);
+  set("objects.\"a=b [2].c\".visible=false");
+  EXPECT_FALSE(scene.objects.at("a=b [2].c").visible);
+  set("materials.\"say \\\"x\\\"\".metallic=0");
+  EXPECT_EQ(scene.materials.at("say \"x\"").metallic, 0.0f);
+  set("probes.\"big room 2.5\".faceSize=128");
+  EXPECT_EQ(scene.probes[1].faceSize, 128);
+}
+
+TEST_F(SceneSet, NamesInQuotesAddProbesAndCameras) {
+  setSceneFields(scene, {"probes.\"hall.1\".box.min=[-4,0,-4]", "probes.\"hall.1\".origin=[0,0.5,0]"});
+  ASSERT_EQ(scene.probes.size(), 3u);
+  EXPECT_EQ(scene.probes[2].name, "hall.1");
+  EXPECT_EQ(scene.probes[2].box.min, glm::dvec3(-4, 0, -4));
+  set("cameras.\"side\".position=[9,1,0]");
+  ASSERT_EQ(scene.cameras.size(), 2u);
+  EXPECT_EQ(scene.cameras[1].name, "side");
+  EXPECT_EQ(scene.cameras[1].position, glm::dvec3(9, 1, 0));
+}
+
 TEST_F(SceneSet, AnInfluenceBoxStartsFromTheBoxItStandsFor) {
   set("probes.room.box.max=[5,6,7]");
   EXPECT_FALSE(scene.probes[0].influence);
@@ -119,8 +141,15 @@ TEST_F(SceneSet, MistakesAreNamed) {
   EXPECT_EQ(problem("exposure"), "is not an assignment; write KEY=VALUE");
   EXPECT_EQ(problem("exposur=2"), "exposur: unknown key; did you mean \"exposure\"?");
   EXPECT_EQ(problem("probes.rom.origin=[0,0,0]"),
-            "probes.rom: there is no such probe; the scene has room, big room 2.5");
-  EXPECT_EQ(problem("cameras.side.target=[0,0,0]"), "cameras.side: there is no such camera; the scene has main");
+            "probes.rom: there is no such probe; the scene has room, big room 2.5; to add one, put its name in quotes: "
+            "probes.\"rom\"");
+  EXPECT_EQ(problem("cameras.side.target=[0,0,0]"),
+            "cameras.side: there is no such camera; the scene has main; to add one, put its name in quotes: "
+            "cameras.\"side\"");
+  EXPECT_EQ(problem("materials.\"Material.001.roughness=0.5"),
+            "the name in quotes does not end; write GROUP.\"NAME\".FIELD=VALUE");
+  EXPECT_EQ(problem("materials.\"a\"roughness=0.5"),
+            "the name in quotes does not end; write GROUP.\"NAME\".FIELD=VALUE");
   EXPECT_EQ(problem("probes.room.orgin=[0,0,0]"), "probes.room.orgin: unknown key; did you mean \"origin\"?");
   EXPECT_EQ(problem("probes.room.box.mx[0]=1"), "probes.room.box.mx: unknown key; did you mean \"max\"?");
   EXPECT_EQ(problem("probes.room.box.max.x=1"), "probes.room.box.max.x: is not an element; use an index such as [0]");

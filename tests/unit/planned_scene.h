@@ -65,7 +65,7 @@ class PlannedScene {
     keys.setWorld(captureWorld(scene, objects, "", entries.places()));
     sources.pictures.update(scene);
     keys.update(plan.targets());
-    plan.wantSky(keys.world().sky, false);
+    plan.wantSky(keys.world().sky, 0);
     replan();
   }
 

@@ -44,9 +44,11 @@ TEST(ProbePlan, TheSkyComesFirstThenOneBounceOfAllBeforeTheNext) {
 
 TEST(ProbePlan, AnImageOfTheSkyIsCapturedFiner) {
   ThreeRooms rooms(1);
-  rooms.plan.wantSky("an image", true);
-  rooms.replan();
-  EXPECT_EQ(rooms.plan.jobs()[0].faceSize, 256);
+  for (const auto& [columns, faceSize] : {std::pair(4096, 256), {1024, 256}, {1000, 256}, {512, 128}, {64, 64}}) {
+    rooms.plan.wantSky("an image", columns);
+    rooms.replan();
+    EXPECT_EQ(rooms.plan.jobs()[0].faceSize, faceSize) << columns;
+  }
   EXPECT_EQ(rooms.plan.jobs()[0].key, "an image");
 }
 

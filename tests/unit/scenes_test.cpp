@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "data/environments/studio.h"
 #include "data/scenes/glb_writer.h"
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
@@ -129,6 +130,38 @@ TEST(SceneGenerator, WritesTheCheckedInFiles) {
                                  << " checked in, first difference at " << differ.first - bytes.begin()
                                  << "; run generate_scenes data/scenes if the change is meant";
   }
+}
+
+TEST(EnvironmentGenerator, WritesTheCheckedInStudio) {
+  EXPECT_TRUE(environments::studioHdr() == fileBytes(kFolder + "../environments/studio.hdr"))
+      << "run generate_environments data/environments if the change is meant";
+}
+
+// White paper that faces the camera of a fitted object is bright, not burnt out, at an exposure of 1.
+TEST(EnvironmentGenerator, TheStudioLightsWhatFacesTheCamera) {
+  const ImageRgbaF studio = loadHdrImage(kFolder + "../environments/studio.hdr");
+  ASSERT_EQ(studio.width, 2 * studio.height);
+  const auto whitePaper = [&](const glm::dvec3& normal) {
+    double sum = 0.0;
+    for (int row = 0; row < studio.height; ++row) {
+      const double latitude = M_PI * (0.5 - (row + 0.5) / studio.height);
+      for (int column = 0; column < studio.width; ++column) {
+        const double longitude = 2.0 * M_PI * (0.5 - (column + 0.5) / studio.width);
+        const glm::dvec3 from(std::sin(longitude) * std::cos(latitude), std::sin(latitude),
+                              std::cos(longitude) * std::cos(latitude));
+        const double cosine = std::max(0.0, glm::dot(from, normal));
+        const std::size_t at = 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(studio.width) +
+                                    static_cast<std::size_t>(column));
+        sum += cosine * std::cos(latitude) * studio.pixels[at + 1];
+      }
+    }
+    return sum * 2.0 * M_PI / studio.width / studio.height;  // irradiance over pi
+  };
+  const double towardsCamera = whitePaper(glm::normalize(glm::dvec3(0.53, 0.31, 0.85)));
+  EXPECT_GT(towardsCamera, 0.6);
+  EXPECT_LT(towardsCamera, 1.0);
+  EXPECT_GT(whitePaper({0, 0, 1}), 1.5 * whitePaper({0, 0, -1})) << "key against rim";
+  EXPECT_GT(whitePaper({0, -1, 0}), 0.1) << "undersides are not black";
 }
 
 TEST(SceneGenerator, SkyPictureIsTheSkyOfTheBuilding) {

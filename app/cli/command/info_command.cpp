@@ -3,9 +3,11 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/cli/options/render_options.h"
 #include "app/cli/report/frame_info.h"
 #include "app/cli/report/report_text.h"
 #include "app/cli/report/scene_report.h"
@@ -25,6 +27,7 @@ struct InfoOptions {
   std::vector<std::string> assignments;
   bool frame = false, fields = false;
   std::string camera, size = "1280x720";
+  FitOptions fit;
   ReportOptions report;
 };
 
@@ -36,14 +39,17 @@ void runInfo(const InfoOptions& options) {
   }
   if (options.scenePath.empty()) throw InputError("SCENE is required; see boxprobe info --help");
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
-  const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
+  const FrameSize size = parseFrameSize(options.size);
+  LoadedScene loaded = loadScene(options.scenePath, options.assignments, {},
+                                 parseFitWishes(options.fit, static_cast<double>(size.width) / size.height));
+  // The frame comes first: it may tell the exposure.
+  std::optional<FrameReport> frame;
+  if (options.frame) frame = drawnFrameReport(loaded, options.scenePath, options.camera, size, options.report);
   nlohmann::ordered_json report = sceneReport(loaded);
   std::string text = options.report.json ? std::string() : sceneReportText(report);
-  if (options.frame) {
-    const FrameReport frame =
-        drawnFrameReport(loaded, options.scenePath, options.camera, options.size, options.report);
-    report["frame"] = frameReportJson(frame);
-    text += frameReportText(frame);
+  if (frame) {
+    report["frame"] = frameReportJson(*frame);
+    text += frameReportText(*frame);
   }
   std::fputs(options.report.json
                  ? (report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n").c_str()
@@ -67,6 +73,7 @@ Subcommand addInfoCommand(CLI::App& program) {
   command->add_flag("--frame", options->frame, "Draw a frame and report what it did and what it skipped");
   command->add_option("--camera", options->camera, "Camera of that frame");
   command->add_option("--size", options->size, "Size of that frame in pixels")->type_name("WxH")->capture_default_str();
+  addFitOptions(*command, options->fit);
   command->add_flag("--fields", options->fields, "Without a scene: list every field of the scene file")
       ->excludes(scene);
   addReportOptions(*command, options->report, "Print the explanation as JSON");

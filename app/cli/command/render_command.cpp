@@ -7,6 +7,7 @@
 #include "app/cli/command/drawn_picture.h"
 #include "app/cli/command/reference_picture.h"
 #include "app/cli/options/render_options.h"
+#include "app/session/automatic_exposure.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
@@ -46,7 +47,9 @@ void runRender(const RenderOptions& options) {
   }
   refuseReferenceOptions(options);
   const InterruptGuard interrupt;
-  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet);
+  const double aspect = static_cast<double>(size.width) / size.height;
+  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet,
+                                      parseFitWishes(options.fit, aspect));
   chooseTechnique(loaded.scene, options.technique);
   loaded.warnings = sceneWarnings(loaded.scene, loaded.models);  // of the technique that is used
   const Camera camera = chooseCamera(loaded.scene, options.camera);
@@ -57,9 +60,10 @@ void runRender(const RenderOptions& options) {
   OffscreenScene shown({"boxprobe render", size.width, size.height, options.samples, options.report.quiet, false,
                         options.report.offscreen});
   if (!linear && !options.report.quiet) warnOfSamples(shown, options.samples);
-  shown.show(loaded.scene, loaded.models,
-             {camera, options.probes == "on", BakeFolder::besideScene(options.scenePath), {}, view});
+  const ShownSettings settings{camera, options.probes == "on", BakeFolder::besideScene(options.scenePath), {}, view};
+  shown.show(loaded.scene, loaded.models, settings);
   captureShown(shown, interrupt, options.report.quiet);
+  if (!linear) exposeAutomatically(shown, loaded, settings, aspect);
   const PictureTimes times = drawPicture(shown, options, linear, interrupt);
 
   RunStats stats = collectStats(shown.renderer(), shown.window());

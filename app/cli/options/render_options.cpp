@@ -17,7 +17,37 @@ std::string surfaceViewIdList() {
   return list;
 }
 
+std::vector<std::string> fitLightIds() {
+  std::vector<std::string> ids;
+  for (const FitLight light : allFitLights()) ids.emplace_back(fitLightId(light));
+  return ids;
+}
+
 }  // namespace
+
+void addFitOptions(CLI::App& command, FitOptions& options) {
+  command.add_option("--as", options.kind, "Of a bare model: treat it as object, interior or open (default: as found)")
+      ->check(CLI::IsMember({"object", "interior", "open"}).description(""))
+      ->type_name("KIND");
+  command
+      .add_option("--light", options.light,
+                  "Of a bare model: file, studio, ceiling, openings or daylight (default: the file's, else by what it "
+                  "is)")
+      ->check(CLI::IsMember(fitLightIds()).description(""))
+      ->type_name("LIGHT");
+}
+
+FitWishes parseFitWishes(const FitOptions& options, double aspect) {
+  FitWishes wishes;
+  wishes.aspect = aspect;
+  for (const ModelKind kind : {ModelKind::Object, ModelKind::Interior, ModelKind::Open}) {
+    if (options.kind == modelKindId(kind)) wishes.kind = kind;
+  }
+  for (const FitLight light : allFitLights()) {
+    if (options.light == fitLightId(light)) wishes.light = light;
+  }
+  return wishes;
+}
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command
@@ -63,6 +93,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
   addModelOptions(command, options.assignments);
+  addFitOptions(command, options.fit);
   addReportOptions(command, options.report, "Print the JSON that --stats writes");
   addOffscreenOption(command, options.report);
   command.footer(

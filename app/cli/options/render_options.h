@@ -7,6 +7,7 @@
 #include "app/cli/options/subcommand.h"
 #include "filters/core/scene/scene.h"
 #include "filters/core/scene/surface_view.h"
+#include "filters/fit/fit_model.h"
 
 namespace boxprobe {
 
@@ -14,6 +15,14 @@ struct FrameSize {
   int width = 1280;
   int height = 720;
 };
+
+/// How a bare model is to be treated; empty: as it is found.
+struct FitOptions {
+  std::string kind, light;
+};
+void addFitOptions(CLI::App& command, FitOptions& options);
+/// `aspect`: width over height of the picture.
+FitWishes parseFitWishes(const FitOptions& options, double aspect);
 
 /// Reflection rays a pixel of a reference, over all of its samples.
 inline constexpr int kDefaultReferenceRays = 256;
@@ -32,6 +41,7 @@ struct RenderOptions {
   std::string view;                  ///< id of a row of surfaceViews(); empty: the picture
   std::string range;                 ///< LOW,HIGH; empty: the view's own
   std::vector<std::string> assignments;
+  FitOptions fit;
   ReportOptions report;
 };
 

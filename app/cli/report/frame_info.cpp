@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/cli/options/render_options.h"
+#include "app/session/automatic_exposure.h"
 #include "app/session/interrupt.h"
 #include "app/session/offscreen_scene.h"
 #include "app/session/scene_work.h"
@@ -37,9 +37,8 @@ std::string drawnObjectLine(const FrameReport::Object& object) {
 
 }  // namespace
 
-FrameReport drawnFrameReport(const LoadedScene& loaded, const std::string& scenePath, const std::string& camera,
-                             const std::string& size, const ReportOptions& options) {
-  const FrameSize frame = parseFrameSize(size);
+FrameReport drawnFrameReport(LoadedScene& loaded, const std::string& scenePath, const std::string& camera,
+                             FrameSize frame, const ReportOptions& options) {
   const Camera view = chooseCamera(loaded.scene, camera);
   const InterruptGuard interrupt;
   OffscreenScene shown(
@@ -48,6 +47,7 @@ FrameReport drawnFrameReport(const LoadedScene& loaded, const std::string& scene
   settings.bakedFolder = BakeFolder::besideScene(scenePath);
   shown.show(loaded.scene, loaded.models, settings);
   captureShown(shown, interrupt, options.quiet);
+  exposeAutomatically(shown, loaded, settings, static_cast<double>(frame.width) / frame.height);
   shown.window()->Render();
   shown.requireHealthy();
   FrameReport report = shown.renderer().frameReport();

@@ -4,15 +4,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/cli/options/subcommand.h"
+#include "app/cli/options/render_options.h"
 #include "app/session/load_scene.h"
 #include "filters/vtk/frame/frame_report.h"
 
 namespace boxprobe {
 
-/// Captures what the view of `camera` needs, draws it and reports.
-FrameReport drawnFrameReport(const LoadedScene& loaded, const std::string& scenePath, const std::string& camera,
-                             const std::string& size, const ReportOptions& options);
+/// Captures what the view of `camera` needs, draws it and reports. An automatic exposure becomes the scene's.
+FrameReport drawnFrameReport(LoadedScene& loaded, const std::string& scenePath, const std::string& camera,
+                             FrameSize frame, const ReportOptions& options);
 
 nlohmann::ordered_json frameReportJson(const FrameReport& report);
 std::string frameReportText(const FrameReport& report);

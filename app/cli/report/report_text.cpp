@@ -42,7 +42,8 @@ std::string listOf(const Json& names) {
 
 std::string modelLine(const Json& m) {
   const std::string materials = listOf(m["materials"]);
-  return word(m["file"]) + ": " + word(m["meshes"]) + " meshes, " + word(m["triangles"]) + " triangles (" +
+  const std::string unit = m["unit"] == "m" ? "" : " in " + word(m["unit"]);
+  return word(m["file"]) + unit + ": " + word(m["meshes"]) + " meshes, " + word(m["triangles"]) + " triangles (" +
          mebibytes(m["arrayBytes"]) + "), " + word(m["textures"]) + " textures (" + mebibytes(m["textureBytes"]) +
          ")\n    materials: " + (materials.empty() ? "none" : materials) +
          (m.contains("variants") ? "\n    variants: " + listOf(m["variants"]) : "") +
@@ -92,13 +93,23 @@ std::string section(const std::string& title, const Json& things, Line line) {
   return text;
 }
 
+/// A bare model's kind and exposure; empty for a scene file.
+std::string fitText(const Json& report) {
+  if (!report.contains("fit")) return {};
+  const Json& fit = report["fit"];
+  const bool open = fit["exposure"] == "automatic";
+  return "kind\n  " + word(fit["decided"]) + "\n  exposure " +
+         (open ? "automatic: known once a frame is drawn (--frame)" : numberText(report["exposure"].get<double>())) +
+         "\n";
+}
+
 }  // namespace
 
 std::string sceneReportText(const Json& report) {
-  return section("models", report["models"], modelLine) + section("objects", report["objects"], objectLine) +
-         section("probes", report["probes"], probeLine) + "sky\n  " + skyLine(report["sky"]) + "\n" +
-         section("cameras", report["cameras"], cameraLine) + section("lights", report["lights"], lightLine) +
-         section("skipped or not used", report["warnings"], word);
+  return fitText(report) + section("models", report["models"], modelLine) +
+         section("objects", report["objects"], objectLine) + section("probes", report["probes"], probeLine) +
+         "sky\n  " + skyLine(report["sky"]) + "\n" + section("cameras", report["cameras"], cameraLine) +
+         section("lights", report["lights"], lightLine) + section("skipped or not used", report["warnings"], word);
 }
 
 }  // namespace boxprobe

@@ -55,7 +55,9 @@ Json modelReport(const ModelFile& file, const Model& model) {
   }
   Json names = Json::array();
   for (const Material& material : model.materials) names.push_back(material.name);
+  const char* const units[] = {"m", "cm", "mm", "in", "ft"};
   Json report = {{"file", file.file},
+                 {"unit", units[static_cast<int>(file.unit)]},
                  {"meshes", model.meshes.size()},
                  {"triangles", model.triangleCount()},
                  {"materials", names},
@@ -170,6 +172,25 @@ Json lightReport(const Light& light) {
   return report;
 }
 
+/// What was found of a bare model and what follows from it.
+Json fitReport(const ModelFit& fit) {
+  const ModelSurvey& survey = fit.survey;
+  return {{"kind", modelKindId(fit.kind)},
+          {"found", modelKindId(survey.kind)},
+          {"reason", survey.reason},
+          {"light", fitLightId(fit.light)},
+          {"decided", fit.decided},
+          {"largestMetres", survey.largest},
+          {"points",
+           {{"count", survey.points.size()},
+            {"closedIn", survey.enclosed},
+            {"walled", survey.walled},
+            {"floored", survey.floored},
+            {"solid", survey.solid}}},
+          {"raysToSky", survey.sky},
+          {"backsFromOutside", survey.backOutside}};
+}
+
 }  // namespace
 
 Json sceneReport(const LoadedScene& loaded) {
@@ -186,6 +207,11 @@ Json sceneReport(const LoadedScene& loaded) {
   if (scene.skyRotationDegrees != 0.0) report["sky"]["rotationDegrees"] = scene.skyRotationDegrees;
   for (const Camera& camera : scene.cameras) report["cameras"].push_back(cameraReport(camera));
   for (const Light& light : scene.lights) report["lights"].push_back(lightReport(light));
+  report["exposure"] = scene.exposure;
+  if (loaded.fit) {
+    report["fit"] = fitReport(*loaded.fit);
+    report["fit"]["exposure"] = loaded.exposureAutomatic ? "automatic" : "fixed";
+  }
   report["warnings"] = loaded.warnings;
   if (report["sky"].value("texelsNotFinite", 0) > 0) {
     report["warnings"].push_back("sky.image: " + std::to_string(report["sky"]["texelsNotFinite"].get<std::size_t>()) +

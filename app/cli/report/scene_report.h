@@ -7,7 +7,8 @@
 
 namespace boxprobe {
 
-/// Keys: path, models, objects, probes, sky, cameras, lights, warnings. Memory in bytes, as on the graphics side.
+/// Keys: path, models, objects, probes, sky, cameras, lights, exposure, fit (of a bare model), warnings. Memory in
+/// bytes, as on the graphics side.
 nlohmann::ordered_json sceneReport(const LoadedScene& loaded);
 
 }  // namespace boxprobe

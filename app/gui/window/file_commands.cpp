@@ -94,17 +94,23 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     QProgressDialog shown(tr("Loading %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 100, window_);
     shown.setWindowModality(Qt::WindowModal);
     shown.setMinimumDuration(500);  // what is there at once needs none
-    LoadedScene loaded = loadScene(path.toStdString(), assignments, [&shown](double fraction) {
-      shown.setValue(std::min(static_cast<int>(100.0 * fraction), 99));  // lets events through
-      return !shown.wasCanceled();
-    });
+    FitWishes wishes;
+    wishes.aspect = hooks_.pictureAspect();
+    LoadedScene loaded = loadScene(
+        path.toStdString(), assignments,
+        [&shown](double fraction) {
+          shown.setValue(std::min(static_cast<int>(100.0 * fraction), 99));  // lets events through
+          return !shown.wasCanceled();
+        },
+        wishes);
     shown.reset();
     requireSky(loaded.scene);
     const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
+    const QString decided = loaded.fit ? QString::fromStdString(loaded.fit->decided) : QString();
     hooks_.show(std::move(loaded));
     remember(path);
-    emit message(warning.isEmpty() ? tr("Opened %1").arg(path)
+    emit message(warning.isEmpty() ? (decided.isEmpty() ? tr("Opened %1").arg(path) : decided)
                  : more == 0       ? warning
                                    : tr("%1 (and %2 more; see `boxprobe info`)").arg(warning).arg(more));
     return true;

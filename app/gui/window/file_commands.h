@@ -27,6 +27,7 @@ class FileCommands : public QObject {
     std::function<void()> showOwnScene;
     std::function<QString()> borrowedName;              ///< of such a scene; empty: the own one is shown
     std::function<bool(const QString& path)> mayWrite;  ///< false for a file such a scene stands on
+    std::function<double()> pictureAspect;              ///< width over height
   };
 
   FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window);

@@ -26,6 +26,7 @@
 #include "app/gui/window/about_dialog.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/menu_bar.h"
+#include "app/gui/window/model_fitter.h"
 #include "app/gui/window/panel_docks.h"
 #include "app/gui/window/projector.h"
 #include "app/gui/window/status_line.h"
@@ -48,16 +49,17 @@ MainWindow::MainWindow()
             overlay_->follow(viewport_->view());
           },
           this)),
-      files_(new FileCommands(document_, *editor_,
-                              {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
-                               [this](const std::string& path) {
-                                 motionPreview().rest();
-                                 exportPicture(path, *renderer_, *viewport_, *overlay_);
-                                 scheduler().requestRender();
-                               },
-                               [this] { lessons_->leave(); }, [this] { return lessons_->sceneName(); },
-                               [this](const QString& path) { return lessons_->mayWrite(path); }},
-                              this)),
+      files_(new FileCommands(
+          document_, *editor_,
+          {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
+           [this](const std::string& path) {
+             motionPreview().rest();
+             exportPicture(path, *renderer_, *viewport_, *overlay_);
+             scheduler().requestRender();
+           },
+           [this] { lessons_->leave(); }, [this] { return lessons_->sceneName(); },
+           [this](const QString& path) { return lessons_->mayWrite(path); }, [this] { return pictureAspect(); }},
+          this)),
       debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
       menu_(new MenuBar(this)),
       lessons_(new LessonView(
@@ -69,6 +71,10 @@ MainWindow::MainWindow()
            [this](const LessonModels::List& models, const std::string& path) { showModels(models, path); }},
           std::string(BOXPROBE_DATA_DIR) + "/lessons", this)),
       status_(new StatusLine(statusBar())),
+      fitter_(
+          new ModelFitter({document_, *editor_, *renderer_, [this]() -> const TriangleRays::Models& { return models_; },
+                           [this] { return pictureAspect(); }},
+                          this)),
       panels_(new PanelDocks(this, {*editor_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); });
   viewport_->setProbeWidget(probeWidget_);
@@ -84,6 +90,7 @@ MainWindow::MainWindow()
   connectPanels();
   connectDebugView();
   connectLessons();
+  connectFitter();
   views_.updateAll();
 }
 
@@ -235,6 +242,19 @@ void MainWindow::connectLessons() {
   connect(viewport_, &Viewport::becameReady, lessons_, &LessonView::shapeChanged);
 }
 
+void MainWindow::connectFitter() {
+  connect(fitter_, &ModelFitter::message, status_, &StatusLine::showMessage);
+  connect(fitter_, &ModelFitter::failed, status_, &StatusLine::showError);
+  connect(fitter_, &ModelFitter::cameraFitted, work_, &PictureWork::resetCamera);
+  connect(fitter_, &ModelFitter::pictureWanted, &scheduler(), &RenderScheduler::requestRender);
+  connect(&scheduler(), &RenderScheduler::rendered, fitter_, &ModelFitter::pictureDrawn);
+  connect(lessons_, &LessonView::openChanged, fitter_, &ModelFitter::setBorrowed);
+}
+
+double MainWindow::pictureAspect() const {
+  return viewport_->height() > 0 ? static_cast<double>(viewport_->width()) / viewport_->height() : 1.0;
+}
+
 void MainWindow::showLessons() {
   lessons_->showList();
 }
@@ -271,7 +291,8 @@ void MainWindow::showScene(LoadedScene loaded) {
   }
   const auto& files = loaded.scene.models;
   menu_->showVariants(variants, files.empty() ? QString() : QString::fromStdString(files.front().variant));
-  document_.open(std::move(loaded.scene), loaded.path);
+  document_.open(loaded.scene, loaded.path);
+  fitter_->opened(loaded);
   if (!document_.scene().probes.empty()) document_.selectProbe(0);
   work_->resetCamera();
 }

@@ -21,6 +21,7 @@ class DebugView;
 class FileCommands;
 class LessonView;
 class MenuBar;
+class ModelFitter;
 class MotionPreview;
 class PanelDocks;
 class PictureWork;
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
   DebugView& debugView() { return *debugView_; }
   LessonView& lessons() { return *lessons_; }
   Projector& projector() { return *projector_; }
+  ModelFitter& modelFitter() { return *fitter_; }
   MotionPreview& motionPreview();
   /// Who is told of which changes of the document.
   const ChangeViews& views() const { return views_; }
@@ -84,10 +86,12 @@ class MainWindow : public QMainWindow {
   void connectPanels();
   void connectDebugView();
   void connectLessons();
+  void connectFitter();
   void showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path);
   void escape();
   void updateTitle();
   void updateInvitation();
+  double pictureAspect() const;  ///< width over height
 
   Document document_;
   ChangeViews views_;
@@ -102,6 +106,7 @@ class MainWindow : public QMainWindow {
   MenuBar* menu_;
   LessonView* lessons_;
   StatusLine* status_;
+  ModelFitter* fitter_;
   PanelDocks* panels_;
   QDockWidget* lessonDock_ = nullptr;
   Projector* projector_ = nullptr;

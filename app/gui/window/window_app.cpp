@@ -42,7 +42,10 @@ class Application : public QApplication {
 
 int runWindow(int& argc, char** argv, const std::string& scenePath, const WindowOptions& options) {
   LoadedScene loaded;
-  if (!scenePath.empty()) loaded = loadScene(scenePath);  // first: bad input is told without a window flashing up
+  FitWishes wishes;
+  wishes.aspect = 1.25;  // of the picture beside the panels, in the window as it opens
+  // First: bad input is told without a window flashing up.
+  if (!scenePath.empty()) loaded = loadScene(scenePath, {}, {}, wishes);
   printWarnings(loaded.warnings);
 
   installVtkMessages(false, true);

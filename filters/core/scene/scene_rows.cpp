@@ -55,7 +55,7 @@ const std::vector<FieldRow<Scene>>& sceneFields() {
       field<&Scene::exposure>("exposure", "",
                               "Factor on linear light before display: display = (exposure * linear)^(1/2.2).")
           .atLeast(0)
-          .usually(1e-3, 1000)
+          .usually(1e-6, 1e6)
           .changing({&Changes::exposure}),
       field<&Scene::energy>("energy", "",
                             "What becomes of light that meets more than one microfacet of a rough surface.")

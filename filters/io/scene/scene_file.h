@@ -28,7 +28,8 @@ void saveSceneFile(const Scene& scene, const std::string& path);
 
 /// Applies assignments as of `--set`, in order, and validates once all are in: "probes.room.box.max=[1,2,3]",
 /// "materials.floor.roughness=0.25", "exposure=2", "probes.room.blendDistance=0.5", "objects.mirror.visible=false",
-/// "cameras.main.position=[0,1,2]", "sky.color=[1,0,0]". VALUE is JSON; a bare word is taken as a string. Throws
+/// "cameras.main.position=[0,1,2]", "sky.color=[1,0,0]", "materials.\"Material.001\".roughness=0.5": a name in quotes
+/// may hold dots, and adds a probe or camera that is not there. VALUE is JSON; a bare word is taken as a string. Throws
 /// InputError naming the key that does not exist or the value of the wrong type; `scene` is then unchanged.
 void setSceneFields(Scene& scene, const std::vector<std::string>& assignments);
 

@@ -39,10 +39,34 @@ std::vector<std::string> knownNames(const Json& list) {
   return names;
 }
 
-/// Splits "probes.NAME.field..." where NAME may itself have dots and brackets: the longest known name that fits wins;
-/// else NAME ends at the first dot.
-std::pair<std::string, std::size_t> splitName(const std::string& path, std::size_t start,
-                                              const std::vector<std::string>& names) {
+/// NAME of "probes.NAME.field...".
+struct NamePart {
+  std::string name;
+  std::size_t rest = 0;  ///< where the field begins
+  bool quoted = false;
+};
+
+/// Where the text in quotes that begins at `start` ends: behind its closing quote. A backslash keeps the next
+/// character.
+std::size_t endOfQuotes(const std::string& path, std::size_t start) {
+  for (std::size_t i = start + 1; i < path.size(); ++i) {
+    if (path[i] == '"') return i + 1;
+    if (path[i] == '\\') ++i;
+  }
+  return std::string::npos;
+}
+
+/// A NAME in quotes is a JSON string and may hold anything. Another one may have dots and brackets where it is known:
+/// the longest known name that fits wins; else it ends at the first dot.
+NamePart splitName(const std::string& path, std::size_t start, const std::vector<std::string>& names) {
+  if (start < path.size() && path[start] == '"') {
+    const std::size_t end = endOfQuotes(path, start);
+    const std::string text = end == std::string::npos ? std::string() : path.substr(start, end - start);
+    if (!Json::accept(text) || (end < path.size() && path[end] != '.')) {
+      throw FieldError({}, "the name in quotes does not end; write GROUP.\"NAME\".FIELD=VALUE");
+    }
+    return {Json::parse(text).get<std::string>(), std::min(path.size(), end + 1), true};
+  }
   std::string best;
   for (const std::string& name : names) {
     const std::size_t end = start + name.size();
@@ -50,7 +74,19 @@ std::pair<std::string, std::size_t> splitName(const std::string& path, std::size
     if (fits && name.size() > best.size()) best = name;
   }
   if (best.empty()) best = path.substr(start, path.find('.', start) - start);
-  return {best, std::min(path.size(), start + best.size() + 1)};
+  return {best, std::min(path.size(), start + best.size() + 1), false};
+}
+
+/// The "=" that ends the keys: none within quotes.
+std::size_t findEquals(const std::string& assignment) {
+  for (std::size_t i = 0; i < assignment.size(); ++i) {
+    if (assignment[i] == '=') return i;
+    if (assignment[i] != '"') continue;
+    const std::size_t end = endOfQuotes(assignment, i);
+    if (end == std::string::npos) break;
+    i = end - 1;
+  }
+  return assignment.find('=');
 }
 
 bool isIndex(const std::string& key) {
@@ -105,6 +141,19 @@ void chooseSkyKind(Json& root, const std::string& key) {
   sky = std::move(chosen);
 }
 
+/// A default probe or camera of that name, as the last one.
+void addNamed(Json& entries, const std::string& group, const std::string& name) {
+  Scene scene;
+  scene.probes.emplace_back().name = name;
+  scene.cameras.emplace_back().name = name;
+  const Json added = sceneToJson(scene, "", JsonForm::Complete)[group];
+  if (group == "probes") {
+    entries.push_back(added[0]);
+  } else {
+    entries[name] = added[name];
+  }
+}
+
 /// Walks from the root to the value to replace. Fills `path` for messages.
 Json& locate(Json& root, const std::string& keys, KeyPath& path) {
   const std::size_t dot = keys.find('.');
@@ -122,12 +171,17 @@ Json& locate(Json& root, const std::string& keys, KeyPath& path) {
   }
   Json& entries = root[group];
   const std::vector<std::string> names = knownNames(entries);
-  const auto [name, rest] = splitName(keys, dot + 1, names);
+  const auto [name, rest, quoted] = splitName(keys, dot + 1, names);
   path = {group, name};
   const auto found = std::find(names.begin(), names.end(), name);
   if ((group == "probes" || group == "cameras") && found == names.end()) {
-    throw FieldError(path,
-                     "there is no such " + group.substr(0, group.size() - 1) + "; the scene has " + nameList(names));
+    const std::string thing = group.substr(0, group.size() - 1);
+    // A name that was mistyped must not make a new one.
+    if (!quoted) {
+      throw FieldError(path, "there is no such " + thing + "; the scene has " + nameList(names) + "; to add one, put " +
+                                 "its name in quotes: " + group + ".\"" + name + "\"");
+    }
+    addNamed(entries, group, name);
   }
   Json* value = entries.is_array() ? &entries[static_cast<std::size_t>(found - names.begin())] : &entries[name];
   const std::vector<std::string> fields = splitKeys(keys, rest);
@@ -147,7 +201,7 @@ void setSceneFields(Scene& scene, const std::vector<std::string>& assignments) {
   try {
     for (const std::string& assignment : assignments) {
       name = "--set " + assignment;
-      const std::size_t equals = assignment.find('=');
+      const std::size_t equals = findEquals(assignment);
       if (equals == std::string::npos || equals == 0)
         throw InputError(name + ": is not an assignment; write KEY=VALUE");
       Json value = parseValue(assignment.substr(equals + 1), name);

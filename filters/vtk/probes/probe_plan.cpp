@@ -9,13 +9,19 @@ namespace boxprobe {
 namespace {
 
 constexpr int kSkyFaceSize = 64;  // a gradient has no detail
-constexpr int kSkyImageFaceSize = 256;
+constexpr int kLargestSkyFaceSize = 256;
+
+int skyFaceSize(int imageColumns) {
+  int size = kSkyFaceSize;
+  while (size < kLargestSkyFaceSize && 4 * size < imageColumns) size *= 2;
+  return size;
+}
 
 }  // namespace
 
-void ProbePlan::wantSky(std::string key, bool image) {
+void ProbePlan::wantSky(std::string key, int imageColumns) {
   skyWanted_ = std::move(key);
-  skyIsImage_ = image;
+  skyImageColumns_ = imageColumns;
 }
 
 bool ProbePlan::stale(std::size_t index) const {
@@ -55,7 +61,7 @@ void ProbePlan::planSky() {
   const bool asked = targets_.empty() ? entries_->anyLit() : !jobs_.empty();
   if (!asked || skyWanted_.empty() || !skyStale()) return;
   const JobKind kind = sources_->folder.has(skyWanted_) ? JobKind::File : JobKind::SkyMap;
-  jobs_.insert(jobs_.begin(), {kind, {}, 1, skyWanted_, skyIsImage_ ? kSkyImageFaceSize : kSkyFaceSize});
+  jobs_.insert(jobs_.begin(), {kind, {}, 1, skyWanted_, skyFaceSize(skyImageColumns_)});
 }
 
 void ProbePlan::planBounces() {

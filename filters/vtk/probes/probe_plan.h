@@ -35,8 +35,9 @@ class ProbePlan {
   /// Names of baked probes that are made whether used or not, and nothing else; empty: whatever is needed.
   void setTargets(std::set<std::string> names) { targets_ = std::move(names); }
   const std::set<std::string>& targets() const { return targets_; }
-  /// Key of the sky's own map as it should be; an image is captured finer than a gradient.
-  void wantSky(std::string key, bool image);
+  /// Key of the sky's own map as it should be. An image is captured finer than a gradient, and no finer than its
+  /// columns: a face is a quarter of them. 0: no image.
+  void wantSky(std::string key, int imageColumns);
   void skyShows(std::string key) { skyShown_ = std::move(key); }
   const std::string& skyWanted() const { return skyWanted_; }
   bool skyStale() const { return skyWanted_ != skyShown_; }
@@ -81,7 +82,7 @@ class ProbePlan {
   bool enabled_ = true, interactive_ = false;
   std::set<std::string> targets_;
   std::string skyWanted_, skyShown_;
-  bool skyIsImage_ = false;
+  int skyImageColumns_ = 0;
 
   std::vector<ProbeJob> jobs_;
   std::optional<ProbeJob> current_;

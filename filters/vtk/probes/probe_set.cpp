@@ -36,7 +36,7 @@ void ProbeSet::updateCaptures() {
   keys_.setWorld(inputs_.world(*content_, entries_.places()));
   sources_.pictures.update(content_->scene);
   updateKeys();
-  plan_.wantSky(keys_.world().sky, content_->skyImage != nullptr);
+  plan_.wantSky(keys_.world().sky, content_->skyImage ? content_->skyImage->width : 0);
   work_.replan();
 }
 

@@ -1,0 +1,174 @@
+// See model_fitter.h.
+#include "app/gui/window/model_fitter.h"
+
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QTimer>
+#include <QToolButton>
+#include <exception>
+#include <utility>
+
+#include "app/gui/edit/editor.h"
+#include "app/session/automatic_exposure.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+namespace {
+
+QString kindName(ModelKind kind) {
+  switch (kind) {
+    case ModelKind::Interior:
+      return ModelFitter::tr("Interior");
+    case ModelKind::Open:
+      return ModelFitter::tr("Open place");
+    case ModelKind::Object:
+      break;
+  }
+  return ModelFitter::tr("Object");
+}
+
+QString lightName(FitLight light) {
+  switch (light) {
+    case FitLight::File:
+      return ModelFitter::tr("Lights of the file");
+    case FitLight::Studio:
+      return ModelFitter::tr("Studio");
+    case FitLight::Ceiling:
+      return ModelFitter::tr("Lamps under the ceiling");
+    case FitLight::Openings:
+      return ModelFitter::tr("Sky through the openings");
+    case FitLight::Daylight:
+      break;
+  }
+  return ModelFitter::tr("Sky and sun");
+}
+
+}  // namespace
+
+ModelFitter::ModelFitter(Parts parts, QMainWindow* window) : QObject(window), parts_(std::move(parts)) {
+  buildMenu(window);
+  update();
+}
+
+void ModelFitter::buildMenu(QMainWindow* window) {
+  menu_ = new QMenu(tr("&Model"), window);
+  window->menuBar()->insertMenu(window->menuBar()->actions().last(), menu_);
+  const auto addChoice = [](QMenu* menu, QActionGroup* group, const QString& text) {
+    QAction* action = menu->addAction(text);
+    action->setCheckable(true);
+    group->addAction(action);
+    return action;
+  };
+  QMenu* kinds = menu_->addMenu(tr("&Treat as"));
+  auto* kindGroup = new QActionGroup(this);
+  QMenu* lights = menu_->addMenu(tr("&Light"));
+  auto* lightGroup = new QActionGroup(this);
+  const auto addKind = [&](std::optional<ModelKind> kind, const QString& text) {
+    QAction* action = addChoice(kinds, kindGroup, text);
+    kinds_.emplace_back(kind, action);
+    connect(action, &QAction::triggered, this, [this, kind] { treatAs(kind); });
+  };
+  addKind({}, tr("As found"));
+  for (const ModelKind kind : {ModelKind::Object, ModelKind::Interior, ModelKind::Open}) addKind(kind, kindName(kind));
+  const auto addLight = [&](std::optional<FitLight> light, const QString& text) {
+    QAction* action = addChoice(lights, lightGroup, text);
+    lights_.emplace_back(light, action);
+    connect(action, &QAction::triggered, this, [this, light] { lightBy(light); });
+  };
+  addLight({}, tr("By the kind of model"));
+  for (const FitLight light : allFitLights()) addLight(light, lightName(light));
+  connect(menu_->addAction(tr("&Expose automatically")), &QAction::triggered, this, &ModelFitter::exposeAgain);
+
+  button_ = new QToolButton(window->statusBar());
+  button_->setObjectName("modelKind");
+  button_->setMenu(menu_);
+  button_->setPopupMode(QToolButton::InstantPopup);
+  window->statusBar()->addPermanentWidget(button_);
+}
+
+void ModelFitter::opened(const LoadedScene& loaded) {
+  wishes_ = FitWishes{};
+  fit_ = loaded.fit;
+  exposureWaits_ = loaded.exposureAutomatic;
+  update();
+}
+
+void ModelFitter::setBorrowed(bool borrowed) {
+  borrowed_ = borrowed;
+  update();
+}
+
+void ModelFitter::update() {
+  const bool shown = fit_ && !borrowed_;
+  menu_->setEnabled(shown);
+  button_->setVisible(shown);
+  if (!shown) return;
+  button_->setText(kindName(fit_->kind));
+  button_->setToolTip(QString::fromStdString(fit_->decided));
+  for (const auto& [kind, action] : kinds_) action->setChecked(kind == wishes_.kind);
+  for (const auto& [light, action] : lights_) action->setChecked(light == wishes_.light);
+}
+
+void ModelFitter::treatAs(std::optional<ModelKind> kind) {
+  wishes_.kind = kind;
+  refit(kind ? tr("Treat as %1").arg(kindName(*kind).toLower()) : tr("Treat as found"));
+}
+
+void ModelFitter::lightBy(std::optional<FitLight> light) {
+  wishes_.light = light;
+  refit(tr("Replace light"));
+}
+
+void ModelFitter::refit(const QString& label) {
+  if (!fit_) return;
+  wishes_.aspect = parts_.aspect();
+  wishes_.studio = studioFile();
+  try {
+    Scene scene = parts_.editor.scene();
+    ModelFit fit = fitModel(scene, parts_.models(), wishes_);
+    if (fit.lightKnown) scene.exposure = 1.0;
+    parts_.editor.commit(label, [&](Scene& edited) { edited = scene; });
+    exposureWaits_ = !fit.lightKnown;
+    fit_ = std::move(fit);
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+    return;
+  }
+  update();
+  emit message(QString::fromStdString(fit_->decided));
+  emit cameraFitted();
+}
+
+void ModelFitter::exposeAgain() {
+  exposureWaits_ = fit_.has_value();
+  emit pictureWanted();
+}
+
+void ModelFitter::pictureDrawn() {
+  if (!exposureWaits_ || borrowed_ || parts_.renderer.workPending()) return;
+  exposureWaits_ = false;
+  QTimer::singleShot(0, this, &ModelFitter::expose);  // not within the frame that was drawn
+}
+
+void ModelFitter::expose() {
+  if (!fit_ || borrowed_) return;
+  const double exposure = measuredExposure(parts_.renderer, *fit_, parts_.aspect());
+  const bool asOpened = !parts_.document.canUndo() && !parts_.document.canRedo() && !parts_.document.previewing();
+  if (asOpened) {
+    // Part of opening it: nothing to undo or to save.
+    Scene scene = parts_.document.scene();
+    scene.exposure = exposure;
+    const std::optional<std::size_t> selected = parts_.document.selectedProbe();
+    const std::optional<std::string> name = selected ? std::optional(scene.probes[*selected].name) : std::nullopt;
+    parts_.document.restore(Document::State::opened(std::move(scene), parts_.document.path(), name));
+  } else {
+    parts_.editor.commit(tr("Automatic exposure"), [exposure](Scene& scene) { scene.exposure = exposure; });
+  }
+  emit message(tr("%1; exposure %2").arg(QString::fromStdString(fit_->decided)).arg(exposure));
+}
+
+}  // namespace boxprobe

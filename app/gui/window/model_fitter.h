@@ -1,0 +1,74 @@
+// What a bare model was taken for, and the way to have it otherwise: a menu, and a button with the same menu in the
+// status bar. Finds the exposure once the first picture is complete. Called by the main window.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/session/load_scene.h"
+#include "filters/core/scene/document.h"
+
+class QAction;
+class QMainWindow;
+class QMenu;
+class QToolButton;
+
+namespace boxprobe {
+
+class Editor;
+class SceneRenderer;
+
+class ModelFitter : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    Document& document;
+    Editor& editor;
+    SceneRenderer& renderer;
+    std::function<const TriangleRays::Models&()> models;
+    std::function<double()> aspect;  ///< of the picture: width over height
+  };
+  ModelFitter(Parts parts, QMainWindow* window);
+
+  /// A scene or a model was opened and is on show.
+  void opened(const LoadedScene& loaded);
+  /// A lesson's scene takes its place for a while.
+  void setBorrowed(bool borrowed);
+  /// A frame was drawn: the exposure is found if that waits for it and nothing is left to capture.
+  void pictureDrawn();
+
+  /// As one undo step: probes, cameras, lights and sky are fitted again. Nothing: as it is found.
+  void treatAs(std::optional<ModelKind> kind);
+  void lightBy(std::optional<FitLight> light);
+  void exposeAgain();
+  const std::optional<ModelFit>& fit() const { return fit_; }
+
+ signals:
+  void message(const QString& text);
+  void failed(const QString& line);
+  /// The camera was fitted again.
+  void cameraFitted();
+  void pictureWanted();
+
+ private:
+  void buildMenu(QMainWindow* window);
+  void refit(const QString& label);
+  void expose();
+  void update();
+
+  Parts parts_;
+  QMenu* menu_ = nullptr;
+  QToolButton* button_ = nullptr;
+  std::vector<std::pair<std::optional<ModelKind>, QAction*>> kinds_;
+  std::vector<std::pair<std::optional<FitLight>, QAction*>> lights_;
+  FitWishes wishes_;
+  std::optional<ModelFit> fit_;  ///< of the bare model on show
+  bool exposureWaits_ = false;
+  bool borrowed_ = false;
+};
+
+}  // namespace boxprobe

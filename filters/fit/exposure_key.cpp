@@ -1,0 +1,33 @@
+// See exposure_key.h.
+#include "filters/fit/exposure_key.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boxprobe {
+
+double keyedExposure(const ImageRgbaF& picture, bool skyToo) {
+  constexpr double kMiddle = 0.20;  // 0.48 in display values
+  constexpr double kBright = 0.72;  // 0.86
+  constexpr float kCovered = 0.5f;
+  std::vector<float> luminances;
+  for (std::size_t i = 0; i + 3 < picture.pixels.size(); i += 4) {
+    const float* p = &picture.pixels[i];
+    const float luminance = 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2];
+    if ((skyToo || p[3] > kCovered) && std::isfinite(luminance)) luminances.push_back(luminance);
+  }
+  if (luminances.size() < 16) return 1.0;
+  const auto percentile = [&](double share) {
+    const auto at =
+        luminances.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(luminances.size() - 1));
+    std::nth_element(luminances.begin(), at, luminances.end());
+    return static_cast<double>(*at);
+  };
+  const double bright = percentile(0.95), median = percentile(0.5);
+  if (!(bright > 0.0)) return 1.0;
+  const double exposure = std::min(kBright / bright, median > 0.0 ? kMiddle / median : kBright / bright);
+  const double digits = std::pow(10.0, std::floor(std::log10(exposure)) - 2.0);
+  return std::round(exposure / digits) * digits;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,177 @@
+// See fit_model.h.
+#include "filters/fit/fit_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "filters/core/base/number_text.h"
+#include "filters/core/geometry/model_placement.h"
+#include "filters/fit/fitted_camera.h"
+#include "filters/fit/room_probe.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// Points whose hull holds every visible triangle, nearly: of a large model some, in the world. `blending`: of the
+/// surfaces that let light through, or of all others.
+std::vector<glm::dvec3> cornersOf(const Scene& scene, const TriangleRays::Models& models, bool blending) {
+  constexpr std::size_t kMost = 200000;
+  std::size_t all = 0;
+  for (const auto& model : models) {
+    for (const Instance& each : model->instances) {
+      all += model->meshes[static_cast<std::size_t>(each.mesh)].positions.size();
+    }
+  }
+  const std::size_t stride = std::max<std::size_t>(1, all / kMost);
+  std::vector<glm::dvec3> corners;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const glm::dmat4 placement = worldFromFile(scene.models[i]);
+    for (const Instance& instance : models[i]->instances) {
+      const auto object = scene.objects.find(instance.node);
+      if (object != scene.objects.end() && !object->second.visible) continue;
+      const Mesh& mesh = models[i]->meshes[static_cast<std::size_t>(instance.mesh)];
+      const bool blends = mesh.material >= 0 &&
+                          models[i]->materials[static_cast<std::size_t>(mesh.material)].alphaMode == AlphaMode::Blend;
+      if (blends != blending) continue;
+      const glm::dmat4 world = movedInstance(placement * instance.worldFromModel, scene, instance.node);
+      for (std::size_t k = 0; k < mesh.positions.size(); k += stride) {
+        const glm::dvec3 corner(world * glm::dvec4(glm::dvec3(mesh.positions[k]), 1.0));
+        if (std::isfinite(corner.x + corner.y + corner.z)) corners.push_back(corner);
+      }
+    }
+  }
+  return corners;
+}
+
+Box boundsOf(const std::vector<glm::dvec3>& corners) {
+  if (corners.empty()) return Box{};
+  Box bounds{corners.front(), corners.front()};
+  for (const glm::dvec3& corner : corners) {
+    bounds.min = glm::min(bounds.min, corner);
+    bounds.max = glm::max(bounds.max, corner);
+  }
+  return bounds;
+}
+
+/// All that a picture should show: a shadow or a glow that blends and reaches far beyond the rest does not count.
+std::vector<glm::dvec3> shownCorners(const Scene& scene, const TriangleRays::Models& models) {
+  const std::vector<glm::dvec3> firm = cornersOf(scene, models, false);
+  std::vector<glm::dvec3> all = cornersOf(scene, models, true);
+  all.insert(all.end(), firm.begin(), firm.end());
+  const bool far = glm::length(boundsOf(all).size()) > 1.5 * glm::length(boundsOf(firm).size());
+  return far && !firm.empty() ? firm : all;
+}
+
+std::vector<Light> fileLights(const Scene& scene, const TriangleRays::Models& models) {
+  std::vector<Light> lights;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    for (const Light& light : placedLights(*models[i], scene.models[i])) lights.push_back(light);
+  }
+  return lights;
+}
+
+/// Lights of the scene and the words for them. `stand` and `probe`: of an interior or a court where one can stand.
+std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const FitWishes& wishes,
+                  const std::vector<Light>& ofFile, const StandingPoint* stand, const Probe* probe) {
+  std::vector<Light> through;
+  if (probe != nullptr) through = openingLights(rays, *probe);
+  if (wishes.light) {
+    fit.light = *wishes.light;
+  } else if (!ofFile.empty()) {
+    fit.light = FitLight::File;
+  } else if (fit.kind == ModelKind::Interior && probe != nullptr) {
+    fit.light = through.empty() ? FitLight::Ceiling : FitLight::Openings;
+  } else {
+    fit.light = fit.kind == ModelKind::Open ? FitLight::Daylight : FitLight::Studio;
+  }
+  if (fit.light == FitLight::Ceiling && probe == nullptr) fit.light = FitLight::Studio;
+  if (fit.light == FitLight::Openings && through.empty()) fit.light = FitLight::Daylight;
+  fit.lightKnown = fit.light == FitLight::Studio;
+  scene.sky = SkyGradient{};
+  switch (fit.light) {
+    case FitLight::File:
+      scene.lights = ofFile;
+      return ofFile.size() == 1 ? "the light is the file's" : "the lights are the file's";
+    case FitLight::Studio:
+      scene.lights.clear();
+      if (!wishes.studio.empty()) scene.sky = SkyImage{wishes.studio};
+      return "the file has no light: a studio lights it";
+    case FitLight::Ceiling:
+      scene.lights = ceilingLights(*probe, *stand);
+      return "the file has no light: soft lamps hang under the ceiling";
+    case FitLight::Openings:
+      scene.lights = through;
+      return "the file has no light: the sky shines in through the openings";
+    case FitLight::Daylight:
+      scene.lights = sunLight();
+      return "the file has no light: sky and sun light it";
+  }
+  return {};
+}
+
+/// "6,500 m wide: is the unit mm? --set models.0.unit=mm", for a size that metres make unlikely.
+std::string sizeRemark(const ModelFit& fit, const Box& bounds, const ModelFile& file) {
+  const glm::dvec3 size = bounds.size();
+  const double largest = std::max({size.x, size.y, size.z});
+  const bool high = size.y >= largest;
+  const double digits = largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest)) - 1.0) : 1.0;
+  const std::string extent = numberText(std::round(largest / digits) * digits) + " m " + (high ? "high" : "wide");
+  const double most = fit.kind == ModelKind::Interior ? 120.0 : fit.kind == ModelKind::Object ? 150.0 : 3000.0;
+  if (largest > most && file.unit == LengthUnit::Metre) {
+    const bool centimetres = largest <= (fit.kind == ModelKind::Object ? 500.0 : 6000.0);
+    const std::string unit = centimetres ? "cm" : "mm";
+    return extent + ": is the unit " + unit + "? --set models.0.unit=" + unit;
+  }
+  if (largest > 0.0 && largest < 0.002) {
+    return extent + ": is it meant to be larger? --set models.0.scale=1000";
+  }
+  return {};
+}
+
+}  // namespace
+
+ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWishes& wishes) {
+  const TriangleRays rays(scene, models);
+  ModelFit fit;
+  fit.survey = surveyModel(rays);
+  fit.kind = wishes.kind.value_or(fit.survey.kind);
+  scene.probes.clear();
+
+  std::vector<StandingPoint> stands;
+  const bool court = fit.kind == ModelKind::Open && (wishes.kind || fit.survey.walled >= 0.3);
+  if (fit.kind == ModelKind::Interior || court) stands = standingPoints(rays, fit.survey);
+  std::optional<Probe> probe;
+  if (!stands.empty()) probe = roomProbe(rays, stands.front());
+  const std::string lit = light(scene, fit, rays, wishes, fileLights(scene, models),
+                                stands.empty() ? nullptr : &stands.front(), probe ? &*probe : nullptr);
+
+  std::vector<Camera> cameras;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    for (const Camera& camera : placedCameras(*models[i], scene.models[i])) cameras.push_back(camera);
+  }
+  const std::vector<glm::dvec3> corners = shownCorners(scene, models);
+  const Box bounds = boundsOf(corners);
+  if (cameras.empty()) {
+    scene.cameras = {stands.empty() ? objectCamera(corners, bounds, wishes.aspect)
+                                    : roomCamera(rays, stands, wishes.aspect)};
+  }
+
+  fit.within = !stands.empty();
+  const std::string what = std::string("treated as ") +
+                           (fit.kind == ModelKind::Open       ? "an open place"
+                            : fit.kind == ModelKind::Interior ? "an interior"
+                                                              : "an object") +
+                           (wishes.kind ? " as you chose" : " (" + fit.survey.reason + ")");
+  const std::string reflects = probe ? "one probe within it" : "no probe, the surroundings alone are reflected";
+  fit.decided = what + "; " + reflects + "; " + lit;
+  if (probe) scene.probes = {*std::move(probe)};
+  if (const std::string remark = sizeRemark(fit, rays.bounds(), scene.models.front()); !remark.empty()) {
+    fit.warnings.push_back(scene.models.front().file + ": " + remark);
+  }
+  return fit;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,82 @@
+// See standing_points.h.
+#include "filters/fit/standing_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace boxprobe {
+
+namespace {
+
+constexpr double kEyeHeight = 1.6;  // metres
+
+/// At eye height over what is below `from`; the share of the height holds where metres cannot be what the file is in.
+std::optional<StandingPoint> standingBelow(const TriangleRays& rays, const glm::dvec3& from) {
+  const glm::dvec3 up(0.0, 1.0, 0.0);
+  const std::optional<SurfaceHit> below = rays.first(from, -up);
+  if (!below || below->back || below->normalWorld.y < 0.5) return std::nullopt;
+  const std::optional<SurfaceHit> above = rays.first(from, up);
+  StandingPoint point;
+  point.floor = from.y - below->distance;
+  const double ceiling = above ? from.y + above->distance : std::max(rays.core().max.y, from.y);
+  point.height = ceiling - point.floor;
+  const double eye = std::clamp(kEyeHeight, 0.25 * point.height, 0.6 * point.height);
+  point.eyeWorld = {from.x, point.floor + eye, from.z};
+  return point;
+}
+
+/// Distance of what is nearest, on the level of the eyes and above; nothing within or behind a surface.
+std::optional<double> clearanceAt(const TriangleRays& rays, const glm::dvec3& eye) {
+  constexpr int kRays = 96;
+  double nearest = glm::length(rays.bounds().size());
+  int backs = 0;
+  for (const glm::dvec3& direction : evenDirections(kRays)) {
+    const std::optional<SurfaceHit> hit = rays.first(eye, direction);
+    backs += hit && hit->back ? 1 : 0;
+    if (hit && direction.y > -0.5) nearest = std::min(nearest, hit->distance);
+  }
+  return backs > kRays / 3 ? std::nullopt : std::optional(nearest);
+}
+
+/// Keeps those on the floor on which most stand: the others stand on tables, or in another storey.
+void leaveFurniture(std::vector<StandingPoint>& points) {
+  std::vector<double> floors;
+  for (const StandingPoint& point : points) floors.push_back(point.floor);
+  const auto median = floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2);
+  std::nth_element(floors.begin(), median, floors.end());
+  const double floor = *median;
+  const auto elsewhere = [floor](const StandingPoint& point) {
+    return std::abs(point.floor - floor) > 0.1 * point.height;
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), elsewhere), points.end());
+}
+
+}  // namespace
+
+std::vector<StandingPoint> standingPoints(const TriangleRays& rays, const ModelSurvey& survey) {
+  std::vector<StandingPoint> points;
+  for (const SurveyedPoint& surveyed : survey.points) {
+    if (!(surveyed.enclosed() || (survey.kind != ModelKind::Interior && surveyed.walled()))) continue;
+    std::optional<StandingPoint> point = standingBelow(rays, surveyed.positionWorld);
+    if (!point) continue;
+    const std::optional<double> clearance = clearanceAt(rays, point->eyeWorld);
+    if (!clearance) continue;
+    point->clearance = *clearance;
+    points.push_back(*point);
+  }
+  if (points.empty()) return points;
+  leaveFurniture(points);
+  glm::dvec3 sum(0.0);
+  for (const StandingPoint& point : points) sum += point.eyeWorld;
+  const glm::dvec3 middle = sum / static_cast<double>(points.size());
+  const double reach = 0.5 * glm::length(rays.core().size());
+  const auto worth = [&](const StandingPoint& point) {
+    return std::min(2.0 * point.clearance / point.height, 1.0) - glm::length(point.eyeWorld - middle) / reach;
+  };
+  std::stable_sort(points.begin(), points.end(),
+                   [&](const StandingPoint& a, const StandingPoint& b) { return worth(a) > worth(b); });
+  return points;
+}
+
+}  // namespace boxprobe

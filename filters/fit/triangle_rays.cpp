@@ -1,0 +1,259 @@
+// See triangle_rays.h.
+#include "filters/fit/triangle_rays.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
+#include <limits>
+#include <string>
+
+#include "filters/core/base/errors.h"
+#include "filters/core/geometry/model_placement.h"
+#include "filters/core/scene/material_override.h"
+
+namespace boxprobe {
+
+namespace {
+
+/// An instance where the scene puts it.
+struct PlacedMesh {
+  const Mesh* mesh = nullptr;
+  glm::dmat4 worldFromMesh{1.0};
+  bool unlit = false, calledSky = false;
+  Box bounds;  ///< world
+};
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Box nothing() {
+  return {glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
+}
+
+void include(Box& box, const glm::dvec3& position) {
+  if (!std::isfinite(position.x + position.y + position.z)) return;
+  box.min = glm::min(box.min, position);
+  box.max = glm::max(box.max, position);
+}
+
+Box united(const Box& a, const Box& b) {
+  return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
+}
+
+Box worldBounds(const Mesh& mesh, const glm::dmat4& worldFromMesh) {
+  Box bounds = nothing();
+  for (const glm::vec3& position : mesh.positions) {
+    include(bounds, glm::dvec3(worldFromMesh * glm::dvec4(glm::dvec3(position), 1.0)));
+  }
+  return bounds;
+}
+
+/// Takes out the largest mesh while it may be a sky and is more than twice as large as all others together, those that
+/// are called skies or clouds aside.
+void leaveOutSkyDomes(std::vector<PlacedMesh>& placed) {
+  const auto extent = [](const Box& box) { return glm::length(box.size()); };
+  while (placed.size() > 1) {
+    const auto largest = std::max_element(placed.begin(), placed.end(), [&](const PlacedMesh& a, const PlacedMesh& b) {
+      return extent(a.bounds) < extent(b.bounds);
+    });
+    Box others = nothing();
+    for (auto each = placed.begin(); each != placed.end(); ++each) {
+      if (each != largest && !each->calledSky) others = united(others, each->bounds);
+    }
+    const bool maySky = largest->unlit || largest->calledSky;
+    if (!maySky || others.min.x > others.max.x || extent(largest->bounds) <= 2.0 * extent(others)) return;
+    placed.erase(largest);
+  }
+}
+
+/// "sky", "SkyDome", "clouds.001".
+bool namesSky(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name.find("sky") != std::string::npos || name.find("cloud") != std::string::npos;
+}
+
+bool hidesWhatIsBehind(const Mesh& mesh, const Model& model) {
+  if (mesh.material < 0) return true;
+  const Material& material = model.materials[static_cast<std::size_t>(mesh.material)];
+  return !material.transmits() && material.alphaMode != AlphaMode::Blend;
+}
+
+std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Models& models) {
+  std::vector<PlacedMesh> placed;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const glm::dmat4 placement = worldFromFile(scene.models[i]);
+    for (const Instance& instance : models[i]->instances) {
+      const Mesh& mesh = models[i]->meshes[static_cast<std::size_t>(instance.mesh)];
+      const auto object = scene.objects.find(instance.node);
+      if (object != scene.objects.end() && !object->second.visible) continue;
+      if (mesh.indices.size() < 3 || !hidesWhatIsBehind(mesh, *models[i])) continue;
+      const glm::dmat4 worldFromMesh = movedInstance(placement * instance.worldFromModel, scene, instance.node);
+      const Material* material =
+          mesh.material < 0 ? nullptr : &models[i]->materials[static_cast<std::size_t>(mesh.material)];
+      const bool unlit = material != nullptr && material->unlit;
+      const bool calledSky = namesSky(instance.node) || (material != nullptr && namesSky(material->name));
+      placed.push_back({&mesh, worldFromMesh, unlit, calledSky, worldBounds(mesh, worldFromMesh)});
+    }
+  }
+  leaveOutSkyDomes(placed);
+  return placed;
+}
+
+constexpr std::size_t kMostPositions = 4'000'000'000;  // Embree counts them in 32 bits
+
+/// Where a share of the weight lies below, of values with weights.
+double quantile(std::vector<std::pair<float, float>>& values, double share) {
+  std::sort(values.begin(), values.end());
+  double all = 0.0, sum = 0.0;
+  for (const auto& value : values) all += value.second;
+  for (const auto& value : values) {
+    sum += value.second;
+    if (sum >= share * all) return value.first;
+  }
+  return values.empty() ? 0.0 : values.back().first;
+}
+
+}  // namespace
+
+struct TriangleRays::Structure {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+
+  ~Structure() {
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+
+  /// All meshes as one geometry, positions relative to `anchor`. Triangles of a mirrored instance are turned over, as
+  /// glTF asks. Embree's builder of many geometries ends the program where all of them are flat.
+  void fill(const std::vector<PlacedMesh>& placed, const glm::dvec3& anchor, std::size_t positionCount,
+            std::size_t triangleCount) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_LOW);
+    auto* position = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), positionCount));
+    auto* corner = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangleCount));
+    if (position != nullptr && corner != nullptr) {
+      std::uint32_t begin = 0;
+      for (const PlacedMesh& each : placed) {
+        for (const glm::vec3& p : each.mesh->positions) {
+          *position++ = glm::vec3(glm::dvec3(each.worldFromMesh * glm::dvec4(glm::dvec3(p), 1.0)) - anchor);
+        }
+        const std::vector<std::uint32_t>& indices = each.mesh->indices;
+        const bool mirrored = glm::determinant(glm::dmat3(each.worldFromMesh)) < 0.0;
+        for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+          *corner++ = begin + indices[i];
+          *corner++ = begin + indices[mirrored ? i + 2 : i + 1];
+          *corner++ = begin + indices[mirrored ? i + 1 : i + 2];
+        }
+        begin += static_cast<std::uint32_t>(each.mesh->positions.size());
+      }
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+};
+
+TriangleRays::TriangleRays(const Scene& scene, const Models& models) : structure_(std::make_unique<Structure>()) {
+  const std::vector<PlacedMesh> placed = placedMeshes(scene, models);
+  bounds_ = nothing();
+  std::size_t positions = 0;
+  for (const PlacedMesh& each : placed) {
+    triangles_ += each.mesh->indices.size() / 3;
+    positions += each.mesh->positions.size();
+    bounds_ = united(bounds_, each.bounds);
+  }
+  if (positions > kMostPositions) throw WorkError("the model has more than 4,000 million vertices");
+  if (!(bounds_.min.x <= bounds_.max.x)) triangles_ = 0;
+  if (triangles_ == 0) {
+    bounds_ = core_ = {glm::dvec3(0.0), glm::dvec3(0.0)};
+    return;
+  }
+  anchor_ = bounds_.center();
+
+  Structure& s = *structure_;
+  s.device = rtcNewDevice(nullptr);
+  if (s.device == nullptr) throw WorkError("the ray tracer (Embree) does not start on this machine");
+  s.scene = rtcNewScene(s.device);
+  rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(s.scene, RTC_BUILD_QUALITY_LOW);
+  // Some ten thousand triangles tell where the surfaces lie.
+  constexpr std::size_t kLooked = 30000;
+  const std::size_t stride = std::max<std::size_t>(1, triangles_ / kLooked);
+  std::array<std::vector<std::pair<float, float>>, 3> along;
+  std::size_t triangle = 0;
+  for (const PlacedMesh& each : placed) {
+    const std::vector<std::uint32_t>& indices = each.mesh->indices;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+      if (triangle++ % stride != 0) continue;
+      glm::dvec3 corner[3];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 position(each.mesh->positions[indices[i + k]]);
+        corner[k] = glm::dvec3(each.worldFromMesh * glm::dvec4(position, 1.0)) - anchor_;
+      }
+      const double weight = std::sqrt(glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0])));
+      if (!std::isfinite(weight)) continue;
+      for (const glm::dvec3& c : corner) {
+        for (int axis = 0; axis < 3; ++axis) {
+          along[static_cast<std::size_t>(axis)].emplace_back(static_cast<float>(c[axis]), static_cast<float>(weight));
+        }
+      }
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    auto& values = along[static_cast<std::size_t>(axis)];
+    core_.min[axis] = anchor_[axis] + quantile(values, 0.01);
+    core_.max[axis] = anchor_[axis] + quantile(values, 0.99);
+  }
+  if (!glm::any(glm::greaterThan(core_.size(), glm::dvec3(0.0)))) core_ = bounds_;  // all triangles are lines or points
+  s.fill(placed, anchor_, positions, triangles_);
+  rtcCommitScene(s.scene);
+  if (const RTCError error = rtcGetDeviceError(s.device); error != RTC_ERROR_NONE) {
+    throw WorkError("the ray tracer (Embree) cannot take the model, error " + std::to_string(error) +
+                    (error == RTC_ERROR_OUT_OF_MEMORY ? ": not enough memory" : ""));
+  }
+}
+
+TriangleRays::~TriangleRays() = default;
+
+std::optional<SurfaceHit> TriangleRays::first(const glm::dvec3& origin, const glm::dvec3& direction) const {
+  if (empty()) return std::nullopt;
+  const glm::vec3 from(origin - anchor_), along(direction);
+  RTCRayHit query;
+  query.ray = {from.x, from.y, from.z, 0.0f, along.x, along.y, along.z, 0.0f, std::numeric_limits<float>::infinity(),
+               ~0u,    0u,     0u};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(structure_->scene, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const glm::vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+  const float length = glm::length(normal);
+  const bool back = glm::dot(normal, along) > 0.0f;
+  const glm::dvec3 unit = length > 0.0f ? glm::dvec3(normal / length) : -direction;
+  return SurfaceHit{query.ray.tfar, back, back ? -unit : unit};
+}
+
+std::vector<glm::dvec3> evenDirections(int count, double turn) {
+  const double pi = std::acos(-1.0), golden = pi * (3.0 - std::sqrt(5.0));
+  std::vector<glm::dvec3> directions;
+  directions.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double y = 1.0 - (2.0 * i + 1.0) / count;
+    const double radius = std::sqrt(std::max(0.0, 1.0 - y * y)), angle = golden * i + 2.0 * pi * turn;
+    directions.emplace_back(radius * std::cos(angle), y, radius * std::sin(angle));
+  }
+  return directions;
+}
+
+}  // namespace boxprobe
