@@ -82,15 +82,24 @@ TEST_F(GltfPicture, ClearCoatHasFactorsAndTextures) {
   EXPECT_GT(s.normalWorld.z, 0.999f) << "the base keeps its own";
 }
 
-TEST_F(GltfPicture, TransmissionIsReadAndSaid) {
+// A white square before a white sky: its left half reflects it all around, its right half lets it in and keeps it.
+TEST_F(GltfPicture, TransmissionHasAFactorAndATexture) {
+  const Json halves = {
+      {"index", texture(2, {0, 9, 9, 255, 255, 9, 9, 255}, {{"magFilter", 9728}, {"minFilter", 9728}})}};
   show(square(),
-       {{"extensions",
-         {{"KHR_materials_transmission",
-           {{"transmissionFactor", 0.75}, {"transmissionTexture", {{"index", oneColor({7, 0, 0, 255})}}}}}}}});
+       {{"pbrMetallicRoughness", {{"metallicFactor", 0}}},
+        {"extensions",
+         {{"KHR_materials_transmission", {{"transmissionFactor", 0.75}, {"transmissionTexture", halves}}},
+          {"KHR_materials_volume",
+           {{"thicknessFactor", 1}, {"attenuationDistance", 0.01}, {"attenuationColor", {0.01, 0.01, 0.01}}}}}}});
+  sky = SkyColor{{1.0f, 1.0f, 1.0f}};
+  probes = true;
   draw();
   EXPECT_EQ(model->materials[0].transmission, 0.75f);
-  ASSERT_TRUE(model->materials[0].transmissionTexture.image);
-  EXPECT_THAT(warnings, testing::Contains(testing::HasSubstr("transmission texture")));
+  const float reflected = pixel(58, 32).r;
+  std::printf("  left %g, right %g\n", static_cast<double>(pixel(6, 32).r), static_cast<double>(reflected));
+  EXPECT_NEAR(pixel(6, 32).r, 1.0f, 0.05f);
+  EXPECT_NEAR(reflected, 0.25f, 0.05f);
 }
 
 TEST_F(GltfPicture, VertexColorsMultiplyAndAreInterpolated) {
