@@ -73,13 +73,15 @@ std::vector<Light> fileLights(const Scene& scene, const TriangleRays::Models& mo
   return lights;
 }
 
-/// Lights of the scene and the words for them. `stand` and `probe`: of an interior or a court where one can stand.
+/// What lights the scene, and why in words. `stand` and `probe`: of an interior or a court where one can stand.
 std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const FitWishes& wishes,
                   const std::vector<Light>& ofFile, const StandingPoint* stand, const Probe* probe) {
   std::vector<Light> through;
   if (probe != nullptr) through = openingLights(rays, *probe);
+  std::string why = "the file has no light: ";
   if (wishes.light) {
     fit.light = *wishes.light;
+    why = "as you chose, ";
   } else if (!ofFile.empty()) {
     fit.light = FitLight::File;
   } else if (fit.kind == ModelKind::Interior && probe != nullptr) {
@@ -87,27 +89,34 @@ std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const F
   } else {
     fit.light = fit.kind == ModelKind::Open ? FitLight::Daylight : FitLight::Studio;
   }
-  if (fit.light == FitLight::Ceiling && probe == nullptr) fit.light = FitLight::Studio;
-  if (fit.light == FitLight::Openings && through.empty()) fit.light = FitLight::Daylight;
+  if (fit.light == FitLight::Ceiling && probe == nullptr) {
+    fit.light = FitLight::Studio;
+    why = "there is no room with a ceiling: ";
+  }
+  if (fit.light == FitLight::Openings && through.empty()) {
+    fit.light = FitLight::Daylight;
+    why = "there are no openings: ";
+  }
   fit.lightKnown = fit.light == FitLight::Studio;
   scene.sky = SkyGradient{};
   switch (fit.light) {
     case FitLight::File:
       scene.lights = ofFile;
+      if (ofFile.empty()) return "the file has no light, and you chose the file's";
       return ofFile.size() == 1 ? "the light is the file's" : "the lights are the file's";
     case FitLight::Studio:
       scene.lights.clear();
       if (!wishes.studio.empty()) scene.sky = SkyImage{wishes.studio};
-      return "the file has no light: a studio lights it";
+      return why + "a studio lights it";
     case FitLight::Ceiling:
       scene.lights = ceilingLights(*probe, *stand);
-      return "the file has no light: soft lamps hang under the ceiling";
+      return why + "soft lamps hang under the ceiling";
     case FitLight::Openings:
       scene.lights = through;
-      return "the file has no light: the sky shines in through the openings";
+      return why + "the sky shines in through the openings";
     case FitLight::Daylight:
       scene.lights = sunLight();
-      return "the file has no light: sky and sun light it";
+      return why + "sky and sun light it";
   }
   return {};
 }

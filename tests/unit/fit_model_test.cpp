@@ -1,6 +1,7 @@
 // What a bare model is taken for, and what follows: on rooms, things and courts made here.
 #include "filters/fit/fit_model.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -228,6 +229,23 @@ TEST(FitModel, IsChangedByWishes) {
   EXPECT_EQ(room.scene.lights.front().type, LightType::Directional);
   wishes.kind = ModelKind::Interior;
   EXPECT_NO_THROW(fitted(ball(), wishes)) << "nobody can stand in it";
+}
+
+TEST(FitModel, SaysWhoChoseTheLight) {
+  using testing::EndsWith;
+  Model lit = closedRoom();
+  lit.lights.emplace_back();
+  EXPECT_THAT(fitted(lit).fit.decided, EndsWith("the light is the file's"));
+  EXPECT_THAT(fitted(ball()).fit.decided, EndsWith("the file has no light: a studio lights it"));
+  FitWishes wishes;
+  wishes.light = FitLight::Studio;
+  EXPECT_THAT(fitted(lit, wishes).fit.decided, EndsWith("as you chose, a studio lights it"));
+  wishes.light = FitLight::File;
+  EXPECT_THAT(fitted(ball(), wishes).fit.decided, EndsWith("the file has no light, and you chose the file's"));
+  wishes.light = FitLight::Ceiling;
+  EXPECT_THAT(fitted(ball(), wishes).fit.decided, EndsWith("there is no room with a ceiling: a studio lights it"));
+  wishes.light = FitLight::Openings;
+  EXPECT_THAT(fitted(closedRoom(), wishes).fit.decided, EndsWith("there are no openings: sky and sun light it"));
 }
 
 TEST(FitModel, SaysSizesThatAreUnlikelyInMetres) {
