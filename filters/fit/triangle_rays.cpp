@@ -1,8 +1,6 @@
 // See triangle_rays.h.
 #include "filters/fit/triangle_rays.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -15,6 +13,7 @@
 #include <string>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/geometry/embree.h"
 #include "filters/core/geometry/model_placement.h"
 #include "filters/core/scene/material_override.h"
 
@@ -233,9 +232,7 @@ std::optional<SurfaceHit> TriangleRays::first(const glm::dvec3& origin, const gl
                ~0u,    0u,     0u};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(structure_->scene, &context, &query);
+  intersectOne(structure_->scene, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   const glm::vec3 normal(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
   const float length = glm::length(normal);

@@ -37,24 +37,24 @@ struct StressOptions {
   ReportOptions report;
 };
 
-const StressClass& classOf(const std::string& option, const std::string& id) {
+const StressClass& classOf(const char* option, const std::string& id) {
   std::string known;
   for (const StressClass& c : stressClasses()) {
     if (c.id == id) return c;
     known += (known.empty() ? "" : ", ") + std::string(c.id);
   }
-  throw InputError(option + " " + id + ": there is no such class; there are: " + known);
+  throw InputError(std::string(option) + " " + id + ": there is no such class; there are: " + known);
 }
 
 /// A technique by any of its ids, a term or a published form by its own.
-const StressSubject& subjectOf(const std::string& option, const std::string& id) {
+const StressSubject& subjectOf(const char* option, const std::string& id) {
   const auto technique = parseTechnique(id);
   if (const StressSubject* subject = findSubject(technique ? techniqueId(*technique) : id)) return *subject;
   std::string known;
   for (const auto* subjects : {&termSubjects(), &publishedSubjects()}) {
     for (const StressSubject& s : *subjects) known += ", " + s.id;
   }
-  throw InputError(option + " " + id + ": neither technique, term nor published form; there are: " + techniqueIdList() +
+  throw InputError(std::string(option) + " " + id + ": neither technique, term nor published form; there are: " + techniqueIdList() +
                    known);
 }
 

@@ -186,7 +186,8 @@ void LessonView::open(const QString& name, std::optional<std::size_t> step) {
   if (!read_) readLessons();
   parts_.cancelDrag();
   guarded([&] {
-    const Lesson& lesson = findLesson(list_, name.toStdString());
+    const std::string id = name.toStdString();
+    const Lesson& lesson = findLesson(list_, id);
     const LessonProgress progress = lessonProgress(name);
     const std::size_t leftOff =
         progress.done || progress.furthest < 0 ? 0 : static_cast<std::size_t>(progress.furthest);

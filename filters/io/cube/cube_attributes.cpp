@@ -166,7 +166,7 @@ void addCoefficients(Imf::Header& header, const ShCoefficients& irradiance) {
 }
 
 ShCoefficients readCoefficients(const Imf::Header& header, const std::string& path) {
-  const Imf::FloatVector& values = require<Imf::FloatVectorAttribute>(header, "irradiance", path).value();
+  const Imf::FloatVector values = require<Imf::FloatVectorAttribute>(header, "irradiance", path).value();
   ShCoefficients irradiance{};
   if (values.size() != 3 * irradiance.size()) {
     throw InputError(attributeName(path, "irradiance") + " has " + std::to_string(values.size()) +

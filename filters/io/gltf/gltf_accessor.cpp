@@ -133,8 +133,10 @@ std::vector<unsigned char> packedElements(const GltfFile& file, int index, std::
   if (!accessor.sparse.isSparse) return packed;
 
   const auto& sparse = accessor.sparse;
-  if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > accessor.count || sparse.indices.byteOffset < 0 ||
-      sparse.values.byteOffset < 0 || !isIndexType(sparse.indices.componentType)) {
+  const auto negative = [](std::ptrdiff_t offset) { return offset < 0; };  // newer tinygltf: unsigned offsets
+  if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > accessor.count ||
+      negative(static_cast<std::ptrdiff_t>(sparse.indices.byteOffset)) ||
+      negative(static_cast<std::ptrdiff_t>(sparse.values.byteOffset)) || !isIndexType(sparse.indices.componentType)) {
     file.fail(where, "has a sparse part whose count, offsets or index type are not valid");
   }
   const auto count = static_cast<std::size_t>(sparse.count);

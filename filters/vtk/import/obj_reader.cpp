@@ -157,7 +157,7 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
   const TemporaryText text(materials.text);
   if (!materials.text.empty()) importer->SetFileNameMTL(text.path().c_str());
   importer->SetRenderWindow(window);
-  importer->Read();
+  importer->Update();
   if (!errors.error().empty()) throw InputError(path + ": " + errors.error() + "; save it again");
   Model model;
   model.warnings = names.warnings;

@@ -1,4 +1,4 @@
-// Embree 3 or 4: what differs between them for a single ray.
+// Embree 3 or 4: what differs between them for a single ray. For the rooms that link Embree; this one does not.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
