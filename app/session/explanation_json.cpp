@@ -125,13 +125,30 @@ Json glassJson(const GlassExplanation& g) {
           {"drawnBehind", number(g.stands)}};
 }
 
+Json boxJson(const Box& box) {
+  return {{"min", vector(box.min)}, {"max", vector(box.max)}};
+}
+
+/// `mend` holds the fields of the scene file that it changes, with their new values.
+Json verdictJson(const Verdict& verdict) {
+  Json json = {{"sentence", verdict.sentence}, {"mend", nullptr}};
+  if (!verdict.mend) return json;
+  const Probe& after = verdict.mend->after;
+  json["mend"] = {
+      {"words", verdict.mend->words},   {"probe", verdict.mend->probe},
+      {"box", boxJson(after.box)},      {"influence", after.influence ? boxJson(*after.influence) : Json(nullptr)},
+      {"projection", after.projection}, {"technique", after.technique}};
+  return json;
+}
+
 }  // namespace
 
-std::string explanationJson(const Explanation& e) {
+std::string explanationJson(const Explanation& e, const std::optional<Verdict>& verdict) {
   const Json none = nullptr;
   Json json;
   json["pixel"] = Json::array({e.x, e.y});
   json["background"] = !e.hit;
+  if (verdict) json["verdict"] = verdictJson(*verdict);
   json["positionWorld"] = e.hit ? vector(e.surface.positionWorld) : none;
   json["normalWorld"] = e.hit ? vector(e.surface.normalWorld) : none;
   json["viewWorld"] = e.hit ? vector(e.surface.viewWorld) : none;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 namespace boxprobe {
 
@@ -150,7 +151,11 @@ std::vector<ExplanationSection> explanationSections(const Explanation& e, const 
   head.rows.push_back(light("color", e.rendered.value_or(e.color), "linear light before exposure"));
   sections.push_back(head);
   sections.push_back(surfaceSection(e));
-  for (std::size_t i = 0; i < e.probes.size(); ++i) sections.push_back(probeSection(e, i, detail));
+  std::vector<std::size_t> order(e.probes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&e](std::size_t a, std::size_t b) { return e.probes[a].weight > e.probes[b].weight; });
+  for (const std::size_t i : order) sections.push_back(probeSection(e, i, detail));
   if (e.skyWeight > 0.0f) sections.push_back(skySection(e));
   if (e.glass) sections.push_back(glassSection(e));
   if (e.mirror) sections.push_back(mirrorSection(e));

@@ -12,7 +12,8 @@
 
 namespace boxprobe {
 
-/// Pixel, surface, each probe, the sky, the sum. Notes are left to the caller: they come first.
+/// Pixel, surface, each probe (the largest share first), the sky, the sum. Notes are left to the caller: they come
+/// first.
 std::vector<ExplanationSection> explanationSections(const Explanation& e, const ExplanationDetail& detail = {});
 
 /// Largest difference of a component between computed and rendered colour, relative to the brightest texel fetched (to

@@ -52,10 +52,16 @@ std::string rowText(const ExplanationRow& row, const Widths& widths) {
 
 }  // namespace
 
-std::string explanationText(const Explanation& e, const ExplanationDetail& detail) {
+std::string explanationText(const Explanation& e, const ExplanationDetail& detail,
+                            const std::optional<Verdict>& verdict) {
   const std::vector<ExplanationSection> sections = explanationSections(e, detail);
   const Widths widths = columnWidths(sections);
   std::string text;
+  if (verdict) {
+    text += oneLine(verdict->sentence) + "\n";
+    if (verdict->mend) text += "Mend: " + oneLine(verdict->mend->words) + "\n";
+    text += "\n";
+  }
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (i > 0) text += "\n";
     text += oneLine(sections[i].title) + "\n";

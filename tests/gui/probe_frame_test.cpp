@@ -1,5 +1,5 @@
 // Boxes in the world: rotations, faces, the box of full weight, moving a face.
-#include "app/gui/handles/probe_frame.h"
+#include "filters/core/geometry/probe_frame.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/handles/probe_frame.h"
+#include "filters/core/geometry/probe_frame.h"
 #include "app/gui/window/main_window.h"
 #include "filters/core/base/counters.h"
 

@@ -71,7 +71,10 @@ void runExplain(const ExplainOptions& options) {
   captureShown(shown, interrupt, options.report.quiet);
   const Explanation explanation = shown.renderer().explain(pixel.x, pixel.y, size.width, size.height);
   shown.requireHealthy();
-  std::fputs((options.report.json ? explanationJson(explanation) : explanationText(explanation)).c_str(), stdout);
+  const Verdict verdict = verdictOf(explanation, loaded.scene);
+  std::fputs(
+      (options.report.json ? explanationJson(explanation, verdict) : explanationText(explanation, {}, verdict)).c_str(),
+      stdout);
 
   if (!options.report.statsPath.empty()) {
     RunStats stats = collectStats(shown.renderer(), shown.window());

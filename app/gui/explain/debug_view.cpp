@@ -100,6 +100,7 @@ void DebugView::connectParts() {
     rays_->addClick(e);
     raysChanged();
   });
+  connect(card_, &ExplainCard::mendRequested, this, &DebugView::mendRequested);
   connect(card_, &ExplainCard::unpinRequested, &inspector_, &PixelInspector::unpin);
   connect(tool_, &QPushButton::clicked, this, &DebugView::setTool);
   connect(schematicShown_, &QCheckBox::toggled, this, [this](bool shown) {
@@ -219,7 +220,7 @@ bool DebugView::unpin() {
 }
 
 void DebugView::show(const Explanation& explanation) {
-  card_->show(explanation, document_.scene().exposure);
+  card_->show(explanation, verdictOf(explanation, document_.scene()), document_.scene().exposure);
   schematic_->show(explanation, QPointF(explanation.x, explanation.y) / pixelScale());
   mirrors_->explain(&explanation);
   if (rays_->explain(&explanation) || mirrors_->shown()) raysChanged();

@@ -14,6 +14,7 @@
 #include "filters/core/scene/document.h"
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/surface_view.h"
+#include "filters/explain/verdict.h"
 
 class QCheckBox;
 class QPushButton;
@@ -73,6 +74,7 @@ class DebugView : public QObject {
  signals:
   void pictureChanged();
   void toolChanged(bool on);
+  void mendRequested(const boxprobe::Mend& mend);
   void message(const QString& line);
   void failed(const QString& line);
 

@@ -5,6 +5,7 @@
 #include <QClipboard>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTextBrowser>
@@ -37,6 +38,8 @@ ExplainCard::ExplainCard(MapsOf mapsOf, QWidget* parent)
       follow_(button(tr("Follow the pointer"), tr("Unpins the card (Esc)"), this)),
       copyText_(button(tr("Copy text"), tr("Copies the whole calculation as text"), this)),
       copyJson_(button(tr("Copy JSON"), tr("Copies the explanation as `boxprobe explain --json` prints it"), this)),
+      sentence_(new QLabel(this)),
+      mend_(new QPushButton(this)),
       text_(new QTextBrowser(this)),
       footprint_(new FootprintView(this)) {
   setObjectName("explainCard");
@@ -46,6 +49,16 @@ ExplainCard::ExplainCard(MapsOf mapsOf, QWidget* parent)
   row->addWidget(state_, 1);
   for (QToolButton* each : {follow_, copyText_, copyJson_}) row->addWidget(each);
   layout->addLayout(row);
+  sentence_->setObjectName("verdict");
+  sentence_->setWordWrap(true);
+  sentence_->setTextFormat(Qt::PlainText);
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  mend_->setObjectName("mend");
+  mend_->setToolTip(
+      tr("Changes the probe; undo takes it back. It mends this pixel: the lookup error in the debug view "
+         "shows what it does to the others."));
+  layout->addWidget(sentence_);
+  layout->addWidget(mend_, 0, Qt::AlignLeft);
   auto* splitter = new QSplitter(Qt::Vertical, this);
   splitter->addWidget(text_);
   splitter->addWidget(footprint_);
@@ -59,12 +72,16 @@ ExplainCard::ExplainCard(MapsOf mapsOf, QWidget* parent)
   connect(follow_, &QToolButton::clicked, this, &ExplainCard::unpinRequested);
   connect(copyText_, &QToolButton::clicked, this, &ExplainCard::copyText);
   connect(copyJson_, &QToolButton::clicked, this, &ExplainCard::copyJson);
+  connect(mend_, &QPushButton::clicked, this, [this] {
+    if (verdict_.mend) emit mendRequested(*verdict_.mend);
+  });
   setPinned(false);
   showHint({});
 }
 
-void ExplainCard::show(const Explanation& explanation, double exposure) {
+void ExplainCard::show(const Explanation& explanation, const Verdict& verdict, double exposure) {
   explanation_ = explanation;
+  verdict_ = verdict;
   exposure_ = exposure;
   stale_ = true;
   if (isVisible()) fill();
@@ -73,6 +90,8 @@ void ExplainCard::show(const Explanation& explanation, double exposure) {
 void ExplainCard::showHint(const QString& hint) {
   explanation_.reset();
   stale_ = false;
+  verdict_ = {};
+  showVerdict();
   footprint_->hide();
   text_->setHtml("<p>" + hint.toHtmlEscaped() + "</p>");
   copyText_->setEnabled(false);
@@ -97,6 +116,7 @@ ExplanationDetail ExplainCard::detail() const {
 void ExplainCard::fill() {
   stale_ = false;
   const Explanation& e = *explanation_;
+  showVerdict();
   // Who reads further down keeps his place while the numbers change.
   const int scrolled = text_->verticalScrollBar()->value();
   text_->setHtml(explanationHtml(e, detail(), exposure_));
@@ -110,6 +130,13 @@ void ExplainCard::fill() {
   copyJson_->setEnabled(true);
 }
 
+void ExplainCard::showVerdict() {
+  sentence_->setVisible(!verdict_.sentence.empty());
+  sentence_->setText(QString::fromStdString(verdict_.sentence));
+  mend_->setVisible(verdict_.mend.has_value());
+  if (verdict_.mend) mend_->setText(QString::fromStdString(verdict_.mend->words));
+}
+
 void ExplainCard::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (stale_) fill();
@@ -117,11 +144,12 @@ void ExplainCard::showEvent(QShowEvent* event) {
 
 void ExplainCard::copyText() const {
   if (explanation_)
-    QApplication::clipboard()->setText(QString::fromStdString(explanationText(*explanation_, detail())));
+    QApplication::clipboard()->setText(QString::fromStdString(explanationText(*explanation_, detail(), verdict_)));
 }
 
 void ExplainCard::copyJson() const {
-  if (explanation_) QApplication::clipboard()->setText(QString::fromStdString(explanationJson(*explanation_)));
+  if (!explanation_) return;
+  QApplication::clipboard()->setText(QString::fromStdString(explanationJson(*explanation_, verdict_)));
 }
 
 QString ExplainCard::text() const {

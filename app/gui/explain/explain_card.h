@@ -1,5 +1,6 @@
 // The card that explains a pixel: the calculation typeset, and the cubemap with what was fetched. Shown beside the
-// picture; called by the debug view. Sets what it is given, computes nothing of it.
+// picture; called by the debug view. Sets what it is given, computes nothing of it. Above both stands the verdict, with
+// the edit that it proposes as a button.
 #pragma once
 
 #include <QString>
@@ -11,8 +12,10 @@
 #include "filters/core/picture/baked_probe.h"
 #include "filters/explain/explanation.h"
 #include "filters/explain/explanation_sections.h"
+#include "filters/explain/verdict.h"
 
 class QLabel;
+class QPushButton;
 class QTextBrowser;
 class QToolButton;
 
@@ -30,7 +33,7 @@ class ExplainCard : public QWidget {
   explicit ExplainCard(MapsOf mapsOf, QWidget* parent = nullptr);
 
   /// While the card is hidden it only remembers what to show.
-  void show(const Explanation& explanation, double exposure);
+  void show(const Explanation& explanation, const Verdict& verdict, double exposure);
   /// Nothing is explained; `hint` says how to.
   void showHint(const QString& hint);
   void setPinned(bool pinned);
@@ -42,12 +45,14 @@ class ExplainCard : public QWidget {
 
  signals:
   void unpinRequested();
+  void mendRequested(const boxprobe::Mend& mend);
 
  protected:
   void showEvent(QShowEvent* event) override;
 
  private:
   void fill();
+  void showVerdict();
   ExplanationDetail detail() const;
 
   MapsOf mapsOf_;
@@ -55,9 +60,12 @@ class ExplainCard : public QWidget {
   QToolButton* follow_;
   QToolButton* copyText_;
   QToolButton* copyJson_;
+  QLabel* sentence_;
+  QPushButton* mend_;
   QTextBrowser* text_;
   FootprintView* footprint_;
   std::optional<Explanation> explanation_;
+  Verdict verdict_;
   double exposure_ = 1.0;
   bool stale_ = false;
 };

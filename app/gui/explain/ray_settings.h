@@ -26,7 +26,7 @@ struct RaySettings {
   int count = 24;                ///< points at most
   double maximumLength = 100.0;  ///< of rays that hit nothing, scene units
   /// By RayKind: eye ray, normal, reflected ray, lookup, sample, true hit, error.
-  std::array<bool, kRayKinds> kinds{true, true, true, true, true, false, false, true, true, true};
+  std::array<bool, kRayKinds> kinds{true, true, true, true, true, true, true, true, true, true};
   RayColoring coloring = RayColoring::Kind;
   std::optional<RayRange> locked;
 };

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "app/gui/handles/probe_frame.h"
+#include "filters/core/geometry/probe_frame.h"
 #include "filters/core/scene/scene.h"
 
 namespace boxprobe {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/gui/handles/handle_drag.h"
-#include "app/gui/handles/probe_frame.h"
+#include "filters/core/geometry/probe_frame.h"
 #include "filters/core/scene/scene.h"
 
 class vtkCamera;

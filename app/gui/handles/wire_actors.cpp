@@ -15,7 +15,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/gui/handles/probe_frame.h"
+#include "filters/core/geometry/probe_frame.h"
 #include "app/gui/widgets/axis_colors.h"
 #include "filters/core/geometry/probe_geometry.h"
 

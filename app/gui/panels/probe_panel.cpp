@@ -10,7 +10,7 @@
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
-#include "app/gui/handles/probe_frame.h"
+#include "filters/core/geometry/probe_frame.h"
 #include "app/gui/panels/blend_row.h"
 #include "app/gui/panels/technique_chooser.h"
 #include "app/gui/panels/technique_parameters_panel.h"

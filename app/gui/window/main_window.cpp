@@ -214,6 +214,11 @@ void MainWindow::connectDebugView() {
   connect(menu_, &MenuBar::copyJsonRequested, debugView_.get(), &DebugView::copyJson);
   connect(menu_, &MenuBar::saveRaysRequested, debugView_.get(), &DebugView::saveRays);
   connect(debugView_.get(), &DebugView::toolChanged, menu_, &MenuBar::showExplainTool);
+  connect(debugView_.get(), &DebugView::mendRequested, this, [this](const Mend& mend) {
+    editor_->commit(QString::fromStdString(mend.words), [mend](Scene& scene) {
+      if (const auto index = findProbe(scene, mend.probe)) scene.probes[*index] = mend.after;
+    });
+  });
   connect(debugView_.get(), &DebugView::pictureChanged, &scheduler(), &RenderScheduler::requestRender);
   connect(debugView_.get(), &DebugView::message, status_, &StatusLine::showMessage);
   connect(debugView_.get(), &DebugView::failed, status_, &StatusLine::showError);

@@ -81,13 +81,13 @@ ViewLegend::~ViewLegend() = default;
 
 void ViewLegend::show(vtkRenderer* renderer, const SurfaceViewRow& row, double low, double high,
                       const std::vector<std::string>& probeNames) {
-  renderer->RemoveActor2D(bar_);
-  renderer->RemoveActor2D(names_);
-  renderer->RemoveActor2D(caption_);
+  renderer->RemoveViewProp(bar_);
+  renderer->RemoveViewProp(names_);
+  renderer->RemoveViewProp(caption_);
   if (row.kind == ViewKind::Picture) return;
   const std::string unit = row.unit.empty() ? "" : ", " + std::string(row.unit);
   caption_->SetInput((" " + std::string(row.label) + unit + " ").c_str());
-  renderer->AddActor2D(caption_);
+  renderer->AddViewProp(caption_);
   if (row.kind == ViewKind::Category) {
     const auto& faces = faceColors();
     showNames(renderer, {faces.begin(), faces.end()}, {"-x", "+x", "-y", "+y", "-z", "+z"});
@@ -117,7 +117,7 @@ void ViewLegend::show(vtkRenderer* renderer, const SurfaceViewRow& row, double l
   bar_->SetPosition(0.015, 0.03);
   bar_->SetWidth(0.13);
   bar_->SetHeight(0.5);
-  renderer->AddActor2D(bar_);
+  renderer->AddViewProp(bar_);
 }
 
 void ViewLegend::showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& colors,
@@ -147,7 +147,7 @@ void ViewLegend::showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& 
   names_->SetPosition(0.015, 0.03);
   names_->SetPosition2(std::min(0.05 + 0.008 * static_cast<double>(longest), 0.4),
                        std::min(0.045 * static_cast<double>(count), 0.9));
-  renderer->AddActor2D(names_);
+  renderer->AddViewProp(names_);
 }
 
 void ViewLegend::upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const {

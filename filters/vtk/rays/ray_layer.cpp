@@ -141,9 +141,9 @@ void RayLayer::place() {
   const bool bar = any && legend_;
   if (bar != (renderer_->HasViewProp(bar_) != 0)) {
     if (bar) {
-      renderer_->AddActor2D(bar_);
+      renderer_->AddViewProp(bar_);
     } else {
-      renderer_->RemoveActor2D(bar_);
+      renderer_->RemoveViewProp(bar_);
     }
   }
 }

@@ -1,6 +1,6 @@
 // See probe_frame.h. The rotation is about the box's centre, so that moving one face of a rotated box moves the pivot
 // too.
-#include "app/gui/handles/probe_frame.h"
+#include "filters/core/geometry/probe_frame.h"
 
 #include <algorithm>
 #include <glm/matrix.hpp>
