@@ -124,6 +124,40 @@ TEST_F(DebugViewTest, FollowsThePointerOnceATurn) {
   EXPECT_NE(debug().card()->text(), first);
 }
 
+// A face that is off is named by the verdict and put where the ray ends, as one step.
+TEST_F(DebugViewTest, TheVerdictsMendMovesTheFace) {
+  const Probe room = loadSceneFile(BOXPROBE_DATA_DIR "/scenes/building.boxprobe.json").probes.front();
+  window_->editor().commitProbe("As in the scene", [&](Probe& edited) { edited = room; });
+  waitUntilIdle();
+  key(Qt::Key_E);
+  const QPointF floor = pixelOf({-0.9, 0.0, 1.3});
+  press(floor);
+  release(floor);
+  waitUntilIdle();
+  debug().copyJson();
+  const auto json = nlohmann::json::parse(QApplication::clipboard()->text().toStdString());
+  const std::string face = json["probes"][0]["face"];
+  const auto axis = static_cast<int>(face[1] - 'x');
+  window_->editor().commitProbe("Set box", [&](Probe& edited) {
+    (face[0] == '+' ? edited.box.max : edited.box.min)[axis] += face[0] == '+' ? 0.7 : -0.7;
+  });
+  waitUntilIdle();
+  EXPECT_TRUE(find<QLabel>("verdict")->text().contains("degrees off")) << find<QLabel>("verdict")->text().toStdString();
+  auto* mend = find<QPushButton>("mend");
+  ASSERT_TRUE(mend->isVisible());
+  keep("verdict");
+  QTest::mouseClick(mend, Qt::LeftButton);
+  waitUntilIdle();
+  EXPECT_TRUE(find<QLabel>("verdict")->text().contains("right to")) << find<QLabel>("verdict")->text().toStdString();
+  EXPECT_FALSE(mend->isVisible());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(window_->editor().scene().probes.front().box == room.box) << "one step";
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(window_->editor().scene().probes.front().box == room.box);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  waitUntilIdle();
+}
+
 // A point of the mirror floor whose reflected ray meets a wall: the picture in app/README.md.
 TEST_F(DebugViewTest, TheFloorReflectsAWall) {
   const QSize before = window_->size();

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <QImage>
+#include <QLabel>
+#include <QPushButton>
 #include <QTest>
 
 #include "app/gui/explain/explanation_html.h"
@@ -33,7 +35,7 @@ class ExplainCardTest : public ::testing::Test {
 };
 
 TEST_F(ExplainCardTest, HiddenItSetsNothingAndShownItCatchesUp) {
-  card_.show(room_.explain(), 1.0);
+  card_.show(room_.explain(), {}, 1.0);
   EXPECT_EQ(read_, 0);
   EXPECT_FALSE(card_.text().contains("floor"));
   open();
@@ -44,19 +46,39 @@ TEST_F(ExplainCardTest, HiddenItSetsNothingAndShownItCatchesUp) {
 TEST_F(ExplainCardTest, SaysWhatIsUndefinedFirst) {
   open();
   room_.probe.technique = "infinite";
-  card_.show(room_.explain(), 1.0);
+  card_.show(room_.explain(), {}, 1.0);
   const QString text = card_.text();
   const int note = text.indexOf("has no box to hit");
   EXPECT_GE(note, 0);
   EXPECT_LT(note, text.indexOf("Surface:"));
   room_.captured = false;
-  card_.show(room_.explain(), 1.0);
+  card_.show(room_.explain(), {}, 1.0);
   EXPECT_TRUE(card_.text().contains("not captured yet"));
+}
+
+TEST_F(ExplainCardTest, TheVerdictStandsFirstAndItsMendIsAButton) {
+  open();
+  auto* sentence = card_.findChild<QLabel*>("verdict");
+  auto* button = card_.findChild<QPushButton*>("mend");
+  EXPECT_FALSE(sentence->isVisible());
+  Verdict verdict{"The sky, because \"room\" ends short.", Mend{"Widen it", "room", room_.probe}};
+  verdict.mend->after.blendDistance.min.x = 0.25;
+  card_.show(room_.explain(), verdict, 1.0);
+  EXPECT_EQ(sentence->text(), QString::fromStdString(verdict.sentence));
+  EXPECT_EQ(button->text(), "Widen it");
+  Probe asked;
+  QObject::connect(&card_, &ExplainCard::mendRequested, [&](const Mend& mend) { asked = mend.after; });
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_TRUE(asked == verdict.mend->after);
+  card_.show(room_.explain(), {"Probe \"room\", right to 0.2 degrees.", {}}, 1.0);
+  EXPECT_FALSE(button->isVisible());
+  card_.showHint("E");
+  EXPECT_FALSE(sentence->isVisible());
 }
 
 TEST_F(ExplainCardTest, OutlinesTheTexelsOnTheFaceThatIsHit) {
   open();
-  card_.show(room_.explain(), 1.0);
+  card_.show(room_.explain(), {}, 1.0);
   auto* footprint = card_.findChild<FootprintView*>();
   ASSERT_NE(footprint, nullptr);
   EXPECT_TRUE(footprint->isVisible());
