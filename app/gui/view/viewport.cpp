@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "app/gui/handles/probe_widget.h"
+#include "app/gui/widgets/pointer_place.h"
 #include "filters/vtk/gl/software_driver.h"
 
 namespace boxprobe {
@@ -130,33 +131,33 @@ void Viewport::initializeGL() {
 void Viewport::mousePressEvent(QMouseEvent* event) {
   event->accept();
   if (cameraController_.motion() != CameraController::Motion::None) return;
-  if (event->button() == Qt::LeftButton && probeWidget_->press(event->localPos(), event->modifiers())) return;
+  if (event->button() == Qt::LeftButton && probeWidget_->press(pointerPlace(*event), event->modifiers())) return;
   if (probeWidget_->dragging()) return;
-  if (picking_ && event->button() == Qt::LeftButton) pressed_ = event->localPos();
-  cameraController_.begin(motionFor(event->button(), event->modifiers()), event->localPos());
+  if (picking_ && event->button() == Qt::LeftButton) pressed_ = pointerPlace(*event);
+  cameraController_.begin(motionFor(event->button(), event->modifiers()), pointerPlace(*event));
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
   event->accept();
   if (cameraController_.motion() == CameraController::Motion::None) {
-    probeWidget_->move(event->localPos(), event->modifiers());
-    if (!probeWidget_->dragging()) emit pointerMoved(event->localPos());
-  } else if (pressed_ && QLineF(*pressed_, event->localPos()).length() < kClickPixels) {
+    probeWidget_->move(pointerPlace(*event), event->modifiers());
+    if (!probeWidget_->dragging()) emit pointerMoved(pointerPlace(*event));
+  } else if (pressed_ && QLineF(*pressed_, pointerPlace(*event)).length() < kClickPixels) {
     return;  // a hand is never quite still
   } else {
     pressed_.reset();
-    if (cameraController_.move(camera_(), event->localPos(), height())) emit cameraMoved();
+    if (cameraController_.move(camera_(), pointerPlace(*event), height())) emit cameraMoved();
   }
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   event->accept();
-  if (event->button() == Qt::LeftButton) probeWidget_->release(event->localPos(), event->modifiers());
+  if (event->button() == Qt::LeftButton) probeWidget_->release(pointerPlace(*event), event->modifiers());
   if (event->buttons() == Qt::NoButton) cameraController_.end();
   if (event->button() != Qt::LeftButton || !pressed_) return;
   const QPointF pressed = *pressed_;
   pressed_.reset();
-  if (QLineF(pressed, event->localPos()).length() < kClickPixels) emit clicked(event->localPos());
+  if (QLineF(pressed, pointerPlace(*event)).length() < kClickPixels) emit clicked(pointerPlace(*event));
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {

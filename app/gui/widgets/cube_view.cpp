@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QResizeEvent>
 
+#include "app/gui/widgets/pointer_place.h"
+
 namespace boxprobe {
 
 namespace {
@@ -51,7 +53,7 @@ void CubeView::paintEvent(QPaintEvent*) {
 }
 
 void CubeView::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF at = event->localPos();
+  const QPointF at = pointerPlace(*event);
   emit pointed(image_.isNull() ? std::nullopt : CubePicture(kind_, image_.width()).direction({at.x(), at.y()}));
 }
 

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <algorithm>
 
+#include "app/gui/widgets/pointer_place.h"
 #include "app/gui/widgets/value_field.h"
 
 namespace boxprobe {
@@ -23,13 +24,13 @@ void ScrubLabel::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !field_->isEnabled()) return;
   field_->setFocus();
   dragging_ = true;
-  lastX_ = event->screenPos().x();
+  lastX_ = pointerOnScreen(*event).x();
   value_ = field_->value();
 }
 
 void ScrubLabel::mouseMoveEvent(QMouseEvent* event) {
   if (!dragging_) return;
-  const double x = event->screenPos().x();
+  const double x = pointerOnScreen(*event).x();
   const double perPixel = event->modifiers().testFlag(Qt::ShiftModifier) ? kFineStepsPerPixel : kStepsPerPixel;
   value_ = std::clamp(value_ + (x - lastX_) * perPixel * field_->singleStep(), field_->minimum(), field_->maximum());
   lastX_ = x;

@@ -37,6 +37,7 @@ TextButton::TextButton(QWidget* parent) : QAbstractButton(parent) {
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
   setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_Hover);  // it is drawn lighter under the pointer
   setCursor(Qt::PointingHandCursor);
 }
 
@@ -145,16 +146,6 @@ void TextButton::paintEvent(QPaintEvent*) {
 void TextButton::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
   QAbstractButton::keyPressEvent(event);
-}
-
-void TextButton::enterEvent(QEvent* event) {
-  update();
-  QAbstractButton::enterEvent(event);
-}
-
-void TextButton::leaveEvent(QEvent* event) {
-  update();
-  QAbstractButton::leaveEvent(event);
 }
 
 void TextButton::changeEvent(QEvent* event) {
