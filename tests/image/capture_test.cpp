@@ -1,5 +1,6 @@
 // What a probe holds after a capture: coverage, range, levels, bounces; and what is captured again after which edit.
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkRenderer.h>
@@ -11,6 +12,8 @@
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/capture/prefilter.h"
 #include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/gl/software_driver.h"
+#include "filters/vtk/gl/texture_memory.h"
 #include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"
@@ -33,6 +36,14 @@ class PrefilterTest : public ::testing::Test {
   Prefilter prefilter{window, &counters};
   CubeTexture source, chain;
 };
+
+// Mesa 25 says that llvmpipe had some 30 MB left.
+TEST_F(PrefilterTest, ASoftwareRendererHasTheMachinesMemory) {
+  if (!drawsOnCpu()) GTEST_SKIP() << "drawn by a graphics card";
+  const auto bytes =
+      static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) / 2 * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  EXPECT_EQ(textureMemoryLimit(), bytes);
+}
 
 TEST_F(PrefilterTest, WhiteFurnaceStaysWhiteAtEveryLevel) {
   const std::vector<float> white(std::size_t{kFace} * kFace * 4, 1.0f);

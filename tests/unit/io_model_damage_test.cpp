@@ -89,7 +89,6 @@ TEST_F(ModelDamage, SparsePartsAreCheckedAlike) {
                                               {{"count", -1}},
                                               {{"indices", {{"componentType", 5126}}}},
                                               {{"indices", {{"bufferView", 99}}}},
-                                              {{"indices", {{"byteOffset", -2}}}},
                                               {{"indices", {{"byteOffset", 3}}}},
                                               {{"values", {{"bufferView", -7}}}},
                                               {{"values", {{"byteOffset", 100}}}}}) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "filters/vtk/gl/opengl.h"
+#include "filters/vtk/gl/software_driver.h"
 
 namespace boxprobe {
 
@@ -31,10 +32,13 @@ std::size_t textureMemoryLimit() {
       return static_cast<std::size_t>(megabytes * static_cast<double>(kMegabyte));
     }
   }
-  if (const std::size_t all = queried(GL_GPU_MEMORY_INFO_TOTAL_AVAILABLE_MEMORY_NVX, BOXPROBE_HAS_MEMORY_INFO_NVX)) {
+  // A software renderer's textures lie in the machine's own memory; Mesa 25's llvmpipe answers with tens of megabytes.
+  const bool card = !drawsOnCpu();
+  if (const std::size_t all =
+          queried(GL_GPU_MEMORY_INFO_TOTAL_AVAILABLE_MEMORY_NVX, card && BOXPROBE_HAS_MEMORY_INFO_NVX)) {
     return all;
   }
-  if (const std::size_t left = queried(GL_TEXTURE_FREE_MEMORY_ATI, BOXPROBE_HAS_MEMORY_INFO_ATI)) return left;
+  if (const std::size_t left = queried(GL_TEXTURE_FREE_MEMORY_ATI, card && BOXPROBE_HAS_MEMORY_INFO_ATI)) return left;
   const long pages = ::sysconf(_SC_PHYS_PAGES), pageBytes = ::sysconf(_SC_PAGESIZE);
   if (pages <= 0 || pageBytes <= 0) return std::numeric_limits<std::size_t>::max();
   return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(pageBytes);
