@@ -2,7 +2,7 @@
 // over the display's OpenGL (llvmpipe under xvfb-run).
 import { spawn } from 'node:child_process';
 import { createServer } from 'node:http';
-import { createReadStream, existsSync, mkdtempSync, rmSync, statSync } from 'node:fs';
+import { createReadStream, existsSync, mkdtempSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 
@@ -47,9 +47,10 @@ export function drawnByPage(page, config, files, modules, seconds = 240) {
         }
         return;
       }
+      if (name === '/') return response.end(readFileSync(path.join(here, 'page.html'), 'utf8').replace('@BUILD@', config.build));
       if (name === '/config.json') return response.end(JSON.stringify(config));
       const [, first, ...rest] = name.split('/');
-      let file = name === '/' ? path.join(here, 'page.html') : name === '/page.js' ? path.join(here, page)
+      let file = name === '/page.js' ? path.join(here, page)
         : first === 'node_modules' ? path.join(modules, ...rest)
         : files[first] ? path.join(files[first], ...rest) : path.join(here, name);
       if (first === 'node_modules' && !existsSync(file) && existsSync(file + '.js')) file += '.js';
