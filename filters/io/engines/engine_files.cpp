@@ -74,7 +74,7 @@ const std::vector<EngineRow>& engineRows() {
   static const std::vector<EngineRow> rows = {
       {"three.js", "boxprobe_three.js", "ktx2", "three"},
       {"Babylon.js", "boxprobe_babylon.js", "dds", "babylon"},
-      {"PlayCanvas", "boxprobe_playcanvas.js", "ktx2 dds", "three"},
+      {"PlayCanvas", "boxprobe_playcanvas.js", "ktx2", "three"},
       {"Bevy", "boxprobe_bevy.rs", "ktx2", "bevy"},
       {"Unity", "BoxprobeImport.cs", "dds", "unity"},
       {"Unreal", "boxprobe_unreal.py", "hdr exr dds", "own"},

@@ -1,13 +1,14 @@
 // Exported probes and techniques in engines, beside `boxprobe render`: writes each pair of pictures as a sheet (ours, theirs, the
 // pixels that reflect) and prints the PSNR over those pixels.
-// usage: show_probes.mjs BOXPROBE SCENES OUT NODE_MODULES [ENGINE ...]
+// usage: show_probes.mjs BOXPROBE SCENES OUT [ENGINE ...] NODE_MODULES
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { drawnByPage } from './browser.mjs';
 
-const [program, scenes, out, modules, ...only] = process.argv.slice(2);
+const [program, scenes, out, ...rest] = process.argv.slice(2);
+const modules = rest.pop(), only = rest;
 const { PNG } = createRequire(path.resolve(modules, 'x.js'))('pngjs');
 const width = 480, height = 300;
 const run = (name, ...args) => execFileSync(name, args, { stdio: ['ignore', 'pipe', 'inherit'] });
@@ -25,8 +26,8 @@ const rough = { ...floor, name: 'rough-floor', nodes: ['floor'], materials: ['fl
 // `mirror`: the least roughness that the engine draws. `least`: dB that each view must reach.
 const engines = [
   { name: 'three', page: 'three.js', export: ['--format', 'ktx2', '--ladder', 'three'], mirror: 0.0525, views: [[ball, 33], [floor, 33], [rough, 28]] },
-  { name: 'technique-glsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'glsl', mirror: 0, views: [[ball, 35], [floor, 35], [rough, 35]] },
-  { name: 'technique-hlsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'hlsl', mirror: 0, views: [[rough, 35]] },
+  { name: 'technique-glsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'glsl', mirror: 0, views: [[ball, 50], [floor, 50], [rough, 50]] },
+  { name: 'technique-hlsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'hlsl', mirror: 0, views: [[rough, 50]] },
 ];
 
 // An exported technique as the fragment shader of a page; HLSL by way of glslang and spirv-cross.
