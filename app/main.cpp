@@ -10,6 +10,7 @@
 #include "app/cli/command/bench_command.h"
 #include "app/cli/command/explain_command.h"
 #include "app/cli/command/export_command.h"
+#include "app/cli/command/import_command.h"
 #include "app/cli/command/info_command.h"
 #include "app/cli/command/render_command.h"
 #include "app/cli/command/stress_command.h"
@@ -47,6 +48,7 @@ int run(int& argc, char** argv) {
                                                addBakeCommand(program),
                                                addExplainCommand(program),
                                                addExportCommand(program),
+                                               addImportCommand(program),
                                                addInfoCommand(program),
                                                addBenchCommand(program),
                                                addStressCommand(program),

@@ -1,10 +1,10 @@
 #include "filters/io/engines/engine_files.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <sstream>
 #include <utility>
 
+#include "filters/core/base/number_text.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/io/engines/engine_source.h"
 
@@ -21,9 +21,7 @@ bool listed(std::string_view list, std::string_view word) {
 }
 
 std::string vector3(const glm::dvec3& v) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.9g, %.9g, %.9g", v.x, v.y, v.z);
-  return text;
+  return numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z);
 }
 
 /// A string in double quotes of GDScript, C and their like.
@@ -56,7 +54,7 @@ std::string filledIn(std::string text, const ExportedProbe& exported) {
       {"@PROBE_X@", vector3(turn[0])},
       {"@PROBE_Y@", vector3(turn[1])},
       {"@PROBE_Z@", vector3(turn[2])},
-      {"@INTENSITY@", std::to_string(probe.intensity)},
+      {"@INTENSITY@", numberText(probe.intensity)},
       {"@LATLONG_SHIFT@", exported.ladder->latLongCentre.x > 0.5f ? "0.25" : "0.0"},
   };
   for (const auto& [field, value] : fields) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <sstream>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/number_text.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/io/engines/export_names.h"
 #include "filters/math/cube/cube_filter.h"
@@ -69,9 +69,7 @@ std::string withoutDirectives(const std::string& text, Words defined) {
 }
 
 std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.9g", value);
-  std::string result = text;
+  std::string result = numberText(static_cast<float>(value));
   if (result.find_first_of(".e") == std::string::npos) result += ".0";
   return result + "f";
 }

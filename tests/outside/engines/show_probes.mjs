@@ -26,6 +26,8 @@ const rough = { ...floor, name: 'rough-floor', nodes: ['floor'], materials: ['fl
 // `mirror`: the least roughness that the engine draws. `least`: dB that each view must reach.
 const engines = [
   { name: 'three', page: 'three.js', export: ['--format', 'ktx2', '--ladder', 'three'], mirror: 0.0525, views: [[ball, 33], [floor, 33], [rough, 28]] },
+  { name: 'babylon', page: 'babylon.js', export: ['--format', 'dds', '--ladder', 'babylon', '--center'], mirror: 0, views: [[ball, 30], [floor, 30], [rough, 25]] },
+  { name: 'playcanvas', page: 'playcanvas.js', export: ['--format', 'ktx2', '--ladder', 'three', '--center'], mirror: 0, views: [[ball, 25], [floor, 25], [rough, 20]] },
   { name: 'technique-glsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'glsl', mirror: 0, views: [[ball, 50], [floor, 50], [rough, 50]] },
   { name: 'technique-hlsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'hlsl', mirror: 0, views: [[rough, 50]] },
 ];
