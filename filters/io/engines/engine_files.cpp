@@ -71,13 +71,13 @@ std::string filledIn(std::string text, const ExportedProbe& exported) {
 const std::vector<EngineRow>& engineRows() {
   static const std::vector<EngineRow> rows = {
       {"three.js", "boxprobe_three.js", "ktx2", "three"},
-      {"Babylon.js", "boxprobe_babylon.js", "dds", "babylon"},
-      {"PlayCanvas", "boxprobe_playcanvas.js", "ktx2", "three"},
-      {"Bevy", "boxprobe_bevy.rs", "ktx2", "bevy"},
+      {"Babylon.js", "boxprobe_babylon.js", "dds", "babylon", true},
+      {"PlayCanvas", "boxprobe_playcanvas.js", "ktx2", "three", true},
+      {"Bevy", "boxprobe_bevy.rs", "ktx2", "bevy", true},
       {"Unity", "BoxprobeImport.cs", "dds", "unity"},
       {"Unreal", "boxprobe_unreal.py", "hdr exr dds", "own"},
       {"Godot", "boxprobe.gdshader", "exr hdr", "own three"},
-      {"Godot", "boxprobe.tscn", "exr hdr", "own three", true},
+      {"Godot", "boxprobe.tscn", "exr hdr", "own three", false, true},
       {"Blender", "boxprobe_blender.py", "exr hdr", "own three"},
   };
   return rows;

@@ -15,6 +15,7 @@ struct EngineRow {
   std::string_view file;     ///< of data/engines
   std::string_view formats;  ///< space separated
   std::string_view ladders;  ///< that it can read
+  bool centered = false;     ///< its lookups start in the middle of the box (--center)
   bool perProbe = false;     ///< one for each probe, named after it; its @FIELDS@ are filled in
 };
 
