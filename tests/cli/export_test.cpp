@@ -32,9 +32,9 @@ TEST(Export, WritesThePictureItsDescriptionAndTheEnginesFile) {
   ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
   EXPECT_EQ(readFile(folder.path("out/room.ktx2")).substr(1, 6), "KTX 20");
   EXPECT_THAT(readFile(folder.path("out/boxprobe_three.js")), HasSubstr("loadBoxprobe"));
-  const Json json = Json::parse(readFile(folder.path("out/room.json")));
-  EXPECT_EQ(json["ladder"]["faceSize"], 32);
-  EXPECT_EQ(json["box"]["max"], Json({4.0, 3.0, 3.0}));
+  const Json description = Json::parse(readFile(folder.path("out/room.json")));
+  EXPECT_EQ(description["ladder"]["faceSize"], 32);
+  EXPECT_EQ(description["box"]["max"], Json({4.0, 3.0, 3.0}));
   EXPECT_EQ(Json::parse(readFile(folder.path("s.json")))["counters"]["facesCaptured"], 6);
 }
 
