@@ -9,6 +9,8 @@
 #include "app/cli/command/bake_command.h"
 #include "app/cli/command/bench_command.h"
 #include "app/cli/command/explain_command.h"
+#include "app/cli/command/export_command.h"
+#include "app/cli/command/import_command.h"
 #include "app/cli/command/info_command.h"
 #include "app/cli/command/render_command.h"
 #include "app/cli/command/stress_command.h"
@@ -45,6 +47,8 @@ int run(int& argc, char** argv) {
   const std::vector<Subcommand> subcommands = {addRenderCommand(program),
                                                addBakeCommand(program),
                                                addExplainCommand(program),
+                                               addExportCommand(program),
+                                               addImportCommand(program),
                                                addInfoCommand(program),
                                                addBenchCommand(program),
                                                addStressCommand(program),

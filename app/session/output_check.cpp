@@ -33,6 +33,16 @@ void requireWritable(const std::string& option, const std::string& path) {
   unlink(probe.c_str());
 }
 
+void requireOutputFolder(const std::string& option, const std::string& folder) {
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+    throw InputError(folder + ": this is a file; " + option + " names a folder");
+  }
+  fs::create_directories(folder, error);
+  if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
+  if (access(folder.c_str(), W_OK) != 0) throw WorkError(folder + ": cannot write into this folder");
+}
+
 std::string requireExtension(const std::string& option, const std::string& path,
                              const std::vector<std::string>& extensions) {
   std::string extension = fs::path(path).extension().string();

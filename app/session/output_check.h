@@ -10,6 +10,10 @@ namespace boxprobe {
 /// exists and takes a new file, and `path` is no folder.
 void requireWritable(const std::string& option, const std::string& path);
 
+/// Makes the folder that `option` names where it is missing, before hours of work and not after them. Throws InputError
+/// if it is a file, WorkError if it cannot be made or written into.
+void requireOutputFolder(const std::string& option, const std::string& folder);
+
 /// The extension of `path` in lower case; throws InputError naming the ones there are if it is none of `extensions`.
 std::string requireExtension(const std::string& option, const std::string& path,
                              const std::vector<std::string>& extensions);

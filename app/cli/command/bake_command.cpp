@@ -1,10 +1,7 @@
 // See bake_command.h.
 #include "app/cli/command/bake_command.h"
 
-#include <unistd.h>
-
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <set>
 
@@ -24,8 +21,6 @@
 namespace boxprobe {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 struct BakeOptions {
   std::string scenePath;
@@ -53,17 +48,6 @@ std::vector<std::string> chooseProbes(const Scene& scene, const std::vector<std:
     }
   }
   return wanted.empty() ? baked : wanted;
-}
-
-/// Before hours of work, not after them.
-void requireBakeFolder(const std::string& folder) {
-  std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
-    throw InputError(folder + ": this is a file; -o names a folder");
-  }
-  fs::create_directories(folder, error);
-  if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
-  if (access(folder.c_str(), W_OK) != 0) throw WorkError(folder + ": cannot write into this folder");
 }
 
 /// Makes what is missing and writes each probe as soon as it is finished, so that work that is stopped goes on from
@@ -106,7 +90,7 @@ void runBake(const BakeOptions& options) {
   interrupt.check();
 
   OffscreenScene shown({"boxprobe bake", 16, 16, 1, options.report.quiet, false, options.report.offscreen});
-  requireBakeFolder(folder);
+  requireOutputFolder("-o", folder);
   ShownSettings settings;
   settings.bakedFolder = folder;
   settings.bakeTargets = probes;

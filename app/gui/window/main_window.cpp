@@ -28,6 +28,7 @@
 #include "app/gui/window/menu_bar.h"
 #include "app/gui/window/model_fitter.h"
 #include "app/gui/window/panel_docks.h"
+#include "app/gui/window/probe_exporter.h"
 #include "app/gui/window/projector.h"
 #include "app/gui/window/status_line.h"
 #include "filters/vtk/scene_renderer.h"
@@ -60,6 +61,7 @@ MainWindow::MainWindow()
            [this] { lessons_->leave(); }, [this] { return lessons_->sceneName(); },
            [this](const QString& path) { return lessons_->mayWrite(path); }, [this] { return pictureAspect(); }},
           this)),
+      exporter_(new ProbeExporter(document_, *renderer_, this)),
       debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
       menu_(new MenuBar(this)),
       lessons_(new LessonView(
@@ -158,6 +160,9 @@ void MainWindow::connectFiles() {
   connect(menu_, &MenuBar::saveRequested, files_, &FileCommands::save);
   connect(menu_, &MenuBar::saveAsRequested, files_, &FileCommands::saveAs);
   connect(menu_, &MenuBar::exportRequested, files_, &FileCommands::exportImage);
+  connect(menu_, &MenuBar::exportProbesRequested, exporter_, &ProbeExporter::ask);
+  connect(exporter_, &ProbeExporter::message, status_, &StatusLine::showMessage);
+  connect(exporter_, &ProbeExporter::failed, status_, &StatusLine::showError);
   connect(menu_, &MenuBar::quitRequested, this, &QWidget::close);
   connect(menu_, &MenuBar::recentChosen, files_, &FileCommands::openPath, Qt::QueuedConnection);
   // Later: the menu is made anew by what it brings about.

@@ -25,6 +25,7 @@ class ModelFitter;
 class MotionPreview;
 class PanelDocks;
 class PictureWork;
+class ProbeExporter;
 class ProbeOverlay;
 class ProbeWidget;
 class Projector;
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
   ProbeWidget& probeWidget() { return *probeWidget_; }
   RenderScheduler& scheduler();
   FileCommands& files() { return *files_; }
+  ProbeExporter& exporter() { return *exporter_; }
   DebugView& debugView() { return *debugView_; }
   LessonView& lessons() { return *lessons_; }
   Projector& projector() { return *projector_; }
@@ -102,6 +104,7 @@ class MainWindow : public QMainWindow {
   ProbeWidget* probeWidget_;
   PictureWork* work_;
   FileCommands* files_;
+  ProbeExporter* exporter_;
   std::unique_ptr<DebugView> debugView_;
   MenuBar* menu_;
   LessonView* lessons_;

@@ -19,6 +19,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   add(file, tr("Save &as..."), QKeySequence("Ctrl+Shift+S"), &MenuBar::saveAsRequested);
   file->addSeparator();
   export_ = add(file, tr("&Export image..."), QKeySequence("Ctrl+E"), &MenuBar::exportRequested);
+  add(file, tr("Export &probes..."), {}, &MenuBar::exportProbesRequested);
   add(file, tr("Save &baked probes..."), {}, &MenuBar::saveBakedRequested);
   file->addSeparator();
   add(file, tr("&Quit"), QKeySequence("Ctrl+Q"), &MenuBar::quitRequested);

@@ -42,6 +42,7 @@ class MenuBar : public QObject {
   void saveRequested();
   void saveAsRequested();
   void exportRequested();
+  void exportProbesRequested();
   void saveBakedRequested();
   void recentChosen(const QString& path);
   void variantChosen(const QString& name);

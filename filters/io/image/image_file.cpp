@@ -35,6 +35,10 @@ InputError damaged(const std::string& name) {
   return InputError(oneLine(name + ": is damaged (" + stbi_failure_reason() + "); save it again"));
 }
 
+void appendBytes(void* target, void* data, int size) {
+  static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
 ImageRgbaF loadRadiance(const std::string& path) {
   const std::string bytes = readWholeFile(path);
   const int length = static_cast<int>(bytes.size());
@@ -123,11 +127,17 @@ void savePng(const std::string& path, const ImageRgba8& image) {
   }
   // Through memory: the encoder's own file output does not notice a full disk.
   std::string encoded;
-  const auto append = [](void* target, void* data, int size) {
-    static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
-  };
-  if (stbi_write_png_to_func(append, &encoded, image.width, image.height, 4, image.pixels.data(), image.width * 4) ==
-      0) {
+  if (stbi_write_png_to_func(appendBytes, &encoded, image.width, image.height, 4, image.pixels.data(),
+                             image.width * 4) == 0) {
+    throw WorkError(path + ": the picture could not be encoded; is there memory left?");
+  }
+  writeTextAtomically(path, encoded);
+}
+
+void saveRadiance(const std::string& path, const ImageRgbaF& image) {
+  checkPixelCount(path, image.width, image.height, image.pixels.size());
+  std::string encoded;
+  if (stbi_write_hdr_to_func(appendBytes, &encoded, image.width, image.height, 4, image.pixels.data()) == 0) {
     throw WorkError(path + ": the picture could not be encoded; is there memory left?");
   }
   writeTextAtomically(path, encoded);

@@ -1,4 +1,4 @@
-// Pictures in and out: PNG for display colours, OpenEXR for linear ones, Radiance HDR in. Every output is written to a
+// Pictures in and out: PNG for display colours, OpenEXR and Radiance HDR for linear ones. Every output is written to a
 // temporary file beside its target and renamed.
 #pragma once
 
@@ -19,6 +19,10 @@ struct ExtraChannel {
 
 /// Float RGBA, ZIP compressed, scan lines.
 void saveExr(const std::string& path, const ImageRgbaF& image, const std::vector<ExtraChannel>& extra = {});
+
+/// Radiance HDR (RGBE, run lengths): 8 bits for each of red, green and blue at a common exponent, no alpha. Throws
+/// WorkError.
+void saveRadiance(const std::string& path, const ImageRgbaF& image);
 
 /// By extension: .exr or .hdr. Non-finite texels are set to 0 and counted in `*notFinite` when given. Throws
 /// InputError.

@@ -1,0 +1,185 @@
+// See export_command.h.
+#include "app/cli/command/export_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <memory>
+
+#include "app/session/interrupt.h"
+#include "app/session/load_scene.h"
+#include "app/session/messages.h"
+#include "app/session/output_check.h"
+#include "app/session/probe_captures.h"
+#include "app/session/progress_line.h"
+#include "app/session/scene_work.h"
+#include "filters/core/base/errors.h"
+#include "filters/core/base/nearest_name.h"
+#include "filters/io/cube/bake_folder.h"
+#include "filters/io/engines/ladder.h"
+#include "filters/io/engines/technique_text.h"
+#include "filters/io/files/atomic_file.h"
+
+namespace boxprobe {
+
+namespace {
+
+struct ExportOptions {
+  std::string scenePath;
+  std::string output;  ///< a folder; of --shader a file
+  ExportSettings settings;
+  std::string shader;     ///< language; empty: pictures are exported
+  std::string technique;  ///< of --shader; empty: the first probe's
+  std::vector<std::string> probes;
+  std::vector<std::string> assignments;
+  ReportOptions report;
+};
+
+const std::map<std::string, ShaderLanguage>& shaderLanguages() {
+  static const std::map<std::string, ShaderLanguage> languages = {
+      {"glsl", ShaderLanguage::Glsl}, {"hlsl", ShaderLanguage::Hlsl}, {"godot", ShaderLanguage::Godot}};
+  return languages;
+}
+
+std::vector<std::string> probesToExport(const Scene& scene, const std::vector<std::string>& wanted) {
+  std::vector<std::string> all;
+  for (const Probe& probe : scene.probes) all.push_back(probe.name);
+  if (all.empty()) throw InputError("the scene has no probes to export; add one, or see boxprobe fit --help");
+  for (const std::string& name : wanted) {
+    if (findProbe(scene, name)) continue;
+    throw InputError("--probe " + name + ": the scene has no such probe; there are: " + nameList(all));
+  }
+  return wanted.empty() ? all : wanted;
+}
+
+void runShader(const ExportOptions& options, const Scene& scene, const std::vector<std::string>& names) {
+  std::vector<Probe> probes;
+  for (const std::string& name : names) probes.push_back(scene.probes[*findProbe(scene, name)]);
+  const std::string technique = options.technique.empty() ? probes.front().technique : options.technique;
+  writeTextAtomically(options.output, techniqueText(probes, technique, shaderLanguages().at(options.shader),
+                                                    "Boxprobe " BOXPROBE_VERSION));
+  if (!options.report.quiet) std::printf("%s\n", options.output.c_str());
+}
+
+/// Where engines will look elsewhere than this program, said once for each probe.
+std::vector<std::string> exportRemarks(const Scene& scene, const std::vector<std::string>& names,
+                                       const ExportSettings& settings) {
+  std::vector<std::string> remarks;
+  const bool oneCenter = settings.ladder == "bevy" || settings.ladder == "babylon" || settings.ladder == "unity";
+  for (const std::string& name : names) {
+    const Probe& probe = scene.probes[*findProbe(scene, name)];
+    if (oneCenter && settings.ladder != "unity" && !settings.center && probe.origin != probe.box.center()) {
+      remarks.push_back("probes." + name +
+                        ".origin: is not the middle of the box, where the engine starts its lookups; "
+                        "--center moves the cubemap there");
+    }
+    if (oneCenter && settings.ladder != "bevy" && probe.rotationDegrees != glm::dvec3(0.0)) {
+      remarks.push_back("probes." + name + ".rotationDegrees: the engine's box projection knows no turned box");
+    }
+  }
+  return remarks;
+}
+
+void runExport(ExportOptions options) {
+  if (options.output.empty()) throw InputError("-o is missing: name a folder, or a file with --shader");
+  const bool shader = !options.shader.empty();
+  if (shader) {
+    if (shaderLanguages().count(options.shader) == 0) {
+      throw InputError("--shader " + options.shader + ": no such language; there are: glsl, hlsl, godot");
+    }
+    requireWritable("-o", options.output);
+  } else {
+    if (!options.technique.empty()) throw InputError("--technique belongs to --shader; pictures have none");
+    checkExportSettings(options.settings);
+  }
+  if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  const InterruptGuard interrupt;
+  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet);
+  const std::vector<std::string> names = probesToExport(loaded.scene, options.probes);
+  // A size above the capture's is captured; one below is averaged from it, and a baked file serves.
+  for (const std::string& name : names) {
+    Probe& probe = loaded.scene.probes[*findProbe(loaded.scene, name)];
+    if (options.settings.faceSize != 0) probe.faceSize = std::max(probe.faceSize, options.settings.faceSize);
+    if (shader && options.settings.faceSize != 0) probe.faceSize = options.settings.faceSize;
+  }
+  if (shader) return runShader(options, loaded.scene, names);
+
+  requireOutputFolder("-o", options.output);
+  if (!options.report.quiet) {
+    printWarnings(loaded.warnings);
+    printWarnings(exportRemarks(loaded.scene, names, options.settings));
+  }
+  const CaptureWishes wishes = {names, BakeFolder::besideScene(options.scenePath), options.report.offscreen,
+                                options.report.quiet};
+  const CapturedProbes captured = captureProbes(loaded, wishes, interrupt);
+  ProgressLine line("filtering", !options.report.quiet);
+  options.settings.writer = "Boxprobe " BOXPROBE_VERSION;
+  const std::vector<std::string> files =
+      exportProbes(captured.captures, options.settings, options.output, [&](double fraction) {
+        line.show(fraction);
+        return !interrupt.interrupted();
+      });
+  interrupt.check();
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(captured.stats));
+  if (options.report.json) {
+    std::printf("%s\n", nlohmann::json{{"files", files}}.dump(2).c_str());
+  } else if (!options.report.quiet) {
+    for (const std::string& file : files) std::printf("%s\n", file.c_str());
+  }
+}
+
+std::string ladderHelp() {
+  std::string text = "Roughness of each level and axes of the cube, as an engine has them:";
+  for (const LadderRow& row : ladderRows()) text += "\n" + std::string(row.id) + ": " + std::string(row.help);
+  return text;
+}
+
+}  // namespace
+
+Subcommand addExportCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("export", "Write probes, or a technique's shader, for another program");
+  const auto options = std::make_shared<ExportOptions>();
+  command
+      ->add_option("SCENE", options->scenePath,
+                   "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+      ->required();
+  command->add_option("-o,--output", options->output, "Folder for the files; with --shader, the file")
+      ->type_name("DIR");
+  command
+      ->add_option("--format", options->settings.format,
+                   "ktx2 or dds: cube of half floats with all levels; exr or hdr: latitude-longitude, level 0")
+      ->type_name("FORMAT")
+      ->capture_default_str();
+  command->add_option("--ladder", options->settings.ladder, ladderHelp())->type_name("LADDER")->capture_default_str();
+  command
+      ->add_option("--size", options->settings.faceSize,
+                   "Texels along a face of level 0, a power of two (default: the probe's faceSize)")
+      ->type_name("N");
+  command->add_flag("--center", options->settings.center,
+                    "Move the cubemap's origin to the middle of the box, through the box: for engines that know no "
+                    "other origin");
+  command->add_flag("--lossy", options->settings.lossy,
+                    "Write values that the format cannot hold as the nearest that it can");
+  command->add_option("--shader", options->shader, "Write a technique as a function instead: glsl, hlsl or godot")
+      ->type_name("LANGUAGE");
+  command->add_option("--technique", options->technique, "Technique of --shader (default: the first probe's)")
+      ->type_name("ID");
+  command->add_option("--probe", options->probes, "Export only this probe (repeatable; default: all)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
+      ->type_name("FIELD=VALUE")
+      ->allow_extra_args(false);
+  addModelOptions(*command, options->assignments);
+  addReportOptions(*command, options->report, "Print the names of the files as JSON");
+  addOffscreenOption(*command, options->report);
+  command->footer(
+      "Beside each picture stands NAME.json (box, origin, rotation, influence, blend, levels), and the file that takes "
+      "both into\nthe engine. Examples:\n"
+      "  boxprobe export data/scenes/room.boxprobe.json -o out/room --format ktx2 --ladder three\n"
+      "  boxprobe export data/scenes/room.boxprobe.json -o out/room --format dds --ladder babylon --size 128 --center\n"
+      "  boxprobe export data/scenes/room.boxprobe.json -o out/room.glsl --shader glsl --technique box+footprint4");
+  return {command, [options] { runExport(*options); }};
+}
+
+}  // namespace boxprobe

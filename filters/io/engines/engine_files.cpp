@@ -1,0 +1,104 @@
+#include "filters/io/engines/engine_files.h"
+
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "filters/core/base/number_text.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/io/engines/engine_source.h"
+
+namespace boxprobe {
+
+namespace {
+
+bool listed(std::string_view list, std::string_view word) {
+  std::istringstream words{std::string(list)};
+  for (std::string each; words >> each;) {
+    if (each == word) return true;
+  }
+  return false;
+}
+
+std::string vector3(const glm::dvec3& v) {
+  return numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z);
+}
+
+/// A string in double quotes of GDScript, C and their like.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    if (static_cast<unsigned char>(c) >= 0x20) result += c;
+  }
+  return result;
+}
+
+std::string filledIn(std::string text, const ExportedProbe& exported) {
+  const Probe& probe = exported.probe;
+  const glm::dmat3 turn = rotationMatrix(probe.rotationDegrees);
+  const auto rows = [](const glm::dmat3& m) {
+    const glm::dmat3 t = glm::transpose(m);
+    return vector3(t[0]) + ", " + vector3(t[1]) + ", " + vector3(t[2]);
+  };
+  const std::pair<const char*, std::string> fields[] = {
+      {"@NAME@", escaped(probe.name)},
+      {"@FILE@", escaped(exported.file)},
+      {"@ORIGIN@", vector3(probe.origin)},
+      {"@CENTER@", vector3(probe.box.center())},
+      {"@SIZE@", vector3(probe.box.size())},
+      {"@HALF@", vector3(0.5 * probe.box.size())},
+      {"@ORIGIN_OFFSET@", vector3(glm::transpose(turn) * (probe.origin - probe.box.center()))},
+      {"@BASIS_ROWS@", rows(turn)},
+      {"@PROJECTION@", probe.projection ? "true" : "false"},
+      {"@PROBE_X@", vector3(turn[0])},
+      {"@PROBE_Y@", vector3(turn[1])},
+      {"@PROBE_Z@", vector3(turn[2])},
+      {"@INTENSITY@", numberText(probe.intensity)},
+      {"@LATLONG_SHIFT@", exported.ladder->latLongCentre.x > 0.5f ? "0.25" : "0.0"},
+  };
+  for (const auto& [field, value] : fields) {
+    const std::string_view name(field);
+    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += value.size()) {
+      text.replace(at, name.size(), value);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+const std::vector<EngineRow>& engineRows() {
+  static const std::vector<EngineRow> rows = {
+      {"three.js", "boxprobe_three.js", "ktx2", "three"},
+      {"Babylon.js", "boxprobe_babylon.js", "dds", "babylon", true},
+      {"PlayCanvas", "boxprobe_playcanvas.js", "ktx2", "three", true},
+      {"Bevy", "boxprobe_bevy.rs", "ktx2", "bevy", true},
+      {"Unity", "BoxprobeImport.cs", "dds", "unity"},
+      {"Unreal", "boxprobe_unreal.py", "hdr exr dds", "own"},
+      {"Godot", "boxprobe.gdshader", "exr hdr", "own three"},
+      {"Godot", "boxprobe.tscn", "exr hdr", "own three", false, true},
+      {"Blender", "boxprobe_blender.py", "exr hdr", "own three"},
+  };
+  return rows;
+}
+
+std::vector<EngineFile> engineFiles(const std::vector<ExportedProbe>& probes, std::string_view format,
+                                    std::string_view ladder) {
+  std::vector<EngineFile> files;
+  for (const EngineRow& row : engineRows()) {
+    if (!listed(row.formats, format) || !listed(row.ladders, ladder)) continue;
+    const std::string text(engineSource(row.file));
+    if (!row.perProbe) {
+      files.push_back({std::string(row.file), text});
+      continue;
+    }
+    const std::string extension = std::filesystem::path(row.file).extension().string();
+    for (const ExportedProbe& exported : probes) {
+      files.push_back({std::filesystem::path(exported.file).stem().string() + extension, filledIn(text, exported)});
+    }
+  }
+  return files;
+}
+
+}  // namespace boxprobe

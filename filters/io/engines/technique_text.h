@@ -1,0 +1,25 @@
+// A technique as one self-contained function for another program, put together from the very files in shaders/ that
+// this program draws with. Knows no file system.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "filters/core/scene/scene.h"
+
+namespace boxprobe {
+
+enum class ShaderLanguage {
+  Glsl,   ///< GLSL 3.30 and later, GLSL ES 3.00
+  Hlsl,   ///< Direct3D 11 and later (shader model 5)
+  Godot,  ///< an include file of Godot 4's shader language
+};
+
+/// Functions and constants, no main, no uniform, no preprocessor directive: `boxprobeReflection(map, shape, position,
+/// normal, view, roughness)` returns what the probe reflects (premultiplied radiance, coverage), and one function per
+/// probe its shape. World space, scene units; the cubemap is one of `--ladder own`. `technique`: id, for every probe.
+/// Throws InputError for techniques that need further textures of the program.
+std::string techniqueText(const std::vector<Probe>& probes, const std::string& technique, ShaderLanguage language,
+                          const std::string& writer);
+
+}  // namespace boxprobe
