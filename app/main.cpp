@@ -9,6 +9,7 @@
 #include "app/cli/command/bake_command.h"
 #include "app/cli/command/bench_command.h"
 #include "app/cli/command/explain_command.h"
+#include "app/cli/command/fit_command.h"
 #include "app/cli/command/info_command.h"
 #include "app/cli/command/render_command.h"
 #include "app/cli/command/stress_command.h"
@@ -46,6 +47,7 @@ int run(int& argc, char** argv) {
                                                addBakeCommand(program),
                                                addExplainCommand(program),
                                                addInfoCommand(program),
+                                               addFitCommand(program),
                                                addBenchCommand(program),
                                                addStressCommand(program),
                                                addLessonsCommand(program, argc, argv)};
