@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "filters/fit/box/fit_origin.h"
+
 namespace boxprobe {
 
 namespace {
@@ -31,6 +33,11 @@ FitPlace ProbeFitter::placeOf(const Probe& probe) {
 std::optional<BoxFit> ProbeFitter::fit(const Probe& probe, const BoxFitSettings& settings,
                                        const FitProgress& progress) {
   return fitBox(placeOf(probe), probe, settings, progress);
+}
+
+std::optional<BoxFit> ProbeFitter::fitWithOrigin(const Probe& probe, const BoxFitSettings& settings,
+                                                 const FitProgress& progress) {
+  return proposeOrigin(placeOf(probe), probe, settings, progress);
 }
 
 }  // namespace boxprobe

@@ -18,6 +18,9 @@ class ProbeFitter {
 
   /// Fits the box of `probe`, which need not be in the scene, to what it sees there. Nothing, if `progress` stopped it.
   std::optional<BoxFit> fit(const Probe& probe, const BoxFitSettings& settings = {}, const FitProgress& progress = {});
+  /// As proposeOrigin.
+  std::optional<BoxFit> fitWithOrigin(const Probe& probe, const BoxFitSettings& settings = {},
+                                      const FitProgress& progress = {});
 
  private:
   FitPlace placeOf(const Probe& probe);

@@ -83,7 +83,9 @@ std::vector<BoxFit> fitsOf(const FitCommandOptions& options, const LoadedScene& 
       line.show((static_cast<double>(fits.size()) + done) / static_cast<double>(chosen.size()));
       return !interrupt.interrupted();
     };
-    std::optional<BoxFit> fit = fitter.fit(loaded.scene.probes[index], settings, progress);
+    const Probe& probe = loaded.scene.probes[index];
+    std::optional<BoxFit> fit = options.origin == "propose" ? fitter.fitWithOrigin(probe, settings, progress)
+                                                            : fitter.fit(probe, settings, progress);
     if (!fit) interrupt.check();
     fits.push_back(*std::move(fit));
   }
@@ -115,7 +117,7 @@ void runFit(const FitCommandOptions& options) {
   for (std::size_t i = 0; i < fits.size(); ++i) {
     report["probes"].push_back(fitJson(before[chosen[i]], fits[i]));
     text += fitText(before[chosen[i]], fits[i]);
-    if (!loaded.fit) loaded.scene.probes[chosen[i]] = fits[i].probe;
+    if (!loaded.fit || options.origin == "propose") loaded.scene.probes[chosen[i]] = fits[i].probe;
   }
   if (!options.outputPath.empty()) saveSceneFile(loaded.scene, options.outputPath);
   if (options.report.json) {

@@ -54,6 +54,7 @@ nlohmann::ordered_json fitJson(const Probe& before, const BoxFit& fit) {
           {"before", errorsJson(fit.before)},
           {"after", errorsJson(fit.after)},
           {"faces", faces},
+          {"hiddenBefore", fit.hiddenBefore},
           {"hidden", fit.hidden},
           {"open", fit.open},
           {"remarks", fit.remarks},
@@ -68,11 +69,13 @@ std::string fitText(const Probe& before, const BoxFit& fit) {
   if (fit.outcome == FitOutcome::Open || fit.outcome == FitOutcome::Inside) return text;
   text += line("  lookup error: mean %.3f -> %.3f degrees, 95 %% below %.2f -> %.2f; %.2f s\n", fit.before.meanDegrees,
                fit.after.meanDegrees, fit.before.p95Degrees, fit.after.p95Degrees, fit.seconds);
-  if (fit.hidden > 0.005) {
+  const glm::dvec3 &from = before.origin, &to = fit.probe.origin;
+  if (from == to && fit.hidden > 0.005) {
     text += line("  the origin does not see the end of %.0f %% of the reflections\n", 100.0 * fit.hidden);
   }
-  const glm::dvec3 &from = before.origin, &to = fit.probe.origin;
   if (from != to) {
+    text += line("  the origin did not see the end of %.1f %% of the reflections, now %.1f %%\n",
+                 100.0 * fit.hiddenBefore, 100.0 * fit.hidden);
     text += line("  origin: (%.3f, %.3f, %.3f) -> (%.3f, %.3f, %.3f)\n", from.x, from.y, from.z, to.x, to.y, to.z);
   }
   if (before.rotationDegrees != fit.probe.rotationDegrees) {

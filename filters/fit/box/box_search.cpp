@@ -16,6 +16,8 @@ struct Ending {
   float distance, error;
 };
 
+constexpr double kFar = 1e30;  ///< a ray along a face never meets it
+
 }  // namespace
 
 std::vector<RatedBox> bestCombinations(const LookupRays& rays, const std::array<std::vector<double>, kFaces>& offsets,
@@ -25,6 +27,8 @@ std::vector<RatedBox> bestCombinations(const LookupRays& rays, const std::array<
     if (each.empty()) throw std::logic_error("bestCombinations: a face without an offset");
     most = std::max(most, each.size());
   }
+  // Ordered by ray, then axis, then choice. Rays that leave towards -x know nothing of the face at +x and the other way
+  // round: with the other four faces given, the two are judged one by one.
   struct Row {
     std::array<std::uint8_t, 3> faces;
     std::uint32_t first;
@@ -35,15 +39,16 @@ std::vector<RatedBox> bestCombinations(const LookupRays& rays, const std::array<
     Row row{{}, static_cast<std::uint32_t>(endings.size())};
     for (int axis = 0; axis < 3; ++axis) {
       const bool back = ray.along[axis] < 0.0;
-      row.faces[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(2 * axis + (back ? 0 : 1));
-      const std::vector<double>& choice = offsets[row.faces[static_cast<std::size_t>(axis)]];
+      const int face = 2 * axis + (back ? 0 : 1);
+      row.faces[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(face);
+      const std::vector<double>& choice = offsets[static_cast<std::size_t>(face)];
       for (std::size_t i = 0; i < most; ++i) {
         const double offset = choice[std::min(i, choice.size() - 1)];
-        const double gap = std::max(offset - (back ? -1.0 : 1.0) * ray.from[axis], 0.0),
-                     speed = std::abs(ray.along[axis]);
-        const double distance = speed * 1e30 > gap ? gap / speed : 1e30;
-        endings.push_back({static_cast<float>(distance),
-                           static_cast<float>(distance < 1e30 ? ray.weight * lookupError(ray, distance) : 0.0)});
+        const double gap = std::max(offset - (back ? -1.0 : 1.0) * ray.from[axis], 0.0);
+        const double speed = std::abs(ray.along[axis]);
+        const double distance = speed * kFar > gap ? gap / speed : kFar;
+        const double error = distance < kFar ? ray.weight * lookupError(ray, distance) : 0.0;
+        endings.push_back({static_cast<float>(distance), static_cast<float>(error)});
       }
     }
     rows.push_back(row);
@@ -51,26 +56,32 @@ std::vector<RatedBox> bestCombinations(const LookupRays& rays, const std::array<
   const auto worse = [](const RatedBox& a, const RatedBox& b) { return a.meanDegrees < b.meanDegrees; };
   std::priority_queue<RatedBox, std::vector<RatedBox>, decltype(worse)> best(worse);
   std::array<std::size_t, kFaces> at{};
+  const auto rate = [&](double degrees) {
+    if (best.size() == count && degrees >= best.top().meanDegrees) return;
+    RatedBox rated;
+    for (std::size_t face = 0; face < kFaces; ++face) rated.box.offset[face] = offsets[face][at[face]];
+    rated.box.yaw = yaw;
+    rated.meanDegrees = degrees;
+    best.push(rated);
+    if (best.size() > count) best.pop();
+  };
+  std::array<std::vector<double>, 2> sums;  // by the face at -x, at +x
   for (;;) {
-    float sum = 0.0f;
+    for (std::size_t side = 0; side < 2; ++side) sums[side].assign(offsets[side].size(), 0.0);
     for (const Row& row : rows) {
-      const Ending* axis = &endings[row.first];
-      const Ending& x = axis[at[row.faces[0]]];
-      const Ending& y = axis[most + at[row.faces[1]]];
-      const Ending& z = axis[2 * most + at[row.faces[2]]];
-      const Ending& xy = x.distance < y.distance ? x : y;
-      sum += (xy.distance < z.distance ? xy : z).error;
+      const Ending* x = &endings[row.first];
+      const Ending& y = x[most + at[row.faces[1]]];
+      const Ending& z = x[2 * most + at[row.faces[2]]];
+      const Ending& yz = y.distance < z.distance ? y : z;
+      std::vector<double>& sum = sums[row.faces[0]];
+      for (std::size_t i = 0; i < sum.size(); ++i) {
+        sum[i] += x[i].distance < yz.distance ? x[i].error : yz.error;
+      }
     }
-    const double degrees = glm::degrees(static_cast<double>(sum));
-    if (best.size() < count || degrees < best.top().meanDegrees) {
-      RatedBox rated;
-      for (std::size_t face = 0; face < kFaces; ++face) rated.box.offset[face] = offsets[face][at[face]];
-      rated.box.yaw = yaw;
-      rated.meanDegrees = degrees;
-      best.push(rated);
-      if (best.size() > count) best.pop();
+    for (at[0] = 0; at[0] < offsets[0].size(); ++at[0]) {
+      for (at[1] = 0; at[1] < offsets[1].size(); ++at[1]) rate(glm::degrees(sums[0][at[0]] + sums[1][at[1]]));
     }
-    std::size_t face = 0;
+    std::size_t face = 2;
     while (face < kFaces && ++at[face] == offsets[face].size()) at[face++] = 0;
     if (face == kFaces) break;
   }

@@ -223,7 +223,7 @@ std::optional<BoxFit> fitBox(const FitPlace& place, const Probe& probe, const Bo
   fit.open = reflected.open;
   const OffsetBox old = offsetBox(probe);
   const LookupRays before = lookupRays(place, reflected, probe.origin, rotationMatrix(probe.rotationDegrees));
-  fit.hidden = before.hidden;
+  fit.hidden = fit.hiddenBefore = before.hidden;
   if (before.rays.empty() || walledAround(place.captured, probe.origin) < kLeastWalls) {
     fit.outcome = FitOutcome::Open;
     fit.remarks.push_back("open: nothing to fit to; the box stays");

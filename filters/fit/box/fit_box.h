@@ -37,7 +37,8 @@ struct BoxFit {
   Probe probe;  ///< the fitted one; without a better box the one given
   LookupErrors before, after;
   std::array<FaceFit, kFaces> faces;
-  double hidden = 0.0;               ///< share of the reflections whose end the origin does not see
+  double hiddenBefore = 0.0;         ///< share of the reflections whose end the origin did not see
+  double hidden = 0.0;               ///< whose end it does not see now; the same unless the origin was moved
   double open = 0.0;                 ///< share of the reflections that show the sky
   double seconds = 0.0;              ///< that it took
   std::vector<std::string> remarks;  ///< sentences without a full stop

@@ -57,6 +57,15 @@ Probe withOffsetBox(const Probe& probe, const OffsetBox& box, const glm::dvec3& 
   }
   const glm::dvec3 middle = probe.origin + rotation * (0.5 * (low + high));
   fitted.box = {middle - 0.5 * (high - low), middle + 0.5 * (high - low)};
+  if (fitted.rotationDegrees == glm::dvec3(0.0) && probe.rotationDegrees == glm::dvec3(0.0)) {
+    // A face that did not move keeps every digit.
+    const OffsetBox old = offsetBox(probe);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto face = static_cast<std::size_t>(2 * axis);
+      if (box.offset[face] == old.offset[face]) fitted.box.min[axis] = probe.box.min[axis];
+      if (box.offset[face + 1] == old.offset[face + 1]) fitted.box.max[axis] = probe.box.max[axis];
+    }
+  }
   if (probe.influence && (fitted.rotationDegrees != glm::dvec3(0.0) || probe.rotationDegrees != glm::dvec3(0.0))) {
     fitted.influence = enclosingBox(*probe.influence, probe.box.center(), rotationMatrix(probe.rotationDegrees),
                                     fitted.box.center(), rotation);

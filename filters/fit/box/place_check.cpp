@@ -44,7 +44,7 @@ bool insideOfSolid(const SurfaceRays& rays, const glm::dvec3& originWorld) {
     fronts += next->back ? 0.0 : 1.0;
   }
   if (near.size() < kLooks / 2 || beyond.empty() || fronts < 0.3 * static_cast<double>(near.size())) return false;
-  return medianOf(near) < 0.25 * medianOf(beyond);
+  return medianOf(near) < 0.75 * medianOf(beyond);
 }
 
 }  // namespace boxprobe

@@ -90,11 +90,15 @@ class Collector {
   explicit Collector(const FitPlace& place)
       : place_(&place), skin_(1e-5 * glm::length(place.captured.bounds().size())) {}
 
-  void follow(const glm::dvec3& position, const glm::dvec3& normal, const glm::dvec3& along, double weight) {
-    const glm::dvec3 from = position + skin_ * normal;
-    const std::optional<SurfaceHit> hit = place_->captured.first(from, along);
-    (hit ? met_ : open_) += weight;
-    if (hit) rays_.push_back({position, along, from + hit->distance * along, hit->normalWorld, weight});
+  /// All of `ray` but where it ends.
+  void follow(ReflectedRay ray) {
+    const glm::dvec3 from = ray.from + skin_ * ray.fromNormal;
+    const std::optional<SurfaceHit> hit = place_->captured.first(from, ray.along);
+    (hit ? met_ : open_) += ray.weight;
+    if (!hit) return;
+    ray.hit = from + hit->distance * ray.along;
+    ray.hitNormal = hit->normalWorld;
+    rays_.push_back(ray);
   }
   /// Scales the weights such that those that met something sum to `share`.
   void moveTo(ReflectedRays& all, double share) {
@@ -135,7 +139,15 @@ Collector seenReflections(const FitPlace& place, const Probe& probe, int count, 
     const double weight = shine * fresnel(hit->reflectance, -glm::dot(eye.along, hit->normalWorld));
     const glm::dvec3 position = eye.from + hit->distance * eye.along;
     if (!(weight > 1e-4) || !lit(position)) continue;
-    collected.follow(position, hit->normalWorld, glm::reflect(eye.along, hit->normalWorld), weight);
+    ReflectedRay ray;
+    ray.from = position;
+    ray.along = glm::reflect(eye.along, hit->normalWorld);
+    ray.weight = weight;
+    ray.seen = true;
+    ray.eye = eye.from;
+    ray.fromNormal = hit->normalWorld;
+    ray.roughness = hit->roughness;
+    collected.follow(ray);
   }
   return collected;
 }
@@ -149,9 +161,11 @@ Collector evenRays(const FitPlace& place, const Probe& probe, int count, int fir
     const glm::dvec3 out = sphereDirection(evenlySpread(index, 2), evenlySpread(index, 3));
     const std::optional<SurfaceHit> wall = place.captured.first(probe.origin, out);
     if (!wall) continue;
-    const glm::dvec3 from = probe.origin + out * (wall->distance * std::cbrt(evenlySpread(index, 5)));
-    if (!lit(from)) continue;
-    collected.follow(from, glm::dvec3(0.0), sphereDirection(evenlySpread(index, 7), evenlySpread(index, 11)), 1.0);
+    ReflectedRay ray;
+    ray.from = probe.origin + out * (wall->distance * std::cbrt(evenlySpread(index, 5)));
+    ray.along = sphereDirection(evenlySpread(index, 7), evenlySpread(index, 11));
+    ray.weight = 1.0;
+    if (lit(ray.from)) collected.follow(ray);
   }
   return collected;
 }

@@ -22,6 +22,10 @@ struct ReflectedRay {
   glm::dvec3 hit{0.0};               ///< what the ray meets
   glm::dvec3 hitNormal{0.0};
   double weight = 0.0;
+  bool seen = false;           ///< by an eye; else one of the even rays, and what follows is 0
+  glm::dvec3 eye{0.0};         ///< who sees it
+  glm::dvec3 fromNormal{0.0};  ///< of the reflecting surface, unit
+  double roughness = 0.0;      ///< of the reflecting surface, perceptual
 };
 
 struct ReflectedRays {
