@@ -10,6 +10,7 @@
 #include "app/cli/command/bench_command.h"
 #include "app/cli/command/explain_command.h"
 #include "app/cli/command/export_command.h"
+#include "app/cli/command/fit_command.h"
 #include "app/cli/command/import_command.h"
 #include "app/cli/command/info_command.h"
 #include "app/cli/command/render_command.h"
@@ -50,6 +51,7 @@ int run(int& argc, char** argv) {
                                                addExportCommand(program),
                                                addImportCommand(program),
                                                addInfoCommand(program),
+                                               addFitCommand(program),
                                                addBenchCommand(program),
                                                addStressCommand(program),
                                                addLessonsCommand(program, argc, argv)};

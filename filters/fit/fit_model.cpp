@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <utility>
 
 #include "filters/core/base/number_text.h"
 #include "filters/core/geometry/model_placement.h"
@@ -71,6 +72,14 @@ std::vector<Light> fileLights(const Scene& scene, const TriangleRays::Models& mo
     for (const Light& light : placedLights(*models[i], scene.models[i])) lights.push_back(light);
   }
   return lights;
+}
+
+std::vector<Camera> fileCameras(const Scene& scene, const TriangleRays::Models& models) {
+  std::vector<Camera> cameras;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    for (const Camera& camera : placedCameras(*models[i], scene.models[i])) cameras.push_back(camera);
+  }
+  return cameras;
 }
 
 /// What lights the scene, and why in words. `stand` and `probe`: of an interior or a court where one can stand.
@@ -153,14 +162,18 @@ ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWis
   const bool court = fit.kind == ModelKind::Open && (wishes.kind || fit.survey.walled >= 0.3);
   if (fit.kind == ModelKind::Interior || court) stands = standingPoints(rays, fit.survey);
   std::optional<Probe> probe;
-  if (!stands.empty()) probe = roomProbe(rays, stands.front());
+  if (!stands.empty()) {
+    probe = roomProbe(rays, stands.front());
+    // It lights the whole model; its box is fitted to the room about it.
+    const std::optional<Box> whole = std::exchange(probe->influence, std::nullopt);
+    fit.box = fitBox({rays, rays, fileCameras(scene, models)}, *probe, wishes.box);
+    probe = fit.box->probe;
+    probe->influence = turnedInfluence(*whole, *probe);
+  }
   const std::string lit = light(scene, fit, rays, wishes, fileLights(scene, models),
                                 stands.empty() ? nullptr : &stands.front(), probe ? &*probe : nullptr);
 
-  std::vector<Camera> cameras;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    for (const Camera& camera : placedCameras(*models[i], scene.models[i])) cameras.push_back(camera);
-  }
+  const std::vector<Camera> cameras = fileCameras(scene, models);
   const std::vector<glm::dvec3> corners = shownCorners(scene, models);
   const Box bounds = boundsOf(corners);
   if (cameras.empty()) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "filters/fit/box/fit_box.h"
 #include "filters/fit/model_kind.h"
 #include "filters/fit/model_light.h"
 
@@ -16,6 +17,7 @@ struct FitWishes {
   std::optional<FitLight> light;
   double aspect = 16.0 / 9.0;  ///< of the picture the camera is for: width over height
   std::string studio;          ///< latitude-longitude picture of the studio
+  BoxFitSettings box;          ///< of the probe's box
 };
 
 struct ModelFit {
@@ -24,6 +26,7 @@ struct ModelFit {
   FitLight light = FitLight::Studio;
   bool within = false;                ///< the camera stands in it and the sky is part of the picture
   bool lightKnown = true;             ///< made for an exposure of 1; else the picture is to be measured
+  std::optional<BoxFit> box;          ///< of the probe, if it has one: from the median distances to the fit
   std::string decided;                ///< a sentence or two, for messages and `info`
   std::vector<std::string> warnings;  ///< of a size that is unlikely in metres
 };

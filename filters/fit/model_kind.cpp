@@ -14,16 +14,6 @@ namespace {
 constexpr int kAcross = 7, kLayers = 5;  // points: 7 x 5 x 7
 constexpr int kSurveyRays = 64;          // from each
 
-/// Van der Corput's sequence: even at any length.
-double evenly(int index, int base) {
-  double value = 0.0, share = 1.0;
-  for (; index > 0; index /= base) {
-    share /= base;
-    value += share * (index % base);
-  }
-  return value;
-}
-
 SurveyedPoint surveyed(const TriangleRays& rays, const glm::dvec3& from, const std::vector<glm::dvec3>& directions) {
   SurveyedPoint point;
   point.positionWorld = from;
@@ -62,7 +52,8 @@ double backFromOutside(const TriangleRays& rays) {
   int index = 0;
   for (const glm::dvec3& direction : evenDirections(kOutside)) {
     ++index;
-    const glm::dvec3 target = core.min + core.size() * glm::dvec3(evenly(index, 2), evenly(index, 3), evenly(index, 5));
+    const glm::dvec3 target =
+        core.min + core.size() * glm::dvec3(evenlySpread(index, 2), evenlySpread(index, 3), evenlySpread(index, 5));
     const std::optional<SurfaceHit> hit = rays.first(target + radius * direction, -direction);
     if (!hit) continue;
     hits += 1.0;
@@ -129,9 +120,10 @@ ModelSurvey surveyModel(const TriangleRays& rays) {
     for (int x = 0; x < kAcross; ++x) {
       for (int z = 0; z < kAcross; ++z) {
         ++index;
-        const glm::dvec3 jitter(evenly(index, 2), evenly(index, 3), evenly(index, 5));
+        const glm::dvec3 jitter(evenlySpread(index, 2), evenlySpread(index, 3), evenlySpread(index, 5));
         const glm::dvec3 cell = (glm::dvec3(x, y, z) + 0.15 + 0.7 * jitter) / glm::dvec3(kAcross, kLayers, kAcross);
-        survey.points.push_back(surveyed(rays, core.min + cell * size, evenDirections(kSurveyRays, evenly(index, 7))));
+        survey.points.push_back(
+            surveyed(rays, core.min + cell * size, evenDirections(kSurveyRays, evenlySpread(index, 7))));
       }
     }
   }

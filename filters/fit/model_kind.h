@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "filters/fit/triangle_rays.h"
+#include "filters/fit/rays/triangle_rays.h"
 
 namespace boxprobe {
 

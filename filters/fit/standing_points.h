@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "filters/fit/model_kind.h"
-#include "filters/fit/triangle_rays.h"
+#include "filters/fit/rays/triangle_rays.h"
 
 namespace boxprobe {
 

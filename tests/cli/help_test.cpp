@@ -48,6 +48,14 @@ TEST(Help, InfoNamesItsOptions) {
   }
 }
 
+TEST(Help, FitNamesItsOptions) {
+  const Outcome outcome = help({"fit", "--help"});
+  for (const char* text : {"SCENE", "--probe", "--origin", "--faces", "--yaw", "--output", "--set", "--json", "--quiet",
+                           "Example", "boxprobe fit "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+}
+
 TEST(Help, Version) {
   EXPECT_THAT(help({"--version"}).out, MatchesRegex("boxprobe [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }

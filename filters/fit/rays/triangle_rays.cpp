@@ -1,5 +1,5 @@
 // See triangle_rays.h.
-#include "filters/fit/triangle_rays.h"
+#include "filters/fit/rays/triangle_rays.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <map>
 #include <string>
 
 #include "filters/core/base/errors.h"
@@ -24,6 +25,7 @@ namespace {
 /// An instance where the scene puts it.
 struct PlacedMesh {
   const Mesh* mesh = nullptr;
+  const Material* material = nullptr;  ///< null: the default material
   glm::dmat4 worldFromMesh{1.0};
   bool unlit = false, calledSky = false;
   Box bounds;  ///< world
@@ -84,25 +86,60 @@ bool hidesWhatIsBehind(const Mesh& mesh, const Model& model) {
   return !material.transmits() && material.alphaMode != AlphaMode::Blend;
 }
 
-std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Models& models) {
+bool seen(const ObjectOverride& object, SeenBy seenBy) {
+  return seenBy == SeenBy::Eyes ? object.visible : object.seenByProbes && !object.dynamic;
+}
+
+std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Models& models, SeenBy seenBy,
+                                     const std::vector<std::string>& hidden) {
   std::vector<PlacedMesh> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const glm::dmat4 placement = worldFromFile(scene.models[i]);
     for (const Instance& instance : models[i]->instances) {
       const Mesh& mesh = models[i]->meshes[static_cast<std::size_t>(instance.mesh)];
       const auto object = scene.objects.find(instance.node);
-      if (object != scene.objects.end() && !object->second.visible) continue;
+      if (object != scene.objects.end() && !seen(object->second, seenBy)) continue;
+      if (std::find(hidden.begin(), hidden.end(), instance.node) != hidden.end()) continue;
       if (mesh.indices.size() < 3 || !hidesWhatIsBehind(mesh, *models[i])) continue;
       const glm::dmat4 worldFromMesh = movedInstance(placement * instance.worldFromModel, scene, instance.node);
       const Material* material =
           mesh.material < 0 ? nullptr : &models[i]->materials[static_cast<std::size_t>(mesh.material)];
       const bool unlit = material != nullptr && material->unlit;
       const bool calledSky = namesSky(instance.node) || (material != nullptr && namesSky(material->name));
-      placed.push_back({&mesh, worldFromMesh, unlit, calledSky, worldBounds(mesh, worldFromMesh)});
+      placed.push_back({&mesh, material, worldFromMesh, unlit, calledSky, worldBounds(mesh, worldFromMesh)});
     }
   }
   leaveOutSkyDomes(placed);
   return placed;
+}
+
+/// Mean of one channel of a texture, from some hundred texels; 1 without one.
+double meanOf(const TextureUse& texture, std::size_t channel) {
+  if (!texture.image || texture.image->pixels.size() < 4) return 1.0;
+  const std::vector<std::uint8_t>& pixels = texture.image->pixels;
+  const std::size_t texels = pixels.size() / 4, stride = std::max<std::size_t>(1, texels / 509);
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < texels; i += stride, count += 1.0) sum += pixels[4 * i + channel] / 255.0;
+  return sum / count;
+}
+
+struct ReflectingLook {
+  double roughness = 0.0, reflectance = 0.0;
+};
+
+/// As the scene has the material; of one with a coat the coat.
+ReflectingLook reflectingLook(const Material& original, const Scene& scene) {
+  const Material material = overriddenMaterial(original, scene);
+  if (material.unlit) return {1.0, 0.0};
+  const double ior = material.reflectedIor(), dielectric = std::pow((ior - 1.0) / (ior + 1.0), 2.0);
+  const double metallic = material.metallic * meanOf(material.metallicRoughnessTexture, 2);
+  const double color = (material.baseColor.x + material.baseColor.y + material.baseColor.z) / 3.0;
+  ReflectingLook look{material.roughness * meanOf(material.metallicRoughnessTexture, 1),
+                      dielectric + metallic * (color - dielectric)};
+  if (material.coat > 0.0f && material.coatRoughness < look.roughness) {
+    look = {material.coatRoughness, std::max(0.04 * material.coat, look.reflectance)};
+  }
+  return look;
 }
 
 constexpr std::size_t kMostPositions = 4'000'000'000;  // Embree counts them in 32 bits
@@ -162,11 +199,17 @@ struct TriangleRays::Structure {
   }
 };
 
-TriangleRays::TriangleRays(const Scene& scene, const Models& models) : structure_(std::make_unique<Structure>()) {
-  const std::vector<PlacedMesh> placed = placedMeshes(scene, models);
+TriangleRays::TriangleRays(const Scene& scene, const Models& models, SeenBy seenBy,
+                           const std::vector<std::string>& hidden)
+    : structure_(std::make_unique<Structure>()) {
+  const std::vector<PlacedMesh> placed = placedMeshes(scene, models, seenBy, hidden);
+  std::map<const Material*, ReflectingLook> known;
   bounds_ = nothing();
   std::size_t positions = 0;
   for (const PlacedMesh& each : placed) {
+    const auto [look, added] = known.try_emplace(each.material);
+    if (added) look->second = reflectingLook(each.material != nullptr ? *each.material : Material{}, scene);
+    looks_.push_back({static_cast<std::uint32_t>(triangles_), look->second.roughness, look->second.reflectance});
     triangles_ += each.mesh->indices.size() / 3;
     positions += each.mesh->positions.size();
     bounds_ = united(bounds_, each.bounds);
@@ -238,19 +281,10 @@ std::optional<SurfaceHit> TriangleRays::first(const glm::dvec3& origin, const gl
   const float length = glm::length(normal);
   const bool back = glm::dot(normal, along) > 0.0f;
   const glm::dvec3 unit = length > 0.0f ? glm::dvec3(normal / length) : -direction;
-  return SurfaceHit{query.ray.tfar, back, back ? -unit : unit};
-}
-
-std::vector<glm::dvec3> evenDirections(int count, double turn) {
-  const double pi = std::acos(-1.0), golden = pi * (3.0 - std::sqrt(5.0));
-  std::vector<glm::dvec3> directions;
-  directions.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    const double y = 1.0 - (2.0 * i + 1.0) / count;
-    const double radius = std::sqrt(std::max(0.0, 1.0 - y * y)), angle = golden * i + 2.0 * pi * turn;
-    directions.emplace_back(radius * std::cos(angle), y, radius * std::sin(angle));
-  }
-  return directions;
+  const auto after = std::upper_bound(looks_.begin(), looks_.end(), query.hit.primID,
+                                      [](std::uint32_t id, const Look& look) { return id < look.firstTriangle; });
+  const Look& look = *std::prev(after);
+  return SurfaceHit{query.ray.tfar, back, back ? -unit : unit, look.roughness, look.reflectance};
 }
 
 }  // namespace boxprobe
