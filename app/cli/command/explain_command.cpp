@@ -71,7 +71,7 @@ void runExplain(const ExplainOptions& options) {
   captureShown(shown, interrupt, options.report.quiet);
   const Explanation explanation = shown.renderer().explain(pixel.x, pixel.y, size.width, size.height);
   shown.requireHealthy();
-  std::fputs((options.report.json ? explanationJson(explanation) : explanationText(explanation)).c_str(), stdout);
+  printResult(options.report.json ? explanationJson(explanation) : explanationText(explanation));
 
   if (!options.report.statsPath.empty()) {
     RunStats stats = collectStats(shown.renderer(), shown.window());

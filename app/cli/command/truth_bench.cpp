@@ -113,9 +113,9 @@ void runTruthBench(const BenchOptions& options) {
   }
   writeTextAtomically(options.folder + "/truth.json", json);
   if (options.report.json) {
-    std::fputs(json.c_str(), stdout);
+    printResult(json);
   } else if (!options.report.quiet) {
-    std::fputs(truthTable(index, rows).c_str(), stdout);
+    printResult(truthTable(index, rows));
     std::printf("%s/truth.json\n", options.folder.c_str());
   }
 }

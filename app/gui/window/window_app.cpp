@@ -12,6 +12,7 @@
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/main_window.h"
+#include "app/gui/window/window_signals.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/stats_json.h"
@@ -71,12 +72,13 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   window.lessons().setLanguage(options.language);
   window.show();
   if (!options.lesson.empty()) window.openLesson(QString::fromStdString(options.lesson));
+  const WindowSignals ended(window);
   QApplication::exec();
 
   stats.startToFirstFrameCpuSeconds = startToFirstFrame;
   if (!options.statsPath.empty()) writeTextAtomically(options.statsPath, statsJson(stats));
   if (!pictureError.empty()) throw WorkError(pictureError);
-  return 0;
+  return ended.exitStatus();
 }
 
 }  // namespace boxprobe
