@@ -8,10 +8,10 @@
 namespace boxprobe {
 
 /// From the first of these on, for as long as it lives, SIGINT, SIGTERM and SIGHUP set a flag that work asks for; a
-/// signal that arrives late is still told of by the last check(). What does not stop within 0.7 s of a signal, or is
-/// sent a second one, ends there: temporary files are removed, one line is printed, and the signal's own end follows
-/// (status 128 + its number). Work that has seen the flag gets five seconds to write what it announced. A SIGHUP that
-/// the parent ignores (nohup) stays ignored.
+/// signal that arrives late is still told of by the last check(). What does not stop within 0.7 s of a signal (three
+/// where the machine is busy with other work), or is sent a second one, ends there: temporary files are removed, one
+/// line is printed, and the signal's own end follows (status 128 + its number). Work that has seen the flag gets five
+/// seconds to write what it announced. A SIGHUP that the parent ignores (nohup) stays ignored.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -20,6 +20,9 @@ class InterruptGuard {
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  /// Of work whose partial results are worth a wait: five seconds from the signal on.
+  void waitForPartialResults();
 
   bool interrupted() const;
   /// The signal's number, or 0.

@@ -37,8 +37,11 @@ void printWarnings(const std::vector<std::string>& texts) {
 }
 
 void printResult(const std::string& text) {
-  const std::string safe = printable(text, true);
-  std::fwrite(safe.data(), 1, safe.size(), stdout);
+  printDocument(printable(text, true));
+}
+
+void printDocument(const std::string& json) {
+  std::fwrite(json.data(), 1, json.size(), stdout);
 }
 
 void finishResults() {

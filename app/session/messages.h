@@ -22,6 +22,9 @@ void printWarnings(const std::vector<std::string>& texts);
 /// Lines of text to stdout, each as printable() has it.
 void printResult(const std::string& text);
 
+/// A document to stdout as it is: valid JSON, whose strings are other programs' business.
+void printDocument(const std::string& json);
+
 /// To be called once all is printed: throws WorkError if stdout did not take all of it (a full disk, a closed pipe).
 void finishResults();
 

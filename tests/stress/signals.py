@@ -65,8 +65,10 @@ def main():
             name = list(table)[i % len(table)]
             number = generator.choice(SIGNALS)
             environment = dict(os.environ, TMPDIR=folder, GALLIVM_PERF="nopt")
+            # A shell that runs this in the background has told it to ignore SIGINT, and a program inherits that.
+            heed = lambda: [signal.signal(each, signal.SIG_DFL) for each in SIGNALS]
             process = subprocess.Popen([options.program] + table[name], stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.PIPE, env=environment)
+                                       stderr=subprocess.PIPE, env=environment, preexec_fn=heed)
             time.sleep(generator.uniform(0.0, options.longest) * generator.random())
             row = rows[name]
             if process.poll() is not None:
@@ -91,7 +93,7 @@ def main():
                 bad.append(f"{name}: signal {number}: status {status}, {wait:.1f} s, left {left}: {errors[-300:]!r}")
         finally:
             shutil.rmtree(folder, ignore_errors=True)
-    print(f"| command | signals | statuses | temporary files left | median wait, s | longest, s |\n|---|---|---|---|---|---|")
+    print("| command | signals | statuses | temporary files left | median wait, s | longest, s |\n|---|---|---|---|---|---|")
     for name, row in rows.items():
         waits = sorted(row["waits"]) or [0.0]
         statuses = ", ".join(f"{key}: {count}" for key, count in sorted(row["statuses"].items(), key=str))

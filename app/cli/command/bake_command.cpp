@@ -122,7 +122,7 @@ void runBake(const BakeOptions& options) {
   const RunStats stats = collectStats(shown.renderer(), shown.window());
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
   if (options.report.json) {
-    printResult(statsJson(stats));
+    printDocument(statsJson(stats));
   } else if (!options.report.quiet) {
     std::string text;
     for (const std::string& file : files) text += file + "\n";

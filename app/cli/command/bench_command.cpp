@@ -114,7 +114,8 @@ void runBench(const BenchOptions& options) {
   for (const char* name : {"bench.json", "bench.csv", "report.md", "front.png", "front-scene.png", "contact.png"}) {
     declareOutput("-o", options.folder + "/" + name);
   }
-  const InterruptGuard interrupt;
+  InterruptGuard interrupt;
+  interrupt.waitForPartialResults();
   const std::string scenePath =
       options.scenePath.empty() ? BOXPROBE_DATA_DIR "/scenes/gallery.boxprobe.json" : options.scenePath;
   const LoadedScene loaded = loadScene(scenePath, options.assignments);
@@ -161,7 +162,7 @@ void runBench(const BenchOptions& options) {
     for (const std::string& remark : result.remarks) printWarnings({remark});
   }
   if (options.report.json) {
-    printResult(json);
+    printDocument(json);
   } else if (!options.report.quiet) {
     printSummary(result, options.folder);
   }

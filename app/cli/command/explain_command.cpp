@@ -71,7 +71,7 @@ void runExplain(const ExplainOptions& options) {
   captureShown(shown, interrupt, options.report.quiet);
   const Explanation explanation = shown.renderer().explain(pixel.x, pixel.y, size.width, size.height);
   shown.requireHealthy();
-  printResult(options.report.json ? explanationJson(explanation) : explanationText(explanation));
+  options.report.json ? printDocument(explanationJson(explanation)) : printResult(explanationText(explanation));
 
   if (!options.report.statsPath.empty()) {
     RunStats stats = collectStats(shown.renderer(), shown.window());

@@ -35,7 +35,7 @@ struct InfoOptions {
 void runInfo(const InfoOptions& options) {
   if (options.fields) {
     const std::string reference = options.report.json ? sceneReferenceJson() : sceneReferenceMarkdown();
-    printResult(reference);
+    printDocument(reference);
     return;
   }
   if (options.scenePath.empty()) throw InputError("SCENE is required; see boxprobe info --help");
@@ -52,7 +52,7 @@ void runInfo(const InfoOptions& options) {
     report["frame"] = frameReportJson(*frame);
     text += frameReportText(*frame);
   }
-  printResult(options.report.json ? validJson(report) : text);
+  options.report.json ? printDocument(validJson(report)) : printResult(text);
   // Without --frame nothing is drawn or captured here; with it, what that took is in the report.
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
 }

@@ -140,7 +140,8 @@ void renderReference(const RenderOptions& options, bool linear) {
   const bool box = options.technique == kBox;
   if (box && options.full) refuse("--full", options);
 
-  const InterruptGuard interrupt;
+  InterruptGuard interrupt;
+  interrupt.waitForPartialResults();
   const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
   const Camera camera = chooseCamera(loaded.scene, options.camera);
   if (!options.report.quiet) printWarnings(loaded.warnings);
@@ -166,7 +167,7 @@ void renderReference(const RenderOptions& options, bool linear) {
   const std::string json = referenceJson(options, error, processCpuSeconds() - start);
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, json);
   if (options.report.json) {
-    printResult(json);
+    printDocument(json);
   } else if (!options.report.quiet) {
     char errors[96];
     std::snprintf(errors, sizeof errors, "%.2g (root mean square), %.2g at most", error.rootMeanSquare, error.largest);

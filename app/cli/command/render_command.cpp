@@ -72,7 +72,7 @@ void runRender(const RenderOptions& options) {
   stats.frameCpuSeconds = times.frameSeconds;
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
   if (options.report.json) {
-    printResult(statsJson(stats));
+    printDocument(statsJson(stats));
   } else if (!options.report.quiet) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.1f", times.firstFrame);

@@ -4,6 +4,7 @@
 #include <QBuffer>
 #include <QGuiApplication>
 #include <algorithm>
+#include <clocale>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -172,7 +173,7 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
   }
   if (output.page) writeTextAtomically(output.path, page.text());
   writeStats(options, photographer.player());
-  if (options.report.json) printResult(validJson(report));
+  if (options.report.json) printDocument(validJson(report));
   if (broken > 0) {
     throw WorkError(std::to_string(broken) + " of " + std::to_string(claims) + " claims of the lessons do not hold");
   }
@@ -184,7 +185,7 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
   const bool draws = options.check || !options.outputPath.empty();
   if (options.name.empty() && !draws) {
     if (options.report.json) {
-      printResult(validJson(listJson(list)));
+      printDocument(validJson(listJson(list)));
     } else {
       printList(list, options.folder);
     }
@@ -207,6 +208,7 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
     if (type == QtCriticalMsg || type == QtFatalMsg) printError(line.toStdString());
   });
   const QGuiApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's
   produce(lessons, options, output);
 }
 

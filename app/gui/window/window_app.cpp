@@ -4,6 +4,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include <QApplication>
+#include <clocale>
 #include <exception>
 #include <optional>
 
@@ -53,6 +54,7 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   setSurfaceFormat();
   QCoreApplication::setApplicationName("Boxprobe");
   Application application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's, and with it commas into every file's numbers
   applyWindowStyle(application);
 
   MainWindow window;

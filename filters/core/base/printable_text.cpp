@@ -26,8 +26,7 @@ std::size_t sequenceAt(const std::string& text, std::size_t at, std::uint32_t& c
 
 bool isControl(std::uint32_t code) {
   const auto between = [code](std::uint32_t low, std::uint32_t high) { return code >= low && code <= high; };
-  return code < 0x20 || between(0x7f, 0x9f) || between(0x2028, 0x202e) || between(0x2066, 0x2069) || code == 0x200e ||
-         code == 0x200f || code == 0x61c;
+  return code < 0x20 || between(0x7f, 0x9f) || between(0x2028, 0x202e) || between(0x2066, 0x2069);
 }
 
 }  // namespace
