@@ -2,6 +2,7 @@
 // stderr and an exit status (1 the work failed, 2 bad usage or bad input). Knows no more of either.
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "app/gui/window/lessons_command.h"
 #include "app/gui/window/window_app.h"
 #include "app/session/display_check.h"
+#include "app/session/interrupt.h"
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
 #include "filters/core/base/errors.h"
@@ -59,7 +61,12 @@ int run(int& argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0) {  // --help, --version
+      program.exit(error);
+      std::cout.flush();
+      finishResults();
+      return 0;
+    }
     std::string command = "boxprobe";
     for (const Subcommand& subcommand : subcommands) {
       if (subcommand.arguments->parsed()) command += " " + subcommand.arguments->get_name();
@@ -70,7 +77,10 @@ int run(int& argc, char** argv) {
     if (!subcommand.arguments->parsed()) continue;
     if (!scenePath.empty()) throw InputError(scenePath + ": not expected before a sub-command; see boxprobe --help");
     if (!window.statsPath.empty()) throw InputError("--stats belongs after the sub-command; see boxprobe --help");
+    const InterruptGuard interrupt;
     subcommand.run();
+    finishResults();
+    if (interrupt.interrupted()) throw WorkError("interrupted; what was asked for was done by then");
     return 0;
   }
   if (!window.statsPath.empty()) requireWritable("--stats", window.statsPath);
@@ -81,6 +91,7 @@ int run(int& argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  boxprobe::answerWriteSignals();
   try {
     return run(argc, argv);
   } catch (const boxprobe::Error& error) {

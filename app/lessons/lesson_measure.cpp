@@ -83,6 +83,10 @@ double meanLight(const ImageRgbaF& picture, const LessonMeasure& measure) {
   return sum / static_cast<double>(std::max<std::size_t>(count, 1));
 }
 
+ReferenceProgress whileGoingOn(const ShownScene& shown) {
+  return [&shown](double) { return !shown.goOn || shown.goOn(); };
+}
+
 double errorAgainstScene(const ShownScene& shown, const ImageRgbaF& picture, const PictureRegion& region) {
   ReferenceSettings settings;
   settings.width = picture.width;
@@ -91,13 +95,14 @@ double errorAgainstScene(const ShownScene& shown, const ImageRgbaF& picture, con
   settings.raysPerPixel = kTruthRays;
   settings.part = pixelsOf(region, picture.width, picture.height);
   const ReferenceScene scene(shown.scene, shown.models, loadSkyImage(shown.scene));
-  const ImageRgbaF truth = scene.render(shown.camera, settings).color;
+  const ImageRgbaF truth = scene.render(shown.camera, settings, whileGoingOn(shown)).color;
   return pictureDifference(picture, truth, region);
 }
 
 double errorAgainstBox(const ShownScene& shown, const PictureRegion& region) {
   const BoxPictureSize size{shown.width, shown.height, 1, kTruthRays, pixelsOf(region, shown.width, shown.height)};
-  const ImageRgbaF truth = integrateBox(shown.renderer, boxMaps(shown.renderer, shown.scene), size).color;
+  const ImageRgbaF truth =
+      integrateBox(shown.renderer, boxMaps(shown.renderer, shown.scene), size, whileGoingOn(shown)).color;
   return pictureDifference(shown.renderer.renderLinear(shown.width, shown.height, 1), truth, region);
 }
 

@@ -2,6 +2,7 @@
 // tasks, by the window; knows no Qt and no lesson file.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct ShownScene {
   int width = 320, height = 200;  ///< pixels of the pictures that are measured
   /// Linear, of that size: measured in place of what the renderer draws. Null: none.
   const ImageRgbaF* picture = nullptr;
+  std::function<bool()> goOn = {};  ///< asked while references are integrated; false: they are left incomplete
 };
 
 /// Of one picture: every kind but Difference, Counter and Broken. Nothing where it is not defined there (a pixel that

@@ -32,6 +32,8 @@ std::optional<double> counter(const Counters& counters, const std::string& name)
   return std::nullopt;
 }
 
+constexpr const char* kStopped = "interrupted: stopped before the work was done";
+
 std::unique_ptr<RayLayer> makeRayLayer(SceneRenderer& renderer) {
   auto layer = std::make_unique<RayLayer>(renderer.renderer());
   layer->setLegendVisible(false);
@@ -86,7 +88,7 @@ void LessonPlayer::showScene(std::size_t step, Scene scene) {
   ShownSettings settings{camera_, content.reflections};
   if (!content.view.empty()) settings.view.view = findSurfaceView(content.view).value_or(0);
   offscreen_.show(scene_, models_, settings);
-  if (!offscreen_.capture([this](double) { return !goOn_ || goOn_(); })) throw WorkError("stopped");
+  if (!offscreen_.capture([this](double) { return !goOn_ || goOn_(); })) throw WorkError(kStopped);
   offscreen_.requireHealthy();
   const Counters& after = renderer().counters();
   Counters done;
@@ -181,7 +183,9 @@ double LessonPlayer::measure(const LessonMeasure& measure, std::optional<std::si
       const bool published = measure.step && !lesson_->steps[step].published.empty();
       ShownScene shown{renderer(), scene_, models_, camera_, kMeasuredWidth, kMeasuredWidth * height_ / width_};
       if (published) shown.picture = &linear(step);
+      shown.goOn = goOn_;
       value = measureShown(shown, measure);
+      if (goOn_ && !goOn_()) throw WorkError(kStopped);
     }
   }
   if (!value) throw WorkError(lesson_->path + ": a measure is not defined where the lesson asks for it");

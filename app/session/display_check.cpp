@@ -1,13 +1,101 @@
 // See display_check.h. The only file that includes Xlib: its macros (None, Bool, Status) must not reach others.
 #include "app/session/display_check.h"
 
+#include <GL/glx.h>
 #include <X11/Xlib.h>
+#include <fcntl.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "filters/core/base/errors.h"
 
 namespace boxprobe {
+
+namespace {
+
+/// Mesa says on stderr what it could not load, and cannot be kept from it; our own line says what to do.
+class QuietStderr {
+ public:
+  QuietStderr() : kept_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)), null_(open("/dev/null", O_WRONLY | O_CLOEXEC)) {
+    if (kept_ >= 0 && null_ >= 0) dup2(null_, STDERR_FILENO);
+  }
+  ~QuietStderr() {
+    if (kept_ >= 0) dup2(kept_, STDERR_FILENO);
+    close(kept_);
+    close(null_);
+  }
+  QuietStderr(const QuietStderr&) = delete;
+  QuietStderr& operator=(const QuietStderr&) = delete;
+
+ private:
+  int kept_, null_;
+};
+
+int ignoreXError(Display*, XErrorEvent*) {
+  return 0;
+}
+
+template <typename Function>
+Function glxFunction(const char* name) {
+  return reinterpret_cast<Function>(glXGetProcAddressARB(reinterpret_cast<const GLubyte*>(name)));
+}
+
+/// Empty, or why VTK could not draw there: it aborts, or dumps its shaders. A context is made as VTK makes one.
+std::string missingFromGlx(Display* display) {
+  const QuietStderr quiet;
+  const int wanted[] = {GLX_DRAWABLE_TYPE,
+                        GLX_WINDOW_BIT,
+                        GLX_RENDER_TYPE,
+                        GLX_RGBA_BIT,
+                        GLX_RED_SIZE,
+                        1,
+                        GLX_GREEN_SIZE,
+                        1,
+                        GLX_BLUE_SIZE,
+                        1,
+                        GLX_DEPTH_SIZE,
+                        1,
+                        GLX_DOUBLEBUFFER,
+                        1,
+                        0};
+  int count = 0;
+  GLXFBConfig* configs = glXChooseFBConfig(display, DefaultScreen(display), wanted, &count);
+  if (configs == nullptr || count == 0) return "it offers no visual in true colour with a depth buffer";
+  const GLXFBConfig config = configs[0];
+  XFree(configs);
+  const auto create = glxFunction<PFNGLXCREATECONTEXTATTRIBSARBPROC>("glXCreateContextAttribsARB");
+  const int version[] = {GLX_CONTEXT_MAJOR_VERSION_ARB, 3, GLX_CONTEXT_MINOR_VERSION_ARB, 2, 0};
+  const auto handler = XSetErrorHandler(ignoreXError);
+  const GLXContext context = create == nullptr ? nullptr : create(display, config, nullptr, 1, version);
+  std::string missing;
+  if (context == nullptr) {
+    missing = "it offers no OpenGL 3.2; install libgl1-mesa-dri or your card's driver";
+  } else if (glXMakeContextCurrent(display, 0, 0, context) != 0) {
+    const auto getString = glxFunction<const GLubyte* (*)(GLenum)>("glGetString");
+    const GLubyte* text = getString == nullptr ? nullptr : getString(GL_VERSION);
+    int major = 3, minor = 2;
+    if (text != nullptr) std::sscanf(reinterpret_cast<const char*>(text), "%d.%d", &major, &minor);
+    if (10 * major + minor < 32) {
+      missing = "its driver has OpenGL " + std::to_string(major) + "." + std::to_string(minor) + ", and 3.2 is needed";
+    }
+    glXMakeContextCurrent(display, 0, 0, nullptr);
+  }
+  if (context != nullptr) glXDestroyContext(display, context);
+  XSync(display, 0);
+  XSetErrorHandler(handler);
+  return missing;
+}
+
+/// The window draws by X. Where Qt would take another of its platforms, or look for one that is not installed, X it is.
+void preferX() {
+  const char* platform = std::getenv("QT_QPA_PLATFORM");
+  if (platform == nullptr || std::string(platform).rfind("wayland", 0) == 0) setenv("QT_QPA_PLATFORM", "xcb", 1);
+}
+
+}  // namespace
 
 void requireDisplay(const std::string& command) {
   static bool found = false;  // asked once: each asking keeps a connection, see below
@@ -15,7 +103,11 @@ void requireDisplay(const std::string& command) {
   const std::string advice =
       ": run `xvfb-run -a " + command + " ...`, which draws without a screen, or start it from a desktop";
   const char* name = std::getenv("DISPLAY");
-  if (name == nullptr || *name == '\0') throw InputError("no display (DISPLAY is not set)" + advice);
+  if (name == nullptr || *name == '\0') {
+    const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+    throw InputError("no display (DISPLAY is not set" + std::string(wayland ? "; on Wayland, install xwayland)" : ")") +
+                     advice);
+  }
   Display* display = XOpenDisplay(nullptr);
   if (display == nullptr)
     throw InputError("no display (the X server '" + std::string(name) + "' cannot be reached)" + advice);
@@ -26,6 +118,12 @@ void requireDisplay(const std::string& command) {
     XCloseDisplay(display);
     throw InputError("no OpenGL on display '" + std::string(name) + "' (it has no GLX)" + advice);
   }
+  const std::string missing = missingFromGlx(display);
+  if (!missing.empty()) {
+    XCloseDisplay(display);
+    throw WorkError("no OpenGL on display '" + std::string(name) + "': " + missing);
+  }
+  preferX();
   // Left open to the end of the process: an X server starts again when its last client leaves (xvfb-run's does), and
   // turns away whoever connects in that moment, which would be VTK.
   found = true;

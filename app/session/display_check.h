@@ -6,7 +6,8 @@
 
 namespace boxprobe {
 
-/// Throws InputError if DISPLAY names no X server that can be reached, or one without GLX. `command` is what the user
+/// Throws InputError if DISPLAY names no X server that can be reached, or one without GLX; WorkError if that has no
+/// visual or no OpenGL 3.2. Qt then uses X, too. `command` is what the user
 /// ran, for the advice: "boxprobe render".
 void requireDisplay(const std::string& command);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/session/valid_json.h"
 #include "filters/core/base/number_text.h"
 #include "filters/explain/explanation_sections.h"
 
@@ -174,7 +175,7 @@ std::string explanationJson(const Explanation& e, const std::optional<Verdict>& 
   for (const ProbeExplanation& p : e.probes) json["probes"].push_back(probeJson(p));
   json["notes"] = e.notes;
   // Names in model files need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return validJson(json);
 }
 
 }  // namespace boxprobe

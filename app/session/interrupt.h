@@ -1,24 +1,45 @@
-// Ctrl-C as a question that long work asks between two steps, so that it stops with nothing half written.
+// Signals that end the program: a question that long work asks between two steps, so that it stops with nothing half
+// written, and an end of its own accord for work that does not ask in time.
 #pragma once
+
+#include <optional>
+#include <string>
 
 namespace boxprobe {
 
-/// While one lives, the first SIGINT or SIGTERM only sets a flag; a second one ends the process as usual. The previous
-/// handlers are put back at the end.
+/// From the first of these on, for as long as it lives, SIGINT, SIGTERM and SIGHUP set a flag that work asks for; a
+/// signal that arrives late is still told of by the last check(). What does not stop within 0.7 s of a signal (three
+/// where the machine is busy with other work), or is sent a second one, ends there: temporary files are removed, one
+/// line is printed, and the signal's own end follows (status 128 + its number). Work that has seen the flag gets five
+/// seconds to write what it announced. A SIGHUP that the parent ignores (nohup) stays ignored.
 class InterruptGuard {
  public:
   InterruptGuard();
+  /// Of a window: a signal also writes a byte to the descriptor `wake`, for an event loop.
+  explicit InterruptGuard(int wake);
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
+  /// Of work whose partial results are worth a wait: five seconds from the signal on.
+  void waitForPartialResults();
+
   bool interrupted() const;
+  /// The signal's number, or 0.
+  int signalNumber() const;
   /// Throws WorkError once a signal has arrived.
   void check() const;
 
  private:
-  struct Handlers;
-  Handlers* previous_;
+  std::optional<int> wakeBefore_;
 };
+
+/// If a signal ends the process in the middle of a step, `text` is written to `path` and that is said. An empty text:
+/// nothing. For one thread.
+void keepForSignals(const std::string& path, const std::string& text);
+
+/// Writing to a closed pipe, or beyond the limit on a file's size, becomes an error of the write; either would end the
+/// process with its temporary files left. For the whole process, its children included.
+void answerWriteSignals();
 
 }  // namespace boxprobe

@@ -1,20 +1,20 @@
 // See messages.h.
 #include "app/session/messages.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <set>
+
+#include "filters/core/base/errors.h"
+#include "filters/core/base/printable_text.h"
 
 namespace boxprobe {
 
 std::string singleLine(const std::string& text) {
   std::string line;
-  for (const char c : text) {
-    const bool blank = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
-    if (!blank) {
-      line += c;
-    } else if (!line.empty() && line.back() != ' ') {
-      line += ' ';
-    }
+  for (const char c : printable(text)) {
+    if (c != ' ' || (!line.empty() && line.back() != ' ')) line += c;
   }
   while (!line.empty() && line.back() == ' ') line.pop_back();
   return line;
@@ -34,6 +34,22 @@ void printWarnings(const std::vector<std::string>& texts) {
     const std::string line = singleLine(text);
     if (printed.insert(line).second) std::fprintf(stderr, "boxprobe: warning: %s\n", line.c_str());
   }
+}
+
+void printResult(const std::string& text) {
+  printDocument(printable(text, true));
+}
+
+void printDocument(const std::string& json) {
+  std::fwrite(json.data(), 1, json.size(), stdout);
+}
+
+void finishResults() {
+  const bool written = std::fflush(stdout) == 0;
+  const int reason = errno;
+  if (written && std::ferror(stdout) == 0) return;
+  throw WorkError("standard output: not all could be written" +
+                  (written ? std::string() : std::string(": ") + std::strerror(reason)));
 }
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// What the program says to its user on stderr: one line a message, always. Called by main, the sub-commands and the
-// window.
+// What the program says to its user: messages on stderr, one line each, always; results on stdout. Whatever names hold,
+// terminals show it and do not obey it. Called by main, the sub-commands and the window.
 #pragma once
 
 #include <string>
@@ -7,8 +7,7 @@
 
 namespace boxprobe {
 
-/// `text` with line breaks and other control characters turned into single spaces: file names and library messages may
-/// hold them, and a message is one line.
+/// `text` as printable() has it, on one line and with single spaces: file names and library messages may hold anything.
 std::string singleLine(const std::string& text);
 
 /// `boxprobe: TEXT`
@@ -19,5 +18,14 @@ void printNote(const std::string& text);
 
 /// `boxprobe: warning: TEXT` for each, in order; a text that was printed before is left out.
 void printWarnings(const std::vector<std::string>& texts);
+
+/// Lines of text to stdout, each as printable() has it.
+void printResult(const std::string& text);
+
+/// A document to stdout as it is: valid JSON, whose strings are other programs' business.
+void printDocument(const std::string& json);
+
+/// To be called once all is printed: throws WorkError if stdout did not take all of it (a full disk, a closed pipe).
+void finishResults();
 
 }  // namespace boxprobe

@@ -1,16 +1,14 @@
 // See output_check.h.
 #include "app/session/output_check.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 #include "filters/core/base/errors.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/io/files/read_file.h"
+#include "filters/io/files/temporary_file.h"
 
 namespace boxprobe {
 
@@ -19,18 +17,19 @@ namespace fs = std::filesystem;
 void requireWritable(const std::string& option, const std::string& path) {
   const std::string place = option + " " + path + ": ";
   std::error_code ignored;
-  fs::path folder = fs::path(path).parent_path();
+  fs::path folder = fs::path(writtenPath(path)).parent_path();
   if (folder.empty()) folder = ".";
   if (!fs::exists(folder, ignored))
     throw InputError(place + "the folder " + folder.string() + " does not exist; create it first");
   if (!fs::is_directory(folder, ignored)) throw InputError(place + folder.string() + " is a file, not a folder");
   if (fs::is_directory(path, ignored)) throw InputError(place + "this is a folder; name a file in it");
   // Permissions, read-only mounts and root's privileges are the kernel's to weigh: a file is created and removed.
-  std::string probe = (folder / ".boxprobe-XXXXXX").string();
-  const int file = mkstemp(probe.data());
-  if (file < 0) throw InputError(place + "cannot write into " + folder.string() + ": " + std::strerror(errno));
-  close(file);
-  unlink(probe.c_str());
+  try {
+    const TemporaryFile probe(folder.string(), ".boxprobe-");
+  } catch (const WorkError& error) {
+    throw InputError(place + error.what());
+  }
+  declareOutput(option, path);
 }
 
 void requireOutputFolder(const std::string& option, const std::string& folder) {

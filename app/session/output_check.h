@@ -7,7 +7,8 @@
 namespace boxprobe {
 
 /// Throws InputError naming `option` (as on the command line) and `path` unless a file can be created there: the folder
-/// exists and takes a new file, and `path` is no folder.
+/// exists and takes a new file, and `path` is no folder. To be called before anything is read: from then on reading the
+/// file that `path` leads to is an InputError, too.
 void requireWritable(const std::string& option, const std::string& path);
 
 /// Makes the folder that `option` names where it is missing, before hours of work and not after them. Throws InputError

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/session/valid_json.h"
 #include "filters/io/image/image_pool.h"
 
 namespace boxprobe {
@@ -92,7 +93,7 @@ std::string statsJson(const RunStats& stats) {
   times["frames"] = frames.size();
   json["memoryBytes"] = {{"probes", stats.probeBytes}, {"peakResident", peakResidentBytes()}};
   json["gl"] = {{"renderer", stats.glRenderer}, {"version", stats.glVersion}};
-  return json.dump(2) + "\n";
+  return validJson(json);
 }
 
 }  // namespace boxprobe

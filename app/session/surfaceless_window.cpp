@@ -9,6 +9,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <cstdlib>
+
 namespace {
 
 // Owns a context and a surface of one pixel: all drawing goes into framebuffers of VTK's or ours.
@@ -65,6 +67,7 @@ EGLDisplay startedDisplay() {
 }
 
 std::string vtkSurfacelessWindow::Open() {
+  setenv("EGL_LOG_LEVEL", "fatal", 0);  // lines of its own about drivers; ours follows
   this->Display = startedDisplay();
   if (this->Display == EGL_NO_DISPLAY) return "EGL has no display here";
   // VTK takes the near plane by how many bits of depth the surface has.

@@ -183,7 +183,7 @@ const std::string& SceneRenderer::pictureError() const {
 }
 
 std::vector<std::string> SceneRenderer::remarks() const {
-  std::vector<std::string> texts = impl_->probes.pictureRemarks();
+  std::vector<std::string> texts = impl_->probes.sourceRemarks();
   const std::vector<std::string> more = sceneRemarks(impl_->content, frameReport(), counters());
   texts.insert(texts.end(), more.begin(), more.end());
   return texts;

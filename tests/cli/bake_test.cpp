@@ -79,9 +79,11 @@ TEST(Bake, StoppedWorkLeavesWholeFilesAndGoesOn) {
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
   program.send(SIGINT);
   const Outcome stopped = program.finish();
-  EXPECT_EQ(stopped.exitStatus, 1);
+  // Between two faces, or in the middle of one that takes long.
+  EXPECT_THAT(stopped.exitStatus, ::testing::AnyOf(1, 128 + SIGINT));
   ASSERT_THAT(stopped.errLines(), SizeIs(1)) << stopped.err;
-  EXPECT_THAT(stopped.err, HasSubstr("continues from there"));
+  EXPECT_THAT(stopped.err,
+              HasSubstr(stopped.exitStatus == 1 ? "continues from there" : "files that are complete stay"));
   // Whatever is there is whole: nothing temporary, nothing half written.
   arguments = {"bake", demoScene("room"), "-o", out, "--set", "probes.room.faceSize=16", "--quiet"};
   EXPECT_EQ(runProgram(arguments).exitStatus, 0);

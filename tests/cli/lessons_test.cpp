@@ -28,13 +28,22 @@ TEST(LessonsCommand, ListsWithoutADisplay) {
   EXPECT_TRUE(list["errors"].empty()) << list["errors"];
 }
 
+// In a locale with a decimal comma, if the system can make one: Qt takes it from the environment.
 TEST(LessonsCommand, DrawsASheetAndHoldsTheLessonToItsClaims) {
-  const TemporaryFolder folder;
-  const Outcome outcome = runProgram({"lessons", "floor-mirror", "-o", folder.path("sheet.png"), "--json"});
+  const TemporaryFolder folder, locales;
+  const std::string comma = "localedef -i de_DE -f UTF-8 '" + locales.path("de_DE.UTF-8") + "' >/dev/null 2>&1";
+  const bool made = std::system(comma.c_str()) == 0;
+  if (made) ::setenv("LOCPATH", locales.path(".").c_str(), 1);
+  if (made) ::setenv("LC_ALL", "de_DE.UTF-8", 1);
+  const Outcome outcome =
+      runProgram({"lessons", "floor-mirror", "-o", folder.path("sheet.png"), "--json", "--language", "en"});
+  ::unsetenv("LOCPATH");
+  ::unsetenv("LC_ALL");
   EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
   const json claims = json::parse(outcome.out);
   ASSERT_FALSE(claims.empty());
   EXPECT_TRUE(claims[0]["holds"]);
+  EXPECT_EQ(claims[0]["measured"].get<std::string>().find(','), std::string::npos) << claims[0]["measured"];
   EXPECT_THAT(readFile(folder.path("sheet.png")), StartsWith("\x89PNG"));
 }
 

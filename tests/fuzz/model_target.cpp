@@ -27,22 +27,6 @@ void checkAttribute(const std::vector<Vector>& values, std::size_t positions) {
   for (const Vector& value : values) promise(finite(value), "an attribute is not finite");
 }
 
-void checkMesh(const Mesh& mesh, std::size_t materials) {
-  promise(!mesh.indices.empty() && mesh.indices.size() % 3 == 0, "a mesh has no whole triangles");
-  for (const std::uint32_t index : mesh.indices) promise(index < mesh.positions.size(), "an index has no position");
-  checkAttribute(mesh.positions, mesh.positions.size());
-  checkAttribute(mesh.normals, mesh.positions.size());
-  checkAttribute(mesh.tangents, mesh.positions.size());
-  checkAttribute(mesh.uv, mesh.positions.size());
-  checkAttribute(mesh.uv1, mesh.positions.size());
-  checkAttribute(mesh.colors, mesh.positions.size());
-  for (const glm::vec3& normal : mesh.normals) {
-    promise(std::fabs(glm::length(normal) - 1.0f) < 1e-3f, "a normal is not unit");
-  }
-  promise(mesh.material >= -1 && mesh.material < static_cast<int>(materials),
-          "a mesh has a material that is not there");
-}
-
 void checkMaterial(const Material& material) {
   promise(finite(material.baseColor) && finite(material.emissive), "a material's colour is not finite");
   for (const float value :
@@ -63,6 +47,22 @@ void checkMaterial(const Material& material) {
 }
 
 }  // namespace
+
+void checkMesh(const Mesh& mesh, std::size_t materials) {
+  promise(!mesh.indices.empty() && mesh.indices.size() % 3 == 0, "a mesh has no whole triangles");
+  for (const std::uint32_t index : mesh.indices) promise(index < mesh.positions.size(), "an index has no position");
+  checkAttribute(mesh.positions, mesh.positions.size());
+  checkAttribute(mesh.normals, mesh.positions.size());
+  checkAttribute(mesh.tangents, mesh.positions.size());
+  checkAttribute(mesh.uv, mesh.positions.size());
+  checkAttribute(mesh.uv1, mesh.positions.size());
+  checkAttribute(mesh.colors, mesh.positions.size());
+  for (const glm::vec3& normal : mesh.normals) {
+    promise(std::fabs(glm::length(normal) - 1.0f) < 1e-3f, "a normal is not unit");
+  }
+  promise(mesh.material >= -1 && mesh.material < static_cast<int>(materials),
+          "a mesh has a material that is not there");
+}
 
 void parseModelFile(const std::string& bytes) {
   static const ScratchFile scratch;

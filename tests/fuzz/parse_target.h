@@ -6,12 +6,23 @@
 #include <stdexcept>
 #include <string>
 
+#include "filters/core/scene/model.h"
+
 namespace boxprobe::fuzz {
 
 /// Scene JSON: parse, validate, write, read again.
 void parseSceneText(const std::string& bytes);
 /// EXR and Radiance HDR: as a picture, as a cube of every layout, as a baked probe.
 void parseCubeFile(const std::string& bytes);
+/// Lessons with their texts in them: each step can run, or the lesson is refused.
+void parseLessonText(const std::string& bytes);
+/// Models that are not glTF, each with its own extension.
+void parseObjFile(const std::string& bytes);
+void parsePlyFile(const std::string& bytes);
+void parseStlFile(const std::string& bytes);
+void parseVtpFile(const std::string& bytes);
+/// What every mesh that was read must hold; throws BrokenPromise.
+void checkMesh(const Mesh& mesh, std::size_t materials);
 /// glTF (text) and GLB, with the PNG and JPEG pictures inside.
 void parseModelFile(const std::string& bytes);
 

@@ -73,6 +73,25 @@ TEST_F(FileTest, AFailedSaveKeepsTheStar) {
   EXPECT_TRUE(window_->isWindowModified());
 }
 
+TEST_F(FileTest, AnEndThatDoesNotAskWritesUnsavedChangesBesideTheFile) {
+  EXPECT_EQ(window_->files().saveRecovery(), "") << "nothing is unsaved";
+  document().markSaved(inFolder("mine.boxprobe.json").toStdString());
+  edit();
+  const std::string path = window_->files().saveRecovery();
+  EXPECT_EQ(path, inFolder("mine.recovered.boxprobe.json").toStdString());
+  EXPECT_EQ(loadScene(path).scene.probes.front().box.max.x, 3.0);
+  EXPECT_FALSE(QFile::exists(inFolder("mine.boxprobe.json"))) << "the user's own file is the user's to save";
+  EXPECT_TRUE(window_->isWindowModified());
+
+  QTemporaryDir home;
+  qputenv("XDG_DATA_HOME", home.path().toUtf8());
+  document().markSaved("/nowhere/at/all.boxprobe.json");
+  window_->editor().commitProbe("Set box", [](Probe& edited) { edited.box.max.x = 2.0; });
+  const std::string elsewhere = window_->files().saveRecovery();
+  EXPECT_EQ(elsewhere.rfind(home.path().toStdString(), 0), 0u) << elsewhere;
+  EXPECT_EQ(loadScene(elsewhere).scene.probes.front().box.max.x, 2.0);
+}
+
 TEST_F(FileTest, ADroppedSceneOpens) {
   drop(dataFile("room.boxprobe.json"));
   EXPECT_TRUE(window_->windowTitle().startsWith("room.boxprobe.json"));

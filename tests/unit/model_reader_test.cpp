@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -176,6 +177,31 @@ TEST_F(ModelReader, StlAsTextAndBinary) {
     EXPECT_EQ(mesh.positions[mesh.indices[1]], glm::vec3(2, 0, 0));
     EXPECT_EQ(mesh.normals[mesh.indices[1]], glm::vec3(0, 0, 1));
   }
+}
+
+TEST_F(ModelReader, StlAsItIsFound) {
+  // Binary, though it starts with "solid" and holds the word "facet": the size tells.
+  std::string solid = binaryStl(2, 2);
+  solid.replace(0, 11, "solid facet");
+  EXPECT_EQ(read("s.stl", solid).triangleCount(), 2u);
+  EXPECT_EQ(read("more.stl", binaryStl(1, 1) + "trailing bytes").triangleCount(), 1u);
+  const std::string triangle = "vertex 0 0 0\rvertex +2E0 0 0\rvertex 0 3 1e-60\r";
+  const std::string text = "SOLID\rFACET NORMAL 0 0 1\router loop\r" + triangle + "ENDLOOP\rendfacet\rendsolid\r";
+  EXPECT_EQ(read("c.stl", text).triangleCount(), 1u) << "capitals, carriage returns alone";
+  const std::string lower = "solid a\nfacet normal 0 0 1\nouter loop\n" + triangle;
+  expectRefused("m.stl", lower, "cut off");
+  expectRefused("m.stl", lower + "vertex 1 1 1\nendloop", "has 4 vertices");
+  expectRefused("m.stl", lower + "vertex 1 1", "is not a number");
+  expectRefused("m.stl",
+                "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 nan\nvertex 1 0 0\nvertex 0 1 0\nendloop\n",
+                "not finite");
+  expectRefused("m.stl", "solid a\nfacet\nbanana\n", "m.stl:3: \"banana\" is not of STL");
+}
+
+TEST_F(ModelReader, PlyWithCarriageReturnsAlone) {
+  std::string text = kPly;
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  EXPECT_EQ(read("m.ply", text).triangleCount(), 2u);
 }
 
 constexpr const char* kVtp =

@@ -1,7 +1,10 @@
 // See bake_command.h.
 #include "app/cli/command/bake_command.h"
 
+#include <unistd.h>
+
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <set>
 
@@ -107,13 +110,13 @@ void runBake(const BakeOptions& options) {
   const RunStats stats = collectStats(shown.renderer(), shown.window());
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
   if (options.report.json) {
-    std::fputs(statsJson(stats).c_str(), stdout);
+    printDocument(statsJson(stats));
   } else if (!options.report.quiet) {
-    for (const std::string& file : files) std::printf("%s\n", file.c_str());
-    std::printf("%s: %zu baked probe(s), %zu file(s) written, %llu faces captured, %llu levels filtered\n",
-                folder.c_str(), probes.size(), files.size(),
-                static_cast<unsigned long long>(stats.counters.facesCaptured),
-                static_cast<unsigned long long>(stats.counters.levelsFiltered));
+    std::string text;
+    for (const std::string& file : files) text += file + "\n";
+    printResult(text + folder + ": " + std::to_string(probes.size()) + " baked probe(s), " +
+                std::to_string(files.size()) + " file(s) written, " + std::to_string(stats.counters.facesCaptured) +
+                " faces captured, " + std::to_string(stats.counters.levelsFiltered) + " levels filtered\n");
   }
 }
 

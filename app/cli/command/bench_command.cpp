@@ -20,6 +20,7 @@
 #include "filters/core/base/errors.h"
 #include "filters/core/base/number_text.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/io/files/read_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/reference/bench/bench_text.h"
 #include "filters/reference/measure/metrics.h"
@@ -47,7 +48,7 @@ void printSummary(const BenchResult& result, const std::string& folder) {
                 s.cpuRatioToBox.value, s.error, s.errorRatioToHdrp, s.brightnessRatio,
                 s.onParetoFront ? "  front" : "");
   }
-  std::printf("%s: bench.json, bench.csv, report.md, front.png, front-scene.png, contact.png\n", folder.c_str());
+  printResult(folder + ": bench.json, bench.csv, report.md, front.png, front-scene.png, contact.png\n");
 }
 
 /// The pictures of one view, kept while they pass by.
@@ -110,7 +111,11 @@ void saveChart(const std::string& path, const BenchResult& result, Truth truth) 
 
 void runBench(const BenchOptions& options) {
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
-  const InterruptGuard interrupt;
+  for (const char* name : {"bench.json", "bench.csv", "report.md", "front.png", "front-scene.png", "contact.png"}) {
+    declareOutput("-o", options.folder + "/" + name);
+  }
+  InterruptGuard interrupt;
+  interrupt.waitForPartialResults();
   const std::string scenePath =
       options.scenePath.empty() ? BOXPROBE_DATA_DIR "/scenes/gallery.boxprobe.json" : options.scenePath;
   const LoadedScene loaded = loadScene(scenePath, options.assignments);
@@ -157,7 +162,7 @@ void runBench(const BenchOptions& options) {
     for (const std::string& remark : result.remarks) printWarnings({remark});
   }
   if (options.report.json) {
-    std::fputs(json.c_str(), stdout);
+    printDocument(json);
   } else if (!options.report.quiet) {
     printSummary(result, options.folder);
   }

@@ -72,9 +72,8 @@ void runExplain(const ExplainOptions& options) {
   const Explanation explanation = shown.renderer().explain(pixel.x, pixel.y, size.width, size.height);
   shown.requireHealthy();
   const Verdict verdict = verdictOf(explanation, loaded.scene);
-  std::fputs(
-      (options.report.json ? explanationJson(explanation, verdict) : explanationText(explanation, {}, verdict)).c_str(),
-      stdout);
+  options.report.json ? printDocument(explanationJson(explanation, verdict))
+                      : printResult(explanationText(explanation, {}, verdict));
 
   if (!options.report.statsPath.empty()) {
     RunStats stats = collectStats(shown.renderer(), shown.window());

@@ -58,7 +58,7 @@ void runShader(const ExportOptions& options, const Scene& scene, const std::vect
   const std::string technique = options.technique.empty() ? probes.front().technique : options.technique;
   writeTextAtomically(options.output, techniqueText(probes, technique, shaderLanguages().at(options.shader),
                                                     "Boxprobe " BOXPROBE_VERSION));
-  if (!options.report.quiet) std::printf("%s\n", options.output.c_str());
+  if (!options.report.quiet) printResult(options.output + "\n");
 }
 
 /// Where engines will look elsewhere than this program, said once for each probe.
@@ -122,9 +122,10 @@ void runExport(ExportOptions options) {
   interrupt.check();
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(captured.stats));
   if (options.report.json) {
-    std::printf("%s\n", nlohmann::json{{"files", files}}.dump(2).c_str());
+    const nlohmann::json report = {{"files", files}};
+    printDocument(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   } else if (!options.report.quiet) {
-    for (const std::string& file : files) std::printf("%s\n", file.c_str());
+    for (const std::string& file : files) printResult(file + "\n");
   }
 }
 

@@ -121,11 +121,10 @@ void runFit(const FitCommandOptions& options) {
   }
   if (!options.outputPath.empty()) saveSceneFile(loaded.scene, options.outputPath);
   if (options.report.json) {
-    text = report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  } else if (options.report.quiet) {
-    text.clear();
+    printDocument(report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  } else if (!options.report.quiet) {
+    printResult(text);
   }
-  std::fputs(text.c_str(), stdout);
   // Nothing is drawn or captured here, and the counters say so.
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
 }

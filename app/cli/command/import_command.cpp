@@ -46,9 +46,9 @@ void runImport(const ImportOptions& options) {
     nlohmann::json names = nlohmann::json::array();
     for (const Probe& probe : scene.probes) names.push_back(probe.name);
     const nlohmann::json report = {{"engine", imported.engine}, {"probes", names}, {"file", options.output}};
-    std::printf("%s\n", report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    printDocument(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   } else if (!options.report.quiet) {
-    std::printf("%s: %zu probe(s) from %s\n", options.output.c_str(), scene.probes.size(), imported.engine.c_str());
+    printResult(options.output + ": " + std::to_string(scene.probes.size()) + " probe(s) from " + imported.engine + "\n");
   }
 }
 

@@ -1,7 +1,6 @@
 // See info_command.h.
 #include "app/cli/command/info_command.h"
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,8 +11,10 @@
 #include "app/cli/report/report_text.h"
 #include "app/cli/report/scene_report.h"
 #include "app/session/load_scene.h"
+#include "app/session/messages.h"
 #include "app/session/output_check.h"
 #include "app/session/stats_json.h"
+#include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/scene/scene_reference.h"
@@ -34,7 +35,7 @@ struct InfoOptions {
 void runInfo(const InfoOptions& options) {
   if (options.fields) {
     const std::string reference = options.report.json ? sceneReferenceJson() : sceneReferenceMarkdown();
-    std::fputs(reference.c_str(), stdout);
+    printDocument(reference);
     return;
   }
   if (options.scenePath.empty()) throw InputError("SCENE is required; see boxprobe info --help");
@@ -51,10 +52,7 @@ void runInfo(const InfoOptions& options) {
     report["frame"] = frameReportJson(*frame);
     text += frameReportText(*frame);
   }
-  std::fputs(options.report.json
-                 ? (report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n").c_str()
-                 : text.c_str(),
-             stdout);
+  options.report.json ? printDocument(validJson(report)) : printResult(text);
   // Without --frame nothing is drawn or captured here; with it, what that took is in the report.
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
 }

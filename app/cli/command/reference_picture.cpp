@@ -13,6 +13,7 @@
 #include "app/session/progress_line.h"
 #include "app/session/reference_box_picture.h"
 #include "app/session/scene_work.h"
+#include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
@@ -113,7 +114,7 @@ std::string referenceJson(const RenderOptions& options, const ErrorSummary& erro
                                          {"standardErrorRms", error.rootMeanSquare},
                                          {"standardErrorMax", error.largest}}},
                                        {"times", {{"referenceCpuSeconds", cpuSeconds}}}};
-  return json.dump(2) + "\n";
+  return validJson(json);
 }
 
 void refuse(const std::string& option, const RenderOptions& options) {
@@ -139,7 +140,8 @@ void renderReference(const RenderOptions& options, bool linear) {
   const bool box = options.technique == kBox;
   if (box && options.full) refuse("--full", options);
 
-  const InterruptGuard interrupt;
+  InterruptGuard interrupt;
+  interrupt.waitForPartialResults();
   const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
   const Camera camera = chooseCamera(loaded.scene, options.camera);
   if (!options.report.quiet) printWarnings(loaded.warnings);
@@ -165,11 +167,13 @@ void renderReference(const RenderOptions& options, bool linear) {
   const std::string json = referenceJson(options, error, processCpuSeconds() - start);
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, json);
   if (options.report.json) {
-    std::fputs(json.c_str(), stdout);
+    printDocument(json);
   } else if (!options.report.quiet) {
-    std::printf("%s: %d x %d, camera %s, %s, %d rays per pixel, standard error %.2g (root mean square), %.2g at most\n",
-                options.outputPath.c_str(), picture.color.width, picture.color.height, camera.name.c_str(),
-                options.technique.c_str(), options.rays, error.rootMeanSquare, error.largest);
+    char errors[96];
+    std::snprintf(errors, sizeof errors, "%.2g (root mean square), %.2g at most", error.rootMeanSquare, error.largest);
+    printResult(options.outputPath + ": " + std::to_string(picture.color.width) + " x " +
+                std::to_string(picture.color.height) + ", camera " + camera.name + ", " + options.technique + ", " +
+                std::to_string(options.rays) + " rays per pixel, standard error " + errors + "\n");
   }
 }
 

@@ -72,11 +72,13 @@ void runRender(const RenderOptions& options) {
   stats.frameCpuSeconds = times.frameSeconds;
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
   if (options.report.json) {
-    std::fputs(statsJson(stats).c_str(), stdout);
+    printDocument(statsJson(stats));
   } else if (!options.report.quiet) {
-    std::printf("%s: %d x %d, camera %s, %llu faces captured, %.1f s of CPU time\n", options.outputPath.c_str(),
-                size.width, size.height, camera.name.c_str(),
-                static_cast<unsigned long long>(stats.counters.facesCaptured), times.firstFrame);
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.1f", times.firstFrame);
+    printResult(options.outputPath + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                ", camera " + camera.name + ", " + std::to_string(stats.counters.facesCaptured) + " faces captured, " +
+                seconds + " s of CPU time\n");
   }
 }
 

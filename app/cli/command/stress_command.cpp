@@ -11,10 +11,12 @@
 
 #include "app/cli/report/stress_report.h"
 #include "app/session/interrupt.h"
+#include "app/session/messages.h"
 #include "app/session/offscreen_window.h"
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
+#include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/stress/stress_subjects.h"
@@ -106,7 +108,7 @@ void replay(const std::string& text) {
 
 void report(const StressOptions& options, const StressPlan& plan, const std::vector<StressCell>& cells) {
   std::string lines;
-  for (const StressCell& cell : cells) lines += stressLine(cell, plan.seed, options.device).dump() + "\n";
+  for (const StressCell& cell : cells) lines += validJson(stressLine(cell, plan.seed, options.device), -1);
   const bool toFile = !options.outputPath.empty();
   if (toFile) {
     writeTextAtomically(options.outputPath, lines);

@@ -67,7 +67,8 @@ void runTruthBench(const BenchOptions& options) {
   if (options.rooms) throw InputError("--rooms is not for --truth: leave one of them out");
   if (!options.assignments.empty())
     throw InputError("--set is not for --truth: the truth pictures are of scenes as they are");
-  const InterruptGuard interrupt;
+  InterruptGuard interrupt;
+  interrupt.waitForPartialResults();
   const TruthIndex index = loadTruthIndex(options.truthPath == kOwnTruth ? BOXPROBE_TRUTH_FILE : options.truthPath);
   const std::vector<const TruthPicture*> pictures = chosenPictures(index, options);
   const std::vector<BenchTechnique> techniques = chooseBenchTechniques(options.techniques);
@@ -113,9 +114,9 @@ void runTruthBench(const BenchOptions& options) {
   }
   writeTextAtomically(options.folder + "/truth.json", json);
   if (options.report.json) {
-    std::fputs(json.c_str(), stdout);
+    printDocument(json);
   } else if (!options.report.quiet) {
-    std::fputs(truthTable(index, rows).c_str(), stdout);
+    printResult(truthTable(index, rows));
     std::printf("%s/truth.json\n", options.folder.c_str());
   }
 }

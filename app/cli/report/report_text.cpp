@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include "filters/core/base/printable_text.h"
+
 namespace boxprobe {
 
 namespace {
@@ -30,8 +32,9 @@ std::string mebibytes(const Json& bytes) {
   return text;
 }
 
+/// Names may hold line ends.
 std::string word(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  return value.is_string() ? printable(value.get<std::string>()) : value.dump();
 }
 
 std::string listOf(const Json& names) {

@@ -1,11 +1,13 @@
 // See file_commands.h.
 #include "app/gui/window/file_commands.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressDialog>
+#include <QStandardPaths>
 #include <QUrl>
 #include <algorithm>
 #include <exception>
@@ -15,6 +17,7 @@
 #include "app/gui/widgets/recent_files.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/sky_picture.h"
+#include "filters/io/files/atomic_file.h"
 #include "filters/io/json/json_text.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/import/model_reader.h"
@@ -161,6 +164,29 @@ bool FileCommands::saveTo(const QString& path) {
     showError(tr("Cannot save"), QString::fromUtf8(error.what()));
     return false;
   }
+}
+
+std::optional<FileCommands::Recovery> FileCommands::recovery() const {
+  if (!document_.modified() || !hooks_.borrowedName().isEmpty()) return std::nullopt;
+  const auto& models = document_.scene().models;
+  const std::string& origin = document_.path().empty() && !models.empty() ? models.front().file : document_.path();
+  const QFileInfo file(QString::fromStdString(origin));
+  const QString name = file.fileName().section('.', 0, 0) + ".recovered" + kSceneSuffix;
+  QString folder = file.absolutePath();
+  if (!QFileInfo(folder).isWritable()) {
+    folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    QDir(folder).mkpath(".");
+  }
+  return Recovery{QDir(folder).filePath(name).toStdString(), sceneText(document_.scene(), folder.toStdString())};
+}
+
+std::string FileCommands::saveRecovery() {
+  hooks_.showOwnScene();
+  editor_.finish();
+  const auto unsaved = recovery();
+  if (!unsaved) return {};
+  writeTextAtomically(unsaved->path, unsaved->text);
+  return unsaved->path;
 }
 
 void FileCommands::exportImage() {

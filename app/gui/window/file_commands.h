@@ -5,6 +5,8 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "app/session/load_scene.h"
 #include "filters/core/scene/document.h"
@@ -40,6 +42,15 @@ class FileCommands : public QObject {
   bool save();
   bool saveAs();
   void exportImage();
+  /// Of a process that is about to end: unsaved changes go into NAME.recovered.boxprobe.json beside the file, or where
+  /// that cannot be written into the user's folder for data. Returns the path, empty if nothing is unsaved. Throws
+  /// Error.
+  std::string saveRecovery();
+  struct Recovery {
+    std::string path, text;
+  };
+  /// What saveRecovery() would write now; nothing if nothing is unsaved, or a lesson is shown.
+  std::optional<Recovery> recovery() const;
   /// True if nothing is lost by leaving the scene: saved, or the user said so.
   bool confirmLeaving();
 

@@ -4,6 +4,7 @@
 #include <QBuffer>
 #include <QGuiApplication>
 #include <algorithm>
+#include <clocale>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -19,6 +20,7 @@
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
+#include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
 #include "filters/core/base/nearest_name.h"
@@ -77,17 +79,22 @@ nlohmann::ordered_json listJson(const LessonList& list) {
   return json;
 }
 
+std::string padded(const std::string& name) {
+  constexpr std::size_t kWidth = 22;
+  return name + std::string(kWidth - std::min(name.size(), kWidth), ' ');
+}
+
 void printList(const LessonList& list, const std::string& folder) {
-  std::string chapter;
+  std::string chapter, text;
   for (const Lesson& lesson : list.lessons) {
-    if (lesson.chapter != chapter) std::printf("%s%s\n", chapter.empty() ? "" : "\n", lesson.chapter.c_str());
+    if (lesson.chapter != chapter) text += (chapter.empty() ? "" : "\n") + lesson.chapter + "\n";
     chapter = lesson.chapter;
     const std::string other = lesson.language == list.language ? "" : " (" + lesson.language + ")";
-    std::printf("  %-22s %s%s\n", lesson.name.c_str(), lesson.title.c_str(), other.c_str());
+    text += "  " + padded(lesson.name) + " " + lesson.title + other + "\n";
   }
   const std::vector<std::string> languages = lessonLanguages(folder);
   const std::string all = languages.size() > 1 ? " (of " + nameList(languages, languages.size()) + ")" : "";
-  std::printf("\nLanguage: %s%s\n", list.language.c_str(), all.c_str());
+  printResult(text + "\nLanguage: " + list.language + all + "\n");
 }
 
 /// The broken ones are told, and the rest goes on.
@@ -154,8 +161,8 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
       report.push_back(
           {{"lesson", lesson->name}, {"claim", claim.say}, {"measured", claim.measured}, {"holds", claim.holds}});
       if (options.report.json || options.report.quiet) continue;
-      std::printf("%-22s %s %s\n  %s\n", lesson->name.c_str(),
-                  claim.holds ? "holds:" : "DOES NOT HOLD:", claim.say.c_str(), claim.measured.c_str());
+      printResult(padded(lesson->name) + (claim.holds ? " holds: " : " DOES NOT HOLD: ") + claim.say + "\n  " +
+                  claim.measured + "\n");
     }
     if (output.page) page.add(*lesson, pictures);
     if (!output.page && !output.path.empty()) {
@@ -166,7 +173,7 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
   }
   if (output.page) writeTextAtomically(output.path, page.text());
   writeStats(options, photographer.player());
-  if (options.report.json) std::puts(report.dump(2).c_str());
+  if (options.report.json) printDocument(validJson(report));
   if (broken > 0) {
     throw WorkError(std::to_string(broken) + " of " + std::to_string(claims) + " claims of the lessons do not hold");
   }
@@ -178,7 +185,7 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
   const bool draws = options.check || !options.outputPath.empty();
   if (options.name.empty() && !draws) {
     if (options.report.json) {
-      std::puts(listJson(list).dump(2).c_str());
+      printDocument(validJson(listJson(list)));
     } else {
       printList(list, options.folder);
     }
@@ -201,6 +208,7 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
     if (type == QtCriticalMsg || type == QtFatalMsg) printError(line.toStdString());
   });
   const QGuiApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's
   produce(lessons, options, output);
 }
 

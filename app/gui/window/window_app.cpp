@@ -4,6 +4,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include <QApplication>
+#include <clocale>
 #include <exception>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/main_window.h"
+#include "app/gui/window/window_signals.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/stats_json.h"
@@ -52,6 +54,7 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   setSurfaceFormat();
   QCoreApplication::setApplicationName("Boxprobe");
   Application application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's, and with it commas into every file's numbers
   applyWindowStyle(application);
 
   MainWindow window;
@@ -71,12 +74,13 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   window.lessons().setLanguage(options.language);
   window.show();
   if (!options.lesson.empty()) window.openLesson(QString::fromStdString(options.lesson));
+  const WindowSignals ended(window);
   QApplication::exec();
 
   stats.startToFirstFrameCpuSeconds = startToFirstFrame;
   if (!options.statsPath.empty()) writeTextAtomically(options.statsPath, statsJson(stats));
   if (!pictureError.empty()) throw WorkError(pictureError);
-  return 0;
+  return ended.exitStatus();
 }
 
 }  // namespace boxprobe

@@ -13,7 +13,14 @@ namespace boxprobe {
 
 namespace {
 
-constexpr std::size_t kMostProbes = 10000;
+constexpr std::size_t kMostEntries = 10000;
+
+template <typename Entries>
+void checkCount(const Entries& entries, const std::string& key) {
+  if (entries.size() <= kMostEntries) return;
+  throw FieldError({key}, "has " + std::to_string(entries.size()) + " entries; at most " +
+                              std::to_string(kMostEntries) + " are allowed");
+}
 
 std::string indexKey(std::size_t index) {
   return "[" + std::to_string(index) + "]";
@@ -99,6 +106,13 @@ void checkProbe(const Probe& probe) {
 }  // namespace
 
 void validate(const Scene& scene) {
+  checkCount(scene.models, "models");
+  checkCount(scene.cameras, "cameras");
+  checkCount(scene.lights, "lights");
+  checkCount(scene.materials, "materials");
+  checkCount(scene.objects, "objects");
+  checkCount(scene.mirrors, "mirrors");
+  checkCount(scene.probes, "probes");
   for (std::size_t i = 0; i < scene.models.size(); ++i) {
     checkFields(modelFields(), scene.models[i], {"models", indexKey(i)});
   }
@@ -117,10 +131,6 @@ void validate(const Scene& scene) {
   for (const auto& [name, mirror] : scene.mirrors) {
     if (name.empty()) throw FieldError({"mirrors"}, "has an empty name; use the model's node name");
     checkFields(mirrorFields(), mirror, {"mirrors", name});
-  }
-  if (scene.probes.size() > kMostProbes) {
-    throw FieldError({"probes"}, "has " + std::to_string(scene.probes.size()) + " entries; at most " +
-                                     std::to_string(kMostProbes) + " are allowed");
   }
   checkNames(scene.probes, "probes");
   for (const Probe& probe : scene.probes) checkProbe(probe);

@@ -49,10 +49,23 @@ BakeFolder::BakeFolder(std::string path) : path_(std::move(path)) {
   for (fs::directory_iterator it(path_, error), end; !error && it != end; it.increment(error)) {
     if (it->path().extension() != ".exr") continue;
     const std::string file = it->path().string();
-    const auto hash = bakedProbeHash(file);
+    std::string damage;
+    const auto hash = bakedProbeHash(file, &damage);
     const auto record = hash ? BakeRecord::parse(*hash) : std::nullopt;
     if (record) files_[record->key] = {file, *record};
+    if (!damage.empty()) damaged_.push_back(damage);
   }
+}
+
+bool BakeFolder::has(const std::string& key) const {
+  const auto found = files_.find(key);
+  if (found == files_.end()) return false;
+  if (found->second.checked) return true;
+  const std::string damage = bakedProbeDamage(found->second.path);
+  if (damage.empty()) return found->second.checked = true;
+  damaged_.push_back(damage);
+  files_.erase(found);
+  return false;
 }
 
 std::optional<BakeRecord> BakeFolder::record(const std::string& view) const {
@@ -66,8 +79,9 @@ BakedMaps BakeFolder::load(const std::string& key) const {
   return loadBakedProbe(files_.at(key).path).maps;
 }
 
-void BakeFolder::forget(const std::string& key) {
+void BakeFolder::forget(const std::string& key, const std::string& damage) {
   files_.erase(key);
+  if (!damage.empty()) damaged_.push_back(damage);
 }
 
 std::string BakeFolder::save(const std::string& folder, const Probe& probe, const BakeRecord& record,

@@ -31,13 +31,17 @@ class BakeFolder {
   explicit BakeFolder(std::string path);
 
   const std::string& path() const { return path_; }
-  bool has(const std::string& key) const { return files_.count(key) != 0; }
+  /// Is there a file with these maps, whole by its checksum? Each file is read for that once, when it is first asked
+  /// for.
+  bool has(const std::string& key) const;
+  /// A line for each file that was found damaged so far; its probe has no file.
+  const std::vector<std::string>& damaged() const { return damaged_; }
   /// The record of a file whose capture showed `view`.
   std::optional<BakeRecord> record(const std::string& view) const;
   /// Throws InputError if the file with these maps was damaged since.
   BakedMaps load(const std::string& key) const;
-  /// From here on as if the file were not there.
-  void forget(const std::string& key);
+  /// From here on as if the file were not there; `damage` is why, if it is damaged.
+  void forget(const std::string& key, const std::string& damage = {});
 
   /// Writes `folder`/fileName(name), creating the folder. Throws WorkError.
   static std::string save(const std::string& folder, const Probe& probe, const BakeRecord& record,
@@ -52,9 +56,12 @@ class BakeFolder {
   struct File {
     std::string path;
     BakeRecord record;
+    bool checked = false;
   };
   std::string path_;
-  std::map<std::string, File> files_;  ///< by key
+  // Checked when they are asked for, which is a question still.
+  mutable std::map<std::string, File> files_;  ///< by key
+  mutable std::vector<std::string> damaged_;
 };
 
 }  // namespace boxprobe

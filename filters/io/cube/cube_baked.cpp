@@ -17,6 +17,8 @@
 #include "filters/io/cube/cube_attributes.h"
 #include "filters/io/cube/cube_file.h"
 #include "filters/io/cube/cube_resample.h"
+#include "filters/io/cube/cube_seal.h"
+#include "filters/io/files/read_file.h"
 #include "filters/io/image/exr_reader.h"
 #include "filters/io/image/exr_writer.h"
 
@@ -24,8 +26,8 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kVersion = 1;
-constexpr int kMostLevels = 13;  // of 4096² faces
+constexpr int kVersion = 2, kUnsealedVersion = 1;  // 1: without a checksum
+constexpr int kMostLevels = 13;                    // of 4096² faces
 constexpr const char* kVersionAttribute = "boxprobe";
 constexpr const char* kLevelsAttribute = "levels";
 // Degrees, about X, then Y, then Z: the exact parts lie along axes so turned. Absent: along the world's.
@@ -94,10 +96,15 @@ int partNamed(const Imf::MultiPartInputFile& file, const std::string& name) {
   return -1;
 }
 
+int versionOf(const Imf::MultiPartInputFile& file) {
+  const auto* version = file.header(0).findTypedAttribute<Imf::IntAttribute>(kVersionAttribute);
+  return version == nullptr ? 0 : version->value();
+}
+
 /// The exact levels count, not the attribute alone: exrenvmap copies every attribute into what it makes of a file.
 bool isBakedProbe(const Imf::MultiPartInputFile& file) {
-  const auto* version = file.header(0).findTypedAttribute<Imf::IntAttribute>(kVersionAttribute);
-  return version != nullptr && version->value() == kVersion && partNamed(file, levelName(0)) > 0;
+  const int version = versionOf(file);
+  return (version == kVersion || version == kUnsealedVersion) && partNamed(file, levelName(0)) > 0;
 }
 
 float finiteOrZero(float value) {
@@ -128,8 +135,8 @@ std::size_t readLevel(Imf::MultiPartInputFile& file, CubeMap& cube, int level, c
 BakedMaps readMaps(Imf::MultiPartInputFile& file, const std::string& path, std::size_t& notFinite) {
   const Imf::Header& header = file.header(0);
   if (!isBakedProbe(file)) {
-    throw InputError(path + ": attribute " + kVersionAttribute + " = 1 and a part " + levelName(0) +
-                     " are not there: no probe baked by this version; bake it again");
+    throw InputError(path + ": attribute " + kVersionAttribute + " = " + std::to_string(kVersion) + " and a part " +
+                     levelName(0) + " are not there: no probe baked by this version; bake it again");
   }
   BakedMaps maps;
   maps.capturedAt = vectorAttribute(header, "capturedAt", path);
@@ -205,31 +212,49 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
   addVectorAttribute(metadata, "capturedAt", file.maps.capturedAt);
   if (turned) addVectorAttribute(metadata, kRotationAttribute, file.maps.capturedRotation);
   metadata.insert(kVersionAttribute, Imf::IntAttribute(kVersion));
+  addSeal(metadata);
   metadata.insert(kLevelsAttribute, Imf::IntAttribute(radiance.levels()));
   Imf::addComments(metadata, kComments);
-  saveExrParts(path, std::move(parts));
+  saveExrParts(path, std::move(parts), seal);
 }
 
 BakedProbeFile loadBakedProbe(const std::string& path) {
   BakedProbeFile result;
+  const Seal found = checkSeal(readWholeFile(path));
+  if (found == Seal::Broken) throw InputError(path + ": is damaged: its checksum differs; bake it again");
   withExrFile(path, [&](Imf::MultiPartInputFile& file) {
+    if (found == Seal::None && versionOf(file) == kVersion) {
+      throw InputError(path + ": is damaged: it has no checksum; bake it again");
+    }
     result.maps = readMaps(file, path, result.texelsNotFinite);
     result.info = readProbeAttributes(file.header(0), parentFolder(path), path);
   });
   return result;
 }
 
-std::optional<std::string> bakedProbeHash(const std::string& path) {
+std::optional<std::string> bakedProbeHash(const std::string& path, std::string* damage) {
+  std::optional<std::string> hash;
   try {
-    std::optional<std::string> hash;
     withExrFile(path, [&](Imf::MultiPartInputFile& file) {
-      bool whole = isBakedProbe(file);
-      for (int part = 0; part < file.parts(); ++part) whole = whole && file.partComplete(part);
-      if (whole) hash = textAttribute(file.header(0), "inputHash", path);
+      if (!isBakedProbe(file)) return;
+      for (int part = 0; part < file.parts(); ++part) {
+        if (!file.partComplete(part)) throw InputError(path + ": is cut off; bake it again");
+      }
+      hash = textAttribute(file.header(0), "inputHash", path);
     });
-    return hash;
-  } catch (const std::exception&) {
+  } catch (const std::exception& problem) {
+    if (damage != nullptr) *damage = problem.what();
     return std::nullopt;  // a cache that cannot be read is an empty one
+  }
+  return hash;
+}
+
+std::string bakedProbeDamage(const std::string& path) {
+  try {
+    if (checkSeal(readWholeFile(path)) == Seal::Whole) return {};
+    return path + ": is damaged, or from an earlier version: its checksum differs or is missing";
+  } catch (const std::exception& problem) {
+    return problem.what();
   }
 }
 

@@ -31,10 +31,13 @@ struct BakedProbeFile {
 /// readable as an environment map by others. Equal input, equal bytes. Written to a temporary file and renamed. Throws
 /// WorkError.
 void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrecision precision = ExrPrecision::Half);
-/// Throws InputError naming file, part and attribute.
+/// Throws InputError naming file, part and attribute, or a checksum that differs. Files of earlier versions have none.
 BakedProbeFile loadBakedProbe(const std::string& path);
-/// The hash alone, from the header; nothing if the file is missing, damaged or not one of ours. Never throws.
-std::optional<std::string> bakedProbeHash(const std::string& path);
+/// The hash alone, from the header; nothing if the file is missing, cut off or not one of ours. Never throws; `damage`
+/// receives a line if the file cannot be read.
+std::optional<std::string> bakedProbeHash(const std::string& path, std::string* damage = nullptr);
+/// Empty if every byte of the file is as it was written, by its checksum; else a line that names it. Never throws.
+std::string bakedProbeDamage(const std::string& path);
 
 struct LoadedCube {
   CubeMap radiance;  ///< one level, OpenGL orientation, alpha = coverage (1 where the file has none)

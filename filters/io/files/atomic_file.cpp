@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "filters/core/base/errors.h"
+#include "filters/io/files/temporary_file.h"
 
 namespace boxprobe {
 
@@ -56,16 +57,15 @@ void removeLeftovers(const std::filesystem::path& target, const std::filesystem:
 /// Owns the name, and a lock on the file, until the rename: removes the file if that never happens.
 class Temporary {
  public:
-  explicit Temporary(std::string name) : name_(std::move(name)) {}
+  explicit Temporary(const std::string& name) : name_(name) {}
   ~Temporary() {
-    if (!released_) ::unlink(name_.c_str());
     if (descriptor_ >= 0) ::close(descriptor_);
   }
   /// Exclusively; false if that is not possible here.
   bool create() {
-    descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = ::open(name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
-      released_ = true;  // it is not ours to remove
+      name_.release();  // it is not ours to remove
       return false;
     }
     ::flock(descriptor_, LOCK_EX | LOCK_NB);  // a file system without locks has no leftovers removed, that is all
@@ -73,12 +73,11 @@ class Temporary {
   }
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
-  const std::string& name() const { return name_; }
-  void release() { released_ = true; }
+  const std::string& name() const { return name_.name(); }
+  void release() { name_.release(); }
 
  private:
-  std::string name_;
-  bool released_ = false;
+  TemporaryName name_;
   int descriptor_ = -1;
 };
 
@@ -97,15 +96,23 @@ void flush(const std::string& file, int flags, const std::string& path) {
 
 }  // namespace
 
+std::string writtenPath(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  fs::path target = path;
+  std::error_code error;
+  for (int links = 0; links < kMostLinks && fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) break;
+    target = target.parent_path() / next;  // an absolute one takes the place of all
+  }
+  return target.string();
+}
+
 void writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  // A symbolic link stays one: what it points at is replaced.
-  fs::path target = path;
-  if (fs::is_symlink(fs::symlink_status(target, ignored))) {
-    const fs::path resolved = fs::weakly_canonical(target, ignored);
-    if (!ignored && !resolved.empty()) target = resolved;
-  }
+  const fs::path target = writtenPath(path);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (target.filename().empty() || fs::is_directory(target, ignored)) {
     throw WorkError(path + ": is a folder; name a file in it");

@@ -5,6 +5,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
+#include "filters/io/files/inside_folder.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/gltf/gltf_parts.h"
 #include "filters/io/json/json_text.h"
@@ -14,15 +15,6 @@ namespace boxprobe {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool insideFolder(const fs::path& file, const fs::path& folder) {
-  std::error_code error;
-  const fs::path whole = fs::weakly_canonical(file, error);
-  if (error) return false;
-  const fs::path base = fs::weakly_canonical(folder, error);
-  if (error) return false;
-  return std::mismatch(base.begin(), base.end(), whole.begin(), whole.end()).first == base.end();
-}
 
 std::uint32_t littleEndian32(const std::string& bytes, std::size_t offset) {
   std::uint32_t value = 0;
@@ -83,7 +75,9 @@ std::string percentDecoded(const std::string& uri) {
   };
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] == '%' && digit(i + 1) >= 0 && digit(i + 2) >= 0) {
+    const bool code = uri[i] == '%' && digit(i + 1) >= 0 && digit(i + 2) >= 0;
+    const bool zero = code && digit(i + 1) == 0 && digit(i + 2) == 0;  // ends a file's name: left as it is written
+    if (code && !zero) {
       text += static_cast<char>(16 * digit(i + 1) + digit(i + 2));
       i += 2;
     } else {
@@ -154,11 +148,12 @@ std::unique_ptr<std::string> readUri(const GltfFile& file, const std::string& ur
   if (uri.compare(0, 5, "data:") == 0) return std::make_unique<std::string>(dataOf(file, uri));
   const fs::path folder = fs::path(file.path).parent_path().empty() ? fs::path(".") : fs::path(file.path).parent_path();
   std::string name = percentDecoded(uri);
+  if (name.find('\0') != std::string::npos) return nullptr;  // no file has such a name
   std::error_code ignored;
   // Separators as Windows writes them.
   if (!fs::exists(folder / name, ignored)) std::replace(name.begin(), name.end(), '\\', '/');
   const fs::path whole = folder / name;
-  if (!insideFolder(whole, folder)) {
+  if (!insideFolderOf(whole.string(), file.path)) {
     throw InputError(oneLine(file.path + ": " + whole.string() + ": lies outside the model's folder; put it inside"));
   }
   if (!fs::exists(whole, ignored)) return nullptr;

@@ -7,10 +7,10 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
+#include "filters/io/files/read_file.h"
 #include "filters/io/image/exr_header_check.h"
 #include "filters/io/image/image_detail.h"
 
@@ -85,10 +85,7 @@ void requireFlat(const Imf::Header& header, const std::string& where) {
 }  // namespace
 
 void withExrFile(const std::string& path, const std::function<void(Imf::MultiPartInputFile&)>& read) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw InputError(path + ": does not exist; check the path");
-  if (std::filesystem::is_directory(status)) throw InputError(path + ": is not a file; name a file");
+  requireInputFile(path);
   checkExrHeader(path);
   try {
     Imf::MultiPartInputFile file(path.c_str());

@@ -149,13 +149,15 @@ std::string encodeExr(std::vector<ExrPart> parts) {
   return bytes;
 }
 
-void saveExrParts(const std::string& path, std::vector<ExrPart> parts) {
+void saveExrParts(const std::string& path, std::vector<ExrPart> parts,
+                  const std::function<void(std::string&)>& complete) {
   std::string bytes;
   try {
     bytes = encodeExr(std::move(parts));
   } catch (const std::exception& problem) {
     throw WorkError(path + ": cannot be written: " + oneLine(problem.what()));
   }
+  if (complete) complete(bytes);
   writeTextAtomically(path, bytes);
 }
 

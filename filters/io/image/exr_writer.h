@@ -6,6 +6,7 @@
 #include <Imath/half.h>
 #include <OpenEXR/ImfHeader.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ Imf::Compression chooseCompression(const ExrLevel& level);
 /// The file's bytes. Channels of each header are those of its levels' planes.
 std::string encodeExr(std::vector<ExrPart> parts);
 /// The same into a temporary file, renamed to `path`. Throws WorkError.
-void saveExrParts(const std::string& path, std::vector<ExrPart> parts);
+/// `complete` may change bytes of it first.
+void saveExrParts(const std::string& path, std::vector<ExrPart> parts,
+                  const std::function<void(std::string&)>& complete = {});
 
 }  // namespace boxprobe

@@ -43,22 +43,27 @@ std::string reasonOnly(const std::string& what) {
 
 /// Takes the place of the library's handler to learn where an error is: exceptions for numbers out of range carry none.
 struct SyntaxCheck : nlohmann::json_sax<Json> {
-  explicit SyntaxCheck(const std::string& checked) : text(checked) {}
+  SyntaxCheck(const std::string& checked, std::size_t most) : text(checked), mostEntries(most) {}
   const std::string& text;
+  const std::size_t mostEntries;
   std::size_t errorOffset = 0;
   std::string reason;
+  std::string tooMany;  ///< the key of what has more than mostEntries
 
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return open(); }
-  bool key(string_t&) override { return true; }
+  bool null() override { return element(); }
+  bool boolean(bool) override { return element(); }
+  bool number_integer(number_integer_t) override { return element(); }
+  bool number_unsigned(number_unsigned_t) override { return element(); }
+  bool number_float(number_float_t, const string_t&) override { return element(); }
+  bool string(string_t&) override { return element(); }
+  bool binary(binary_t&) override { return element(); }
+  bool start_object(std::size_t) override { return element() && open(false); }
+  bool key(string_t& name) override {
+    lastKey_ = name;
+    return count();
+  }
   bool end_object() override { return close(); }
-  bool start_array(std::size_t) override { return open(); }
+  bool start_array(std::size_t) override { return element() && open(true); }
   bool end_array() override { return close(); }
   /// `position` is behind the last character read; the place to show is where the token starts.
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
@@ -71,17 +76,30 @@ struct SyntaxCheck : nlohmann::json_sax<Json> {
   }
 
  private:
-  bool open() {
+  struct Level {
+    std::string key;
+    bool array = false;
+    std::size_t entries = 0;
+  };
+  bool open(bool array) {
     constexpr std::size_t kDeepest = 128;
-    if (++depth_ <= kDeepest) return true;
+    levels_.push_back({lastKey_, array, 0});
+    if (levels_.size() <= kDeepest) return true;
     reason = "nested more than " + std::to_string(kDeepest) + " levels deep";
     return false;
   }
   bool close() {
-    --depth_;
+    levels_.pop_back();
     return true;
   }
-  std::size_t depth_ = 0;
+  bool element() { return levels_.empty() || !levels_.back().array || count(); }
+  bool count() {
+    if (++levels_.back().entries <= mostEntries) return true;
+    tooMany = levels_.back().key.empty() ? "the file" : oneLine(levels_.back().key);
+    return false;
+  }
+  std::vector<Level> levels_;
+  std::string lastKey_;
 };
 
 /// Walks text that is known to be JSON.
@@ -226,9 +244,13 @@ std::string JsonText::placeText(const Json::json_pointer& pointer) const {
   }
 }
 
-void checkJsonSyntax(const std::string& text, const std::string& name) {
-  SyntaxCheck check(text);
+void checkJsonSyntax(const std::string& text, const std::string& name, std::size_t mostEntries) {
+  SyntaxCheck check(text, mostEntries);
   if (Json::sax_parse(text, &check)) return;
+  if (!check.tooMany.empty()) {
+    throw InputError(name + ": " + check.tooMany + ": has more than " + std::to_string(mostEntries) +
+                     " entries, the most that are read; leave some out");
+  }
   const std::string place = check.errorOffset > 0 ? at(name, placeOf(text, check.errorOffset)) : name + ": ";
   throw InputError(place + "not valid JSON: " + check.reason);
 }
@@ -238,7 +260,8 @@ JsonText parseJsonText(const std::string& text, const std::string& name) {
   if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
     throw InputError(at(name, placeOf(text, zero)) + "not valid JSON: there is a zero byte; save it as plain text");
   }
-  checkJsonSyntax(text, name);
+  constexpr std::size_t kMostEntries = 10000;  // a member more costs a look at all before it
+  checkJsonSyntax(text, name, kMostEntries);
   JsonText result;
   result.name = name;
   result.root = Json::parse(text);

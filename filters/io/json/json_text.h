@@ -2,6 +2,7 @@
 // Called by the scene reader and writer; knows JSON, not scenes.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -25,11 +26,12 @@ struct JsonText {
 };
 
 /// Throws InputError ("scene.json:3:14: ...") for what is not JSON, or is nested deeper than any honest file: the
-/// libraries that read values recurse.
-void checkJsonSyntax(const std::string& text, const std::string& name);
+/// libraries that read values recurse. So it does for a list or object of more than `mostEntries`.
+void checkJsonSyntax(const std::string& text, const std::string& name,
+                     std::size_t mostEntries = std::numeric_limits<std::size_t>::max());
 
-/// Throws InputError ("scene.json:3:14: ...") for what is not JSON, for numbers beyond double and for a key given
-/// twice.
+/// Throws InputError ("scene.json:3:14: ...") for what is not JSON, for numbers beyond double, for a key given twice
+/// and for a list or object of more than 10000 entries.
 JsonText parseJsonText(const std::string& text, const std::string& name);
 
 /// Indented by two; an array or object that holds no long ones stays on one line while that has room. Ends in a

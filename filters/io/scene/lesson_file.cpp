@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t kLargestLesson = 1 << 20;
+constexpr std::size_t kMostLessons = 1000, kMostSteps = 100;  // a step starts from the changes of all before it
 constexpr const char* kEnding = ".lesson.json";
 
 bool isLesson(const fs::path& path) {
@@ -42,6 +43,10 @@ std::string place(const JsonText& json, const KeyPath& path) {
 
 /// Every step can run: its changes apply and its camera is there.
 void requireSteps(const Lesson& lesson) {
+  if (lesson.steps.size() > kMostSteps) {
+    throw FieldError({"steps"}, "has " + std::to_string(lesson.steps.size()) + " entries; at most " +
+                                    std::to_string(kMostSteps) + " are read");
+  }
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const KeyPath step = {"steps", "[" + std::to_string(i) + "]"};
     KeyPath at = step;
@@ -110,6 +115,10 @@ LessonList loadLessons(const std::string& folder, const std::string& language) {
   std::vector<std::string> paths;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     if (isLesson(entry.path())) paths.push_back(entry.path().string());
+  }
+  if (paths.size() > kMostLessons) {
+    throw InputError(folder + ": has " + std::to_string(paths.size()) + " lessons; at most " +
+                     std::to_string(kMostLessons) + " are read");
   }
   if (paths.empty()) throw InputError(folder + ": no lesson is in it; lessons are files named NAME" + kEnding);
   std::sort(paths.begin(), paths.end());

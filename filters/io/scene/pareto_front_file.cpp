@@ -1,18 +1,17 @@
 #include "filters/io/scene/pareto_front_file.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "filters/core/base/errors.h"
+#include "filters/io/files/read_file.h"
 
 namespace boxprobe {
 
 std::vector<ParetoPoint> loadParetoFront(const std::string& path, const std::string& reference) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(path + ": cannot be read; write it with boxprobe bench");
+  const std::string text = readWholeFile(path);
   std::vector<ParetoPoint> points;
   try {
-    const nlohmann::json json = nlohmann::json::parse(stream);
+    const nlohmann::json json = nlohmann::json::parse(text);
     for (const auto& entry : json.at("summary")) {
       if (entry.at("reference") != reference) continue;
       ParetoPoint point;

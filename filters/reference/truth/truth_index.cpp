@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "filters/core/base/errors.h"
+#include "filters/io/files/read_file.h"
 #include "filters/io/image/image_file.h"
 
 namespace boxprobe {
@@ -60,12 +60,12 @@ bool TruthIndex::isBox(const std::string& scene) const {
 }
 
 TruthIndex loadTruthIndex(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(path + ": there is no such file; " + kHowToMake);
+  if (!fs::exists(path)) throw InputError(path + ": there is no such file; " + kHowToMake);
+  const std::string text = readWholeFile(path);
   TruthIndex index;
   index.folder = fs::path(path).parent_path().string();
   try {
-    const json root = json::parse(stream);
+    const json root = json::parse(text);
     if (root.at("format") != "boxprobe-truth" || root.at("version") != 1) {
       throw InputError(path + ": not a truth file of this version; " + kHowToMake);
     }

@@ -6,22 +6,21 @@
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <array>
 #include <filesystem>
-#include <functional>
 #include <vector>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
-#include "filters/vtk/import/file_guards.h"
 #include "filters/vtk/import/obj_reader.h"
 #include "filters/vtk/import/ply_guard.h"
 #include "filters/vtk/import/polydata_mesh.h"
+#include "filters/vtk/import/smooth_normals.h"
+#include "filters/vtk/import/stl_reader.h"
 #include "filters/vtk/import/vtk_error_catcher.h"
+#include "filters/vtk/import/vtp_reader.h"
 
 namespace boxprobe {
 
@@ -79,31 +78,15 @@ void setColors(vtkPolyData* data, const std::vector<std::array<std::uint8_t, 4>>
   points->AddArray(array);
 }
 
-template <typename Reader>
-Model readOneMesh(Reader* reader, const std::string& path, const LoadProgress& progress,
-                  const std::function<void(vtkPolyData*)>& complete = {}) {
-  const VtkErrorCatcher errors;
-  const ReaderProgress reported(reader, path, progress);
-  reader->Update();
-  reported.check();
-  if (!errors.error().empty()) throw InputError(path + ": " + errors.error() + "; save it again");
-  Model model;
-  if (complete) complete(reader->GetOutput());
-  Mesh mesh = meshFromPolyData(reader->GetOutput(), path);
+Model modelOf(Mesh mesh, const std::string& path) {
   if (mesh.indices.empty()) throw InputError(path + ": has no triangles to show");
+  Model model;
   mesh.name = std::filesystem::path(path).stem().string();
   mesh.material = 0;
   model.materials.push_back(plainMaterial());
   model.instances.push_back({mesh.name, 0, glm::dmat4(1.0)});
   model.meshes.push_back(std::move(mesh));
   return model;
-}
-
-template <typename Reader>
-Model readOneMesh(const std::string& path, const LoadProgress& progress) {
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  return readOneMesh(reader.Get(), path, progress);
 }
 
 Model readPly(const std::string& path, const LoadProgress& progress) {
@@ -114,10 +97,22 @@ Model readPly(const std::string& path, const LoadProgress& progress) {
     reader->ReadFromInputStringOn();
     reader->SetInputString(*check.text);
   }
-  return readOneMesh(reader.Get(), path, progress, [&check](vtkPolyData* data) {
-    if (!check.triangles.empty()) setTriangles(data, check.triangles);
-    if (!check.colors.empty()) setColors(data, check.colors);
-  });
+  const VtkErrorCatcher errors;
+  const ReaderProgress reported(reader, path, progress);
+  reader->Update();
+  reported.check();
+  if (!errors.error().empty()) throw InputError(path + ": " + errors.error() + "; save it again");
+  vtkPolyData* data = reader->GetOutput();
+  if (!check.triangles.empty()) setTriangles(data, check.triangles);
+  if (!check.colors.empty()) setColors(data, check.colors);
+  return modelOf(meshFromPolyData(data, path), path);
+}
+
+Model readStl(const std::string& path, const LoadProgress& progress) {
+  Mesh mesh = readStlMesh(path, progress);
+  checkPositions(mesh.positions, path);
+  computeNormals(mesh);
+  return modelOf(std::move(mesh), path);
 }
 
 }  // namespace
@@ -152,14 +147,8 @@ Model readModel(const std::string& path, const LoadProgress& progress, const Mod
   }
   if (extension == ".obj") return readObj(path, progress);
   if (extension == ".ply") return readPly(path, progress);
-  if (extension == ".stl") {
-    checkStl(path);
-    return readOneMesh<vtkSTLReader>(path, progress);
-  }
-  if (extension == ".vtp") {
-    checkVtp(path);
-    return readOneMesh<vtkXMLPolyDataReader>(path, progress);
-  }
+  if (extension == ".stl") return readStl(path, progress);
+  if (extension == ".vtp") return modelOf(readVtpMesh(path, progress), path);
   return loadModelFile(path, progress, state);
 }
 

@@ -1,5 +1,5 @@
-// Any model file as plain arrays: glTF through filters/io, OBJ with MTL, PLY, STL and VTP through VTK's readers, whose
-// counts and indices are checked before and after. Called by whatever opens scenes; needs no display.
+// Any model file as plain arrays: glTF through filters/io, STL and VTP through readers of this folder, OBJ with MTL and
+// PLY through VTK's, which get only files that were checked. Called by whatever opens scenes; needs no display.
 #pragma once
 
 #include <string>

@@ -6,6 +6,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
+#include "filters/io/files/inside_folder.h"
 #include "filters/io/files/read_file.h"
 
 namespace boxprobe {
@@ -99,13 +100,6 @@ std::string materialWord(const std::string& line) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == ' ' || c == '\t'; }, '_');
   return name;
-}
-
-bool insideFolderOf(const std::string& file, const std::string& modelPath) {
-  std::error_code error;
-  const fs::path folder = fs::path(modelPath).parent_path().empty() ? fs::path(".") : fs::path(modelPath).parent_path();
-  const fs::path base = fs::weakly_canonical(folder, error), whole = fs::weakly_canonical(file, error);
-  return std::mismatch(base.begin(), base.end(), whole.begin(), whole.end()).first == base.end();
 }
 
 std::string pathBeside(const std::string& file, std::string name) {

@@ -24,9 +24,6 @@ ObjMaterials readObjMaterials(const std::string& file, const std::string& modelP
 /// The rest of a line behind its key as VTK can read it: one word, "_" for each space and for no name at all.
 std::string materialWord(const std::string& line);
 
-/// Inside the folder of the model, links followed?
-bool insideFolderOf(const std::string& file, const std::string& modelPath);
-
 /// The file `name` beside `file`, its separators those of Windows where only that exists.
 std::string pathBeside(const std::string& file, std::string name);
 

@@ -2,7 +2,6 @@
 // materials that are missing.
 #include "filters/vtk/import/obj_reader.h"
 
-#include <unistd.h>
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkMapper.h>
@@ -23,8 +22,9 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
+#include "filters/io/files/temporary_file.h"
 #include "filters/io/image/image_file.h"
-#include "filters/vtk/import/file_guards.h"
+#include "filters/vtk/import/obj_check.h"
 #include "filters/vtk/import/obj_materials.h"
 #include "filters/vtk/import/polydata_mesh.h"
 #include "filters/vtk/import/vtk_error_catcher.h"
@@ -37,28 +37,13 @@ namespace {
 class TemporaryText {
  public:
   explicit TemporaryText(const std::string& text)
-      : path_((std::filesystem::temp_directory_path() / "boxprobe-XXXXXX")) {
-    const int file = mkstemp(path_.data());
-    if (file < 0) throw WorkError(path_ + ": cannot be written; is there room in the folder for temporary files?");
-    std::size_t written = 0;
-    while (written < text.size()) {
-      const ssize_t count = ::write(file, text.data() + written, text.size() - written);
-      if (count <= 0) break;
-      written += static_cast<std::size_t>(count);
-    }
-    ::close(file);
-    if (written < text.size()) {
-      ::unlink(path_.c_str());
-      throw WorkError(path_ + ": cannot be written; is there room in the folder for temporary files?");
-    }
+      : file_(std::filesystem::temp_directory_path().string(), "boxprobe-") {
+    file_.write(text);
   }
-  ~TemporaryText() { ::unlink(path_.c_str()); }
-  TemporaryText(const TemporaryText&) = delete;
-  TemporaryText& operator=(const TemporaryText&) = delete;
-  const std::string& path() const { return path_; }
+  const std::string& path() const { return file_.name(); }
 
  private:
-  std::string path_;
+  TemporaryFile file_;
 };
 
 /// MTL's own number, which VTK scales for its older shading: "... specular power 30 ..."

@@ -342,12 +342,25 @@ void shorten(std::string& bytes, std::size_t begin, std::size_t end) {
   for (std::size_t at = begin + kPart; at + 8 <= end; at += kPart) bytes.replace(at, 8, "\ncomment");
 }
 
+/// Carriage returns alone end the lines of old Macintosh files: line feeds take their place, in the header and in a
+/// body of text. Returns whether there were any.
+bool endLinesByFeeds(std::string& bytes) {
+  if (bytes.compare(0, 4, "ply\r") != 0 || bytes.compare(0, 5, "ply\r\n") == 0) return false;
+  const std::string last = "\rend_header\r";
+  const std::size_t end = bytes.find(last);
+  const bool text = bytes.find("\rformat ascii") < end;
+  const std::size_t stop = text || end == std::string::npos ? bytes.size() : end + last.size();
+  std::replace(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(stop), '\r', '\n');
+  return true;
+}
+
 }  // namespace
 
 PlyCheck checkPly(const std::string& path) {
   std::string bytes = readWholeFile(path);
+  const bool respelled = endLinesByFeeds(bytes);
   const PlyHeader header = readPlyHeader(path, bytes);
-  bool changed = !header.longComments.empty();
+  bool changed = respelled || !header.longComments.empty();
   for (const auto& [begin, end] : header.longComments) shorten(bytes, begin, end);
   if (header.format == PlyFormat::Text && bytes.back() != '\n') {
     bytes += '\n';

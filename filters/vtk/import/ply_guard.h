@@ -18,6 +18,7 @@ struct PlyCheck {
 
 /// Throws InputError ("m.ply:12: what is wrong; what to do") for files that VTK's reader would crash on or misread.
 /// The text differs from the file where VTK 9.1 does not take what PLY allows:
+/// - Lines that a carriage return alone ends, end with a line feed.
 /// - Comments above 4080 characters are blank.
 /// - A text body ends with a line end.
 /// - A text body has no lists but the corners, because vtkPLY uses a variable that it never set for the others.

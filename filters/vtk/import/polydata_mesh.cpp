@@ -10,20 +10,23 @@
 #include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <vector>
 
 #include "filters/core/base/errors.h"
 #include "filters/math/cube/srgb.h"
+#include "filters/vtk/import/smooth_normals.h"
 
 namespace boxprobe {
 
 namespace {
 
 constexpr double kLargestNumber = 1e18;  // as for glTF: a square of it is still a number
+
+[[noreturn]] void failPosition(const std::string& place, std::size_t point) {
+  throw InputError(place + ": point " + std::to_string(point) + " is not finite or lies beyond 1e18; repair the model");
+}
 
 void checkGeometry(vtkPolyData* data, const std::string& place) {
   const vtkIdType count = data->GetNumberOfPoints();
@@ -32,7 +35,7 @@ void checkGeometry(vtkPolyData* data, const std::string& place) {
     data->GetPoint(i, p);
     for (const double x : p) {
       if (std::fabs(x) <= kLargestNumber) continue;  // also false for NaN
-      throw InputError(place + ": point " + std::to_string(i) + " is not finite or lies beyond 1e18; repair the model");
+      failPosition(place, static_cast<std::size_t>(i));
     }
   }
   for (vtkCellArray* cells : {data->GetPolys(), data->GetStrips(), data->GetVerts(), data->GetLines()}) {
@@ -63,55 +66,15 @@ void readColors(vtkPointData* points, Mesh& mesh) {
   }
 }
 
-// VTK's own filter smooths over shared points only, and its readers share few: here triangles meet wherever positions
-// are equal. Every corner gets the mean, by angle, of those around it that are not turned away from its own by more
-// than 30 degrees.
-void computeNormals(Mesh& mesh) {
-  constexpr double kCosine = 0.8660254;
-  const std::size_t triangles = mesh.indices.size() / 3;
-  struct Share {
-    std::size_t triangle;
-    double angle;
-  };
-  std::vector<glm::dvec3> facing(triangles, glm::dvec3(0.0));  // unit, or 0 without an area
-  std::map<std::array<float, 3>, std::vector<Share>> around;
-  for (std::size_t t = 0; t < triangles; ++t) {
-    glm::dvec3 p[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const glm::vec3& at = mesh.positions[mesh.indices[3 * t + k]];
-      p[k] = glm::dvec3(at);
-    }
-    const glm::dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
-    const double size = glm::length(normal);
-    if (!(size > 0.0)) continue;
-    facing[t] = normal / size;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const glm::vec3& at = mesh.positions[mesh.indices[3 * t + k]];
-      const double cosine = glm::dot(p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
-      around[{at.x, at.y, at.z}].push_back({t, std::atan2(size, cosine)});
-    }
-  }
-  Mesh flat;
-  for (std::size_t c = 0; c < 3 * triangles; ++c) {
-    const std::uint32_t vertex = mesh.indices[c];
-    const glm::vec3& at = mesh.positions[vertex];
-    const glm::dvec3 own = facing[c / 3];
-    glm::dvec3 sum(0.0);
-    for (const Share& share : around[{at.x, at.y, at.z}]) {
-      if (glm::dot(facing[share.triangle], own) >= kCosine) sum += share.angle * facing[share.triangle];
-    }
-    const double length = glm::length(sum);
-    flat.positions.push_back(at);
-    // A triangle without area is never seen.
-    flat.normals.push_back(length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0, 1, 0));
-    if (!mesh.uv.empty()) flat.uv.push_back(mesh.uv[vertex]);
-    if (!mesh.colors.empty()) flat.colors.push_back(mesh.colors[vertex]);
-    flat.indices.push_back(static_cast<std::uint32_t>(c));
-  }
-  mesh = std::move(flat);
-}
-
 }  // namespace
+
+void checkPositions(const std::vector<glm::vec3>& positions, const std::string& place) {
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::fabs(positions[i][axis]) <= kLargestNumber)) failPosition(place, i);
+    }
+  }
+}
 
 Mesh meshFromPolyData(vtkPolyData* source, const std::string& place) {
   checkGeometry(source, place);

@@ -74,6 +74,12 @@ void ProbeSet::useBakedFiles(const std::string& folder) {
   work_.replan();
 }
 
+std::vector<std::string> ProbeSet::sourceRemarks() const {
+  std::vector<std::string> texts = sources_.pictures.remarks();
+  for (const std::string& damage : sources_.folder.damaged()) texts.push_back(damage + "; its probe is captured anew");
+  return texts;
+}
+
 void ProbeSet::requestBake(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (const auto index = entries_.find(name)) makeAnew(*index);

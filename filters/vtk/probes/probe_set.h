@@ -60,7 +60,8 @@ class ProbeSet {
   void requestBake(const std::vector<std::string>& names);
   BakeState bakeState(const std::string& probeName) const { return plan_.state(probeName); }
   const std::string& pictureError() const { return sources_.pictures.error(); }
-  std::vector<std::string> pictureRemarks() const { return sources_.pictures.remarks(); }
+  /// On pictures of custom probes and on damaged baked files, one sentence each.
+  std::vector<std::string> sourceRemarks() const;
   /// Empty, or why nothing is made: the maps would not fit into the graphics memory.
   const std::string& memoryError() const { return plan_.memoryError(); }
   /// Drops all work until something changes.

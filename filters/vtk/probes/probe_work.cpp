@@ -44,8 +44,8 @@ void ProbeWork::loadFile(const ProbeJob& job) {
   MadeMaps made{job, {}, nullptr, true};
   try {
     made.maps = upload(sources_->folder.load(job.key));
-  } catch (const InputError&) {
-    sources_->folder.forget(job.key);
+  } catch (const InputError& damage) {
+    sources_->folder.forget(job.key, damage.what());
     keys_->update(plan_->targets());
     return replan();
   }

@@ -1,5 +1,5 @@
-// What is looked at in OBJ, STL and VTP files before VTK's readers get them: they believe indices and counts, and ask
-// for the memory first. These look for those alone; reading is VTK's. Know no VTK.
+// What is looked at in an OBJ file before VTK's importer gets it, which believes indices. Reading is VTK's. Knows no
+// VTK.
 #pragma once
 
 #include <array>
@@ -21,9 +21,5 @@ struct ObjNames {
 /// Throws InputError ("m.obj:12: ...") for indices beyond what is defined and for a material file that lies outside the
 /// model's folder.
 ObjNames checkObj(const std::string& path);
-
-/// Throws InputError if the counts of the header cannot be in a file of this size.
-void checkVtp(const std::string& path);
-void checkStl(const std::string& path);
 
 }  // namespace boxprobe

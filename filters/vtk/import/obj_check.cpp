@@ -1,4 +1,4 @@
-#include "filters/vtk/import/file_guards.h"
+#include "filters/vtk/import/obj_check.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,6 +9,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
+#include "filters/io/files/inside_folder.h"
 #include "filters/io/files/read_file.h"
 #include "filters/vtk/import/obj_materials.h"
 
@@ -134,38 +135,6 @@ ObjNames checkObj(const std::string& path) {
   if (respelled) names.text = withMaterialWords(text.str());
   if (faces == 0) fail(path, 0, "has no faces; is it an OBJ file?");
   return names;
-}
-
-void checkVtp(const std::string& path) {
-  const std::string bytes = readWholeFile(path);
-  if (bytes.find("<VTKFile") == std::string::npos) fail(path, 0, "is not a VTK XML file; save it as VTP");
-  if (bytes.find("PolyData") == std::string::npos) fail(path, 0, "holds no PolyData; save it as VTP");
-  // Compressed, 1032 to 1 is the most there is.
-  const double most = 1032.0 * static_cast<double>(bytes.size());
-  for (std::size_t at = bytes.find("NumberOf"); at != std::string::npos; at = bytes.find("NumberOf", at + 8)) {
-    const std::size_t quote = bytes.find('"', at);
-    if (quote == std::string::npos || quote - at > 32) continue;
-    const double count = std::strtod(bytes.c_str() + quote + 1, nullptr);
-    if (count < 0.0 || count > most) {
-      fail(path, 0, bytes.substr(at, bytes.find('"', quote + 1) + 1 - at) + " is more than the file holds");
-    }
-  }
-}
-
-void checkStl(const std::string& path) {
-  const std::string bytes = readWholeFile(path);
-  // Some binary files start with "solid", too; only text has facets in words.
-  if (bytes.compare(0, 5, "solid") == 0 && bytes.find("facet") != std::string::npos) return;
-  constexpr std::size_t kHeader = 84, kTriangle = 50;
-  if (bytes.size() < kHeader) fail(path, 0, "is cut off: a binary STL file has a header of 84 bytes");
-  std::size_t count = 0;
-  for (std::size_t i = 4; i-- > 0;) count = (count << 8) | static_cast<unsigned char>(bytes[80 + i]);
-  if (count == 0) fail(path, 0, "has no triangles");
-  if (count > (bytes.size() - kHeader) / kTriangle) {
-    fail(path, 0,
-         "promises " + std::to_string(count) + " triangles, but holds " +
-             std::to_string((bytes.size() - kHeader) / kTriangle) + "; the file is cut off");
-  }
 }
 
 }  // namespace boxprobe

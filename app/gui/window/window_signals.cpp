@@ -1,0 +1,61 @@
+// See window_signals.h.
+#include "app/gui/window/window_signals.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <QCoreApplication>
+#include <QSocketNotifier>
+#include <QTimer>
+#include <exception>
+
+#include "app/gui/window/file_commands.h"
+#include "app/gui/window/main_window.h"
+#include "app/session/messages.h"
+#include "filters/core/base/errors.h"
+
+namespace boxprobe {
+
+WindowSignals::WindowSignals(MainWindow& window) : window_(window) {
+  if (pipe2(pipe_, O_CLOEXEC | O_NONBLOCK) != 0) throw WorkError("no pipe can be made; too many files are open");
+  guard_ = std::make_unique<InterruptGuard>(pipe_[1]);
+  notifier_ = std::make_unique<QSocketNotifier>(pipe_[0], QSocketNotifier::Read);
+  connect(notifier_.get(), &QSocketNotifier::activated, this, [this] { end(); });
+  timer_ = std::make_unique<QTimer>();
+  connect(timer_.get(), &QTimer::timeout, this, [this] { keepUnsaved(); });
+  timer_->start(500);
+}
+
+WindowSignals::~WindowSignals() {
+  guard_.reset();
+  keepForSignals({}, {});
+  close(pipe_[0]);
+  close(pipe_[1]);
+}
+
+int WindowSignals::exitStatus() const {
+  return guard_->signalNumber() == 0 ? 0 : 128 + guard_->signalNumber();
+}
+
+void WindowSignals::keepUnsaved() {
+  const Document& document = window_.document();
+  if (document.modified() && document.scene() == kept_) return;
+  const auto unsaved = window_.files().recovery();
+  keepForSignals(unsaved ? unsaved->path : std::string(), unsaved ? unsaved->text : std::string());
+  kept_ = unsaved ? document.scene() : Scene();
+}
+
+void WindowSignals::end() {
+  notifier_->setEnabled(false);
+  (void)guard_->interrupted();  // from here on it takes no longer than it must
+  try {
+    const std::string path = window_.files().saveRecovery();
+    if (!path.empty()) printNote("unsaved changes are in " + path);
+  } catch (const std::exception& error) {
+    printError(std::string("unsaved changes are lost: ") + error.what());
+  }
+  emit window_.closing();
+  QCoreApplication::exit();  // of dialogs' own loops, too
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,138 @@
+// What may be opened, what may be written over, and what must not be left: files, links, pipes, devices.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "filters/core/base/printable_text.h"
+#include "filters/io/cube/cube_file.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/io/files/inside_folder.h"
+#include "filters/io/files/read_file.h"
+#include "filters/io/files/temporary_file.h"
+#include "filters/io/gltf/model_file.h"
+#include "filters/io/image/image_file.h"
+#include "filters/io/json/json_text.h"
+#include "filters/io/scene/pareto_front_file.h"
+#include "filters/io/scene/scene_file.h"
+#include "tests/unit/error_text.h"
+#include "tests/unit/temporary_folder.h"
+
+namespace boxprobe {
+namespace {
+
+class Files : public TemporaryFolder {};
+
+// A pipe without a writer would hold its reader for ever.
+TEST_F(Files, PipesAndDevicesAreNotOpened) {
+  for (const char* name : {"p.exr", "p.hdr", "p.png", "p.glb", "p.json"}) {
+    ASSERT_EQ(::mkfifo(file(name).c_str(), 0600), 0);
+  }
+  const auto expectRefused = [&](auto read, const std::string& path) {
+    const std::string text = errorText([&] { read(path); });
+    EXPECT_NE(text.find("is not a file but a pipe or device"), std::string::npos) << text;
+  };
+  expectRefused([](const std::string& path) { loadHdrImage(path); }, file("p.exr"));
+  expectRefused([](const std::string& path) { loadHdrImage(path); }, file("p.hdr"));
+  expectRefused([](const std::string& path) { loadImage8(path); }, file("p.png"));
+  expectRefused([](const std::string& path) { loadCube(path); }, file("p.exr"));
+  expectRefused([](const std::string& path) { loadBakedProbe(path); }, file("p.exr"));
+  expectRefused([](const std::string& path) { loadModelFile(path); }, file("p.glb"));
+  expectRefused([](const std::string& path) { loadSceneFile(path); }, file("p.json"));
+  expectRefused([](const std::string& path) { loadParetoFront(path, "box"); }, file("p.json"));
+  expectRefused([](const std::string& path) { readWholeFile(path); }, "/dev/zero");
+  EXPECT_EQ(bakedProbeHash(file("p.exr")), std::nullopt);
+  EXPECT_EQ(errorText([&] { readWholeFile(folder_.string()); }), folder_.string() + ": is a folder; name a file");
+}
+
+TEST_F(Files, AnOutputIsNoInputUnderAnyName) {
+  const std::string input = write("in.txt", "text");
+  std::filesystem::create_symlink(input, file("soft.txt"));
+  std::filesystem::create_hard_link(input, file("hard.txt"));
+  EXPECT_EQ(readWholeFile(input), "text");
+  declareOutput("-o", file("soft.txt"));
+  declareOutput("-o", file("not there.txt"));
+  for (const char* name : {"in.txt", "soft.txt", "hard.txt"}) {
+    EXPECT_EQ(errorText([&] { readWholeFile(file(name)); }),
+              "-o " + file("soft.txt") + ": this is the input " + file(name) + "; write to another file");
+  }
+  EXPECT_EQ(readWholeFile(write("other.txt", "other")), "other");
+}
+
+TEST_F(Files, LinksStayLinksAlsoDanglingOnesInChains) {
+  std::filesystem::create_directories(folder_ / "sub");
+  std::filesystem::create_symlink("sub/second.txt", file("first.txt"));
+  std::filesystem::create_symlink("third.txt", file("sub/second.txt"));
+  for (const char* text : {"new", "newer"}) {
+    writeTextAtomically(file("first.txt"), text);
+    EXPECT_TRUE(std::filesystem::is_symlink(file("first.txt")));
+    EXPECT_TRUE(std::filesystem::is_symlink(file("sub/second.txt")));
+    EXPECT_FALSE(std::filesystem::is_symlink(file("sub/third.txt")));
+    EXPECT_EQ(read("sub/third.txt"), text);
+  }
+  std::filesystem::create_symlink("b.txt", file("a.txt"));
+  std::filesystem::create_symlink("a.txt", file("b.txt"));
+  EXPECT_NO_THROW(writtenPath(file("a.txt")));
+}
+
+TEST_F(Files, TemporaryFilesGoAtTheEndAndOnASignal) {
+  std::string name;
+  {
+    TemporaryFile temporary(folder_.string(), ".t-");
+    temporary.write("text");
+    name = temporary.name();
+    EXPECT_EQ(std::filesystem::file_size(name), 4u);
+  }
+  EXPECT_FALSE(std::filesystem::exists(name));
+  TemporaryFile first(folder_.string(), ".t-"), second(folder_.string(), ".t-");
+  write("kept.txt", "");
+  TemporaryName kept(file("kept.txt"));
+  kept.release();
+  removeTemporaryFiles();
+  EXPECT_EQ(entryCount(), 1u);
+  const std::string text = errorText<WorkError>([&] { TemporaryFile(file("gone"), ".t-"); });
+  EXPECT_EQ(text, "cannot write into " + file("gone") + ": No such file or directory");
+}
+
+TEST_F(Files, InsideAFolderNeedsNoFileAndNoAbsolutePath) {
+  EXPECT_TRUE(insideFolderOf("nope.mtl", "m.obj"));
+  EXPECT_TRUE(insideFolderOf("sub/nope.mtl", "m.obj"));
+  EXPECT_FALSE(insideFolderOf("../nope.mtl", "m.obj"));
+  EXPECT_FALSE(insideFolderOf("/etc/passwd", "m.obj"));
+  std::filesystem::create_symlink("/etc", file("link"));
+  EXPECT_FALSE(insideFolderOf(file("link/passwd"), file("m.obj")));
+}
+
+TEST(PrintableText, TerminalsShowItAndDoNotObeyIt) {
+  EXPECT_EQ(printable("a\x1b[31m\a\nb"), "a [31m  b");
+  EXPECT_EQ(printable("a\nb\r", true), "a\nb ");
+  EXPECT_EQ(printable("\xc2\x9b[2J"), " [2J") << "the C1 control CSI";
+  EXPECT_EQ(printable("\x9b"), "\xef\xbf\xbd") << "the same as one byte";
+  EXPECT_EQ(printable("caf\xe9"), "caf\xef\xbf\xbd");
+  EXPECT_EQ(printable("Größe 木 \xf0\x9f\xaa\x9e"), "Größe 木 \xf0\x9f\xaa\x9e");
+  EXPECT_EQ(printable("\xd7\x97\xd7\x93\xd7\xa8"), "\xd7\x97\xd7\x93\xd7\xa8") << "Hebrew letters";
+  EXPECT_EQ(printable("a\xe2\x80\xae"
+                      "b"),
+            "a b")
+      << "right-to-left override";
+  EXPECT_EQ(printable("\xc0\xaf\xed\xa0\x80\xf8"),
+            "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");
+}
+
+TEST(JsonLimits, WhatHasMoreEntriesIsNamedBeforeItIsRead) {
+  const auto withCameras = [](int count) {
+    std::string text = "{\"cameras\": {";
+    for (int i = 0; i < count; ++i) text += (i > 0 ? ",\"c" : "\"c") + std::to_string(i) + "\": {}";
+    return text + "}}";
+  };
+  EXPECT_NO_THROW(parseJsonText(withCameras(10000), "s.json"));
+  EXPECT_EQ(errorText([&] { parseJsonText(withCameras(100000), "s.json"); }),
+            "s.json: cameras: has more than 10000 entries, the most that are read; leave some out");
+  std::string list = "{\"probes\": [{\"box\": 1}";
+  for (int i = 0; i < 10000; ++i) list += ",0";
+  EXPECT_EQ(errorText([&] { parseJsonText(list + "]}", "s.json"); }),
+            "s.json: probes: has more than 10000 entries, the most that are read; leave some out");
+  EXPECT_NO_THROW(checkJsonSyntax(list + "]}", "model.gltf"));
+}
+
+}  // namespace
+}  // namespace boxprobe
