@@ -1,6 +1,8 @@
 // See output_check.h.
 #include "app/session/output_check.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>

@@ -112,7 +112,8 @@ std::string facesWhere(const Reach& reach, double least) {
 }
 
 Verdict ofTheSky(const Explanation& e, const Scene& scene) {
-  const std::string sky = e.skyWeight > 0.995f || e.dominant < 0 ? "The sky" : "The sky, at " + percent(double(e.skyWeight));
+  const std::string sky =
+      e.skyWeight > 0.995f || e.dominant < 0 ? "The sky" : "The sky, at " + percent(double(e.skyWeight));
   if (scene.probes.empty()) return {sky + ": the scene has no probe.", {}};
   const auto object = scene.objects.find(e.surface.object);
   if (object != scene.objects.end() && object->second.probeUsage == ProbeUsage::Off) {

@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::set<std::string> kSubcommands = {"render", "explain", "info", "bake", "bench", "stress", "lessons", "export", "import"};
+const std::set<std::string> kSubcommands = {"render", "explain", "info",   "bake",  "bench",
+                                            "stress", "lessons", "export", "import"};
 
 std::string joined(std::initializer_list<std::string_view> parts) {
   std::string text;

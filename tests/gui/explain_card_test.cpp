@@ -64,8 +64,7 @@ TEST_F(ExplainCardTest, TheVerdictStandsFirstAndItsMendIsAButton) {
   Verdict verdict{"The sky, because \"room\" ends short.", Mend{"Widen it", "room", room_.probe}};
   verdict.mend->after.blendDistance.min.x = 0.25;
   card_.show(room_.explain(), verdict, 1.0);
-  EXPECT_EQ(sentence->text(), QString::fromStdString(verdict.sentence));
-  EXPECT_EQ(button->text(), "Widen it");
+  EXPECT_EQ(sentence->text(), QString::fromStdString(verdict.sentence) + "\nWiden it.");
   Probe asked;
   QObject::connect(&card_, &ExplainCard::mendRequested, [&](const Mend& mend) { asked = mend.after; });
   QTest::mouseClick(button, Qt::LeftButton);

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/geometry/probe_frame.h"
 #include "app/gui/window/main_window.h"
 #include "filters/core/base/counters.h"
+#include "filters/core/geometry/probe_frame.h"
 
 class QWidget;
 

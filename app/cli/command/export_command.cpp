@@ -2,7 +2,6 @@
 #include "app/cli/command/export_command.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <memory>
 

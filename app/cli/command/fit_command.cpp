@@ -2,7 +2,6 @@
 #include "app/cli/command/fit_command.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <sstream>
 #include <string>

@@ -1,7 +1,6 @@
 // See import_command.h.
 #include "app/cli/command/import_command.h"
 
-#include <cstdio>
 #include <memory>
 
 #include "app/session/messages.h"
@@ -48,7 +47,8 @@ void runImport(const ImportOptions& options) {
     const nlohmann::json report = {{"engine", imported.engine}, {"probes", names}, {"file", options.output}};
     printDocument(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   } else if (!options.report.quiet) {
-    printResult(options.output + ": " + std::to_string(scene.probes.size()) + " probe(s) from " + imported.engine + "\n");
+    printResult(options.output + ": " + std::to_string(scene.probes.size()) + " probe(s) from " + imported.engine +
+                "\n");
   }
 }
 

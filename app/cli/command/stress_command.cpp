@@ -56,8 +56,8 @@ const StressSubject& subjectOf(const char* option, const std::string& id) {
   for (const auto* subjects : {&termSubjects(), &publishedSubjects()}) {
     for (const StressSubject& s : *subjects) known += ", " + s.id;
   }
-  throw InputError(std::string(option) + " " + id + ": neither technique, term nor published form; there are: " + techniqueIdList() +
-                   known);
+  throw InputError(std::string(option) + " " + id +
+                   ": neither technique, term nor published form; there are: " + techniqueIdList() + known);
 }
 
 StressPlan planOf(const StressOptions& options) {

@@ -39,7 +39,7 @@ ExplainCard::ExplainCard(MapsOf mapsOf, QWidget* parent)
       copyText_(button(tr("Copy text"), tr("Copies the whole calculation as text"), this)),
       copyJson_(button(tr("Copy JSON"), tr("Copies the explanation as `boxprobe explain --json` prints it"), this)),
       sentence_(new QLabel(this)),
-      mend_(new QPushButton(this)),
+      mend_(new QPushButton(tr("Mend"), this)),
       text_(new QTextBrowser(this)),
       footprint_(new FootprintView(this)) {
   setObjectName("explainCard");
@@ -132,9 +132,10 @@ void ExplainCard::fill() {
 
 void ExplainCard::showVerdict() {
   sentence_->setVisible(!verdict_.sentence.empty());
-  sentence_->setText(QString::fromStdString(verdict_.sentence));
+  QString text = QString::fromStdString(verdict_.sentence);
+  if (verdict_.mend) text += "\n" + QString::fromStdString(verdict_.mend->words) + ".";
+  sentence_->setText(text);
   mend_->setVisible(verdict_.mend.has_value());
-  if (verdict_.mend) mend_->setText(QString::fromStdString(verdict_.mend->words));
 }
 
 void ExplainCard::showEvent(QShowEvent* event) {

@@ -163,7 +163,8 @@ class Layout {
     std::vector<Node> parts{fence(attribute("open", "("))};
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       if (i > 0 && !separators.isEmpty()) {
-        parts.push_back(fence(separators.mid(std::min(static_cast<int>(i), static_cast<int>(separators.size())) - 1, 1)));
+        parts.push_back(
+            fence(separators.mid(std::min(static_cast<int>(i), static_cast<int>(separators.size())) - 1, 1)));
       }
       parts.push_back(node.children[i]);
     }

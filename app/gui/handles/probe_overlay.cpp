@@ -50,6 +50,12 @@ void ProbeOverlay::update(const std::vector<Probe>& probes, std::optional<std::s
   setVisible(visible_);
 }
 
+void ProbeOverlay::setGhost(const std::optional<Probe>& ghost) {
+  solid_.setGhost(ghost);
+  faint_.setGhost(ghost);
+  setVisible(visible_);
+}
+
 void ProbeOverlay::setVisible(bool visible) {
   visible_ = visible;
   solid_.setVisible(visible);

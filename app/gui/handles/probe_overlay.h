@@ -27,6 +27,8 @@ class ProbeOverlay {
   ProbeOverlay& operator=(const ProbeOverlay&) = delete;
 
   void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, std::optional<Handle> highlighted);
+  /// A proposed box, drawn dashed beside the probes' own.
+  void setGhost(const std::optional<Probe>& ghost);
   void setVisible(bool visible);
   bool visible() const { return visible_; }
   /// Not drawn at all, without forgetting whether they are visible: while an image is exported.

@@ -15,8 +15,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "filters/core/geometry/probe_frame.h"
 #include "app/gui/widgets/axis_colors.h"
+#include "filters/core/geometry/probe_frame.h"
 #include "filters/core/geometry/probe_geometry.h"
 
 namespace boxprobe {
@@ -130,7 +130,8 @@ WireActors::WireActors(vtkRenderer* renderer, bool faint)
     : idle_(renderer, {idleColor(), 1.0, faint ? 0.25 : 0.6, !faint}),
       influence_(renderer, {influenceColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
       blend_(renderer, {blendColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
-      box_(renderer, {boxColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}) {}
+      box_(renderer, {boxColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}),
+      ghost_(renderer, {ghostColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}) {}
 
 void WireActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected) {
   std::vector<glm::dvec3> idle, influence, blend, box;
@@ -151,12 +152,18 @@ void WireActors::update(const std::vector<Probe>& probes, std::optional<std::siz
   box_.setSegments(box);
 }
 
+void WireActors::setGhost(const std::optional<Probe>& ghost) {
+  std::vector<glm::dvec3> edges;
+  if (ghost) addEdges(edges, *ghost, ghost->box, true);
+  ghost_.setSegments(edges);
+}
+
 void WireActors::setVisible(bool visible) {
-  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_}) lines->setVisible(visible);
+  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_, &ghost_}) lines->setVisible(visible);
 }
 
 void WireActors::pullTowards(const glm::dvec3& eyeWorld, double factor) {
-  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_}) lines->pullTowards(eyeWorld, factor);
+  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_, &ghost_}) lines->pullTowards(eyeWorld, factor);
 }
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
 // The wire boxes of the probes in a vtkRenderer: the selected probe's box and, dashed, the box inside which it has its
-// full weight; the other probes' boxes thin. Called by the probe widget; knows no mouse.
+// full weight; a proposed box; the other probes' boxes thin. Called by the probe widget; knows no mouse.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -51,11 +51,13 @@ class WireActors {
   WireActors(vtkRenderer* renderer, bool faint);
 
   void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected);
+  /// A box that is proposed and not there yet, dashed; nothing: none.
+  void setGhost(const std::optional<Probe>& ghost);
   void setVisible(bool visible);
   void pullTowards(const glm::dvec3& eyeWorld, double factor);
 
  private:
-  HaloLines idle_, influence_, blend_, box_;
+  HaloLines idle_, influence_, blend_, box_, ghost_;
 };
 
 }  // namespace boxprobe

@@ -10,12 +10,12 @@
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
-#include "filters/core/geometry/probe_frame.h"
 #include "app/gui/panels/blend_row.h"
 #include "app/gui/panels/technique_chooser.h"
 #include "app/gui/panels/technique_parameters_panel.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/vector_row.h"
+#include "filters/core/geometry/probe_frame.h"
 
 namespace boxprobe {
 

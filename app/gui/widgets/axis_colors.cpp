@@ -24,6 +24,9 @@ QColor originColor() {
 QColor idleColor() {
   return {0xe8, 0xe8, 0xe8};
 }
+QColor ghostColor() {
+  return {0x6d, 0xe8, 0x7a};
+}
 QColor haloColor() {
   return {0x10, 0x12, 0x16};
 }

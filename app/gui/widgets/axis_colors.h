@@ -12,6 +12,7 @@ QColor blendColor();         ///< where the probe has its full weight
 QColor influenceColor();     ///< an influence box of its own
 QColor originColor();        ///< capture origin
 QColor idleColor();          ///< probes that are not selected
+QColor ghostColor();         ///< a box that is proposed
 QColor haloColor();          ///< around all of them
 
 }  // namespace boxprobe

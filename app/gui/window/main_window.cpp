@@ -16,6 +16,7 @@
 #include "app/gui/lessons/lesson_panel.h"
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/panels/bake_panel.h"
+#include "app/gui/panels/fit_panel.h"
 #include "app/gui/panels/probe_list.h"
 #include "app/gui/view/motion_preview.h"
 #include "app/gui/view/picture_export.h"
@@ -205,6 +206,11 @@ void MainWindow::connectPicture() {
 }
 
 void MainWindow::connectPanels() {
+  connect(menu_, &MenuBar::fitRequested, &panels_->fitPanel(), &FitPanel::fit);
+  connect(&panels_->fitPanel(), &FitPanel::ghostChanged, this, [this](const std::optional<Probe>& ghost) {
+    overlay_->setGhost(ghost);
+    scheduler().requestRender();
+  });
   connect(menu_, &MenuBar::bakeRequested, &panels_->bakePanel(), &BakePanel::bakeSelected);
   connect(menu_, &MenuBar::bakeAllRequested, &panels_->bakePanel(), &BakePanel::bakeAll);
   connect(menu_, &MenuBar::saveBakedRequested, &panels_->bakePanel(), &BakePanel::saveBaked);

@@ -52,6 +52,7 @@ class MenuBar : public QObject {
   void addRequested();
   void duplicateRequested();
   void deleteRequested();
+  void fitRequested();
   void bakeRequested();
   void bakeAllRequested();
   void escapePressed();

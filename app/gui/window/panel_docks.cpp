@@ -16,6 +16,7 @@
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/capture_panel.h"
 #include "app/gui/panels/cost_panel.h"
+#include "app/gui/panels/fit_panel.h"
 #include "app/gui/panels/frame_panel.h"
 #include "app/gui/panels/light_panel.h"
 #include "app/gui/panels/material_panel.h"
@@ -91,19 +92,22 @@ void PanelDocks::buildProbes() {
                                       },
                                       [&renderer] { return renderer.bounds(); }});
   bakePanel_ = new BakePanel(editor, renderer, parts_.scheduler);
+  fitPanel_ = new FitPanel(editor);
   probePanel_ = new ProbePanel(editor);
   capturePanel_ = new CapturePanel(editor);
   materialPanel_ = new MaterialPanel(editor);
   objectPanel_ = new ObjectPanel(editor);
   lightPanel_ = new LightPanel(editor);
   picturePanel_ = new PicturePanel(editor);
-  QScrollArea* panels = scrolled(column(
-      {probeList_, bakePanel_, probePanel_, capturePanel_, materialPanel_, objectPanel_, lightPanel_, picturePanel_}));
+  QScrollArea* panels = scrolled(column({probeList_, bakePanel_, fitPanel_, probePanel_, capturePanel_, materialPanel_,
+                                         objectPanel_, lightPanel_, picturePanel_}));
   panels->setMinimumWidth(kPanelWidth);
   add(tr("Probes"), "probes", panels)->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
   connect(bakePanel_, &BakePanel::statesChanged, probeList_, &ProbeList::showStates);
   connect(bakePanel_, &BakePanel::message, this, &PanelDocks::message);
   connect(bakePanel_, &BakePanel::failed, this, &PanelDocks::failed);
+  connect(fitPanel_, &FitPanel::message, this, &PanelDocks::message);
+  connect(fitPanel_, &FitPanel::failed, this, &PanelDocks::failed);
 }
 
 void PanelDocks::buildPreview() {
@@ -159,6 +163,7 @@ void PanelDocks::buildFrame() {
 void PanelDocks::subscribe(ChangeViews& views) {
   using C = Changes;
   views.add("probe list", {&C::probeList, &C::selection}, [this](const C&) { probeList_->update(); });
+  views.add("fit panel", selectedProbeKinds(), [this](const C&) { fitPanel_->update(); });
   views.add("probe panel", selectedProbeKinds(), [this](const C&) { probePanel_->update(); });
   // Whatever makes a capture stale, or an object use a probe.
   views.add("bake panel",
@@ -179,6 +184,7 @@ void PanelDocks::subscribe(ChangeViews& views) {
 
 void PanelDocks::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
   capturePanel_->setModels(models);
+  fitPanel_->setModels(models);
   materialPanel_->setModels(models);
   objectPanel_->setModels(models);
 }

@@ -20,6 +20,7 @@ class CapturePanel;
 class CostPanel;
 class DebugView;
 class Editor;
+class FitPanel;
 class FramePanel;
 class LightPanel;
 class MaterialPanel;
@@ -57,6 +58,7 @@ class PanelDocks : public QObject {
 
   ProbeList& probeList() { return *probeList_; }
   BakePanel& bakePanel() { return *bakePanel_; }
+  FitPanel& fitPanel() { return *fitPanel_; }
 
  signals:
   void pictureChanged();
@@ -77,6 +79,7 @@ class PanelDocks : public QObject {
   ProbeList* probeList_ = nullptr;
   ProbePanel* probePanel_ = nullptr;
   BakePanel* bakePanel_ = nullptr;
+  FitPanel* fitPanel_ = nullptr;
   CapturePanel* capturePanel_ = nullptr;
   MaterialPanel* materialPanel_ = nullptr;
   ObjectPanel* objectPanel_ = nullptr;

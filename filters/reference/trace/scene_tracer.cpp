@@ -8,8 +8,8 @@
 #include <string>
 
 #include "filters/core/base/errors.h"
-#include "filters/core/scene/coat.h"
 #include "filters/core/geometry/embree.h"
+#include "filters/core/scene/coat.h"
 #include "filters/reference/trace/surface_texture.h"
 
 namespace boxprobe {

@@ -1,0 +1,206 @@
+// See fit_panel.h.
+#include "app/gui/panels/fit_panel.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMetaObject>
+#include <QPushButton>
+#include <QStringList>
+#include <QVBoxLayout>
+#include <exception>
+#include <utility>
+
+#include "app/gui/edit/probe_fields.h"
+#include "app/gui/widgets/panel_layout.h"
+#include "filters/fit/fit_probe.h"
+
+namespace boxprobe {
+
+namespace {
+
+QString degreesText(double degrees) {
+  return QString::number(degrees, 'f', degrees < 10.0 ? 2 : 1) + QString::fromUtf8("\u00b0");
+}
+
+QString errorsText(const LookupErrors& before, const LookupErrors& after) {
+  const QString arrow = QString::fromUtf8(" \u2192 ");
+  return FitPanel::tr("Mean error %1, 95 %: %2")
+      .arg(degreesText(before.meanDegrees) + arrow + degreesText(after.meanDegrees),
+           degreesText(before.p95Degrees) + arrow + degreesText(after.p95Degrees));
+}
+
+}  // namespace
+
+FitPanel::FitPanel(Editor& editor, QWidget* parent)
+    : QWidget(parent),
+      editor_(editor),
+      fit_(new QPushButton(this)),
+      apply_(new QPushButton(tr("Apply"), this)),
+      discard_(new QPushButton(tr("Discard"), this)),
+      errors_(new QLabel(this)),
+      remarks_(helpLabel(this)),
+      review_(new QWidget(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  QFormLayout* form = addSection(this, tr("Fit"));
+  fit_->setObjectName("fitBox");
+  fit_->setToolTip(tr("Fits the box of the selected probe to the walls that its origin sees (Ctrl+B)"));
+  form->addRow(fit_);
+  form->addRow(remarks_);
+  form->addRow(review_);
+
+  auto* rows = new QVBoxLayout(review_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  errors_->setObjectName("fitErrors");
+  errors_->setWordWrap(true);
+  errors_->setToolTip(tr("Angle between what reflected rays look up and what they should, before and after"));
+  rows->addWidget(errors_);
+  auto* grid = new QGridLayout;
+  rows->addLayout(grid);
+  for (int face = 0; face < kFaces; ++face) {
+    auto* box = new QCheckBox(review_);
+    box->setObjectName(QString("fitFace%1").arg(face));
+    faces_[static_cast<std::size_t>(face)] = box;
+    grid->addWidget(box, face / 2, face % 2);
+    connect(box, &QCheckBox::toggled, this, [this] {
+      if (result_) emit ghostChanged(proposed());
+    });
+  }
+  auto* buttons = new QHBoxLayout;
+  apply_->setObjectName("applyFit");
+  discard_->setObjectName("discardFit");
+  buttons->addWidget(apply_);
+  buttons->addWidget(discard_);
+  rows->addLayout(buttons);
+  connect(fit_, &QPushButton::clicked, this, &FitPanel::fit);
+  connect(apply_, &QPushButton::clicked, this, &FitPanel::apply);
+  connect(discard_, &QPushButton::clicked, this, &FitPanel::discard);
+  refresh();
+}
+
+FitPanel::~FitPanel() {
+  stop();
+}
+
+void FitPanel::stop() {
+  stop_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void FitPanel::fit() {
+  if (running_) {
+    stop_ = true;
+    return;
+  }
+  const Probe* probe = editor_.probe();
+  if (probe == nullptr || models_.empty()) return;
+  discard();
+  if (thread_.joinable()) thread_.join();
+  stop_ = false;
+  percent_ = 0;
+  running_ = true;
+  given_ = *probe;
+  thread_ = std::thread([this, scene = editor_.scene(), models = models_, probe = *probe] {
+    std::optional<BoxFit> result;
+    QString error;
+    try {
+      result = ProbeFitter(scene, models).fit(probe, {}, [this](double fraction) {
+        const int percent = static_cast<int>(100.0 * fraction);
+        if (percent_.exchange(percent) != percent) {
+          QMetaObject::invokeMethod(this, &FitPanel::refresh, Qt::QueuedConnection);
+        }
+        return !stop_;
+      });
+    } catch (const std::exception& caught) {
+      error = QString::fromUtf8(caught.what());
+    }
+    QMetaObject::invokeMethod(
+        this, [this, result, error] { end(result, error); }, Qt::QueuedConnection);
+  });
+  refresh();
+}
+
+void FitPanel::end(std::optional<BoxFit> result, const QString& error) {
+  running_ = false;
+  if (!error.isEmpty()) emit failed(error);
+  if (error.isEmpty() && !result) emit message(tr("The fit was stopped"));
+  const Probe* probe = editor_.probe();
+  if (result && (probe == nullptr || !(*probe == *given_))) {
+    emit message(tr("The probe changed meanwhile: fit it again"));
+    result.reset();
+  }
+  result_ = std::move(result);
+  if (result_) {
+    for (int face = 0; face < kFaces; ++face) {
+      const FaceFit& fitted = result_->faces[static_cast<std::size_t>(face)];
+      QCheckBox* box = faces_[static_cast<std::size_t>(face)];
+      const QSignalBlocker quiet(box);
+      box->setChecked(true);
+      box->setText(QString("%1: ").arg(faceName(face)) +
+                   (fitted.free ? tr("hardly matters") : tr("gains %1").arg(degreesText(fitted.gainDegrees))));
+    }
+    QStringList lines;
+    for (const std::string& remark : result_->remarks) lines += QString::fromStdString(remark);
+    remarks_->setText(lines.join(". "));
+    if (result_->outcome == FitOutcome::Fitted) emit ghostChanged(proposed());
+  }
+  refresh();
+}
+
+Probe FitPanel::proposed() const {
+  OffsetBox mixed = offsetBox(result_->probe);
+  // A face that is not accepted stays as far from the origin as it was.
+  const OffsetBox before = offsetBox(*given_);
+  bool all = true;
+  for (std::size_t face = 0; face < faces_.size(); ++face) {
+    if (faces_[face]->isChecked()) continue;
+    mixed.offset[face] = before.offset[face];
+    all = false;
+  }
+  return all ? result_->probe : withOffsetBox(*given_, mixed, result_->probe.rotationDegrees);
+}
+
+void FitPanel::apply() {
+  if (!result_ || result_->outcome != FitOutcome::Fitted) return;
+  const Probe fitted = proposed();
+  const QString label = probeEditLabel(editor_, tr("fit"));
+  discard();
+  editor_.commitProbe(label, [fitted](Probe& probe) { probe = fitted; });
+}
+
+void FitPanel::discard() {
+  result_.reset();
+  remarks_->clear();
+  emit ghostChanged({});
+  refresh();
+}
+
+void FitPanel::update() {
+  const Probe* probe = editor_.probe();
+  if (result_ && (probe == nullptr || !(*probe == *given_))) discard();
+  refresh();
+}
+
+void FitPanel::refresh() {
+  fit_->setText(running_ ? tr("Stop (%1 %)").arg(percent_.load()) : tr("Fit box"));
+  fit_->setEnabled(running_ || (editor_.probe() != nullptr && !models_.empty()));
+  const bool fitted = result_ && result_->outcome == FitOutcome::Fitted;
+  review_->setVisible(fitted);
+  remarks_->setVisible(result_ && (!fitted || !remarks_->text().isEmpty()));
+  if (!result_) return;
+  if (fitted) {
+    errors_->setText(errorsText(result_->before, result_->after));
+    return;
+  }
+  if (result_->outcome == FitOutcome::Kept) {
+    remarks_->setText(tr("The box fits already: mean error %1").arg(degreesText(result_->before.meanDegrees)));
+  } else if (remarks_->text().isEmpty()) {
+    remarks_->setText(result_->outcome == FitOutcome::Open ? tr("Open: nothing to fit to; the box stays")
+                                                           : tr("The origin is inside of a wall: move it first"));
+  }
+}
+
+}  // namespace boxprobe
