@@ -61,6 +61,21 @@ TEST(FitOrigin, LeavesACornerThatSeesHalfTheRoom) {
   for (const double offset : box.offset) EXPECT_GT(offset, 0.03) << "the origin is in its box";
 }
 
+TEST(FitOrigin, StaysWhereItSeesEverything) {
+  MadeModel made;
+  made.box({glm::dvec3(-5, 0, -3), glm::dvec3(5, 4, 3)}, true);
+  Scene scene;
+  scene.models = {{"made.glb"}};
+  const TriangleRays rays(scene, {std::make_shared<const Model>(std::move(made.model))});
+  Camera camera;
+  camera.position = {3.0, 1.7, 2.0};
+  camera.target = {-4.0, 1.0, -3.0};
+  const Probe probe = lowProbe();
+  const std::optional<BoxFit> fit = proposeOrigin({rays, rays, {camera}}, probe);
+  ASSERT_TRUE(fit);
+  EXPECT_EQ(fit->probe.origin, probe.origin) << "finer texels of one wall are no reason to leave the others";
+}
+
 TEST(FitOrigin, StopsWhenAsked) {
   const Hall hall = hallWithScreen();
   double last = 0.0;

@@ -112,9 +112,8 @@ std::vector<glm::dvec3> placesToTry(const FitPlace& place, const ReflectedRays& 
   return found;
 }
 
-}  // namespace
-
-double originCost(const FitPlace& place, const ReflectedRays& reflected, const Probe& probe) {
+/// The part of the cost that is no matter of texels: a mean over all rays, degrees.
+double lookupCost(const FitPlace& place, const ReflectedRays& reflected, const Probe& probe) {
   const LookupRays lookups = lookupRays(place, reflected, probe.origin, rotationMatrix(probe.rotationDegrees));
   if (lookups.rays.empty()) return kHiddenDegrees;
   const OffsetBox box = offsetBox(probe);
@@ -122,6 +121,12 @@ double originCost(const FitPlace& place, const ReflectedRays& reflected, const P
   for (const LookupRay& ray : lookups.rays) {
     off += ray.weight * std::min(glm::degrees(lookupError(ray, boxExit(ray, box.offset).distance)), kHiddenDegrees);
   }
+  return (1.0 - lookups.hidden) * off + lookups.hidden * kHiddenDegrees;
+}
+
+}  // namespace
+
+double originCost(const FitPlace& place, const ReflectedRays& reflected, const Probe& probe) {
   const double texel = glm::radians(90.0) / probe.faceSize;
   double coarse = 0.0, seen = 0.0;
   for (const ReflectedRay& ray : reflected.rays) {
@@ -133,8 +138,7 @@ double originCost(const FitPlace& place, const ReflectedRays& reflected, const P
     coarse += ray.weight * std::max(levels, 0.0);
     seen += ray.weight;
   }
-  return (1.0 - lookups.hidden) * off + lookups.hidden * kHiddenDegrees +
-         (seen > 0.0 ? kLevelDegrees * coarse / seen : 0.0);
+  return lookupCost(place, reflected, probe) + (seen > 0.0 ? kLevelDegrees * coarse / seen : 0.0);
 }
 
 std::optional<BoxFit> proposeOrigin(const FitPlace& place, const Probe& probe, const BoxFitSettings& settings,
@@ -163,12 +167,15 @@ std::optional<BoxFit> proposeOrigin(const FitPlace& place, const Probe& probe, c
 
   reflected = reflectedRays(place, probe, settings.rays);
   double cost = originCost(place, reflected, stays.probe);
+  const double mostLookup = kLeastGain * lookupCost(place, reflected, stays.probe);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const double from = 0.5 + 0.5 * static_cast<double>(i) / kFullFits;
     const std::optional<BoxFit> fit = fitBox(place, candidates[i].probe, settings, part(from, from + 0.5 / kFullFits));
     if (!fit) return std::nullopt;
     const double fitted = originCost(place, reflected, fit->probe);
     if (fitted >= kLeastGain * cost || fit->outcome == FitOutcome::Inside) continue;
+    // Finer texels alone are no reason: what comes nearer to one wall leaves the others.
+    if (lookupCost(place, reflected, fit->probe) > mostLookup) continue;
     cost = fitted;
     best = fit;
   }
