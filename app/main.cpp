@@ -44,15 +44,10 @@ int run(int& argc, char** argv) {
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png\n"
       "Each sub-command explains itself: boxprobe render --help");
   program.require_subcommand(0, 1);
-  const std::vector<Subcommand> subcommands = {addRenderCommand(program),
-                                               addBakeCommand(program),
-                                               addExplainCommand(program),
-                                               addExportCommand(program),
-                                               addImportCommand(program),
-                                               addInfoCommand(program),
-                                               addBenchCommand(program),
-                                               addStressCommand(program),
-                                               addLessonsCommand(program, argc, argv)};
+  const std::vector<Subcommand> subcommands = {
+      addRenderCommand(program), addBakeCommand(program),   addExplainCommand(program),
+      addExportCommand(program), addImportCommand(program), addInfoCommand(program),
+      addBenchCommand(program),  addStressCommand(program), addLessonsCommand(program, argc, argv)};
 
   try {
     program.parse(argc, argv);
