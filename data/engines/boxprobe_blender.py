@@ -16,6 +16,12 @@ from mathutils import Matrix, Quaternion, Vector
 TO_BLENDER = Matrix(((1, 0, 0), (0, 0, -1), (0, 1, 0)))
 
 
+def turn_of(probe):
+    """Rotation of the box, in Blender's axes."""
+    x, y, z, w = probe["rotationQuaternion"]
+    return TO_BLENDER @ Quaternion((w, x, y, z)).to_matrix() @ TO_BLENDER.transposed()
+
+
 def add_world(probe, folder):
     world = bpy.data.worlds.new(probe["name"])
     world.use_nodes = True
@@ -26,8 +32,9 @@ def add_world(probe, folder):
     picture.image = bpy.data.images.load(str(folder / probe["file"]))
     picture.image.colorspace_settings.is_data = True  # linear, as it is
     mapping, coordinates = nodes.new("ShaderNodeMapping"), nodes.new("ShaderNodeTexCoord")
-    # Blender's middle is +X; a picture around +Z (its -Y) is a quarter turn away.
-    mapping.inputs["Rotation"].default_value[2] = 0.0 if probe["latLong"]["center"] == "+X" else math.radians(90)
+    # The picture lies along the box's axes. Blender's middle is +X; a picture around +Z (its -Y) is a quarter turn away.
+    quarter = Matrix.Rotation(0.0 if probe["latLong"]["center"] == "+X" else math.radians(90), 3, "Z")
+    mapping.inputs["Rotation"].default_value = (quarter @ turn_of(probe).transposed()).to_euler("XYZ")
     links.new(coordinates.outputs["Generated"], mapping.inputs["Vector"])
     links.new(mapping.outputs["Vector"], picture.inputs["Vector"])
     links.new(picture.outputs["Color"], background.inputs["Color"])
@@ -43,8 +50,6 @@ def box_matrix(box, turn):
 
 
 def add_probe(probe):
-    x, y, z, w = probe["rotationQuaternion"]
-    turn = TO_BLENDER @ Quaternion((w, x, y, z)).to_matrix() @ TO_BLENDER.transposed()
     data = bpy.data.lightprobes.new(probe["name"], "SPHERE" if bpy.app.version >= (4, 1, 0) else "CUBE")
     data.influence_type = "BOX"
     blend, smallest = max(probe["blendDistance"]["min"]), min(probe["influence"]["size"])
@@ -56,7 +61,7 @@ def add_probe(probe):
     ratios = [i / b for i, b in zip(probe["influence"]["size"], probe["box"]["size"]) if b > 0]
     data.influence_distance = max(ratios, default=1.0)
     placed = bpy.data.objects.new(probe["name"], data)
-    placed.matrix_world = box_matrix(probe["box"], turn)
+    placed.matrix_world = box_matrix(probe["box"], turn_of(probe))
     bpy.context.scene.collection.objects.link(placed)
 
 

@@ -76,7 +76,6 @@ TEST(Export, BadUsageIsOneLineAndWritesNothing) {
       {{"--technique", "box"}, "--shader"},
       {{"--shader", "wgsl"}, "glsl, hlsl, godot"},
       {{"--shader", "glsl", "--technique", "impostor"}, "distances"},
-      {{"-o", folder.path("file")}, "this is a file"},
   };
   for (const auto& [options, message] : cases) {
     const Outcome outcome = exportRoom(folder, options);
@@ -84,6 +83,9 @@ TEST(Export, BadUsageIsOneLineAndWritesNothing) {
     ASSERT_EQ(outcome.errLines().size(), 1u) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(message));
   }
+  const Outcome file = runProgram({"export", demoScene("room"), "-o", folder.path("file")});
+  EXPECT_EQ(file.exitStatus, 2);
+  EXPECT_THAT(file.err, HasSubstr("this is a file"));
   EXPECT_THAT(folder.names(), ElementsAre("file"));
 }
 
@@ -114,6 +116,7 @@ TEST(Export, EnginesWithOneCentreAreWarnedAbout) {
     return outcome.err;
   };
   EXPECT_THAT(warned({"--ladder", "bevy"}), HasSubstr("--center"));
+  EXPECT_THAT(warned({"--set", "probes.room.name=\"main hall\""}), HasSubstr("named main_hall"));
   EXPECT_THAT(warned({"--ladder", "bevy", "--center"}), Not(HasSubstr("--center")));
 }
 

@@ -15,6 +15,7 @@
 #include "filters/core/base/errors.h"
 #include "filters/core/base/nearest_name.h"
 #include "filters/io/cube/bake_folder.h"
+#include "filters/io/engines/export_names.h"
 #include "filters/io/engines/ladder.h"
 #include "filters/io/engines/technique_text.h"
 #include "filters/io/files/atomic_file.h"
@@ -51,29 +52,43 @@ std::vector<std::string> probesToExport(const Scene& scene, const std::vector<st
   return wanted.empty() ? all : wanted;
 }
 
+void finish(const ExportOptions& options, const std::vector<std::string>& files, const RunStats& stats) {
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
+  if (options.report.json) {
+    const nlohmann::json report = {{"files", files}};
+    printDocument(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  } else if (!options.report.quiet) {
+    for (const std::string& file : files) printResult(file + "\n");
+  }
+}
+
 void runShader(const ExportOptions& options, const Scene& scene, const std::vector<std::string>& names) {
   std::vector<Probe> probes;
   for (const std::string& name : names) probes.push_back(scene.probes[*findProbe(scene, name)]);
   const std::string technique = options.technique.empty() ? probes.front().technique : options.technique;
   writeTextAtomically(options.output, techniqueText(probes, technique, shaderLanguages().at(options.shader),
                                                     "Boxprobe " BOXPROBE_VERSION));
-  if (!options.report.quiet) printResult(options.output + "\n");
+  finish(options, {options.output}, {});
 }
 
-/// Where engines will look elsewhere than this program, said once for each probe.
+/// Where engines will look elsewhere than this program, and files that could not be named after their probe.
 std::vector<std::string> exportRemarks(const Scene& scene, const std::vector<std::string>& names,
                                        const ExportSettings& settings) {
   std::vector<std::string> remarks;
-  const bool oneCenter = settings.ladder == "bevy" || settings.ladder == "babylon" || settings.ladder == "unity";
-  for (const std::string& name : names) {
-    const Probe& probe = scene.probes[*findProbe(scene, name)];
-    if (oneCenter && settings.ladder != "unity" && !settings.center && probe.origin != probe.box.center()) {
-      remarks.push_back("probes." + name +
-                        ".origin: is not the middle of the box, where the engine starts its lookups; "
-                        "--center moves the cubemap there");
+  const std::string& ladder = settings.ladder;
+  const std::vector<std::string> stems = exportStems(names);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Probe& probe = scene.probes[*findProbe(scene, names[i])];
+    const std::string place = "probes." + names[i];
+    if (stems[i] != names[i]) remarks.push_back(place + ": its files are named " + stems[i]);
+    const bool oneCenter = ladder == "bevy" || ladder == "babylon";
+    if (oneCenter && !settings.center && probe.origin != probe.box.center()) {
+      remarks.push_back(place +
+                        ".origin: is not the middle of the box, where the engine starts its lookups; --center "
+                        "moves the cubemap there");
     }
-    if (oneCenter && settings.ladder != "bevy" && probe.rotationDegrees != glm::dvec3(0.0)) {
-      remarks.push_back("probes." + name + ".rotationDegrees: the engine's box projection knows no turned box");
+    if ((ladder == "babylon" || ladder == "unity") && probe.rotationDegrees != glm::dvec3(0.0)) {
+      remarks.push_back(place + ".rotationDegrees: the engine's box projection knows no turned box");
     }
   }
   return remarks;
@@ -119,13 +134,7 @@ void runExport(ExportOptions options) {
         return !interrupt.interrupted();
       });
   interrupt.check();
-  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(captured.stats));
-  if (options.report.json) {
-    const nlohmann::json report = {{"files", files}};
-    printDocument(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  } else if (!options.report.quiet) {
-    for (const std::string& file : files) printResult(file + "\n");
-  }
+  finish(options, files, captured.stats);
 }
 
 std::string ladderHelp() {
