@@ -70,15 +70,42 @@ bool readColor(std::istringstream& numbers, std::array<float, 3>& position, glm:
   return true;
 }
 
-/// VTK 9.1 takes names of materials with spaces, and none at all, for others than those of the MTL file.
-std::string withMaterialWords(const std::string& obj) {
+/// Indices that count back from the last entry as those that count from the first: -1 of 7 is 7.
+std::string countedForward(const std::string& corner, const ObjCounts& counts) {
+  const long long all[3] = {counts.positions, counts.uvs, counts.normals};
+  std::istringstream parts(corner);
+  std::string result;
+  int part = 0;
+  for (std::string index; std::getline(parts, index, '/'); ++part) {
+    const long long value = std::strtoll(index.c_str(), nullptr, 10);
+    if (part > 0) result += '/';
+    result += value < 0 && part < 3 ? std::to_string(all[part] + 1 + value) : index;
+  }
+  return result;
+}
+
+/// VTK 9.1 takes names of materials with spaces, and none at all, for others than those of the MTL file. Negative
+/// indices of texture coordinates and normals take it outside of their arrays.
+std::string asVtkReadsIt(const std::string& obj) {
   std::istringstream text(obj);
   std::string result;
+  ObjCounts counts;
   for (std::string line; std::getline(text, line);) {
     std::istringstream words(line);
     std::string word;
     words >> word;
-    result += (word == "usemtl" ? "usemtl " + materialWord(line) : line) + "\n";
+    counts.positions += word == "v" ? 1 : 0;
+    counts.uvs += word == "vt" ? 1 : 0;
+    counts.normals += word == "vn" ? 1 : 0;
+    if (word == "usemtl") {
+      result += "usemtl " + materialWord(line);
+    } else if ((word == "f" || word == "l" || word == "p") && line.find('-') != std::string::npos) {
+      result += word;
+      for (std::string corner; words >> corner;) result += " " + countedForward(corner, counts);
+    } else {
+      result += line;
+    }
+    result += '\n';
   }
   return result;
 }
@@ -130,9 +157,12 @@ ObjNames checkObj(const std::string& path) {
     }
     if (word != "f" && word != "l" && word != "p") continue;
     faces += word == "f" ? 1 : 0;
-    for (std::string corner; words >> corner;) checkCorner(path, number, corner, counts);
+    for (std::string corner; words >> corner;) {
+      checkCorner(path, number, corner, counts);
+      respelled = respelled || corner.find('-') != std::string::npos;
+    }
   }
-  if (respelled) names.text = withMaterialWords(text.str());
+  if (respelled) names.text = asVtkReadsIt(text.str());
   if (faces == 0) fail(path, 0, "has no faces; is it an OBJ file?");
   return names;
 }

@@ -51,7 +51,8 @@ class MaterialLines {
       }
       if (word.rfind("map_", 0) == 0 || word == "bump" || word == "norm" || word == "disp" || word == "refl") {
         takePicture(word, words);
-      } else if (std::find(std::begin(kRead), std::end(kRead), word) != std::end(kRead)) {
+      } else if (!material_.empty() &&  // before the first material VTK writes to none
+                 std::find(std::begin(kRead), std::end(kRead), word) != std::end(kRead)) {
         result_.text += line + "\n";
       }
     }
