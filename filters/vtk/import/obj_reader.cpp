@@ -139,8 +139,9 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
   vtkNew<vtkOBJImporter> importer;
   const TemporaryText respelled(names.text);
   importer->SetFileName(names.text.empty() ? path.c_str() : respelled.path().c_str());
-  const TemporaryText text(materials.text);
-  if (!materials.text.empty()) importer->SetFileNameMTL(text.path().c_str());
+  // Without one VTK takes an .mtl file beside the model that nobody named, and nothing checked.
+  const TemporaryText text(materials.text.empty() ? "newmtl _\nKd 0.8 0.8 0.8\n" : materials.text);
+  importer->SetFileNameMTL(text.path().c_str());
   importer->SetRenderWindow(window);
   importer->Update();
   if (!errors.error().empty()) throw InputError(path + ": " + errors.error() + "; save it again");
