@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 #include <optional>
 
 #include "filters/io/scene/scene_file.h"
@@ -74,6 +75,20 @@ TEST_F(FitPanelTest, IsReviewedAndAppliedAsOneStep) {
   EXPECT_FALSE(find<QLabel>("fitErrors")->isVisible());
   key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(shown().box == wrong_);
+}
+
+TEST_F(FitPanelTest, AnAddedProbeIsFittedAndWaitsForAYes) {
+  QTest::mouseClick(find<QToolButton>("Add"), Qt::LeftButton);
+  ASSERT_EQ(window_->editor().scene().probes.size(), 2u);
+  ASSERT_TRUE(panel()->running());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel()->running(); }, 120000));
+  const Box everything = probe(1).box;
+  ASSERT_TRUE(ghost_);
+  EXPECT_FALSE(ghost_->box == everything);
+  QTest::mouseClick(find<QPushButton>("applyFit"), Qt::LeftButton);
+  waitUntilIdle();
+  EXPECT_FALSE(probe(1).box == everything);
+  EXPECT_TRUE(shown().box == wrong_) << "the other probe's";
 }
 
 TEST_F(FitPanelTest, IsDroppedWhenTheProbeChangesAndStopsOnAsking) {

@@ -118,6 +118,7 @@ void ProbeList::addProbe() {
   editor_.commit(tr("Add %1").arg(QString::fromStdString(probe.name)),
                  [probe](Scene& scene) { scene.probes.push_back(probe); });
   editor_.selectProbe(findProbe(editor_.scene(), probe.name));
+  emit added();
 }
 
 void ProbeList::duplicateProbe() {

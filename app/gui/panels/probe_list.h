@@ -36,6 +36,10 @@ class ProbeList : public QWidget {
   void deleteProbe();
   QListWidget* list() const { return list_; }
 
+ signals:
+  /// By addProbe; it is selected.
+  void added();
+
  private:
   void rename(QListWidgetItem* item);
   QToolButton* addButton(const QString& text, const QString& toolTip, void (ProbeList::*action)());

@@ -106,6 +106,9 @@ void PanelDocks::buildProbes() {
   connect(bakePanel_, &BakePanel::statesChanged, probeList_, &ProbeList::showStates);
   connect(bakePanel_, &BakePanel::message, this, &PanelDocks::message);
   connect(bakePanel_, &BakePanel::failed, this, &PanelDocks::failed);
+  connect(probeList_, &ProbeList::added, fitPanel_, [this] {
+    if (!fitPanel_->running()) fitPanel_->fit();
+  });
   connect(fitPanel_, &FitPanel::message, this, &PanelDocks::message);
   connect(fitPanel_, &FitPanel::failed, this, &PanelDocks::failed);
 }
