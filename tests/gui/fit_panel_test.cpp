@@ -7,9 +7,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
-#include <QToolButton>
 #include <optional>
 
+#include "app/gui/panels/probe_list.h"
 #include "filters/io/scene/scene_file.h"
 #include "tests/gui/window_test.h"
 
@@ -35,7 +35,7 @@ class FitPanelTest : public WindowTest {
   FitPanel* panel() { return window_->findChild<FitPanel*>(); }
   const Probe& shown() { return window_->editor().scene().probes.front(); }
   void fit() {
-    key(Qt::Key_B, Qt::ControlModifier);
+    key(Qt::Key_F, Qt::ControlModifier);
     ASSERT_TRUE(panel()->running());
     ASSERT_TRUE(QTest::qWaitFor([this] { return !panel()->running(); }, 120000));
     waitUntilIdle();
@@ -78,16 +78,16 @@ TEST_F(FitPanelTest, IsReviewedAndAppliedAsOneStep) {
 }
 
 TEST_F(FitPanelTest, AnAddedProbeIsFittedAndWaitsForAYes) {
-  QTest::mouseClick(find<QToolButton>("Add"), Qt::LeftButton);
-  ASSERT_EQ(window_->editor().scene().probes.size(), 2u);
+  window_->findChild<ProbeList*>()->addProbe();
+  const std::size_t last = window_->editor().scene().probes.size() - 1;
   ASSERT_TRUE(panel()->running());
   ASSERT_TRUE(QTest::qWaitFor([this] { return !panel()->running(); }, 120000));
-  const Box everything = probe(1).box;
+  const Box everything = probe(last).box;
   ASSERT_TRUE(ghost_);
   EXPECT_FALSE(ghost_->box == everything);
   QTest::mouseClick(find<QPushButton>("applyFit"), Qt::LeftButton);
   waitUntilIdle();
-  EXPECT_FALSE(probe(1).box == everything);
+  EXPECT_FALSE(probe(last).box == everything);
   EXPECT_TRUE(shown().box == wrong_) << "the other probe's";
 }
 

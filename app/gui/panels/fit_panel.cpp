@@ -47,7 +47,7 @@ FitPanel::FitPanel(Editor& editor, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   QFormLayout* form = addSection(this, tr("Fit"));
   fit_->setObjectName("fitBox");
-  fit_->setToolTip(tr("Fits the box of the selected probe to the walls that its origin sees (Ctrl+B)"));
+  fit_->setToolTip(tr("Fits the box of the selected probe to the walls that its origin sees (Ctrl+F)"));
   form->addRow(fit_);
   form->addRow(remarks_);
   form->addRow(review_);

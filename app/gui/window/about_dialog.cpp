@@ -33,7 +33,7 @@ void showAbout(QWidget* parent) {
       row(QObject::tr("Ctrl+B, Ctrl+R"), QObject::tr("show or hide boxes, reflections")) +
       row(QObject::tr("F1, F11"), QObject::tr("the lessons; projector mode with the picture and the lesson alone")) +
       row(QObject::tr("Right, Left, Page Down, Page Up"), QObject::tr("next and last step of a lesson")) +
-      row(QObject::tr("Ctrl+B"), QObject::tr("fits the selected probe's box; again: stops")) +
+      row(QObject::tr("Ctrl+F"), QObject::tr("fits the selected probe's box; again: stops")) +
       row(QObject::tr("F5, Shift+F5"), QObject::tr("recaptures the selected probe, all probes")) + "</table><p>" +
       QObject::tr(
           "Orange: the projection box. Dashed: the probe has its full weight inside. Built on VTK, Qt, OpenEXR and "

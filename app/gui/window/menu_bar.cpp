@@ -32,7 +32,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   duplicate_ = add(edit, tr("&Duplicate probe"), QKeySequence("Ctrl+D"), &MenuBar::duplicateRequested);
   delete_ = add(edit, tr("De&lete probe"), QKeySequence::Delete, &MenuBar::deleteRequested);
   edit->addSeparator();
-  add(edit, tr("&Fit box"), QKeySequence("Ctrl+B"), &MenuBar::fitRequested);
+  add(edit, tr("&Fit box"), QKeySequence("Ctrl+F"), &MenuBar::fitRequested);
   bake_ = add(edit, tr("&Bake probe"), QKeySequence("F5"), &MenuBar::bakeRequested);
   add(edit, tr("Ba&ke all probes"), QKeySequence("Shift+F5"), &MenuBar::bakeAllRequested);
   edit->addSeparator();
