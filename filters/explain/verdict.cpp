@@ -25,6 +25,8 @@ using explained::percent;
 constexpr double kRightDegrees = 1.0;
 /// An edit is offered if it leaves at most this share of the error at the pixel.
 constexpr double kWorthwhile = 0.5;
+/// No face is moved farther than this share of the box: what a ray meets so far off is no wall of this box.
+constexpr double kLargestMove = 0.5;
 
 double brightness(const glm::vec3& light) {
   return 0.2126 * double(light.x) + 0.7152 * double(light.y) + 0.0722 * double(light.z);
@@ -162,6 +164,7 @@ std::optional<Mend> movedFace(const ProbeExplanation& p, const Probe& probe, dou
   glm::dvec3 low(p.boxMin), high(p.boxMax);
   double& plane = (face.positive ? high : low)[face.axis];
   const double out = (trueDirection(p)[face.axis] - plane) * face.sign();
+  if (std::abs(out) > kLargestMove * probe.box.size()[face.axis]) return std::nullopt;
   plane += out * face.sign();
   // The capture origin, which is 0 here, stays within.
   if (low[face.axis] > -kMinimumThickness || high[face.axis] < kMinimumThickness) return std::nullopt;

@@ -130,12 +130,21 @@ TEST_F(DebugViewTest, TheVerdictsMendMovesTheFace) {
   window_->editor().commitProbe("As in the scene", [&](Probe& edited) { edited = room; });
   waitUntilIdle();
   key(Qt::Key_E);
-  const QPointF floor = pixelOf({-0.9, 0.0, 1.3});
-  press(floor);
-  release(floor);
-  waitUntilIdle();
-  debug().copyJson();
-  const auto json = nlohmann::json::parse(QApplication::clipboard()->text().toStdString());
+  // A point of the floor that reflects a wall, where the box is right.
+  nlohmann::json json;
+  bool wall = false;
+  for (int i = 0; i < 25 && !wall; ++i) {
+    const QPointF floor = pixelOf({-1.5 + 0.6 * (i % 5), 0.0, 2.2 - 0.5 * (i / 5)});
+    press(floor);
+    release(floor);
+    waitUntilIdle();
+    debug().copyJson();
+    json = nlohmann::json::parse(QApplication::clipboard()->text().toStdString());
+    if (json["probes"].empty() || json["probes"][0]["trueDistance"].is_null()) continue;
+    const auto& room = json["probes"][0];
+    wall = std::abs(room["trueDistance"].get<double>() - room["hitDistance"].get<double>()) < 0.1;
+  }
+  ASSERT_TRUE(wall);
   const std::string face = json["probes"][0]["face"];
   const auto axis = static_cast<int>(face[1] - 'x');
   window_->editor().commitProbe("Set box", [&](Probe& edited) {

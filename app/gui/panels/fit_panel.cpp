@@ -63,6 +63,7 @@ FitPanel::FitPanel(Editor& editor, QWidget* parent)
   for (int face = 0; face < kFaces; ++face) {
     auto* box = new QCheckBox(review_);
     box->setObjectName(QString("fitFace%1").arg(face));
+    box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // the column is no wider for it
     faces_[static_cast<std::size_t>(face)] = box;
     grid->addWidget(box, face / 2, face % 2);
     connect(box, &QCheckBox::toggled, this, [this] {
