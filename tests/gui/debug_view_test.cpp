@@ -141,8 +141,8 @@ TEST_F(DebugViewTest, TheVerdictsMendMovesTheFace) {
     debug().copyJson();
     json = nlohmann::json::parse(QApplication::clipboard()->text().toStdString());
     if (json["probes"].empty() || json["probes"][0]["trueDistance"].is_null()) continue;
-    const auto& room = json["probes"][0];
-    wall = std::abs(room["trueDistance"].get<double>() - room["hitDistance"].get<double>()) < 0.1;
+    const auto& seen = json["probes"][0];
+    wall = std::abs(seen["trueDistance"].get<double>() - seen["hitDistance"].get<double>()) < 0.1;
   }
   ASSERT_TRUE(wall);
   const std::string face = json["probes"][0]["face"];
