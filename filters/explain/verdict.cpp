@@ -216,7 +216,7 @@ Verdict ofProbe(const ProbeExplanation& p, const Probe& probe) {
 // What else the light comes from, where reflections are a small part; empty where they are not.
 std::string notReflected(const Explanation& e) {
   const double all = brightness(e.color);
-  if (all <= 0.0) return "Black: no light comes from here.";
+  if (all <= 0.0) return {};
   const double reflected = brightness(e.specular + e.coat);
   if (reflected >= 0.1 * all) return {};
   struct Part {
