@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::set<std::string> kSubcommands = {"render", "explain", "info",   "bake",  "bench",
+const std::set<std::string> kSubcommands = {"render", "explain", "info",   "bake",   "bench",
                                             "stress", "lessons", "export", "import", "fit"};
 
 std::string joined(std::initializer_list<std::string_view> parts) {
