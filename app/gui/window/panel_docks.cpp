@@ -109,6 +109,9 @@ void PanelDocks::buildProbes() {
   connect(probeList_, &ProbeList::added, fitPanel_, [this] {
     if (!fitPanel_->running()) fitPanel_->fit();
   });
+  connect(fitPanel_, &FitPanel::ghostChanged, this, [this](const std::optional<Probe>& ghost) {
+    if (ghost) first_->raise();  // what is to be reviewed must be seen
+  });
   connect(fitPanel_, &FitPanel::message, this, &PanelDocks::message);
   connect(fitPanel_, &FitPanel::failed, this, &PanelDocks::failed);
 }
