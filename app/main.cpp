@@ -14,6 +14,7 @@
 #include "app/cli/command/fit_command.h"
 #include "app/cli/command/import_command.h"
 #include "app/cli/command/info_command.h"
+#include "app/cli/command/place_command.h"
 #include "app/cli/command/render_command.h"
 #include "app/cli/command/stress_command.h"
 #include "app/gui/window/lessons_command.h"
@@ -47,11 +48,17 @@ int run(int& argc, char** argv) {
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png\n"
       "Each sub-command explains itself: boxprobe render --help");
   program.require_subcommand(0, 1);
-  const std::vector<Subcommand> subcommands = {addRenderCommand(program),  addBakeCommand(program),
-                                               addExplainCommand(program), addExportCommand(program),
-                                               addImportCommand(program),  addInfoCommand(program),
-                                               addFitCommand(program),     addBenchCommand(program),
-                                               addStressCommand(program),  addLessonsCommand(program, argc, argv)};
+  const std::vector<Subcommand> subcommands = {addRenderCommand(program),
+                                               addBakeCommand(program),
+                                               addExplainCommand(program),
+                                               addExportCommand(program),
+                                               addImportCommand(program),
+                                               addInfoCommand(program),
+                                               addFitCommand(program),
+                                               addPlaceCommand(program),
+                                               addBenchCommand(program),
+                                               addStressCommand(program),
+                                               addLessonsCommand(program, argc, argv)};
 
   try {
     program.parse(argc, argv);

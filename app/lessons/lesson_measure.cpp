@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/lessons/fit_measure.h"
 #include "app/session/explanation_json.h"
 #include "app/session/load_scene.h"
 #include "app/session/reference_box_picture.h"
@@ -106,23 +107,43 @@ double errorAgainstBox(const ShownScene& shown, const PictureRegion& region) {
   return pictureDifference(shown.renderer.renderLinear(shown.width, shown.height, 1), truth, region);
 }
 
-std::optional<double> viewMean(const ShownScene& shown, const LessonMeasure& measure) {
-  const auto view = findSurfaceView(measure.name);
-  if (!view) return std::nullopt;
+/// Pixels spread evenly over a region.
+std::vector<glm::ivec2> gridOver(const PictureRegion& r, const ShownScene& shown) {
   std::vector<glm::ivec2> places;
   for (int row = 0; row < kGridRows; ++row) {
     for (int column = 0; column < kGridColumns; ++column) {
       const double x = (column + 0.5) / kGridColumns, y = (row + 0.5) / kGridRows;
-      const PictureRegion& r = measure.region;
       places.push_back(pixelAt({r[0] + x * (r[2] - r[0]), r[1] + y * (r[3] - r[1])}, shown.width, shown.height));
     }
   }
+  return places;
+}
+
+std::optional<double> viewMean(const ShownScene& shown, const LessonMeasure& measure) {
+  const auto view = findSurfaceView(measure.name);
+  if (!view) return std::nullopt;
   double sum = 0.0;
   int count = 0;
-  for (const Explanation& e : shown.renderer.explain(places, shown.width, shown.height)) {
+  for (const Explanation& e : shown.renderer.explain(gridOver(measure.region, shown), shown.width, shown.height)) {
     const auto value = surfaceValue(surfaceViews()[static_cast<std::size_t>(*view)], e);
     if (!value || !std::isfinite(value->x)) continue;
     sum += value->x;
+    ++count;
+  }
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+/// A number of explanations; of a region the mean where there is one.
+std::optional<double> explained(const ShownScene& shown, const LessonMeasure& measure) {
+  const std::vector<glm::ivec2> places =
+      measure.points.empty() ? gridOver(measure.region, shown)
+                             : std::vector<glm::ivec2>{pixelAt(measure.points.front(), shown.width, shown.height)};
+  double sum = 0.0;
+  int count = 0;
+  for (const Explanation& e : shown.renderer.explain(places, shown.width, shown.height)) {
+    const auto value = numberIn(explanationJson(e), measure.name);
+    if (!value) continue;
+    sum += *value;
     ++count;
   }
   return count > 0 ? std::optional(sum / count) : std::nullopt;
@@ -170,11 +191,10 @@ std::optional<double> measureHere(const ShownScene& shown, const LessonMeasure& 
       return errorAgainstScene(shown, pictureOf(shown), measure.region);
     case MeasureKind::Mean:
       return finite(meanLight(pictureOf(shown), measure));
-    case MeasureKind::Explain: {
-      const glm::ivec2 pixel = pixelAt(measure.points.front(), shown.width, shown.height);
-      return numberIn(explanationJson(shown.renderer.explain(pixel.x, pixel.y, shown.width, shown.height)),
-                      measure.name);
-    }
+    case MeasureKind::Explain:
+      return explained(shown, measure);
+    case MeasureKind::Fit:
+      return fitNumber(shown.scene, shown.models, measure.name, shown.goOn);
     case MeasureKind::View:
       return viewMean(shown, measure);
     case MeasureKind::Bend:
@@ -184,6 +204,7 @@ std::optional<double> measureHere(const ShownScene& shown, const LessonMeasure& 
     case MeasureKind::Difference:
     case MeasureKind::Counter:
     case MeasureKind::Broken:
+    case MeasureKind::Turned:
       break;
   }
   return std::nullopt;

@@ -27,8 +27,8 @@ struct ShownScene {
   std::function<bool()> goOn = {};  ///< asked while references are integrated; false: they are left incomplete
 };
 
-/// Of one picture: every kind but Difference, Counter and Broken. Nothing where it is not defined there (a pixel that
-/// shows the background, a field that does not exist, a number that is not finite).
+/// Of one picture: every kind but Difference, Counter, Broken and Turned. Nothing where it is not defined there (a
+/// pixel that shows the background, a field that does not exist, a number that is not finite).
 std::optional<double> measureShown(const ShownScene& shown, const LessonMeasure& measure);
 
 /// Root mean square of the differences, tone mapped, within a region.

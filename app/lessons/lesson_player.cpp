@@ -9,6 +9,7 @@
 #include "app/lessons/published_picture.h"
 #include "app/session/load_scene.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/number_text.h"
 #include "filters/io/scene/lesson_file.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/rays/ray_sources.h"
@@ -73,7 +74,7 @@ void LessonPlayer::open(const Lesson& lesson) {
   shown_.reset();
   work_.clear();
   pictures_.clear();
-  broken_.clear();
+  lookups_.clear();
 }
 
 void LessonPlayer::showScene(std::size_t step, Scene scene) {
@@ -154,7 +155,7 @@ const ImageRgbaF& LessonPlayer::linear(std::size_t step) {
     PublishedPicture published(renderer(), scene_, form, kMeasuredWidth, height);
     while (published.draw(height)) {
     }
-    broken_[step] = published.brokenShare();
+    lookups_[step] = {published.brokenShare(), published.meanTurn()};
     return pictures_[step] = published.linear();
   }
   const SurfaceViewSettings view = renderer().view();
@@ -170,9 +171,12 @@ double LessonPlayer::measure(const LessonMeasure& measure, std::optional<std::si
   if (measure.kind == MeasureKind::Difference) {
     const ImageRgbaF& picture = linear(step);
     value = pictureDifference(picture, linear(measure.against), measure.region);
-  } else if (measure.kind == MeasureKind::Broken) {
+  } else if (measure.kind == MeasureKind::Broken || measure.kind == MeasureKind::Turned) {
     linear(step);
-    value = broken_[step];
+    const auto found = lookups_.find(step);
+    if (found != lookups_.end()) {
+      value = measure.kind == MeasureKind::Broken ? found->second.broken : found->second.turned;
+    }
   } else {
     if (measure.step) show(*measure.step);
     if (measure.kind == MeasureKind::Counter) {
@@ -199,6 +203,18 @@ ClaimResult LessonPlayer::check(const LessonCondition& condition) {
   result.limit = conditionLimit(condition, result.divisor.value_or(1.0));
   result.holds = conditionHolds(condition, result.value, result.divisor.value_or(1.0));
   return result;
+}
+
+CurvePoints LessonPlayer::curve(std::size_t step) {
+  const LessonCurve& curve = lesson_->steps[step].curve.value();
+  CurvePoints points;
+  for (const double value : curve.values) {
+    showChanged(step, {curve.field + "=" + numberText(value)});
+    points.measured.push_back(measure(curve.measure, step));
+    if (curve.cost) points.costs.push_back(measure(*curve.cost, step));
+  }
+  if (curve.line) points.line = measure(*curve.line, step);
+  return points;
 }
 
 bool LessonPlayer::done(const LessonTask& task, std::size_t step, double* value) {

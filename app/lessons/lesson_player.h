@@ -28,6 +28,13 @@ struct ClaimResult {
   bool holds = false;
 };
 
+/// What a step's curve is drawn from.
+struct CurvePoints {
+  std::vector<double> measured;  ///< one for each value of the curve
+  std::vector<double> costs;     ///< as many; empty: it has none
+  std::optional<double> line;
+};
+
 class LessonPlayer {
  public:
   /// `goOn` is asked between units of work; false ends what runs with a WorkError. `quiet`: without VTK's warnings.
@@ -52,10 +59,17 @@ class LessonPlayer {
 
   /// Shows what steps it needs. Throws WorkError for a measure that is not defined.
   ClaimResult check(const LessonCondition& condition);
+  /// Of the step, which must have a curve. Shows each of its values. Throws WorkError as check does.
+  CurvePoints curve(std::size_t step);
   /// Of what is shown now, `step` of the lesson being meant where a measure names none.
   bool done(const LessonTask& task, std::size_t step, double* value = nullptr);
 
  private:
+  /// Of a published form, see PublishedPicture.
+  struct Lookups {
+    double broken = 0.0, turned = 0.0;
+  };
+
   double measure(const LessonMeasure& measure, std::optional<std::size_t> here);
   const ImageRgbaF& linear(std::size_t step);
   void drawRays(const LessonStep& step);
@@ -75,7 +89,7 @@ class LessonPlayer {
   Camera camera_;
   std::map<std::size_t, Counters> work_;        ///< of each step, when it was first shown
   std::map<std::size_t, ImageRgbaF> pictures_;  ///< linear, for differences and published forms
-  std::map<std::size_t, double> broken_;        ///< of the latter, see PublishedPicture
+  std::map<std::size_t, Lookups> lookups_;      ///< of the latter
 };
 
 }  // namespace boxprobe

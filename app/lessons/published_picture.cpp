@@ -1,11 +1,16 @@
-// See published_picture.h. The forms are those of shaders/published, which say where each is from, and one more:
-//   behind   a box's planes selected with step(0, R) into mix(max, min): those behind the ray
-//   masking  not a lookup: the split sum made with the masking that is most often printed
+// See published_picture.h. The forms are those of shaders/published, which say where each is from, and more:
+//   behind      a box's planes selected with step(0, R) into mix(max, min): those behind the ray
+//   difference  as "world", but for (P - C) + d R: the subtraction first. Unity and Catlike Coding have it so
+//   masking     not a lookup: the split sum made with the masking that is most often printed
+//   eta         glass, bent once by refract(-V, N, n2 / n1): Arm, "Guide to Unity: Enhancing Your Mobile Games", 6.4.4
 #include "app/lessons/published_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <iterator>
 #include <utility>
 
 #include "filters/math/published/published_math.h"
@@ -28,20 +33,57 @@ glm::vec3 behind(const ProbeExplanation& probe) {
   return probe.positionProbe + distance * probe.reflectionProbe;
 }
 
-glm::vec3 lookupBy(const std::string& form, const Explanation& e, const ProbeExplanation& probe) {
+shading::ProbeShape shapeOf(const ProbeExplanation& probe) {
   shading::ProbeShape shape{};
   shape.boxMin = probe.boxMin;
   shape.boxMax = probe.boxMax;
   shape.bevel = probe.bevel;
+  return shape;
+}
+
+/// GLSL's refract(-V, N, eta): zero where it finds none.
+glm::vec3 refracted(const Explanation& e, float eta) {
+  const float cosine = glm::dot(e.surface.normalWorld, e.surface.viewWorld);
+  const float k = 1.0f - eta * eta * (1.0f - cosine * cosine);
+  if (k < 0.0f) return glm::vec3(0.0f);
+  return (eta * cosine - std::sqrt(k)) * e.surface.normalWorld - eta * e.surface.viewWorld;
+}
+
+/// What a ray that goes on through glass looks up; not a number where there is no such ray.
+glm::vec3 lookupThrough(const ProbeExplanation& probe, const glm::vec3& directionWorld) {
+  const glm::vec3 direction = glm::transpose(glm::mat3(probe.worldFromProbe)) * directionWorld;
+  return shading::publishedBoxMax(shapeOf(probe), probe.positionProbe, direction).direction;
+}
+
+/// The front of a glass, where `form` draws glass.
+const GlassExplanation* glassBy(const std::string& form, const Explanation& e) {
+  return form == "eta" && e.glass && !e.glass->back ? &*e.glass : nullptr;
+}
+
+/// What the program itself looks up where `form` does.
+glm::vec3 ownLookup(const std::string& form, const Explanation& e, const ProbeExplanation& probe) {
+  const GlassExplanation* glass = glassBy(form, e);
+  return glass != nullptr ? lookupThrough(probe, glass->directionWorld) : probe.lookupDirection;
+}
+
+double degreesBetween(const glm::dvec3& a, const glm::dvec3& b) {
+  return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
+glm::vec3 lookupBy(const std::string& form, const Explanation& e, const ProbeExplanation& probe) {
+  if (form == "eta") return lookupThrough(probe, refracted(e, 1.0f / e.glass->eta));
+  shading::ProbeShape shape = shapeOf(probe);
   if (form == "behind") return behind(probe);
   if (form == "select") return shading::publishedBoxSelect(shape, probe.positionProbe, probe.reflectionProbe).direction;
   if (form == "rounded")
     return shading::publishedRoundedBox(shape, probe.positionProbe, probe.reflectionProbe).direction;
-  // "world": everything in single precision from the world's origin. Boxes that are not turned only.
-  const glm::vec3 origin(probe.originWorld);
+  // The rest has everything in single precision from the world's origin. Boxes that are not turned only.
+  const glm::vec3 origin(probe.originWorld), position(e.surface.positionWorld), ray = probe.reflectionProbe;
+  if (form == "half") return shading::publishedBoxHalf(shape, origin, position, ray).direction;
   shape.boxMin += origin;
   shape.boxMax += origin;
-  return shading::publishedBoxWorld(shape, origin, glm::vec3(e.surface.positionWorld), probe.reflectionProbe).direction;
+  if (form == "difference") return (position - origin) + shading::publishedBoxMax(shape, position, ray).distance * ray;
+  return shading::publishedBoxWorld(shape, origin, position, ray).direction;
 }
 
 // What the reflection would be times, were the split sum made with the printed masking.
@@ -54,7 +96,8 @@ glm::vec3 byPublishedMasking(const Explanation& e) {
 }  // namespace
 
 bool isPublishedForm(const std::string& id) {
-  return id == "behind" || id == "select" || id == "world" || id == "rounded" || id == "masking";
+  const char* const forms[] = {"behind", "select", "world", "difference", "half", "rounded", "masking", "eta"};
+  return std::find(std::begin(forms), std::end(forms), id) != std::end(forms);
 }
 
 PublishedPicture::PublishedPicture(SceneRenderer& renderer, const Scene& scene, std::string form, int width, int height)
@@ -76,16 +119,22 @@ bool PublishedPicture::draw(int rows) {
     const Explanation& e = explanations[i];
     glm::vec3 color = e.rendered.value_or(e.color);
     if (form_ == "masking" && e.hit) color += e.specular * (byPublishedMasking(e) - 1.0f);
-    const ProbeExplanation* probe =
-        e.hit && e.dominant >= 0 && form_ != "masking" ? &e.probes[static_cast<std::size_t>(e.dominant)] : nullptr;
+    const GlassExplanation* glass = glassBy(form_, e);
+    const bool looksUp = e.hit && e.dominant >= 0 && form_ != "masking" && (form_ != "eta" || glass != nullptr);
+    const ProbeExplanation* probe = looksUp ? &e.probes[static_cast<std::size_t>(e.dominant)] : nullptr;
     const auto maps = probe != nullptr && !probe->lookups.empty() ? renderer_.mapsOnCpu(probe->name) : nullptr;
     if (maps) {
       ++reflecting_;
       const glm::vec3 direction = lookupBy(form_, e, *probe);
       if (finite(direction) && glm::dot(direction, direction) > 0.0f) {
         const glm::vec3 along = glm::mat3(probe->mapFromProbe) * direction;
-        const glm::vec3 light(maps->radiance.fetch(along, probe->lookups.front().level));
-        color += e.specularFactor * probe->weight * probe->intensity * (light - probe->specular);
+        const float level = glass != nullptr ? shading::levelForRoughness(glass->roughness, probe->maxLevel)
+                                             : probe->lookups.front().level;
+        const glm::vec3 light(maps->radiance.fetch(along, level));
+        const float share = probe->weight * probe->intensity;
+        color += glass != nullptr ? glass->passed * (share * light - glass->looked)
+                                  : e.specularFactor * share * (light - probe->specular);
+        turned_ += degreesBetween(direction, ownLookup(form_, e, *probe));
       } else {
         ++broken_;
         color = glm::vec3(1.0f, 0.0f, 1.0f) / static_cast<float>(scene_.exposure);
@@ -120,6 +169,11 @@ ImageRgba8 PublishedPicture::display(int scale) const {
 
 double PublishedPicture::brokenShare() const {
   return reflecting_ > 0 ? static_cast<double>(broken_) / static_cast<double>(reflecting_) : 0.0;
+}
+
+double PublishedPicture::meanTurn() const {
+  const long long looked = reflecting_ - broken_;
+  return looked > 0 ? turned_ / static_cast<double>(looked) : 0.0;
 }
 
 }  // namespace boxprobe

@@ -14,7 +14,7 @@ namespace boxprobe {
 
 class SceneRenderer;
 
-/// "behind", "select", "world", "rounded", "masking"; see published_picture.cpp.
+/// "behind", "select", "world", "difference", "half", "rounded", "masking", "eta"; see published_picture.cpp.
 bool isPublishedForm(const std::string& id);
 
 /// A row at a time, so that a window can go on in between. The renderer's camera and maps must not change meanwhile.
@@ -29,6 +29,9 @@ class PublishedPicture {
   ImageRgba8 display(int scale) const;
   /// Share of the pixels that reflect whose lookup is not a number.
   double brokenShare() const;
+  /// Mean angle between what the form looks up and what the program does, degrees, over all pixels where both are
+  /// numbers; 0 where there are none.
+  double meanTurn() const;
 
  private:
   SceneRenderer& renderer_;
@@ -37,6 +40,7 @@ class PublishedPicture {
   ImageRgbaF picture_;
   int next_ = 0;
   long long reflecting_ = 0, broken_ = 0;
+  double turned_ = 0.0;  ///< degrees, in all
 };
 
 }  // namespace boxprobe

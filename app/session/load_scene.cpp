@@ -12,6 +12,7 @@
 #include "filters/core/geometry/mirror_plane.h"
 #include "filters/core/geometry/model_placement.h"
 #include "filters/io/cube/sky_picture.h"
+#include "filters/io/files/data_folder.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/import/model_reader.h"
@@ -98,7 +99,7 @@ LoadedScene loadBareModel(const std::string& path, const std::vector<std::string
 }  // namespace
 
 std::string studioFile() {
-  return BOXPROBE_DATA_DIR "/environments/studio.hdr";
+  return dataFile("environments/studio.hdr");
 }
 
 bool isModelPath(const std::string& path) {

@@ -20,6 +20,7 @@ struct LoadedScene {
   std::string path;                                  ///< the scene file; empty for a bare model: never saved
   std::vector<std::string> warnings;                 ///< sceneWarnings() of it
   std::optional<ModelFit> fit;                       ///< of a bare model
+  bool unsaved = false;                              ///< recovered: not what `path` holds
   bool exposureAutomatic = false;                    ///< the scene's exposure is to follow the first picture
   double loadCpuSeconds = 0.0;                       ///< all threads
 };

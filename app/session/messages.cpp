@@ -40,8 +40,8 @@ void printResult(const std::string& text) {
   printDocument(printable(text, true));
 }
 
-void printDocument(const std::string& json) {
-  std::fwrite(json.data(), 1, json.size(), stdout);
+void printDocument(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
 void finishResults() {

@@ -22,8 +22,8 @@ void printWarnings(const std::vector<std::string>& texts);
 /// Lines of text to stdout, each as printable() has it.
 void printResult(const std::string& text);
 
-/// A document to stdout as it is: valid JSON, whose strings are other programs' business.
-void printDocument(const std::string& json);
+/// A document to stdout as it is: valid JSON or a script, whose strings are other programs' business.
+void printDocument(const std::string& text);
 
 /// To be called once all is printed: throws WorkError if stdout did not take all of it (a full disk, a closed pipe).
 void finishResults();

@@ -49,6 +49,12 @@ void OffscreenScene::requireHealthy() const {
   if (!firstVtkError().empty()) throw WorkError(firstVtkError());
 }
 
+void OffscreenScene::rest() {
+  window_->MakeCurrent();
+  renderer_->foldConstants();
+  renderer_->finishWork();
+}
+
 double OffscreenScene::timedFrame() {
   window_->MakeCurrent();
   const double start = processCpuSeconds();

@@ -56,6 +56,10 @@ std::string statsJson(const RunStats& stats) {
                       {"skyFacesCaptured", c.skyFacesCaptured},
                       {"levelsFiltered", c.levelsFiltered},
                       {"programsCompiled", c.programsCompiled},
+                      {"surfacePrograms", c.surfacePrograms},
+                      {"programSwitches", c.programSwitches},
+                      {"constantsFolded", c.constantsFolded},
+                      {"constantsLeft", c.constantsLeft},
                       {"renders", c.renders},
                       {"drawsByProbeCount", c.drawsByProbeCount},
                       {"drawsWithOpenSky", c.drawsWithOpenSky},
@@ -65,6 +69,7 @@ std::string statsJson(const RunStats& stats) {
                       {"glassPasses", c.glassPasses},
                       {"texelsClamped", c.texelsClamped},
                       {"errorsMeasured", c.errorsMeasured},
+                      {"reliefsBounded", c.reliefsBounded},
                       {"texelsNotFinite", c.texelsNotFinite},
                       {"uniformUpdates", c.uniformUpdates}};
   const MirrorCounters& m = c.mirrors;

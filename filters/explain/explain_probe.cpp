@@ -16,10 +16,11 @@ namespace {
 class CountedRelief : public shading::ReliefSampler {
  public:
   explicit CountedRelief(const shading::ReliefSampler* relief) : relief_(relief) {}
-  glm::vec4 fetchRelief(const glm::vec3& direction) const override {
+  glm::vec4 fetchRelief(const glm::vec3& direction, float level) const override {
     ++count_;
-    return relief_->fetchRelief(direction);
+    return relief_->fetchRelief(direction, level);
   }
+  float reliefSize() const override { return relief_->reliefSize(); }
   int count() const { return count_; }
 
  private:

@@ -22,9 +22,10 @@ class ProbeFitter {
   std::optional<BoxFit> fitWithOrigin(const Probe& probe, const BoxFitSettings& settings = {},
                                       const FitProgress& progress = {});
 
- private:
+  /// What eyes, and a probe that hides what `probe` hides, see. Valid as long as this is.
   FitPlace placeOf(const Probe& probe);
 
+ private:
   Scene scene_;
   TriangleRays::Models models_;
   std::shared_ptr<const TriangleRays> shown_;

@@ -46,12 +46,16 @@ class StressMap : public shading::CubeSampler, public shading::DistanceSampler, 
   }
 
   /// Planes across the directions of those distances; what is far lies upwards, where nothing else does.
-  glm::vec4 fetchRelief(const glm::vec3& direction) const override {
+  /// From level 1 on blocks as deep as half of that.
+  glm::vec4 fetchRelief(const glm::vec3& direction, float level) const override {
     const glm::vec3 q = direction / largest(direction);
     const float seen = fetchDistance(direction);
     const glm::vec3 plane = seen > 1.0e-30f ? q / (glm::length(q) * seen) : glm::vec3(0.0f);
+    if (level > 0.5f) return glm::vec4(plane, seen > 1.0e-30f ? 0.5f * level / seen : 0.0f);
     return glm::vec4(plane, q.z > 0.9f ? Relief::kHere : q.x > 0.9f ? Relief::kNowhere : 4096.0f * 2048.0f + 2048.0f);
   }
+
+  float reliefSize() const override { return 64.0f; }
 
   shading::ProbeData probeData() const {
     shading::ProbeData data;

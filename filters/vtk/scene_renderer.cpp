@@ -2,7 +2,10 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include <algorithm>
+
 #include "filters/core/base/at_end.h"
+#include "filters/vtk/gl/software_driver.h"
 #include "filters/vtk/gl/window_pixels.h"
 #include "filters/vtk/inspect/frame_recorder.h"
 #include "filters/vtk/inspect/render_remarks.h"
@@ -59,6 +62,27 @@ void SceneRenderer::lightAsVtk(int columns, int rows, const std::vector<glm::vec
   impl_->lightAsVtk(columns, rows, table);
 }
 
+void SceneRenderer::drawGenerally(bool generally) {
+  impl_->state->resources.general = generally;
+}
+
+void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& objects, bool sky) {
+  auto& all = impl_->content.objects;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool meant = objects.empty() || std::find(objects.begin(), objects.end(), i) != objects.end();
+    all[i].mapper->SetLeftOut(meant ? parts : 0);
+  }
+  impl_->content.sky->SetVisibility(sky ? 0 : 1);
+}
+
+void SceneRenderer::keepDepth(bool keep) {
+  impl_->renderer->SetPreserveDepthBuffer(keep ? 1 : 0);
+}
+
+std::vector<DrawnProgram> SceneRenderer::drawnPrograms() const {
+  return boxprobe::drawnPrograms(impl_->content);
+}
+
 void SceneRenderer::setEditable(bool editable) {
   impl_->probes.setEditable(editable);
 }
@@ -70,6 +94,10 @@ void SceneRenderer::allowStandIns(bool allowed) {
 
 bool SceneRenderer::setMoving(bool moving) {
   return impl_->probes.setMoving(moving && !impl_->view.any());
+}
+
+void SceneRenderer::foldConstants() {
+  impl_->probes.foldConstants();
 }
 
 bool SceneRenderer::workPending() const {
@@ -167,15 +195,24 @@ BakeState SceneRenderer::bakeState(const std::string& probeName) const {
   return impl_->probes.bakeState(probeName);
 }
 
+std::vector<std::string> SceneRenderer::bakeKeys(const std::string& probeName) const {
+  return impl_->probes.bakeKeys(probeName);
+}
+
+std::string SceneRenderer::rendererName() const {
+  impl_->makeCurrent();
+  return boxprobe::rendererName();
+}
+
 std::string SceneRenderer::saveBaked(const std::string& probeName, const std::string& folder,
-                                     const std::string& program) const {
+                                     const std::string& program, int earlierBounce) const {
   const auto record = impl_->probes.record(probeName);
   const auto maps = record ? readMaps(probeName) : std::nullopt;
   if (!maps) return {};
   Probe probe;
   probe.name.clear();
   if (const auto index = findProbe(impl_->content.scene, probeName)) probe = impl_->content.scene.probes[*index];
-  return BakeFolder::save(folder, probe, *record, *maps, program);
+  return BakeFolder::save(folder, probe, *record, *maps, {program, rendererName()}, earlierBounce);
 }
 
 const std::string& SceneRenderer::pictureError() const {

@@ -26,6 +26,7 @@
 #include "filters/core/scene/surface_view.h"
 #include "filters/explain/explanation.h"
 #include "filters/vtk/capture/work_times.h"
+#include "filters/vtk/draw/frame_parts.h"
 #include "filters/vtk/frame/frame_count.h"
 #include "filters/vtk/frame/frame_report.h"
 #include "filters/vtk/inspect/preview_settings.h"
@@ -66,6 +67,12 @@ class SceneRenderer {
   /// ready; the debug view's colours, explanations and linear pictures never are. Returns whether any surface is.
   bool setMoving(bool moving);
 
+  /// Nothing is being edited, and many frames are to be drawn: programs that have the numbers of probes and materials
+  /// as constants are compiled as part of the work, and drawn with from then on until sync() or setInteractive() is
+  /// called next. To be called when no work is pending; what does not compile is drawn as before. The pictures are the
+  /// same to 1/255.
+  void foldConstants();
+
   bool workPending() const;
   /// One unit of work; the GL context must be current (call window->MakeCurrent() first). Returns workPending().
   bool step();
@@ -80,6 +87,18 @@ class SceneRenderer {
   /// For pictures that are compared with VTK's own: lamps and coats as VTK 9.1 has them, and
   /// the split sum by VTK's `table` (N.V across, roughness up, texel centres; x scales F0, y scales F90). From then on.
   void lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table);
+
+  /// true: every program works out all there is, whatever its materials make needless. The pictures are the same to
+  /// 1/255; this is for tests and measurements that compare them.
+  void drawGenerally(bool generally);
+
+  /// To find what they cost, frames are drawn without `parts` of these objects (their places, see drawnPrograms();
+  /// none: of all) and without the sky. The pictures are wrong until it is called with nothing left out.
+  void leaveOut(FrameParts parts, const std::vector<std::size_t>& objects = {}, bool sky = false);
+  /// true: the next frames keep the depth of the one before, so that only what is seen in the end is worked out.
+  void keepDepth(bool keep);
+  /// The programs of the last frame's objects, in the order of their first object.
+  std::vector<DrawnProgram> drawnPrograms() const;
 
   /// Places the active camera; clipping range follows the scene's bounds at each render.
   void applyCamera(const Camera& camera);
@@ -129,9 +148,16 @@ class SceneRenderer {
   /// Makes these probes again although nothing changed; a custom probe's picture is read again.
   void requestBake(const std::vector<std::string>& probes);
   BakeState bakeState(const std::string& probeName) const;
+  /// The keys of a baked probe's maps (see BakeFolder), bounce by bounce, the last those it is to show. Empty for any
+  /// other, and while nothing asks for the probe.
+  std::vector<std::string> bakeKeys(const std::string& probeName) const;
   /// Writes the maps of a baked probe (an empty name: the sky) as an EXR file into `folder`; returns its path, empty
-  /// if they are not final. `program` is what the file names as its writer. Throws WorkError.
-  std::string saveBaked(const std::string& probeName, const std::string& folder, const std::string& program) const;
+  /// if they are not final. `program` is what the file names as its writer; `earlierBounce` as in BakeFolder::save.
+  /// Throws WorkError.
+  std::string saveBaked(const std::string& probeName, const std::string& folder, const std::string& program,
+                        int earlierBounce = 0) const;
+  /// OpenGL's name of what draws and captures.
+  std::string rendererName() const;
   /// Empty while every custom probe's picture could be read; else one line. Such a probe keeps the maps it had.
   const std::string& pictureError() const;
 

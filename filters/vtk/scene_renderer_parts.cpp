@@ -76,6 +76,7 @@ void SceneParts::beginFrame() {
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   state->setExposure(static_cast<float>(content.scene.exposure));
   Counters& counters = state->counts.counters;
+  state->counts.beginFrame();
   counters.drawsByProbeCount = {};
   counters.drawsWithOpenSky = counters.drawsWithCoverage = 0;
   counters.glassDraws = counters.glassPasses = 0;

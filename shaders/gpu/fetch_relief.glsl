@@ -1,5 +1,5 @@
-// The GPU's side of what projection `impostor` asks of a probe: its relief (filters/math/cube/relief.h), nearest texel, and blocks. GLSL
-// has no arrays of samplers to choose from, so the slot is chosen by comparisons, which the compiler decides: it is a constant.
+// The GPU's side of what projection `impostor` asks of a probe: its relief (filters/math/cube/relief.h), nearest texel and level, and
+// blocks. GLSL has no arrays of samplers to choose from, so the slot is chosen by comparisons, which the compiler decides: it is a constant.
 // Needs shared/relief.glsl.
 #define BP_MOST_BLOCKS 8
 uniform int bpBlockCount[BP_SLOTS];
@@ -16,31 +16,49 @@ uniform samplerCube bpRelief2;
 uniform samplerCube bpRelief3;
 #endif
 
-vec4 bpFetchRelief(ProbeShape probe, vec3 direction)
+vec3 reliefFromProbe(ProbeShape probe, vec3 v)
+{
+#if BP_ROTATED
+  return bpMapFromProbe[probe.slot] * v;
+#else
+  return v;
+#endif
+}
+
+vec4 fetchProbeRelief(ProbeShape probe, vec3 inMap, float level)
 {
 #if BP_DEBUG
   bpLookups += 1.0f;
 #endif
-#if BP_ROTATED
-  vec3 inMap = bpMapFromProbe[probe.slot] * direction;
-#else
-  vec3 inMap = direction;
-#endif
 #if BP_SLOTS > 1
-  if (probe.slot == 1) { return textureLod(bpRelief1, inMap, 0.0f); }
+  if (probe.slot == 1) { return textureLod(bpRelief1, inMap, level); }
 #endif
 #if BP_SLOTS > 2
-  if (probe.slot == 2) { return textureLod(bpRelief2, inMap, 0.0f); }
+  if (probe.slot == 2) { return textureLod(bpRelief2, inMap, level); }
 #endif
 #if BP_SLOTS > 3
-  if (probe.slot == 3) { return textureLod(bpRelief3, inMap, 0.0f); }
+  if (probe.slot == 3) { return textureLod(bpRelief3, inMap, level); }
 #endif
-  return textureLod(bpRelief0, inMap, 0.0f);
+  return textureLod(bpRelief0, inMap, level);
+}
+
+float probeReliefSize(ProbeShape probe)
+{
+#if BP_SLOTS > 1
+  if (probe.slot == 1) { return float(textureSize(bpRelief1, 0).x); }
+#endif
+#if BP_SLOTS > 2
+  if (probe.slot == 2) { return float(textureSize(bpRelief2, 0).x); }
+#endif
+#if BP_SLOTS > 3
+  if (probe.slot == 3) { return float(textureSize(bpRelief3, 0).x); }
+#endif
+  return float(textureSize(bpRelief0, 0).x);
 }
 
 vec3 fetchProbePlane(ProbeShape probe, vec3 direction)
 {
-  vec3 plane = bpFetchRelief(probe, direction).xyz;
+  vec3 plane = fetchProbeRelief(probe, reliefFromProbe(probe, direction), 0.0f).xyz;
 #if BP_ROTATED
   plane = transpose(bpMapFromProbe[probe.slot]) * plane;
 #endif
@@ -49,12 +67,12 @@ vec3 fetchProbePlane(ProbeShape probe, vec3 direction)
 
 vec3 fetchProbeFar(ProbeShape probe, vec3 direction)
 {
+  vec3 inMap = reliefFromProbe(probe, direction);
+  vec3 away = reliefFar(fetchProbeRelief(probe, inMap, 0.0f).w, inMap);
 #if BP_ROTATED
-  return transpose(bpMapFromProbe[probe.slot]) *
-         reliefFar(bpFetchRelief(probe, direction).w, bpMapFromProbe[probe.slot] * direction);
-#else
-  return reliefFar(bpFetchRelief(probe, direction).w, direction);
+  away = transpose(bpMapFromProbe[probe.slot]) * away;
 #endif
+  return away;
 }
 
 int probeBlockCount(ProbeShape probe) { return bpBlockCount[probe.slot]; }

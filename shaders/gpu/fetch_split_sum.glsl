@@ -11,6 +11,16 @@ vec2 bpSplitSum(float cosine, float roughness)
 #endif
 }
 
+// The surface's own, which may be known to be perfectly smooth.
+vec2 bpSurfaceSum(float cosine, float roughness)
+{
+#if defined(BP_SMOOTH) && !defined(BP_VTK_TABLE)
+  return smoothSplitSum(cosine);
+#else
+  return bpSplitSum(cosine, roughness);
+#endif
+}
+
 // What a surface that reflects all keeps of white light after one reflection.
 float whiteAlbedo(float cosine, float roughness)
 {

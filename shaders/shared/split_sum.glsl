@@ -8,6 +8,15 @@ vec2 splitSumPlace(float cosine, float roughness, float size)
   return vec2(sqrt(clamp(cosine, 0.0f, 1.0f)), clamp(roughness, 0.0f, 1.0f)) * ((size - 1.0f) / size) + vec2(0.5f / size);
 }
 
+// The same where roughness is 0: one microfacet, masked by nothing.
+vec2 smoothSplitSum(float cosine)
+{
+  float c = 1.0f - clamp(cosine, 0.0f, 1.0f);
+  float c2 = c * c;
+  float b = c2 * c2 * c;
+  return vec2(1.0f - b, b);
+}
+
 // Factor that adds back the light which leaves the microfacets after more than one reflection (Turquin 2019): what one reflection
 // loses of white light, 1 - E, comes out coloured by F0.
 vec3 multipleScattering(vec3 f0, vec2 splitSum)

@@ -62,6 +62,17 @@ vec3 fetchProbeFar(ProbeShape probe, vec3 direction)
   return reliefFar(q.z > 0.9f ? -2.0f : (q.x > 0.9f ? -1.0f : 4096.0f * 2048.0f + 2048.0f), direction);
 }
 
+vec3 reliefFromProbe(ProbeShape probe, vec3 v) { return v; }
+float probeReliefSize(ProbeShape probe) { return 64.0f; }
+vec4 fetchProbeRelief(ProbeShape probe, vec3 direction, float level)
+{
+  vec3 q = stressLargestOne(direction);
+  float seen = stressDistance(probe, direction);
+  vec3 plane = fetchProbePlane(probe, direction);
+  if (level > 0.5f) { return vec4(plane, seen > 1.0e-30f ? 0.5f * level / seen : 0.0f); }
+  return vec4(plane, q.z > 0.9f ? -2.0f : (q.x > 0.9f ? -1.0f : 4096.0f * 2048.0f + 2048.0f));
+}
+
 int probeBlockCount(ProbeShape probe) { return 2; }
 vec3 probeBlockLow(ProbeShape probe, int i) { return probe.boxMin + (i == 0 ? 0.1f : 0.6f) * (probe.boxMax - probe.boxMin); }
 vec3 probeBlockHigh(ProbeShape probe, int i)

@@ -1,12 +1,14 @@
-// The box's hit, refined by what the probe saw (a distance impostor), for rooms that are not boxes. The distance cubemap has been
-// prepared (filters/math/cube/relief.h): a lookup gives the plane q of the surface seen in a direction, {x : dot(q, x) = 1}, so that a
+// The box's hit, refined by what the probe saw (a distance impostor), for rooms that are not boxes. Up to three `steps` look at a few places
+// where something may stand; more follow the ray through all that was seen. The distance cubemap has been prepared (filters/math/cube/relief.h): a lookup gives the plane q of the surface seen in a direction, {x : dot(q, x) = 1}, so that a
 // point X lies behind what was seen where s = dot(q, X) is above 1, in front of it below 1, and a flat surface is met exactly
-// in one step. Blocks are boxes around what stands in the room. With at most `steps` lookups:
+// in one step. Blocks are boxes around what stands in the room. With at most three lookups:
 //   a block the ray meets is looked at just behind where the ray enters, then where it leaves;
 //   else the box's hit: on the box it stays. Beyond it the ray goes on to the plane seen there, or far away;
 //   what is hidden from the capture origin cannot be found: the ray is then looked up where it was seen last.
-// Needs technique/projection_box.glsl; the host supplies fetchProbePlane, fetchProbeFar (the direction to look in for what is
+// Needs technique/projection_box.glsl, shared/relief_march.glsl; the host supplies fetchProbePlane, fetchProbeFar (the direction to look in for what is
 // far away) and the blocks.
+
+// BP_MARCH is defined by hosts that know which forms are drawn: 0 up to three steps, 2 more than three, 1 both.
 
 // How far along the ray its plane is met; -1 if it is not, or farther than `farthest`.
 float impostorMeets(vec3 plane, vec3 position, vec3 reflection, float farthest)
@@ -63,7 +65,9 @@ ProbeHit impostorAt(ProbeHit box, float t, vec3 direction)
   return hit;
 }
 
-ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)
+#if BP_MARCH < 2
+// At most three further samples.
+ProbeHit impostorRefined(ProbeShape probe, vec3 position, vec3 reflection, ProbeHit box)
 {
   const float kOn = 0.015f;      // s this near to 1 lies on the surface: half a texel of a 256² face on a wall seen at 75 degrees
   const float kBehind = 1.01f;   // s of a point behind what was seen: less is rounding, and blocks are larger than what is in them
@@ -72,9 +76,7 @@ ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 refl
   const float kSlack = 0.01f;    // of the box's distance: by how much what is in a block may stand out of it
   const float kReveal = 1.15f;   // times the box's distance: as far into an opening as its sides are looked for
   const float kFarthest = 100.0f;  // times the box's distance
-  ProbeHit box = projectBox(probe, position, normal, reflection);
   float tBox = box.distance;
-  if (!(tBox > 1.0e-30f) || tBox > 1.0e30f) { return box; }
   float left = probe.parameters.steps;
   float farthest = kFarthest * tBox;
 
@@ -168,4 +170,49 @@ ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 refl
     if (there < 1.0f + kMet) { return impostorAt(box, met, x); }
   }
   return box;
+}
+#endif
+
+#if BP_MARCH > 0
+// The ray followed through the captured distances (shared/relief_march.glsl), one sample a step. What it may meet before the box is in
+// the blocks, so it starts at the first one or at the box: empty space costs nothing.
+ProbeHit impostorMarched(ProbeShape probe, vec3 position, vec3 reflection, ProbeHit box)
+{
+  const float kSlack = 0.01f;      // of the box's distance: by how much what is in a block, or on the box, may stand out of it
+  const float kFarthest = 100.0f;  // times the box's distance
+  float tBox = box.distance;
+  ImpostorSpan span = impostorSpan(probe, position, reflection, -1.0f, kSlack * tBox);
+  float start = max(min(span.enter, tBox) - kSlack * tBox, 0.0f);
+  float farthest = kFarthest * tBox;
+  // The last sample is kept for what is far away.
+  ReliefMarch march = marchRelief(probe, position, reflection, start, farthest, probe.parameters.steps - 1.0f);
+  if (march.met >= 0.0f) { return impostorAt(box, march.met, position + march.met * reflection); }
+  // Hidden to its end, or out of the box as far as the steps went.
+  if (march.lost > 0.0f || march.way > tBox)
+  {
+    vec3 away = fetchProbeFar(probe, reflection);
+    if (dot(away, away) > 0.0f) { return impostorAt(box, farthest, farthest * away); }
+  }
+  if (march.lost > 0.0f) { return impostorAt(box, march.lost, position + march.lost * reflection); }
+  // Hidden from its start, or undecided before the box: whatever is seen there is as near as anything that is known.
+  if (march.way > 0.0f && (march.lost == 0.0f || march.way < tBox))
+  {
+    return impostorAt(box, march.way, position + march.way * reflection);
+  }
+  return box;
+}
+#endif
+
+ProbeHit projectImpostor(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)
+{
+  ProbeHit box = projectBox(probe, position, normal, reflection);
+  if (!(box.distance > 1.0e-30f) || box.distance > 1.0e30f) { return box; }
+#if BP_MARCH > 0
+  if (probe.parameters.steps > 3.5f) { return impostorMarched(probe, position, reflection, box); }
+#endif
+#if BP_MARCH < 2
+  return impostorRefined(probe, position, reflection, box);
+#else
+  return box;
+#endif
 }

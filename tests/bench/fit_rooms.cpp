@@ -1,11 +1,15 @@
-// The fit among its rivals in random rooms: `fit_rooms [tune|judge] [COUNT] [FIRST]`. Rooms from seed 1000 on (tune)
-// were looked at while the fit was made, those from 5000 on (judge) never. A row a room: mean lookup error in degrees
-// on rays that no method was fitted with, and that over the best found by brute force on those very rays.
+// The fit among its rivals in random rooms: `fit_rooms [tune|judge] [COUNT] [FIRST] [--plans DIR]`. Rooms from seed
+// 1000 on (tune) were looked at while the fit was made, those from 5000 on (judge) never. A row a room: mean lookup
+// error in degrees on rays that no method was fitted with, and that over the best found by brute force on those very
+// rays. At the end the worst rooms; with --plans each as a drawing with the fitted box (orange) and the best one
+// (green).
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <string>
@@ -14,6 +18,8 @@
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/fit/box/fit_box.h"
 #include "filters/fit/rays/triangle_rays.h"
+#include "filters/io/image/image_file.h"
+#include "tests/bench/room_plan.h"
 #include "tests/support/random_room.h"
 
 namespace boxprobe {
@@ -117,14 +123,54 @@ double percentile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
-int run(int argc, char** argv) {
-  const std::string set = argc > 1 ? argv[1] : "tune";
-  const int count = argc > 2 ? std::atoi(argv[2]) : 64;
+struct Judged {
+  std::uint32_t seed = 0;
+  test::RandomRoom room;
+  Probe ours, best;
+  double error = 0.0, least = 0.0, ratio = 0.0;
+};
+
+/// The eight of the largest ratio, worst first.
+int tellWorst(std::vector<Judged> judged, const std::string& folder) {
+  constexpr std::size_t kWorst = 8;
+  std::stable_sort(judged.begin(), judged.end(), [](const Judged& a, const Judged& b) { return a.ratio > b.ratio; });
+  judged.resize(std::min(judged.size(), kWorst));
+  std::printf("\nworst rooms\n");
+  for (const Judged& each : judged) {
+    const std::string path = folder + "/" + std::to_string(each.seed) + ".png";
+    std::printf("%-5u %-40s %.3f degrees, best %.3f: %.3f times%s\n", each.seed, each.room.what.c_str(), each.error,
+                each.least, each.ratio, folder.empty() ? "" : (", " + path).c_str());
+    if (folder.empty()) continue;
+    try {
+      std::filesystem::create_directories(folder);
+      savePng(path, bench::roomPlan(each.room, {{each.best, {0, 150, 60}}, {each.ours, {235, 120, 0}}}));
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "fit_rooms: --plans %s: %s\n", folder.c_str(), error.what());
+      return 2;
+    }
+  }
+  return 0;
+}
+
+int run(std::vector<std::string> words) {
+  std::string folder;
+  if (const auto flag = std::find(words.begin(), words.end(), "--plans"); flag != words.end()) {
+    if (flag + 1 == words.end()) {
+      std::fprintf(stderr, "fit_rooms: --plans needs a folder for the drawings\n");
+      return 2;
+    }
+    folder = *(flag + 1);
+    words.erase(flag, flag + 2);
+  }
+  const std::size_t argc = words.size() + 1;
+  const std::string set = argc > 1 ? words[0] : "tune";
+  const int count = argc > 2 ? std::atoi(words[1].c_str()) : 64;
   const std::uint32_t first =
-      (set == "judge" ? 5000u : 1000u) + static_cast<std::uint32_t>(argc > 3 ? std::atoi(argv[3]) : 0);
+      (set == "judge" ? 5000u : 1000u) + static_cast<std::uint32_t>(argc > 3 ? std::atoi(words[2].c_str()) : 0);
   const bool brute = argc <= 4;
   static const char* kNames[] = {"ours", "bounds", "six rays", "2-98 %", "histogram"};
   std::vector<double> ratios[5], seconds, errors[6];
+  std::vector<Judged> judged;
   std::printf("%-5s %-36s %7s %7s %7s %7s %7s %7s %7s %7s %6s\n", "seed", "room", "best", "ours", "bounds", "six",
               "2-98%", "hist", "ratio", "p95", "s");
   for (int i = 0; i < count; ++i) {
@@ -144,12 +190,16 @@ int run(int argc, char** argv) {
     const double measured[5] = {errorOf(ours), errorOf(fromBox(probe, rays.bounds())), errorOf(sixRays(rays, probe)),
                                 errorOf(quantiles(rays, probe)), errorOf(histogram(place, probe))};
     const std::vector<MetPoint> points = metPoints(place, reflected, probe.origin, glm::dmat3(1.0));
-    const double best = brute ? bruteForce(judge, points, glm::radians(room.yawDegrees)).meanDegrees : 1.0;
+    RatedBox rated{ours, 1.0};
+    if (brute) rated = bruteForce(judge, points, glm::radians(room.yawDegrees));
+    const double best = rated.meanDegrees;
     for (int k = 0; k < 5; ++k) {
       ratios[k].push_back(std::max(measured[k], kSmall) / std::max(best, kSmall));
       errors[k].push_back(measured[k]);
     }
     errors[5].push_back(best);
+    judged.push_back({first + static_cast<std::uint32_t>(i), room, fit->probe,
+                      withOffsetBox(probe, rated.box, glm::dvec3(0.0)), measured[0], best, ratios[0].back()});
     std::printf("%-5u %-36s %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f %7.2f %6.2f\n",
                 first + static_cast<std::uint32_t>(i), room.what.c_str(), best, measured[0], measured[1], measured[2],
                 measured[3], measured[4], ratios[0].back(), lookupErrors(judge, ours).p95Degrees, seconds.back());
@@ -164,12 +214,12 @@ int run(int argc, char** argv) {
   }
   std::printf("%-12s %10.3f %10.3f\n", "brute force", percentile(errors[5], 0.5), percentile(errors[5], 0.9));
   std::printf("seconds of the fit: median %.2f, most %.2f\n", percentile(seconds, 0.5), percentile(seconds, 1.0));
-  return 0;
+  return brute ? tellWorst(std::move(judged), folder) : 0;
 }
 
 }  // namespace
 }  // namespace boxprobe
 
 int main(int argc, char** argv) {
-  return boxprobe::run(argc, argv);
+  return boxprobe::run(std::vector<std::string>(argv + 1, argv + argc));
 }

@@ -1,16 +1,19 @@
 // bench_frame: CPU time of a frame with box-projected reflections over that of stock VTK with image-based lighting,
-// (or, with --probes off, of a frame without either), drawn in turn in one process and window. CPU time of all threads:
-// software OpenGL draws in this process.
+// (or, with --probes off, of a frame without either), or over our own general programs, those without constants, or
+// without light over lit;
+// drawn in turn in one process and window. CPU time of all threads: software OpenGL draws in this process.
 #include <vtkOpenGLRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "app/cli/options/render_options.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/image/image_file.h"
+#include "filters/vtk/gl/cpu_time.h"
 #include "tests/bench/harness.h"
 #include "tests/bench/stock_renderer.h"
 
@@ -38,7 +41,34 @@ struct BenchOptions : bench::FrameOptions {
   std::string technique = "box";
   std::string pictures;
   std::string probes = "on";
+  std::string against = "stock";
+  bool noConstants = false;
+  int lamps = 0;
 };
+
+/// Point lights on a circle under the ceiling of what there is, in place of the scene's own.
+void placeLamps(Scene& scene, const Box& bounds, int lamps) {
+  scene.lights.clear();
+  const glm::dvec3 center = bounds.center(), half = 0.3 * bounds.size();
+  for (int i = 0; i < lamps; ++i) {
+    const double angle = 6.283185307179586 * (i + 0.5) / lamps;
+    Light light;
+    light.type = LightType::Point;
+    light.position = center + glm::dvec3(half.x * std::cos(angle), half.y, half.z * std::sin(angle));
+    light.intensity = 5.0f;
+    scene.lights.push_back(light);
+  }
+}
+
+OffscreenScene::Models unlit(const OffscreenScene::Models& models) {
+  OffscreenScene::Models all;
+  for (const auto& model : models) {
+    auto copy = std::make_shared<Model>(*model);
+    for (Material& material : copy->materials) material.unlit = true;
+    all.push_back(std::move(copy));
+  }
+  return all;
+}
 
 void savePictures(const std::string& folder, OffscreenScene& ours, const std::function<double(bool)>& frame) {
   frame(true);
@@ -52,11 +82,71 @@ void print(const std::string& what, double milliseconds, const std::vector<doubl
               1e3 * *std::min_element(seconds.begin(), seconds.end()));
 }
 
+void compareAndPrint(const BenchOptions& options, OffscreenScene& ours, const std::string& first,
+                     const std::string& second, const std::function<double(bool)>& frame) {
+  for (const bool drawFirst : {true, false, true, false}) frame(drawFirst);  // compiles, filters the environment
+  if (!options.pictures.empty()) savePictures(options.pictures, ours, frame);
+  const bench::Comparison result = bench::compare(
+      0, options.frames, [&] { return frame(true); }, [&] { return frame(false); });
+  ours.requireHealthy();
+  bench::printHeader(options, ours);
+  print(first, result.first, result.samples.a);
+  print(second, result.second, result.samples.b);
+  std::printf("  %s\n", result.ratioText().c_str());
+}
+
+/// As OffscreenScene::rest(), and how long a window would not answer meanwhile.
+void restAndPrint(OffscreenScene& scene) {
+  SceneRenderer& renderer = scene.renderer();
+  scene.window()->MakeCurrent();
+  const std::uint64_t programs = renderer.counters().programsCompiled;
+  renderer.foldConstants();
+  double longest = 0.0;
+  while (renderer.workPending()) {
+    const double start = processCpuSeconds();
+    renderer.step();
+    longest = std::max(longest, processCpuSeconds() - start);
+  }
+  std::printf("constants: %d programs compiled, the longest step took %.0f ms\n",
+              static_cast<int>(renderer.counters().programsCompiled - programs), 1e3 * longest);
+}
+
+/// Ours against ourselves: general programs, those without constants, or the lit scene where `ours` has no light.
+void runAgainstOurs(const CLI::App& program, const BenchOptions& options, const LoadedScene& loaded) {
+  const bool lit = options.against == "lit", general = options.against == "general";
+  OffscreenScene ours(windowSettings(program, options));
+  bench::prepare(ours, loaded.scene, lit ? unlit(loaded.models) : loaded.models);
+  OffscreenScene other{vtkSmartPointer<vtkOpenGLRenderWindow>(ours.window())};
+  other.renderer().drawGenerally(general);
+  bench::prepare(other, loaded.scene, loaded.models);
+  if (!options.noConstants) restAndPrint(ours);
+  if (!options.noConstants && lit) other.rest();
+  const char* second = lit ? "as the scene is" : general ? "general programs" : "numbers as uniforms";
+  compareAndPrint(options, ours, lit ? "no surface lit" : "programs for what is there", second, [&](bool first) {
+    bench::drawOnly(first ? ours : other, {&ours, &other});
+    return ours.timedFrame();
+  });
+}
+
 void run(const CLI::App& program, const BenchOptions& options) {
   LoadedScene loaded = loadScene(options.scene);
   chooseTechnique(loaded.scene, options.technique);
+  if (options.lamps > 0) {
+    OffscreenScene measured(windowSettings(program, options));
+    measured.show(loaded.scene, loaded.models);
+    placeLamps(loaded.scene, measured.renderer().bounds(), options.lamps);
+  }
+  if (options.against != "stock") {
+    runAgainstOurs(program, options, loaded);
+    return;
+  }
   const SkyGradient* sky = std::get_if<SkyGradient>(&loaded.scene.sky);
-  if (sky == nullptr) throw InputError(options.scene + ": sky: this benchmark wants a gradient");
+  SkyGradient even;
+  if (const auto* color = std::get_if<SkyColor>(&loaded.scene.sky)) {
+    even = {color->color, color->color, color->color};
+    sky = &even;
+  }
+  if (sky == nullptr) throw InputError(options.scene + ": sky: this benchmark wants a gradient or a colour");
   OffscreenScene ours(windowSettings(program, options));
   bench::prepare(ours, loaded.scene, loaded.models);
   const auto stock = bench::makeStockRenderer(ours.renderer().renderer(), *sky);
@@ -65,21 +155,15 @@ void run(const CLI::App& program, const BenchOptions& options) {
     ours.renderer().setProbesEnabled(false);
     stock->UseImageBasedLightingOff();
   }
+  if (!options.noConstants) restAndPrint(ours);
   ours.window()->AddRenderer(stock);
   const auto frame = [&](bool drawOurs) {
     ours.setDrawn(drawOurs);
     stock->SetDraw(drawOurs ? 0 : 1);
     return ours.timedFrame();
   };
-  for (const bool drawOurs : {true, false, true, false}) frame(drawOurs);  // compiles, filters the environment
-  if (!options.pictures.empty()) savePictures(options.pictures, ours, frame);
-  const bench::Comparison result = bench::compare(
-      0, options.frames, [&] { return frame(true); }, [&] { return frame(false); });
-  ours.requireHealthy();
-  bench::printHeader(options, ours);
-  print(off ? "probes off" : options.technique, result.first, result.samples.a);
-  print(off ? "stock, lights only" : "stock image-based lighting", result.second, result.samples.b);
-  std::printf("  %s\n", result.ratioText().c_str());
+  compareAndPrint(options, ours, off ? "probes off" : options.technique,
+                  off ? "stock, lights only" : "stock image-based lighting", frame);
   ours.window()->RemoveRenderer(stock);
 }
 
@@ -95,6 +179,14 @@ int main(int argc, char** argv) {
   program.add_option("--probes", options.probes, "off: without probes and sky, against stock VTK without them")
       ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str();
+  program
+      .add_option("--against", options.against,
+                  "general: our own programs without facts or constants; uniforms: those without constants; lit: no "
+                  "surface lit, against the same scene as it is")
+      ->check(CLI::IsMember({"stock", "general", "uniforms", "lit"}))
+      ->capture_default_str();
+  program.add_flag("--no-constants", options.noConstants, "Numbers of probes and materials stay uniforms");
+  program.add_option("--lamps", options.lamps, "That many point lights in place of the scene's lights");
   program.add_option("--pictures", options.pictures, "Folder for ours.png and stock.png, to look at");
   return bench::runProgram(program, argc, argv, [&] { run(program, options); });
 }

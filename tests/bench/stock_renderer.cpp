@@ -52,6 +52,8 @@ vtkSmartPointer<vtkTexture> skyCube(const SkyGradient& sky) {
   return cube;
 }
 
+}  // namespace
+
 vtkSmartPointer<vtkActor> stockActor(vtkActor* ours) {
   vtkNew<vtkOpenGLPolyDataMapper> mapper;
   vtkNew<vtkPolyData> data;
@@ -70,8 +72,6 @@ vtkSmartPointer<vtkActor> stockActor(vtkActor* ours) {
   actor->SetVisibility(ours->GetVisibility());
   return actor;
 }
-
-}  // namespace
 
 vtkSmartPointer<vtkOpenGLRenderer> makeStockRenderer(vtkRenderer* ours, const SkyGradient& sky, int irradianceSize) {
   auto stock = vtkSmartPointer<vtkOpenGLRenderer>::New();

@@ -5,6 +5,7 @@
 
 #include "filters/core/scene/scene.h"
 
+class vtkActor;
 class vtkOpenGLRenderer;
 class vtkRenderer;
 
@@ -12,6 +13,9 @@ namespace boxprobe::bench {
 
 /// VTK 9.1's default size of the diffuse irradiance map; 32 is enough to time frames after the first.
 constexpr int kVtkIrradianceSize = 256;
+
+/// The same geometry, property and place under VTK's own mapper.
+vtkSmartPointer<vtkActor> stockActor(vtkActor* ours);
 
 /// A copy of `ours` for the same window: its actors' geometry and properties under stock mappers, its lights and its
 /// camera, a 256² cube map of `sky` as environment and drawn as background.

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -38,7 +39,8 @@ TEST(Bench, FilesOfASmallRunAgreeWithEachOther) {
   const TemporaryFolder folder;
   const Outcome outcome = runProgram({"bench", demoScene("gallery"), "-o", folder.path("out"), "--quick",
                                       "--techniques", "infinite,footprint1,footprint8", "--roughness", "0.25,0.75",
-                                      "--camera", "main,low", "--size", "96x54", "--quiet"});
+                                      "--camera", "main,low", "--size", "96x54", "--quiet"},
+                                     DisplayKind::Unset);  // charts, too, are drawn without one
   ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(outcome.out, "");
@@ -123,6 +125,37 @@ TEST(Bench, FilesOfASmallRunAgreeWithEachOther) {
   EXPECT_THAT(readFile(folder.path("out/report.md")), HasSubstr("footprint8"));
 }
 
+/// Error of plain box projection against the ray-traced scene, of what shows `material` alone through camera main.
+double errorOf(const std::string& scene, const std::string& folder, const std::string& material,
+               const std::string& roughness) {
+  const Outcome outcome =
+      runProgram({"bench", scene, "-o", folder, "--quick", "--techniques", "box", "--roughness", roughness, "--camera",
+                  "main", "--materials", material, "--rooms", "0", "--quiet"},
+                 DisplayKind::Unset);
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  const auto report = parsed(folder + "/bench.json");
+  for (const auto& row : report["rows"]) {
+    if (row["technique"] == "box+none" && row["reference"] == "scene") return row["error"];
+  }
+  ADD_FAILURE() << folder << "/bench.json has no row of box projection against the scene";
+  return 0.0;
+}
+
+TEST(Bench, AProposedOriginBettersTheFloorMirrorAlone) {
+  const TemporaryFolder folder;
+  const Outcome fitted = runProgram(
+      {"fit", demoScene("building"), "--origin", "propose", "-o", folder.path("fitted.boxprobe.json"), "--quiet"});
+  ASSERT_EQ(fitted.exitStatus, 0) << fitted.err;
+  for (const char* roughness : {"0", "0.1"}) {
+    const double byHand = errorOf(demoScene("building"), folder.path("hand"), "mirror", roughness);
+    const double proposed = errorOf(folder.path("fitted.boxprobe.json"), folder.path("proposed"), "mirror", roughness);
+    std::printf(
+        "floor mirror of building at roughness %s: %.4f with the origin set by hand, %.4f with the proposed one\n",
+        roughness, byHand, proposed);
+    EXPECT_LT(proposed, 0.98 * byHand) << "roughness " << roughness;
+  }
+}
+
 class BenchRefusals : public ::testing::Test {
  protected:
   void expectRefused(std::vector<std::string> arguments, const std::string& mentioned) {
@@ -141,6 +174,8 @@ TEST_F(BenchRefusals, SayWhatIsWrong) {
   expectRefused({demoScene("room"), "--techniques", "mirror"}, "--techniques mirror: no such technique; there are: ");
   expectRefused({demoScene("room"), "--roughness", "0.5,2"}, "--roughness 0.5,2: expected numbers from 0 to 1");
   expectRefused({demoScene("room"), "--camera", "attic"}, "--camera attic: no camera of that name");
+  expectRefused({demoScene("building"), "--materials", "stone"},
+                "--materials stone: no reflecting material of that name; the scene has: mirror, sphere");
   expectRefused({demoScene("room"), "--size", "0x9"}, "--size 0x9");
   const std::string file = folder.write("file", "");
   const Outcome outcome = runProgram({"bench", demoScene("room"), "-o", file});

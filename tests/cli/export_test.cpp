@@ -65,6 +65,23 @@ TEST(Export, ATechniqueIsOneTextAndNeedsNoDrawing) {
   EXPECT_THAT(readFile(folder.path("room.glsl")), HasSubstr("vec4 boxprobeReflection("));
 }
 
+TEST(Export, APageNamesTheFilesBesideIt) {
+  const TemporaryFolder folder;
+  const Outcome outcome = exportRoom(folder, {"--format", "web", "--set", "probes.room.technique=\"sphere+hdrp\""});
+  ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
+  EXPECT_THAT(readFile(folder.path("out/index.html")), HasSubstr("<h1>room</h1>"));
+  const Json scene = Json::parse(readFile(folder.path("out/scene.json")));
+  EXPECT_EQ(scene["probes"][0]["technique"], "sphere+hdrp");
+  EXPECT_EQ(scene["probes"][0]["faceSize"], 32);
+  EXPECT_EQ(readFile(folder.path("out/" + scene["probes"][0]["file"].get<std::string>())).substr(1, 6), "KTX 20");
+  std::size_t indices = 0;
+  for (const Json& object : scene["objects"]) indices += object["count"].get<std::size_t>();
+  EXPECT_EQ(readFile(folder.path("out/indices.bin")).size(), 4 * indices);
+  for (const Json& technique : scene["shaders"]["techniques"]) {
+    for (const Json& piece : technique["pieces"]) EXPECT_TRUE(scene["shaders"]["texts"].contains(piece)) << piece;
+  }
+}
+
 TEST(Export, BadUsageIsOneLineAndWritesNothing) {
   const TemporaryFolder folder;
   folder.write("file", "");
@@ -74,6 +91,8 @@ TEST(Export, BadUsageIsOneLineAndWritesNothing) {
       {{"--size", "100"}, "power of two"},
       {{"--probe", "hall"}, "no such probe"},
       {{"--technique", "box"}, "--shader"},
+      {{"--format", "web", "--ladder", "three"}, "whole scene"},
+      {{"--format", "web", "--center"}, "whole scene"},
       {{"--shader", "wgsl"}, "glsl, hlsl, godot"},
       {{"--shader", "glsl", "--technique", "impostor"}, "distances"},
   };

@@ -119,5 +119,33 @@ TEST_F(GlTrouble, ADriverThatIsTooOldIsAMessage) {
   EXPECT_THAT(outcome.err, HasSubstr("OpenGL"));
 }
 
+/// What the program says where it ends with `exitStatus` and one line.
+std::string oneLine(const std::vector<std::string>& arguments, int exitStatus,
+                    DisplayKind display = DisplayKind::Inherited) {
+  const Outcome outcome = runProgram(arguments, display);
+  EXPECT_EQ(outcome.exitStatus, exitStatus) << outcome.err;
+  EXPECT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+  return outcome.err;
+}
+
+TEST_F(GlTrouble, NoDriverIsAMessageForPicturesAndWindows) {
+  const Setting none("LIBGL_DRIVERS_PATH", "/nonexistent");
+  const std::vector<std::string> render = {"render", demoScene("room"), "-o", folder.path("out.png"), "--quiet"};
+  EXPECT_THAT(oneLine(render, 1), HasSubstr("no OpenGL on display"));
+  EXPECT_THAT(oneLine({demoScene("room")}, 1), HasSubstr("libgl1-mesa-dri"));
+  EXPECT_THAT(oneLine(render, 2, DisplayKind::Unset), HasSubstr("nothing to draw with"));
+  EXPECT_THAT(folder.names(), SizeIs(0));
+}
+
+TEST_F(GlTrouble, OnWaylandAWindowTakesXOrSaysWhatToInstall) {
+  const Setting platform("QT_QPA_PLATFORM", "wayland");
+  const Setting display("WAYLAND_DISPLAY", "wayland-0");
+  EXPECT_THAT(oneLine({demoScene("room")}, 2, DisplayKind::Unset), HasSubstr("install xwayland"));
+  RunningProgram window({demoScene("room")});
+  ASSERT_TRUE(window.waitUntilHandling(SIGTERM)) << "it opens, and asks for no plugin";
+  window.send(SIGTERM);
+  EXPECT_EQ(window.finish().exitStatus, 128 + SIGTERM);
+}
+
 }  // namespace
 }  // namespace boxprobe::test

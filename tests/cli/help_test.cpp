@@ -56,6 +56,14 @@ TEST(Help, FitNamesItsOptions) {
   }
 }
 
+TEST(Help, PlaceNamesItsOptions) {
+  const Outcome outcome = help({"place", "--help"});
+  for (const char* text : {"SCENE", "--output", "--most", "--gain", "--keep", "--as", "--set", "--json", "--quiet",
+                           "Example", "boxprobe place "}) {
+    EXPECT_THAT(outcome.out, HasSubstr(text));
+  }
+}
+
 TEST(Help, Version) {
   EXPECT_THAT(help({"--version"}).out, MatchesRegex("boxprobe [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }

@@ -140,5 +140,35 @@ TEST(Info, AFrameTellsWhatItDrawsWithWhichProbes) {
   }
 }
 
+// No time is judged: that the parts are there, are of that frame, and add up to it.
+TEST(Info, TheCostsOfAFrameAddUpToIt) {
+  const std::string scene = std::string(BOXPROBE_DATA_DIR) + "/scenes/room.boxprobe.json";
+  const Outcome outcome = runProgram(
+      {"info", "--json", "--frame", "--costs", "--size", "64x48", "--set", "probes.room.faceSize=16", scene});
+  ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
+  const json costs = json::parse(outcome.out)["frame"]["costs"];
+  EXPECT_GT(costs["frame"]["milliseconds"], 0.0);
+  EXPECT_EQ(costs["frame"]["share"], 1.0);
+  std::vector<std::string> parts;
+  for (const json& part : costs["parts"]) {
+    parts.push_back(part["part"]);
+    EXPECT_LE(part["low"], part["milliseconds"]) << part;
+    EXPECT_LE(part["milliseconds"], part["high"]) << part;
+  }
+  EXPECT_EQ(parts, (std::vector<std::string>{"reflection", "light loop", "material", "output", "other shading",
+                                             "pixels", "vertices", "sky", "window"}));
+  std::size_t objects = 0;
+  for (const json& program : costs["programs"]) objects += program["objects"].size();
+  EXPECT_EQ(objects, costs["objects"].size());
+  EXPECT_GT(objects, 3u);
+}
+
+TEST(Info, CostsAreOfAFrame) {
+  const std::string scene = std::string(BOXPROBE_DATA_DIR) + "/scenes/room.boxprobe.json";
+  const Outcome outcome = runProgram({"info", "--costs", scene}, DisplayKind::Unset);
+  EXPECT_EQ(outcome.exitStatus, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--frame"));
+}
+
 }  // namespace
 }  // namespace boxprobe::test

@@ -55,8 +55,98 @@ TEST(LessonsCommand, DrawsAPageThatNeedsNothingBesideIt) {
   const std::string page = readFile(folder.path("page.html"));
   EXPECT_THAT(page, HasSubstr("data:image/jpeg;base64,"));
   EXPECT_THAT(page, HasSubstr("<math"));
+  EXPECT_THAT(page, HasSubstr("<mi>P</mi></mrow></math></th><td>the point that is shaded</td>"));
   EXPECT_THAT(page, Not(HasSubstr("does not hold")));
   EXPECT_THAT(page, EndsWith("</html>\n"));
+}
+
+TEST(LessonsCommand, APageHasThePlanAndTheRoomThatItsFolderAsksFor) {
+  const TemporaryFolder folder;
+  folder.write("1-one.lesson.json", R"({"format": "boxprobe-lesson", "version": 1, "title": "T", "chapter": "C",
+    "summary": "S", "scene": ")" + demoScene("room") +
+                                        R"(", "steps": [{"title": "t", "say": "s", "camera": "A"}], "claims": []})");
+  const auto page = [&](const std::string& widgets) {
+    folder.write("page.json", R"({"format": "boxprobe-lesson-page", "version": 1, )" + widgets + "}");
+    return runProgram({"lessons", "one", "-o", folder.path("page.html"), "--folder", folder.path("")});
+  };
+  const Outcome outcome = page(R"("plans": {"one": [0.62, 0.78]}, "rooms": ["one", "two"])");
+  ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("two: there is no such lesson"));
+  const std::string text = readFile(folder.path("page.html"));
+  EXPECT_THAT(text, AllOf(HasSubstr("data-plan=\""), HasSubstr("<svg"), HasSubstr("data-scene=\"scene-0\""),
+                          HasSubstr("data:image/ktx2;base64,")));
+  for (const char* widgets : {R"("plans": {"one": [0.62]})", R"("plans": {"one": [2, 0]})", R"("walls": 1)"}) {
+    const Outcome refused = page(widgets);
+    EXPECT_EQ(refused.exitStatus, 2) << widgets;
+    EXPECT_EQ(refused.errLines().size(), 1u) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("page.json"));
+  }
+}
+
+TEST(LessonsCommand, ASheetNeedsNoDisplayAndIsTheSame) {
+  const TemporaryFolder folder;
+  const auto sheet = [&](const std::string& name, DisplayKind display) {
+    const Outcome outcome = runProgram({"lessons", "three-distances", "-o", folder.path(name), "--quiet"}, display);
+    EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+    return readFile(folder.path(name));
+  };
+  const std::string without = sheet("without.png", DisplayKind::Unset);
+  EXPECT_GT(without.size(), 10000u);
+  EXPECT_TRUE(without == sheet("with.png", DisplayKind::Inherited));
+}
+
+TEST(LessonsCommand, ExercisesStandInThePageFoldedAndAreHeldToTheirMeasure) {
+  const TemporaryFolder folder;
+  const auto page = [&](const std::string& limit) {
+    folder.write("1-one.lesson.json",
+                 R"({"format": "boxprobe-lesson", "version": 1, "title": "T", "chapter": "C",
+      "summary": "S", "scene": ")" +
+                     demoScene("six-faces") +
+                     R"(", "steps": [{"title": "t", "say": "s"}], "exercises": [{"ask": "How bright is it?",
+      "solution": "Bright & so on.", "formula": "P", "measure": {"kind": "mean", "step": 1}, )" +
+                     limit + "}]}");
+    return runProgram({"lessons", "one", "-o", folder.path("page.html"), "--folder", folder.path("")});
+  };
+  EXPECT_EQ(page(R"("above": 0)").exitStatus, 0);
+  const std::string text = readFile(folder.path("page.html"));
+  EXPECT_THAT(text, HasSubstr("<details><summary>Solution</summary><p>Bright &amp; so on.</p>"));
+  EXPECT_THAT(text, HasSubstr("<h2>Solutions</h2>"));
+  EXPECT_EQ(page(R"("below": 0)").exitStatus, 1);
+  EXPECT_THAT(readFile(folder.path("page.html")), HasSubstr("does not hold"));
+}
+
+TEST(LessonsCommand, LoopsNeedTheirEncoderAndAnEntryInThePage) {
+  const TemporaryFolder folder;
+  folder.write("1-one.lesson.json", R"({"format": "boxprobe-lesson", "version": 1, "title": "T", "chapter": "C",
+    "summary": "S", "scene": ")" + demoScene("room") +
+                                        R"(", "steps": [{"title": "t", "say": "s", "camera": "A"}]})");
+  const auto loops = [&](const std::string& entry) {
+    folder.write("page.json", R"({"format": "boxprobe-lesson-page", "version": 1, "loops": [)" + entry + "]}");
+    return runProgram({"lessons", "--loops", folder.path("out"), "--folder", folder.path("")});
+  };
+  const std::string good = R"("name": "l", "lesson": "one", "labels": ["a"], "say": "s", "seconds": 1, )";
+  const std::string moved = R"("from": {"probes.room.origin": [0, 1, 0]}, "to": {"probes.room.origin": [1, 1, 0]}})";
+  for (const auto& [entry, said] : std::vector<std::pair<std::string, std::string>>{
+           {"{" + good + R"("steps": [1], "from": {"probes.room.origin": [0, 1]}, "to": {"probes.room.origin": [1]}})",
+            "from.probes.room.origin"},
+           {"{" + good + R"("steps": [0], )" + moved, "steps"},
+           {R"({"name": "../l", "lesson": "one", "labels": ["a"], "say": "s", "steps": [1], )" + moved, "name"},
+           {"", "no loop"}}) {
+    const Outcome refused = loops(entry);
+    EXPECT_EQ(refused.exitStatus, 2) << entry;
+    EXPECT_EQ(refused.errLines().size(), 1u) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(said));
+  }
+  const Outcome outcome = loops("{" + good + R"("steps": [1], )" + moved);
+  if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0) {
+    EXPECT_EQ(outcome.exitStatus, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("apt-get install ffmpeg"));
+    return;
+  }
+  ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
+  const std::string film = readFile(folder.path("out/l.webm"));
+  EXPECT_THAT(film, StartsWith("\x1a\x45\xdf\xa3"));  // EBML
+  EXPECT_LE(film.size(), 1000000u);
 }
 
 TEST(LessonsCommand, AFalseClaimIsAFailure) {

@@ -84,6 +84,11 @@ bool RunningProgram::waitUntilHandling(int signal) const {
   return false;
 }
 
+bool RunningProgram::ended() const {
+  siginfo_t info = {};
+  return waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
+}
+
 void RunningProgram::send(int signal) const {
   kill(pid_, signal);
 }

@@ -32,6 +32,8 @@ class RunningProgram {
 
   /// Waits until the program handles `signal` itself; false if it ended or 60 s passed first.
   bool waitUntilHandling(int signal) const;
+  /// True once it has ended, before finish() as well.
+  bool ended() const;
   void send(int signal) const;
   Outcome finish();  ///< waits for the end
 

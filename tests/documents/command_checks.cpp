@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::set<std::string> kSubcommands = {"render", "explain", "info",   "bake",   "bench",
-                                            "stress", "lessons", "export", "import", "fit"};
+const std::set<std::string> kSubcommands = {"render",  "explain", "info",   "bake", "bench", "stress",
+                                            "lessons", "export",  "import", "fit",  "place"};
 
 std::string joined(std::initializer_list<std::string_view> parts) {
   std::string text;
@@ -190,6 +190,12 @@ std::vector<std::string> CommandChecks::builtProblems(const Command& command) co
 }
 
 bool CommandChecks::builds(const std::string& target) const {
+  // What is built beside programs: the site, the Python module.
+  for (const char* list : {"app/site/CMakeLists.txt", "filters/vtk/python/CMakeLists.txt"}) {
+    const std::string text = readFile(root_ + "/" + list);
+    if (text.find("add_custom_target(" + target + "\n") != std::string::npos) return true;
+    if (text.find("pybind11_add_module(" + target + " ") != std::string::npos) return true;
+  }
   return std::any_of(programs_.begin(), programs_.end(),
                      [&](const BuiltProgram& program) { return fs::path(program.path).filename() == target; });
 }
@@ -228,8 +234,12 @@ std::vector<std::string> CommandChecks::cmakeProblems(const Command& command) co
   bool known = false;
   std::vector<std::string> problems;
   for (std::size_t i = 0; i + 1 < command.arguments.size(); ++i) {
-    const std::string& value = command.arguments[i + 1];
-    if (command.arguments[i] == "--preset") {
+    // What is installed is a preset's build folder.
+    const bool install = command.arguments[i] == "--install";
+    const std::string value = install && command.arguments[i + 1].rfind("build/", 0) == 0
+                                  ? fs::path(command.arguments[i + 1]).filename().string()
+                                  : command.arguments[i + 1];
+    if (install || command.arguments[i] == "--preset") {
       for (const auto& preset : presets.at(kind)) known |= preset.at("name") == value;
     }
     if (command.arguments[i] == "-R" && !builds(value)) {

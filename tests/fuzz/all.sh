@@ -1,6 +1,7 @@
 #!/bin/sh
-# All fuzzers one after the other, and a table: inputs tried, findings, peak memory, the slowest input.
-#   tests/fuzz/all.sh MINUTES [build/release/fuzz/tests/fuzz] [FOLDER with further inputs, one folder a kind]
+# All fuzzers, and a table: inputs tried, findings, peak memory, the slowest input.
+#   [AT_ONCE=1] [SEED=0] tests/fuzz/all.sh MINUTES [build/release/fuzz/tests/fuzz] [FOLDER with further inputs, one folder a kind]
+# One after the other, or AT_ONCE of them at a time. SEED starts libFuzzer's random numbers; 0 takes the clock.
 # HDR, EXR and baked files have one fuzzer, run three times, each from its own inputs. What is found lies in ./found.
 set -eu
 minutes=${1:?MINUTES}
@@ -8,16 +9,14 @@ programs=${2:-build/release/fuzz/tests/fuzz}
 more=${3:-}
 source=$(cd "$(dirname "$0")" && pwd)
 mkdir -p found
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-echo "| reader | inputs | findings | peak MB | slowest s |"
-echo "|---|---|---|---|---|"
-for reader in scene lesson glTF=model PLY=ply STL=stl OBJ=obj VTP=vtp HDR=cube:.hdr EXR=cube:.exr baked=cube:baked; do
-  name=${reader%%=*}
-  kind=${reader#*=}
+
+# READER=KIND[:WHICH INPUTS] FOLDER: leaves its row in FOLDER/row
+run() {
+  name=${1%%=*}
+  kind=${1#*=}
   part=${kind#*:}
   kind=${kind%%:*}
-  mkdir -p "$work/new" "$work/start"
+  mkdir -p "$2/new" "$2/start"
   for folder in "$source/corpus/$kind" "$source/regressions/$kind" "$more/$kind"; do
     [ -d "$folder" ] || continue
     for file in "$folder"/*; do
@@ -26,15 +25,27 @@ for reader in scene lesson glTF=model PLY=ply STL=stl OBJ=obj VTP=vtp HDR=cube:.
         .exr) case $file in *baked* | *.hdr) continue ;; esac ;;
         baked) case $file in *baked*) ;; *) continue ;; esac ;;
       esac
-      cp "$file" "$work/start/"
+      cp "$file" "$2/start/"
     done
   done
-  log=$work/log
   status=0
-  nice -n 19 "$programs/fuzz_$kind" -max_total_time=$((minutes * 60)) -timeout=10 -rss_limit_mb=2048 -max_len=16384 \
-    -print_final_stats=1 -dict="$source/$kind.dict" -artifact_prefix="found/$name-" "$work/new" "$work/start" \
-    >"$log" 2>&1 || status=$?
-  stat() { sed -n "s/^stat::$1: *//p" "$log"; }
-  echo "| $name | $(stat number_of_executed_units) | $([ $status = 0 ] && echo 0 || echo "1 (status $status)") | $(stat peak_rss_mb) | $(stat slowest_unit_time_sec) |"
-  rm -rf "$work/new" "$work/start"
-done
+  TMPDIR=$2 nice -n 19 "$programs/fuzz_$kind" -max_total_time=$((minutes * 60)) -timeout=10 -rss_limit_mb=2048 -max_len=16384 \
+    -seed="${SEED:-0}" -print_final_stats=1 -dict="$source/$kind.dict" -artifact_prefix="found/$name-" "$2/new" "$2/start" \
+    >"$2/log" 2>&1 || status=$?
+  stat() { sed -n "s/^stat::$1: *//p" "$2/log"; }
+  echo "| $name | $(stat number_of_executed_units "$2") | $([ $status = 0 ] && echo 0 || echo "1 (status $status)") | $(stat peak_rss_mb "$2") |" \
+    "$(stat slowest_unit_time_sec "$2") |" >"$2/row"
+}
+
+if [ "${READER:-}" ]; then
+  run "$READER" "$WORK/${READER%%=*}"
+  exit
+fi
+export WORK
+WORK=$(mktemp -d)
+trap 'rm -rf "$WORK"' EXIT
+readers="scene lesson glTF=model PLY=ply STL=stl OBJ=obj VTP=vtp HDR=cube:.hdr EXR=cube:.exr baked=cube:baked engine"
+printf '%s\n' $readers | xargs -P "${AT_ONCE:-1}" -I '{}' env READER='{}' "$0" "$@"
+echo "| reader | inputs | findings | peak MB | slowest s |"
+echo "|---|---|---|---|---|"
+for reader in $readers; do cat "$WORK/${reader%%=*}/row"; done

@@ -64,7 +64,7 @@ void checkCube(const std::string& path, CubeLayout layout, int faceSize) {
 }
 
 void checkBaked(const ScratchFile& scratch, const std::string& path, bool roundTrip) {
-  const bool claimsToBe = bakedProbeHash(path).has_value();
+  const bool claimsToBe = bakedProbeMark(path).has_value();
   accepted([&] {
     const BakedProbeFile file = loadBakedProbe(path);
     promise(claimsToBe, "a baked probe is read that has no hash");

@@ -43,9 +43,10 @@ TEST_P(KeptInputs, TheCorpusIsReadOrRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Readers, KeptInputs,
                          ::testing::Values(Kind{"scene", &fuzz::parseSceneText}, Kind{"cube", &fuzz::parseCubeFile},
-                                           Kind{"model", &fuzz::parseModelFile}, Kind{"lesson", &fuzz::parseLessonText},
-                                           Kind{"obj", &fuzz::parseObjFile}, Kind{"ply", &fuzz::parsePlyFile},
-                                           Kind{"stl", &fuzz::parseStlFile}, Kind{"vtp", &fuzz::parseVtpFile}),
+                                           Kind{"engine", &fuzz::parseEngineText}, Kind{"model", &fuzz::parseModelFile},
+                                           Kind{"lesson", &fuzz::parseLessonText}, Kind{"obj", &fuzz::parseObjFile},
+                                           Kind{"ply", &fuzz::parsePlyFile}, Kind{"stl", &fuzz::parseStlFile},
+                                           Kind{"vtp", &fuzz::parseVtpFile}),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
 }  // namespace

@@ -14,6 +14,8 @@ namespace boxprobe::fuzz {
 void parseSceneText(const std::string& bytes);
 /// EXR and Radiance HDR: as a picture, as a cube of every layout, as a baked probe.
 void parseCubeFile(const std::string& bytes);
+/// Scenes of Unity and Godot, for their probes.
+void parseEngineText(const std::string& bytes);
 /// Lessons with their texts in them: each step can run, or the lesson is refused.
 void parseLessonText(const std::string& bytes);
 /// Models that are not glTF, each with its own extension.

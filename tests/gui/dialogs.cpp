@@ -46,6 +46,18 @@ std::shared_ptr<SeenDialog> answerMessageBox(QMessageBox::StandardButton button)
   return seen;
 }
 
+std::shared_ptr<SeenDialog> answerMessageBox(const QString& button) {
+  auto seen = std::make_shared<SeenDialog>();
+  whenShown<QMessageBox>([seen, button](QMessageBox* box) {
+    seen->text = box->text();
+    for (QAbstractButton* each : box->buttons()) {
+      if (QString(each->text()).remove('&').startsWith(button)) return QTest::mouseClick(each, Qt::LeftButton);
+    }
+    box->reject();
+  });
+  return seen;
+}
+
 std::shared_ptr<SeenDialog> answerFileDialog(const QString& path) {
   auto seen = std::make_shared<SeenDialog>();
   whenShown<QFileDialog>([seen, path](QFileDialog* dialog) {

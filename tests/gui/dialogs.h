@@ -16,6 +16,9 @@ struct SeenDialog {
 /// For the next message box: presses `button`.
 std::shared_ptr<SeenDialog> answerMessageBox(QMessageBox::StandardButton button);
 
+/// The same for the button whose text begins so, without its mnemonic.
+std::shared_ptr<SeenDialog> answerMessageBox(const QString& button);
+
 /// For the next file dialog: types `path` and accepts.
 std::shared_ptr<SeenDialog> answerFileDialog(const QString& path);
 

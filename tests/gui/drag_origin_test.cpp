@@ -66,12 +66,19 @@ TEST_F(DragOriginTest, MovesParallelToTheScreen) {
   EXPECT_LT(std::hypot(originPixel().x() - to.x(), originPixel().y() - to.y()), 0.5);
 }
 
-TEST_F(DragOriginTest, ShiftMovesUpAndDownOnly) {
-  const glm::dvec3 before = probe().origin;
-  drag(originPixel(), originPixel() + QPointF(30, -60), Qt::ShiftModifier);
-  EXPECT_EQ(probe().origin.x, before.x);
-  EXPECT_EQ(probe().origin.z, before.z);
-  EXPECT_GT(probe().origin.y, before.y + 0.1);
+TEST_F(DragOriginTest, ShiftMovesATenthAsFar) {
+  const QPointF from = originPixel();
+  drag(from, from + QPointF(100, -60), Qt::ShiftModifier);
+  EXPECT_NEAR(originPixel().x() - from.x(), 10.0, 0.5);
+  EXPECT_NEAR(originPixel().y() - from.y(), -6.0, 0.5);
+}
+
+TEST_F(DragOriginTest, CtrlPutsItOnTheGrid) {
+  drag(originPixel(), originPixel() + QPointF(37, -23), Qt::ControlModifier);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double steps = probe().origin[axis] / 0.1;
+    EXPECT_NEAR(steps, std::round(steps), 1e-9) << axis;
+  }
 }
 
 TEST_F(DragOriginTest, AHeldLetterMovesAlongThatAxisOnly) {

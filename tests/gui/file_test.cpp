@@ -3,7 +3,10 @@
 
 #include <QDropEvent>
 #include <QFile>
+#include <QFileInfo>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -11,7 +14,9 @@
 
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/model_fitter.h"
+#include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_file.h"
+#include "filters/vtk/scene_renderer.h"
 #include "tests/gui/dialogs.h"
 #include "tests/gui/window_test.h"
 
@@ -185,6 +190,53 @@ TEST_F(FileTest, ClosingWithChangesAsks) {
 
 TEST_F(FileTest, ClosingWithoutChangesDoesNotAsk) {
   EXPECT_TRUE(window_->close());
+}
+
+TEST_F(FileTest, ADroppedPictureIsTheSkyAndABrokenOneChangesNothing) {
+  ImageRgbaF picture{8, 4, std::vector<float>(8 * 4 * 4, 0.5F)};
+  const QString good = inFolder("sky.exr"), bad = inFolder("bad.hdr");
+  saveExr(good.toStdString(), picture);
+  QFile file(bad);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("this is none");
+  file.close();
+  const Scene before = document().scene();
+  const auto seen = answerMessageBox(QMessageBox::Ok);
+  drop(bad);
+  EXPECT_FALSE(seen->text.isEmpty());
+  EXPECT_TRUE(document().scene() == before);
+  drop(good);
+  const auto* sky = std::get_if<SkyImage>(&document().scene().sky);
+  ASSERT_NE(sky, nullptr);
+  EXPECT_EQ(QString::fromStdString(sky->file), QFileInfo(good).absoluteFilePath());
+  EXPECT_EQ(document().undoLabel(), "Sky from sky.exr");
+  document().undo();
+  EXPECT_TRUE(document().scene() == before);
+}
+
+TEST_F(FileTest, AFileThatChangesOnDiskIsReadAgainUnlessThereAreChanges) {
+  const QString path = inFolder("mine.boxprobe.json");
+  const auto dialog = answerFileDialog(path);
+  key(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(QFile::exists(path));
+  const auto writeOther = [&](double x) {
+    Scene other = loadSceneFile(path.toStdString());
+    other.probes.front().box.max.x = x;
+    QTest::qWait(20);  // a later time of the file
+    saveSceneFile(other, path.toStdString());
+  };
+  key(Qt::Key_P);
+  const Camera view = window_->renderer().currentCamera();
+  writeOther(1.25);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return probe().box.max.x == 1.25; }, 20000)) << "read again";
+  EXPECT_FALSE(window_->isWindowModified());
+  EXPECT_NEAR(window_->renderer().currentCamera().position.y, view.position.y, 1e-9) << "the view stays";
+  edit();
+  writeOther(0.5);
+  EXPECT_TRUE(
+      QTest::qWaitFor([this] { return window_->statusBar()->currentMessage().contains("changed on disk"); }, 20000));
+  EXPECT_EQ(probe().box.max.x, 3.0) << "one's own changes stay";
+  document().undo();
 }
 
 }  // namespace

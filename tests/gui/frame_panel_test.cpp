@@ -9,8 +9,10 @@
 #include <QTest>
 #include <QTreeWidget>
 #include <cstdlib>
+#include <set>
 
 #include "app/gui/widgets/quiet_combo.h"
+#include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {
@@ -43,6 +45,28 @@ class FramePanelTest : public WindowTest {
   QDockWidget* dock_ = nullptr;
   QTreeWidget* tree_ = nullptr;
 };
+
+// Afterwards the picture is whole again.
+TEST_F(FramePanelTest, CostsAreMeasuredOnAButton) {
+  const QImage before = shownPicture(window_->viewport());
+  window_->findChild<QPushButton*>("measureCosts")->click();
+  QTreeWidgetItem* costs = section("Costs of the frame");
+  ASSERT_NE(costs, nullptr);
+  for (const char* part : {"reflection", "light loop", "output", "window"})
+    EXPECT_NE(find(costs, part), nullptr) << part;
+  // Which objects are among the sixteen that are measured one by one is up to their programs.
+  const QTreeWidgetItem* objects = section("Costs of objects' pixels");
+  ASSERT_NE(objects, nullptr);
+  EXPECT_EQ(objects->childCount(), 16);
+  std::set<QString> nodes;
+  for (const auto& object : window_->models().front()->instances) nodes.insert(QString::fromStdString(object.node));
+  for (int i = 0; i < objects->childCount(); ++i) {
+    EXPECT_EQ(nodes.erase(objects->child(i)->text(0)), 1u)
+        << "a name of the model, once: " << objects->child(i)->text(0).toStdString();
+  }
+  waitUntilIdle();
+  EXPECT_EQ(differingShare(shownPicture(window_->viewport()), before, 1), 0.0);
+}
 
 TEST_F(FramePanelTest, CountsAreThePictures) {
   QTreeWidgetItem* draws = section("Draws");

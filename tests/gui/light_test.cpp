@@ -2,8 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QMenu>
+#include <QPushButton>
+#include <QTest>
+#include <glm/geometric.hpp>
 
+#include "app/gui/panels/light_panel.h"
 #include "app/gui/widgets/value_field.h"
+#include "filters/vtk/scene_renderer.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"
 
@@ -36,6 +42,30 @@ TEST_F(LightTest, ShadowsAreAChoiceAndTheirSoftnessAField) {
   waitUntilIdle();
   EXPECT_EQ(document().scene().lights[0].shadows, LightShadows::None);
   EXPECT_EQ(counters().drawsWithCoverage, 0u);
+}
+
+TEST_F(LightTest, LightsAreAddedColouredAimedAndDeleted) {
+  const std::size_t count = document().scene().lights.size();
+  auto* panel = window_->findChild<LightPanel*>();
+  QMenu* kinds = window_->findChild<QPushButton*>("addLight")->menu();
+  kinds->actions().at(2)->trigger();
+  ASSERT_EQ(document().scene().lights.size(), count + 1);
+  const Camera camera = window_->renderer().currentCamera();
+  const auto light = [&] { return document().scene().lights.back(); };
+  EXPECT_EQ(light().type, LightType::Spot);
+  EXPECT_EQ(light().position, camera.position);
+  EXPECT_NEAR(glm::length(light().direction - glm::normalize(camera.target - camera.position)), 0.0, 1e-12);
+  EXPECT_EQ(window_->findChild<QComboBox*>("light")->currentIndex(), static_cast<int>(count))
+      << "it is the one on show";
+  panel->setColor(QColor(255, 0, 0));
+  EXPECT_EQ(light().color, glm::vec3(1.0F, 0.0F, 0.0F));
+  key(Qt::Key_2, Qt::ControlModifier);
+  QTest::mouseClick(window_->findChild<QPushButton*>("aimLight"), Qt::LeftButton);
+  EXPECT_EQ(light().position, window_->renderer().currentCamera().position);
+  QTest::mouseClick(window_->findChild<QPushButton*>("deleteLight"), Qt::LeftButton);
+  EXPECT_EQ(document().scene().lights.size(), count);
+  for (int i = 0; i < 4; ++i) document().undo();
+  EXPECT_FALSE(document().canUndo());
 }
 
 TEST_F(LightTest, TheSkyIsTurnedInOneStep) {

@@ -11,9 +11,11 @@ int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   boxprobe::setSurfaceFormat();
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  // Preferences of this run alone: several run at once.
-  const QTemporaryDir own;
-  for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) qputenv(place, own.path().toUtf8());
+  // Preferences of this run alone: several run at once. A test's own child shares them.
+  QTemporaryDir own;
+  if (qEnvironmentVariableIsSet("BOXPROBE_TEST_PREFERENCES")) own.remove();
+  const QString folder = qEnvironmentVariable("BOXPROBE_TEST_PREFERENCES", own.path());
+  for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) qputenv(place, folder.toUtf8());
   QApplication application(argc, argv);
   boxprobe::applyWindowStyle(application);
   const int result = RUN_ALL_TESTS();

@@ -3,14 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QClipboard>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QStatusBar>
 #include <QTest>
 #include <QToolButton>
 
+#include "app/gui/handles/handle_drag.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/window/probe_clipboard.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/window_test.h"
 
@@ -59,16 +63,62 @@ TEST_F(ProbeListTest, AddFitsAProbeToTheSceneWhereTheCameraLooks) {
   EXPECT_FALSE(document().canUndo());
 }
 
-TEST_F(ProbeListTest, DuplicateCopiesEverythingButTheName) {
+TEST_F(ProbeListTest, DuplicateCopiesEverythingButTheNameALittleAside) {
   click("Duplicate");
   ASSERT_EQ(count(), 2u);
   Probe copy = probe(1);
   EXPECT_EQ(copy.name, "room 2");
   copy.name = "room";
-  EXPECT_TRUE(copy == probe(0));
+  const double aside = 0.1 * probe(0).box.size().x;
+  EXPECT_NEAR(copy.origin.x - probe(0).origin.x, aside, 1e-12);
+  EXPECT_TRUE(movedProbe(probe(0), copy.origin - probe(0).origin) == copy);
   EXPECT_EQ(document().selectedProbe(), 1u);
-  document().undo();
+  key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(count(), 1u);
+  EXPECT_EQ(document().selectedProbe(), 0u) << "something stays selected";
+  key(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(count(), 2u);
+  EXPECT_EQ(document().selectedProbe(), 1u) << "what comes back is selected";
+}
+
+TEST_F(ProbeListTest, CopyAndPasteGoThroughTheTextOfASceneFile) {
+  window_->viewport().setFocus();
+  key(Qt::Key_C, Qt::ControlModifier);
+  const std::string text = QApplication::clipboard()->text().toStdString();
+  ASSERT_EQ(probesFromText(text).size(), 1u);
+  EXPECT_TRUE(probesFromText(text).front() == probe(0));
+  key(Qt::Key_V, Qt::ControlModifier);
+  ASSERT_EQ(count(), 2u);
+  EXPECT_EQ(probe(1).name, "room 2");
+  EXPECT_GT(probe(1).box.min.x, probe(0).box.min.x) << "not exactly on what it was copied from";
+  EXPECT_EQ(document().selectedProbe(), 1u);
+  EXPECT_EQ(document().undoLabel(), "Paste room 2");
+  document().undo();
+  // One probe alone, and a list, as they stand in a file.
+  const std::string one = R"({"name": "hall", "origin": [0, 1, 0], "box": {"min": [-1, 0, -1], "max": [1, 2, 1]}})";
+  for (const std::string& pasted : {one, "[" + one + "]", "{\"probes\": [" + one + "]}"}) {
+    EXPECT_EQ(probesFromText(pasted).front().name, "hall") << pasted;
+  }
+}
+
+TEST_F(ProbeListTest, PastedTextThatIsNoProbeIsOneLineAndChangesNothing) {
+  const Scene before = document().scene();
+  window_->viewport().setFocus();
+  const std::string wrong[] = {
+      "",       "Dear colleague,",
+      "[1, 2]", "{}",
+      "[]",     R"([{"name": "x", "origin": [0, 1, 0], "box": {"min": [3, 0, 0], "max": [1, 1, 1]}}])"};
+  for (const std::string& text : wrong) {
+    SCOPED_TRACE(text);
+    window_->statusBar()->clearMessage();
+    QApplication::clipboard()->setText(QString::fromStdString(text));
+    key(Qt::Key_V, Qt::ControlModifier);
+    EXPECT_TRUE(document().scene() == before);
+    const QString said = window_->statusBar()->currentMessage();
+    EXPECT_TRUE(said.startsWith("No probe to paste: ")) << said.toStdString();
+    EXPECT_FALSE(said.contains('\n'));
+  }
+  EXPECT_FALSE(document().canUndo());
 }
 
 TEST_F(ProbeListTest, DeleteTakesTheSelectedOneAndUndoBringsItBack) {

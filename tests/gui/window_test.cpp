@@ -2,6 +2,7 @@
 #include "tests/gui/window_test.h"
 
 #include <QApplication>
+#include <QScrollArea>
 #include <QTest>
 #include <QWindow>
 
@@ -91,6 +92,11 @@ void WindowTest::drag(const QPointF& from, const QPointF& to, Qt::KeyboardModifi
 }
 
 void WindowTest::dragOver(QWidget* widget, const QPointF& from, const QPointF& to, int steps) {
+  // As a user does who has to scroll to it first.
+  for (QWidget* above = widget->parentWidget(); above != nullptr; above = above->parentWidget()) {
+    if (auto* scroll = qobject_cast<QScrollArea*>(above)) scroll->ensureWidgetVisible(widget);
+  }
+  QCoreApplication::processEvents();
   buttons_.setFlag(Qt::LeftButton, true);
   mouse(QEvent::MouseButtonPress, widget, from, Qt::LeftButton, {});
   for (int i = 1; i <= steps; ++i) mouse(QEvent::MouseMove, widget, from + (to - from) * i / steps, Qt::NoButton, {});

@@ -6,6 +6,7 @@
 #include <vtkRenderer.h>
 
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 
 #include "filters/math/cube/spherical_harmonics.h"
@@ -202,6 +203,37 @@ TEST(Capture, DraggingABoxLeavesTheImpostorsBlocks) {
   picture.renderer->finishWork();
   picture.display();
   EXPECT_NE(latest(), before);
+}
+
+// Blocks of distances are bounded when rays are first followed through them, once per capture; a drag does nothing of
+// it.
+TEST(Capture, DistancesAreBoundedWhenRaysAreFollowed) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/furnished.boxprobe.json", 64, 36);
+  const auto bounded = [&picture] { return picture.renderer->counters().reliefsBounded; };
+  const auto change = [&picture](const std::function<void(Probe&)>& edit) {
+    const Scene last = picture.scene;
+    edit(picture.scene.probes[0]);
+    picture.renderer->sync(picture.scene, difference(last, picture.scene));
+    picture.renderer->finishWork();
+    return picture.display();
+  };
+  picture.scene.probes[0].technique = "impostor";
+  picture.scene.probes[0].faceSize = 64;
+  picture.scene.probes[0].bounces = 1;
+  picture.show(cameraNamed(picture.scene, "main"));
+  const auto refined = picture.display();
+  EXPECT_EQ(bounded(), 0u) << "three steps need no blocks";
+  const auto marched = change([](Probe& probe) { probe.parameters = {{"steps", 16.0}}; });
+  EXPECT_EQ(bounded(), 1u);
+  EXPECT_NE(marched.pixels, refined.pixels);
+  const Counters counted = picture.renderer->counters();
+  change([](Probe& probe) { probe.parameters = {{"steps", 24.0}}; });
+  for (int i = 0; i < 3; ++i) change([](Probe& probe) { probe.box.max.x -= 0.1; });
+  EXPECT_EQ(picture.renderer->counters().programsCompiled, counted.programsCompiled);
+  EXPECT_EQ(picture.renderer->counters().facesCaptured, counted.facesCaptured);
+  EXPECT_EQ(bounded(), 1u);
+  change([](Probe& probe) { probe.origin.x += 0.3; });
+  EXPECT_EQ(bounded(), 2u) << "another capture, other distances";
 }
 
 TEST(Capture, AnUndoBetweenBouncesBringsTheEarlierPictureBack) {

@@ -240,7 +240,7 @@ TEST(Explain, AgreesWhileABoxIsTurnedAgainstItsMaps) {
   constexpr int kWidth = 160, kHeight = 90;
   std::vector<glm::ivec2> pixels;
   for (int i = 0; i < 2000; ++i) pixels.emplace_back((i * 37) % kWidth, (i * 53) % kHeight);
-  for (const char* technique : {"box+none", "impostor+raytraced"}) {
+  for (const char* technique : {"box+none", "impostor+raytraced", "impostor+footprint4"}) {
     for (const auto& [before, after] : {std::pair(30.0, 50.0), std::pair(20.0, 0.0)}) {
       Scene scene = fileScene("room");
       scene.materials["floor"].roughness = 0.3f;
@@ -249,6 +249,7 @@ TEST(Explain, AgreesWhileABoxIsTurnedAgainstItsMaps) {
       if (std::string(technique) == "impostor+raytraced") {
         scene.probes[0].parameters = {{"sampling", std::string("luminance")}, {"samples", 8.0}};
       }
+      if (std::string(technique) == "impostor+footprint4") scene.probes[0].parameters = {{"steps", 16.0}};
       ScenePicture picture(scene, kWidth, kHeight);
       picture.show(picture.scene.cameras.front());
       picture.scene.probes[0].rotationDegrees.y = after;

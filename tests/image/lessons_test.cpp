@@ -2,6 +2,8 @@
 // it and what does not. One test a lesson.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "app/lessons/lesson_player.h"
@@ -39,6 +41,11 @@ TEST_P(Claims, Hold) {
     std::printf("  %s %.4g, limit %.4g\n", claim.say.c_str(), result.value, result.limit);
     EXPECT_TRUE(result.holds) << claim.say << ": " << result.value << " against " << result.limit;
   }
+  for (const LessonExercise& exercise : lesson.exercises) {
+    if (!exercise.condition) continue;
+    const ClaimResult result = player().check(*exercise.condition);
+    EXPECT_TRUE(result.holds) << exercise.ask << ": " << result.value << " against " << result.limit;
+  }
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     if (!lesson.steps[i].task) continue;
     const LessonTask& task = *lesson.steps[i].task;
@@ -62,6 +69,38 @@ INSTANTIATE_TEST_SUITE_P(Lessons, Claims, testing::ValuesIn(names()), [](const a
 TEST(Lessons, AllCanBeRead) {
   for (const std::string& error : allLessons().errors) ADD_FAILURE() << error;
   EXPECT_GE(allLessons().lessons.size(), 28u);
+}
+
+// What a curve is drawn from is what the same measures give, value by value.
+TEST(Lessons, ACurveIsMeasuredAtEachValue) {
+  const Lesson& lesson = findLesson(allLessons(), "levels");
+  const auto step =
+      std::find_if(lesson.steps.begin(), lesson.steps.end(), [](const LessonStep& s) { return s.curve.has_value(); });
+  ASSERT_NE(step, lesson.steps.end());
+  player().open(lesson);
+  const CurvePoints points = player().curve(static_cast<std::size_t>(step - lesson.steps.begin()));
+  ASSERT_EQ(points.measured.size(), step->curve->values.size());
+  EXPECT_TRUE(points.costs.empty());
+  for (std::size_t i = 0; i < points.measured.size(); ++i) {
+    const double alpha = step->curve->values[i] * step->curve->values[i];
+    EXPECT_NEAR(points.measured[i], std::log2(1.0 + 63.0 * alpha), 0.01) << step->curve->values[i];
+  }
+}
+
+// The fit's numbers are those of `boxprobe fit --json`; a name that it does not have is no number.
+TEST(Lessons, AFitIsMeasured) {
+  const Lesson& lesson = findLesson(allLessons(), "fit-by-program");
+  player().open(lesson);
+  LessonCondition condition;
+  condition.measure.kind = MeasureKind::Fit;
+  condition.measure.step = 0;
+  condition.measure.name = "/probes/0/box/min/2";
+  EXPECT_NEAR(player().check(condition).value, -3.0, 0.01);
+  for (const char* name : {"/probes/1/box/min/2", "/probes/0/box/min/3", "/probes/0/faces/+w/gainDegrees", "/probes/0",
+                           "", "/probes/x/box/min/0"}) {
+    condition.measure.name = name;
+    EXPECT_THROW(player().check(condition), WorkError) << name;
+  }
 }
 
 // The measuring can fail.

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 
+#include "tests/support/scene_names.h"
 #include "tests/support/scene_picture.h"
 
 namespace {
@@ -37,19 +37,6 @@ ImageRgba8 pictureOf(const Scene& scene) {
   ScenePicture picture(scene, 640, 360);
   picture.show(scene.cameras.front());
   return picture.display();
-}
-
-std::vector<std::string> sceneNames() {
-  const std::string ending = ".boxprobe.json";
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(BOXPROBE_DATA_DIR "/scenes")) {
-    const std::string file = entry.path().filename().string();
-    if (file.size() > ending.size() && file.substr(file.size() - ending.size()) == ending) {
-      names.push_back(file.substr(0, file.size() - ending.size()));
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
 }
 
 class MovedWorld : public testing::TestWithParam<std::string> {};

@@ -85,13 +85,24 @@ boxprobe("render", scene_file, "-o", out / "boxprobe.exr", "--size", "%dx%d" % (
 draw(json.loads(scene_file.read_text())["cameras"]["main"])
 theirs, ours = pixels(out / "blender.exr"), pixels(out / "boxprobe.exr")
 total, count = 0.0, 0
+shown = [[0.0] * 3 + [1.0] for _ in range(2 * WIDTH * HEIGHT)]  # ours and theirs side by side, where Blender drew the ball
 for i in range(0, len(theirs), 4):
     if theirs[i + 3] < 0.999:
         continue
     count += 3
+    at = i // 4 // WIDTH * 2 * WIDTH + i // 4 % WIDTH
     for c in range(3):
-        total += (min(max(theirs[i + c], 0) ** (1 / 2.2), 1) - min(max(ours[i + c], 0) ** (1 / 2.2), 1)) ** 2
+        shown[at][c] = min(max(ours[i + c], 0) ** (1 / 2.2), 1)
+        shown[at + WIDTH][c] = min(max(theirs[i + c], 0) ** (1 / 2.2), 1)
+        total += (shown[at + WIDTH][c] - shown[at][c]) ** 2
+sheet = bpy.data.images.new("sheet", 2 * WIDTH, HEIGHT)
+sheet.pixels = [value for pixel in shown for value in pixel]
+sheet.filepath_raw, sheet.file_format = str(out / "sheet.png"), "PNG"
+sheet.save()
 decibels = 10 * math.log10(count / max(total, 1e-12))
 print("blender %s: %.1f dB over %d pixels (at least %.0f)" % (bpy.app.version_string, decibels, count // 3, LEAST))
+(out / "sheet.json").write_text(json.dumps({
+    "engine": "blender " + bpy.app.version_string, "view": "ball", "db": decibels, "pixels": count // 3, "least": LEAST,
+    "left": "16 samples per pixel; a latitude-longitude picture in place of a cube", "renderer": "Cycles", "picture": "sheet.png", "parts": 2}))
 if count < 3000 or decibels < LEAST:
     sys.exit("the mirror ball in Blender differs")

@@ -62,17 +62,25 @@ constexpr const char* kDistances =
     "vec3 fetchProbePlane(ProbeShape probe, vec3 d)\n{\n  vec3 u = d / max(length(d), 1e-30);\n"
     "  return u / (4.0 + 1.5 * u.x - 2.0 * u.y * u.z);\n}\n"
     "vec3 fetchProbeFar(ProbeShape probe, vec3 d)\n{\n  return reliefFar(d.x > 0.0 ? -2.0 : 5000000.0, d);\n}\n"
+    "vec3 reliefFromProbe(ProbeShape probe, vec3 v) { return v; }\n"
+    "float probeReliefSize(ProbeShape probe) { return 64.0; }\n"
+    "vec4 fetchProbeRelief(ProbeShape probe, vec3 d, float level)\n{\n"
+    "  return vec4(fetchProbePlane(probe, d) * (1.0 + 0.1 * level), 0.06 * level);\n}\n"
     "int probeBlockCount(ProbeShape probe) { return 1; }\n"
     "vec3 probeBlockLow(ProbeShape probe, int i) { return mix(probe.boxMin, probe.boxMax, 0.2); }\n"
     "vec3 probeBlockHigh(ProbeShape probe, int i) { return mix(probe.boxMin, probe.boxMax, 0.5); }\n";
 struct SmoothRelief : shading::ReliefSampler {
-  vec4 fetchRelief(const vec3& d) const override {
+  vec4 fetchRelief(const vec3& d, float level) const override {
     const vec3 u = d / std::max(glm::length(d), 1e-30f);
-    return vec4(u / (4.0f + 1.5f * u.x - 2.0f * u.y * u.z), d.x > 0.0f ? Relief::kHere : 5000000.0f);
+    const vec3 plane = u / (4.0f + 1.5f * u.x - 2.0f * u.y * u.z);
+    if (level > 0.0f) return vec4(plane * (1.0f + 0.1f * level), 0.06f * level);
+    return vec4(plane, d.x > 0.0f ? Relief::kHere : 5000000.0f);
   }
+  float reliefSize() const override { return 64.0f; }
 };
 
-void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const ProjectionRow& row, bool bevelled) {
+void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const ProjectionRow& row, bool bevelled,
+                    int steps = 3) {
   std::string shared;
   if (bevelled) shared += "#define BP_BEVEL\n" + sources({"shared/rounded_box.glsl"});
   if (row.distances) shared += sources({"shared/relief.glsl"}) + kDistances;
@@ -81,8 +89,8 @@ void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const Proje
       window, sources({"shared/types.glsl", "shared/slab.glsl"}) + shared + sources({row.shaderFile}),
       "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.projection = "
       "0; "
-      "probe.slot = 0; probe.bevel = in0.w; probe.parameters.steps = 3.0;\n  ProbeHit hit = " +
-          std::string(row.function) +
+      "probe.slot = 0; probe.bevel = in0.w; probe.parameters.steps = " +
+          std::to_string(steps) + ".0;\n  ProbeHit hit = " + std::string(row.function) +
           "(probe, in0.xyz, in1.xyz, in2.xyz);\n  out0 = vec4(hit.direction, hit.distance);\n  out1 = "
           "vec4(hit.slabFactors, float(hit.face));\n",
       {in.position, in.normal, in.reflection, in.boxMin, in.boxMax}, 2);
@@ -98,7 +106,7 @@ void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const Proje
     shading::ProbeShape probe{};
     probe.slot = &data;
     probe.bevel = bevelled ? in.position[i].w : 0.0f;
-    probe.parameters.steps = 3.0f;
+    probe.parameters.steps = static_cast<float>(steps);
     probe.boxMin = in.boxMin[i];
     probe.boxMax = in.boxMax[i];
     probe.maxLevel = 6.0f;
@@ -115,9 +123,9 @@ void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const Proje
     identical += g.w == hit.distance && vec3(g) == hit.direction;
     differentFace += static_cast<int>(gpu[1][i].w) != hit.face;
   }
-  std::printf("  %-8s%s identical %zu of %zu, worst difference %.2g box sizes, %zu beyond 1e-4, other face %zu\n",
-              std::string(row.id).c_str(), bevelled ? " bevelled" : "", identical, kCount, static_cast<double>(worst),
-              beyond, differentFace);
+  std::printf("  %-8s%s%s identical %zu of %zu, worst difference %.2g box sizes, %zu beyond 1e-4, other face %zu\n",
+              std::string(row.id).c_str(), bevelled ? " bevelled" : "", steps > 3 ? " marching" : "", identical, kCount,
+              static_cast<double>(worst), beyond, differentFace);
   if (row.distances) {
     // It chooses its steps by comparisons, which rounding may decide.
     EXPECT_LE(beyond, kCount / 20000) << row.id;
@@ -131,7 +139,10 @@ void expectSameHits(vtkOpenGLRenderWindow* window, const Inputs& in, const Proje
 TEST(Parity, EveryProjectionGivesTheSameHit) {
   const auto window = test::makeWindow();
   Inputs in = randomRays();
-  for (const ProjectionRow& row : projectionRows()) expectSameHits(window, in, row, false);
+  for (const ProjectionRow& row : projectionRows()) {
+    expectSameHits(window, in, row, false);
+    if (row.distances) expectSameHits(window, in, row, false, 16);
+  }
   for (std::size_t i = 0; i < kCount; ++i) in.position[i].w = 0.001f * static_cast<float>(i % 1500);
   expectSameHits(window, in, projectionRows()[static_cast<std::size_t>(parseTechnique("box")->projection)], true);
 }

@@ -38,7 +38,7 @@ void saveBakes(const std::string& folder) {
     Probe probe;
     probe.name = "probe " + std::to_string(version % 3);
     const std::string key = "v" + std::to_string(version % 2048);
-    BakeFolder::save(folder, probe, {key, key, {}, {}}, maps, "endless_saver");
+    BakeFolder::save(folder, probe, {key, key, {}, {}}, maps, {"endless_saver", {}});
     if (version == 1) std::puts("saved"), std::fflush(stdout);
   }
 }

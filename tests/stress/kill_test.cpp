@@ -1,5 +1,6 @@
-// kill -9 at random moments while scenes and baked probes are saved: the old or the new file is there, whole, and what
-// a killed process left behind is gone after the next save. Forty times each; BOXPROBE_KILLS=100 kill_test: a hundred.
+// kill -9 while scenes and baked probes are saved, at random moments and, every other time, as soon as a temporary file
+// is seen: the old or the new file is there, whole, and what a killed process left behind is gone after the next save.
+// Forty times each; BOXPROBE_KILLS=100 kill_test: a hundred.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -26,8 +27,10 @@ const int kKills = [] {
 
 class Kill : public TemporaryFolder {
  protected:
-  /// Starts the saver, lets it save once, and kills it at a random moment of the next two saves or so.
-  void saveAndKill(const char* kind, const std::string& target) {
+  /// Starts the saver, lets it save once, and kills it: at a random moment of the next two saves or so, or, where
+  /// `aimed` names a folder, at the first temporary file in it. Random moments alone seldom
+  /// hit a save where a process takes long to start and a save is short.
+  void saveAndKill(const char* kind, const std::string& target, const std::filesystem::path& aimed) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     const pid_t child = ::fork();
@@ -42,7 +45,13 @@ class Kill : public TemporaryFolder {
     char line[8];
     const auto said = ::read(ends[0], line, sizeof(line));
     const std::chrono::duration<double, std::micro> oneSave = std::chrono::steady_clock::now() - start;
-    ::usleep(static_cast<useconds_t>(oneSave.count() * 2.0 * (random_() % 1000) / 1000.0));
+    if (aimed.empty()) {
+      ::usleep(static_cast<useconds_t>(oneSave.count() * 2.0 * (random_() % 1000) / 1000.0));
+    } else {
+      const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+      while (!holdsTemporary(aimed) && std::chrono::steady_clock::now() < deadline) {
+      }
+    }
     ::kill(child, SIGKILL);
     int status = 0;
     ::waitpid(child, &status, 0);
@@ -58,8 +67,18 @@ class Kill : public TemporaryFolder {
     for (int i = 0; i < 3; ++i) {
       Probe probe;
       probe.name = "probe " + std::to_string(i);
-      BakeFolder::save(folder.string(), probe, {"v0", "v0", {}, {}}, maps, "test");
+      BakeFolder::save(folder.string(), probe, {"v0", "v0", {}, {}}, maps, {"test", {}});
     }
+  }
+
+  /// Whether a temporary file stands in the folder: of a living process, as the first save took away the others.
+  static bool holdsTemporary(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    std::filesystem::directory_iterator entry(folder, ignored);
+    for (; !ignored && entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
+      if (entry->path().filename().native().front() == '.') return true;
+    }
+    return false;
   }
 
   /// Entries of a folder that are not `expected`: temporary files.
@@ -81,7 +100,7 @@ TEST_F(Kill, AScene) {
   int cutOff = 0;
   double last = 0.0;
   for (int i = 0; i < kKills; ++i) {
-    saveAndKill("scene", path);
+    saveAndKill("scene", path, i % 2 == 0 ? std::filesystem::path() : folder_);
     ASSERT_FALSE(HasFatalFailure());
     const Scene scene = loadSceneFile(path);
     ASSERT_EQ(scene.probes.size(), std::fmod(scene.exposure, 2.0) == 0.0 ? 40u : 80u);
@@ -102,7 +121,7 @@ TEST_F(Kill, ABakeFolder) {
   saveZero(folder);
   int cutOff = 0;
   for (int i = 0; i < kKills; ++i) {
-    saveAndKill("bake", folder.string());
+    saveAndKill("bake", folder.string(), i % 2 == 0 ? std::filesystem::path() : folder);
     ASSERT_FALSE(HasFatalFailure());
     for (const char* name : {"probe 0.exr", "probe 1.exr", "probe 2.exr"}) {
       const BakedProbeFile baked = loadBakedProbe((folder / name).string());

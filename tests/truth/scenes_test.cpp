@@ -21,6 +21,11 @@ TEST(TruthScenes, FilesAreWhatTheGeneratorWrites) {
                                                        {"arcade.glb", scenes::glbBytes(scenes::truthArcade())},
                                                        {"arcade-sky.hdr", scenes::truthArcadeSky()}};
   for (const auto& [name, bytes] : files) EXPECT_TRUE(readWholeFile(kFolder + name) == bytes) << name << how;
+  // The lesson on the marching impostor has the arcade as well; the program is installed without its tests.
+  const std::string lessons = BOXPROBE_SOURCE_DIR "/data/lessons/scenes/";
+  for (const char* name : {"arcade.glb", "arcade-sky.hdr"}) {
+    EXPECT_TRUE(readWholeFile(lessons + name) == readWholeFile(kFolder + name)) << lessons + name << how;
+  }
 }
 
 TEST(TruthScenes, OnlyTheFloorReflects) {

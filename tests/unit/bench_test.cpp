@@ -48,6 +48,8 @@ TEST(BenchTechniques, AListIsReadAndTheBaselinesAreAdded) {
   EXPECT_EQ(chooseBenchTechniques("godot:power=4")[0].label(), "godot") << "a default is no difference";
   EXPECT_THAT(errorText([] { chooseBenchTechniques("mirror"); }), HasSubstr("--techniques mirror: no such technique"));
   EXPECT_THAT(errorText([] { chooseBenchTechniques("godot:power=99"); }), HasSubstr("power must be a number from"));
+  EXPECT_THAT(errorText([] { chooseBenchTechniques("impostor:steps=257"); }),
+              HasSubstr("steps must be a whole number from 1 to 256"));
   EXPECT_THAT(errorText([] { chooseBenchTechniques("hdrp:power=2"); }), HasSubstr("is not a parameter of box+hdrp"));
   EXPECT_THAT(errorText([] { chooseBenchTechniques("godot:pover=2"); }), HasSubstr("did you mean \"power\""));
 }

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/geometry/rotation_degrees.h"
 #include "filters/io/engines/import_detail.h"
 #include "filters/io/engines/probe_import.h"
 #include "tests/unit/error_text.h"

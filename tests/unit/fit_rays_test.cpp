@@ -9,6 +9,7 @@
 #include "filters/fit/box/fit_box.h"
 #include "filters/fit/rays/distance_rays.h"
 #include "filters/fit/rays/triangle_rays.h"
+#include "tests/support/distance_cube.h"
 #include "tests/unit/made_model.h"
 
 namespace boxprobe {
@@ -39,16 +40,15 @@ TEST(FitRays, ADistanceCubeIsEnough) {
   const glm::dvec3 origin(0.3, 1.2, -0.4);
   const glm::dmat3 worldFromMap = rotationMatrix({0.0, 20.0, 0.0});
   constexpr int kSize = 64;
-  CubeMap distance(kSize, 1);
-  for (int face = 0; face < 6; ++face) {
+  CubeMap distance = test::distanceCube(triangles, origin, worldFromMap, kSize);
+  for (int face = 0; face < 6; ++face) {  // a window at +x: nothing was seen there
     for (int row = 0; row < kSize; ++row) {
       for (int column = 0; column < kSize; ++column) {
         const auto centre = [](int i) { return (2.0f * static_cast<float>(i) + 1.0f) / kSize - 1.0f; };
         const glm::dvec3 along(glm::normalize(shading::cubeDirection(face, centre(column), centre(row))));
-        const std::optional<SurfaceHit> hit = triangles.first(origin, worldFromMap * along);
-        // A window at +x: nothing was seen there.
-        const bool open = hit && (worldFromMap * along).x * hit->distance > 3.3 - 0.31 && std::abs(along.y) < 0.1;
-        distance.setTexel(0, face, column, row, glm::vec4(hit && !open ? static_cast<float>(hit->distance) : 0.0f));
+        const double length = distance.texel(0, face, column, row).x;
+        const bool open = (worldFromMap * along).x * length > 3.3 - 0.31 && std::abs(along.y) < 0.1;
+        if (open) distance.setTexel(0, face, column, row, glm::vec4(0.0f));
       }
     }
   }

@@ -24,7 +24,7 @@ class BakeFolderTest : public TemporaryFolder {
     maps.distance = smoothCube(16);
     Probe probe;
     probe.name = "room";
-    return BakeFolder::save(folder_.string(), probe, {"key", "view", {}, {}}, maps, "Boxprobe test");
+    return BakeFolder::save(folder_.string(), probe, {"key", "view", {}, {}}, maps, {"Boxprobe test", {}});
   }
 };
 

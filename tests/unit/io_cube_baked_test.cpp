@@ -48,6 +48,7 @@ BakedProbeFile example(int faceSize = 32, int levels = 6) {
   probe.occlusion = BoxOcclusion{2.0, 1.5, 0.5};
   file.info.inputHash = "0123abcd";
   file.info.program = "Boxprobe 0.1.0";
+  file.info.renderer = "softpipe";
   return file;
 }
 
@@ -65,7 +66,9 @@ TEST_F(CubeBaked, EveryTexelAndValueComesBack) {
     EXPECT_EQ(again.info.probe, file.info.probe);
     EXPECT_EQ(again.info.inputHash, file.info.inputHash);
     EXPECT_EQ(again.info.program, file.info.program);
-    EXPECT_EQ(bakedProbeHash(this->file("a.exr")), "0123abcd");
+    EXPECT_EQ(again.info.renderer, file.info.renderer);
+    EXPECT_EQ(bakedProbeMark(this->file("a.exr")).value().inputHash, "0123abcd");
+    EXPECT_EQ(bakedProbeMark(this->file("a.exr")).value().renderer, "softpipe");
     EXPECT_EQ(entryCount(), 1u);
   }
 }
@@ -77,7 +80,8 @@ TEST_F(CubeBaked, ADefaultProbeWithoutDistanceToo) {
   const BakedProbeFile again = loadBakedProbe(this->file("a.exr"));
   EXPECT_TRUE(again.maps.distance.empty());
   EXPECT_EQ(again.info.probe, file.info.probe);
-  EXPECT_EQ(bakedProbeHash(this->file("a.exr")), "");
+  EXPECT_EQ(bakedProbeMark(this->file("a.exr")).value().inputHash, "");
+  EXPECT_EQ(again.info.renderer, "");
 }
 
 TEST_F(CubeBaked, FloatKeepsWhatHalfRounds) {
@@ -167,9 +171,9 @@ TEST_F(CubeBaked, CompressionFollowsTheContent) {
 
 TEST_F(CubeBaked, WhatIsNoProbeIsSaidToBeNone) {
   saveBakedProbe(file("a.exr"), example());
-  EXPECT_EQ(bakedProbeHash(file("gone.exr")), std::nullopt);
-  EXPECT_EQ(bakedProbeHash(folder_.string()), std::nullopt);
-  EXPECT_EQ(bakedProbeHash(write("empty.exr", "")), std::nullopt);
+  EXPECT_FALSE(bakedProbeMark(file("gone.exr")));
+  EXPECT_FALSE(bakedProbeMark(folder_.string()));
+  EXPECT_FALSE(bakedProbeMark(write("empty.exr", "")));
   EXPECT_EQ(errorText([&] { loadBakedProbe(file("gone.exr")); }),
             file("gone.exr") + ": does not exist; check the path");
   BakedProbeFile odd;

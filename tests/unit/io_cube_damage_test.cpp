@@ -40,7 +40,7 @@ class CubeDamage : public TemporaryFolder {
         ++refused;
       }
     }
-    bakedProbeHash(path);
+    bakedProbeMark(path);
     return refused;
   }
 

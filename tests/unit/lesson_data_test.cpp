@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <map>
 #include <regex>
@@ -36,6 +37,10 @@ void forEachText(Json& json, const std::string& key,
   }
 }
 
+bool isWord(const std::string& unit) {
+  return unit.size() > 1 && unit != "\u00b0";
+}
+
 /// What the lesson has a person read; formulas and units only where they hold words.
 std::vector<std::string> textsOf(const Lesson& lesson) {
   std::vector<std::string> texts = {lesson.title, lesson.summary};
@@ -54,14 +59,26 @@ std::vector<std::string> textsOf(const Lesson& lesson) {
         add(answer.reply);
       }
     }
+    if (step.curve) {
+      for (const std::string& name :
+           {step.curve->fieldName, step.curve->measureName, step.curve->costName, step.curve->lineName}) {
+        add(name, !name.empty());
+      }
+    }
     if (!step.task) continue;
     add(step.task->ask);
     add(step.task->praise);
-    add(step.task->unit, step.task->unit.size() > 1);
+    add(step.task->unit, isWord(step.task->unit));
+  }
+  for (const LessonExercise& exercise : lesson.exercises) {
+    add(exercise.ask);
+    add(exercise.solution);
+    add(exercise.formula, exercise.formula.find("\\text") != std::string::npos);
+    add(exercise.unit, isWord(exercise.unit));
   }
   for (const LessonClaim& claim : lesson.claims) {
     add(claim.say);
-    add(claim.unit, claim.unit.size() > 1);
+    add(claim.unit, isWord(claim.unit));
   }
   std::sort(texts.begin(), texts.end());
   return texts;
@@ -95,6 +112,25 @@ TEST(LessonData, EveryTextIsShown) {
   EXPECT_EQ(chapters, sortedTexts(english["chapters"]));
 }
 
+TEST(LessonData, AThirdOfTheLessonsHasATask) {
+  const LessonList list = loadLessons(kLessons);
+  std::size_t tasks = 0;
+  for (const Lesson& lesson : list.lessons) {
+    tasks +=
+        std::any_of(lesson.steps.begin(), lesson.steps.end(), [](const LessonStep& s) { return s.task.has_value(); })
+            ? 1
+            : 0;
+  }
+  EXPECT_GE(3 * tasks, list.lessons.size());
+}
+
+TEST(LessonData, AThirdOfTheLessonsHasAnExercise) {
+  const LessonList list = loadLessons(kLessons);
+  const auto with = std::count_if(list.lessons.begin(), list.lessons.end(),
+                                  [](const Lesson& lesson) { return !lesson.exercises.empty(); });
+  EXPECT_GE(3 * static_cast<std::size_t>(with), list.lessons.size());
+}
+
 TEST(LessonData, LessonFilesHoldNoProse) {
   EXPECT_TRUE(isProse("Two words."));
   EXPECT_FALSE(isProse("../scenes/room.boxprobe.json"));
@@ -113,6 +149,85 @@ TEST(LessonData, LessonFilesHoldNoProse) {
     });
   }
   EXPECT_GT(texts, 37u);
+}
+
+/// Of a lesson's formula, without what is below and beside: "\\alpha", "P", but no index and no word.
+std::vector<std::string> symbolsOf(const std::string& formula) {
+  static const std::regex words(R"(\\text\{[^}]*\})"), below(R"(_(\{[^}]*\}|\\?[A-Za-z]+|[0-9]))"),
+      symbol(R"(\\[A-Za-z]+|[A-Za-z])");
+  const std::string bare = std::regex_replace(std::regex_replace(formula, words, " "), below, " ");
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(bare.begin(), bare.end(), symbol), end; it != end; ++it) {
+    static const std::vector<std::string> marks = {"\\cdot", "\\quad",  "\\frac", "\\sqrt", "\\sum", "\\pm",  "\\ge",
+                                                   "\\le",   "\\infty", "\\min",  "\\max",  "\\mix", "\\sin", "\\cos"};
+    if (std::find(marks.begin(), marks.end(), it->str()) == marks.end()) found.push_back(it->str());
+  }
+  return found;
+}
+
+// One meaning each, and none that no formula uses.
+TEST(LessonData, TheNotationHasEverySymbolOnce) {
+  const LessonList list = loadLessons(kLessons);
+  std::map<std::string, std::string> known;
+  std::map<std::string, int> used;
+  for (const LessonSymbol& symbol : list.notation) {
+    EXPECT_TRUE(known.emplace(symbol.symbol, symbol.means).second) << symbol.symbol << " stands there twice";
+    used[symbol.symbol.substr(0, symbol.symbol.find('_'))];
+  }
+  EXPECT_GT(known.size(), 20u);
+  for (const Lesson& lesson : list.lessons) {
+    std::vector<std::string> formulas;
+    for (const LessonStep& step : lesson.steps) formulas.push_back(step.formula);
+    for (const LessonExercise& exercise : lesson.exercises) formulas.push_back(exercise.formula);
+    for (const std::string& formula : formulas) {
+      for (const std::string& symbol : symbolsOf(formula)) {
+        ASSERT_EQ(used.count(symbol), 1u) << lesson.name << ": " << symbol << " in " << formula;
+        ++used[symbol];
+      }
+    }
+  }
+  for (const auto& [symbol, times] : used) EXPECT_GT(times, 0) << symbol;
+}
+
+// Whoever always takes the longest answer, or the shortest, or the same letter, must not do better than by chance.
+TEST(LessonData, TheRightAnswerIsNotTheLongest) {
+  const LessonList list = loadLessons(kLessons);
+  double questions = 0, chance = 0, longest = 0, shortest = 0;
+  std::map<std::size_t, double> places;
+  for (const Lesson& lesson : list.lessons) {
+    for (const LessonStep& step : lesson.steps) {
+      if (!step.question) continue;
+      const auto& answers = step.question->answers;
+      const auto right = std::find_if(answers.begin(), answers.end(), [](const LessonAnswer& a) { return a.right; });
+      const auto shorter = [](const LessonAnswer& a, const LessonAnswer& b) { return a.text.size() < b.text.size(); };
+      const auto [least, most] = std::minmax_element(answers.begin(), answers.end(), shorter);
+      questions += 1;
+      chance += 1.0 / static_cast<double>(answers.size());
+      longest += right->text.size() == most->text.size() ? 1 : 0;
+      shortest += right->text.size() == least->text.size() ? 1 : 0;
+      places[static_cast<std::size_t>(right - answers.begin())] += 1;
+    }
+  }
+  std::printf("  of %.0f questions the right answer is the longest in %.0f, the shortest in %.0f; by chance %.1f\n",
+              questions, longest, shortest, chance);
+  EXPECT_GT(questions, 30);
+  EXPECT_LT(longest, 1.25 * chance);
+  EXPECT_LT(shortest, 1.25 * chance);
+  for (const auto& [place, times] : places) EXPECT_LT(times, 0.55 * questions) << "answer " << place + 1;
+}
+
+// A translation that nobody has read over says so in its own words, and every lesson shown in it carries them.
+TEST(LessonData, AnUnreviewedTranslationSaysSo) {
+  const LessonList list = loadLessons(kLessons, "zh-CN");
+  EXPECT_THAT(list.errors, IsEmpty());
+  EXPECT_THAT(list.textErrors, IsEmpty());
+  EXPECT_EQ(list.notation.size(), loadLessons(kLessons).notation.size());
+  std::size_t translated = 0;
+  for (const Lesson& lesson : list.lessons) {
+    translated += lesson.language == "zh-CN" ? 1 : 0;
+    EXPECT_EQ(lesson.unreviewed.empty(), lesson.language == "en") << lesson.name;
+  }
+  EXPECT_EQ(translated, 4u);
 }
 
 class SecondLanguage : public TemporaryFolder {};
@@ -153,7 +268,7 @@ TEST_F(SecondLanguage, IsShownWhereItIsAndEnglishForTheRest) {
       std::sort(expected.begin(), expected.end());
     }
     EXPECT_EQ(textsOf(shown), expected) << shown.name;
-    EXPECT_EQ(shown.chapter, usual.chapter[0] == '2' ? "<" + usual.chapter + ">" : usual.chapter);
+    EXPECT_EQ(shown.chapter, usual.chapter[0] == '1' ? "<" + usual.chapter + ">" : usual.chapter);
     EXPECT_EQ(shown.steps.size(), usual.steps.size());
     EXPECT_EQ(shown.steps[0].assignments, usual.steps[0].assignments);
   }

@@ -70,9 +70,42 @@ TEST_F(LessonFile, EachMistakeIsOneLineWithItsPlace) {
       HasSubstr("counted from 1 to 1"));
   EXPECT_THAT(error(lesson("", "\"claims\": [{\"say\": \"s\", \"measure\": {\"kind\": \"mean\", \"step\": 1}}]")),
               HasSubstr("above, below and equals"));
+  EXPECT_THAT(error(lesson("", "\"exercises\": [{\"ask\": \"a\"}]")), HasSubstr("solution"));
+  EXPECT_THAT(error(lesson("", "\"exercises\": [{\"ask\": \"a\", \"solution\": \"s\", \"above\": 1}]")),
+              HasSubstr("belongs to a measure"));
+  EXPECT_THAT(error(lesson("",
+                           "\"exercises\": [{\"ask\": \"a\", \"solution\": \"s\", \"measure\": {\"kind\": \"mean\"}, "
+                           "\"above\": 1}]")),
+              HasSubstr("\"step\": 1"));
+  const auto curve = [&](const std::string& field, const std::string& values) {
+    return error(lesson("\"curve\": {\"field\": \"" + field + "\", \"values\": " + values +
+                        ", \"fieldName\": \"f\", \"measure\": {\"kind\": \"mean\"}, \"measureName\": \"m\"}"));
+  };
+  EXPECT_THAT(curve("exposure", "[2, 1]"), HasSubstr("larger than the one before"));
+  EXPECT_THAT(curve("exposure", "[1]"), HasSubstr("needs 2 to 32 numbers"));
+  EXPECT_THAT(curve("exposhure", "[1, 2]"), HasSubstr("exposure"));
+  EXPECT_THAT(curve("exposure", "[-1, 2]"), HasSubstr("curve"));
   std::string missing = lesson("");
   missing.replace(missing.find("room.boxprobe"), 4, "cellar");
   EXPECT_THAT(error(missing), HasSubstr("cellar"));
+}
+
+TEST_F(LessonFile, ExercisesAndCurvesAreReadWhole) {
+  const Lesson read = loadLessonFile(write(
+      "1-paper.lesson.json",
+      lesson("\"curve\": {\"field\": \"exposure\", \"values\": [0.5, 1, 2], \"fieldName\": \"f\", \"measure\": "
+             "{\"kind\": \"mean\"}, \"measureName\": \"m\", \"line\": {\"kind\": \"mean\", \"step\": 1}, "
+             "\"lineName\": \"l\"}",
+             "\"exercises\": [{\"ask\": \"a\", \"solution\": \"s\", \"formula\": \"P\", \"unit\": \"m\", \"measure\": "
+             "{\"kind\": \"fit\", \"step\": 1, \"name\": \"/probes/0/box/max/2\"}, \"equals\": 3, \"within\": 0.1}]")));
+  ASSERT_TRUE(read.steps[0].curve.has_value());
+  EXPECT_EQ(read.steps[0].curve->values, (std::vector<double>{0.5, 1, 2}));
+  EXPECT_FALSE(read.steps[0].curve->cost.has_value());
+  EXPECT_TRUE(read.steps[0].curve->line.has_value());
+  ASSERT_EQ(read.exercises.size(), 1u);
+  EXPECT_EQ(read.exercises[0].formula, "P");
+  EXPECT_EQ(read.exercises[0].condition->measure.kind, MeasureKind::Fit);
+  EXPECT_EQ(read.exercises[0].condition->comparison, Comparison::Within);
 }
 
 TEST_F(LessonFile, TheOthersStillList) {

@@ -221,5 +221,24 @@ TEST(LessonLanguage, TheNarrowestVariableOfTheEnvironmentSaysTheLocale) {
   for (const auto& [name, value] : before) ::setenv(name.c_str(), value.c_str(), 1);
 }
 
+TEST_F(LessonText, HasTheNotationAndSaysThatNobodyHasReadItOver) {
+  const std::string head = "\"language\": \"en\",";
+  const auto with = [&](const std::string& more) {
+    write("text/en.json", replaced(english_, head, head + " " + more));
+    return loadLessons(file(""));
+  };
+  const LessonList list = with(R"("unreviewed": "not read over", "notation": [{"symbol": "t_i", "means": "a way"}],)");
+  ASSERT_EQ(list.notation.size(), 1u);
+  EXPECT_EQ(list.notation[0].symbol, "t_i");
+  EXPECT_EQ(list.notation[0].means, "a way");
+  EXPECT_EQ(list.lessons.at(0).unreviewed, "not read over");
+  EXPECT_THAT(with("").notation, IsEmpty());
+  EXPECT_EQ(with("").lessons.at(0).unreviewed, "");
+  EXPECT_THAT(errorText([&] { with(R"("unreviewed": "",)"); }), AllOf(HasSubstr("en.json:"), HasSubstr("is empty")));
+  EXPECT_THAT(errorText([&] { with(R"("notation": [{"symbol": "P"}],)"); }),
+              AllOf(HasSubstr("notation[0]"), HasSubstr("needs both")));
+  EXPECT_THAT(errorText([&] { with(R"("notation": [{"symbol": "P", "meaning": "a"}],)"); }), HasSubstr("meaning"));
+}
+
 }  // namespace
 }  // namespace boxprobe

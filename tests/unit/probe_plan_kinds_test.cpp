@@ -30,7 +30,7 @@ class PlannedFiles : public TemporaryFolder {
   void save(const Probe& probe, const BakeRecord& record) const {
     BakedMaps maps;
     maps.radiance = CubeMap(16, 1);
-    BakeFolder::save(folder_.string(), probe, record, maps, "test");
+    BakeFolder::save(folder_.string(), probe, record, maps, {"test", {}});
   }
 };
 

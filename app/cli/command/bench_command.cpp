@@ -14,12 +14,14 @@
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
+#include "app/session/offscreen_window.h"
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/number_text.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/io/files/data_folder.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/reference/bench/bench_text.h"
@@ -100,13 +102,14 @@ class Contacts {
   std::vector<ContactPicture> pictures_;
 };
 
-void saveChart(const std::string& path, const BenchResult& result, Truth truth) {
+void saveChart(const std::string& path, const BenchResult& result, Truth truth, const ReportOptions& report) {
   FrontChartText text;
   text.title = std::string("Run time against error: ") + result.scene + ", against the " +
                (truth == Truth::Box ? "integral over the box" : "traced scene");
   text.costAxis = "CPU time of a frame relative to plain box projection, " + std::to_string(result.timedWidth) + " x " +
                   std::to_string(result.timedHeight);
-  savePng(path, frontChartPicture(paretoPoints(result, truth), text, 1400, 900));
+  const auto window = openOffscreenWindow({"boxprobe bench", 1400, 900, 1, report.quiet, false, report.offscreen});
+  savePng(path, frontChartPicture(paretoPoints(result, truth), text, window));
 }
 
 void runBench(const BenchOptions& options) {
@@ -117,7 +120,7 @@ void runBench(const BenchOptions& options) {
   InterruptGuard interrupt;
   interrupt.waitForPartialResults();
   const std::string scenePath =
-      options.scenePath.empty() ? BOXPROBE_DATA_DIR "/scenes/gallery.boxprobe.json" : options.scenePath;
+      options.scenePath.empty() ? dataFile("scenes/gallery.boxprobe.json") : options.scenePath;
   const LoadedScene loaded = loadScene(scenePath, options.assignments);
   const BenchPlan plan = benchPlan(options, loaded.scene);
   if (!options.report.quiet) printWarnings(loaded.warnings);
@@ -154,8 +157,8 @@ void runBench(const BenchOptions& options) {
   writeTextAtomically(options.folder + "/bench.json", json);
   writeTextAtomically(options.folder + "/bench.csv", benchCsv(result));
   writeTextAtomically(options.folder + "/report.md", benchReport(result));
-  saveChart(options.folder + "/front.png", result, Truth::Box);
-  saveChart(options.folder + "/front-scene.png", result, Truth::Scene);
+  saveChart(options.folder + "/front.png", result, Truth::Box, options.report);
+  saveChart(options.folder + "/front-scene.png", result, Truth::Scene, options.report);
   contacts.save(options.folder + "/contact.png", result.scene, loaded.scene.exposure);
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(stats));
   if (!options.report.quiet) {

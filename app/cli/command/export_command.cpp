@@ -2,6 +2,7 @@
 #include "app/cli/command/export_command.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "app/session/probe_captures.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
+#include "app/web/web_folder.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/nearest_name.h"
 #include "filters/io/cube/bake_folder.h"
@@ -94,9 +96,36 @@ std::vector<std::string> exportRemarks(const Scene& scene, const std::vector<std
   return remarks;
 }
 
+constexpr const char* kWebFormat = "web";  // the whole scene, not the pictures of exportFormats()
+
+void checkWebExport(const ExportOptions& options) {
+  const auto refuse = [](bool given, const std::string& option) {
+    if (given) throw InputError(option + ": --format web writes the whole scene as it is; leave it out");
+  };
+  refuse(!options.probes.empty(), "--probe");
+  refuse(options.settings.center, "--center");
+  refuse(options.settings.lossy, "--lossy");
+  refuse(options.settings.ladder != "own", "--ladder " + options.settings.ladder);
+  ExportSettings sizes;
+  sizes.faceSize = options.settings.faceSize;
+  checkExportSettings(sizes);
+}
+
+std::vector<std::string> exportWeb(const ExportOptions& options, const LoadedScene& loaded,
+                                   const CapturedProbes& captured) {
+  Scene shown = loaded.scene;
+  if (shown.cameras.empty()) shown.cameras.emplace_back();  // as `render` looks at it
+  const WebScene scene =
+      webScene(shown, loaded.models, captured.captures, options.settings.faceSize, "Boxprobe " BOXPROBE_VERSION);
+  if (!options.report.quiet) printWarnings(scene.remarks);
+  std::string title = std::filesystem::path(options.scenePath).filename().string();
+  return writeWebFolder(scene, title.substr(0, title.find('.')), options.output);
+}
+
 void runExport(ExportOptions options) {
   if (options.output.empty()) throw InputError("-o is missing: name a folder, or a file with --shader");
   const bool shader = !options.shader.empty();
+  const bool web = !shader && options.settings.format == kWebFormat;
   if (shader) {
     if (shaderLanguages().count(options.shader) == 0) {
       throw InputError("--shader " + options.shader + ": no such language; there are: glsl, hlsl, godot");
@@ -104,7 +133,7 @@ void runExport(ExportOptions options) {
     requireWritable("-o", options.output);
   } else {
     if (!options.technique.empty()) throw InputError("--technique belongs to --shader; pictures have none");
-    checkExportSettings(options.settings);
+    web ? checkWebExport(options) : checkExportSettings(options.settings);
   }
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
   const InterruptGuard interrupt;
@@ -121,11 +150,12 @@ void runExport(ExportOptions options) {
   requireOutputFolder("-o", options.output);
   if (!options.report.quiet) {
     printWarnings(loaded.warnings);
-    printWarnings(exportRemarks(loaded.scene, names, options.settings));
+    if (!web) printWarnings(exportRemarks(loaded.scene, names, options.settings));
   }
   const CaptureWishes wishes = {names, BakeFolder::besideScene(options.scenePath), options.report.offscreen,
                                 options.report.quiet};
   const CapturedProbes captured = captureProbes(loaded, wishes, interrupt);
+  if (web) return finish(options, exportWeb(options, loaded, captured), captured.stats);
   ProgressLine line("filtering", !options.report.quiet);
   options.settings.writer = "Boxprobe " BOXPROBE_VERSION;
   const std::vector<std::string> files =
@@ -156,7 +186,8 @@ Subcommand addExportCommand(CLI::App& program) {
       ->type_name("DIR");
   command
       ->add_option("--format", options->settings.format,
-                   "ktx2 or dds: cube of half floats with all levels; exr or hdr: latitude-longitude, level 0")
+                   "ktx2 or dds: cube of half floats with all levels; exr or hdr: latitude-longitude, level 0; web: a "
+                   "folder for a web server that draws the scene")
       ->type_name("FORMAT")
       ->capture_default_str();
   command->add_option("--ladder", options->settings.ladder, ladderHelp())->type_name("LADDER")->capture_default_str();
@@ -187,6 +218,7 @@ Subcommand addExportCommand(CLI::App& program) {
       "both into\nthe engine. Examples:\n"
       "  boxprobe export data/scenes/room.boxprobe.json -o out/room --format ktx2 --ladder three\n"
       "  boxprobe export data/scenes/room.boxprobe.json -o out/room --format dds --ladder babylon --size 128 --center\n"
+      "  boxprobe export data/scenes/room.boxprobe.json -o out/viewer --format web\n"
       "  boxprobe export data/scenes/room.boxprobe.json -o out/room.glsl --shader glsl --technique box+footprint4");
   return {command, [options] { runExport(*options); }};
 }

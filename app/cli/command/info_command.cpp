@@ -26,7 +26,7 @@ namespace {
 struct InfoOptions {
   std::string scenePath;
   std::vector<std::string> assignments;
-  bool frame = false, fields = false;
+  bool frame = false, costs = false, fields = false;
   std::string camera, size = "1280x720";
   FitOptions fit;
   ReportOptions report;
@@ -45,12 +45,18 @@ void runInfo(const InfoOptions& options) {
                                  parseFitWishes(options.fit, static_cast<double>(size.width) / size.height));
   // The frame comes first: it may tell the exposure.
   std::optional<FrameReport> frame;
-  if (options.frame) frame = drawnFrameReport(loaded, options.scenePath, options.camera, size, options.report);
+  FrameCosts costs;
+  if (options.frame) {
+    frame = drawnFrameReport(loaded, options.scenePath, options.camera, size, options.report,
+                             options.costs ? &costs : nullptr);
+  }
   nlohmann::ordered_json report = sceneReport(loaded);
   std::string text = options.report.json ? std::string() : sceneReportText(report);
   if (frame) {
     report["frame"] = frameReportJson(*frame);
     text += frameReportText(*frame);
+    if (options.costs) report["frame"]["costs"] = frameCostsJson(costs);
+    if (options.costs) text += frameCostsText(costs);
   }
   options.report.json ? printDocument(validJson(report)) : printResult(text);
   // Without --frame nothing is drawn or captured here; with it, what that took is in the report.
@@ -68,7 +74,10 @@ Subcommand addInfoCommand(CLI::App& program) {
       ->type_name("FIELD=VALUE")
       ->allow_extra_args(false);
   addModelOptions(*command, options->assignments);
-  command->add_flag("--frame", options->frame, "Draw a frame and report what it did and what it skipped");
+  CLI::Option* frame =
+      command->add_flag("--frame", options->frame, "Draw a frame and report what it did and what it skipped");
+  command->add_flag("--costs", options->costs, "Measure where the time of that frame goes, by parts and by objects")
+      ->needs(frame);
   command->add_option("--camera", options->camera, "Camera of that frame");
   command->add_option("--size", options->size, "Size of that frame in pixels")->type_name("WxH")->capture_default_str();
   addFitOptions(*command, options->fit);

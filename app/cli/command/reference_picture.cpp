@@ -3,9 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
+#include "app/cli/farm/picture_shares.h"
 #include "app/session/interrupt.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
@@ -18,8 +24,11 @@
 #include "filters/io/cube/bake_folder.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/image/image_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/vtk/gl/cpu_time.h"
+#include "filters/vtk/maps/content_hash.h"
+#include "filters/vtk/probes/capture_key.h"
 
 namespace boxprobe {
 
@@ -29,7 +38,7 @@ constexpr const char* kBox = "reference-box";
 constexpr const char* kScene = "reference-scene";
 
 ReferencePicture traceScene(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
-                            const ReferenceProgress& progress) {
+                            const PicturePart& part, const ReferenceProgress& progress) {
   const FrameSize size = parseFrameSize(options.size);
   ReferenceSettings settings;
   settings.width = size.width;
@@ -37,6 +46,7 @@ ReferencePicture traceScene(const LoadedScene& loaded, const Camera& camera, con
   settings.samplesPerPixel = options.samples;
   settings.raysPerPixel = options.rays;
   settings.full = options.full;
+  settings.part = part;
   return ReferenceScene(loaded.scene, loaded.models, loadSkyImage(loaded.scene)).render(camera, settings, progress);
 }
 
@@ -117,6 +127,51 @@ std::string referenceJson(const RenderOptions& options, const ErrorSummary& erro
   return validJson(json);
 }
 
+/// What a traced picture depends on: bands with the same key are of the same picture.
+std::string pictureKey(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options) {
+  ContentHash hash;
+  hash.add(BOXPROBE_VERSION).add(sceneText(loaded.scene, "/")).add(camera.name).add(options.size);
+  hash.add(options.samples).add(options.rays).add(options.full ? 1.0 : 0.0);
+  for (const std::string& object : objectContentKeys(loaded.models, loaded.models.size())) hash.add(object);
+  if (const auto sky = loadSkyImage(loaded.scene)) hash.add(imageContentKey(*sky));
+  return hash.text().substr(0, 16);
+}
+
+/// The share this process has of the picture, if it is not alone.
+std::optional<BakeShare> pictureShare(const RenderOptions& options) {
+  if (!options.shard.empty()) return parseBakeShare(options.shard);
+  return options.technique == kScene ? mpiShare() : std::nullopt;
+}
+
+/// Traces this share's rows unless they are there; the whole picture once all are, else nothing.
+std::optional<ReferencePicture> sharedPicture(const BakeShare& share, const std::string& key,
+                                              const RenderOptions& options,
+                                              const std::function<ReferencePicture(const PicturePart&)>& trace) {
+  const FrameSize size = parseFrameSize(options.size);
+  const PicturePart part = rowsOfShare(size.width, size.height, share);
+  constexpr std::int64_t kMostPixels = std::int64_t(1) << 27;  // that loadHdrImage reads; a band has its rows twice
+  if (2 * static_cast<std::int64_t>(size.width) * (part.bottom - part.top) > kMostPixels) {
+    throw InputError("--shard " + options.shard + ": too many pixels in a share of --size " + options.size +
+                     "; use more shares");
+  }
+  const std::string band = bandPath(options.outputPath, share, key);
+  const bool none = part.top >= part.bottom;
+  if (!none && !std::filesystem::exists(band)) {
+    const ReferencePicture rows = trace(part);
+    if (!rows.complete) throw WorkError("interrupted; the rows of this share are not kept");
+    saveBand(band, rows, part);
+  }
+  JoinedBands joined = joinBands(options.outputPath, size.width, size.height, share.count, key);
+  if (joined.missing == 0 && !joined.elsewhere) return std::move(joined.picture);
+  // A band that is gone was taken by whoever has put the picture together.
+  const bool written = joined.elsewhere || (!none && !std::filesystem::exists(band));
+  if (!written && !options.report.quiet) {
+    printResult(band + ": rows " + std::to_string(part.top) + " to " + std::to_string(part.bottom) + "; " +
+                std::to_string(joined.missing) + " of " + std::to_string(share.count) + " shares are missing\n");
+  }
+  return std::nullopt;
+}
+
 void refuse(const std::string& option, const RenderOptions& options) {
   throw InputError(option + " is not for --technique " + options.technique + ": leave one of them out");
 }
@@ -130,6 +185,7 @@ bool isReference(const std::string& technique) {
 void refuseReferenceOptions(const RenderOptions& options) {
   const std::string advice = " is for --technique reference-scene or reference-box alone";
   if (options.full) throw InputError("--full" + advice);
+  if (!options.shard.empty()) throw InputError("--shard is for --technique reference-scene alone");
   if (options.rays != kDefaultReferenceRays) throw InputError("--rays " + std::to_string(options.rays) + advice);
 }
 
@@ -139,6 +195,8 @@ void renderReference(const RenderOptions& options, bool linear) {
   if (options.probes != "on") refuse("--probes " + options.probes, options);
   const bool box = options.technique == kBox;
   if (box && options.full) refuse("--full", options);
+  if (box && !options.shard.empty()) refuse("--shard", options);
+  const std::optional<BakeShare> share = pictureShare(options);
 
   InterruptGuard interrupt;
   interrupt.waitForPartialResults();
@@ -148,21 +206,26 @@ void renderReference(const RenderOptions& options, bool linear) {
   interrupt.check();
 
   const double start = processCpuSeconds();
-  const ReferencePicture picture = [&] {
+  const auto make = [&](const PicturePart& part) {
     ProgressLine line(options.technique, !options.report.quiet);  // wiped before anything else is printed
     const auto progress = [&](double done) {
       line.show(done);
       return !interrupt.interrupted();
     };
     return box ? boxPicture(loaded, camera, options, interrupt, progress)
-               : traceScene(loaded, camera, options, progress);
-  }();
+               : traceScene(loaded, camera, options, part, progress);
+  };
+  const std::string key = share ? pictureKey(loaded, camera, options) : std::string();
+  const auto whole = share ? sharedPicture(*share, key, options, make) : std::optional<ReferencePicture>(make({}));
+  if (!whole) return;  // others have the rest
+  const ReferencePicture& picture = *whole;
   if (!picture.complete) {
     const std::string partial = options.outputPath + ".partial";
     savePicture(partial, picture, linear, loaded.scene.exposure);
     throw WorkError("interrupted; the partial picture is in " + partial);
   }
   savePicture(options.outputPath, picture, linear, loaded.scene.exposure);
+  if (share) removeBands(options.outputPath, share->count, key);
   const ErrorSummary error = summary(picture);
   const std::string json = referenceJson(options, error, processCpuSeconds() - start);
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, json);

@@ -167,8 +167,7 @@ void runStressCommand(const StressOptions& options) {
 }  // namespace
 
 Subcommand addStressCommand(CLI::App& program) {
-  CLI::App* command =
-      program.add_subcommand("stress", "Put every technique to inputs that break projection mathematics");
+  CLI::App* command = program.add_subcommand("stress", "Stress-test techniques with adversarial inputs");
   const auto options = std::make_shared<StressOptions>();
   command->add_option("--count", options->count, "Inputs in all, spread over classes and techniques (default 1000000)")
       ->check(CLI::Range(1.0, 1.0e12))

@@ -13,6 +13,7 @@
 #include "app/session/truth_stage.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/io/files/data_folder.h"
 #include "filters/reference/truth/truth_trace.h"
 
 namespace boxprobe {
@@ -64,12 +65,15 @@ std::vector<const TruthPicture*> chosenPictures(const TruthIndex& index, const B
 
 void runTruthBench(const BenchOptions& options) {
   if (!options.size.empty()) throw InputError("--size is not for --truth: the truth pictures have their own size");
+  if (!options.materials.empty())
+    throw InputError("--materials is not for --truth: every reflecting pixel is compared");
   if (options.rooms) throw InputError("--rooms is not for --truth: leave one of them out");
   if (!options.assignments.empty())
     throw InputError("--set is not for --truth: the truth pictures are of scenes as they are");
   InterruptGuard interrupt;
   interrupt.waitForPartialResults();
-  const TruthIndex index = loadTruthIndex(options.truthPath == kOwnTruth ? BOXPROBE_TRUTH_FILE : options.truthPath);
+  const TruthIndex index =
+      loadTruthIndex(options.truthPath == kOwnTruth ? dataFile("truth/truth.json") : options.truthPath);
   const std::vector<const TruthPicture*> pictures = chosenPictures(index, options);
   const std::vector<BenchTechnique> techniques = chooseBenchTechniques(options.techniques);
   requireBenchFolder(options.folder, "truth.json");

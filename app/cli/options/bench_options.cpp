@@ -79,6 +79,10 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
       ->type_name("LIST");
   command.add_option("--camera", options.cameras, "Use only these cameras; frames are timed through the first")
       ->type_name("NAMES");
+  command
+      .add_option("--materials", options.materials,
+                  "Measure only surfaces of these materials; every reflecting one still gets the roughness")
+      ->type_name("NAMES");
   command.add_option("--size", options.size, "Size of the pictures that errors are measured in (default 200x112)")
       ->type_name("WxH");
   command
@@ -118,6 +122,7 @@ BenchPlan benchPlan(const BenchOptions& options, const Scene& scene) {
   const FrameSize size = !options.size.empty() ? parseFrameSize(options.size)
                          : options.quick       ? FrameSize{160, 90}
                                                : FrameSize{200, 112};
+  plan.materials = listedNames(options.materials);
   plan.width = size.width;
   plan.height = size.height;
   plan.seed = options.seed;

@@ -20,6 +20,7 @@ struct BenchOptions {
   std::string techniques;  ///< see chooseBenchTechniques()
   std::string roughnesses;
   std::string cameras;
+  std::string materials;
   std::string size;
   std::optional<int> rooms;  ///< of the study; none: as the plan has it
   std::string truthPath;     ///< of the truth pictures' file, or kOwnTruth; empty: a benchmark without them

@@ -73,6 +73,11 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->check(CLI::Range(1, 65536).description(""))
       ->type_name("N");
   command.add_flag("--full", options.full, "reference-scene: reflections also show what the probes do not see");
+  command
+      .add_option("--shard", options.shard,
+                  "reference-scene: trace share I of N alone into a file beside the picture; who finds all of them "
+                  "there makes the picture. auto: the place in Slurm's array job or among mpiexec's processes")
+      ->type_name("I/N|auto");
   command.add_option("--probes", options.probes, "off: no reflections from probes or sky, VTK's plain shader")
       ->check(CLI::IsMember({"on", "off"}).description(""))
       ->type_name("on|off");

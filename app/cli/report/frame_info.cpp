@@ -7,6 +7,7 @@
 #include "app/session/automatic_exposure.h"
 #include "app/session/interrupt.h"
 #include "app/session/offscreen_scene.h"
+#include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
 #include "filters/io/cube/bake_folder.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kRounds = 7;           // of every kind of frame
 constexpr std::size_t kListed = 40;  // lines of a kind, for people
 
 std::string formatted(const char* format, double value) {
@@ -35,10 +37,24 @@ std::string drawnObjectLine(const FrameReport::Object& object) {
   return line + formatted(" sky %.0f %%", 100.0 * object.sky);
 }
 
+// Of a picture at rest, as a window draws it after a while.
+FrameCosts measuredCosts(OffscreenScene& shown, const InterruptGuard& interrupt, bool quiet) {
+  shown.rest();
+  ProgressLine line("measuring costs", !quiet);
+  FrameCosts costs = measureFrameCosts(
+      shown.renderer(), kRounds, [&] { return timedFrameOf(shown.window()); },
+      [&](double fraction) {
+        line.show(fraction);
+        return !interrupt.interrupted();
+      });
+  interrupt.check();
+  return costs;
+}
+
 }  // namespace
 
 FrameReport drawnFrameReport(LoadedScene& loaded, const std::string& scenePath, const std::string& camera,
-                             FrameSize frame, const ReportOptions& options) {
+                             FrameSize frame, const ReportOptions& options, FrameCosts* costs) {
   const Camera view = chooseCamera(loaded.scene, camera);
   const InterruptGuard interrupt;
   OffscreenScene shown(
@@ -52,6 +68,7 @@ FrameReport drawnFrameReport(LoadedScene& loaded, const std::string& scenePath, 
   shown.requireHealthy();
   FrameReport report = shown.renderer().frameReport();
   report.lookups = shown.renderer().measureLookups(frame.width, frame.height);
+  if (costs != nullptr) *costs = measuredCosts(shown, interrupt, options.quiet);
   shown.requireHealthy();
   return report;
 }

@@ -1,6 +1,10 @@
 // See editor.h.
 #include "app/gui/edit/editor.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "filters/core/base/errors.h"
 
 namespace boxprobe {
@@ -11,6 +15,25 @@ Document::Edit onProbe(const std::string& name, const Editor::ProbeEdit& edit) {
   return [name, edit](Scene& scene) {
     if (const auto index = findProbe(scene, name)) edit(scene.probes[*index]);
   };
+}
+
+std::vector<std::string> probeNames(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Probe& probe : scene.probes) names.push_back(probe.name);
+  return names;
+}
+
+/// After undo or redo: a probe that came back, or the neighbour of the selected one that went.
+void selectWhatChanged(Document& document, const std::vector<std::string>& before,
+                       std::optional<std::size_t> selected) {
+  const auto& probes = document.scene().probes;
+  if (probes.size() == before.size() + 1) {
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+      if (std::find(before.begin(), before.end(), probes[i].name) == before.end()) document.selectProbe(i);
+    }
+  } else if (selected && !document.selectedProbe() && !probes.empty()) {
+    document.selectProbe(std::min(*selected > 0 ? *selected - 1 : 0, probes.size() - 1));
+  }
 }
 
 }  // namespace
@@ -86,16 +109,26 @@ void Editor::cancel() {
   emit settled();
 }
 
-void Editor::undo() {
+template <typename Move>
+void Editor::step(const Move& move) {
   finish();
-  guarded([&] { document_.undo(); });
+  const auto names = probeNames(scene());
+  const auto selected = document_.selectedProbe();
+  guarded(move);
+  selectWhatChanged(document_, names, selected);
   emit settled();
 }
 
+void Editor::undo() {
+  step([this] { document_.undo(); });
+}
+
 void Editor::redo() {
-  finish();
-  guarded([&] { document_.redo(); });
-  emit settled();
+  step([this] { document_.redo(); });
+}
+
+void Editor::goTo(std::size_t position) {
+  step([this, position] { document_.goTo(position); });
 }
 
 void Editor::selectProbe(std::optional<std::size_t> index) {

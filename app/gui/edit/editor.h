@@ -41,8 +41,11 @@ class Editor : public QObject {
   void finish();
   void cancel();
 
+  /// A probe that comes back is selected; where the selected one goes, its neighbour.
   void undo();
   void redo();
+  /// Undoes or redoes until `position` steps stand.
+  void goTo(std::size_t position);
   void selectProbe(std::optional<std::size_t> index);
 
  signals:
@@ -54,6 +57,8 @@ class Editor : public QObject {
  private:
   template <typename Work>
   void guarded(const Work& work);
+  template <typename Move>
+  void step(const Move& move);
   bool goesOn(const EditToken& token) const;
   void forgetPending();
 

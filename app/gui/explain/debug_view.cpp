@@ -47,8 +47,14 @@ DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document
       surfacePanel_(new SurfaceViewPanel(panel_)),
       rayPanel_(new RayPanel(panel_)),
       card_(new ExplainCard([this](const std::string& probe) { return renderer_.mapsOnCpu(probe); })),
-      schematic_(new SchematicInset(&viewport)) {
+      explainPanel_(new QWidget),
+      schematic_(new SchematicInset(SchematicInset::InLayout())),
+      inset_(new SchematicInset(&viewport)) {
   buildPanel();
+  auto* column = new QVBoxLayout(explainPanel_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(card_, 1);
+  column->addWidget(schematic_);
   connectParts();
   rays_->setSettings(rayPanel_->settings());
   showNothing();
@@ -70,7 +76,8 @@ void DebugView::buildPanel() {
   tool_->setObjectName("explainTool");
   tool_->setToolTip(tr("Explains how the pixel under the pointer gets its colour; a click pins it (E)"));
   form->addRow(tool_);
-  schematicShown_->setChecked(true);
+  schematicShown_->setToolTip(tr("The same drawing stands under the explanation"));
+  inset_->setShown(false);
   schematicShown_->setObjectName("schematicShown");
   form->addRow(schematicShown_);
   mirrorsShown_->setObjectName("mirrorsShown");
@@ -104,7 +111,7 @@ void DebugView::connectParts() {
   connect(card_, &ExplainCard::unpinRequested, &inspector_, &PixelInspector::unpin);
   connect(tool_, &QPushButton::clicked, this, &DebugView::setTool);
   connect(schematicShown_, &QCheckBox::toggled, this, [this](bool shown) {
-    schematic_->setShown(shown);
+    inset_->setShown(shown);
     inspector_.invalidate();
   });
   connect(surfacePanel_, &SurfaceViewPanel::changed, this, &DebugView::setSurfaceView);
@@ -221,7 +228,9 @@ bool DebugView::unpin() {
 
 void DebugView::show(const Explanation& explanation) {
   card_->show(explanation, verdictOf(explanation, document_.scene()), document_.scene().exposure);
-  schematic_->show(explanation, QPointF(explanation.x, explanation.y) / pixelScale());
+  for (SchematicInset* plan : {schematic_, inset_}) {
+    plan->show(explanation, QPointF(explanation.x, explanation.y) / pixelScale());
+  }
   mirrors_->explain(&explanation);
   if (rays_->explain(&explanation) || mirrors_->shown()) raysChanged();
 }
@@ -229,7 +238,7 @@ void DebugView::show(const Explanation& explanation) {
 void DebugView::showNothing() {
   card_->showHint(inspector_.tool() ? tr("Move the pointer over the picture. A click pins what it explains.")
                                     : tr("Switch the Explain tool on (E), then move the pointer over the picture."));
-  schematic_->clear();
+  for (SchematicInset* plan : {schematic_, inset_}) plan->clear();
   mirrors_->explain(nullptr);
   if (rays_->explain(nullptr) || mirrors_->shown()) raysChanged();
 }

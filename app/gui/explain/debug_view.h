@@ -40,7 +40,9 @@ class DebugView : public QObject {
 
   QWidget* panel() const { return panel_; }  ///< settings, for a dock
   ExplainCard* card() const { return card_; }
-  SchematicInset* schematic() const { return schematic_; }
+  QWidget* explainPanel() const { return explainPanel_; }   ///< the card with the schematic under it, for a dock
+  SchematicInset* schematic() const { return schematic_; }  ///< under the card
+  SchematicInset* inset() const { return inset_; }          ///< in the picture, if wanted
   SurfaceViewPanel* surfacePanel() const { return surfacePanel_; }
   const PixelInspector& inspector() const { return inspector_; }
   const RayRig& rays() const { return *rays_; }
@@ -106,7 +108,8 @@ class DebugView : public QObject {
   SurfaceViewPanel* surfacePanel_;
   RayPanel* rayPanel_;
   ExplainCard* card_;
-  SchematicInset* schematic_;
+  QWidget* explainPanel_;
+  SchematicInset *schematic_, *inset_;
 };
 
 }  // namespace boxprobe

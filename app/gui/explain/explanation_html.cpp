@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/widgets/window_style.h"
+
 namespace boxprobe {
 
 namespace {
 
-constexpr const char* kDimText = "#aab0b9";
-constexpr const char* kAccent = "#ffb31a";
-constexpr const char* kDeciding = "#4a3a12";
+QString accent() {
+  return styleColor(StyleColor::Accent).name();
+}
 constexpr int kColumns = 5;  ///< symbol, three numbers, swatch
 
 QString plain(const std::string& text) {
@@ -33,17 +35,18 @@ QString swatchCell(const ExplanationRow& row, double exposure) {
 }
 
 QString small(const QString& html) {
-  return QString("<span style=\"color:%1; font-size:small\">%2</span>").arg(kDimText, html);
+  return QString("<span style=\"color:%1; font-size:small\">%2</span>").arg(styleColor(StyleColor::Dim).name(), html);
 }
 
 QString rowHtml(const ExplanationRow& row, double exposure) {
-  const QString background = row.marked ? QString(" bgcolor=\"%1\"").arg(kDeciding) : QString();
+  const QString background =
+      row.marked ? QString(" bgcolor=\"%1\"").arg(styleColor(StyleColor::Deciding).name()) : QString();
   QString html = "<tr" + background + ">";
   QString symbol = row.detail ? small(plain(row.symbol)) : symbolHtml(row.symbol);
   if (row.sum) symbol = "<b>" + symbol + "</b>";
   html += cell(symbol, row.detail ? "align=\"right\"" : "");
-  const QString meaning =
-      small(formulaHtml(row.meaning) + (row.marked ? QString(" <b style=\"color:%1\">smallest</b>").arg(kAccent) : ""));
+  const QString meaning = small(formulaHtml(row.meaning) +
+                                (row.marked ? QString(" <b style=\"color:%1\">smallest</b>").arg(accent()) : ""));
   // One number leaves room for what it means beside it; three have it below.
   if (row.numbers.size() < 3) {
     if (row.numbers.empty()) {
@@ -66,9 +69,9 @@ QString rowHtml(const ExplanationRow& row, double exposure) {
 
 QString noteHtml(const std::string& note) {
   return QString(
-             "<table width=\"100%\" cellpadding=\"6\" cellspacing=\"0\"><tr><td bgcolor=\"#5a4312\">"
+             "<table width=\"100%\" cellpadding=\"6\" cellspacing=\"0\"><tr><td bgcolor=\"%3\">"
              "<b style=\"color:%1\">!</b>&nbsp; %2</td></tr></table>")
-      .arg(kAccent, plain(note));
+      .arg(accent(), plain(note), styleColor(StyleColor::Remarkable).name());
 }
 
 }  // namespace
@@ -114,7 +117,7 @@ QString explanationHtml(const Explanation& e, const ExplanationDetail& detail, d
   };
   for (std::size_t i = 0; i < sections.size(); ++i) {
     parts += wide(QString("<p style=\"margin-top:7px; margin-bottom:2px\"><b style=\"color:%1\">%2</b></p>")
-                      .arg(kAccent, plain(sections[i].title)));
+                      .arg(accent(), plain(sections[i].title)));
     if (i == 0) {
       for (const std::string& note : e.notes) parts += wide(noteHtml(note));
     }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kInsetMargin = 10;
 /// Of the picture's width, within what is legible and what is needed; logical pixels.
-constexpr double kShareOfWidth = 0.6;
-constexpr int kSmallestWidth = 380, kLargestWidth = 680;
+constexpr double kShareOfWidth = 0.45;
+constexpr int kSmallestWidth = 380, kLargestWidth = 620;
 constexpr double kLargestShareOfHeight = 0.45;
 
 }  // namespace
@@ -26,12 +26,22 @@ SchematicInset::SchematicInset(QWidget* parent) : QWidget(parent) {
   hide();
 }
 
+SchematicInset::SchematicInset(InLayout) : inPicture_(false) {
+  setObjectName("plan");
+  hide();
+}
+
+void SchematicInset::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (!inPicture_) setFixedHeight(width() / 2);
+}
+
 void SchematicInset::show(const Explanation& explanation, const QPointF& position) {
   if (!shown_) return;
   position_ = position;
   schematic_ = schematic(explanation);
   setVisible(schematic_.has_value());
-  place();
+  if (inPicture_) place();
   update();
 }
 

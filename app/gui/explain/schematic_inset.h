@@ -1,5 +1,5 @@
-// The schematic in a corner of the picture: plan and side elevation of what is explained, as large as the picture has
-// room for. Called by the main window; paints through schematic_painter.h. Takes no mouse.
+// The schematic: plan and side elevation of what is explained, in a corner of the picture, as large as that has room
+// for, or under the card that explains. Called by the main window; paints through schematic_painter.h. Takes no mouse.
 #pragma once
 
 #include <QWidget>
@@ -15,6 +15,9 @@ class SchematicInset : public QWidget {
  public:
   /// Keeps itself in the lower right corner, or the upper one, of `parent`.
   explicit SchematicInset(QWidget* parent);
+  /// In a layout instead, as wide as that makes it.
+  struct InLayout {};
+  explicit SchematicInset(InLayout);
 
   /// Nothing to draw (the background, no probe) hides it.
   /// `position`: of the pixel explained, logical; the inset keeps off it.
@@ -24,6 +27,7 @@ class SchematicInset : public QWidget {
   void setShown(bool shown);
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -33,6 +37,7 @@ class SchematicInset : public QWidget {
   std::optional<Schematic> schematic_;
   QPointF position_;
   bool shown_ = true;
+  bool inPicture_ = true;
 };
 
 }  // namespace boxprobe

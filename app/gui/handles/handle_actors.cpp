@@ -2,9 +2,12 @@
 #include "app/gui/handles/handle_actors.h"
 
 #include <vtkActor.h>
+#include <vtkArrowSource.h>
 #include <vtkCellArray.h>
+#include <vtkCubeSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
@@ -13,14 +16,19 @@
 #include <vtkSphereSource.h>
 
 #include <QColor>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "app/gui/widgets/axis_colors.h"
+#include "filters/core/geometry/probe_geometry.h"
 
 namespace boxprobe {
 
 namespace {
 
 constexpr double kFaceRadius = 7.0;  ///< logical pixels
+constexpr double kBlendRadius = 5.5;
 constexpr double kOriginRadius = 9.0;
 constexpr double kIdleOriginRadius = 6.0;
 constexpr double kHighlightScale = 1.35;
@@ -56,79 +64,184 @@ vtkSmartPointer<vtkActor> addActor(vtkRenderer* renderer, vtkPolyData* shape) {
   return actor;
 }
 
-void placeAt(vtkActor* actor, const glm::dvec3& positionWorld, double radius) {
+/// A cube whose corners lie about as far out as the ball's surface.
+vtkSmartPointer<vtkPolyData> cube() {
+  vtkNew<vtkCubeSource> source;
+  for (const auto set : {&vtkCubeSource::SetXLength, &vtkCubeSource::SetYLength, &vtkCubeSource::SetZLength}) {
+    (source.Get()->*set)(1.6);
+  }
+  source->Update();
+  return source->GetOutput();
+}
+
+/// Along X, of length 1.
+vtkSmartPointer<vtkPolyData> arrow() {
+  vtkNew<vtkArrowSource> source;
+  source->SetTipLength(0.22);
+  source->SetTipRadius(0.07);
+  source->SetTipResolution(20);
+  source->SetShaftRadius(0.022);
+  source->SetShaftResolution(12);
+  source->Update();
+  return source->GetOutput();
+}
+
+/// About X, of radius 1.
+vtkSmartPointer<vtkPolyData> ring() {
+  constexpr int kSides = 96;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(kSides + 1);
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = glm::radians(360.0 * i / kSides);
+    points->InsertNextPoint(0.0, std::cos(angle), std::sin(angle));
+    cells->InsertCellPoint(i);
+  }
+  cells->InsertCellPoint(0);
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  return lines;
+}
+
+void setMatrix(vtkActor* actor, const glm::dmat3& axes, const glm::dvec3& positionWorld) {
   vtkNew<vtkMatrix4x4> matrix;
-  for (int axis = 0; axis < 3; ++axis) {
-    matrix->SetElement(axis, axis, radius);
-    matrix->SetElement(axis, 3, positionWorld[axis]);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) matrix->SetElement(row, column, axes[column][row]);
+    matrix->SetElement(row, 3, positionWorld[row]);
   }
   actor->SetUserMatrix(matrix);
 }
 
-}  // namespace
-
-HandleActors::HandleActors(vtkRenderer* renderer) : renderer_(renderer), ball_(sphere(24, 16)), diamond_(octahedron()) {
-  for (std::size_t i = 0; i < kBoxFaces.size(); ++i) faces_.push_back(newMark(ball_));
+/// A frame whose third axis runs along the ray through the point instead of along the view: what is drawn in it is as
+/// round at the picture's edge as in its middle.
+glm::dmat3 screenFrame(const ViewProjection& view, const glm::dvec3& positionWorld) {
+  const ViewAxes axes = view.axes();
+  glm::dvec3 away = positionWorld - view.eyeWorld();
+  const double depth = glm::dot(away, axes.forward);
+  away = view.parallel() || depth <= 0.0 ? axes.forward : away / depth;
+  return {view.right(), axes.up, -away};
 }
 
-HandleActors::Mark HandleActors::newMark(vtkPolyData* shape) {
+void setColor(vtkActor* actor, const QColor& color) {
+  actor->GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());
+}
+
+}  // namespace
+
+HandleActors::HandleActors(vtkRenderer* renderer) : renderer_(renderer), diamond_(octahedron()) {
+  const auto ball = sphere(24, 16), small = cube(), pointing = arrow(), circle = ring();
+  for (std::size_t i = 0; i < kBoxFaces.size(); ++i) {
+    faces_.push_back(newMark(ball, Form::Round));
+    blends_.push_back(newMark(small, Form::Round));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    rings_.push_back(newMark(circle, Form::Ring));
+    arrows_.push_back(newMark(pointing, Form::Pointing));
+  }
+}
+
+HandleActors::Mark HandleActors::newMark(vtkPolyData* shape, Form form) {
   Mark mark;
-  // The outline is the same shape a little larger and dark, seen only where its far side looks out behind the body.
+  mark.form = form;
+  // The outline is the same shape a little larger, seen only where its far side looks out behind the body.
   mark.outline = addActor(renderer_, shape);
   mark.outline->GetProperty()->LightingOff();
-  mark.outline->GetProperty()->FrontfaceCullingOn();
-  const QColor halo = haloColor();
-  mark.outline->GetProperty()->SetColor(halo.redF(), halo.greenF(), halo.blueF());
   mark.body = addActor(renderer_, shape);
-  mark.body->GetProperty()->SetAmbient(0.45);
-  mark.body->GetProperty()->SetDiffuse(0.6);
+  if (form == Form::Ring) {
+    mark.body->GetProperty()->SetLineWidth(3.5F);
+    mark.body->GetProperty()->LightingOff();
+  } else {
+    mark.outline->GetProperty()->FrontfaceCullingOn();
+    mark.body->GetProperty()->SetAmbient(0.45);
+    mark.body->GetProperty()->SetDiffuse(0.6);
+  }
   return mark;
+}
+
+HandleActors::Mark& HandleActors::markOf(const Handle& handle) {
+  const auto axis = static_cast<std::size_t>(handle.face.axis), face = static_cast<std::size_t>(handle.face.index());
+  switch (handle.kind) {
+    case HandleKind::Face:
+    case HandleKind::Influence:
+      return faces_[face];
+    case HandleKind::Blend:
+      return blends_[face];
+    case HandleKind::Move:
+    case HandleKind::OriginAxis:
+      return arrows_[axis];
+    case HandleKind::Turn:
+      return rings_[axis];
+    case HandleKind::Origin:
+      break;
+  }
+  return origins_[handle.probe];
 }
 
 void HandleActors::place(Mark& mark, const std::vector<Probe>& probes, const Handle& handle, bool selected,
                          bool highlighted) {
-  mark.positionWorld = handlePositionWorld(probes, handle);
-  const bool face = handle.kind == HandleKind::Face;
-  QColor color = face ? axisColor(handle.face.axis) : selected ? originColor() : idleColor();
-  mark.radiusPixels = face ? kFaceRadius : selected ? kOriginRadius : kIdleOriginRadius;
-  if (highlighted) {
-    mark.radiusPixels *= kHighlightScale;
-    color = color.lighter(140);
+  const Probe& probe = probes[handle.probe];
+  mark.shown = true;
+  mark.positionWorld = handleAnchorWorld(probe, handle);
+  const bool origin = handle.kind == HandleKind::Origin;
+  QColor color = !origin ? axisColor(handle.face.axis) : selected ? originColor() : idleColor();
+  QColor rim = haloColor();
+  mark.outlinePixels = kOutlinePixels;
+  mark.radiusPixels = origin                             ? (selected ? kOriginRadius : kIdleOriginRadius)
+                      : handle.kind == HandleKind::Blend ? kBlendRadius
+                      : mark.form == Form::Pointing      ? kArrowPixels
+                      : mark.form == Form::Ring          ? kRingPixels
+                                                         : kFaceRadius;
+  if (highlighted) color = color.lighter(140);
+  if (highlighted && mark.form == Form::Round) mark.radiusPixels *= kHighlightScale;
+  if (mark.form == Form::Round && !origin && !handle.face.positive) {
+    rim = color;
+    color = haloColor();
+    mark.outlinePixels = 1.5 * kOutlinePixels;
   }
-  mark.body->GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());
+  if (mark.form != Form::Round) {
+    const glm::dvec3 axis = handleAxisWorld(probe, handle);
+    const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 side = glm::normalize(glm::cross(axis, other));
+    mark.frame = glm::dmat3(axis, side, glm::cross(axis, side));
+  }
+  setColor(mark.body, color);
+  setColor(mark.outline, rim);
+}
+
+void HandleActors::forAll(const std::function<void(Mark&)>& work) {
+  for (std::vector<Mark>* marks : {&faces_, &blends_, &arrows_, &rings_, &origins_}) {
+    for (Mark& mark : *marks) work(mark);
+  }
 }
 
 void HandleActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
-                          std::optional<Handle> highlighted) {
-  while (origins_.size() < probes.size()) origins_.push_back(newMark(diamond_));
-  shownOrigins_ = probes.size();
-  shownFaces_ = selected.has_value();
-  for (const Handle& handle : handles(probes, selected)) {
-    Mark& mark = handle.kind == HandleKind::Face ? faces_[static_cast<std::size_t>(handle.face.index())]
-                                                 : origins_[handle.probe];
-    place(mark, probes, handle, selected == handle.probe, highlighted && *highlighted == handle);
+                          std::optional<Handle> highlighted, HandleMode mode) {
+  while (origins_.size() < probes.size()) origins_.push_back(newMark(diamond_, Form::Round));
+  forAll([](Mark& mark) { mark.shown = false; });
+  for (const Handle& handle : handles(probes, selected, mode)) {
+    place(markOf(handle), probes, handle, selected == handle.probe, highlighted && *highlighted == handle);
   }
   setVisible(visible_);
 }
 
 void HandleActors::setVisible(bool visible) {
   visible_ = visible;
-  const auto show = [](const Mark& mark, bool shown) {
-    mark.body->SetVisibility(shown ? 1 : 0);
-    mark.outline->SetVisibility(shown ? 1 : 0);
-  };
-  for (const Mark& mark : faces_) show(mark, visible && shownFaces_);
-  for (std::size_t i = 0; i < origins_.size(); ++i) show(origins_[i], visible && i < shownOrigins_);
+  forAll([visible](Mark& mark) {
+    mark.body->SetVisibility(visible && mark.shown ? 1 : 0);
+    mark.outline->SetVisibility(visible && mark.shown && mark.form == Form::Round ? 1 : 0);
+  });
 }
 
 void HandleActors::fit(const ViewProjection& view) {
-  const auto fitMark = [&](const Mark& mark) {
+  forAll([&view](Mark& mark) {
+    if (!mark.shown) return;
     const double metres = view.metresPerPixel(mark.positionWorld);
-    placeAt(mark.body, mark.positionWorld, metres * mark.radiusPixels);
-    placeAt(mark.outline, mark.positionWorld, metres * (mark.radiusPixels + kOutlinePixels));
-  };
-  for (const Mark& mark : faces_) fitMark(mark);
-  for (const Mark& mark : origins_) fitMark(mark);
+    const glm::dmat3 frame = mark.form == Form::Round ? screenFrame(view, mark.positionWorld) : mark.frame;
+    setMatrix(mark.body, frame * (metres * mark.radiusPixels), mark.positionWorld);
+    const double outline = mark.form == Form::Round ? mark.radiusPixels + mark.outlinePixels : mark.radiusPixels;
+    setMatrix(mark.outline, frame * (metres * outline), mark.positionWorld);
+  });
 }
 
 }  // namespace boxprobe

@@ -1,10 +1,13 @@
-// The handles' pictures in a vtkRenderer: a ball on each face of the selected probe in its axis' colour, a diamond at
-// its capture origin, a small diamond at the other probes' origins; always the same size on the screen, brighter and
-// larger under the pointer. Called by the probe widget; knows no mouse.
+// The handles' pictures in a vtkRenderer: balls on the faces of the selected probe in their axis' colour, filled at the
+// maximum and hollow at the minimum, arrows and rings, a diamond at its capture origin, a small diamond at the other
+// probes' origins; always the same size on the screen, brighter and larger under the pointer. Called by the probe
+// widget; knows no mouse.
 #pragma once
 
 #include <vtkSmartPointer.h>
 
+#include <functional>
+#include <glm/mat3x3.hpp>
 #include <optional>
 #include <vector>
 
@@ -21,26 +24,33 @@ class HandleActors {
  public:
   explicit HandleActors(vtkRenderer* renderer);
 
-  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, std::optional<Handle> highlighted);
+  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, std::optional<Handle> highlighted,
+              HandleMode mode);
   void setVisible(bool visible);
   /// Before each picture: sizes follow the view, whose pixels are logical ones.
   void fit(const ViewProjection& view);
 
  private:
+  enum class Form { Round, Pointing, Ring };
   struct Mark {
     vtkSmartPointer<vtkActor> body, outline;
+    Form form = Form::Round;
     glm::dvec3 positionWorld{0.0};
-    double radiusPixels = 7.0;
+    glm::dmat3 frame{1.0};  ///< of what points or lies somewhere: its X is the axis
+    double radiusPixels = 7.0, outlinePixels = 2.0;
+    bool shown = false;
   };
-  Mark newMark(vtkPolyData* shape);
+  Mark newMark(vtkPolyData* shape, Form form);
+  Mark& markOf(const Handle& handle);
   void place(Mark& mark, const std::vector<Probe>& probes, const Handle& handle, bool selected, bool highlighted);
+  void forAll(const std::function<void(Mark&)>& work);
 
   vtkSmartPointer<vtkRenderer> renderer_;
-  vtkSmartPointer<vtkPolyData> ball_, diamond_;
-  std::vector<Mark> faces_;    ///< six
-  std::vector<Mark> origins_;  ///< one per probe; grows, never shrinks
-  std::size_t shownOrigins_ = 0;
-  bool shownFaces_ = false;
+  vtkSmartPointer<vtkPolyData> diamond_;
+  std::vector<Mark> faces_;           ///< six, of the box that the mode is about
+  std::vector<Mark> blends_;          ///< six
+  std::vector<Mark> arrows_, rings_;  ///< three
+  std::vector<Mark> origins_;         ///< one per probe; grows, never shrinks
   bool visible_ = true;
 };
 

@@ -1,10 +1,28 @@
 // See handle_drag.h.
 #include "app/gui/handles/handle_drag.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "app/gui/handles/handle_picking.h"
+#include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/geometry/rotation_degrees.h"
 
 namespace boxprobe {
+
+namespace {
+
+constexpr double kTurnStep = 15.0;  ///< degrees, while Ctrl is held
+
+/// Along its own axis, in the frame of the box.
+void moveFace(Box& box, const BoxFace& face, double outwards) {
+  (face.positive ? box.max : box.min)[face.axis] += face.sign() * outwards;
+}
+
+}  // namespace
 
 std::optional<double> closestOnLine(const Ray& ray, const glm::dvec3& point, const glm::dvec3& axis) {
   // Two lines are closest where the segment between them is perpendicular to both.
@@ -26,50 +44,178 @@ std::optional<glm::dvec3> meetPlane(const Ray& ray, const glm::dvec3& point, con
   return ray.origin + distance * ray.direction;
 }
 
-FaceDrag::FaceDrag(const Probe& probe, const BoxFace& face, const ViewAxes& view, const Ray& grab)
-    : start_(probe.box),
-      rotationDegrees_(probe.rotationDegrees),
-      face_(face),
-      centerWorld_(faceCenterWorld(probe, face)),
-      axisWorld_(faceAxisWorld(probe, face)),
-      view_(view) {
+AxisDrag::AxisDrag(const glm::dvec3& point, const glm::dvec3& axis, const ViewAxes& view, const Ray& grab)
+    : point_(point), axis_(axis), view_(view) {
   // Looking along the axis the closest point leaps from the viewer's nose to the horizon within a few pixels.
   constexpr double kHeadOnCosine = 0.985;  // 10 degrees
-  headOn_ = std::abs(glm::dot(axisWorld_, grab.direction)) > kHeadOnCosine;
-  grabOffset_ = alongAxis(grab).value_or(0.0);
+  headOn_ = std::abs(glm::dot(axis_, grab.direction)) > kHeadOnCosine;
+  grabOffset_ = along(grab).value_or(0.0);
 }
 
-std::optional<double> FaceDrag::alongAxis(const Ray& ray) const {
-  if (!headOn_) return closestOnLine(ray, centerWorld_, axisWorld_);
-  const auto met = meetPlane(ray, centerWorld_, view_.forward);
+std::optional<double> AxisDrag::along(const Ray& ray) const {
+  if (!headOn_) return closestOnLine(ray, point_, axis_);
+  const auto met = meetPlane(ray, point_, view_.forward);
   if (!met) return std::nullopt;
-  const double away = glm::dot(*met - centerWorld_, view_.up);
-  return glm::dot(axisWorld_, view_.forward) > 0.0 ? away : -away;
+  const double away = glm::dot(*met - point_, view_.up);
+  return glm::dot(axis_, view_.forward) > 0.0 ? away : -away;
 }
 
-Box FaceDrag::box(const Ray& ray, bool symmetric) {
-  if (const auto along = alongAxis(ray)) offset_ = *along - grabOffset_;
-  return withFaceMoved(start_, rotationDegrees_, face_, offset_, symmetric, kMinimumThickness);
+double AxisDrag::offset(const Ray& ray) {
+  if (const auto at = along(ray)) offset_ = *at - grabOffset_;
+  return offset_;
 }
 
-OriginDrag::OriginDrag(const Probe& probe, const ViewAxes& view, const Ray& grab)
-    : start_(probe.origin), planeNormal_(view.forward), grab_(grab), last_(probe.origin) {}
+ProbeDrag::ProbeDrag(const Probe& probe, const Handle& handle, const ViewAxes& view, const Ray& grab)
+    : start_(probe),
+      handle_(handle),
+      view_(view),
+      grab_(grab),
+      line_(handleAnchorWorld(probe, handle), handleAxisWorld(probe, handle), view, grab),
+      originWorld_(probe.origin) {}
 
-glm::dvec3 OriginDrag::origin(const Ray& ray, std::optional<int> axis) {
-  if (axis) {
-    glm::dvec3 direction(0.0);
-    direction[*axis] = 1.0;
-    const auto from = closestOnLine(grab_, start_, direction);
-    const auto to = closestOnLine(ray, start_, direction);
-    if (!from || !to) return last_;
-    last_ = start_;
-    last_[*axis] += *to - *from;
-    return last_;
+Probe ProbeDrag::at(const DragWish& wish) {
+  switch (handle_.kind) {
+    case HandleKind::Face:
+    case HandleKind::Influence:
+    case HandleKind::Blend:
+      return faceAt(wish);
+    case HandleKind::Move:
+    case HandleKind::OriginAxis:
+      return movedAt(wish);
+    case HandleKind::Turn:
+      return turnedAt(wish);
+    case HandleKind::Origin:
+      break;
   }
-  const auto from = meetPlane(grab_, start_, planeNormal_);
-  const auto to = meetPlane(ray, start_, planeNormal_);
-  if (from && to) last_ = start_ + (*to - *from);
-  return last_;
+  return originAt(wish);
+}
+
+Probe ProbeDrag::faceAt(const DragWish& wish) {
+  double offset = line_.offset(wish.ray);
+  if (wish.snap != nullptr) offset = wish.snap->face(line_.point(), line_.axis(), offset, start_.origin);
+  Probe probe = start_;
+  const BoxFace& face = handle_.face;
+  const BoxFace opposite{face.axis, !face.positive};
+  if (handle_.kind == HandleKind::Face) {
+    setBox(probe, withFaceMoved(start_.box, start_.rotationDegrees, face, offset, wish.symmetric, kMinimumThickness));
+  } else if (handle_.kind == HandleKind::Influence) {
+    // It turns about the projection box's centre, which stays: its other faces do, too.
+    Box influence = start_.influenceBox();
+    const double size = influence.size()[face.axis];
+    const double thinnest = std::min(kMinimumThickness, size);
+    const double outwards = std::max(offset, (thinnest - size) / (wish.symmetric ? 2.0 : 1.0));
+    moveFace(influence, face, outwards);
+    if (wish.symmetric) moveFace(influence, opposite, outwards);
+    probe.influence = influence;
+  } else {
+    const auto inwards = [&](const BoxFace& of) {
+      double& distance = (of.positive ? probe.blendDistance.max : probe.blendDistance.min)[face.axis];
+      distance = std::clamp(distance - offset, 0.0, start_.influenceBox().size()[face.axis]);
+    };
+    inwards(face);
+    if (wish.symmetric) inwards(opposite);
+  }
+  return probe;
+}
+
+Probe ProbeDrag::movedAt(const DragWish& wish) {
+  double offset = line_.offset(wish.ray);
+  if (wish.snap != nullptr) offset = wish.snap->grid(line_.point(), line_.axis(), offset);
+  const glm::dvec3 by = offset * line_.axis();
+  if (handle_.kind == HandleKind::Move) return movedProbe(start_, by);
+  Probe probe = start_;
+  probe.origin += by;
+  return probe;
+}
+
+double ProbeDrag::turnDegrees(const Ray& ray) {
+  const glm::dvec3& center = line_.point();
+  const glm::dvec3& axis = line_.axis();
+  constexpr double kEdgeOnCosine = 0.1;  // a ring seen from its edge: its plane says nothing, its tangent does
+  const auto from = meetPlane(grab_, center, axis);
+  if (!from || std::abs(glm::dot(grab_.direction, axis)) < kEdgeOnCosine) {
+    const glm::dvec3 across = glm::cross(axis, -view_.forward);
+    if (glm::length(across) < 1e-9) return degrees_;
+    const glm::dvec3 tangent = glm::normalize(across);
+    const auto grabbed = closestOnLine(grab_, center, tangent), now = closestOnLine(ray, center, tangent);
+    const double arm = glm::length(start_.box.size()) * 0.25;
+    if (grabbed && now && arm > 0.0) degrees_ = glm::degrees((*now - *grabbed) / arm);
+    return degrees_;
+  }
+  const auto to = meetPlane(ray, center, axis);
+  if (!to) return degrees_;
+  const glm::dvec3 a = *from - center, b = *to - center;
+  degrees_ = glm::degrees(std::atan2(glm::dot(glm::cross(a, b), axis), glm::dot(a, b)));
+  return degrees_;
+}
+
+Probe ProbeDrag::turnedAt(const DragWish& wish) {
+  double degrees = turnDegrees(wish.ray);
+  const glm::dvec3& was = start_.rotationDegrees;
+  const bool yawAlone = handle_.face.axis == 1 && was.x == 0.0 && was.z == 0.0;
+  if (wish.snap != nullptr) {
+    const double base = yawAlone ? was.y : 0.0;
+    degrees = kTurnStep * std::round((base + degrees) / kTurnStep) - base;
+  }
+  Probe probe = start_;
+  const glm::dmat3 before = rotationMatrix(was);
+  glm::dvec3 turn(0.0);
+  turn[handle_.face.axis] = degrees;
+  // About an axis of its own: the box's frame is turned first, then put where it was.
+  const glm::dmat3 after = before * rotationMatrix(turn);
+  probe.rotationDegrees = yawAlone ? glm::dvec3(0.0, wrappedDegrees(was.y + degrees), 0.0) : rotationDegreesOf(after);
+  const glm::dvec3 center = start_.box.center();
+  probe.origin = center + after * (glm::transpose(before) * (start_.origin - center));
+  return probe;
+}
+
+Probe ProbeDrag::originAt(const DragWish& wish) {
+  if (wish.axis) {
+    glm::dvec3 direction(0.0);
+    direction[*wish.axis] = 1.0;
+    const auto from = closestOnLine(grab_, start_.origin, direction);
+    const auto to = closestOnLine(wish.ray, start_.origin, direction);
+    if (from && to) originWorld_ = start_.origin + (*to - *from) * direction;
+  } else {
+    const auto from = meetPlane(grab_, start_.origin, view_.forward);
+    const auto to = meetPlane(wish.ray, start_.origin, view_.forward);
+    if (from && to) originWorld_ = start_.origin + (*to - *from);
+  }
+  Probe probe = start_;
+  probe.origin = wish.snap != nullptr ? wish.snap->grid(originWorld_) : originWorld_;
+  if (wish.axis) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis != *wish.axis) probe.origin[axis] = start_.origin[axis];
+    }
+  }
+  return probe;
+}
+
+Probe besideOthers(const Probe& probe, const std::vector<Probe>& others) {
+  constexpr double kShare = 0.1;
+  const glm::dvec3 along = rotationMatrix(probe.rotationDegrees)[0];
+  const glm::dvec3 step = along * (kShare * std::max(probe.box.size().x, kMinimumThickness));
+  Probe moved = probe;
+  const auto hidden = [&moved](const Probe& other) {
+    return moved.box == other.box && moved.origin == other.origin && moved.rotationDegrees == other.rotationDegrees;
+  };
+  // Each other can be met once.
+  for (std::size_t i = 0; i < others.size() && std::any_of(others.begin(), others.end(), hidden); ++i) {
+    moved = movedProbe(moved, step);
+  }
+  return moved;
+}
+
+Probe movedProbe(const Probe& probe, const glm::dvec3& by) {
+  Probe moved = probe;
+  moved.origin += by;
+  moved.box.min += by;
+  moved.box.max += by;
+  if (moved.influence) {
+    moved.influence->min += by;
+    moved.influence->max += by;
+  }
+  return moved;
 }
 
 }  // namespace boxprobe

@@ -3,25 +3,17 @@
 // plain mathematics that knows neither VTK nor Qt.
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <vector>
 
-#include "filters/core/geometry/probe_frame.h"
+#include "app/gui/handles/drag_snap.h"
+#include "app/gui/handles/handle.h"
+#include "app/gui/handles/view_ray.h"
 #include "filters/core/scene/scene.h"
 
 namespace boxprobe {
-
-/// Through a pixel, world space. `direction` has unit length.
-struct Ray {
-  glm::dvec3 origin{0.0};
-  glm::dvec3 direction{0.0, 0.0, -1.0};
-};
-
-/// What the drags need of the view: unit vectors, world space.
-struct ViewAxes {
-  glm::dvec3 forward{0.0, 0.0, -1.0};
-  glm::dvec3 up{0.0, 1.0, 0.0};
-};
 
 /// Along the line `point + t axis` (axis of unit length), the t that comes closest to the ray. Nothing if the ray runs
 /// so nearly along the line (within 0.5 degrees) that a pixel would mean metres, or if they are closest behind the
@@ -31,40 +23,62 @@ std::optional<double> closestOnLine(const Ray& ray, const glm::dvec3& point, con
 /// Where the ray meets the plane; nothing if it runs along it or meets it behind its origin.
 std::optional<glm::dvec3> meetPlane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& normal);
 
-/// Drag of one face along its own axis.
-class FaceDrag {
+/// A point drawn along an axis.
+class AxisDrag {
  public:
-  FaceDrag(const Probe& probe, const BoxFace& face, const ViewAxes& view, const Ray& grab);
-  /// The box for the pointer on `ray`; `symmetric` moves the opposite face as far the other way. Where the ray says
-  /// nothing about the axis the answer is the one before.
-  Box box(const Ray& ray, bool symmetric);
-  const BoxFace& face() const { return face_; }
+  AxisDrag(const glm::dvec3& point, const glm::dvec3& axis, const ViewAxes& view, const Ray& grab);
+  /// How far along the axis it went. Where the ray says nothing about the axis the answer is the one before.
+  double offset(const Ray& ray);
+  const glm::dvec3& point() const { return point_; }
+  const glm::dvec3& axis() const { return axis_; }
 
  private:
-  std::optional<double> alongAxis(const Ray& ray) const;
+  std::optional<double> along(const Ray& ray) const;
 
-  Box start_;
-  glm::dvec3 rotationDegrees_;
-  BoxFace face_;
-  glm::dvec3 centerWorld_;
-  glm::dvec3 axisWorld_;
+  glm::dvec3 point_, axis_;
   ViewAxes view_;
   bool headOn_ = false;      ///< the axis points at the viewer: up on the screen means away from him
-  double grabOffset_ = 0.0;  ///< along the axis, from the face to where it was taken hold of
+  double grabOffset_ = 0.0;  ///< from the point to where it was taken hold of
   double offset_ = 0.0;      ///< as last given
 };
 
-/// Drag of the capture origin: in the plane through it that faces the camera, or along one world axis.
-class OriginDrag {
+struct DragWish {
+  Ray ray;
+  bool symmetric = false;        ///< the opposite face goes as far the other way
+  std::optional<int> axis = {};  ///< the origin goes along that world axis only
+  DragSnap* snap = nullptr;
+};
+
+/// A drag of one handle of a probe.
+class ProbeDrag {
  public:
-  OriginDrag(const Probe& probe, const ViewAxes& view, const Ray& grab);
-  glm::dvec3 origin(const Ray& ray, std::optional<int> axis);
+  ProbeDrag(const Probe& probe, const Handle& handle, const ViewAxes& view, const Ray& grab);
+  /// The probe as the drag would leave it.
+  Probe at(const DragWish& wish);
+  const Handle& handle() const { return handle_; }
+  const Probe& start() const { return start_; }
 
  private:
-  glm::dvec3 start_;
-  glm::dvec3 planeNormal_;
+  Probe faceAt(const DragWish& wish);
+  Probe movedAt(const DragWish& wish);
+  Probe turnedAt(const DragWish& wish);
+  Probe originAt(const DragWish& wish);
+  double turnDegrees(const Ray& ray);
+
+  Probe start_;
+  Handle handle_;
+  ViewAxes view_;
   Ray grab_;
-  glm::dvec3 last_;
+  AxisDrag line_;
+  double degrees_ = 0.0;    ///< of a ring, as last given
+  glm::dvec3 originWorld_;  ///< as last given
 };
+
+/// Moved along its box's X by tenths of its width until it stands on none of `others`: two in one place cannot be told
+/// apart.
+Probe besideOthers(const Probe& probe, const std::vector<Probe>& others);
+
+/// The probe moved by `by`, world: its box, its influence box and its origin.
+Probe movedProbe(const Probe& probe, const glm::dvec3& by);
 
 }  // namespace boxprobe

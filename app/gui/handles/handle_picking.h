@@ -7,29 +7,27 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/handles/handle_drag.h"
-#include "filters/core/geometry/probe_frame.h"
+#include "app/gui/handles/handle.h"
+#include "app/gui/handles/view_ray.h"
 #include "filters/core/scene/scene.h"
 
 class vtkCamera;
 
 namespace boxprobe {
 
-enum class HandleKind { Face, Origin };
+/// Of the selected probe those of `mode`; of the others the origins.
+std::vector<Handle> handles(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
+                            HandleMode mode = HandleMode::Box);
+/// Where a handle stands; of arrows and rings the middle of the gizmo.
+glm::dvec3 handleAnchorWorld(const Probe& probe, const Handle& handle);
+inline glm::dvec3 handlePositionWorld(const std::vector<Probe>& probes, const Handle& handle) {
+  return handleAnchorWorld(probes[handle.probe], handle);
+}
+/// The way it goes, or the axis it turns about; unit length, out of the box for faces. Of Origin: up.
+glm::dvec3 handleAxisWorld(const Probe& probe, const Handle& handle);
 
-/// A thing that can be taken hold of: a face or the origin of the selected probe, or the origin of another one, which
-/// selects that.
-struct Handle {
-  HandleKind kind = HandleKind::Origin;
-  std::size_t probe = 0;
-  BoxFace face;  ///< of HandleKind::Face
-  bool operator==(const Handle& o) const {
-    return kind == o.kind && probe == o.probe && (kind == HandleKind::Origin || face == o.face);
-  }
-};
-
-std::vector<Handle> handles(const std::vector<Probe>& probes, std::optional<std::size_t> selected);
-glm::dvec3 handlePositionWorld(const std::vector<Probe>& probes, const Handle& handle);
+/// Logical pixels: arrows reach from here to there, rings have that radius.
+constexpr double kArrowStartPixels = 24.0, kArrowPixels = 92.0, kRingPixels = 66.0;
 
 /// A camera seen through a viewport of so many pixels. Pixels count from the top left; y grows downwards.
 class ViewProjection {
@@ -42,6 +40,7 @@ class ViewProjection {
   ViewAxes axes() const { return {forward_, up_}; }
   glm::dvec3 eyeWorld() const { return eye_; }
   glm::dvec3 right() const { return right_; }
+  bool parallel() const { return parallel_; }
   /// World length of one pixel at that point.
   double metresPerPixel(const glm::dvec3& pointWorld) const;
 
@@ -52,9 +51,13 @@ class ViewProjection {
   bool parallel_;
 };
 
-/// The handle whose centre is nearest to `pixel` and not farther than `reachPixels`; of two as near, the one closer to
-/// the viewer.
+/// What of a handle the pointer has to come near to: a point, or the polyline of an arrow or a ring.
+std::vector<glm::dvec3> handleGripWorld(const Probe& probe, const Handle& handle, const ViewProjection& view);
+
+/// The handle that is nearest to `pixel` and not farther than `reachPixels`; of two as near, the one closer to the
+/// viewer. Points come before lines.
 std::optional<Handle> handleAt(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
-                               const ViewProjection& view, const glm::dvec2& pixel, double reachPixels);
+                               const ViewProjection& view, const glm::dvec2& pixel, double reachPixels,
+                               HandleMode mode = HandleMode::Box);
 
 }  // namespace boxprobe

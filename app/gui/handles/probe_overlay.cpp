@@ -43,16 +43,22 @@ ProbeOverlay::~ProbeOverlay() {
 }
 
 void ProbeOverlay::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
-                          std::optional<Handle> highlighted) {
-  solid_.update(probes, selected);
-  faint_.update(probes, selected);
-  handles_.update(probes, selected, highlighted);
+                          std::optional<Handle> highlighted, HandleMode mode) {
+  solid_.update(probes, selected, mode);
+  faint_.update(probes, selected, mode);
+  handles_.update(probes, selected, highlighted, mode);
   setVisible(visible_);
 }
 
-void ProbeOverlay::setGhost(const std::optional<Probe>& ghost) {
-  solid_.setGhost(ghost);
-  faint_.setGhost(ghost);
+void ProbeOverlay::setGhosts(const std::vector<Probe>& ghosts) {
+  solid_.setGhosts(ghosts);
+  faint_.setGhosts(ghosts);
+  setVisible(visible_);
+}
+
+void ProbeOverlay::setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld) {
+  solid_.setDrop(endsWorld);
+  faint_.setDrop(endsWorld);
   setVisible(visible_);
 }
 

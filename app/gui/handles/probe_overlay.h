@@ -5,6 +5,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -26,9 +27,12 @@ class ProbeOverlay {
   ProbeOverlay(const ProbeOverlay&) = delete;
   ProbeOverlay& operator=(const ProbeOverlay&) = delete;
 
-  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, std::optional<Handle> highlighted);
-  /// A proposed box, drawn dashed beside the probes' own.
-  void setGhost(const std::optional<Probe>& ghost);
+  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, std::optional<Handle> highlighted,
+              HandleMode mode = HandleMode::Box);
+  /// From a capture origin to the floor under it; nothing: none.
+  void setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);
+  /// Proposed boxes, drawn dashed beside the probes' own.
+  void setGhosts(const std::vector<Probe>& ghosts);
   void setVisible(bool visible);
   bool visible() const { return visible_; }
   /// Not drawn at all, without forgetting whether they are visible: while an image is exported.

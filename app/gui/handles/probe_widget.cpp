@@ -1,8 +1,11 @@
 // See probe_widget.h.
 #include "app/gui/handles/probe_widget.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
+
+#include "app/gui/handles/handle_words.h"
 
 namespace boxprobe {
 
@@ -14,34 +17,55 @@ constexpr double kReachPixels = 12.0;
 /// A press that moves less is a click.
 constexpr double kClickPixels = 2.0;
 
+constexpr double kFine = 0.1;                      ///< with Shift
+constexpr double kNudge = 0.1, kFineNudge = 0.01;  ///< scene units
+
 glm::dvec2 toGlm(const QPointF& p) {
   return {p.x(), p.y()};
 }
 
-QString metres(double value) {
-  return QString::number(value, 'f', 3);
+bool isFace(const Handle& handle) {
+  return handle.kind == HandleKind::Face || handle.kind == HandleKind::Influence || handle.kind == HandleKind::Blend;
 }
 
-QString hintFor(const Handle& handle, const std::vector<Probe>& probes, bool selected) {
-  const QString name = QString::fromStdString(probes[handle.probe].name);
-  if (handle.kind == HandleKind::Face) {
-    return ProbeWidget::tr("Drag to move face %1 of %2. Ctrl: both sides. Esc: cancel.")
-        .arg(QString(faceName(handle.face)), name);
+/// The horizontal axis of the world, either way, that is nearest to `wanted`.
+glm::dvec3 horizontalAxis(const glm::dvec3& wanted) {
+  if (std::abs(wanted.x) >= std::abs(wanted.z)) return {wanted.x < 0.0 ? -1.0 : 1.0, 0.0, 0.0};
+  return {0.0, 0.0, wanted.z < 0.0 ? -1.0 : 1.0};
+}
+
+std::optional<glm::dvec3> nudgeDirection(int key, const ViewProjection& view) {
+  const ViewAxes axes = view.axes();
+  // Looking straight down, up on the screen is what lies ahead.
+  const glm::dvec3 ahead = std::abs(axes.forward.y) > 0.9 ? axes.up : axes.forward;
+  switch (key) {
+    case Qt::Key_Right:
+      return horizontalAxis(view.right());
+    case Qt::Key_Left:
+      return -horizontalAxis(view.right());
+    case Qt::Key_Up:
+      return horizontalAxis(ahead);
+    case Qt::Key_Down:
+      return -horizontalAxis(ahead);
+    case Qt::Key_PageUp:
+      return glm::dvec3(0.0, 1.0, 0.0);
+    case Qt::Key_PageDown:
+      return glm::dvec3(0.0, -1.0, 0.0);
+    default:
+      return std::nullopt;
   }
-  if (!selected) return ProbeWidget::tr("Click to select probe %1.").arg(name);
-  return ProbeWidget::tr(
-             "Drag to move the capture origin of %1. Shift or Y: up and down. X, Z: along that axis. Esc: cancel.")
-      .arg(name);
 }
 
 }  // namespace
 
-ProbeWidget::ProbeWidget(Editor& editor, ProbeOverlay& overlay, std::function<ViewProjection()> view, QObject* parent)
-    : QObject(parent), editor_(editor), overlay_(overlay), view_(std::move(view)) {}
+ProbeWidget::ProbeWidget(Editor& editor, ProbeOverlay& overlay, SceneSurfaces& surfaces,
+                         std::function<ViewProjection()> view, QObject* parent)
+    : QObject(parent), editor_(editor), overlay_(overlay), surfaces_(surfaces), view_(std::move(view)) {}
 
 bool ProbeWidget::press(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   if (dragging()) return true;
-  pixel_ = pixel;
+  endNudge();
+  pixel_ = held_ = pixel;
   modifiers_ = modifiers;
   hover(pixel);
   if (!hovered_) return false;
@@ -54,21 +78,18 @@ bool ProbeWidget::press(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   if (!probe) return false;
   pressed_ = pixel;
   const ViewProjection view = view_();
-  const Ray ray = view.ray(toGlm(pixel));
   moved_ = previewed_ = false;
-  if (hovered_->kind == HandleKind::Face) {
-    faceDrag_.emplace(*probe, hovered_->face, view.axes(), ray);
-  } else {
-    originDrag_.emplace(*probe, view.axes(), ray);
-  }
+  drag_.emplace(*probe, *hovered_, view.axes(), view.ray(toGlm(pixel)));
   emit cursorWanted(Qt::ClosedHandCursor);
   return true;
 }
 
 void ProbeWidget::move(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
+  const QPointF delta = pixel - pixel_;
   pixel_ = pixel;
   modifiers_ = modifiers;
   if (!dragging()) return hover(pixel);
+  held_ += delta * (modifiers.testFlag(Qt::ShiftModifier) ? kFine : 1.0);
   if (!moved_ && glm::length(toGlm(pixel - pressed_)) < kClickPixels) return;
   moved_ = true;
   drag();
@@ -102,60 +123,126 @@ void ProbeWidget::cancel() {
   hover(pixel_);
 }
 
+void ProbeWidget::setMode(HandleMode mode) {
+  if (mode == mode_) return;
+  cancel();
+  endNudge();
+  mode_ = mode;
+  hovered_.reset();
+  update();
+  emit modeChanged(mode);
+}
+
+std::optional<std::size_t> ProbeWidget::probeAt(const QPointF& pixel) const {
+  const auto under =
+      handleAt(editor_.scene().probes, editor_.document().selectedProbe(), view_(), toGlm(pixel), kReachPixels, mode_);
+  return overlay_.visible() && under ? std::optional<std::size_t>(under->probe) : std::nullopt;
+}
+
 void ProbeWidget::hover(const QPointF& pixel) {
   const auto& probes = editor_.scene().probes;
   const auto selected = editor_.document().selectedProbe();
-  const auto under =
-      overlay_.visible() ? handleAt(probes, selected, view_(), toGlm(pixel), kReachPixels) : std::optional<Handle>();
+  const auto under = overlay_.visible() ? handleAt(probes, selected, view_(), toGlm(pixel), kReachPixels, mode_)
+                                        : std::optional<Handle>();
   emit cursorWanted(!under                                  ? Qt::ArrowCursor
-                    : under->kind == HandleKind::Face       ? Qt::OpenHandCursor
+                    : under->kind != HandleKind::Origin     ? Qt::OpenHandCursor
                     : selected && *selected == under->probe ? Qt::SizeAllCursor
                                                             : Qt::PointingHandCursor);
   if (under == hovered_) return;
   hovered_ = under;
-  emit hint(under ? hintFor(*under, probes, selected == under->probe) : QString());
+  emit hint(under ? handleHint(*under, probes[under->probe], selected == under->probe) : QString());
   update();
 }
 
 void ProbeWidget::drag() {
-  const Ray ray = view_().ray(toGlm(pixel_));
-  if (faceDrag_) dragFace(ray);
-  if (originDrag_) dragOrigin(ray);
+  if (!editor_.probe()) return cancel();
+  const ViewProjection view = view_();
+  DragWish wish{view.ray(toGlm(held_)), modifiers_.testFlag(Qt::AltModifier), heldAxis_, nullptr};
+  std::optional<DragSnap> snap;
+  if (modifiers_.testFlag(Qt::ControlModifier)) {
+    const Handle& handle = drag_->handle();
+    snap.emplace(isFace(handle) ? surfaces_.rays() : nullptr, view.ray(toGlm(pixel_)),
+                 view.metresPerPixel(handleAnchorWorld(*editor_.probe(), handle)));
+    wish.snap = &*snap;
+  }
+  const Probe result = drag_->at(wish);
+  const Handle handle = drag_->handle();
+  previewed_ = true;
+  preview(handle, result);
+  QString text = handleReadout(handle, drag_ ? drag_->start() : result, result);
+  if (snap) text += "\n" + snapWords(*snap, handle);
+  emit readout(text, pixel_);
 }
 
-void ProbeWidget::dragFace(const Ray& ray) {
-  const Probe* probe = editor_.probe();
-  if (!probe) return cancel();
-  const Box box = faceDrag_->box(ray, modifiers_.testFlag(Qt::ControlModifier));
-  const QString face = faceName(faceDrag_->face());
-  previewed_ = true;
-  editor_.previewProbe({this, 1 + 2 * faceDrag_->face().axis + (faceDrag_->face().positive ? 1 : 0)},
-                       tr("Move face %1 of %2").arg(face, QString::fromStdString(probe->name)),
-                       [box](Probe& edited) { setBox(edited, box); });
-  const glm::dvec3 size = box.size();
-  const int axis = faceDrag_->face().axis;
-  const double position = faceDrag_->face().positive ? box.max[axis] : box.min[axis];
-  emit readout(
-      tr("%1  %2 m\nsize %3 × %4 × %5 m").arg(face, metres(position), metres(size.x), metres(size.y), metres(size.z)),
-      pixel_);
-}
-
-void ProbeWidget::dragOrigin(const Ray& ray) {
-  const Probe* probe = editor_.probe();
-  if (!probe) return cancel();
-  previewed_ = true;
-  std::optional<int> axis = heldAxis_;
-  if (!axis && modifiers_.testFlag(Qt::ShiftModifier)) axis = 1;
-  const glm::dvec3 origin = originDrag_->origin(ray, axis);
-  editor_.previewProbe({this}, tr("Move origin of %1").arg(QString::fromStdString(probe->name)),
-                       [origin](Probe& edited) { edited.origin = origin; });
-  emit readout(tr("origin\n%1  %2  %3 m").arg(metres(origin.x), metres(origin.y), metres(origin.z)), pixel_);
+void ProbeWidget::preview(const Handle& handle, const Probe& result) {
+  const int part = 16 * static_cast<int>(handle.kind) + handle.face.index();
+  editor_.previewProbe({this, part}, handleEditLabel(handle, result), [result](Probe& edited) {
+    edited.box = result.box;
+    edited.influence = result.influence;
+    edited.origin = result.origin;
+    edited.rotationDegrees = result.rotationDegrees;
+    edited.blendDistance = result.blendDistance;
+  });
 }
 
 void ProbeWidget::endDrag() {
-  faceDrag_.reset();
-  originDrag_.reset();
+  drag_.reset();
+  updateDrop();
   emit readout({}, {});
+}
+
+bool ProbeWidget::nudge(int key, Qt::KeyboardModifiers modifiers) {
+  const ViewProjection view = view_();
+  const auto direction = nudgeDirection(key, view);
+  if (!direction || dragging() || !overlay_.visible()) return false;
+  if (!nudge_) {
+    editor_.finish();
+    const Probe* probe = editor_.probe();
+    if (!probe) return false;
+    const std::size_t selected = *editor_.document().selectedProbe();
+    const bool face = hovered_ && hovered_->probe == selected && isFace(*hovered_);
+    const Handle whole{mode_ == HandleMode::Place ? HandleKind::Move : HandleKind::Origin, selected, {}};
+    nudge_ = Nudge{face ? *hovered_ : whole, *probe, {}};
+  }
+  nudge_->by += *direction * (modifiers.testFlag(Qt::ShiftModifier) ? kFineNudge : kNudge);
+  const Handle handle = nudge_->handle;
+  Probe result = nudge_->start;
+  if (isFace(handle)) {
+    // A face goes along its own axis only; a ray beside it that has moved so far says how far.
+    const glm::dvec3 axis = handleAxisWorld(nudge_->start, handle);
+    const glm::dvec3 anchor = handleAnchorWorld(nudge_->start, handle);
+    const glm::dvec3 side = std::abs(axis.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 across = glm::normalize(glm::cross(axis, side));
+    const Ray from{anchor - across, across};
+    ProbeDrag along(nudge_->start, handle, view.axes(), from);
+    const Ray to{from.origin + glm::dot(nudge_->by, axis) * axis, across};
+    result = along.at({to, false, std::nullopt, nullptr});
+  } else if (handle.kind == HandleKind::Move) {
+    result = movedProbe(result, nudge_->by);
+  } else {
+    result.origin += nudge_->by;
+  }
+  preview(handle, result);
+  return true;
+}
+
+void ProbeWidget::endNudge() {
+  if (!nudge_) return;
+  nudge_.reset();
+  editor_.finish();
+}
+
+void ProbeWidget::updateDrop() {
+  const Probe* probe = editor_.probe();
+  const bool origin = drag_ && drag_->handle().kind == HandleKind::Origin;
+  if (probe == nullptr || !overlay_.visible() ||
+      !(mode_ == HandleMode::Origin || mode_ == HandleMode::Place || origin)) {
+    return overlay_.setDrop({});
+  }
+  const auto floor = surfaces_.meet({probe->origin, {0.0, -1.0, 0.0}});
+  glm::dvec3 foot = probe->origin;
+  foot.y = floor ? floor->y : std::min(probe->box.min.y, probe->origin.y);
+  overlay_.setDrop(std::array<glm::dvec3, 2>{probe->origin, foot});
 }
 
 void ProbeWidget::update() {
@@ -163,7 +250,9 @@ void ProbeWidget::update() {
   if (hovered_ && hovered_->probe >= probes.size()) hovered_.reset();
   // Undone or replaced from elsewhere while the button was down: the drag has nothing left to move.
   if (dragging() && previewed_ && !editor_.document().previewing()) endDrag();
-  overlay_.update(probes, editor_.document().selectedProbe(), hovered_);
+  if (nudge_ && !editor_.document().previewing()) nudge_.reset();
+  overlay_.update(probes, editor_.document().selectedProbe(), hovered_, mode_);
+  updateDrop();
   emit pictureChanged();
 }
 

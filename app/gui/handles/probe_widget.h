@@ -12,6 +12,7 @@
 #include "app/gui/handles/handle_drag.h"
 #include "app/gui/handles/handle_picking.h"
 #include "app/gui/handles/probe_overlay.h"
+#include "app/gui/handles/scene_surfaces.h"
 
 namespace boxprobe {
 
@@ -20,17 +21,31 @@ class ProbeWidget : public QObject {
 
  public:
   /// `view` answers with the view as it is now.
-  ProbeWidget(Editor& editor, ProbeOverlay& overlay, std::function<ViewProjection()> view, QObject* parent = nullptr);
+  ProbeWidget(Editor& editor, ProbeOverlay& overlay, SceneSurfaces& surfaces, std::function<ViewProjection()> view,
+              QObject* parent = nullptr);
 
   /// True if the pointer took hold of a handle; the camera must then stay where it is.
   bool press(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
+  /// While dragging: Shift moves a tenth as far, Ctrl snaps, Alt moves the opposite face as well.
   void move(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   void release(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   void leave();
   /// 0, 1, 2 while X, Y or Z is held down: the origin moves along that axis only.
   void setHeldAxis(std::optional<int> axis);
-  bool dragging() const { return faceDrag_ || originDrag_; }
+  bool dragging() const { return drag_.has_value(); }
   void cancel();
+
+  /// Arrow keys and Page up, down: the face under the pointer, else the origin or, in HandleMode::Place, the whole
+  /// probe, by 10 cm, with Shift by 1 cm. Left, Right, Up and Down go along the horizontal axis of the world that is
+  /// nearest to that way on the screen. False for other keys. One undo step from the first press to endNudge().
+  bool nudge(int key, Qt::KeyboardModifiers modifiers);
+  void endNudge();
+
+  /// Whose handle is there.
+  std::optional<std::size_t> probeAt(const QPointF& pixel) const;
+
+  HandleMode mode() const { return mode_; }
+  void setMode(HandleMode mode);
 
   /// The document changed.
   void update();
@@ -38,6 +53,7 @@ class ProbeWidget : public QObject {
 
  signals:
   void pictureChanged();
+  void modeChanged(boxprobe::HandleMode mode);
   void cursorWanted(Qt::CursorShape shape);
   void hint(const QString& text);                             ///< what the handle under the pointer does; may be empty
   void readout(const QString& text, const QPointF& atPixel);  ///< numbers of the drag under way; empty: none
@@ -45,21 +61,29 @@ class ProbeWidget : public QObject {
  private:
   void hover(const QPointF& pixel);
   void drag();
-  void dragFace(const Ray& ray);
-  void dragOrigin(const Ray& ray);
+  void preview(const Handle& handle, const Probe& result);
   void endDrag();
+  void updateDrop();
 
   Editor& editor_;
   ProbeOverlay& overlay_;
+  SceneSurfaces& surfaces_;
   std::function<ViewProjection()> view_;
+  HandleMode mode_ = HandleMode::Box;
   std::optional<Handle> hovered_;
-  std::optional<FaceDrag> faceDrag_;
-  std::optional<OriginDrag> originDrag_;
+  std::optional<ProbeDrag> drag_;
   std::optional<int> heldAxis_;
   QPointF pressed_, pixel_;
+  QPointF held_;  ///< where the handle is pulled to: behind the pointer once Shift has slowed it down
   Qt::KeyboardModifiers modifiers_;
   bool moved_ = false;      ///< since the press: a click alone edits nothing
   bool previewed_ = false;  ///< by this drag
+  struct Nudge {
+    Handle handle;
+    Probe start;
+    glm::dvec3 by{0.0};  ///< world; along a face's axis for faces
+  };
+  std::optional<Nudge> nudge_;
 };
 
 }  // namespace boxprobe

@@ -131,9 +131,10 @@ WireActors::WireActors(vtkRenderer* renderer, bool faint)
       influence_(renderer, {influenceColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
       blend_(renderer, {blendColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
       box_(renderer, {boxColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}),
-      ghost_(renderer, {ghostColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}) {}
+      ghost_(renderer, {ghostColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}),
+      drop_(renderer, {originColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}) {}
 
-void WireActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected) {
+void WireActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, HandleMode mode) {
   std::vector<glm::dvec3> idle, influence, blend, box;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const Probe& probe = probes[i];
@@ -142,7 +143,8 @@ void WireActors::update(const std::vector<Probe>& probes, std::optional<std::siz
       continue;
     }
     addEdges(box, probe, probe.box, false);
-    if (probe.influence && !(*probe.influence == probe.box)) addEdges(influence, probe, *probe.influence, false);
+    const bool own = probe.influence && !(*probe.influence == probe.box);
+    if (own || mode == HandleMode::Influence) addEdges(influence, probe, probe.influenceBox(), false);
     const BlendDistance none{glm::dvec3(0.0), glm::dvec3(0.0)};
     if (!(probe.blendDistance == none)) addEdges(blend, probe, fullWeightBox(probe), true);
   }
@@ -152,18 +154,33 @@ void WireActors::update(const std::vector<Probe>& probes, std::optional<std::siz
   box_.setSegments(box);
 }
 
-void WireActors::setGhost(const std::optional<Probe>& ghost) {
+void WireActors::setGhosts(const std::vector<Probe>& ghosts) {
   std::vector<glm::dvec3> edges;
-  if (ghost) addEdges(edges, *ghost, ghost->box, true);
+  for (const Probe& ghost : ghosts) addEdges(edges, ghost, ghost.box, true);
   ghost_.setSegments(edges);
 }
 
+void WireActors::setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld) {
+  std::vector<glm::dvec3> lines;
+  if (endsWorld) {
+    const glm::dvec3 foot = (*endsWorld)[1];
+    constexpr double kCrossShare = 0.08;
+    const double arm = kCrossShare * glm::length((*endsWorld)[0] - foot);
+    lines.assign(endsWorld->begin(), endsWorld->end());
+    for (const glm::dvec3& along : {glm::dvec3(arm, 0.0, 0.0), glm::dvec3(0.0, 0.0, arm)}) {
+      lines.push_back(foot - along);
+      lines.push_back(foot + along);
+    }
+  }
+  drop_.setSegments(lines);
+}
+
 void WireActors::setVisible(bool visible) {
-  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_, &ghost_}) lines->setVisible(visible);
+  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_, &ghost_, &drop_}) lines->setVisible(visible);
 }
 
 void WireActors::pullTowards(const glm::dvec3& eyeWorld, double factor) {
-  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_, &ghost_}) lines->pullTowards(eyeWorld, factor);
+  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_, &ghost_, &drop_}) lines->pullTowards(eyeWorld, factor);
 }
 
 }  // namespace boxprobe

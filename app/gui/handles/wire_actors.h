@@ -1,14 +1,16 @@
 // The wire boxes of the probes in a vtkRenderer: the selected probe's box and, dashed, the box inside which it has its
-// full weight; a proposed box; the other probes' boxes thin. Called by the probe widget; knows no mouse.
+// full weight; proposed boxes; the other probes' boxes thin. Called by the probe widget; knows no mouse.
 #pragma once
 
 #include <vtkSmartPointer.h>
 
 #include <QColor>
+#include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
+#include "app/gui/handles/handle.h"
 #include "filters/core/scene/scene.h"
 
 class vtkActor;
@@ -50,14 +52,17 @@ class WireActors {
   /// `faint`: the lines where the scene hides them; another layer draws what it does not hide.
   WireActors(vtkRenderer* renderer, bool faint);
 
-  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected);
-  /// A box that is proposed and not there yet, dashed; nothing: none.
-  void setGhost(const std::optional<Probe>& ghost);
+  /// In HandleMode::Influence the influence box is drawn even where it is the projection box.
+  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, HandleMode mode);
+  /// From a capture origin to the floor under it, with a cross there; nothing: none.
+  void setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);
+  /// Boxes that are proposed and not there yet, dashed.
+  void setGhosts(const std::vector<Probe>& ghosts);
   void setVisible(bool visible);
   void pullTowards(const glm::dvec3& eyeWorld, double factor);
 
  private:
-  HaloLines idle_, influence_, blend_, box_, ghost_;
+  HaloLines idle_, influence_, blend_, box_, ghost_, drop_;
 };
 
 }  // namespace boxprobe

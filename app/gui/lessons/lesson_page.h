@@ -1,8 +1,10 @@
 // All lessons on one HTML page that needs nothing beside it: pictures within, formulas as MathML, questions that
-// answer. Called by `boxprobe lessons -o`; knows no scene.
+// answer, plans to take hold of. It is whole without scripts; those of data/web bring it to life. Called by `boxprobe
+// lessons -o`; knows no scene.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/gui/lessons/lesson_pictures.h"
 #include "filters/core/scene/lesson.h"
@@ -11,11 +13,18 @@ namespace boxprobe {
 
 class LessonPage {
  public:
-  void add(const Lesson& lesson, const LessonPictures& pictures);
-  std::string text() const;
+  /// A scene that lessons can be walked in (app/web/web_scene.h), as one JSON text, by the path that lessons name.
+  void addScene(const std::string& path, const std::string& json);
+  /// A loop of the lesson that is added next: what it says, and the bytes of its WebM file.
+  void addLoop(const std::string& say, const std::string& webm);
+  /// `room`: its scene, which has been added, follows the steps.
+  void add(const Lesson& lesson, const LessonPictures& pictures, bool room);
+  /// `notation` stands at the end, as a table; empty: none.
+  std::string text(const std::vector<LessonSymbol>& notation) const;
 
  private:
-  std::string contents_, body_, chapter_;
+  std::string contents_, body_, chapter_, answers_, solutions_, loops_, sceneTexts_;
+  std::vector<std::string> scenes_;  ///< their paths
 };
 
 }  // namespace boxprobe

@@ -3,9 +3,14 @@
 
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "app/gui/handles/probe_overlay.h"
+#include "app/gui/lessons/curve_picture.h"
+#include "app/gui/lessons/ray_letters.h"
+#include "app/lessons/plan_figure.h"
+#include "app/web/web_view.h"
 
 namespace boxprobe {
 
@@ -23,47 +28,79 @@ QImage LessonPhotographer::picture(const LessonStep& step) {
   if (boxes_) {
     const auto& probes = player_.scene().probes;
     boxes_->setVisible(step.boxes);
-    boxes_->update(probes, probes.empty() ? std::nullopt : std::optional<std::size_t>(0), std::nullopt);
+    // Handles only where there is something to drag.
+    const bool drags = !probes.empty() && (step.task || !step.mayMove.empty());
+    boxes_->update(probes, drags ? std::optional<std::size_t>(0) : std::nullopt, std::nullopt);
     boxes_->follow(ViewProjection(renderer->GetActiveCamera(), width_, height_));
   }
   const ImageRgba8 shown = player_.picture();
-  return QImage(shown.pixels.data(), shown.width, shown.height, QImage::Format_RGBA8888)
-      .convertToFormat(QImage::Format_RGB888);
+  QImage picture = QImage(shown.pixels.data(), shown.width, shown.height, QImage::Format_RGBA8888)
+                       .convertToFormat(QImage::Format_RGB888);
+  // Of one ray: the letters of several would be taken for each other's.
+  if (step.rays.size() == 1) {
+    const auto x = static_cast<int>(step.rays[0][0] * (width_ - 1)),
+               y = static_cast<int>(step.rays[0][1] * (height_ - 1));
+    drawRayLetters(picture, player_.renderer().explain(x, y, width_, height_),
+                   ViewProjection(renderer->GetActiveCamera(), width_, height_));
+  }
+  return picture;
 }
 
-LessonPictures LessonPhotographer::take(const Lesson& lesson) {
-  LessonPictures pictures;
+void LessonPhotographer::open(const Lesson& lesson) {
   player_.window()->MakeCurrent();
   boxes_.reset();  // drawn over the renderer there was
   player_.open(lesson);
+}
+
+LessonPictures LessonPhotographer::take(const Lesson& lesson, const std::optional<PicturePoint>& plan) {
+  LessonPictures pictures;
+  open(lesson);
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    const Camera before = i > 0 ? player_.camera() : Camera();
     player_.show(i);
-    pictures.steps.push_back(picture(lesson.steps[i]));
+    // A curve is no view of the scene.
+    const bool curve = lesson.steps[i].curve.has_value();
+    const bool afterCurve = i > 0 && lesson.steps[i - 1].curve.has_value();
+    pictures.sameView.push_back(i > 0 && !curve && !afterCurve && before == player_.camera());
+    pictures.steps.push_back(curve ? curvePicture(*lesson.steps[i].curve, player_.curve(i), width_, height_)
+                                   : picture(lesson.steps[i]));
+    if (i == 0) pictures.view = webView(player_.scene(), player_.camera());
+    if (!plan || pictures.plan) continue;
+    const int x = std::min(static_cast<int>((*plan)[0] * width_), width_ - 1);
+    const int y = std::min(static_cast<int>((*plan)[1] * height_), height_ - 1);
+    Explanation explanation = player_.renderer().explain(x, y, width_, height_);
+    if (hasPlan(explanation)) pictures.plan = std::move(explanation);
   }
   if (boxes_) boxes_->setVisible(false);
   for (const LessonClaim& claim : lesson.claims) {
     const ClaimResult result = player_.check(claim.condition);
-    pictures.claims.push_back({claim.say, claimText(claim, result), result.holds});
+    pictures.claims.push_back({claim.say, claimText(claim.condition, claim.unit, result), result.holds});
+  }
+  for (const LessonExercise& exercise : lesson.exercises) {
+    pictures.exercises.emplace_back();
+    if (!exercise.condition) continue;
+    const ClaimResult result = player_.check(*exercise.condition);
+    pictures.exercises.back() =
+        LessonPictures::Claim{exercise.ask, claimText(*exercise.condition, exercise.unit, result), result.holds};
   }
   return pictures;
 }
 
-std::string claimText(const LessonClaim& claim, const ClaimResult& result) {
-  const LessonCondition& condition = claim.condition;
-  std::string text = measuredText(result.value, claim.unit);
+std::string claimText(const LessonCondition& condition, const std::string& unit, const ClaimResult& result) {
+  std::string text = measuredText(result.value, unit);
   if (result.divisor) {
-    text += " against " + measuredText(*result.divisor, claim.unit);
+    text += " against " + measuredText(*result.divisor, unit);
     if (*result.divisor != 0.0) text += ": " + measuredText(result.value / *result.divisor, "") + " times";
   }
   const std::string limit =
-      result.divisor ? measuredText(condition.limit, "") + " times" : measuredText(condition.limit, claim.unit);
+      result.divisor ? measuredText(condition.limit, "") + " times" : measuredText(condition.limit, unit);
   switch (condition.comparison) {
     case Comparison::Above:
       return text + " (more than " + limit + " is claimed)";
     case Comparison::Below:
       return text + " (less than " + limit + " is claimed)";
     case Comparison::Within:
-      return text + " (" + limit + " is claimed, within " + measuredText(condition.tolerance, claim.unit) + ")";
+      return text + " (" + limit + " is claimed, within " + measuredText(condition.tolerance, unit) + ")";
   }
   return text;
 }

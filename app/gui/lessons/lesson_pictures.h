@@ -5,10 +5,12 @@
 #include <QImage>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/lessons/lesson_player.h"
+#include "filters/explain/explanation.h"
 
 namespace boxprobe {
 
@@ -16,12 +18,18 @@ class ProbeOverlay;
 
 struct LessonPictures {
   std::vector<QImage> steps;
+  /// Of each step: is its picture taken from where the one before was? Two such pictures lie over each other.
+  std::vector<bool> sameView;
+  std::optional<Explanation> plan;  ///< of the pixel that was asked for, in the first step where a box is hit there
+  std::string view;                 ///< of the first step, for a room to walk in (app/web/web_view.h)
   struct Claim {
     std::string say;
     std::string measured;  ///< "0.21, which is 9.8 times 0.0215"
     bool holds = false;
   };
   std::vector<Claim> claims;
+  /// Of each exercise, what was measured of its solution; nothing where nothing can be.
+  std::vector<std::optional<Claim>> exercises;
 };
 
 /// One for many lessons: its window and programs are used again. `quiet`: without VTK's warnings.
@@ -30,17 +38,21 @@ class LessonPhotographer {
   LessonPhotographer(int width, int height, std::function<bool()> goOn = {}, bool quiet = false);
   ~LessonPhotographer();
   /// Throws InputError for a scene that cannot be read, WorkError if stopped.
-  LessonPictures take(const Lesson& lesson);
+  /// `plan`: the place in the pictures whose ray is explained.
+  LessonPictures take(const Lesson& lesson, const std::optional<PicturePoint>& plan = {});
+  /// For pictures of its steps one by one; the lesson must outlive them.
+  void open(const Lesson& lesson);
+  /// Of what the player shows now, with the boxes that the step wants.
+  QImage picture(const LessonStep& step);
   LessonPlayer& player() { return player_; }
 
  private:
-  QImage picture(const LessonStep& step);
   int width_, height_;
   LessonPlayer player_;
   std::unique_ptr<ProbeOverlay> boxes_;
 };
 
 /// "0.21, and 5 times 0.0215 is 0.107": what was found beside what it is held against.
-std::string claimText(const LessonClaim& claim, const ClaimResult& result);
+std::string claimText(const LessonCondition& condition, const std::string& unit, const ClaimResult& result);
 
 }  // namespace boxprobe

@@ -91,6 +91,15 @@ QString measuredHtml(const LessonPictures& pictures) {
   return text.isEmpty() ? text : "<p style=\"margin-bottom:2px\"><b>Measured</b></p>" + text;
 }
 
+/// Without the solutions: a sheet is handed out.
+QString exercisesHtml(const Lesson& lesson) {
+  QString text;
+  for (const LessonExercise& exercise : lesson.exercises) {
+    text += "<p style=\"margin-top:6px; margin-bottom:2px\"><b>Exercise:</b> " + escaped(exercise.ask) + "</p>";
+  }
+  return text;
+}
+
 }  // namespace
 
 QImage lessonSheet(const Lesson& lesson, const LessonPictures& pictures) {
@@ -100,12 +109,14 @@ QImage lessonSheet(const Lesson& lesson, const LessonPictures& pictures) {
   const int columns = count <= kColumns ? count : count == 4 ? 2 : kColumns;
   const int paper = 2 * kMargin + columns * (width + kGap) - kGap;
   const int inner = paper - 2 * kMargin;
-  const Block heading(QString("<p style=\"font-size:14px; margin-bottom:0; color:#5a626c\">%1</p>"
-                              "<p style=\"font-size:27px; margin-top:2px; margin-bottom:2px\"><b>%2</b></p>"
-                              "<p style=\"margin-top:0; font-size:16px\">%3</p>")
-                          .arg(escaped(lesson.chapter), escaped(lesson.title), escaped(lesson.summary)),
-                      inner);
-  const Block measured(measuredHtml(pictures), inner);
+  const Block heading(
+      QString("<p style=\"font-size:14px; margin-bottom:0; color:#5a626c\">%1</p>"
+              "<p style=\"font-size:27px; margin-top:2px; margin-bottom:2px\"><b>%2</b></p>"
+              "<p style=\"margin-top:0; font-size:16px\">%3</p>")
+          .arg(escaped(lesson.chapter + (lesson.unreviewed.empty() ? "" : "  (" + lesson.unreviewed + ")")),
+               escaped(lesson.title), escaped(lesson.summary)),
+      inner);
+  const Block measured(measuredHtml(pictures) + exercisesHtml(lesson), inner);
 
   std::vector<Caption> captions;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) captions.push_back(caption(lesson.steps[i], i, width));

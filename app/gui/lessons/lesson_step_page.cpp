@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/formula/formula_label.h"
+#include "app/gui/lessons/lesson_exercise_box.h"
 #include "app/gui/lessons/lesson_question_box.h"
 #include "app/gui/lessons/lesson_task_box.h"
 #include "app/lessons/formula_mathml.h"
@@ -70,11 +71,12 @@ QWidget* LessonStepPage::buildText() {
   formula_ = new FormulaLabel(content);
   formula_->setObjectName("stepFormula");
   mayMove_ = textLabel(content, "stepTry");
-  mayMove_->setStyleSheet("color: #ffb31a");
   question_ = new LessonQuestionBox(content);
   task_ = new LessonTaskBox(content);
-  for (QWidget* part : {static_cast<QWidget*>(say_), static_cast<QWidget*>(formula_), static_cast<QWidget*>(mayMove_),
-                        static_cast<QWidget*>(task_), static_cast<QWidget*>(question_)}) {
+  exercises_ = new LessonExerciseBox(content);
+  for (QWidget* part :
+       {static_cast<QWidget*>(say_), static_cast<QWidget*>(formula_), static_cast<QWidget*>(mayMove_),
+        static_cast<QWidget*>(task_), static_cast<QWidget*>(question_), static_cast<QWidget*>(exercises_)}) {
     layout->addWidget(part);
   }
   layout->addStretch(1);
@@ -127,19 +129,26 @@ void LessonStepPage::buildBottom(QVBoxLayout* layout) {
 void LessonStepPage::show(const Lesson& lesson, std::size_t index, const Solved& solved) {
   const LessonStep& step = lesson.steps[index];
   const auto text = [](const std::string& line) { return QString::fromStdString(line); };
-  lesson_->setText(text(lesson.chapter) + ": " + text(lesson.title));
+  const QString note = lesson.unreviewed.empty() ? QString() : " (" + text(lesson.unreviewed) + ")";
+  lesson_->setText(text(lesson.chapter) + ": " + text(lesson.title) + note);
   title_->setText(text(step.title));
   say_->setText(text(step.say));
   const QString mathml =
       step.formula.empty() ? QString() : QString("<math>%1</math>").arg(text(formulaMathml(step.formula)));
   formula_->setMathml(mathml, text(step.formula));
-  mayMove_->setText(tr("Try: %1").arg(text(step.mayMove)));
-  mayMove_->setVisible(!step.mayMove.empty());
+  // A curve takes a minute to measure, so the window does not draw it.
+  const QString tries = step.mayMove.empty() ? QString() : tr("Try: %1").arg(text(step.mayMove));
+  const QString curve =
+      step.curve ? tr("boxprobe lessons %1 -o sheet.png draws the curve.").arg(text(lesson.name)) : QString();
+  mayMove_->setText(tries + (tries.isEmpty() || curve.isEmpty() ? "" : "\n") + curve);
+  mayMove_->setVisible(!mayMove_->text().isEmpty());
   question_->setVisible(step.question.has_value());
   if (step.question) question_->show(*step.question, solved.question);
   task_->setVisible(step.task.has_value());
   if (step.task) task_->show(*step.task, solved.task);
   const auto count = static_cast<int>(lesson.steps.size()), number = static_cast<int>(index) + 1;
+  exercises_->setVisible(number == count && !lesson.exercises.empty());
+  if (number == count) exercises_->show(lesson.exercises);
   position_->setText(tr("Step %1 of %2").arg(number).arg(count));
   back_->setEnabled(index > 0);
   next_->setText(number < count ? tr("Next") : tr("Finish"));

@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace boxprobe {
 
 class FormulaLabel;
+class LessonExerciseBox;
 class LessonQuestionBox;
 class LessonTaskBox;
 
@@ -54,6 +55,7 @@ class LessonStepPage : public QWidget {
   FormulaLabel* formula_;
   LessonQuestionBox* question_;
   LessonTaskBox* task_;
+  LessonExerciseBox* exercises_;
   QScrollArea* scroll_;
   QPushButton *lessonScene_, *try_, *startOver_, *back_, *next_;
 };

@@ -29,7 +29,6 @@ LessonTaskBox::LessonTaskBox(QWidget* parent)
   ask_->setStyleSheet("font-weight: bold");
   value_->setObjectName("taskValue");
   praise_->setObjectName("taskPraise");
-  praise_->setStyleSheet("color: #5fc87a");
   answer_->setObjectName("taskAnswer");
   answer_->setToolTip(tr("Solves the task for you, as an edit that you can undo"));
   layout->addWidget(answer_, 0, Qt::AlignLeft);
@@ -90,12 +89,15 @@ QString measureLabel(const LessonMeasure& measure) {
       return LessonTaskBox::tr("Curvature");
     case MeasureKind::Broken:
       return LessonTaskBox::tr("Share of lookups that are not a number");
+    case MeasureKind::Turned:
+      return LessonTaskBox::tr("Angle off the right lookup, degrees");
     case MeasureKind::View:
       if (const auto row = findSurfaceView(measure.name)) {
         const std::string_view label = surfaceViews()[static_cast<std::size_t>(*row)].label;
         return QString::fromUtf8(label.data(), static_cast<int>(label.size()));
       }
       break;
+    case MeasureKind::Fit:
     case MeasureKind::Explain: {
       // The last key of the pointer says what it is, an index alone does not.
       const QStringList keys = QString::fromStdString(measure.name).split('/');

@@ -6,13 +6,11 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMetaObject>
 #include <QPushButton>
 #include <QStringList>
 #include <QVBoxLayout>
-#include <exception>
-#include <utility>
 
+#include "app/gui/edit/gauge_rows.h"
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "filters/fit/fit_probe.h"
@@ -20,10 +18,6 @@
 namespace boxprobe {
 
 namespace {
-
-QString degreesText(double degrees) {
-  return QString::number(degrees, 'f', degrees < 10.0 ? 2 : 1) + QString::fromUtf8("\u00b0");
-}
 
 QString errorsText(const LookupErrors& before, const LookupErrors& after) {
   const QString arrow = QString::fromUtf8(" \u2192 ");
@@ -37,6 +31,8 @@ QString errorsText(const LookupErrors& before, const LookupErrors& after) {
 FitPanel::FitPanel(Editor& editor, QWidget* parent)
     : QWidget(parent),
       editor_(editor),
+      gauge_(new ProbeGauge(editor, this)),
+      rows_(new GaugeRows(*gauge_, this)),
       fit_(new QPushButton(this)),
       apply_(new QPushButton(tr("Apply"), this)),
       discard_(new QPushButton(tr("Discard"), this)),
@@ -48,6 +44,7 @@ FitPanel::FitPanel(Editor& editor, QWidget* parent)
   QFormLayout* form = addSection(this, tr("Fit"));
   fit_->setObjectName("fitBox");
   fit_->setToolTip(tr("Fits the box of the selected probe to the walls that its origin sees (Ctrl+F)"));
+  form->addRow(rows_);
   form->addRow(fit_);
   form->addRow(remarks_);
   form->addRow(review_);
@@ -79,76 +76,59 @@ FitPanel::FitPanel(Editor& editor, QWidget* parent)
   connect(fit_, &QPushButton::clicked, this, &FitPanel::fit);
   connect(apply_, &QPushButton::clicked, this, &FitPanel::apply);
   connect(discard_, &QPushButton::clicked, this, &FitPanel::discard);
+  connect(gauge_, &ProbeGauge::message, this, &FitPanel::message);
+  connect(&work_, &BackgroundWork::progressed, this, &FitPanel::refresh);
+  connect(&work_, &BackgroundWork::ended, this, [this](bool stopped, const QString& error) {
+    if (!error.isEmpty()) emit failed(error);
+    if (stopped) emit message(tr("The fit was stopped"));
+    refresh();
+  });
   refresh();
 }
 
-FitPanel::~FitPanel() {
-  stop();
-}
-
-void FitPanel::stop() {
-  stop_ = true;
-  if (thread_.joinable()) thread_.join();
+void FitPanel::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
+  models_ = models;
+  gauge_->setModels(models);
 }
 
 void FitPanel::fit() {
-  if (running_) {
-    stop_ = true;
+  if (running()) {
+    work_.stop();
     return;
   }
   const Probe* probe = editor_.probe();
   if (probe == nullptr || models_.empty()) return;
   discard();
-  if (thread_.joinable()) thread_.join();
-  stop_ = false;
-  percent_ = 0;
-  running_ = true;
   given_ = *probe;
-  thread_ = std::thread([this, scene = editor_.scene(), models = models_, probe = *probe] {
-    std::optional<BoxFit> result;
-    QString error;
-    try {
-      result = ProbeFitter(scene, models).fit(probe, {}, [this](double fraction) {
-        const int percent = static_cast<int>(100.0 * fraction);
-        if (percent_.exchange(percent) != percent) {
-          QMetaObject::invokeMethod(this, &FitPanel::refresh, Qt::QueuedConnection);
-        }
-        return !stop_;
+  work_.start(
+      [this, scene = editor_.scene(), models = models_, probe = *probe](const BackgroundWork::Progress& progress) {
+        const std::optional<BoxFit> fitted = ProbeFitter(scene, models).fit(probe, {}, progress);
+        BackgroundWork::Finish finish;
+        if (fitted) finish = [this, result = *fitted] { review(result); };
+        return finish;
       });
-    } catch (const std::exception& caught) {
-      error = QString::fromUtf8(caught.what());
-    }
-    QMetaObject::invokeMethod(
-        this, [this, result, error] { end(result, error); }, Qt::QueuedConnection);
-  });
   refresh();
 }
 
-void FitPanel::end(std::optional<BoxFit> result, const QString& error) {
-  running_ = false;
-  if (!error.isEmpty()) emit failed(error);
-  if (error.isEmpty() && !result) emit message(tr("The fit was stopped"));
+void FitPanel::review(const BoxFit& result) {
   const Probe* probe = editor_.probe();
-  if (result && (probe == nullptr || !(*probe == *given_))) {
+  if (probe == nullptr || !(*probe == *given_)) {
     emit message(tr("The probe changed meanwhile: fit it again"));
-    result.reset();
+    return;
   }
-  result_ = std::move(result);
-  if (result_) {
-    for (int face = 0; face < kFaces; ++face) {
-      const FaceFit& fitted = result_->faces[static_cast<std::size_t>(face)];
-      QCheckBox* box = faces_[static_cast<std::size_t>(face)];
-      const QSignalBlocker quiet(box);
-      box->setChecked(true);
-      box->setText(QString("%1: ").arg(faceName(face)) +
-                   (fitted.free ? tr("hardly matters") : tr("gains %1").arg(degreesText(fitted.gainDegrees))));
-    }
-    QStringList lines;
-    for (const std::string& remark : result_->remarks) lines += QString::fromStdString(remark);
-    remarks_->setText(lines.join(". "));
-    if (result_->outcome == FitOutcome::Fitted) emit ghostChanged(proposed());
+  result_ = result;
+  for (int face = 0; face < kFaces; ++face) {
+    const FaceFit& fitted = result_->faces[static_cast<std::size_t>(face)];
+    QCheckBox* box = faces_[static_cast<std::size_t>(face)];
+    const QSignalBlocker quiet(box);
+    box->setChecked(true);
+    box->setText(QString("%1: ").arg(faceName(face)) +
+                 (fitted.free ? tr("hardly matters") : tr("gains %1").arg(degreesText(fitted.gainDegrees))));
   }
-  refresh();
+  QStringList lines;
+  for (const std::string& remark : result_->remarks) lines += QString::fromStdString(remark);
+  remarks_->setText(lines.join(". "));
+  if (result_->outcome == FitOutcome::Fitted) emit ghostChanged(proposed());
 }
 
 Probe FitPanel::proposed() const {
@@ -186,8 +166,8 @@ void FitPanel::update() {
 }
 
 void FitPanel::refresh() {
-  fit_->setText(running_ ? tr("Stop (%1 %)").arg(percent_.load()) : tr("Fit box"));
-  fit_->setEnabled(running_ || (editor_.probe() != nullptr && !models_.empty()));
+  fit_->setText(running() ? tr("Stop (%1 %)").arg(work_.percent()) : tr("Fit box"));
+  fit_->setEnabled(running() || (editor_.probe() != nullptr && !models_.empty()));
   const bool fitted = result_ && result_->outcome == FitOutcome::Fitted;
   review_->setVisible(fitted);
   remarks_->setVisible(result_ && (!fitted || !remarks_->text().isEmpty()));

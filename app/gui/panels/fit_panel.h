@@ -1,17 +1,15 @@
 // Fits the selected probe's box to what it sees, in a thread of its own, and lets its user review the result before it
-// counts: both errors, the gain of each face, the fitted box drawn beside the old one. Called by the docks; the
-// mathematics is filters/fit's.
+// counts: both errors, the gain of each face, the fitted box drawn beside the old one. Above it the live error of the
+// box as it stands. Called by the docks; the mathematics is filters/fit's.
 #pragma once
 
 #include <QWidget>
 #include <array>
-#include <atomic>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
+#include "app/gui/edit/background_work.h"
 #include "app/gui/edit/editor.h"
 #include "filters/core/scene/model.h"
 #include "filters/fit/box/fit_box.h"
@@ -23,22 +21,27 @@ class QWidget;
 
 namespace boxprobe {
 
+class GaugeRows;
+class ProbeGauge;
+
 class FitPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit FitPanel(Editor& editor, QWidget* parent = nullptr);
-  /// Stops the fit under way and waits for it.
-  ~FitPanel() override;
 
   /// In the order of scene.models.
-  void setModels(const std::vector<std::shared_ptr<const Model>>& models) { models_ = models; }
+  void setModels(const std::vector<std::shared_ptr<const Model>>& models);
   /// The document changed: a result for what is no longer so is dropped.
   void update();
 
+  /// The error of the probe as it stands.
+  ProbeGauge& gauge() { return *gauge_; }
+  GaugeRows& rows() { return *rows_; }
+
   /// Starts a fit of the selected probe, or stops the one under way.
   void fit();
-  bool running() const { return running_; }
+  bool running() const { return work_.running(); }
   /// As one undo step, with the faces that are ticked.
   void apply();
   void discard();
@@ -50,12 +53,13 @@ class FitPanel : public QWidget {
   void failed(const QString& line);
 
  private:
-  void end(std::optional<BoxFit> result, const QString& error);
-  void stop();
+  void review(const BoxFit& result);
   Probe proposed() const;
   void refresh();
 
   Editor& editor_;
+  ProbeGauge* gauge_;
+  GaugeRows* rows_;
   std::vector<std::shared_ptr<const Model>> models_;
   QPushButton *fit_, *apply_, *discard_;
   QLabel *errors_, *remarks_;
@@ -63,10 +67,7 @@ class FitPanel : public QWidget {
   std::array<QCheckBox*, kFaces> faces_{};
   std::optional<Probe> given_;  ///< what is fitted, or was
   std::optional<BoxFit> result_;
-  std::thread thread_;
-  std::atomic<bool> stop_{false};
-  std::atomic<int> percent_{0};
-  bool running_ = false;
+  BackgroundWork work_;  ///< last: it ends before what it would tell of it
 };
 
 }  // namespace boxprobe

@@ -49,6 +49,7 @@ FramePanel::FramePanel(Editor& editor, Hooks hooks, QWidget* parent)
       tree_(new QTreeWidget(this)),
       count_(new QPushButton(tr("Count lookups"), this)),
       heatMap_(new QPushButton(tr("Heat map"), this)),
+      costs_(new QPushButton(tr("Measure costs"), this)),
       objectPart_(new QWidget(this)),
       objectName_(new QLabel(this)),
       mode_(new QuietCombo(this)),
@@ -63,7 +64,11 @@ FramePanel::FramePanel(Editor& editor, Hooks hooks, QWidget* parent)
   heatMap_->setToolTip(
       tr("Colours the surfaces by their number of lookups, like the view \"Lookups\" of the Debug tab"));
   buttons->addWidget(count_);
+  costs_->setObjectName("measureCosts");
+  costs_->setToolTip(
+      tr("Draws the picture many times with parts of it left out, and tells how much time each part takes"));
   buttons->addWidget(heatMap_);
+  buttons->addWidget(costs_);
   buttons->addStretch(1);
   column->addLayout(buttons);
   summary_->setObjectName("frameSummary");
@@ -95,6 +100,7 @@ FramePanel::FramePanel(Editor& editor, Hooks hooks, QWidget* parent)
   objectPart_->hide();
 
   connect(count_, &QPushButton::clicked, this, &FramePanel::countLookups);
+  connect(costs_, &QPushButton::clicked, this, &FramePanel::measureCosts);
   connect(heatMap_, &QPushButton::toggled, this, &FramePanel::heatMapSwitched);
   connect(tree_, &QTreeWidget::itemSelectionChanged, this, &FramePanel::selectionChanged);
   connect(mode_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
@@ -136,6 +142,24 @@ void FramePanel::countLookups() {
   const FrameReport::Lookups lookups = hooks_.lookups();
   summary_->setText(
       tr("Lookups per pixel: mean %1, at most %2.").arg(lookups.mean, 0, 'f', 2).arg(lookups.most, 0, 'f', 0));
+}
+
+void FramePanel::measureCosts() {
+  const FrameCosts costs = hooks_.costs();
+  if (costs.parts.empty()) return;
+  summary_->setText((costs.cpuTime ? tr("A frame takes %1 ms of CPU time (all threads).") : tr("A frame takes %1 ms."))
+                        .arg(costs.frame.median, 0, 'f', 1));
+  const QSignalBlocker quiet(tree_);
+  const auto add = [&costs](QTreeWidgetItem* parent, const QString& name, const Cost& cost, const QString& help) {
+    const double share = costs.frame.median > 0.0 ? cost.median / costs.frame.median : 0.0;
+    addRowTo(parent, name, QString::number(cost.median, 'f', 1) + QObject::tr(" ms, ") + percent(share),
+             QObject::tr("%1. Quartiles: %2 to %3 ms").arg(help).arg(cost.low, 0, 'f', 2).arg(cost.high, 0, 'f', 2));
+  };
+  QTreeWidgetItem* parts = section(tr("Costs of the frame"));
+  for (const FrameCosts::Row& row : costs.parts) add(parts, text(row.name), row.cost, text(row.help));
+  add(parts, tr("of these, drawn over"), costs.overdraw, tr("Pixels that are worked out and then covered"));
+  QTreeWidgetItem* objects = section(tr("Costs of objects' pixels"));
+  for (const FrameCosts::Row& row : costs.objects) add(objects, text(row.name), row.cost, text(row.name));
 }
 
 QTreeWidgetItem* FramePanel::section(const QString& title) {

@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <functional>
 
+#include "app/cli/report/frame_costs.h"
 #include "app/gui/edit/editor.h"
 #include "filters/vtk/frame/frame_report.h"
 
@@ -25,6 +26,7 @@ class FramePanel : public QWidget {
   struct Hooks {
     std::function<FrameReport()> report;
     std::function<FrameReport::Lookups()> lookups;  ///< draws
+    std::function<FrameCosts()> costs;              ///< draws many times, and says so meanwhile; no rows: stopped
   };
   FramePanel(Editor& editor, Hooks hooks, QWidget* parent = nullptr);
 
@@ -40,6 +42,7 @@ class FramePanel : public QWidget {
   QTreeWidgetItem* section(const QString& title);
   void fill(const FrameReport& report);
   void countLookups();
+  void measureCosts();
   void selectionChanged();
   void showModes();
   void changeObject(const QString& label, const std::function<void(ObjectOverride&)>& change);
@@ -49,7 +52,7 @@ class FramePanel : public QWidget {
   bool watched_ = false;
   QLabel* summary_;
   QTreeWidget* tree_;
-  QPushButton *count_, *heatMap_;
+  QPushButton *count_, *heatMap_, *costs_;
   QWidget* objectPart_;
   QLabel* objectName_;
   QuietCombo *mode_, *weights_;

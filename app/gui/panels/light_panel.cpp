@@ -1,11 +1,19 @@
 // See light_panel.h.
 #include "app/gui/panels/light_panel.h"
 
+#include <QColorDialog>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
@@ -16,7 +24,38 @@
 
 namespace boxprobe {
 
-LightPanel::LightPanel(Editor& editor, QWidget* parent) : QWidget(parent), editor_(editor) {
+namespace {
+
+/// Light as it is shown, and back.
+int shownByte(float linear) {
+  return static_cast<int>(std::lround(255.0 * std::pow(std::clamp(static_cast<double>(linear), 0.0, 1.0), 1.0 / 2.2)));
+}
+
+float linearOf(int byte) {
+  return static_cast<float>(std::pow(byte / 255.0, 2.2));
+}
+
+QColor shownColor(const glm::vec3& color) {
+  const float brightest = std::max({color.x, color.y, color.z, 1e-6F});
+  const glm::vec3 c = color / brightest;
+  return {shownByte(c.x), shownByte(c.y), shownByte(c.z)};
+}
+
+QString lightTypeName(LightType type) {
+  if (type == LightType::Directional) return LightPanel::tr("directional");
+  return type == LightType::Point ? LightPanel::tr("point") : LightPanel::tr("spot");
+}
+
+void placeByCamera(Light& light, const Camera& camera) {
+  const glm::dvec3 ahead = glm::normalize(camera.target - camera.position);
+  if (light.type != LightType::Point) light.direction = ahead;
+  if (light.type != LightType::Directional) light.position = camera.position;
+}
+
+}  // namespace
+
+LightPanel::LightPanel(Editor& editor, std::function<Camera()> camera, QWidget* parent)
+    : QWidget(parent), editor_(editor), camera_(std::move(camera)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   form_ = addSection(this, tr("Sky and lights"));
@@ -45,6 +84,7 @@ void LightPanel::addPlace(QFormLayout* form) {
   lights_->setObjectName("light");
   addRow(form, tr("Light"), lights_, tr("Lights in the order of the scene file"));
   connect(lights_, QOverload<int>::of(&QComboBox::activated), this, &LightPanel::update);
+  addButtons(form);
   const auto& direction = lightField("direction");
   const QString tip = tr("Directional: %1 Others: %2").arg(fieldTip(direction), fieldTip(lightField("position")));
   place_ = new VectorRow(fieldFormat(direction, 0.05, 3), tip, this);
@@ -68,6 +108,74 @@ void LightPanel::addPlace(QFormLayout* form) {
           [this, brighter](double value) { edit(intensity_, true, tr("intensity"), brighter(value)); });
   connect(intensity_, &ValueField::committed, this,
           [this, brighter](double value) { edit(intensity_, false, tr("intensity"), brighter(value)); });
+}
+
+void LightPanel::addButtons(QFormLayout* form) {
+  auto* line = new QWidget(this);
+  auto* row = new QHBoxLayout(line);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* add = new QPushButton(tr("Add"), line);
+  add->setObjectName("addLight");
+  add->setToolTip(tr("Adds a light where the camera is, shining the way it looks"));
+  auto* kinds = new QMenu(add);
+  for (const LightType type : {LightType::Directional, LightType::Point, LightType::Spot}) {
+    connect(kinds->addAction(lightTypeName(type)), &QAction::triggered, this, [this, type] { addLight(type); });
+  }
+  add->setMenu(kinds);
+  aim_ = new QPushButton(tr("As the view"), line);
+  aim_->setObjectName("aimLight");
+  aim_->setToolTip(tr("Puts the light where the camera is and aims it the way the camera looks"));
+  remove_ = new QPushButton(tr("Delete"), line);
+  remove_->setObjectName("deleteLight");
+  remove_->setToolTip(tr("Removes this light"));
+  for (QPushButton* button : {add, aim_, remove_}) row->addWidget(button);
+  row->addStretch(1);
+  form->addRow(QString(), line);
+  connect(aim_, &QPushButton::clicked, this, &LightPanel::aimByView);
+  connect(remove_, &QPushButton::clicked, this, &LightPanel::removeLight);
+  color_ = new QPushButton(this);
+  color_->setObjectName("lightColor");
+  addRow(form, tr("Color"), color_, fieldTip(lightField("color")));
+  connect(color_, &QPushButton::clicked, this, [this] {
+    const Light* of = light();
+    if (of == nullptr) return;
+    const QColor chosen = QColorDialog::getColor(shownColor(of->color), this, tr("Color of the light"));
+    if (chosen.isValid()) setColor(chosen);
+  });
+}
+
+void LightPanel::addLight(LightType type) {
+  const Camera camera = camera_();
+  Light added;
+  added.type = type;
+  added.color = glm::vec3(1.0F);
+  // Bright enough to be seen at the exposure as it is.
+  constexpr double kBright = 3.0;
+  added.intensity = static_cast<float>(kBright / std::max(editor_.scene().exposure, 1e-6));
+  placeByCamera(added, camera);
+  editor_.commit(tr("Add %1 light").arg(lightTypeName(type)), [added](Scene& scene) { scene.lights.push_back(added); });
+  lights_->setCurrentIndex(lights_->count() - 1);
+  update();
+}
+
+void LightPanel::removeLight() {
+  const auto at = index();
+  if (!at) return;
+  editor_.commit(tr("Delete light %1").arg(static_cast<int>(*at) + 1), [at](Scene& scene) {
+    if (*at < scene.lights.size()) scene.lights.erase(scene.lights.begin() + static_cast<std::ptrdiff_t>(*at));
+  });
+}
+
+void LightPanel::aimByView() {
+  const Camera camera = camera_();
+  commit(tr("place"), [camera](Light& light) { placeByCamera(light, camera); });
+}
+
+void LightPanel::setColor(const QColor& color) {
+  commit(tr("color"), [color](Light& light) {
+    const float brightest = std::max({light.color.x, light.color.y, light.color.z, 1e-6F});
+    light.color = brightest * glm::vec3(linearOf(color.red()), linearOf(color.green()), linearOf(color.blue()));
+  });
 }
 
 ValueField* LightPanel::addNumber(QFormLayout* form, const QString& text, const char* key, double step, int decimals,
@@ -149,21 +257,24 @@ void LightPanel::update() {
     const QSignalBlocker quiet(lights_);
     const int row = std::max(lights_->currentIndex(), 0);
     lights_->clear();
-    const QString names[] = {tr("directional"), tr("point"), tr("spot")};
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-      lights_->addItem(tr("%1: %2").arg(static_cast<int>(i) + 1).arg(names[static_cast<int>(scene.lights[i].type)]));
+      lights_->addItem(tr("%1: %2").arg(static_cast<int>(i) + 1).arg(lightTypeName(scene.lights[i].type)));
     }
     lights_->setCurrentIndex(std::min(row, lights_->count() - 1));
   }
   const Light* of = light();
-  for (QWidget* field :
-       std::initializer_list<QWidget*>{lights_, place_, intensity_, shadows_, angle_, radius_, level_, perUnit_})
+  for (QWidget* field : std::initializer_list<QWidget*>{lights_, place_, aim_, remove_, color_, intensity_, shadows_,
+                                                        angle_, radius_, level_, perUnit_})
     field->setEnabled(of != nullptr);
   if (of == nullptr) return;
   const bool directional = of->type == LightType::Directional, shadowed = of->shadows != LightShadows::None;
   if (auto* label = qobject_cast<QLabel*>(form_->labelForField(place_))) {
     label->setText(directional ? tr("Direction") : tr("Position"));
   }
+  QPixmap swatch(32, 14);
+  swatch.fill(shownColor(of->color));
+  color_->setIcon(QIcon(swatch));
+  color_->setIconSize(swatch.size());
   place_->show(directional ? of->direction : of->position);
   intensity_->show(static_cast<double>(of->intensity));
   showChoice(shadows_, static_cast<int>(of->shadows));

@@ -7,7 +7,9 @@
 
 #include "app/gui/edit/editor.h"
 
+class QColor;
 class QComboBox;
+class QPushButton;
 class QFormLayout;
 
 namespace boxprobe {
@@ -19,7 +21,16 @@ class LightPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit LightPanel(Editor& editor, QWidget* parent = nullptr);
+  /// `camera`: the view as it is now, along which lights are added and aimed.
+  LightPanel(Editor& editor, std::function<Camera()> camera, QWidget* parent = nullptr);
+
+  /// Where the camera is, directional ones and spots the way it looks.
+  void addLight(LightType type);
+  void removeLight();
+  /// The light on show goes where the camera is, and the way it looks.
+  void aimByView();
+  /// Display colours; the light's intensity stays.
+  void setColor(const QColor& color);
 
   /// The document changed.
   void update();
@@ -37,9 +48,12 @@ class LightPanel : public QWidget {
   void showRow(QWidget* field, bool shown);
   void addSky(QFormLayout* form);
   void addPlace(QFormLayout* form);
+  void addButtons(QFormLayout* form);
   void addShadows(QFormLayout* form);
 
   Editor& editor_;
+  std::function<Camera()> camera_;
+  QPushButton *remove_ = nullptr, *aim_ = nullptr, *color_ = nullptr;
   QFormLayout* form_ = nullptr;
   ValueField* turn_ = nullptr;
   QComboBox* lights_ = nullptr;

@@ -14,6 +14,7 @@
 #include "app/gui/panels/glass_fields.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
+#include "app/gui/widgets/quiet_slider.h"
 #include "app/gui/widgets/value_field.h"
 
 namespace boxprobe {
@@ -32,7 +33,7 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
     : QWidget(parent),
       editor_(editor),
       materials_(new QuietCombo(this)),
-      slider_(new QSlider(Qt::Horizontal, this)),
+      slider_(new QuietSlider(Qt::Horizontal, this)),
       field_(new ValueField(fieldFormat(materialField("roughness"), 0.01, 3), this)),
       reset_(new QPushButton(tr("As in the model"), this)),
       glass_(new GlassFields(editor, this)) {
@@ -50,7 +51,6 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
   slider_->setObjectName("roughness");
   slider_->setRange(0, kSliderSteps);
   slider_->setToolTip(tip);
-  slider_->setFocusPolicy(Qt::StrongFocus);
   field_->setToolTip(tip);
   addRow(form, tr("Roughness"), line, tip);
   reset_->setToolTip(tr("Removes the scene's value; the value in the model file applies again"));
@@ -124,6 +124,14 @@ void MaterialPanel::update() {
   reset_->setEnabled(overridden);
   const auto row = static_cast<std::size_t>(std::max(materials_->currentIndex(), 0));
   if (row < known_.size()) glass_->show(known_[row].name, known_[row]);
+}
+
+bool MaterialPanel::choose(const std::string& name) {
+  const int row = materials_->findText(QString::fromStdString(name));
+  if (row < 0) return false;
+  materials_->setCurrentIndex(row);
+  update();
+  return true;
 }
 
 }  // namespace boxprobe

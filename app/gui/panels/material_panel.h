@@ -29,6 +29,8 @@ class MaterialPanel : public QWidget {
   void setModels(const std::vector<std::shared_ptr<const Model>>& models);
   /// The document changed.
   void update();
+  /// The one of that name is shown; false if there is none.
+  bool choose(const std::string& name);
 
  private:
   std::string material() const;

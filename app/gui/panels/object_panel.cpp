@@ -183,4 +183,13 @@ void ObjectPanel::update() {
   resolution_->show(mirror->second.resolution);
 }
 
+bool ObjectPanel::choose(const std::string& name) {
+  const int row = nodes_->findText(QString::fromStdString(name));
+  if (row < 0) return false;
+  nodes_->setCurrentIndex(row);
+  fresh_ = false;
+  update();
+  return true;
+}
+
 }  // namespace boxprobe

@@ -9,6 +9,7 @@
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/quiet_slider.h"
 #include "app/gui/widgets/value_field.h"
 
 namespace boxprobe {
@@ -31,7 +32,7 @@ Document::Edit exposureEdit(double exposure) {
 PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
     : QWidget(parent),
       editor_(editor),
-      slider_(new QSlider(Qt::Horizontal, this)),
+      slider_(new QuietSlider(Qt::Horizontal, this)),
       field_(new ValueField(fieldFormat(exposureField(), 0.1, 3), this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -43,7 +44,6 @@ PicturePanel::PicturePanel(Editor& editor, QWidget* parent)
   row->addWidget(field_);
   const QString tip = tr("%1 The slider spans %2 stops either way.").arg(fieldTip(exposureField())).arg(kStops);
   slider_->setRange(-kStops * kSliderPerStop, kStops * kSliderPerStop);
-  slider_->setFocusPolicy(Qt::StrongFocus);
   slider_->setToolTip(tip);
   field_->setToolTip(tip);
   addRow(form, tr("Exposure"), line, tip);

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "app/gui/handles/handle_drag.h"
 #include "app/session/fit_scene.h"
 
 namespace boxprobe {
@@ -37,7 +38,8 @@ ProbeList::ProbeList(Editor& editor, Hooks hooks, QWidget* parent)
   buttons->addWidget(addButton(tr("Add"),
                                tr("Adds a probe captured at the centre of the view, with its box fitted to the scene"),
                                &ProbeList::addProbe));
-  duplicate_ = addButton(tr("Duplicate"), tr("Copies the selected probe (Ctrl+D)"), &ProbeList::duplicateProbe);
+  duplicate_ =
+      addButton(tr("Duplicate"), tr("Copies the selected probe, a little aside (Ctrl+D)"), &ProbeList::duplicateProbe);
   delete_ = addButton(tr("Delete"), tr("Removes the selected probe (Delete)"), &ProbeList::deleteProbe);
   buttons->addWidget(duplicate_);
   buttons->addWidget(delete_);
@@ -127,6 +129,7 @@ void ProbeList::duplicateProbe() {
   if (!selected) return;
   Probe copy = *editor_.probe();
   const QString from = QString::fromStdString(copy.name);
+  copy = besideOthers(copy, editor_.scene().probes);
   copy.name = unusedProbeName(editor_.scene(), copy.name);
   const std::size_t at = *selected + 1;
   editor_.commit(tr("Duplicate %1").arg(from), [copy, at](Scene& scene) {

@@ -14,6 +14,13 @@
 
 namespace boxprobe {
 
+namespace {
+
+/// So long nobody has edited anything: programs are then made for the scene as it is.
+constexpr int kRestMilliseconds = 2000;
+
+}  // namespace
+
 PictureWork::PictureWork(const Document& document, SceneRenderer& renderer, Viewport& viewport,
                          std::function<void()> beforePicture, QObject* parent)
     : QObject(parent),
@@ -35,6 +42,9 @@ PictureWork::PictureWork(const Document& document, SceneRenderer& renderer, View
       motion_(new MotionPreview({[this](bool allowed) { renderer_.allowStandIns(allowed); },
                                  [this](bool moving) { return renderer_.setMoving(moving); }},
                                 this)) {
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRestMilliseconds);
+  connect(&rest_, &QTimer::timeout, this, &PictureWork::rested);
   connect(scheduler_, &RenderScheduler::workEnded, this, &PictureWork::workEnded);
   connect(scheduler_, &RenderScheduler::rendered, this, &PictureWork::tellError);
   connect(motion_, &MotionPreview::enabledChanged, scheduler_, &RenderScheduler::sceneChanged);
@@ -45,6 +55,17 @@ PictureWork::PictureWork(const Document& document, SceneRenderer& renderer, View
   connect(&viewport_, &Viewport::becameReady, this, [this] {
     if (viewport_.readyToDraw()) motion_->setDefault(viewport_.softwareRenderer());
   });
+}
+
+// Programs with the scene's numbers as constants are made once nothing has been edited for a while; each takes a turn
+// of its own, as captures do.
+void PictureWork::rested() {
+  if (!viewport_.readyToDraw() || document_.previewing() || !scheduler_->idle() || renderer_.workPending()) {
+    rest_.start();
+    return;
+  }
+  guarded([this] { renderer_.foldConstants(); });
+  if (renderer_.workPending()) scheduler_->wake();
 }
 
 template <typename Work>
@@ -77,6 +98,7 @@ void PictureWork::tellError() {
 }
 
 void PictureWork::syncScene(const Changes& changes) {
+  rest_.start();
   if (document_.previewing()) {
     motion_->moved();
     renderer_.setInteractive(true);

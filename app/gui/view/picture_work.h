@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <functional>
 #include <string>
 
@@ -51,6 +52,7 @@ class PictureWork : public QObject {
   void workEnded();
   void tellError();
   void place(const Camera& camera);
+  void rested();
 
   const Document& document_;
   SceneRenderer& renderer_;
@@ -58,6 +60,7 @@ class PictureWork : public QObject {
   std::function<void()> beforePicture_;
   RenderScheduler* scheduler_;
   MotionPreview* motion_;
+  QTimer rest_;  ///< since the last edit
   bool firstPictureDone_ = false;
   std::string toldError_;
 };

@@ -34,7 +34,7 @@ std::optional<int> axisOfKey(int key) {
 CameraController::Motion motionFor(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
   using Motion = CameraController::Motion;
   if (button == Qt::MiddleButton) return Motion::Pan;
-  if (button == Qt::RightButton) return Motion::Zoom;
+  if (button == Qt::RightButton) return Motion::Look;
   if (button != Qt::LeftButton) return Motion::None;
   if (modifiers.testFlag(Qt::ShiftModifier)) return Motion::Pan;
   if (modifiers.testFlag(Qt::ControlModifier)) return Motion::Zoom;
@@ -70,8 +70,12 @@ vtkGenericOpenGLRenderWindow* Viewport::window3d() const {
   return window_.Get();
 }
 
-void Viewport::setCamera(std::function<vtkCamera*()> camera) {
+void Viewport::setCamera(std::function<vtkCamera*()> camera, std::function<std::optional<glm::dvec3>(const Ray&)> meet,
+                         std::function<Box()> bounds) {
   camera_ = std::move(camera);
+  const auto ray = [this](const QPointF& pixel) { return view().ray({pixel.x(), pixel.y()}); };
+  cameraController_.setHooks({camera_, ray, std::move(meet), std::move(bounds)});
+  connect(&cameraController_, &CameraController::moved, this, &Viewport::cameraMoved);
 }
 
 void Viewport::setProbeWidget(ProbeWidget* widget) {
@@ -133,7 +137,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   if (cameraController_.motion() != CameraController::Motion::None) return;
   if (event->button() == Qt::LeftButton && probeWidget_->press(pointerPlace(*event), event->modifiers())) return;
   if (probeWidget_->dragging()) return;
-  if (picking_ && event->button() == Qt::LeftButton) pressed_ = pointerPlace(*event);
+  if (event->button() == Qt::LeftButton || event->button() == Qt::RightButton) pressed_ = pointerPlace(*event);
   cameraController_.begin(motionFor(event->button(), event->modifiers()), pointerPlace(*event));
 }
 
@@ -146,7 +150,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     return;  // a hand is never quite still
   } else {
     pressed_.reset();
-    if (cameraController_.move(camera_(), pointerPlace(*event), height())) emit cameraMoved();
+    if (cameraController_.move(pointerPlace(*event), height())) emit cameraMoved();
   }
 }
 
@@ -154,15 +158,25 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   event->accept();
   if (event->button() == Qt::LeftButton) probeWidget_->release(pointerPlace(*event), event->modifiers());
   if (event->buttons() == Qt::NoButton) cameraController_.end();
-  if (event->button() != Qt::LeftButton || !pressed_) return;
+  if (!pressed_) return;
   const QPointF pressed = *pressed_;
   pressed_.reset();
-  if (QLineF(pressed, pointerPlace(*event)).length() < kClickPixels) emit clicked(pointerPlace(*event));
+  if (QLineF(pressed, pointerPlace(*event)).length() < kClickPixels) clickEnded(event->button(), pointerPlace(*event));
+}
+
+void Viewport::clickEnded(Qt::MouseButton button, const QPointF& at) {
+  if (button == Qt::RightButton) emit menuRequested(at);
+  if (button != Qt::LeftButton) return;
+  if (picking_) {
+    emit clicked(at);
+  } else {
+    emit selected(at);
+  }
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
   event->accept();
-  CameraController::zoom(camera_(), event->angleDelta().y() / kWheelStep);
+  cameraController_.wheel(event->position(), event->angleDelta().y() / kWheelStep);
   emit cameraMoved();
 }
 
@@ -172,17 +186,40 @@ void Viewport::leaveEvent(QEvent* event) {
   QVTKOpenGLNativeWidget::leaveEvent(event);
 }
 
+bool Viewport::event(QEvent* event) {
+  // While the button is held E flies up; the menu has it otherwise.
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (cameraController_.takesKey(key->key(), key->modifiers())) {
+      event->accept();
+      return true;
+    }
+  }
+  return QVTKOpenGLNativeWidget::event(event);
+}
+
 void Viewport::keyPressEvent(QKeyEvent* event) {
+  if (cameraController_.takesKey(event->key(), event->modifiers())) {
+    if (!event->isAutoRepeat()) cameraController_.keyDown(event->key(), event->modifiers().testFlag(Qt::ShiftModifier));
+    return event->accept();
+  }
+  if (probeWidget_->nudge(event->key(), event->modifiers())) return event->accept();
   if (const auto axis = axisOfKey(event->key()); axis && !event->isAutoRepeat()) probeWidget_->setHeldAxis(axis);
   QVTKOpenGLNativeWidget::keyPressEvent(event);
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent* event) {
+  if (!event->isAutoRepeat()) {
+    cameraController_.keyUp(event->key());
+    probeWidget_->endNudge();
+  }
   if (axisOfKey(event->key()) && !event->isAutoRepeat()) probeWidget_->setHeldAxis(std::nullopt);
   QVTKOpenGLNativeWidget::keyReleaseEvent(event);
 }
 
 void Viewport::focusOutEvent(QFocusEvent* event) {
+  cameraController_.stopFlying();
+  probeWidget_->endNudge();
   probeWidget_->setHeldAxis(std::nullopt);  // its release will go elsewhere
   QVTKOpenGLNativeWidget::focusOutEvent(event);
 }

@@ -27,7 +27,10 @@ class Viewport : public QVTKOpenGLNativeWidget {
   ~Viewport() override;
 
   vtkGenericOpenGLRenderWindow* window3d() const;
-  void setCamera(std::function<vtkCamera*()> camera);
+  /// `meet`: where a ray meets a surface; `bounds`: of the scene.
+  void setCamera(std::function<vtkCamera*()> camera, std::function<std::optional<glm::dvec3>(const Ray&)> meet,
+                 std::function<Box()> bounds);
+  CameraController& cameraController() { return cameraController_; }
   void setProbeWidget(ProbeWidget* widget);
   /// The view as it is now, in logical pixels.
   ViewProjection view() const;
@@ -50,8 +53,13 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void pointerLeft();
   /// On no handle. Only while picking is on.
   void clicked(const QPointF& position);
+  /// On no handle, without a drag; only while picking is off.
+  void selected(const QPointF& position);
+  /// A click with the right button.
+  void menuRequested(const QPointF& position);
 
  protected:
+  bool event(QEvent* event) override;
   void initializeGL() override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -66,6 +74,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
 
  private:
   void placeInvitation();
+  void clickEnded(Qt::MouseButton button, const QPointF& at);
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   CameraController cameraController_;

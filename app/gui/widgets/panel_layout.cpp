@@ -2,15 +2,16 @@
 #include "app/gui/widgets/panel_layout.h"
 
 #include <QFormLayout>
-#include <QGroupBox>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/widgets/panel_section.h"
+
 namespace boxprobe {
 
 QFormLayout* addSection(QWidget* parent, const QString& title) {
-  auto* group = new QGroupBox(title, parent);
+  auto* group = new PanelSection(title, parent);
   auto* form = new QFormLayout(group);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form->setLabelAlignment(Qt::AlignLeft);

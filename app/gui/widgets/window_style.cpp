@@ -5,7 +5,9 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QGuiApplication>
 #include <QPalette>
+#include <QStyle>
 #include <QStyleFactory>
 #include <QSurfaceFormat>
 
@@ -18,28 +20,61 @@ void setSurfaceFormat() {
   QSurfaceFormat::setDefaultFormat(format);
 }
 
-void applyWindowStyle(QApplication& application) {
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+namespace {
+
+struct Look {
+  QColor window, base, button, text, dim, highlight, onHighlight, edge;
+  QColor accent, help, good, bad, deciding, remarkable;  ///< StyleColor's, in its order
+};
+
+// Contrast of text on its ground: at least 4.5, of dim text on the window 3.
+const Look kDark = {{0x2b, 0x2e, 0x33}, {0x1e, 0x20, 0x24}, {0x3a, 0x3e, 0x45}, {0xec, 0xee, 0xf0}, {0x85, 0x8a, 0x92},
+                    {0xff, 0xb3, 0x1a}, {0x1e, 0x20, 0x24}, {0x43, 0x47, 0x4e}, {0xff, 0xb3, 0x1a}, {0xb9, 0xbe, 0xc6},
+                    {0x5f, 0xc8, 0x7a}, {0xff, 0x8f, 0x80}, {0x4a, 0x3a, 0x12}, {0x5a, 0x43, 0x12}};
+const Look kLight = {{0xee, 0xef, 0xf1}, {0xff, 0xff, 0xff}, {0xe0, 0xe2, 0xe6}, {0x1b, 0x1d, 0x21}, {0x80, 0x85, 0x8d},
+                     {0xff, 0xb3, 0x1a}, {0x1e, 0x20, 0x24}, {0xb9, 0xbd, 0xc4}, {0x8a, 0x56, 0x00}, {0x52, 0x58, 0x61},
+                     {0x1b, 0x75, 0x36}, {0xb0, 0x1f, 0x10}, {0xff, 0xe9, 0xb8}, {0xff, 0xdf, 0x99}};
+
+const Look* shown = &kDark;
+
+/// Without a desktop nobody has chosen a light palette: it is Qt's default.
+bool desktopIsLight() {
+  static const bool light = !qEnvironmentVariableIsEmpty("XDG_CURRENT_DESKTOP") &&
+                            QGuiApplication::palette().color(QPalette::Window).lightness() > 127;
+  return light;
+}
+
+}  // namespace
+
+QColor styleColor(StyleColor color) {
+  const QColor* const colors[] = {&shown->accent, &shown->help,     &shown->good,
+                                  &shown->bad,    &shown->deciding, &shown->remarkable};
+  return *colors[static_cast<int>(color)];
+}
+
+void applyWindowStyle(QApplication& application, Theme theme) {
+  const bool systemIsLight = desktopIsLight();  // before the palette becomes our own
+  shown = theme == Theme::Light || (theme == Theme::System && systemIsLight) ? &kLight : &kDark;
+  const Look& look = *shown;
+  if (application.style()->objectName() != "fusion") QApplication::setStyle(QStyleFactory::create("Fusion"));
 
   QPalette palette;
-  const QColor window(0x2b, 0x2e, 0x33), base(0x1e, 0x20, 0x24), button(0x3a, 0x3e, 0x45);
-  const QColor text(0xec, 0xee, 0xf0), dim(0x85, 0x8a, 0x92), accent(0xff, 0xb3, 0x1a);
-  palette.setColor(QPalette::Window, window);
-  palette.setColor(QPalette::WindowText, text);
-  palette.setColor(QPalette::Base, base);
-  palette.setColor(QPalette::AlternateBase, window);
-  palette.setColor(QPalette::Text, text);
-  palette.setColor(QPalette::Button, button);
-  palette.setColor(QPalette::ButtonText, text);
+  palette.setColor(QPalette::Window, look.window);
+  palette.setColor(QPalette::WindowText, look.text);
+  palette.setColor(QPalette::Base, look.base);
+  palette.setColor(QPalette::AlternateBase, look.window);
+  palette.setColor(QPalette::Text, look.text);
+  palette.setColor(QPalette::Button, look.button);
+  palette.setColor(QPalette::ButtonText, look.text);
   palette.setColor(QPalette::BrightText, Qt::white);
   palette.setColor(QPalette::ToolTipBase, QColor(0xf7, 0xf3, 0xe3));
   palette.setColor(QPalette::ToolTipText, QColor(0x1e, 0x20, 0x24));
-  palette.setColor(QPalette::Highlight, accent);
-  palette.setColor(QPalette::HighlightedText, base);
-  palette.setColor(QPalette::Link, accent);
-  palette.setColor(QPalette::PlaceholderText, dim);
+  palette.setColor(QPalette::Highlight, look.highlight);
+  palette.setColor(QPalette::HighlightedText, look.onHighlight);
+  palette.setColor(QPalette::Link, look.accent);
+  palette.setColor(QPalette::PlaceholderText, look.dim);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
-    palette.setColor(QPalette::Disabled, role, dim);
+    palette.setColor(QPalette::Disabled, role, look.dim);
   }
   application.setPalette(palette);
 
@@ -49,13 +84,17 @@ void applyWindowStyle(QApplication& application) {
   application.setFont(font);
 
   application.setStyleSheet(
-      "QGroupBox { font-weight: bold; border: 1px solid #43474e; border-radius: 5px; margin-top: 10px; padding-top: "
-      "6px; }"
-      "QGroupBox::title { subcontrol-origin: margin; left: 10px; padding: 0 4px; }"
-      "QGroupBox QWidget { font-weight: normal; }"
-      "QLabel#help { color: #b9bec6; }"
-      "QToolTip { color: #1e2024; background: #f7f3e3; border: 1px solid #85754a; padding: 4px; }"
-      "QStatusBar::item { border: none; }");
+      QString("QGroupBox { font-weight: bold; border: 1px solid %1; border-radius: 5px; margin-top: 10px; "
+              "padding-top: 6px; }"
+              "QGroupBox::title { subcontrol-origin: margin; left: 10px; padding: 0 4px; }"
+              "QGroupBox QWidget { font-weight: normal; }"
+              "QLabel#help { color: %2; }"
+              "QLabel#stepTry { color: %3; }"
+              "QLabel#taskPraise { color: %4; }"
+              "QStatusBar[failed=true] { color: %5; font-weight: bold; }"
+              "QToolTip { color: #1e2024; background: #f7f3e3; border: 1px solid #85754a; padding: 4px; }"
+              "QStatusBar::item { border: none; }")
+          .arg(look.edge.name(), look.help.name(), look.accent.name(), look.good.name(), look.bad.name()));
 }
 
 }  // namespace boxprobe

@@ -40,7 +40,13 @@ void requireSky(const Scene& scene) {
 }  // namespace
 
 FileCommands::FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window)
-    : QObject(window), document_(document), editor_(editor), hooks_(std::move(hooks)), window_(window) {}
+    : QObject(window), document_(document), editor_(editor), hooks_(std::move(hooks)), window_(window) {
+  constexpr int kSettleMilliseconds = 400;
+  settle_.setSingleShot(true);
+  settle_.setInterval(kSettleMilliseconds);
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, &settle_, QOverload<>::of(&QTimer::start));
+  connect(&settle_, &QTimer::timeout, this, &FileCommands::changedOnDisk);
+}
 
 QString FileCommands::displayName() const {
   if (const QString borrowed = hooks_.borrowedName(); !borrowed.isEmpty()) return borrowed;
@@ -64,9 +70,11 @@ bool FileCommands::confirmLeaving() {
   hooks_.showOwnScene();
   editor_.finish();
   if (!document_.modified()) return true;
-  const auto answer =
-      QMessageBox::question(window_, tr("Unsaved changes"), tr("Save the changes to %1?").arg(displayName()),
-                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  const auto answer = QMessageBox::question(
+      window_, tr("Unsaved changes"),
+      document_.path().empty() && document_.scene().models.empty() ? tr("Save the changes?")
+                                                                   : tr("Save the changes to %1?").arg(displayName()),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }
@@ -112,6 +120,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
     const QString decided = loaded.fit ? QString::fromStdString(loaded.fit->decided) : QString();
     hooks_.show(std::move(loaded));
+    assignments_ = assignments;
     remember(path);
     emit message(warning.isEmpty() ? (decided.isEmpty() ? tr("Opened %1").arg(path) : decided)
                  : more == 0       ? warning
@@ -126,8 +135,86 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
   }
 }
 
+void FileCommands::openSky(const QString& path) {
+  try {
+    loadSkyPicture(path.toStdString());
+  } catch (const std::exception& error) {
+    return showError(tr("No sky"), QString::fromUtf8(error.what()));
+  }
+  const std::string file = QFileInfo(path).absoluteFilePath().toStdString();
+  editor_.commit(tr("Sky from %1").arg(QFileInfo(path).fileName()),
+                 [file](Scene& scene) { scene.sky = SkyImage{file}; });
+  emit message(tr("%1 is the sky; turn it under Sky and lights").arg(QFileInfo(path).fileName()));
+}
+
+void FileCommands::chooseSky() {
+  const QString path =
+      QFileDialog::getOpenFileName(window_, tr("Sky from a picture"), folder(), tr("Pictures of a sky (*.hdr *.exr)"));
+  if (!path.isEmpty()) openSky(path);
+}
+
+namespace {
+
+QDateTime newest(const QStringList& files) {
+  QDateTime time;
+  for (const QString& file : files) time = std::max(time, QFileInfo(file).lastModified());
+  return time;
+}
+
+}  // namespace
+
+// The scene's file and its models'. Saving replaces a file by another of its name, which ends the watch on it.
+void FileCommands::watchFiles() {
+  QStringList files;
+  if (!document_.path().empty()) files += QString::fromStdString(document_.path());
+  for (const ModelFile& model : document_.scene().models) files += QString::fromStdString(model.file);
+  if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
+  if (!files.isEmpty()) watcher_.addPaths(files);
+  known_ = newest(files);
+  outdated_ = false;
+}
+
+void FileCommands::changedOnDisk() {
+  // A lesson is on show, or something is being dragged: later.
+  if (!hooks_.borrowedName().isEmpty() || document_.previewing()) return settle_.start();
+  QStringList files = {QString::fromStdString(document_.path())};
+  for (const ModelFile& model : document_.scene().models) files += QString::fromStdString(model.file);
+  if (newest(files) <= known_) return watchFiles();
+  // What could be redone are changes, too.
+  if (!document_.modified() && !document_.canUndo() && !document_.canRedo()) return reload();
+  watchFiles();
+  outdated_ = true;
+  emit message(tr("%1 changed on disk. Your changes stay; File > Reload takes the file instead").arg(displayName()));
+}
+
+void FileCommands::reload() {
+  if (!hooks_.borrowedName().isEmpty()) return emit message(tr("A lesson is on show; leave it to read the file again"));
+  const auto& models = document_.scene().models;
+  const std::string path = document_.path().empty() && !models.empty() ? models.front().file : document_.path();
+  if (path.empty()) return;
+  editor_.finish();
+  // Not "Save?": that would write over what the file has become.
+  if (document_.modified() &&
+      QMessageBox::question(window_, tr("Reload"), tr("Discard your changes and read %1 again?").arg(displayName()),
+                            QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel) != QMessageBox::Discard) {
+    return;
+  }
+  try {
+    FitWishes wishes;
+    wishes.aspect = hooks_.pictureAspect();
+    LoadedScene loaded = loadScene(path, assignments_, {}, wishes);
+    requireSky(loaded.scene);
+    hooks_.showAgain(std::move(loaded));
+    emit message(tr("Read %1 again").arg(QString::fromStdString(path)));
+  } catch (const std::exception& error) {
+    emit message(tr("Not read again: %1").arg(QString::fromUtf8(error.what())));
+  }
+  watchFiles();
+}
+
 void FileCommands::remember(const QString& path) {
   rememberFile(path);
+  watchFiles();
   emit recentChanged(recentFiles());
 }
 
@@ -155,6 +242,11 @@ bool FileCommands::saveTo(const QString& path) {
   try {
     if (!hooks_.mayWrite(path))
       throw InputError(path.toStdString() + ": the lesson stands on this file; choose another name");
+    if (outdated_ && path.toStdString() == document_.path() &&
+        QMessageBox::question(window_, tr("Save"), tr("%1 changed on disk. Replace it by yours?").arg(path)) !=
+            QMessageBox::Yes) {
+      return false;
+    }
     saveSceneFile(document_.scene(), path.toStdString());
     document_.markSaved(path.toStdString());
     remember(path);
@@ -180,6 +272,25 @@ std::optional<FileCommands::Recovery> FileCommands::recovery() const {
   return Recovery{QDir(folder).filePath(name).toStdString(), sceneText(document_.scene(), folder.toStdString())};
 }
 
+bool FileCommands::recover(const QString& kept, const QString& original, const QDateTime& keptAt) {
+  if (!confirmLeaving()) return false;
+  try {
+    LoadedScene loaded = loadScene(kept.toStdString());
+    requireSky(loaded.scene);
+    loaded.path = original.toStdString();
+    loaded.unsaved = true;
+    hooks_.show(std::move(loaded));
+    assignments_.clear();
+    watchFiles();
+    outdated_ = !original.isEmpty() && keptAt.isValid() && QFileInfo(original).lastModified() > keptAt;
+    emit message(tr("Recovered %1; save it to keep it").arg(displayName()));
+    return true;
+  } catch (const std::exception& error) {
+    showError(tr("Cannot recover"), QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
 std::string FileCommands::saveRecovery() {
   hooks_.showOwnScene();
   editor_.finish();
@@ -200,6 +311,15 @@ void FileCommands::exportImage() {
   } catch (const std::exception& error) {
     showError(tr("Cannot export"), QString::fromUtf8(error.what()));
   }
+}
+
+QString FileCommands::droppedSky(const QMimeData* data) {
+  if (!data->hasUrls()) return {};
+  for (const QUrl& url : data->urls()) {
+    const QString path = url.toLocalFile();
+    if (path.endsWith(".hdr", Qt::CaseInsensitive) || path.endsWith(".exr", Qt::CaseInsensitive)) return path;
+  }
+  return {};
 }
 
 QString FileCommands::droppedFile(const QMimeData* data) {

@@ -2,8 +2,11 @@
 // line that leaves the open scene as it is. Called by the menu, by dropped files and by the closing window.
 #pragma once
 
+#include <QDateTime>
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <functional>
 #include <optional>
 #include <string>
@@ -30,6 +33,7 @@ class FileCommands : public QObject {
     std::function<QString()> borrowedName;              ///< of such a scene; empty: the own one is shown
     std::function<bool(const QString& path)> mayWrite;  ///< false for a file such a scene stands on
     std::function<double()> pictureAspect;              ///< width over height
+    std::function<void(LoadedScene)> showAgain;         ///< the same scene, newly read: the view stays
   };
 
   FileCommands(Document& document, Editor& editor, Hooks hooks, QWidget* window);
@@ -46,6 +50,10 @@ class FileCommands : public QObject {
   /// that cannot be written into the user's folder for data. Returns the path, empty if nothing is unsaved. Throws
   /// Error.
   std::string saveRecovery();
+  /// The scene kept of a process that ended, in place of `original`, which may be empty. It counts as changed: nothing
+  /// is written until the user saves, who is asked first where `original` has changed since `keptAt`. False if the user
+  /// kept the scene on show or the file could not be read.
+  bool recover(const QString& kept, const QString& original, const QDateTime& keptAt = {});
   struct Recovery {
     std::string path, text;
   };
@@ -54,6 +62,15 @@ class FileCommands : public QObject {
   /// True if nothing is lost by leaving the scene: saved, or the user said so.
   bool confirmLeaving();
 
+  /// The picture becomes the sky, as one step. One that cannot be read changes nothing and is told.
+  void openSky(const QString& path);
+  /// Asks for the picture.
+  void chooseSky();
+  /// The file on show again, as it is on disk now; the view stays.
+  void reload();
+
+  /// The first picture of a sky in a drop; empty if none.
+  static QString droppedSky(const QMimeData* data);
   /// The first file of a drop that can be opened; empty if none.
   static QString droppedFile(const QMimeData* data);
   /// Name of what is open, for the title: the file's, or the model's of a scene never saved.
@@ -67,6 +84,8 @@ class FileCommands : public QObject {
   void recentChanged(const QStringList& paths);
 
  private:
+  void watchFiles();
+  void changedOnDisk();
   bool openWith(const QString& path, const std::vector<std::string>& assignments);
   bool saveTo(const QString& path);
   QString folder() const;
@@ -76,6 +95,11 @@ class FileCommands : public QObject {
   Editor& editor_;
   Hooks hooks_;
   QWidget* window_;
+  QFileSystemWatcher watcher_;
+  QTimer settle_;                         ///< a file is written in several steps
+  QDateTime known_;                       ///< of the watched files as they were read or saved
+  bool outdated_ = false;                 ///< one of them is newer than what is on show
+  std::vector<std::string> assignments_;  ///< with which the scene on show was opened
 };
 
 }  // namespace boxprobe

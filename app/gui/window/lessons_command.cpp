@@ -2,29 +2,40 @@
 #include "app/gui/window/lessons_command.h"
 
 #include <QBuffer>
+#include <QFont>
+#include <QGlyphRun>
 #include <QGuiApplication>
+#include <QTextLayout>
 #include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "app/gui/lessons/lesson_loops.h"
 #include "app/gui/lessons/lesson_page.h"
 #include "app/gui/lessons/lesson_sheet.h"
 #include "app/gui/window/window_app.h"
 #include "app/lessons/lesson_language.h"
+#include "app/lessons/page_widgets.h"
 #include "app/session/display_check.h"
 #include "app/session/interrupt.h"
+#include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
+#include "app/session/probe_captures.h"
 #include "app/session/progress_line.h"
 #include "app/session/stats_json.h"
 #include "app/session/valid_json.h"
+#include "app/web/web_scene.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
 #include "filters/core/base/nearest_name.h"
 #include "filters/io/files/atomic_file.h"
+#include "filters/io/files/data_folder.h"
+#include "filters/io/files/read_file.h"
 #include "filters/io/scene/lesson_file.h"
 
 namespace boxprobe {
@@ -39,8 +50,9 @@ constexpr int kJpegQuality = 90;
 struct LessonsOptions {
   std::string name;
   std::string outputPath;
-  std::string folder = BOXPROBE_DATA_DIR "/lessons";
-  std::string language;  ///< empty: the locale's
+  std::string folder = dataFile("lessons");
+  std::string language;     ///< empty: the locale's
+  std::string loopsFolder;  ///< empty: none are made
   bool check = false;
   ReportOptions report;
 };
@@ -69,12 +81,14 @@ nlohmann::ordered_json listJson(const LessonList& list) {
   for (const Lesson& lesson : list.lessons) {
     json["lessons"].push_back({{"name", lesson.name},
                                {"language", lesson.language},
+                               {"unreviewed", lesson.unreviewed},
                                {"title", lesson.title},
                                {"chapter", lesson.chapter},
                                {"summary", lesson.summary},
                                {"scene", lesson.scene},
                                {"steps", lesson.steps.size()},
-                               {"claims", lesson.claims.size()}});
+                               {"claims", lesson.claims.size()},
+                               {"exercises", lesson.exercises.size()}});
   }
   return json;
 }
@@ -89,7 +103,8 @@ void printList(const LessonList& list, const std::string& folder) {
   for (const Lesson& lesson : list.lessons) {
     if (lesson.chapter != chapter) text += (chapter.empty() ? "" : "\n") + lesson.chapter + "\n";
     chapter = lesson.chapter;
-    const std::string other = lesson.language == list.language ? "" : " (" + lesson.language + ")";
+    std::string other = lesson.language == list.language ? "" : " (" + lesson.language + ")";
+    if (!lesson.unreviewed.empty()) other += " (" + lesson.unreviewed + ")";
     text += "  " + padded(lesson.name) + " " + lesson.title + other + "\n";
   }
   const std::vector<std::string> languages = lessonLanguages(folder);
@@ -135,6 +150,7 @@ struct Output {
   }
   std::string path;
   bool page, sheet;
+  std::vector<LessonSymbol> notation = {};  ///< for a page
 };
 
 void writeStats(const LessonsOptions& options, LessonPlayer& player) {
@@ -143,19 +159,83 @@ void writeStats(const LessonsOptions& options, LessonPlayer& player) {
   }
 }
 
+constexpr int kRoomFaceSize = 128;  // a page of lessons is to stay below 8 MB
+
+/// The scenes of the lessons that have a room.
+void addScenes(LessonPage& page, const std::vector<const Lesson*>& lessons, const PageWidgets& widgets,
+               const InterruptGuard& interrupt) {
+  std::set<std::string> added;
+  for (const Lesson* lesson : lessons) {
+    const auto& rooms = widgets.rooms;
+    const bool wanted = std::find(rooms.begin(), rooms.end(), lesson->name) != rooms.end();
+    if (!wanted || !added.insert(lesson->scene).second) continue;
+    const LoadedScene loaded = loadScene(lesson->scene);
+    CaptureWishes wishes;
+    wishes.quiet = true;
+    for (const Probe& probe : loaded.scene.probes) wishes.probes.push_back(probe.name);
+    const CapturedProbes captured = captureProbes(loaded, wishes, interrupt);
+    page.addScene(lesson->scene, withinOneText(webScene(loaded.scene, loaded.models, captured.captures, kRoomFaceSize,
+                                                        "Boxprobe " BOXPROBE_VERSION)));
+  }
+}
+
+/// Are there glyphs for all of it, here or in a font that is taken in its place?
+bool hasGlyphs(const std::string& text) {
+  QTextLayout layout(QString::fromStdString(text), QFont("DejaVu Sans"));
+  layout.beginLayout();
+  layout.createLine();
+  layout.endLayout();
+  const auto runs = layout.glyphRuns();
+  return std::none_of(runs.begin(), runs.end(),
+                      [](const QGlyphRun& run) { return run.glyphIndexes().contains(0); });  // the box
+}
+
+/// Letters that no font here has would be drawn as boxes.
+void warnOfMissingFont(const std::vector<const Lesson*>& lessons) {
+  for (const Lesson* lesson : lessons) {
+    if (hasGlyphs(lesson->title)) continue;
+    printWarnings({"lesson " + lesson->name + ": no font here has the letters of language " + lesson->language +
+                   "; install one (Noto Sans CJK for Chinese), or draw a page (-o FILE.html)"});
+    return;
+  }
+}
+
+/// Pictures of the loops are smaller than those of the steps: two stand side by side.
+constexpr int kLoopWidth = 400, kLoopHeight = 300;
+
+/// Where a page looks for them.
+std::string loopFile(const std::string& folder, const LessonLoop& loop) {
+  return (fs::path(folder) / "loops" / (loop.name + ".webm")).string();
+}
+
+void addLoops(LessonPage& page, const Lesson& lesson, const PageWidgets& widgets, const std::string& folder) {
+  for (const LessonLoop& loop : widgets.loops) {
+    const std::string file = loopFile(folder, loop);
+    if (loop.lesson == lesson.name && fs::exists(file)) page.addLoop(loop.say, readWholeFile(file, kLargestLoop));
+  }
+}
+
 /// Draws, writes and checks. Throws WorkError if a claim does not hold.
-void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& options, const Output& output) {
+void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& options, const Output& output,
+             const PageWidgets& widgets) {
   const InterruptGuard interrupt;
+  LessonPage page;
+  if (output.page) addScenes(page, lessons, widgets, interrupt);
   LessonPhotographer photographer(
       kPictureWidth, kPictureHeight, [&] { return !interrupt.interrupted(); }, options.report.quiet);
-  LessonPage page;
   std::size_t broken = 0, claims = 0;
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
   for (const Lesson* lesson : lessons) {
     interrupt.check();
-    const LessonPictures pictures = photographer.take(*lesson);
+    const auto plan = widgets.plans.find(lesson->name);
+    const LessonPictures pictures =
+        photographer.take(*lesson, plan != widgets.plans.end() ? std::optional(plan->second) : std::nullopt);
     interrupt.check();
-    for (const LessonPictures::Claim& claim : pictures.claims) {
+    std::vector<LessonPictures::Claim> measured = pictures.claims;
+    for (const auto& exercise : pictures.exercises) {
+      if (exercise) measured.push_back(*exercise);
+    }
+    for (const LessonPictures::Claim& claim : measured) {
       ++claims;
       broken += claim.holds ? 0 : 1;
       report.push_back(
@@ -164,14 +244,18 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
       printResult(padded(lesson->name) + (claim.holds ? " holds: " : " DOES NOT HOLD: ") + claim.say + "\n  " +
                   claim.measured + "\n");
     }
-    if (output.page) page.add(*lesson, pictures);
+    const auto& rooms = widgets.rooms;
+    if (output.page) {
+      addLoops(page, *lesson, widgets, options.folder);
+      page.add(*lesson, pictures, std::find(rooms.begin(), rooms.end(), lesson->name) != rooms.end());
+    }
     if (!output.page && !output.path.empty()) {
       const std::string path = output.sheet ? output.path : output.path + "/" + lesson->name + ".jpg";
       saveSheet(path, lessonSheet(*lesson, pictures));
     }
     std::fflush(stdout);
   }
-  if (output.page) writeTextAtomically(output.path, page.text());
+  if (output.page) writeTextAtomically(output.path, page.text(output.notation));
   writeStats(options, photographer.player());
   if (options.report.json) printDocument(validJson(report));
   if (broken > 0) {
@@ -179,10 +263,44 @@ void produce(const std::vector<const Lesson*>& lessons, const LessonsOptions& op
   }
 }
 
+/// Of the lessons that are given. Throws InputError if they have none.
+void makeLoops(const LessonList& list, const LessonsOptions& options) {
+  const PageWidgets widgets = loadPageWidgets(options.folder);
+  std::vector<const LessonLoop*> loops;
+  for (const LessonLoop& loop : widgets.loops) {
+    if (options.name.empty() || loop.lesson == options.name) loops.push_back(&loop);
+  }
+  if (loops.empty()) throw InputError("--loops: page.json of " + options.folder + " has no loop of these lessons");
+  for (const LessonLoop* loop : loops) findLesson(list, loop->lesson);
+  requireLoopEncoder();
+  std::error_code error;
+  fs::create_directories(options.loopsFolder, error);
+  if (error) throw InputError("--loops " + options.loopsFolder + ": " + error.message());
+  const InterruptGuard interrupt;
+  LessonPhotographer photographer(
+      kLoopWidth, kLoopHeight, [&] { return !interrupt.interrupted(); }, options.report.quiet);
+  for (const LessonLoop* loop : loops) {
+    const std::string path = (fs::path(options.loopsFolder) / (loop->name + ".webm")).string();
+    {
+      ProgressLine line(loop->name, !options.report.quiet);
+      const auto drawn = [&](double share) {
+        interrupt.check();
+        line.show(share);
+      };
+      encodeLoop(drawLoop(photographer, findLesson(list, loop->lesson), *loop, drawn), path);
+    }
+    if (!options.report.quiet && !options.report.json) {
+      printResult(path + ": " + std::to_string(fs::file_size(path)) + " bytes\n");
+    }
+  }
+  writeStats(options, photographer.player());
+}
+
 void runLessons(const LessonsOptions& options, int& argc, char** argv) {
   const LessonList list = loadLessons(options.folder, lessonLanguage(options.language, options.folder));
   warnOfBroken(list, options);
-  const bool draws = options.check || !options.outputPath.empty();
+  const bool loops = !options.loopsFolder.empty();
+  const bool draws = options.check || loops || !options.outputPath.empty();
   if (options.name.empty() && !draws) {
     if (options.report.json) {
       printDocument(validJson(listJson(list)));
@@ -201,15 +319,23 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
     runWindow(argc, argv, {}, window);
     return;
   }
-  const Output output(options);
-  requireDisplay("boxprobe lessons");
-  // Qt is here for its fonts; what it remarks on its surroundings is not the user's business.
+  if (loops && (options.check || !options.outputPath.empty())) {
+    throw InputError("--loops makes loops alone; leave out --check and -o, or run them by themselves");
+  }
+  Output output(options);
+  output.notation = list.notation;
+  const PageWidgets widgets = output.page ? loadPageWidgets(options.folder) : PageWidgets();
+  if (!options.report.quiet) printWarnings(unmatchedWidgets(widgets, list.lessons));
+  // Qt is here for its fonts: it needs no display, and what it remarks on its surroundings is not the user's business.
+  setenv("QT_QPA_PLATFORM", "offscreen", 1);
   qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& line) {
     if (type == QtCriticalMsg || type == QtFatalMsg) printError(line.toStdString());
   });
   const QGuiApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's
-  produce(lessons, options, output);
+  if (loops) return makeLoops(list, options);
+  if (!output.page && !output.path.empty() && !options.report.quiet) warnOfMissingFont(lessons);
+  produce(lessons, options, output, widgets);
 }
 
 }  // namespace
@@ -224,6 +350,10 @@ Subcommand addLessonsCommand(CLI::App& program, int& argc, char** argv) {
                    "without NAME; or a folder for all sheets")
       ->type_name("FILE");
   command->add_flag("--check", options->check, "Measure the lessons' claims; exit status 1 if a claim does not hold");
+  command
+      ->add_option("--loops", options->loopsFolder,
+                   "Make the short films that page.json names, as WebM files in this folder; needs ffmpeg")
+      ->type_name("DIR");
   command->add_option("--folder", options->folder, "Folder of the lesson files (default: the program's own)")
       ->type_name("DIR");
   command

@@ -4,6 +4,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMimeData>
@@ -17,14 +18,18 @@
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/fit_panel.h"
+#include "app/gui/panels/place_panel.h"
 #include "app/gui/panels/probe_list.h"
 #include "app/gui/view/motion_preview.h"
 #include "app/gui/view/picture_export.h"
 #include "app/gui/view/picture_work.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/widgets/preferences.h"
 #include "app/gui/widgets/recent_files.h"
+#include "app/gui/widgets/window_style.h"
 #include "app/gui/window/about_dialog.h"
+#include "app/gui/window/autosave.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/menu_bar.h"
 #include "app/gui/window/model_fitter.h"
@@ -32,6 +37,8 @@
 #include "app/gui/window/probe_exporter.h"
 #include "app/gui/window/projector.h"
 #include "app/gui/window/status_line.h"
+#include "app/gui/window/view_tools.h"
+#include "filters/io/files/data_folder.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -42,8 +49,9 @@ MainWindow::MainWindow()
       viewport_(new Viewport(this)),
       renderer_(std::make_unique<SceneRenderer>(viewport_->window3d())),
       overlay_(std::make_unique<ProbeOverlay>(viewport_->window3d(), renderer_->renderer())),
+      surfaces_(std::make_unique<SceneSurfaces>(document_)),
       probeWidget_(new ProbeWidget(
-          *editor_, *overlay_, [this] { return viewport_->view(); }, this)),
+          *editor_, *overlay_, *surfaces_, [this] { return viewport_->view(); }, this)),
       work_(new PictureWork(
           document_, *renderer_, *viewport_,
           [this] {
@@ -60,7 +68,19 @@ MainWindow::MainWindow()
              scheduler().requestRender();
            },
            [this] { lessons_->leave(); }, [this] { return lessons_->sceneName(); },
-           [this](const QString& path) { return lessons_->mayWrite(path); }, [this] { return pictureAspect(); }},
+           [this](const QString& path) { return lessons_->mayWrite(path); }, [this] { return pictureAspect(); },
+           [this](LoadedScene loaded) {
+             const Camera view = renderer_->currentCamera();
+             const Probe* selected = editor_->probe();
+             const std::string name = selected != nullptr ? selected->name : std::string();
+             showScene(std::move(loaded));
+             if (const auto index = findProbe(document_.scene(), name)) document_.selectProbe(index);
+             renderer_->applyCamera(view);
+             emit viewport_->cameraMoved();
+           }},
+          this)),
+      autosave_(new Autosave(
+          document_, [this] { return lessons_->sceneName().isEmpty(); }, [this] { return files_->displayName(); },
           this)),
       exporter_(new ProbeExporter(document_, *renderer_, this)),
       debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
@@ -70,16 +90,21 @@ MainWindow::MainWindow()
            ViewSwitches{[this] { return menu_->reflectionsAreShown(); }, [this] { return menu_->boxesAreShown(); },
                         [this](bool shown) { menu_->setReflectionsShown(shown); },
                         [this](bool shown) { menu_->setBoxesShown(shown); }},
-           [this] { probeWidget_->cancel(); }, [this] { return models_; },
+           [this] {
+             probeWidget_->cancel();
+             autosave_->write();  // a lesson is about to stand in its place
+           },
+           [this] { return models_; },
            [this](const LessonModels::List& models, const std::string& path) { showModels(models, path); }},
-          std::string(BOXPROBE_DATA_DIR) + "/lessons", this)),
+          dataFile("lessons"), this)),
       status_(new StatusLine(statusBar())),
       fitter_(
           new ModelFitter({document_, *editor_, *renderer_, [this]() -> const TriangleRays::Models& { return models_; },
                            [this] { return pictureAspect(); }},
                           this)),
       panels_(new PanelDocks(this, {*editor_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {
-  viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); });
+  viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); },
+                       [this](const Ray& ray) { return surfaces_->meet(ray); }, [this] { return renderer_->bounds(); });
   viewport_->setProbeWidget(probeWidget_);
   renderer_->setEditable(true);
   setCentralWidget(viewport_);
@@ -94,12 +119,16 @@ MainWindow::MainWindow()
   connectDebugView();
   connectLessons();
   connectFitter();
+  tools_ = new ViewTools({document_, *editor_, *renderer_, *viewport_, *overlay_, *probeWidget_, *surfaces_, *menu_,
+                          *panels_, *status_, scheduler(), [this] { return models_; }},
+                         this);
   views_.updateAll();
 }
 
 MainWindow::~MainWindow() {
   // The overlay and the scene hold GL objects of the viewport's context: they go first, while it is there.
   panels_->stopReading();
+  delete tools_;  // its threads and its drawings over the picture
   viewport_->window3d()->MakeCurrent();
   debugView_->releaseGraphics();
   renderer_->releaseGraphics();
@@ -138,6 +167,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
 // The renderer first, for views ask it; the scheduler last, for views show whether work was stopped until now.
 void MainWindow::connectDocument() {
   views_.add("picture", ChangeKinds::all(), [this](const Changes& changes) { work_->syncScene(changes); });
+  views_.add("surfaces", {&Changes::models, &Changes::objects},
+             [this](const Changes& changes) { surfaces_->documentChanged(changes); });
   // A drag has nothing left to move once anything else was edited.
   views_.add("handles", ChangeKinds::all(), [this](const Changes&) { probeWidget_->update(); });
   panels_->subscribe(views_);
@@ -154,10 +185,15 @@ void MainWindow::connectDocument() {
     updateTitle();
   });
   connect(editor_.get(), &Editor::settled, work_, &PictureWork::editSettled);
+  connect(editor_.get(), &Editor::settled, autosave_, &Autosave::settled);
+  views_.add("autosave", {&Changes::file}, [this](const Changes&) { autosave_->settled(); });  // saved, opened
+  connect(autosave_, &Autosave::failed, status_, &StatusLine::showError);
 }
 
 void MainWindow::connectFiles() {
   connect(menu_, &MenuBar::openRequested, files_, &FileCommands::open);
+  connect(menu_, &MenuBar::reloadRequested, files_, &FileCommands::reload);
+  connect(menu_, &MenuBar::skyRequested, files_, &FileCommands::chooseSky);
   connect(menu_, &MenuBar::saveRequested, files_, &FileCommands::save);
   connect(menu_, &MenuBar::saveAsRequested, files_, &FileCommands::saveAs);
   connect(menu_, &MenuBar::exportRequested, files_, &FileCommands::exportImage);
@@ -176,11 +212,19 @@ void MainWindow::connectFiles() {
 void MainWindow::connectEditing() {
   connect(menu_, &MenuBar::undoRequested, editor_.get(), &Editor::undo);
   connect(menu_, &MenuBar::redoRequested, editor_.get(), &Editor::redo);
+  connect(menu_, &MenuBar::historyChosen, editor_.get(), [this](int position) { editor_->goTo(position); });
   connect(menu_, &MenuBar::addRequested, &panels_->probeList(), &ProbeList::addProbe);
   connect(menu_, &MenuBar::duplicateRequested, &panels_->probeList(), &ProbeList::duplicateProbe);
   connect(menu_, &MenuBar::deleteRequested, &panels_->probeList(), &ProbeList::deleteProbe);
   connect(menu_, &MenuBar::escapePressed, this, &MainWindow::escape);
+  connect(menu_, &MenuBar::handleModeChosen, probeWidget_, &ProbeWidget::setMode);
+  connect(probeWidget_, &ProbeWidget::modeChanged, menu_, &MenuBar::showHandleMode);
   connect(menu_, &MenuBar::boxesShown, probeWidget_, &ProbeWidget::setVisible);
+  menu_->showTheme(chosenTheme().value_or(static_cast<int>(Theme::System)));
+  connect(menu_, &MenuBar::themeChosen, this, [](int theme) {
+    keepTheme(theme);
+    applyWindowStyle(*qApp, static_cast<Theme>(theme));
+  });
   connect(menu_, &MenuBar::aboutRequested, this, [this] { showAbout(this); });
   connect(probeWidget_, &ProbeWidget::hint, status_, &StatusLine::showMessage);
   connect(probeWidget_, &ProbeWidget::pictureChanged, &scheduler(), &RenderScheduler::requestRender);
@@ -207,8 +251,9 @@ void MainWindow::connectPicture() {
 
 void MainWindow::connectPanels() {
   connect(menu_, &MenuBar::fitRequested, &panels_->fitPanel(), &FitPanel::fit);
-  connect(&panels_->fitPanel(), &FitPanel::ghostChanged, this, [this](const std::optional<Probe>& ghost) {
-    overlay_->setGhost(ghost);
+  connect(menu_, &MenuBar::placeRequested, &panels_->placePanel(), &PlacePanel::place);
+  connect(panels_, &PanelDocks::ghostsChanged, this, [this](const std::vector<Probe>& ghosts) {
+    overlay_->setGhosts(ghosts);
     scheduler().requestRender();
   });
   connect(menu_, &MenuBar::bakeRequested, &panels_->bakePanel(), &BakePanel::bakeSelected);
@@ -283,6 +328,7 @@ void MainWindow::openLesson(const QString& name, std::optional<std::size_t> step
 void MainWindow::escape() {
   if (probeWidget_->dragging()) return probeWidget_->cancel();
   if (projector_->on()) return projector_->setOn(false);
+  if (tools_->compare().active()) return tools_->compare().stop();
   if (!debugView_->unpin()) scheduler().stopWork();
 }
 
@@ -307,7 +353,7 @@ void MainWindow::showScene(LoadedScene loaded) {
   }
   const auto& files = loaded.scene.models;
   menu_->showVariants(variants, files.empty() ? QString() : QString::fromStdString(files.front().variant));
-  document_.open(loaded.scene, loaded.path);
+  document_.open(loaded.scene, loaded.path, loaded.unsaved);
   fitter_->opened(loaded);
   if (!document_.scene().probes.empty()) document_.selectProbe(0);
   work_->resetCamera();
@@ -316,6 +362,7 @@ void MainWindow::showScene(LoadedScene loaded) {
 void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path) {
   probeWidget_->cancel();
   models_ = models;
+  surfaces_->setModels(models);
   renderer_->setModels(models);
   panels_->setModels(models);
   debugView_->setModels(models);
@@ -325,17 +372,22 @@ void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& mod
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!files_->confirmLeaving()) return event->ignore();
   emit closing();
+  if (!projector_->on()) keepWindowLayout(saveGeometry(), saveState());
   event->accept();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!FileCommands::droppedFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
+  const QMimeData* dropped = event->mimeData();
+  const bool sky = !FileCommands::droppedSky(dropped).isEmpty();
+  if (sky || !FileCommands::droppedFile(dropped).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = FileCommands::droppedFile(event->mimeData());
-  if (path.isEmpty()) return;
+  const QString sky = FileCommands::droppedSky(event->mimeData());
+  if (path.isEmpty() && sky.isEmpty()) return;
   event->acceptProposedAction();
+  if (path.isEmpty()) return files_->openSky(sky);
   files_->openPath(path);
 }
 

@@ -17,6 +17,7 @@ class QDockWidget;
 
 namespace boxprobe {
 
+class Autosave;
 class DebugView;
 class FileCommands;
 class LessonView;
@@ -31,7 +32,9 @@ class ProbeWidget;
 class Projector;
 class RenderScheduler;
 class SceneRenderer;
+class SceneSurfaces;
 class StatusLine;
+class ViewTools;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -55,12 +58,14 @@ class MainWindow : public QMainWindow {
   ProbeWidget& probeWidget() { return *probeWidget_; }
   RenderScheduler& scheduler();
   FileCommands& files() { return *files_; }
+  Autosave& autosave() { return *autosave_; }
   ProbeExporter& exporter() { return *exporter_; }
   DebugView& debugView() { return *debugView_; }
   LessonView& lessons() { return *lessons_; }
   Projector& projector() { return *projector_; }
   ModelFitter& modelFitter() { return *fitter_; }
   MotionPreview& motionPreview();
+  ViewTools& tools() { return *tools_; }
   /// Who is told of which changes of the document.
   const ChangeViews& views() const { return views_; }
   const SceneRenderer& renderer() const { return *renderer_; }
@@ -101,9 +106,11 @@ class MainWindow : public QMainWindow {
   Viewport* viewport_;
   std::unique_ptr<SceneRenderer> renderer_;
   std::unique_ptr<ProbeOverlay> overlay_;
+  std::unique_ptr<SceneSurfaces> surfaces_;
   ProbeWidget* probeWidget_;
   PictureWork* work_;
   FileCommands* files_;
+  Autosave* autosave_;
   ProbeExporter* exporter_;
   std::unique_ptr<DebugView> debugView_;
   MenuBar* menu_;
@@ -111,6 +118,7 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   ModelFitter* fitter_;
   PanelDocks* panels_;
+  ViewTools* tools_ = nullptr;
   QDockWidget* lessonDock_ = nullptr;
   Projector* projector_ = nullptr;
   std::vector<std::shared_ptr<const Model>> models_;

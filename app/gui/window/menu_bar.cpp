@@ -2,11 +2,15 @@
 #include "app/gui/window/menu_bar.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QKeySequence>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QToolBar>
+#include <algorithm>
 
+#include "app/gui/widgets/tool_icons.h"
 #include "filters/core/scene/document.h"
 
 namespace boxprobe {
@@ -15,6 +19,8 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   QMenu* file = window->menuBar()->addMenu(tr("&File"));
   add(file, tr("&Open..."), QKeySequence::Open, &MenuBar::openRequested);
   recent_ = file->addMenu(tr("Open &recent"));
+  add(file, tr("&Reload"), QKeySequence("Ctrl+Shift+O"), &MenuBar::reloadRequested);
+  add(file, tr("S&ky from a picture..."), {}, &MenuBar::skyRequested);
   add(file, tr("&Save"), QKeySequence::Save, &MenuBar::saveRequested);
   add(file, tr("Save &as..."), QKeySequence("Ctrl+Shift+S"), &MenuBar::saveAsRequested);
   file->addSeparator();
@@ -27,14 +33,22 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   QMenu* edit = window->menuBar()->addMenu(tr("&Edit"));
   undo_ = add(edit, tr("&Undo"), QKeySequence("Ctrl+Z"), &MenuBar::undoRequested);
   redo_ = add(edit, tr("&Redo"), QKeySequence("Ctrl+Shift+Z"), &MenuBar::redoRequested);
+  redo_->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  history_ = edit->addMenu(tr("&History"));
+  history_->setObjectName("history");
+  connect(history_, &QMenu::aboutToShow, this, &MenuBar::fillHistory);
   edit->addSeparator();
   add(edit, tr("&Add probe"), QKeySequence("Ctrl+Shift+A"), &MenuBar::addRequested);
   duplicate_ = add(edit, tr("&Duplicate probe"), QKeySequence("Ctrl+D"), &MenuBar::duplicateRequested);
   delete_ = add(edit, tr("De&lete probe"), QKeySequence::Delete, &MenuBar::deleteRequested);
+  copy_ = add(edit, tr("&Copy probe"), QKeySequence::Copy, &MenuBar::copyRequested);
+  add(edit, tr("&Paste probes"), QKeySequence::Paste, &MenuBar::pasteRequested);
   edit->addSeparator();
-  add(edit, tr("&Fit box"), QKeySequence("Ctrl+F"), &MenuBar::fitRequested);
+  fit_ = add(edit, tr("&Fit box"), QKeySequence("Ctrl+F"), &MenuBar::fitRequested);
+  add(edit, tr("&Place probes"), QKeySequence("Ctrl+Shift+F"), &MenuBar::placeRequested);
   bake_ = add(edit, tr("&Bake probe"), QKeySequence("F5"), &MenuBar::bakeRequested);
   add(edit, tr("Ba&ke all probes"), QKeySequence("Shift+F5"), &MenuBar::bakeAllRequested);
+  buildHandles(edit);
   edit->addSeparator();
   add(edit, tr("Cancel the drag or stop capturing"), QKeySequence("Esc"), &MenuBar::escapePressed);
 
@@ -44,6 +58,8 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   variants_->setObjectName("variants");
   variants_->setEnabled(false);
   add(view_, tr("&Reset view"), QKeySequence("Home"), &MenuBar::resetViewRequested);
+  buildLook();
+  buildCompare();
   view_->addSeparator();
   boxes_ = addToggle(view_, tr("Probe &boxes and handles"), QKeySequence("Ctrl+B"), &MenuBar::boxesShown);
   reflections_ = addToggle(view_, tr("Re&flections from probes"), QKeySequence("Ctrl+R"), &MenuBar::reflectionsShown);
@@ -55,6 +71,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   projector_ = addToggle(view_, tr("&Projector: the picture and the lesson alone"), QKeySequence("F11"),
                          &MenuBar::projectorSwitched);
   projector_->setChecked(false);
+  buildThemes();
   view_->addSeparator();
 
   QMenu* debug = window->menuBar()->addMenu(tr("&Debug"));
@@ -67,7 +84,125 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
 
   QMenu* help = window->menuBar()->addMenu(tr("&Help"));
   add(help, tr("&Lessons..."), QKeySequence("F1"), &MenuBar::lessonsRequested);
+  keys_ = addToggle(help, tr("&Keys over the picture"), QKeySequence("H"), &MenuBar::keysSwitched);
+  keys_->setChecked(false);
   add(help, tr("&Mouse and keys, about"), QKeySequence("Shift+F1"), &MenuBar::aboutRequested);
+}
+
+void MenuBar::buildLook() {
+  frame_ = add(view_, tr("&Frame the selection"), QKeySequence("F"), &MenuBar::frameRequested);
+  lookFrom_ = add(view_, tr("&Look from the probe"), QKeySequence("P"), &MenuBar::lookFromProbeRequested);
+  QMenu* along = view_->addMenu(tr("Look &along an axis"));
+  for (const BoxFace& face : kBoxFaces) {
+    QAction* action = along->addAction(tr("From %1").arg(QString(faceName(face))));
+    action->setShortcut(QKeySequence(QString(face.positive ? "Alt+%1" : "Alt+Shift+%1").arg("XYZ"[face.axis])));
+    window_->addAction(action);
+    connect(action, &QAction::triggered, this, [this, face] { emit lookAlongChosen(face); });
+  }
+  QAction* walk = addToggle(view_, tr("&Walk at eye height"), QKeySequence("G"), &MenuBar::walkSwitched);
+  walk->setObjectName("walk");
+  walk->setChecked(false);
+}
+
+void MenuBar::buildCompare() {
+  QMenu* compare = view_->addMenu(tr("C&ompare"));
+  add(compare, tr("&Hold this picture"), QKeySequence("C"), &MenuBar::holdRequested);
+  add(compare, tr("With the &ray-traced reference"), QKeySequence("Shift+C"), &MenuBar::traceRequested);
+  add(compare, tr("&Error against the ray-traced scene"), QKeySequence("Shift+V"), &MenuBar::traceErrorRequested);
+  difference_ = addToggle(compare, tr("The &difference in false colours"), QKeySequence("Ctrl+Shift+D"),
+                          &MenuBar::differenceSwitched);
+  difference_->setChecked(false);
+  flip_ = addToggle(compare, tr("&Flip to the other picture"), QKeySequence("V"), &MenuBar::flipSwitched);
+  endCompare_ = add(compare, tr("&Stop comparing"), {}, &MenuBar::compareEnded);
+  showCompare(false);
+}
+
+void MenuBar::buildThemes() {
+  QMenu* menu = view_->addMenu(tr("&Theme"));
+  menu->setObjectName("themes");
+  themes_ = new QActionGroup(this);
+  for (const QString& text : {tr("As the &desktop has it"), tr("D&ark"), tr("&Light")}) {
+    const int theme = static_cast<int>(themes_->actions().size());
+    QAction* action = menu->addAction(text);
+    action->setCheckable(true);
+    themes_->addAction(action);
+    connect(action, &QAction::triggered, this, [this, theme] { emit themeChosen(theme); });
+  }
+}
+
+void MenuBar::showTheme(int theme) {
+  const auto actions = themes_->actions();
+  if (theme >= 0 && theme < actions.size()) actions[theme]->setChecked(true);
+}
+
+void MenuBar::showCompare(bool active) {
+  if (!active) flip_->setChecked(false);
+  flip_->setEnabled(active);
+  if (!active) showDifference(false);
+  difference_->setEnabled(active);
+  endCompare_->setEnabled(active);
+}
+
+void MenuBar::fillCameras() {
+  for (QMenu* menu : cameras_->findChildren<QMenu*>()) menu->deleteLater();
+  cameras_->clear();
+  const auto each = [this](QMenu* menu, void (MenuBar::*signal)(int), bool keys) {
+    for (std::size_t i = 0; i < cameraNames_.size(); ++i) {
+      const int index = static_cast<int>(i);
+      QAction* action = menu->addAction(QString::fromStdString(cameraNames_[i]).replace('&', "&&"));
+      if (keys && index < 9) action->setShortcut(QKeySequence(QString("Ctrl+%1").arg(index + 1)));
+      connect(action, &QAction::triggered, this, [this, signal, index] { emit(this->*signal)(index); });
+    }
+    menu->setEnabled(!cameraNames_.empty());
+  };
+  each(cameras_, &MenuBar::cameraChosen, true);
+  cameras_->setEnabled(true);
+  cameras_->addSeparator();
+  QAction* store = cameras_->addAction(tr("&Store this view..."));
+  store->setShortcut(QKeySequence("Ctrl+K"));
+  connect(store, &QAction::triggered, this, &MenuBar::storeCameraRequested);
+  each(cameras_->addMenu(tr("&Move here")), &MenuBar::updateCameraRequested, false);
+  each(cameras_->addMenu(tr("&Rename")), &MenuBar::renameCameraRequested, false);
+  each(cameras_->addMenu(tr("&Delete")), &MenuBar::deleteCameraRequested, false);
+}
+
+void MenuBar::buildHandles(QMenu* edit) {
+  QMenu* menu = edit->addMenu(tr("&Handles"));
+  auto* bar = new QToolBar(tr("Tools"), window_);
+  bar->setObjectName("tools");
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  window_->addToolBar(bar);
+  auto* group = new QActionGroup(this);
+  const auto addMode = [&](HandleMode mode, ToolIcon icon, const QString& text, const QString& key,
+                           const QString& tip) {
+    QAction* action = menu->addAction(toolIcon(icon), text);
+    action->setIconText(QString(text).remove('&'));
+    action->setObjectName("handles" + key);
+    action->setCheckable(true);
+    action->setShortcut(QKeySequence(key));
+    action->setToolTip(tip + " (" + key + ")");
+    group->addAction(action);
+    window_->addAction(action);
+    bar->addAction(action);
+    handleModes_.push_back(action);
+    connect(action, &QAction::triggered, this, [this, mode] { emit handleModeChosen(mode); });
+  };
+  addMode(HandleMode::Box, ToolIcon::Box, tr("&Box"), "1",
+          tr("Handles on the faces of the projection box: a filled ball at the maximum, a hollow one at the minimum"));
+  addMode(HandleMode::Influence, ToolIcon::Influence, tr("&Influence"), "2",
+          tr("Balls on the influence box, cubes on the box inside which the probe has its full weight"));
+  addMode(HandleMode::Origin, ToolIcon::Origin, tr("&Origin"), "3", tr("Arrows at the capture origin"));
+  addMode(HandleMode::Place, ToolIcon::Place, tr("&Move and turn"), "4", tr("Moves and turns the whole probe"));
+  showHandleMode(HandleMode::Box);
+}
+
+void MenuBar::showDifference(bool on) {
+  difference_->setChecked(on);
+}
+
+void MenuBar::showHandleMode(HandleMode mode) {
+  handleModes_[static_cast<std::size_t>(mode)]->setChecked(true);
 }
 
 QAction* MenuBar::add(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)()) {
@@ -143,6 +278,25 @@ void MenuBar::showRecent(const QStringList& paths) {
   recent_->setEnabled(!paths.isEmpty());
 }
 
+// The newest first, as one looks for them; the mark stands where the scene stands.
+void MenuBar::fillHistory() {
+  if (document_ == nullptr) return;
+  constexpr int kMostSteps = 30;
+  const std::vector<std::string> labels = document_->stepLabels();
+  const int count = static_cast<int>(labels.size()), position = static_cast<int>(document_->position());
+  history_->clear();
+  const int last = std::max(0, std::min(count, position + kMostSteps / 2) - kMostSteps);
+  for (int step = std::min(count, last + kMostSteps); step >= last && count > 0; --step) {
+    const QString text =
+        step == 0 ? tr("As opened") : QString::fromStdString(labels[static_cast<std::size_t>(step) - 1]);
+    QAction* action = history_->addAction(QString(text).replace('&', "&&"));
+    action->setCheckable(true);
+    action->setChecked(step == position);
+    connect(
+        action, &QAction::triggered, this, [this, step] { emit historyChosen(step); }, Qt::QueuedConnection);
+  }
+}
+
 void MenuBar::update(const Document& document) {
   const auto withLabel = [](const QString& verb, const std::string& label) {
     return label.empty() ? verb : verb + ": " + QString::fromStdString(label).replace('&', "&&");
@@ -151,22 +305,16 @@ void MenuBar::update(const Document& document) {
   undo_->setText(withLabel(tr("&Undo"), document.canUndo() ? document.undoLabel() : ""));
   redo_->setEnabled(document.canRedo());
   redo_->setText(withLabel(tr("&Redo"), document.canRedo() ? document.redoLabel() : ""));
-  duplicate_->setEnabled(document.selectedProbe().has_value());
-  delete_->setEnabled(document.selectedProbe().has_value());
-  bake_->setEnabled(document.selectedProbe().has_value());
+  document_ = &document;
+  history_->setEnabled(document.canUndo() || document.canRedo());
+  for (QAction* action : probeActions()) action->setEnabled(document.selectedProbe().has_value());
+  frame_->setEnabled(true);
 
   std::vector<std::string> names;
   for (const Camera& camera : document.scene().cameras) names.push_back(camera.name);
-  if (names == cameraNames_) return;
+  if (names == cameraNames_ && !cameras_->isEmpty()) return;
   cameraNames_ = names;
-  cameras_->clear();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const int index = static_cast<int>(i);
-    QAction* action = cameras_->addAction(QString::fromStdString(names[i]).replace('&', "&&"));
-    if (index < 9) action->setShortcut(QKeySequence(QString("Ctrl+%1").arg(index + 1)));
-    connect(action, &QAction::triggered, this, [this, index] { emit cameraChosen(index); });
-  }
-  cameras_->setEnabled(!names.empty());
+  fillCameras();
 }
 
 }  // namespace boxprobe

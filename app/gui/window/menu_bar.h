@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "app/gui/handles/handle.h"
+
 class QAction;
+class QActionGroup;
 class QMainWindow;
 class QMenu;
 
@@ -34,11 +37,19 @@ class MenuBar : public QObject {
   bool boxesAreShown() const;
   bool reflectionsAreShown() const;
   void showProjector(bool on);
+  void showHandleMode(HandleMode mode);
+  void showCompare(bool active);
+  void showTheme(int theme);
+  void showDifference(bool on);
+  /// What can be done with the selected probe, for other menus.
+  std::vector<QAction*> probeActions() const { return {frame_, lookFrom_, fit_, bake_, duplicate_, copy_, delete_}; }
   /// The tool was switched elsewhere.
   void showExplainTool(bool on);
 
  signals:
   void openRequested();
+  void reloadRequested();
+  void skyRequested();
   void saveRequested();
   void saveAsRequested();
   void exportRequested();
@@ -49,15 +60,35 @@ class MenuBar : public QObject {
   void quitRequested();
   void undoRequested();
   void redoRequested();
+  void historyChosen(int position);
   void addRequested();
   void duplicateRequested();
   void deleteRequested();
   void fitRequested();
+  void placeRequested();
   void bakeRequested();
   void bakeAllRequested();
   void escapePressed();
+  void copyRequested();
+  void pasteRequested();
   void cameraChosen(int index);
+  void storeCameraRequested();
+  void updateCameraRequested(int index);
+  void renameCameraRequested(int index);
+  void deleteCameraRequested(int index);
+  void frameRequested();
+  void lookFromProbeRequested();
+  void lookAlongChosen(const boxprobe::BoxFace& face);
+  void walkSwitched(bool on);
+  void keysSwitched(bool shown);
+  void holdRequested();
+  void traceRequested();
+  void traceErrorRequested();
+  void differenceSwitched(bool on);
+  void flipSwitched(bool flipped);
+  void compareEnded();
   void resetViewRequested();
+  void handleModeChosen(boxprobe::HandleMode mode);
   void boxesShown(bool shown);
   void reflectionsShown(bool shown);
   void motionPreviewSwitched(bool on);
@@ -68,19 +99,31 @@ class MenuBar : public QObject {
   void aboutRequested();
   void lessonsRequested();
   void projectorSwitched(bool on);
+  void themeChosen(int theme);
 
  private:
   QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)());
   QAction* addToggle(QMenu* menu, const QString& text, const QKeySequence& keys, void (MenuBar::*signal)(bool));
 
+  void buildHandles(QMenu* edit);
+  void buildLook();
+  void buildCompare();
+  void buildThemes();
+  void fillCameras();
+  void fillHistory();
+
   QMainWindow* window_;
+  const Document* document_ = nullptr;  ///< as of the last update()
+  std::vector<QAction*> handleModes_;   ///< in the order of HandleMode
   QMenu* view_;
   QMenu* cameras_;
   QMenu* recent_;
+  QMenu* history_;
+  QActionGroup* themes_;  ///< in the order of Theme
   QMenu* variants_;
   std::vector<std::string> cameraNames_;
-  QAction *undo_, *redo_, *duplicate_, *delete_, *bake_, *export_, *explain_, *motionPreview_, *boxes_, *reflections_,
-      *projector_;
+  QAction *undo_, *redo_, *duplicate_, *delete_, *copy_, *fit_, *frame_, *lookFrom_, *keys_, *flip_, *difference_,
+      *endCompare_, *bake_, *export_, *explain_, *motionPreview_, *boxes_, *reflections_, *projector_;
 };
 
 }  // namespace boxprobe

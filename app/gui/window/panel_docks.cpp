@@ -7,9 +7,13 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QProgressDialog>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "app/gui/edit/probe_gauge.h"
 #include "app/gui/explain/debug_view.h"
 #include "app/gui/explain/explain_card.h"
 #include "app/gui/explain/surface_view_panel.h"
@@ -22,12 +26,15 @@
 #include "app/gui/panels/material_panel.h"
 #include "app/gui/panels/object_panel.h"
 #include "app/gui/panels/picture_panel.h"
+#include "app/gui/panels/place_panel.h"
 #include "app/gui/panels/probe_list.h"
 #include "app/gui/panels/probe_panel.h"
 #include "app/gui/panels/probe_preview.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/widgets/panel_section.h"
 #include "app/gui/window/menu_bar.h"
+#include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -93,16 +100,22 @@ void PanelDocks::buildProbes() {
                                       [&renderer] { return renderer.bounds(); }});
   bakePanel_ = new BakePanel(editor, renderer, parts_.scheduler);
   fitPanel_ = new FitPanel(editor);
+  placePanel_ = new PlacePanel(editor);
   probePanel_ = new ProbePanel(editor);
   capturePanel_ = new CapturePanel(editor);
   materialPanel_ = new MaterialPanel(editor);
   objectPanel_ = new ObjectPanel(editor);
-  lightPanel_ = new LightPanel(editor);
+  lightPanel_ = new LightPanel(editor, [&renderer] { return renderer.currentCamera(); });
   picturePanel_ = new PicturePanel(editor);
-  QScrollArea* panels = scrolled(column({probeList_, bakePanel_, fitPanel_, probePanel_, capturePanel_, materialPanel_,
-                                         objectPanel_, lightPanel_, picturePanel_}));
-  panels->setMinimumWidth(kPanelWidth);
-  add(tr("Probes"), "probes", panels)->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+  QScrollArea* panels = column_ =
+      scrolled(column({probeList_, bakePanel_, fitPanel_, placePanel_, probePanel_, capturePanel_, materialPanel_,
+                       objectPanel_, lightPanel_, picturePanel_}));
+  // What the widest panel asks for beside the scroll bar: a column that is cut off at its right edge cannot be
+  // scrolled.
+  const int asked = panels->widget()->minimumSizeHint().width() + panels->verticalScrollBar()->sizeHint().width();
+  panels->setMinimumWidth(std::max(kPanelWidth, asked));
+  add(tr("Probes"), "probes", withSearch(panels, tr("Find a setting")))
+      ->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
   connect(bakePanel_, &BakePanel::statesChanged, probeList_, &ProbeList::showStates);
   connect(bakePanel_, &BakePanel::message, this, &PanelDocks::message);
   connect(bakePanel_, &BakePanel::failed, this, &PanelDocks::failed);
@@ -110,10 +123,24 @@ void PanelDocks::buildProbes() {
     if (!fitPanel_->running()) fitPanel_->fit();
   });
   connect(fitPanel_, &FitPanel::ghostChanged, this, [this](const std::optional<Probe>& ghost) {
-    if (ghost) first_->raise();  // what is to be reviewed must be seen
+    fitGhost_ = ghost;
+    showGhosts();
   });
+  connect(placePanel_, &PlacePanel::ghostsChanged, this, [this](const std::vector<Probe>& ghosts) {
+    placeGhosts_ = ghosts;
+    showGhosts();
+  });
+  connect(placePanel_, &PlacePanel::message, this, &PanelDocks::message);
+  connect(placePanel_, &PlacePanel::failed, this, &PanelDocks::failed);
   connect(fitPanel_, &FitPanel::message, this, &PanelDocks::message);
   connect(fitPanel_, &FitPanel::failed, this, &PanelDocks::failed);
+}
+
+void PanelDocks::showGhosts() {
+  std::vector<Probe> ghosts = placeGhosts_;
+  if (fitGhost_) ghosts.push_back(*fitGhost_);
+  if (!ghosts.empty()) first_->raise();  // what is to be reviewed must be seen
+  emit ghostsChanged(ghosts);
 }
 
 void PanelDocks::buildPreview() {
@@ -129,7 +156,7 @@ void PanelDocks::buildPreview() {
 void PanelDocks::buildDebug() {
   DebugView& debugView = parts_.debugView;
   add(tr("Debug"), "debug", scrolled(debugView.panel()));
-  QDockWidget* card = add(tr("Explain"), "explain", debugView.card());
+  QDockWidget* card = add(tr("Explain"), "explain", debugView.explainPanel());
   connect(&debugView, &DebugView::toolChanged, card, [card](bool on) {
     if (!on) return;
     card->show();
@@ -145,6 +172,27 @@ void PanelDocks::buildCost() {
   connect(costPanel_, &CostPanel::failed, this, &PanelDocks::failed);
 }
 
+FrameCosts PanelDocks::measureCosts() {
+  constexpr int kRounds = 5;
+  QProgressDialog shown(tr("Measuring where the time of a frame goes ..."), tr("Stop"), 0, 100, framePanel_);
+  shown.setObjectName("costsProgress");
+  shown.setWindowModality(Qt::ApplicationModal);
+  shown.setMinimumDuration(0);
+  FrameCosts costs;
+  try {
+    costs = measureFrameCosts(
+        parts_.renderer, kRounds, [this] { return timedFrameOf(parts_.viewport.window3d()); },
+        [&shown](double fraction) {
+          shown.setValue(static_cast<int>(99.0 * fraction));
+          return !shown.wasCanceled();
+        });
+  } catch (const Error& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
+  parts_.scheduler.requestRender();
+  return costs;
+}
+
 void PanelDocks::buildFrame() {
   const Parts& p = parts_;
   framePanel_ = new FramePanel(p.editor, {[&r = p.renderer] { return r.frameReport(); },
@@ -154,7 +202,8 @@ void PanelDocks::buildFrame() {
                                             const auto lookups = r.measureLookups(size[0], size[1]);
                                             scheduler.requestRender();
                                             return lookups;
-                                          }});
+                                          },
+                                          [this] { return measureCosts(); }});
   QDockWidget* dock = add(tr("Frame"), "frame", framePanel_);
   connect(dock, &QDockWidget::visibilityChanged, framePanel_, &FramePanel::setWatched);
   connect(&p.scheduler, &RenderScheduler::rendered, framePanel_, &FramePanel::update);
@@ -170,6 +219,14 @@ void PanelDocks::subscribe(ChangeViews& views) {
   using C = Changes;
   views.add("probe list", {&C::probeList, &C::selection}, [this](const C&) { probeList_->update(); });
   views.add("fit panel", selectedProbeKinds(), [this](const C&) { fitPanel_->update(); });
+  views.add("live error",
+            {&C::probeShape, &C::probeCapture, &C::probeList, &C::selection, &C::materials, &C::objects, &C::models,
+             &C::cameras},
+            [this](const C&) { fitPanel_->gauge().update(); });
+  views.add(
+      "place panel",
+      {&C::probeShape, &C::probeTechnique, &C::probeCapture, &C::probeList, &C::materials, &C::objects, &C::models},
+      [this](const C&) { placePanel_->update(); });
   views.add("probe panel", selectedProbeKinds(), [this](const C&) { probePanel_->update(); });
   // Whatever makes a capture stale, or an object use a probe.
   views.add("bake panel",
@@ -191,8 +248,17 @@ void PanelDocks::subscribe(ChangeViews& views) {
 void PanelDocks::setModels(const std::vector<std::shared_ptr<const Model>>& models) {
   capturePanel_->setModels(models);
   fitPanel_->setModels(models);
+  placePanel_->setModels(models);
   materialPanel_->setModels(models);
   objectPanel_->setModels(models);
+}
+
+void PanelDocks::show(const QString& node, const QString& material) {
+  const bool chosen = materialPanel_->choose(material.toStdString());
+  if (!objectPanel_->choose(node.toStdString()) && !chosen) return;
+  first_->raise();
+  column_->ensureWidgetVisible(objectPanel_);
+  column_->ensureWidgetVisible(materialPanel_);
 }
 
 void PanelDocks::stopReading() {

@@ -4,12 +4,17 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "app/cli/report/frame_costs.h"
 #include "app/gui/edit/change_views.h"
 #include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
 
 class QDockWidget;
+class QScrollArea;
+class QScrollArea;
 class QMainWindow;
 class QWidget;
 
@@ -27,6 +32,7 @@ class MaterialPanel;
 class MenuBar;
 class ObjectPanel;
 class PicturePanel;
+class PlacePanel;
 class ProbeList;
 class ProbePanel;
 class ProbePreview;
@@ -53,17 +59,22 @@ class PanelDocks : public QObject {
   void subscribe(ChangeViews& views);
   /// Other geometry, in the order of scene.models.
   void setModels(const std::vector<std::shared_ptr<const Model>>& models);
+  /// Their fields show the object and the material of these names.
+  void show(const QString& node, const QString& material);
   /// Nothing is read from the graphics side any more.
   void stopReading();
 
   ProbeList& probeList() { return *probeList_; }
   BakePanel& bakePanel() { return *bakePanel_; }
   FitPanel& fitPanel() { return *fitPanel_; }
+  PlacePanel& placePanel() { return *placePanel_; }
 
  signals:
   void pictureChanged();
   void message(const QString& text);
   void failed(const QString& line);
+  /// All that fit and place propose now.
+  void ghostsChanged(const std::vector<boxprobe::Probe>& ghosts);
 
  private:
   QDockWidget* add(const QString& title, const char* name, QWidget* content);
@@ -72,14 +83,20 @@ class PanelDocks : public QObject {
   void buildDebug();
   void buildCost();
   void buildFrame();
+  FrameCosts measureCosts();
+  void showGhosts();
 
   QMainWindow* window_;
   Parts parts_;
+  QScrollArea* column_ = nullptr;
   QDockWidget* first_ = nullptr;  ///< the others are tabs beside it
   ProbeList* probeList_ = nullptr;
   ProbePanel* probePanel_ = nullptr;
   BakePanel* bakePanel_ = nullptr;
   FitPanel* fitPanel_ = nullptr;
+  PlacePanel* placePanel_ = nullptr;
+  std::optional<Probe> fitGhost_;
+  std::vector<Probe> placeGhosts_;
   CapturePanel* capturePanel_ = nullptr;
   MaterialPanel* materialPanel_ = nullptr;
   ObjectPanel* objectPanel_ = nullptr;

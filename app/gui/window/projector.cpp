@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QStatusBar>
+#include <QToolBar>
 #include <algorithm>
 
 #include "app/gui/lessons/lesson_panel.h"
@@ -50,6 +51,7 @@ void Projector::setOn(bool on) {
     docks_ = window_->saveState();
     windowState_ = window_->windowState();
     for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) dock->hide();
+    for (QToolBar* bar : window_->findChildren<QToolBar*>()) bar->hide();
     window_->menuBar()->hide();
     window_->statusBar()->hide();
     window_->showFullScreen();

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QStatusBar>
+#include <QStyle>
 #include <QToolButton>
 
 namespace boxprobe {
@@ -86,13 +87,21 @@ void StatusLine::hideProgress(bool stopped) {
 }
 
 void StatusLine::showMessage(const QString& text) {
-  bar_->setStyleSheet({});
+  setFailed(false);
   bar_->showMessage(text);
 }
 
 void StatusLine::showError(const QString& text) {
-  bar_->setStyleSheet("QStatusBar { color: #ff8f80; font-weight: bold; }");
+  setFailed(true);
   bar_->showMessage(text, kMessageMilliseconds);
+}
+
+// The colour stands in the application's style sheet.
+void StatusLine::setFailed(bool failed) {
+  if (bar_->property("failed").toBool() == failed) return;
+  bar_->setProperty("failed", failed);
+  bar_->style()->unpolish(bar_);
+  bar_->style()->polish(bar_);
 }
 
 }  // namespace boxprobe

@@ -35,6 +35,8 @@ class StatusLine : public QObject {
   void resumeRequested();
 
  private:
+  void setFailed(bool failed);
+
   QStatusBar* bar_;
   QLabel* picture_;
   QLabel* counters_;

@@ -4,15 +4,19 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include <QApplication>
+#include <QDockWidget>
+#include <QTimer>
 #include <clocale>
 #include <exception>
 #include <optional>
 
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/widgets/preferences.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/main_window.h"
+#include "app/gui/window/recovery.h"
 #include "app/gui/window/window_signals.h"
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
@@ -55,7 +59,8 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   QCoreApplication::setApplicationName("Boxprobe");
   Application application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's, and with it commas into every file's numbers
-  applyWindowStyle(application);
+  const int theme = chosenTheme().value_or(static_cast<int>(Theme::System));
+  applyWindowStyle(application, static_cast<Theme>(theme));
 
   MainWindow window;
   RunStats stats;
@@ -72,9 +77,15 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
     window.files().remember(QString::fromStdString(scenePath));
   }
   window.lessons().setLanguage(options.language);
+  if (const WindowLayout kept = windowLayout(); !kept.geometry.isEmpty()) {
+    window.restoreGeometry(kept.geometry);
+    window.restoreState(kept.docks);
+    window.findChild<QDockWidget*>("lessons")->hide();  // none is open yet
+  }
   window.show();
   if (!options.lesson.empty()) window.openLesson(QString::fromStdString(options.lesson));
   const WindowSignals ended(window);
+  QTimer::singleShot(0, &window, [&window] { offerRecovery(window); });
   QApplication::exec();
 
   stats.startToFirstFrameCpuSeconds = startToFirstFrame;

@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <exception>
 
+#include "app/gui/window/autosave.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/main_window.h"
 #include "app/session/messages.h"
@@ -52,7 +53,9 @@ void WindowSignals::end() {
     const std::string path = window_.files().saveRecovery();
     if (!path.empty()) printNote("unsaved changes are in " + path);
   } catch (const std::exception& error) {
-    printError(std::string("unsaved changes are lost: ") + error.what());
+    window_.autosave().write();
+    window_.autosave().keep();  // offered at the next start
+    printError(std::string("unsaved changes are kept for the next start alone: ") + error.what());
   }
   emit window_.closing();
   QCoreApplication::exit();  // of dialogs' own loops, too

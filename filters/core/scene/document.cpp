@@ -77,8 +77,10 @@ void Document::selectProbe(std::optional<std::size_t> index) {
   if (changes.any()) notify(changes);
 }
 
-void Document::open(Scene scene, std::string path) {
-  restore(State::opened(std::move(scene), std::move(path)), Changes::all());
+void Document::open(Scene scene, std::string path, bool unsaved) {
+  State state = State::opened(std::move(scene), std::move(path));
+  if (unsaved) state.saved_ = nullptr;
+  restore(std::move(state), Changes::all());
 }
 
 bool Document::preview(const Edit& edit) {
@@ -150,12 +152,30 @@ void Document::redo() {
   move(target, target, state_.position_ + 1, {});
 }
 
+std::vector<std::string> Document::stepLabels() const {
+  std::vector<std::string> labels;
+  for (const State::Step& step : state_.steps_) labels.push_back(step.label);
+  return labels;
+}
+
+std::size_t Document::position() const {
+  return state_.position_;
+}
+
+void Document::goTo(std::size_t position) {
+  const auto& steps = state_.steps_;
+  position = std::min(position, steps.size());
+  if (position == state_.position_) return cancel();
+  const Snapshot target = position == 0 ? steps.front().before : steps[position - 1].after;
+  move(target, target, position, {});
+}
+
 const std::string& Document::path() const {
   return state_.path_;
 }
 
 bool Document::modified() const {
-  return !same(state_.committed_, state_.saved_);
+  return state_.saved_ == nullptr || !same(state_.committed_, state_.saved_);
 }
 
 void Document::markSaved(std::string path) {

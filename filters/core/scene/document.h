@@ -43,7 +43,7 @@ class Document {
     State();
 
     std::shared_ptr<const Scene> committed_;  ///< what the undo stack stands at
-    std::shared_ptr<const Scene> saved_;      ///< as last opened or saved
+    std::shared_ptr<const Scene> saved_;      ///< as last opened or saved; null: never as it is
     std::vector<Step> steps_;                 ///< undo stack; steps_[position_ - 1] is what undo takes back
     std::size_t position_ = 0;
     /// Kept while its probe is gone, so that undo of a delete selects it again.
@@ -55,9 +55,10 @@ class Document {
   /// Observers are told what differs, and `also`.
   void restore(State state, const Changes& also = {});
 
-  /// Replaces everything (a file was opened); the undo stack starts again and the document counts as saved. Throws
-  /// InputError, and leaves everything as it was, if the scene is not valid.
-  void open(Scene scene, std::string path);
+  /// Replaces everything (a file was opened); the undo stack starts again and the document counts as saved, unless it
+  /// is `unsaved`: what was recovered is not what `path` holds. Throws InputError, and leaves everything as it was, if
+  /// the scene is not valid.
+  void open(Scene scene, std::string path, bool unsaved = false);
 
   /// Shows the scene as it would be: `edit` is applied to the last committed scene, so that previews do not pile up.
   /// Where the result is not valid (a half-typed value) what is shown stays, and false is returned: never throws for
@@ -77,6 +78,11 @@ class Document {
   std::string redoLabel() const;
   void undo();  ///< also ends a preview
   void redo();
+  /// What was done, oldest first; the first position() of them stand, undo takes those back, redo the others forward.
+  std::vector<std::string> stepLabels() const;
+  std::size_t position() const;
+  /// Undoes or redoes until that many steps stand; at most all.
+  void goTo(std::size_t position);
 
   const std::string& path() const;  ///< empty: never saved
   bool modified() const;            ///< differs from what was last opened or saved

@@ -26,7 +26,9 @@ enum class MeasureKind {
   Bend,     ///< of a straight line of the picture: how far from straight what it shows of the box is, over its length
   Counter,  ///< work counted since the step before
   Field,    ///< a number of the scene
-  Broken    ///< share of a published form's lookups that are not a number
+  Broken,   ///< share of a published form's lookups that are not a number
+  Turned,   ///< mean angle between a published form's lookups and the program's, degrees
+  Fit       ///< a number of the box fit of the step's probes, as `boxprobe fit --json` names it
 };
 
 struct LessonMeasure {
@@ -37,8 +39,9 @@ struct LessonMeasure {
   bool box = false;         ///< Error: the truth is the box world, integrated: what is left is the technique's own
   PictureRegion region{0.0, 0.0, 1.0, 1.0};
   int channel = -1;                  ///< Mean: 0 to 2; -1: the mean of all three
-  std::vector<PicturePoint> points;  ///< Explain: one; Bend: three that lie on a line
-  std::string name;  ///< Explain: JSON pointer; View: its id; Counter: its name; Field: key path as in --set
+  std::vector<PicturePoint> points;  ///< Explain: one, or none for the region's mean; Bend: three that lie on a line
+  /// Explain, Fit: JSON pointer; View: its id; Counter: its name; Field: key path as in --set.
+  std::string name;
 };
 
 enum class Comparison { Above, Below, Within };
@@ -82,6 +85,25 @@ struct LessonTask {
   std::vector<std::string> solution, mistake;
 };
 
+/// One measure over a number of the scene: drawn as the step's picture on sheets and pages.
+struct LessonCurve {
+  std::string field;           ///< key path as in --set
+  std::vector<double> values;  ///< rising
+  LessonMeasure measure;
+  std::optional<LessonMeasure> cost;  ///< against an axis of its own
+  std::optional<LessonMeasure> line;  ///< one value, of another step, to compare with
+  std::string fieldName, measureName, costName, lineName;
+};
+
+/// To be solved on paper. What can be measured of the solution is.
+struct LessonExercise {
+  std::string ask;
+  std::string solution;
+  std::string formula;  ///< of the solution; empty: none
+  std::string unit;     ///< of the measure
+  std::optional<LessonCondition> condition;
+};
+
 struct LessonStep {
   std::string title;
   std::string say;
@@ -97,12 +119,20 @@ struct LessonStep {
   std::string mayMove;                   ///< what to try here; empty: nothing in particular
   std::optional<LessonQuestion> question;
   std::optional<LessonTask> task;
+  std::optional<LessonCurve> curve;
+};
+
+/// A symbol of the formulas and the one thing it stands for.
+struct LessonSymbol {
+  std::string symbol;  ///< as in a formula
+  std::string means;
 };
 
 struct Lesson {
   std::string name;             ///< what the command line calls it: of the file, without its number
   std::string path;             ///< of the file
   std::string language = "en";  ///< of what a person reads below
+  std::string unreviewed;       ///< in that language: nobody has read the translation over; empty: somebody has
   std::string title;
   std::string chapter;
   std::string summary;  ///< one sentence for lists
@@ -110,6 +140,7 @@ struct Lesson {
   std::vector<std::string> assignments;
   std::vector<LessonStep> steps;
   std::vector<LessonClaim> claims;
+  std::vector<LessonExercise> exercises;
 };
 
 }  // namespace boxprobe

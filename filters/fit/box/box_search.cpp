@@ -173,4 +173,29 @@ RatedBox polished(const LookupRays& rays, const OffsetBox& start, const PolishSe
   return best;
 }
 
+double extentOf(const OffsetBox& box) {
+  return std::max({box.offset[0] + box.offset[1], box.offset[2] + box.offset[3], box.offset[4] + box.offset[5]});
+}
+
+OffsetBox withMargin(OffsetBox box, const LookupRays& rays, const std::array<bool, kFaces>& faces) {
+  constexpr double kMargin = 1e-4, kNear = 0.02;
+  const double extent = extentOf(box), allowed = 1.01 * meanError(rays, box) + 0.005;
+  std::array<double, kFaces> needed = box.offset;
+  for (const LookupRay& ray : turnedBy(rays, box.yaw).rays) {
+    for (int face = 0; face < kFaces; ++face) {
+      const double out = (face % 2 == 0 ? -1.0 : 1.0) * ray.from[face / 2];
+      const auto index = static_cast<std::size_t>(face);
+      if (out < box.offset[index] + kNear * extent) needed[index] = std::max(needed[index], out);
+    }
+  }
+  for (std::size_t face = 0; face < kFaces; ++face) {
+    if (!faces[face]) continue;
+    OffsetBox moved = box;
+    moved.offset[face] = needed[face];
+    if (meanError(rays, moved) <= allowed) box = moved;
+    box.offset[face] += kMargin * extent;
+  }
+  return box;
+}
+
 }  // namespace boxprobe

@@ -34,4 +34,11 @@ struct PolishSettings {
 /// 0, which derivatives do not survive.
 RatedBox polished(const LookupRays& rays, const OffsetBox& start, const PolishSettings& settings);
 
+/// The longest side.
+double extentOf(const OffsetBox& box);
+
+/// Some faces a little outside of what they are fitted to. Points that reflect and lie close behind a face come inside
+/// where that costs little: behind a doorway they do not.
+OffsetBox withMargin(OffsetBox box, const LookupRays& rays, const std::array<bool, kFaces>& faces);
+
 }  // namespace boxprobe

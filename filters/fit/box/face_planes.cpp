@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/fit/box/axis_turn.h"
+
 namespace boxprobe {
 
 std::vector<MetPoint> metPoints(const FitPlace& place, const ReflectedRays& reflected, const glm::dvec3& originWorld,
@@ -26,8 +28,7 @@ std::vector<MetPoint> metPoints(const FitPlace& place, const ReflectedRays& refl
 }
 
 std::vector<MetPoint> turnedBy(const std::vector<MetPoint>& points, double yaw) {
-  const double c = std::cos(yaw), s = std::sin(yaw);
-  const auto turn = [c, s](const glm::dvec3& v) { return glm::dvec3(c * v.x - s * v.z, v.y, s * v.x + c * v.z); };
+  const AxisTurn turn(yaw);
   std::vector<MetPoint> turned;
   turned.reserve(points.size());
   for (const MetPoint& point : points) turned.push_back({turn(point.position), turn(point.normal), point.weight});

@@ -18,6 +18,7 @@ namespace {
 constexpr double kLeastWalls = 0.3;  // share of the horizon; below, there is nothing to fit to
 constexpr double kWeakYaw = 0.2;     // below, no direction stands out and a round of yaws is tried
 constexpr double kSameYaw = 0.5;     // degrees
+constexpr double kNoGain = 0.005;    // degrees, a seventieth of a texel of 256² faces: for less a box does not change
 constexpr double kFree = 0.05;       // degrees of the mean error for half of the box: such a face is free
 constexpr std::size_t kStarts = 8, kFinalists = 2;
 
@@ -26,10 +27,6 @@ struct Frame {
   glm::dvec3 rotationDegrees{0.0};
   bool turns = false;
 };
-
-double extentOf(const OffsetBox& box) {
-  return std::max({box.offset[0] + box.offset[1], box.offset[2] + box.offset[3], box.offset[4] + box.offset[5]});
-}
 
 class Search {
  public:
@@ -133,9 +130,19 @@ class Search {
     return kept.meanDegrees <= 1.01 * best.meanDegrees + 0.005 ? kept : best;
   }
 
-  /// Faces on the planes beside them where that costs nothing, and those that hardly matter on the likeliest.
+  /// Faces on better planes, if there are any, else on the planes beside them where that costs nothing, and those that
+  /// hardly matter on the likeliest.
   RatedBox onPlanes(RatedBox best) const {
     const FacePlanes planes = planesAt(best.box.yaw);
+    // A plane beyond a worse place, where no step of the polish led: the wall behind furniture.
+    for (std::size_t face = 0; face < kFaces; ++face) {
+      for (const double offset : planes.offsets[face]) {
+        OffsetBox moved = best.box;
+        moved.offset[face] = offset;
+        const double error = meanError(rays_, moved);
+        if (error < best.meanDegrees) best = {moved, error};
+      }
+    }
     const double extent = extentOf(best.box), allowed = 1.003 * best.meanDegrees + 0.001;
     const std::array<double, kFaces> sensitivities = faceSensitivities(rays_, best.box);
     const auto accept = [&](std::size_t face, double offset) {
@@ -168,29 +175,6 @@ class Search {
   std::vector<MetPoint> points_;
   PolishSettings polish_;
 };
-
-/// Faces a little outside of what they are fitted to. Points that reflect and lie close behind a face come inside where
-/// that costs little: behind a doorway they do not.
-OffsetBox withMargin(OffsetBox box, const LookupRays& rays, const std::array<bool, kFaces>& faces) {
-  constexpr double kMargin = 1e-4, kNear = 0.02;
-  const double extent = extentOf(box), allowed = 1.01 * meanError(rays, box) + 0.005;
-  std::array<double, kFaces> needed = box.offset;
-  for (const LookupRay& ray : turnedBy(rays, box.yaw).rays) {
-    for (int face = 0; face < kFaces; ++face) {
-      const double out = (face % 2 == 0 ? -1.0 : 1.0) * ray.from[face / 2];
-      const auto index = static_cast<std::size_t>(face);
-      if (out < box.offset[index] + kNear * extent) needed[index] = std::max(needed[index], out);
-    }
-  }
-  for (std::size_t face = 0; face < kFaces; ++face) {
-    if (!faces[face]) continue;
-    OffsetBox moved = box;
-    moved.offset[face] = needed[face];
-    if (meanError(rays, moved) <= allowed) box = moved;
-    box.offset[face] += kMargin * extent;
-  }
-  return box;
-}
 
 std::array<FaceFit, kFaces> faceFits(const LookupRays& rays, const OffsetBox& box, const OffsetBox& old,
                                      bool sameAxes) {
@@ -254,7 +238,7 @@ std::optional<BoxFit> fitBox(const FitPlace& place, const Probe& probe, const Bo
   const OffsetBox box = withMargin(best->box, rays, settings.faces);
   const LookupErrors after = lookupErrors(rays, box);
   const bool sameAxes = chosen.rotationDegrees == probe.rotationDegrees;
-  if (after.meanDegrees < fit.before.meanDegrees) {
+  if (after.meanDegrees < fit.before.meanDegrees - kNoGain) {
     fit.outcome = FitOutcome::Fitted;
     fit.after = after;
     fit.probe = withOffsetBox(probe, box, chosen.rotationDegrees);

@@ -15,11 +15,12 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kHiddenDegrees = 20.0;  // what is looked up there shows something else
-constexpr double kLevelDegrees = 0.25;   // what a level too coarse is worth
-constexpr double kPixelDegrees = 0.05;   // of a picture of 1,000 pixels at 50 degrees
-constexpr double kLeastGain = 0.95;      // of the cost that is left
+constexpr double kLevelDegrees = 0.25;     // what a level too coarse is worth
+constexpr double kPixelDegrees = 0.05;     // of a picture of 1,000 pixels at 50 degrees
+constexpr double kLeastGain = 0.95;        // of the cost that is left
+constexpr double kLeastLookupGain = 0.01;  // degrees: where lookups are right all but, a share of nothing is nothing
 constexpr std::size_t kFullFits = 3;
+constexpr double kApart = 0.2;  // of the box's diagonal
 
 struct Candidate {
   Probe probe;
@@ -112,6 +113,20 @@ std::vector<glm::dvec3> placesToTry(const FitPlace& place, const ReflectedRays& 
   return found;
 }
 
+/// The first ones of which each is at least so far from those before it: neighbours cost about the same before the box
+/// is fitted to them, and would leave no place for what gains by that.
+std::vector<Candidate> apart(const std::vector<Candidate>& candidates, double distance) {
+  std::vector<Candidate> chosen;
+  for (const Candidate& candidate : candidates) {
+    const bool far = std::all_of(chosen.begin(), chosen.end(), [&](const Candidate& other) {
+      return glm::length(candidate.probe.origin - other.probe.origin) >= distance;
+    });
+    if (far) chosen.push_back(candidate);
+    if (chosen.size() == kFullFits) break;
+  }
+  return chosen;
+}
+
 /// The part of the cost that is no matter of texels: a mean over all rays, degrees.
 double lookupCost(const FitPlace& place, const ReflectedRays& reflected, const Probe& probe) {
   const LookupRays lookups = lookupRays(place, reflected, probe.origin, rotationMatrix(probe.rotationDegrees));
@@ -163,11 +178,12 @@ std::optional<BoxFit> proposeOrigin(const FitPlace& place, const Probe& probe, c
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
-  if (candidates.size() > kFullFits) candidates.resize(kFullFits);
+  candidates = apart(candidates, kApart * glm::length(stays.probe.box.size()));
 
   reflected = reflectedRays(place, probe, settings.rays);
   double cost = originCost(place, reflected, stays.probe);
-  const double mostLookup = kLeastGain * lookupCost(place, reflected, stays.probe);
+  const double lookup = lookupCost(place, reflected, stays.probe);
+  const double mostLookup = std::min(kLeastGain * lookup, lookup - kLeastLookupGain);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const double from = 0.5 + 0.5 * static_cast<double>(i) / kFullFits;
     const std::optional<BoxFit> fit = fitBox(place, candidates[i].probe, settings, part(from, from + 0.5 / kFullFits));

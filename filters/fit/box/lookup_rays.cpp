@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "filters/fit/box/axis_turn.h"
 #include "filters/fit/box/visibility.h"
 
 namespace boxprobe {
@@ -21,14 +22,15 @@ LookupRays lookupRays(const FitPlace& place, const ReflectedRays& reflected, con
   const glm::dmat3 boxFromWorld = glm::transpose(worldFromBox);
   LookupRays lookups;
   double seen = 0.0, all = 0.0;
-  for (const ReflectedRay& ray : reflected.rays) {
+  for (std::size_t i = 0; i < reflected.rays.size(); ++i) {
+    const ReflectedRay& ray = reflected.rays[i];
     all += ray.weight;
     const glm::dvec3 target = ray.hit - originWorld;
     const double distance = glm::length(target);
     if (!(distance > 0.0) || !visibleFrom(place.captured, originWorld, ray.hit)) continue;
     seen += ray.weight;
     lookups.rays.push_back({boxFromWorld * (ray.from - originWorld), boxFromWorld * ray.along,
-                            boxFromWorld * (target / distance), ray.weight});
+                            boxFromWorld * (target / distance), ray.weight, i});
   }
   for (LookupRay& ray : lookups.rays) ray.weight /= seen;
   lookups.hidden = all > 0.0 ? 1.0 - seen / all : 0.0;
@@ -37,21 +39,14 @@ LookupRays lookupRays(const FitPlace& place, const ReflectedRays& reflected, con
 
 namespace {
 
-struct Turn {
-  explicit Turn(double yaw) : c(std::cos(yaw)), s(std::sin(yaw)) {}
-  /// Into the turned axes: the inverse of a rotation about +y.
-  glm::dvec3 operator()(const glm::dvec3& v) const { return {c * v.x - s * v.z, v.y, s * v.x + c * v.z}; }
-  double c, s;
-};
-
-LookupRay turnedRay(const LookupRay& ray, const Turn& turn) {
-  return {turn(ray.from), turn(ray.along), turn(ray.target), ray.weight};
+LookupRay turnedRay(const LookupRay& ray, const AxisTurn& turn) {
+  return {turn(ray.from), turn(ray.along), turn(ray.target), ray.weight, ray.reflected};
 }
 
 }  // namespace
 
 LookupRays turnedBy(const LookupRays& rays, double yaw) {
-  const Turn turn(yaw);
+  const AxisTurn turn(yaw);
   LookupRays turned{{}, rays.hidden};
   turned.rays.reserve(rays.rays.size());
   for (const LookupRay& ray : rays.rays) turned.rays.push_back(turnedRay(ray, turn));
@@ -92,7 +87,7 @@ double lookupError(const LookupRay& ray, double distance) {
 }
 
 double meanError(const LookupRays& rays, const OffsetBox& box) {
-  const Turn turn(box.yaw);
+  const AxisTurn turn(box.yaw);
   double sum = 0.0;
   for (const LookupRay& each : rays.rays) {
     const LookupRay ray = box.yaw == 0.0 ? each : turnedRay(each, turn);

@@ -20,6 +20,7 @@ struct LookupRay {
   glm::dvec3 from{0.0}, along{0.0};
   glm::dvec3 target{0.0};  ///< unit, from the origin to what the ray meets
   double weight = 0.0;
+  std::size_t reflected = 0;  ///< which of the reflected rays it was made from
 };
 
 struct LookupRays {
@@ -55,6 +56,10 @@ double lookupError(const LookupRay& ray, double distance);
 
 /// Weighted mean, degrees. The yaw of `box` counts.
 double meanError(const LookupRays& rays, const OffsetBox& box);
+
+/// What a reflection counts whose end the origin does not see: what is looked up there shows something else. A lookup
+/// that is further off is no worse.
+inline constexpr double kHiddenDegrees = 20.0;
 
 struct LookupErrors {
   double meanDegrees = 0.0, p95Degrees = 0.0;

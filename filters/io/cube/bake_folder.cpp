@@ -50,9 +50,15 @@ BakeFolder::BakeFolder(std::string path) : path_(std::move(path)) {
     if (it->path().extension() != ".exr") continue;
     const std::string file = it->path().string();
     std::string damage;
-    const auto hash = bakedProbeHash(file, &damage);
-    const auto record = hash ? BakeRecord::parse(*hash) : std::nullopt;
-    if (record) files_[record->key] = {file, *record};
+    const auto mark = bakedProbeMark(file, &damage);
+    const auto record = mark ? BakeRecord::parse(mark->inputHash) : std::nullopt;
+    if (record) {
+      // Of two files with the same maps, the one that others know by its name.
+      const auto before = files_.find(record->key);
+      if (before != files_.end() && !isEarlierBounce(before->second.path)) continue;
+      files_[record->key] = {file, *record, {mark->program, mark->renderer}};
+      keysOfView_.emplace(record->view, record->key);
+    }
     if (!damage.empty()) damaged_.push_back(damage);
   }
 }
@@ -69,10 +75,16 @@ bool BakeFolder::has(const std::string& key) const {
 }
 
 std::optional<BakeRecord> BakeFolder::record(const std::string& view) const {
-  for (const auto& [key, file] : files_) {
-    if (file.record.view == view) return file.record;
+  // An earlier bounce was made knowing fewer probes, or none.
+  std::optional<BakeRecord> most;
+  const auto range = keysOfView_.equal_range(view);
+  for (auto it = range.first; it != range.second; ++it) {
+    const auto file = files_.find(it->second);
+    if (file == files_.end()) continue;
+    const BakeRecord& record = file->second.record;
+    if (!most || record.known.size() > most->known.size()) most = record;
   }
-  return std::nullopt;
+  return most;
 }
 
 BakedMaps BakeFolder::load(const std::string& key) const {
@@ -85,22 +97,37 @@ void BakeFolder::forget(const std::string& key, const std::string& damage) {
 }
 
 std::string BakeFolder::save(const std::string& folder, const Probe& probe, const BakeRecord& record,
-                             const BakedMaps& maps, const std::string& program) {
+                             const BakedMaps& maps, const BakeMaker& maker, int earlierBounce) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
-  const std::string path = (fs::path(folder) / fileName(probe.name)).string();
+  const std::string path = (fs::path(folder) / fileName(probe.name, earlierBounce)).string();
   BakedProbeFile file;
   file.maps = maps;
   file.info.probe = probe;
   if (probe.name.empty()) file.info.probe.name = "sky";  // a probe without a name is no valid one to read back
   file.info.inputHash = record.text();
-  file.info.program = program;
+  file.info.program = maker.program;
+  file.info.renderer = maker.renderer;
   saveBakedProbe(path, file);
   return path;
 }
 
-std::string BakeFolder::fileName(const std::string& probeName) {
+namespace {
+
+// No probe's name: it would be escaped there.
+constexpr char kBounceMark = '~';
+
+}  // namespace
+
+bool BakeFolder::isEarlierBounce(const std::string& fileName) {
+  const std::string stem = fs::path(fileName).stem().string();
+  const std::size_t mark = stem.rfind(kBounceMark);
+  return mark != std::string::npos && mark + 1 < stem.size() &&
+         stem.find_first_not_of("0123456789", mark + 1) == std::string::npos;
+}
+
+std::string BakeFolder::fileName(const std::string& probeName, int earlierBounce) {
   if (probeName.empty()) return "_sky.exr";
   std::string name;
   for (const char c : probeName) {
@@ -115,6 +142,7 @@ std::string BakeFolder::fileName(const std::string& probeName) {
       name += escaped;
     }
   }
+  if (earlierBounce > 0) name += kBounceMark + std::to_string(earlierBounce);
   return name + ".exr";
 }
 

@@ -20,6 +20,7 @@ namespace boxprobe {
 namespace {
 
 const std::string kPrefix = "probe.";
+const char* const kRenderer = "renderer";  // of OpenGL
 
 bool isVector(const Json& value) {
   return value.is_array() && value.size() == 3 && value[0].is_number() && value[1].is_number() && value[2].is_number();
@@ -127,12 +128,21 @@ void addProbeAttributes(Imf::Header& header, const BakedProbeInfo& info, const s
   for (const auto& [key, value] : probe.items()) addValue(header, kPrefix + key, value);
   header.insert("inputHash", Imf::StringAttribute(info.inputHash));
   header.insert("software", Imf::StringAttribute(info.program));
+  if (!info.renderer.empty()) header.insert(kRenderer, Imf::StringAttribute(info.renderer));
+}
+
+BakedProbeMark readProbeMark(const Imf::Header& header, const std::string& path) {
+  BakedProbeMark mark;
+  mark.inputHash = textAttribute(header, "inputHash", path);
+  mark.program = textAttribute(header, "software", path);
+  const auto* renderer = header.findTypedAttribute<Imf::StringAttribute>(kRenderer);
+  if (renderer != nullptr) mark.renderer = renderer->value();
+  return mark;
 }
 
 BakedProbeInfo readProbeAttributes(const Imf::Header& header, const std::string& folder, const std::string& path) {
   BakedProbeInfo info;
-  info.inputHash = textAttribute(header, "inputHash", path);
-  info.program = textAttribute(header, "software", path);
+  static_cast<BakedProbeMark&>(info) = readProbeMark(header, path);
   Json probe = Json::object();
   for (auto it = header.begin(); it != header.end(); ++it) {
     const std::string name = it.name();

@@ -232,21 +232,21 @@ BakedProbeFile loadBakedProbe(const std::string& path) {
   return result;
 }
 
-std::optional<std::string> bakedProbeHash(const std::string& path, std::string* damage) {
-  std::optional<std::string> hash;
+std::optional<BakedProbeMark> bakedProbeMark(const std::string& path, std::string* damage) {
+  std::optional<BakedProbeMark> mark;
   try {
     withExrFile(path, [&](Imf::MultiPartInputFile& file) {
       if (!isBakedProbe(file)) return;
       for (int part = 0; part < file.parts(); ++part) {
         if (!file.partComplete(part)) throw InputError(path + ": is cut off; bake it again");
       }
-      hash = textAttribute(file.header(0), "inputHash", path);
+      mark = readProbeMark(file.header(0), path);
     });
   } catch (const std::exception& problem) {
     if (damage != nullptr) *damage = problem.what();
     return std::nullopt;  // a cache that cannot be read is an empty one
   }
-  return hash;
+  return mark;
 }
 
 std::string bakedProbeDamage(const std::string& path) {

@@ -14,11 +14,16 @@
 
 namespace boxprobe {
 
-/// What a baked probe's file says about itself, as EXR attributes.
-struct BakedProbeInfo {
-  Probe probe;            ///< name, origin, box, rotation, blend distance, technique ... as baked
+/// Of what, and by what, a baked probe was made.
+struct BakedProbeMark {
   std::string inputHash;  ///< of everything the capture depends on; equal hashes, equal files
   std::string program;    ///< "Boxprobe 0.2"
+  std::string renderer;   ///< OpenGL's name of what captured it; empty in earlier files
+};
+
+/// What a baked probe's file says about itself, as EXR attributes.
+struct BakedProbeInfo : BakedProbeMark {
+  Probe probe;  ///< name, origin, box, rotation, blend distance, technique ... as baked
 };
 
 struct BakedProbeFile {
@@ -33,9 +38,9 @@ struct BakedProbeFile {
 void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrecision precision = ExrPrecision::Half);
 /// Throws InputError naming file, part and attribute, or a checksum that differs. Files of earlier versions have none.
 BakedProbeFile loadBakedProbe(const std::string& path);
-/// The hash alone, from the header; nothing if the file is missing, cut off or not one of ours. Never throws; `damage`
-/// receives a line if the file cannot be read.
-std::optional<std::string> bakedProbeHash(const std::string& path, std::string* damage = nullptr);
+/// Its hash, program and renderer, from the header alone; nothing if the file is missing, cut off or not one of ours.
+/// Never throws; `damage` receives a line if the file cannot be read.
+std::optional<BakedProbeMark> bakedProbeMark(const std::string& path, std::string* damage = nullptr);
 /// Empty if every byte of the file is as it was written, by its checksum; else a line that names it. Never throws.
 std::string bakedProbeDamage(const std::string& path);
 

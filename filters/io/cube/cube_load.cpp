@@ -230,7 +230,7 @@ LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, co
   // Of a probe of ours the exact level and its distances, which other readers' part does not have.
   const bool mayBeBaked =
       (layout == CubeLayout::Automatic || layout == CubeLayout::Strip) && code.encoding == ImageEncoding::Linear;
-  if (mayBeBaked && bakedProbeHash(path)) return fromBaked(loadBakedProbe(path), faceSize);
+  if (mayBeBaked && bakedProbeMark(path)) return fromBaked(loadBakedProbe(path), faceSize);
   CubeSource source = readCubeSource(path, code);
   if (layout == CubeLayout::Automatic) layout = detectLayout(source);
   const ImageRgbaF& image = source.picture.image;

@@ -16,7 +16,7 @@ struct EngineRow {
   std::string_view formats;  ///< space separated
   std::string_view ladders;  ///< that it can read
   bool centered = false;     ///< its lookups start in the middle of the box (--center)
-  bool perProbe = false;     ///< one for each probe, named after it; its @FIELDS@ are filled in
+  bool perProbe = false;     ///< one for each probe, named after it; fields between two at signs are filled in
 };
 
 const std::vector<EngineRow>& engineRows();

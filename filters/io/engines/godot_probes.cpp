@@ -11,6 +11,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
+#include "filters/core/geometry/rotation_degrees.h"
 #include "filters/io/engines/import_detail.h"
 
 namespace boxprobe {
@@ -48,8 +49,7 @@ class GodotReader {
       at = end + 1;
       ++line;
       if (!row.empty() && row.back() == '\r') row.pop_back();
-      if (row.rfind("[gd_scene", 0) == 0)
-        format_ = static_cast<int>(leadingNumber(attribute(row, "format")).value_or(3.0));
+      if (row.rfind("[gd_scene", 0) == 0) format_ = leadingNumber(attribute(row, "format")).value_or(3.0);
       if (row.rfind("[node ", 0) == 0) {
         nodes_.push_back({line, attribute(row, "name"), attribute(row, "type"), attribute(row, "parent"), {}});
         node = &nodes_.back();
@@ -65,12 +65,12 @@ class GodotReader {
   ImportedProbes probes() const {
     ImportedProbes imported;
     imported.engine = "Godot";
-    std::map<std::string, Placement> placed;  // by path below the root
+    std::map<std::string, NodePlacement> placed;  // by path below the root
     std::set<std::string> taken;
     for (const GodotNode& node : nodes_) {
       const bool root = node.parent.empty();
       const std::string path = root ? "." : node.parent == "." ? node.name : node.parent + "/" + node.name;
-      Placement own = placement(node);
+      NodePlacement own = placement(node);
       const auto parent = placed.find(node.parent);
       if (!root && parent != placed.end()) own = own.within(parent->second);
       placed[path] = own;
@@ -125,7 +125,7 @@ class GodotReader {
     return found != node.values.end() && found->second == "true";
   }
 
-  Placement placement(const GodotNode& node) const {
+  NodePlacement placement(const GodotNode& node) const {
     const auto found = node.values.find("transform");
     if (found == node.values.end())
       return {glm::dmat3(1.0), vector(node, "position", vector(node, "translation", glm::dvec3(0.0)))};
@@ -133,10 +133,10 @@ class GodotReader {
     return {glm::dmat3(m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]), {m[9], m[10], m[11]}};
   }
 
-  Probe probe(const GodotNode& node, const Placement& placed, std::set<std::string>& taken,
+  Probe probe(const GodotNode& node, const NodePlacement& placed, std::set<std::string>& taken,
               std::vector<std::string>& remarks) const {
     Probe result;
-    result.name = uniqueName(taken, oneLine(node.name));
+    result.name = uniqueName(taken, node.name);
     const bool four = format_ >= 3;
     const glm::dvec3 size =
         four ? vector(node, "size", glm::dvec3(20.0)) : 2.0 * vector(node, "extents", glm::dvec3(1.0));
@@ -165,7 +165,7 @@ class GodotReader {
     return result;
   }
 
-  int format_ = 3;
+  double format_ = 3.0;
   std::vector<GodotNode> nodes_;
   std::string name_;
 };

@@ -10,15 +10,17 @@
 #include <string>
 #include <string_view>
 
+#include "filters/core/base/one_line.h"
+#include "filters/core/base/printable_text.h"
 #include "filters/io/engines/probe_import.h"
 
 namespace boxprobe {
 
 /// Where something stands: of a node, and of its children in it.
-struct Placement {
+struct NodePlacement {
   glm::dmat3 axes{1.0};  ///< columns, with their scale
   glm::dvec3 position{0.0};
-  Placement within(const Placement& parent) const {
+  NodePlacement within(const NodePlacement& parent) const {
     return {parent.axes * axes, parent.axes * position + parent.position};
   }
 };
@@ -33,19 +35,9 @@ inline std::optional<double> leadingNumber(std::string_view text) {
   return value;
 }
 
-/// Degrees about X, then Y, then Z, as rotationMatrix() takes them, of a rotation.
-inline glm::dvec3 rotationDegreesOf(const glm::dmat3& m) {
-  constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-  const double sine = std::fmin(std::fmax(-m[0][2], -1.0), 1.0);
-  // Looking along the axis: x and z turn about the same line, and x takes all of it.
-  if (std::abs(sine) > 1.0 - 1e-12)
-    return {kDegrees * std::atan2(sine * m[1][0], m[1][1]), kDegrees * std::asin(sine), 0.0};
-  return {kDegrees * std::atan2(m[1][2], m[2][2]), kDegrees * std::asin(sine), kDegrees * std::atan2(m[0][1], m[0][0])};
-}
-
-/// A name that none has yet: a probe's names are unique here and not there.
+/// A name that none has yet, of characters that a scene file can hold: a probe's names are unique here and not there.
 inline std::string uniqueName(std::set<std::string>& taken, const std::string& wanted) {
-  const std::string stem = wanted.empty() ? "probe" : wanted;
+  const std::string stem = wanted.empty() ? "probe" : printable(oneLine(wanted));
   std::string name = stem;
   for (int number = 2; !taken.insert(name).second; ++number) name = stem + " " + std::to_string(number);
   return name;

@@ -38,19 +38,6 @@ std::string lossText(const ProbeCapture& capture, const std::string& format) {
   return text;
 }
 
-/// Level 0 along the box's axes, at the size and around the origin that are asked for; `probe.origin` follows.
-CubeMap preparedLevel0(const ProbeCapture& capture, const ExportSettings& settings, Probe& probe) {
-  CubeMap level0 = resizedCube(capture.level0, settings.faceSize == 0 ? capture.level0.faceSize() : settings.faceSize);
-  if (capture.capturedRotation != probe.rotationDegrees) {
-    level0 = rotatedCube(level0, glm::mat3(glm::transpose(rotationMatrix(capture.capturedRotation)) *
-                                           rotationMatrix(probe.rotationDegrees)));
-  }
-  if (!settings.center || probe.origin == probe.box.center()) return level0;
-  const ProbeGeometry g = probeGeometry(probe, probe.origin, probe.rotationDegrees);
-  probe.origin = probe.box.center();
-  return recentredCube(level0, g.boxMin, g.boxMax, 0.5f * g.boxMin + 0.5f * g.boxMax);
-}
-
 void writeCube(const std::string& path, const CubeMap& cube, const ExportSettings& settings) {
   writeTextAtomically(path, settings.format == "ktx2" ? encodeKtx2(cube, settings.writer) : encodeDds(cube));
 }
@@ -65,7 +52,7 @@ const std::vector<std::string>& exportFormats() {
 void checkExportSettings(const ExportSettings& settings) {
   const auto& formats = exportFormats();
   if (std::find(formats.begin(), formats.end(), settings.format) == formats.end()) {
-    throw InputError("--format " + settings.format + ": no such format; there are: " + nameList(formats));
+    throw InputError("--format " + settings.format + ": no such format; there are: " + nameList(formats) + " and web");
   }
   if (findLadder(settings.ladder) == nullptr) {
     throw InputError("--ladder " + settings.ladder + ": no such ladder; there are: " + ladderIdList());
@@ -76,6 +63,18 @@ void checkExportSettings(const ExportSettings& settings) {
                      std::to_string(kLeastExportSize) + " to " + std::to_string(kMostExportSize) +
                      ", texels along a face");
   }
+}
+
+CubeMap exportedLevel0(const ProbeCapture& capture, const ExportSettings& settings, Probe& probe) {
+  CubeMap level0 = resizedCube(capture.level0, settings.faceSize == 0 ? capture.level0.faceSize() : settings.faceSize);
+  if (capture.capturedRotation != probe.rotationDegrees) {
+    level0 = rotatedCube(level0, glm::mat3(glm::transpose(rotationMatrix(capture.capturedRotation)) *
+                                           rotationMatrix(probe.rotationDegrees)));
+  }
+  if (!settings.center || probe.origin == probe.box.center()) return level0;
+  const ProbeGeometry g = probeGeometry(probe, probe.origin, probe.rotationDegrees);
+  probe.origin = probe.box.center();
+  return recentredCube(level0, g.boxMin, g.boxMax, 0.5f * g.boxMin + 0.5f * g.boxMax);
 }
 
 std::vector<std::string> exportProbes(const std::vector<ProbeCapture>& captures, const ExportSettings& settings,
@@ -107,7 +106,7 @@ std::vector<std::string> exportProbes(const std::vector<ProbeCapture>& captures,
     exported.format = settings.format;
     exported.writer = settings.writer;
     exported.ladder = &ladder;
-    const CubeMap level0 = preparedLevel0(captures[i], settings, exported.probe);
+    const CubeMap level0 = exportedLevel0(captures[i], settings, exported.probe);
     exported.faceSize = level0.faceSize();
     files.push_back(pathOf(exported.file));
     if (isCube(settings.format)) {

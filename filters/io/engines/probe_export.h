@@ -34,6 +34,9 @@ const std::vector<std::string>& exportFormats();
 /// Throws InputError naming what is unknown or does not go together; `option` strings are those of the command line.
 void checkExportSettings(const ExportSettings& settings);
 
+/// Level 0 along the box's axes, at the size and around the origin that are asked for; `probe.origin` follows.
+CubeMap exportedLevel0(const ProbeCapture& capture, const ExportSettings& settings, Probe& probe);
+
 /// Writes into an existing folder; returns the paths. `progress` gets the finished share, 0..1, and may return false to
 /// stop: whole files stay. Throws InputError, before anything is written, for names that clash and, unless lossy, for
 /// values that the format cannot hold; WorkError for the file system's failures.

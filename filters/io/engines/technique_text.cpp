@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/number_text.h"
@@ -78,6 +79,14 @@ std::string vector(const glm::dvec3& v) {
   return "vec3(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
 }
 
+/// What a technique needs that a function of a cubemap does not have; null: nothing.
+const char* neededBesides(const ProjectionRow& projection, const EvaluationRow& evaluation) {
+  if (projection.distances) return "the probe's distances";
+  if (evaluation.function.empty()) return "this program to choose for each object";
+  if (evaluation.id == "raytraced") return "blue noise and the probe's table of lights";
+  return nullptr;
+}
+
 struct Chosen {
   Technique technique;
   const ProjectionRow& projection;
@@ -89,10 +98,7 @@ Chosen chosenTechnique(const std::string& id) {
   if (!technique) throw InputError("--technique " + id + ": no such technique; there are: " + techniqueIdList());
   const ProjectionRow& projection = projectionRows()[static_cast<std::size_t>(technique->projection)];
   const EvaluationRow& evaluation = evaluationRows()[static_cast<std::size_t>(technique->evaluation)];
-  const char* missing = projection.distances           ? "the probe's distances"
-                        : evaluation.function.empty()  ? "this program to choose for each object"
-                        : evaluation.id == "raytraced" ? "blue noise and the probe's table of lights"
-                                                       : nullptr;
+  const char* missing = neededBesides(projection, evaluation);
   if (missing != nullptr) {
     throw InputError("--technique " + id + ": needs " + missing +
                      ", which a function alone does not have; box+footprint4 comes near it");
@@ -100,11 +106,14 @@ Chosen chosenTechnique(const std::string& id) {
   return {*technique, projection, evaluation};
 }
 
-std::string sources(const Chosen& chosen, bool bevelled, bool occluded) {
-  std::string text;
+/// Named pieces of text, in an order in which each knows those before it.
+using Pieces = std::vector<std::pair<std::string, std::string>>;
+
+Pieces sources(const Chosen& chosen, bool bevelled, bool occluded) {
+  Pieces pieces;
   std::set<std::string_view> present;
   const auto add = [&](std::string_view file) {
-    if (present.insert(file).second) text += std::string(shaderSource(file)) + "\n";
+    if (present.insert(file).second) pieces.emplace_back(file, std::string(shaderSource(file)) + "\n");
   };
   for (const char* file : {"shared/types.glsl", "shared/finite.glsl", "shared/slab.glsl", "shared/roughness.glsl"}) {
     add(file);
@@ -113,15 +122,17 @@ std::string sources(const Chosen& chosen, bool bevelled, bool occluded) {
   if (occluded) add("shared/box_occlusion.glsl");
   for (const std::string_view file : chosen.projection.sharedFiles) add(file);
   add(chosen.projection.shaderFile);
-  text += "ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)\n{\n  return " +
-          std::string(chosen.projection.function) +
+  const std::string function(chosen.projection.function);
+  pieces.emplace_back(
+      "call " + function,
+      "ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)\n{\n  return " + function +
           "(probe, position, normal, reflection);\n}\n\n"
           "vec4 fetchProbe(PROBE_MAP map, ProbeShape probe, vec3 direction, float level)\n{\n"
-          "  return textureLod(map, lookupDirection(direction), level);\n}\n\n";
+          "  return textureLod(map, lookupDirection(direction), level);\n}\n\n");
   add("shared/level_curve.glsl");
   for (const std::string_view file : chosen.evaluation.sharedFiles) add(file);
   add(chosen.evaluation.shaderFile);
-  return text;
+  return pieces;
 }
 
 std::string entry(const Chosen& chosen, bool bevelled, bool occluded) {
@@ -229,7 +240,9 @@ std::string techniqueText(const std::vector<Probe>& probes, const std::string& t
       std::any_of(probes.begin(), probes.end(), [](const Probe& p) { return p.occlusion.has_value(); });
   Words defined = {{"PROBE_MAP", "samplerCube"}};
   if (bevelled) defined["BP_BEVEL"] = "";
-  std::string text = sources(chosen, bevelled, occluded) + entry(chosen, bevelled, occluded);
+  std::string text;
+  for (const auto& [name, piece] : sources(chosen, bevelled, occluded)) text += piece;
+  text += entry(chosen, bevelled, occluded);
   std::vector<std::string> names;
   for (const Probe& probe : probes) names.push_back(probe.name);
   const std::vector<std::string> stems = exportStems(names);
@@ -237,6 +250,29 @@ std::string techniqueText(const std::vector<Probe>& probes, const std::string& t
   text = withoutDirectives(text, defined);
   if (language == ShaderLanguage::Hlsl) text = inHlsl(text);
   return "// Technique " + techniqueId(chosen.technique) + " of " + writer + ", BSD-3-Clause.\n\n" + text;
+}
+
+TechniquePieces techniquePieces(bool bevelled, bool occluded) {
+  TechniquePieces result;
+  for (const ProjectionRow& projection : projectionRows()) {
+    for (const EvaluationRow& evaluation : evaluationRows()) {
+      if (neededBesides(projection, evaluation) != nullptr) continue;
+      const Chosen chosen = chosenTechnique(std::string(projection.id) + "+" + std::string(evaluation.id));
+      TechniquePieces::Row row{std::string(projection.id),
+                               std::string(projection.label),
+                               std::string(evaluation.id),
+                               std::string(evaluation.label),
+                               {}};
+      Pieces pieces = sources(chosen, bevelled, occluded);
+      pieces.emplace_back("call " + std::string(evaluation.function), entry(chosen, bevelled, occluded));
+      for (auto& [name, text] : pieces) {
+        row.pieces.push_back(name);
+        result.texts.emplace(name, std::move(text));
+      }
+      result.rows.push_back(std::move(row));
+    }
+  }
+  return result;
 }
 
 }  // namespace boxprobe

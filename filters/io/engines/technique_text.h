@@ -2,6 +2,7 @@
 // this program draws with. Knows no file system.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,18 @@ enum class ShaderLanguage {
 /// Throws InputError for techniques that need further textures of the program.
 std::string techniqueText(const std::vector<Probe>& probes, const std::string& technique, ShaderLanguage language,
                           const std::string& writer);
+
+/// Every technique that a cubemap is enough for, for a host that puts programs together while it runs: named pieces of
+/// GLSL and which of them a technique is, in order. They have conditions: the host defines PROBE_MAP as samplerCube
+/// and, with `bevelled`, BP_BEVEL. They end with BoxprobeProbe and boxprobeReflection as in techniqueText().
+struct TechniquePieces {
+  std::map<std::string, std::string> texts;
+  struct Row {
+    std::string projection, projectionLabel, evaluation, evaluationLabel;
+    std::vector<std::string> pieces;
+  };
+  std::vector<Row> rows;
+};
+TechniquePieces techniquePieces(bool bevelled, bool occluded);
 
 }  // namespace boxprobe

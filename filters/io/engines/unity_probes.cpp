@@ -19,7 +19,7 @@ namespace {
 constexpr int kGameObject = 1, kTransform = 4, kRectTransform = 224, kReflectionProbe = 215;
 
 struct UnityObject {
-  int kind = 0;
+  double kind = 0.0;  // as the file counts classes; any number may stand there
   int line = 0;
   std::map<std::string, std::string> values;
 };
@@ -40,7 +40,7 @@ UnityObjects unityObjects(const std::string& text) {
       object = nullptr;
       if (id == std::string::npos) continue;
       object = &objects[row.substr(id + 1, row.find(' ', id) - id - 1)];
-      object->kind = static_cast<int>(leadingNumber(row.substr(7)).value_or(0.0));
+      object->kind = leadingNumber(row.substr(7)).value_or(0.0);
       object->line = line;
     } else if (object != nullptr && row.size() > 3 && row[0] == ' ' && row[1] == ' ' && row[2] != ' ' &&
                row[2] != '-') {
@@ -129,7 +129,7 @@ class UnityReader {
     return result;
   }
 
-  Placement placement(const std::string& transformId, int depth) const {
+  NodePlacement placement(const std::string& transformId, int depth) const {
     constexpr int kDeepest = 256;
     const auto found = objects_.find(transformId);
     if (found == objects_.end()) return {};
@@ -141,7 +141,7 @@ class UnityReader {
     const glm::dvec4 s = vector(transform, "m_LocalScale", {1, 1, 1, 0}),
                      p = vector(transform, "m_LocalPosition", glm::dvec4(0.0));
     const double k = 2.0 / length2;
-    Placement own;
+    NodePlacement own;
     own.axes = {
         {s.x * (1 - k * (q.y * q.y + q.z * q.z)), s.x * k * (q.x * q.y + q.z * q.w), s.x * k * (q.x * q.z - q.y * q.w)},
         {s.y * k * (q.x * q.y - q.z * q.w), s.y * (1 - k * (q.x * q.x + q.z * q.z)), s.y * k * (q.y * q.z + q.x * q.w)},
@@ -157,7 +157,7 @@ class UnityReader {
     const auto gameObject = objects_.find(owner);
     const auto transform = transformOf_.find(owner);
     Probe result;
-    result.name = uniqueName(taken, gameObject == objects_.end() ? "" : oneLine(text(gameObject->second, "m_Name")));
+    result.name = uniqueName(taken, gameObject == objects_.end() ? "" : text(gameObject->second, "m_Name"));
     if (transform == transformOf_.end()) {
       remarks.push_back("probes." + result.name +
                         ": its transform is in another file; it is taken to be at the origin");

@@ -119,7 +119,7 @@ ImageRgba8 loadImage8(const std::string& path, bool* hasAlpha) {
   return decodeImage8(asBytes(bytes), bytes.size(), path, hasAlpha);
 }
 
-void savePng(const std::string& path, const ImageRgba8& image) {
+std::string encodePng(const std::string& path, const ImageRgba8& image) {
   checkPixelCount(path, image.width, image.height, image.pixels.size());
   if (std::size_t(4) * image.width * image.height + image.height > kLargestEncodedImage) {
     throw WorkError(path + ": " + std::to_string(image.width) + " x " + std::to_string(image.height) +
@@ -131,7 +131,11 @@ void savePng(const std::string& path, const ImageRgba8& image) {
                              image.width * 4) == 0) {
     throw WorkError(path + ": the picture could not be encoded; is there memory left?");
   }
-  writeTextAtomically(path, encoded);
+  return encoded;
+}
+
+void savePng(const std::string& path, const ImageRgba8& image) {
+  writeTextAtomically(path, encodePng(path, image));
 }
 
 void saveRadiance(const std::string& path, const ImageRgbaF& image) {

@@ -10,6 +10,8 @@
 namespace boxprobe {
 
 void savePng(const std::string& path, const ImageRgba8& image);
+/// Its bytes; `name` is for messages. Throws WorkError.
+std::string encodePng(const std::string& name, const ImageRgba8& image);
 
 /// A channel beside a picture's own: one value per pixel, rows from the top.
 struct ExtraChannel {

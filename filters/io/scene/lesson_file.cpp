@@ -7,6 +7,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/nearest_name.h"
+#include "filters/core/base/number_text.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/scene/lesson_json.h"
@@ -55,6 +56,13 @@ void requireSteps(const Lesson& lesson) {
       Scene scene = lessonScene(lesson, i);
       at.back() = "camera";
       lessonCamera(lesson, i, scene);
+      if (lesson.steps[i].curve) {
+        at.back() = "curve";
+        for (const double value : lesson.steps[i].curve->values) {
+          Scene changed = scene;
+          setSceneFields(changed, {lesson.steps[i].curve->field + "=" + numberText(value)});
+        }
+      }
       if (!lesson.steps[i].task) continue;
       at.back() = "task";
       for (const auto* assignments : {&lesson.steps[i].task->solution, &lesson.steps[i].task->mistake}) {
@@ -134,6 +142,7 @@ LessonList loadLessons(const std::string& folder, const std::string& language) {
   }
   requireLanguage(list, *texts, folder);
   list.textErrors = texts->faults();
+  list.notation = texts->notation();
   // A lesson that cannot be read may be the one that asks for them.
   if (list.errors.empty()) {
     for (const std::string& stray : texts->strays()) list.textErrors.push_back(stray);

@@ -21,7 +21,8 @@ struct LessonList {
   /// One line for each text that is wrong and yet keeps no lesson from being read: a translation that is not whole, so
   /// that its lesson is in English, and texts that no lesson asks for.
   std::vector<std::string> textErrors;
-  std::string language = "en";  ///< the one asked for; a lesson without texts in it is in English, or in its own
+  std::string language = "en";         ///< the one asked for; a lesson without texts in it is in English, or in its own
+  std::vector<LessonSymbol> notation;  ///< of all formulas, as the texts order them
 };
 /// Throws InputError if there is no such folder, no lesson in it, no lesson in that language, or if the file of its
 /// texts, or of the English ones, is none.

@@ -38,8 +38,9 @@ void readHeader(const JsonCursor& root, const std::string& language) {
   if (own.text() != language) {
     own.fail("is \"" + own.text() + "\" and the file is named " + language + ".json; make them the same");
   }
-  root.requireObject({"format", "version", "language", "chapters", "lessons"});
+  root.requireObject({"format", "version", "language", "unreviewed", "notation", "chapters", "lessons"});
   for (const char* name : {"chapters", "lessons"}) root.find(name)->requireObject();
+  if (const auto note = root.find("unreviewed")) required(*note);
 }
 
 /// Takes a lesson's texts one by one to their places.
@@ -155,6 +156,29 @@ std::string LessonLanguage::chapter(const std::string& chapter) const {
   } catch (const FieldError& error) {
     throw InputError(line(error));
   }
+}
+
+std::vector<LessonSymbol> LessonLanguage::notation() const {
+  std::vector<LessonSymbol> symbols;
+  try {
+    const auto list = JsonCursor(file_.root, {}).find("notation");
+    if (!list) return symbols;
+    list->requireArray();
+    for (const JsonCursor& entry : list->elements()) {
+      entry.requireObject({"symbol", "means"});
+      const auto symbol = entry.find("symbol"), means = entry.find("means");
+      if (!symbol || !means) entry.fail("needs both, a symbol and what it means");
+      symbols.push_back({required(*symbol), required(*means)});
+    }
+  } catch (const FieldError& error) {
+    throw InputError(line(error));
+  }
+  return symbols;
+}
+
+std::string LessonLanguage::unreviewed() const {
+  const auto note = JsonCursor(file_.root, {}).find("unreviewed");
+  return note ? note->text() : std::string();
 }
 
 std::vector<std::string> LessonLanguage::strays(const std::set<std::string>& lessons,

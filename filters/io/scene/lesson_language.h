@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/scene/lesson.h"
 #include "filters/io/json/json_cursor.h"
 #include "filters/io/scene/lesson_places.h"
 
@@ -30,6 +31,10 @@ class LessonLanguage {
   /// place.
   void putTexts(const std::string& name, const std::vector<LessonTextPlace>& places, Json& lesson) const;
   std::string chapter(const std::string& chapter) const;
+  /// What the file says of the symbols in formulas; empty: nothing.
+  std::vector<LessonSymbol> notation() const;
+  /// The file's own words for that nobody has read it over; empty: it has none.
+  std::string unreviewed() const;
 
   /// A line for each lesson and each chapter here that is not in `lessons` and `chapters`.
   std::vector<std::string> strays(const std::set<std::string>& lessons, const std::set<std::string>& chapters) const;

@@ -28,6 +28,10 @@ class PlaceFinder {
       always(claim, key, "say");
       ifTrue(claim, key, "unit");
     });
+    each(root, "exercises", {}, [this](const JsonCursor& exercise, const KeyPath& key) {
+      for (const char* name : {"ask", "solution"}) always(exercise, key, name);
+      for (const char* name : {"formula", "unit"}) ifTrue(exercise, key, name);
+    });
     return std::move(places_);
   }
 
@@ -47,6 +51,7 @@ class PlaceFinder {
       for (const char* name : {"ask", "praise"}) always(*task, below(key, "task"), name);
       ifTrue(*task, below(key, "task"), "unit");
     }
+    if (const auto curve = step.find("curve")) addCurve(*curve, below(key, "curve"));
   }
 
   void addQuestion(const JsonCursor& question, const KeyPath& key) {
@@ -55,6 +60,14 @@ class PlaceFinder {
     each(question, "answers", key, [this](const JsonCursor& answer, const KeyPath& at) {
       for (const char* name : {"text", "reply"}) always(answer, at, name);
     });
+  }
+
+  void addCurve(const JsonCursor& curve, const KeyPath& key) {
+    curve.requireObject();
+    always(curve, key, "fieldName");
+    for (const char* name : {"measure", "cost", "line"}) {
+      if (curve.find(name)) always(curve, key, (std::string(name) + "Name").c_str());
+    }
   }
 
   /// The entries of a list, each under its id.

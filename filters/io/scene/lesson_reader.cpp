@@ -85,9 +85,9 @@ std::size_t readStep(const JsonCursor& value, std::size_t steps) {
 LessonMeasure readMeasure(const JsonCursor& entry, std::size_t steps) {
   entry.requireObject({"kind", "step", "against", "region", "channel", "points", "name"});
   LessonMeasure measure;
-  measure.kind = static_cast<MeasureKind>(
-      requiredValue(entry, "kind")
-          .choice({"error", "difference", "mean", "explain", "view", "bend", "counter", "field", "broken"}));
+  measure.kind = static_cast<MeasureKind>(requiredValue(entry, "kind")
+                                              .choice({"error", "difference", "mean", "explain", "view", "bend",
+                                                       "counter", "field", "broken", "turned", "fit"}));
   if (const auto step = entry.find("step")) measure.step = readStep(*step, steps);
   if (const auto against = entry.find("against")) {
     if (measure.kind == MeasureKind::Error) {
@@ -111,9 +111,11 @@ LessonMeasure readMeasure(const JsonCursor& entry, std::size_t steps) {
   }
   if (const auto points = entry.find("points")) measure.points = readPoints(*points);
   const std::size_t wanted = measure.kind == MeasureKind::Explain ? 1 : measure.kind == MeasureKind::Bend ? 3 : 0;
-  if (measure.points.size() != wanted) entry.fail("needs " + std::to_string(wanted) + " points");
+  const bool overRegion = measure.kind == MeasureKind::Explain && measure.points.empty() && entry.find("region");
+  if (measure.points.size() != wanted && !overRegion) entry.fail("needs " + std::to_string(wanted) + " points");
   const bool named = measure.kind == MeasureKind::Explain || measure.kind == MeasureKind::View ||
-                     measure.kind == MeasureKind::Counter || measure.kind == MeasureKind::Field;
+                     measure.kind == MeasureKind::Counter || measure.kind == MeasureKind::Field ||
+                     measure.kind == MeasureKind::Fit;
   if (named) measure.name = required(entry, "name");
   if (!named && entry.find("name")) entry.find("name")->fail("does not belong to a measure of this kind");
   if (measure.kind == MeasureKind::View && !findSurfaceView(measure.name)) {
@@ -176,9 +178,64 @@ LessonTask readTask(const JsonCursor& entry, std::size_t steps, const std::strin
   task.unit = optional(entry, "unit");
   task.praise = required(entry, "praise");
   task.done = readCondition(entry, steps);
+  if (task.done.measure.kind == MeasureKind::Fit) {
+    entry.fail("measures a fit, which takes too long while somebody drags; make it a claim");
+  }
   task.solution = readAssignments(requiredValue(entry, "solution"), folder);
   task.mistake = readAssignments(requiredValue(entry, "mistake"), folder);
   return task;
+}
+
+LessonExercise readExercise(const JsonCursor& entry, std::size_t steps) {
+  entry.requireObject(
+      {"id", "ask", "solution", "formula", "unit", "measure", "above", "below", "equals", "within", "times"});
+  checkId(entry);
+  LessonExercise exercise;
+  exercise.ask = required(entry, "ask");
+  exercise.solution = required(entry, "solution");
+  exercise.formula = optional(entry, "formula");
+  exercise.unit = optional(entry, "unit");
+  if (!entry.find("measure")) {
+    for (const char* key : {"unit", "above", "below", "equals", "within", "times"}) {
+      if (const auto value = entry.find(key)) value->fail("belongs to a measure; add \"measure\": {...}");
+    }
+    return exercise;
+  }
+  exercise.condition = readCondition(entry, steps);
+  if (!exercise.condition->measure.step) entry.fail("needs the step its measure is of: \"step\": 1");
+  return exercise;
+}
+
+constexpr std::size_t kMostCurveValues = 32;  // each is a picture and its truth
+
+LessonCurve readCurve(const JsonCursor& entry, std::size_t steps) {
+  entry.requireObject(
+      {"field", "values", "measure", "cost", "line", "fieldName", "measureName", "costName", "lineName"});
+  LessonCurve curve;
+  curve.field = required(entry, "field");
+  const JsonCursor values = requiredValue(entry, "values");
+  values.requireArray();
+  for (const JsonCursor& value : values.elements()) {
+    const double number = value.number();
+    if (!curve.values.empty() && !(number > curve.values.back())) value.fail("must be larger than the one before");
+    curve.values.push_back(number);
+  }
+  if (curve.values.size() < 2 || curve.values.size() > kMostCurveValues) {
+    values.fail("needs 2 to " + std::to_string(kMostCurveValues) + " numbers");
+  }
+  curve.fieldName = required(entry, "fieldName");
+  const auto measured = [&](const char* key, std::string& name) {
+    const JsonCursor value = requiredValue(entry, key);
+    name = required(entry, (std::string(key) + "Name").c_str());
+    return readMeasure(value, steps);
+  };
+  curve.measure = measured("measure", curve.measureName);
+  if (entry.find("cost")) curve.cost = measured("cost", curve.costName);
+  if (entry.find("line")) {
+    curve.line = measured("line", curve.lineName);
+    if (!curve.line->step) entry.find("line")->fail("needs the step it is of: \"step\": 1");
+  }
+  return curve;
 }
 
 /// By the scene file's own grammar.
@@ -195,7 +252,7 @@ Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
 
 LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std::string& folder) {
   entry.requireObject({"id", "title", "say", "formula", "set", "camera", "view", "published", "reflections", "boxes",
-                       "rays", "mayMove", "question", "task"});
+                       "rays", "mayMove", "question", "task", "curve"});
   checkId(entry);
   LessonStep step;
   step.title = required(entry, "title");
@@ -217,14 +274,16 @@ LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std:
       step.camera = readStepCamera(*camera, folder);
   }
   if (const auto published = entry.find("published")) {
-    const char* const forms[] = {"behind", "select", "world", "rounded", "masking"};
-    step.published = forms[published->choice({"behind", "select", "world", "rounded", "masking"})];
+    const char* const forms[] = {"behind", "select", "world", "difference", "half", "rounded", "masking", "eta"};
+    step.published =
+        forms[published->choice({"behind", "select", "world", "difference", "half", "rounded", "masking", "eta"})];
   }
   if (const auto reflections = entry.find("reflections")) step.reflections = reflections->boolean();
   if (const auto boxes = entry.find("boxes")) step.boxes = boxes->boolean();
   if (const auto rays = entry.find("rays")) step.rays = readPoints(*rays);
   if (const auto question = entry.find("question")) step.question = readQuestion(*question);
   if (const auto task = entry.find("task")) step.task = readTask(*task, steps, folder);
+  if (const auto curve = entry.find("curve")) step.curve = readCurve(*curve, steps);
   return step;
 }
 
@@ -239,8 +298,8 @@ void requireLessonHeader(const Json& json) {
   }
   const JsonCursor version = requiredValue(root, "version");
   if (version.whole() != 1) version.fail("is not 1, the one this program reads; get a newer program");
-  root.requireObject(
-      {"format", "version", "language", "title", "chapter", "summary", "scene", "set", "steps", "claims"});
+  root.requireObject({"format", "version", "language", "unreviewed", "title", "chapter", "summary", "scene", "set",
+                      "steps", "claims", "exercises"});
 }
 
 Lesson lessonFromJson(const Json& json, const std::string& folder) {
@@ -250,6 +309,7 @@ Lesson lessonFromJson(const Json& json, const std::string& folder) {
     lesson.language = language->text();
     if (!isLanguageId(lesson.language)) language->fail("must be a language, such as \"en\" or \"pt-BR\"");
   }
+  lesson.unreviewed = optional(root, "unreviewed");
   lesson.title = required(root, "title");
   lesson.chapter = required(root, "chapter");
   lesson.summary = required(root, "summary");
@@ -265,6 +325,12 @@ Lesson lessonFromJson(const Json& json, const std::string& folder) {
     for (const JsonCursor& claim : claims->elements()) {
       lesson.claims.push_back(readClaim(claim, entries.size()));
       if (!lesson.claims.back().condition.measure.step) claim.fail("needs the step its measure is of: \"step\": 1");
+    }
+  }
+  if (const auto exercises = root.find("exercises")) {
+    exercises->requireArray();
+    for (const JsonCursor& exercise : exercises->elements()) {
+      lesson.exercises.push_back(readExercise(exercise, entries.size()));
     }
   }
   return lesson;

@@ -47,6 +47,7 @@ Json LessonTexts::lessonWithTexts(const Json& lesson, const std::string& name) {
       language.putTexts(name, places, whole);
       whole["chapter"] = chapterName(*chapter);
       whole["language"] = language.id();
+      if (const std::string note = language.unreviewed(); !note.empty()) whole["unreviewed"] = note;
       return whole;
     } catch (const FieldError&) {
       throw;
@@ -56,6 +57,14 @@ Json LessonTexts::lessonWithTexts(const Json& lesson, const std::string& name) {
     }
   }
   return lesson;
+}
+
+std::vector<LessonSymbol> LessonTexts::notation() const {
+  for (const LessonLanguage& language : languages_) {
+    std::vector<LessonSymbol> symbols = language.notation();
+    if (!symbols.empty()) return symbols;
+  }
+  return {};
 }
 
 std::vector<std::string> LessonTexts::strays() const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/scene/lesson.h"
 #include "filters/io/scene/lesson_language.h"
 
 namespace boxprobe {
@@ -19,6 +20,9 @@ class LessonTexts {
   /// The lesson `name` as if it carried its texts itself. Throws FieldError about the lesson, InputError about the
   /// texts of the last language; what is wrong in the one before it is told by faults().
   Json lessonWithTexts(const Json& lesson, const std::string& name);
+
+  /// In the language that is wanted if it has one, else in English. Throws InputError.
+  std::vector<LessonSymbol> notation() const;
 
   bool has(const std::string& language) const;
   /// One line each: a lesson that is shown in English because a text in the language that is wanted is not right.

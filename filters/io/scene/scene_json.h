@@ -1,5 +1,5 @@
-// Scene to and from JSON values: what the scene file's reader, writer and single-field setter share. Internal to this
-// folder; the public face is scene_file.h.
+// Scene to and from JSON values: what the scene file's reader, writer and single-field setter share, and the Python
+// module. The public face is scene_file.h.
 #pragma once
 
 #include <string>

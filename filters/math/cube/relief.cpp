@@ -175,13 +175,20 @@ Relief::Relief(const CubeMap& distance) : texels_(distance.faceSize(), 1) {
   }
 }
 
-glm::vec4 Relief::fetchRelief(const glm::vec3& direction) const {
+const CubeMap& Relief::bounds() const {
+  std::call_once(bounded_, [this] { bounds_ = reliefBounds(texels_); });
+  return bounds_;
+}
+
+glm::vec4 Relief::fetchRelief(const glm::vec3& direction, float level) const {
   const CubePoint point = cubePoint(direction);
-  const int size = texels_.faceSize();
+  const int above = static_cast<int>(level) - 1;
+  const CubeMap& map = above < 0 ? texels_ : bounds();
+  const int size = map.levelSize(std::max(above, 0));
   const auto index = [size](float x) {
     return std::clamp(static_cast<int>((0.5f * x + 0.5f) * static_cast<float>(size)), 0, size - 1);
   };
-  return texels_.texel(0, point.face, index(point.s), index(point.t));
+  return map.texel(std::max(above, 0), point.face, index(point.s), index(point.t));
 }
 
 std::shared_ptr<const Relief> LazyRelief::of(const CubeMap& distance) const {

@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <mutex>
 
 #include "filters/math/cube/cube_map.h"
 
@@ -23,10 +24,16 @@ class Relief : public shading::ReliefSampler {
   /// xyz: the plane {x : dot(q, x) = 1} of what the nearest texel shows, axes of the map, 1 / scene units; 0 where it
   /// saw nothing. w: farCode() of the direction to look in for what lies far away along this one; kNowhere if nothing
   /// far was seen.
-  glm::vec4 fetchRelief(const glm::vec3& direction) const override;
+  /// From level 1 on, a texel covers a block of level 0. xyz is then a plane that nothing in the block lies before, in
+  /// the same units; w, at least 0: what the block shows has a reciprocal depth at most w below that plane's. Depth is
+  /// along the axis of the cube's face.
+  glm::vec4 fetchRelief(const glm::vec3& direction, float level) const override;
+  float reliefSize() const override { return static_cast<float>(texels_.faceSize()); }
 
   /// One level, the four numbers of each texel.
   const CubeMap& texels() const { return texels_; }
+  /// The levels from 1 on, made at the first call, here or by a fetch of them; safe from several threads.
+  const CubeMap& bounds() const;
 
   static constexpr float kNowhere = -1.0f;  ///< all that was seen is near
   static constexpr float kHere = -2.0f;     ///< the texel itself shows something far, or nothing
@@ -36,7 +43,12 @@ class Relief : public shading::ReliefSampler {
 
  private:
   CubeMap texels_;
+  mutable std::once_flag bounded_;
+  mutable CubeMap bounds_;
 };
+
+/// Those levels, of the texels of a relief: a power of two along a face. Its level 0 is the relief's 1.
+CubeMap reliefBounds(const CubeMap& texels);
 
 /// Boxes, in the probe's frame and axes, around what stands between the capture origin and the walls of the projection
 /// box: connected pieces of what was seen, largest first as seen from the origin.

@@ -8,6 +8,7 @@
 namespace boxprobe::shading {
 
 #include "shaders/published/blend.glsl"
+#include "shaders/published/box_half.glsl"  // after box_select.glsl, which it uses
 #include "shaders/published/box_max.glsl"
 #include "shaders/published/box_select.glsl"
 #include "shaders/published/box_world.glsl"  // after box_max.glsl, which it uses

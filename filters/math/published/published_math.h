@@ -9,6 +9,7 @@ namespace boxprobe::shading {
 ProbeHit publishedBoxSelect(ProbeShape probe, vec3 position, vec3 reflection);
 ProbeHit publishedBoxMax(ProbeShape probe, vec3 position, vec3 reflection);
 ProbeHit publishedBoxWorld(ProbeShape probe, vec3 origin, vec3 position, vec3 reflection);
+ProbeHit publishedBoxHalf(ProbeShape probe, vec3 origin, vec3 position, vec3 reflection);
 ProbeHit publishedRoundedBox(ProbeShape probe, vec3 position, vec3 reflection);
 ProbeHit publishedSphere(ProbeShape probe, vec3 position, vec3 reflection);
 float publishedDistanceRoughness(float hitDistance, vec3 lookup, float roughness);

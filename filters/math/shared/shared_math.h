@@ -38,8 +38,11 @@ using DistanceMap = const DistanceSampler*;
 class ReliefSampler {
  public:
   virtual ~ReliefSampler() = default;
-  /// Of the nearest texel: see Relief::fetchRelief. `direction` need not be unit.
-  virtual glm::vec4 fetchRelief(const glm::vec3& direction) const = 0;
+  /// Of the nearest texel: see Relief::fetchRelief. `direction` need not be unit. `level`: a whole one, at most log2 of
+  /// reliefSize().
+  virtual glm::vec4 fetchRelief(const glm::vec3& direction, float level) const = 0;
+  /// Texels along a face of level 0.
+  virtual float reliefSize() const = 0;
 };
 
 /// What a technique may fetch from a probe beside its map; a null member gives nothing. Must outlive the call.

@@ -120,11 +120,11 @@ const std::vector<ParameterRow>& parameterRows() {
       {"steps",
        "Steps",
        "",
-       "Lookups of the captured distances that refine the box's hit: 1 at the hit, 2 also on the way to it, from 3 on "
-       "secant steps.",
+       "Lookups of the captured distances that refine the box's hit: 1 at the hit, 2 also on the way to it, 3 also "
+       "behind it; from 4 on the most that following the ray through them may take: 24 are enough.",
        Kind::WholeNumber,
        1,
-       4,
+       256,
        3,
        {},
        &Values::steps},

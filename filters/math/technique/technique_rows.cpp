@@ -32,7 +32,7 @@ static float fetchDistance(DistanceMap map, const ProbeShape&, vec3 direction) {
 vec3 fetchProbePlane(const ProbeShape& probe, vec3 direction) {
   if (probe.slot == nullptr || probe.slot->relief == nullptr) return vec3(0.0f);
   const glm::mat3* turn = probe.slot->mapFromProbe;
-  const vec3 plane(probe.slot->relief->fetchRelief(turn != nullptr ? *turn * direction : direction));
+  const vec3 plane(probe.slot->relief->fetchRelief(turn != nullptr ? *turn * direction : direction, 0.0f));
   return turn != nullptr ? glm::transpose(*turn) * plane : plane;
 }
 
@@ -40,8 +40,22 @@ vec3 fetchProbeFar(const ProbeShape& probe, vec3 direction) {
   if (probe.slot == nullptr || probe.slot->relief == nullptr) return vec3(0.0f);
   const glm::mat3* turn = probe.slot->mapFromProbe;
   const vec3 inMap = turn != nullptr ? *turn * direction : direction;
-  const vec3 away = reliefFar(probe.slot->relief->fetchRelief(inMap).w, inMap);
+  const vec3 away = reliefFar(probe.slot->relief->fetchRelief(inMap, 0.0f).w, inMap);
   return turn != nullptr ? glm::transpose(*turn) * away : away;
+}
+
+static vec3 reliefFromProbe(const ProbeShape& probe, vec3 v) {
+  const glm::mat3* turn = probe.slot != nullptr ? probe.slot->mapFromProbe : nullptr;
+  return turn != nullptr ? *turn * v : v;
+}
+
+static float probeReliefSize(const ProbeShape& probe) {
+  return probe.slot != nullptr && probe.slot->relief != nullptr ? probe.slot->relief->reliefSize() : 1.0f;
+}
+
+static vec4 fetchProbeRelief(const ProbeShape& probe, vec3 inMap, float level) {
+  return probe.slot != nullptr && probe.slot->relief != nullptr ? probe.slot->relief->fetchRelief(inMap, level)
+                                                                : vec4(0.0f);
 }
 
 static int probeBlockCount(const ProbeShape& probe) {
@@ -107,6 +121,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 // After slab.glsl, which they use.
 #include "shaders/shared/footprint.glsl"       // after roughness.glsl and lobe_frame.glsl, which it uses
 #include "shaders/shared/light_sampling.glsl"  // after cube.glsl and slab.glsl, which it uses
+#include "shaders/shared/relief_march.glsl"
 #include "shaders/shared/sample_pattern.glsl"  // after hash.glsl, which it uses
 #include "shaders/shared/visible_normal.glsl"
 #include "technique_files.inc"  // all of shaders/technique
@@ -142,11 +157,12 @@ const std::vector<ProjectionRow>& projectionRows() {
        "technique/projection_box.glsl", "projectBox", shading::projectBox},
       {"impostor",
        "Impostor (box refined)",
-       "Refines the box's hit by the captured distances: for rooms that are not boxes.",
+       "Refines the box's hit by the captured distances, or follows the ray through them: for rooms that are not "
+       "boxes.",
        "technique/projection_impostor.glsl",
        "projectImpostor",
        shading::projectImpostor,
-       {"technique/projection_box.glsl"},
+       {"technique/projection_box.glsl", "shared/relief_march.glsl"},
        {"steps"},
        true},
   };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "filters/core/base/errors.h"
+
 namespace boxprobe {
 
 namespace {
@@ -44,6 +46,22 @@ std::map<std::string, SurfaceKind> reflectingMaterials(const Scene& scene,
     }
   }
   return result;
+}
+
+std::map<std::string, SurfaceKind> onlyMaterials(const std::map<std::string, SurfaceKind>& materials,
+                                                 const std::vector<std::string>& names) {
+  if (names.empty()) return materials;
+  std::map<std::string, SurfaceKind> only;
+  for (const std::string& name : names) {
+    const auto found = materials.find(name);
+    if (found == materials.end()) {
+      std::string there;
+      for (const auto& [each, kind] : materials) there += (there.empty() ? "" : ", ") + each;
+      throw InputError("--materials " + name + ": no reflecting material of that name; the scene has: " + there);
+    }
+    only.insert(*found);
+  }
+  return only;
 }
 
 Scene withRoughness(const Scene& scene, const std::map<std::string, SurfaceKind>& materials, double roughness) {

@@ -18,6 +18,10 @@ namespace boxprobe {
 std::map<std::string, SurfaceKind> reflectingMaterials(const Scene& scene,
                                                        const std::vector<std::shared_ptr<const Model>>& models);
 
+/// Those of these names; without names all. Throws InputError for a name that is not among them.
+std::map<std::string, SurfaceKind> onlyMaterials(const std::map<std::string, SurfaceKind>& materials,
+                                                 const std::vector<std::string>& names);
+
 /// The scene with all of them at one roughness, every probe captured once: a mirror in a mirror is black in both
 /// truths.
 Scene withRoughness(const Scene& scene, const std::map<std::string, SurfaceKind>& materials, double roughness);

@@ -47,6 +47,7 @@ class Run {
           "the scene has no reflecting surface: every material is unlit or diffuse; give one a roughness below 0.5 or "
           "metallic 1");
     }
+    measured_ = onlyMaterials(materials_, plan.materials);
   }
 
   BenchResult run() {
@@ -90,7 +91,8 @@ class Run {
   BenchHost& host_;
   const ReferenceProgress& progress_;
   const BenchPictureSink& sink_;
-  std::map<std::string, SurfaceKind> materials_;
+  std::map<std::string, SurfaceKind> materials_;  ///< that reflect
+  std::map<std::string, SurfaceKind> measured_;   ///< of those
   BenchResult result_;
   double steps_ = 1.0, done_ = 0.0;
 
@@ -111,7 +113,7 @@ class Run {
 void Run::measureView(const Camera& camera, double roughness) {
   check();
   const Scene base = withTechnique(withRoughness(scene_, materials_, roughness), {kCostBaseline, {}, false});
-  pixels_ = measuredPixels(host_.surfaces(base, camera, plan_.width, plan_.height), plan_.width, materials_);
+  pixels_ = measuredPixels(host_.surfaces(base, camera, plan_.width, plan_.height), plan_.width, measured_);
   if (pixels_.empty()) {
     const std::string remark = "camera " + camera.name + ": sees no reflecting surface within a probe's influence";
     if (std::find(result_.remarks.begin(), result_.remarks.end(), remark) == result_.remarks.end()) {

@@ -14,6 +14,7 @@ struct BenchPlan {
   std::vector<BenchTechnique> techniques;
   std::vector<Camera> cameras;  ///< frames are timed through the first
   std::vector<double> roughnesses;
+  std::vector<std::string> materials;  ///< only pixels that show one of these are measured; empty: of all that reflect
   int width = 200, height = 112;
   TruthSettings boxTruth, sceneTruth;
   int lookupPixels = 24;  ///< whose fetches are counted, for each technique and view

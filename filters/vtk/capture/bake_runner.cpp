@@ -23,6 +23,24 @@ int sourceLevels(int faceSize) {
 
 }  // namespace
 
+CaptureSettings captureSettings(const Probe& probe) {
+  CaptureSettings settings;
+  settings.originWorld = probe.origin;
+  settings.rotationDegrees = probe.rotationDegrees;
+  settings.nearDistance = probe.nearDistance;
+  settings.farDistance = probe.farDistance;
+  settings.clear = probe.clear;
+  settings.samplesPerTexelSide = samplesPerSide(probe.samplesPerPixel);
+  return settings;
+}
+
+PrefilterSettings prefilterSettings(const Probe& probe) {
+  PrefilterSettings settings;
+  if (probe.filter == FilterKind::Gaussian) settings.filter = FilterLobe::Kind::Gaussian;
+  settings.samples = probe.filterSamples;
+  return settings;
+}
+
 BakeRunner::BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture,
                        Times* times)
     : window_(window),

@@ -13,6 +13,10 @@
 
 namespace boxprobe {
 
+/// What a probe's own fields say of its capture and its filter.
+CaptureSettings captureSettings(const Probe& probe);
+PrefilterSettings prefilterSettings(const Probe& probe);
+
 /// Where one face comes from.
 struct FaceSource {
   std::shared_ptr<const ProbeMaps> same;  ///< already holds this very face: it is copied, nothing is drawn

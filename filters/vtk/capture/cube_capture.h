@@ -60,6 +60,9 @@ class CubeCapture {
                          const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights,
                          vtkPicturePass* picture = nullptr, const std::function<void(int)>& beforeFrame = {});
 
+  /// Draws every capture and frame of this object; its camera is theirs while they are drawn.
+  vtkRenderer* renderer() const { return renderer_; }
+
   void release();
 
  private:

@@ -6,21 +6,21 @@
 #include <vtkContextScene.h>
 #include <vtkContextView.h>
 #include <vtkDoubleArray.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkPen.h>
 #include <vtkPlotLine.h>
 #include <vtkPlotPoints.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "filters/core/base/number_text.h"
 #include "filters/vtk/charts/vtkParetoLabels.h"
+#include "filters/vtk/gl/window_pixels.h"
 
 namespace boxprobe {
 
@@ -170,28 +170,30 @@ void showFrontChart(vtkContextScene* scene, const std::vector<ParetoPoint>& all,
   scene->AddItem(names);
 }
 
-ImageRgba8 frontChartPicture(const std::vector<ParetoPoint>& points, const FrontChartText& text, int width,
-                             int height) {
+ImageRgba8 frontChartPicture(const std::vector<ParetoPoint>& points, const FrontChartText& text,
+                             vtkOpenGLRenderWindow* window) {
   vtkNew<vtkContextView> view;
-  vtkRenderWindow* window = view->GetRenderWindow();
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(width, height);
+  view->SetRenderWindow(window);
   view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
   showFrontChart(view->GetScene(), points, text);
   // Where the axes lie is known after a first frame.
   window->Render();
   window->Render();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetPixelData(0, 0, width - 1, height - 1, 1, pixels, 0);
-  ImageRgba8 image{width, height, {}, {}};
-  for (int y = height - 1; y >= 0; --y) {
-    for (int x = 0; x < width; ++x) {
-      const unsigned char* pixel = pixels->GetPointer(3 * (static_cast<vtkIdType>(y) * width + x));
-      image.pixels.insert(image.pixels.end(), {pixel[0], pixel[1], pixel[2], 255});
-    }
-  }
-  return image;
+  ImageRgba8 picture = windowPixels(window);
+  view->GetScene()->ClearItems();
+  view->GetRenderer()->ReleaseGraphicsResources(window);
+  window->RemoveRenderer(view->GetRenderer());
+  return picture;
+}
+
+ImageRgba8 frontChartPicture(const std::vector<ParetoPoint>& points, const FrontChartText& text, int width,
+                             int height) {
+  const auto window =
+      vtkSmartPointer<vtkOpenGLRenderWindow>::Take(vtkOpenGLRenderWindow::SafeDownCast(vtkRenderWindow::New()));
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(width, height);
+  return frontChartPicture(points, text, window);
 }
 
 }  // namespace boxprobe

@@ -10,6 +10,7 @@
 #include "filters/core/scene/model.h"
 
 class vtkContextScene;
+class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
 
@@ -24,7 +25,10 @@ struct FrontChartText {
 /// above 0 are left out: both axes are logarithmic.
 void showFrontChart(vtkContextScene* scene, const std::vector<ParetoPoint>& points, const FrontChartText& text);
 
-/// The chart as a picture, drawn in a window of its own that does not show. A display must be there.
+/// The chart as a picture as large as `window`, which need not show and is given back as it was.
+ImageRgba8 frontChartPicture(const std::vector<ParetoPoint>& points, const FrontChartText& text,
+                             vtkOpenGLRenderWindow* window);
+/// The same, drawn in a window of its own that does not show. A display must be there.
 ImageRgba8 frontChartPicture(const std::vector<ParetoPoint>& points, const FrontChartText& text, int width, int height);
 
 }  // namespace boxprobe

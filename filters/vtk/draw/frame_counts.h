@@ -12,7 +12,22 @@ namespace boxprobe {
 struct FrameCounts {
   Counters counters;
   std::set<const void*> programs;  ///< seen so far, to count compilations
-  std::string error;               ///< first failure since the models were set
+  std::set<const void*> drawn;     ///< of the last frame
+  const void* drawnLast = nullptr;
+  std::string error;  ///< first failure since the models were set
+
+  void beginFrame() {
+    drawn.clear();
+    drawnLast = nullptr;
+    counters.surfacePrograms = counters.programSwitches = 0;
+  }
+  /// A surface is drawn with `program`, by the frame on the screen.
+  void draws(const void* program) {
+    drawn.insert(program);
+    counters.surfacePrograms = drawn.size();
+    counters.programSwitches += program != drawnLast ? 1 : 0;
+    drawnLast = program;
+  }
 
   /// Keeps the first failure: what follows is often its consequence. An empty message is none.
   void fail(const std::string& message) {

@@ -36,6 +36,11 @@ bool ProbeBinding::distances() const {
   return false;
 }
 
+bool ProbeBinding::marches(std::size_t slot) const {
+  return projectionRows()[static_cast<std::size_t>(technique(slot).projection)].distances &&
+         probes[slot]->geometry.parameters.steps > 3.5f;
+}
+
 bool ProbeBinding::chooses(std::string_view parameter, std::string_view choice) const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (boxprobe::chooses(technique(i), probes[i]->geometry.parameters, parameter, choice)) return true;
@@ -108,6 +113,7 @@ std::string ProbeBinding::variantKey() const {
     for (const ParameterRow* row : parametersOf(technique(i))) {
       if (row->choice != nullptr) key += "/" + std::to_string(probes[i]->geometry.parameters.*row->choice);
     }
+    if (marches(i)) key += 'm';
     if (probes[i]->geometry.bevelled) key += 'b';
     if (probes[i]->geometry.occluded) key += 'o';
     if (probes[i]->open) key += 'y';

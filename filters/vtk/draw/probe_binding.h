@@ -72,6 +72,8 @@ struct ProbeBinding {
   bool openByLookup(std::size_t slot) const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
+  /// Does this one's follow rays through all of them: more than three steps of projection `impostor`?
+  bool marches(std::size_t slot) const;
   /// Does a technique of a probe read the parameter, set to that choice?
   bool chooses(std::string_view parameter, std::string_view choice) const;
   /// Parameters that any of its techniques reads, each once.

@@ -31,6 +31,7 @@ struct SceneResources {
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
   LightForm lightForm = LightForm::Single;
+  bool general = false;                   ///< programs take nothing for granted (surface_facts.h), to compare with
   GLuint blueNoise = 0;                   ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
   GLuint blackCube = 0;                   ///< stands in for maps not captured yet
   GLuint viewColors = 0;                  ///< 256 x 1, of the debug view; made when that is first shown

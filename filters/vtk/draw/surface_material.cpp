@@ -50,6 +50,13 @@ void SurfaceTexture::release() const {
   handle_ = 0;
 }
 
+std::string SurfaceMaterial::programKey() const {
+  std::string key;
+  for (const SurfaceSlot& slot : slots) key += slot.texture ? static_cast<char>('0' + slot.uvSet) : '-';
+  for (const bool set : {uv[0], uv[1], colors, tangents, unlit}) key += set ? '1' : '0';
+  return key + static_cast<char>('0' + static_cast<int>(alphaMode)) + std::to_string(glass.drawn ? glass.variant() : 0);
+}
+
 std::size_t SurfaceTexture::bytes() const {
   // A mip chain is a third more than its largest level.
   return handle_ == 0 ? 0 : image_->pixels.size() * 4 / 3;

@@ -72,6 +72,9 @@ struct SurfaceMaterial {
   float normalScale = 1.0f;
   float coatNormalScale = 1.0f;
   GlassSurface glass;
+
+  /// What its program is written for, facts apart: equal texts share one.
+  std::string programKey() const;
 };
 
 }  // namespace boxprobe

@@ -54,6 +54,15 @@ struct FrameReport {
   std::optional<Lookups> lookups;
 };
 
+/// An OpenGL program of the last frame and the objects that it drew.
+struct DrawnProgram {
+  struct Object {
+    std::size_t index = 0;  ///< its place among the renderer's objects, until the models change
+    std::string node;
+  };
+  std::vector<Object> objects;
+};
+
 /// What the pictures of planar mirrors that were drawn took, one sentence each.
 std::vector<std::string> mirrorLines(const FrameReport& report);
 /// What the frame did not have to do, one sentence each.

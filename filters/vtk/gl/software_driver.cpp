@@ -1,19 +1,13 @@
 #include "filters/vtk/gl/software_driver.h"
 
-#include <string>
-
 #include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
-
-namespace {
 
 std::string rendererName() {
   const char* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   return text != nullptr ? text : "";
 }
-
-}  // namespace
 
 bool drawsOnCpu() {
   const std::string renderer = rendererName();

@@ -2,7 +2,12 @@
 // the window and the benchmark. Needs a current context; knows nothing of scenes.
 #pragma once
 
+#include <string>
+
 namespace boxprobe {
+
+/// What OpenGL calls the current context's renderer, as in "llvmpipe (LLVM 15.0.6, 256 bits)"; empty without a context.
+std::string rendererName();
 
 /// True for Mesa's llvmpipe, softpipe, SWR and swrast and for other drivers that name themselves software renderers;
 /// false without a current context.

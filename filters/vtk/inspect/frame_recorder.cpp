@@ -1,6 +1,7 @@
 #include "filters/vtk/inspect/frame_recorder.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "filters/core/geometry/probe_shares.h"
@@ -53,6 +54,19 @@ FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, con
   }
   report.mirrorBytes = mirrors.memoryBytes();
   return report;
+}
+
+std::vector<DrawnProgram> drawnPrograms(const SceneContent& content) {
+  std::vector<DrawnProgram> programs;
+  std::map<unsigned, std::size_t> places;
+  for (std::size_t i = 0; i < content.objects.size(); ++i) {
+    const DrawnObject& object = content.objects[i];
+    if (!object.settings.visible || !object.mapper->GetDrawnInFrame()) continue;
+    const auto [place, added] = places.insert({object.mapper->GetProgramNumber(), programs.size()});
+    if (added) programs.emplace_back();
+    programs[place->second].objects.push_back({i, object.node});
+  }
+  return programs;
 }
 
 FrameReport::Lookups lookupsOf(const ImageRgbaF& picture) {

@@ -9,6 +9,8 @@ namespace boxprobe {
 
 FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, const MirrorSet& mirrors,
                         const Counters& counters);
+/// Programs by their first object.
+std::vector<DrawnProgram> drawnPrograms(const SceneContent& content);
 /// Of a picture drawn with the debug view of lookups, transparent where no surface is.
 FrameReport::Lookups lookupsOf(const ImageRgbaF& picture);
 

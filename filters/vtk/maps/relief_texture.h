@@ -15,11 +15,15 @@ class ReliefTexture {
   /// What stands in the probe's box; the distances are read back and the texture is made once, blocks again for another
   /// box, but not while one is `dragged`: they are then those of the box before.
   std::shared_ptr<const ReliefBlocks> blocks(const CubeTexture& distance, const ProbeGeometry& probe, bool dragged);
-  /// RGBA32F, nearest texel; 0 before the first call of blocks().
+  /// The levels from 1 on (Relief::bounds), if they are not there. After blocks(); were they made?
+  bool makeLevels();
+  /// RGBA32F, nearest texel and level; 0 before the first call of blocks().
   GLuint handle() const { return texture_.handle(); }
   std::size_t bytes() const { return texture_.bytes(); }
 
  private:
+  void write(int levels);
+
   CubeTexture texture_;
   std::shared_ptr<const Relief> relief_;
   LazyRelief lazy_;

@@ -4,28 +4,6 @@
 
 namespace boxprobe {
 
-namespace {
-
-PrefilterSettings prefilterOf(const Probe& probe) {
-  PrefilterSettings settings;
-  if (probe.filter == FilterKind::Gaussian) settings.filter = FilterLobe::Kind::Gaussian;
-  settings.samples = probe.filterSamples;
-  return settings;
-}
-
-CaptureSettings settingsOf(const Probe& probe) {
-  CaptureSettings settings;
-  settings.originWorld = probe.origin;
-  settings.rotationDegrees = probe.rotationDegrees;
-  settings.nearDistance = probe.nearDistance;
-  settings.farDistance = probe.farDistance;
-  settings.clear = probe.clear;
-  settings.samplesPerTexelSide = samplesPerSide(probe.samplesPerPixel);
-  return settings;
-}
-
-}  // namespace
-
 BakeItem ProbeItems::item(const ProbeJob& job, const Publish& publish) const {
   const auto faces = std::make_shared<FaceKeys>();
   BakeItem item;
@@ -43,7 +21,7 @@ BakeItem ProbeItems::item(const ProbeJob& job, const Publish& publish) const {
   Probe as;  // as its capture begins
   if (const auto index = entries_->find(job.name)) {
     as = entries_->probe(*index);
-    item.prefilter = prefilterOf(as);
+    item.prefilter = prefilterSettings(as);
   }
   item.publish = [job, as, faces, publish](std::shared_ptr<const ProbeMaps> maps) {
     MadeMaps made{job, *faces, std::move(maps)};
@@ -85,7 +63,7 @@ BakeItem ProbeItems::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>
   const Probe as = entries_->probe(*entries_->find(job.name));
   const bool drag = job.kind == JobKind::Drag;
   BakeItem item;
-  item.settings = settingsOf(as);
+  item.settings = captureSettings(as);
   item.reflectNothing = !drag && job.bounce == 1;
   if (!drag && job.bounce > 1) {
     item.drawing = [this, job](bool begins) { begins ? seeBounce(job) : shown_->seeAgain(); };
@@ -122,7 +100,7 @@ void ProbeItems::seeBounce(const ProbeJob& job) const {
 BakeItem ProbeItems::realtime(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) const {
   const Probe as = entries_->probe(*entries_->find(job.name));
   BakeItem item;
-  item.settings = settingsOf(as);
+  item.settings = captureSettings(as);
   item.fewSteps = true;
   item.reflectNothing = as.bounces == 1;
   if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = shown_->withoutSky({});

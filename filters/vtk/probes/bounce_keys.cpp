@@ -1,6 +1,8 @@
 #include "filters/vtk/probes/bounce_keys.h"
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_set>
 
 #include "filters/vtk/maps/content_hash.h"
 
@@ -8,8 +10,10 @@ namespace boxprobe {
 
 namespace {
 
-bool contains(const std::vector<std::string>& views, const std::string& view) {
-  return std::find(views.begin(), views.end(), view) != views.end();
+using Views = std::unordered_set<std::string_view>;
+
+Views viewsOf(const std::vector<std::string>& views) {
+  return {views.begin(), views.end()};
 }
 
 }  // namespace
@@ -21,12 +25,13 @@ BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
     if (input.imported || input.realtime) input.bounces = 1;
     most = std::max(most, input.bounces);
     std::vector<std::size_t> sees;
+    const Views known = input.record ? viewsOf(input.record->known) : Views();
+    const Views seen = input.record ? viewsOf(input.record->sees) : Views();
     for (std::size_t other = 0; other < inputs_.size() && !input.view.empty(); ++other) {
       if (inputs_[other].realtime || inputs_[other].view.empty()) continue;
       const bool lights = std::find(input.lighting.begin(), input.lighting.end(), other) != input.lighting.end();
       const std::string& view = inputs_[other].view;
-      const bool decided = input.record && contains(input.record->known, view);
-      if (decided ? contains(input.record->sees, view) : lights) sees.push_back(other);
+      if (known.count(view) != 0 ? seen.count(view) != 0 : lights) sees.push_back(other);
     }
     sees_.push_back(std::move(sees));
     keys_.push_back({input.view});
@@ -53,6 +58,8 @@ const std::string& BounceKeys::key(std::size_t probe, int bounce) const {
 
 BakeRecord BounceKeys::record(std::size_t probe) const {
   BakeRecord record{finalKey(probe), inputs_[probe].view, {}, {}};
+  // A single bounce shows no other probe; that the list grows with their number is for those that do.
+  if (inputs_[probe].bounces < 2) return record;
   for (const std::size_t other : sees_[probe]) record.sees.push_back(inputs_[other].view);
   for (const Input& other : inputs_) {
     if (!other.view.empty()) record.known.push_back(other.view);

@@ -157,6 +157,9 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& o
     lights.add(static_cast<double>(light.type)).addVector(light.direction).addVector(light.position);
     lights.addVector(light.color).add(light.intensity);
     lights.add(light.innerConeDegrees).add(light.outerConeDegrees).add(light.range);
+    // The second bounce shows what the first one's coverage leaves of it, and the glass in it is looked for at a
+    // capture.
+    if (light.shadows != LightShadows::None) lights.add(static_cast<double>(light.shadows));
   }
   if (scene.energy == Energy::Multiple) lights.add("multiple");
   world.lights = lights.text();

@@ -13,10 +13,8 @@ constexpr std::size_t kAllAtOnce = 8;
 }  // namespace
 
 std::optional<std::size_t> ProbeEntries::find(const std::string& name) const {
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (entries_[i].name == name) return i;
-  }
-  return std::nullopt;
+  const auto found = byName_.find(name);
+  return found == byName_.end() ? std::nullopt : std::optional(found->second);
 }
 
 bool ProbeEntries::matched() const {
@@ -36,6 +34,8 @@ std::optional<ProbeEntries::Origins> ProbeEntries::match() {
     next.back().name = probe.name;
   }
   entries_ = std::move(next);
+  byName_.clear();
+  for (std::size_t i = 0; i < entries_.size(); ++i) byName_.emplace(entries_[i].name, i);
   return origins;
 }
 

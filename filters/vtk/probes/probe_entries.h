@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "filters/core/geometry/probe_index.h"
@@ -70,6 +71,7 @@ class ProbeEntries {
 
   const Scene* scene_;
   std::vector<ProbeEntry> entries_;  ///< in the order of scene.probes
+  std::unordered_map<std::string, std::size_t> byName_;
   ProbeIndex places_;
   std::vector<ObjectUse> objects_;
   std::optional<std::vector<std::size_t>> seenObjects_;

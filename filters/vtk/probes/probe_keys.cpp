@@ -46,8 +46,10 @@ BounceKeys ProbeKeys::asked(const std::set<std::string>& targets) const {
     if (inputs[i].view.empty()) inputs[i] = input(probes[i]);
     if (bounces[i] < 2) continue;
     for (const std::size_t other : inputs[i].lighting) ask(other, bounces[i] - 1);
-    // What it was made from may be other probes than those its boxes name now.
-    for (std::size_t other = 0; inputs[i].record && other < probes.size(); ++other) ask(other, bounces[i] - 1);
+    // What it was made from may be other probes than those its boxes name now. And a file names all probes there were,
+    // the same ones whoever bakes a part of them.
+    const bool all = inputs[i].record || targets.count(probes[i].name) != 0;
+    for (std::size_t other = 0; all && other < probes.size(); ++other) ask(other, bounces[i] - 1);
   }
   return BounceKeys(std::move(inputs));
 }

@@ -20,7 +20,8 @@ void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures) {
 std::string MemoryNeed::error(std::size_t limitBytes) const {
   return "the maps of " + std::to_string(count_) + " probes with faces of up to " + std::to_string(largest_) +
          " texels need " + memoryText(bytes()) + " of texture memory, and there are " + memoryText(limitBytes) +
-         " (BOXPROBE_TEXTURE_MEMORY, in MB, sets another limit); lower faceSize or bounces";
+         " (BOXPROBE_TEXTURE_MEMORY, in MB, sets another limit); lower faceSize or bounces, or bake a share at a time "
+         "(bake --shard)";
 }
 
 }  // namespace boxprobe

@@ -78,10 +78,12 @@ void ProbePlan::planBounces() {
     if (stale(i) && entries_->baked(i)) bounces.collect(i, entries_->probe(i).bounces, have, missing);
   }
   for (std::size_t i = 0; i < entries_->size(); ++i) {
-    const std::string& key = bounces.finalKey(i);
-    if (onDisk.erase(key) == 0) continue;
+    // Of the final maps, or of a bounce that others were sent ahead to make.
     const Probe& p = entries_->probe(i);
-    jobs_.push_back({JobKind::File, p.name, p.bounces, key, p.faceSize});
+    for (int bounce = p.bounces; bounce >= 1 && !bounces.input(i).view.empty(); --bounce) {
+      const std::string& key = bounces.key(i, bounce);
+      if (onDisk.erase(key) != 0) jobs_.push_back({JobKind::File, p.name, bounce, key, p.faceSize});
+    }
   }
   std::stable_sort(missing.begin(), missing.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [bounce, index] : missing) planBounce(index, bounce);

@@ -1,14 +1,36 @@
 #include "filters/vtk/probes/probe_programs.h"
 
-#include <algorithm>
+#include <vtkProperty.h>
 
+#include <algorithm>
+#include <map>
+#include <new>
+
+#include "filters/vtk/draw/constant_plans.h"
+#include "filters/vtk/draw/surface_facts.h"
 #include "filters/vtk/probes/probe_assignment.h"
 
 namespace boxprobe {
 
+namespace {
+
+// What an object's program is, facts and constants apart.
+std::string generalProgram(const DrawnObject& object) {
+  const ProbeBinding* binding = object.mapper->GetBinding();
+  return object.surface->programKey() + (object.actor->GetProperty()->GetCoatStrength() > 0.0 ? "c" : "") +
+         (object.mapper->GetMirror() ? "m" : "") + (binding != nullptr ? binding->variantKey() : "");
+}
+
+SurfaceFacts foldedFacts(const DrawnObject& object) {
+  return object.mapper->GetFoldableFacts() & surfaceFacts(*object.surface, object.actor->GetProperty());
+}
+
+}  // namespace
+
 void ProbePrograms::assign(bool newProgramsAllowed) {
   const auto drawn = shown_->all();
   toPrepare_.clear();
+  unfoldConstants();
   for (std::size_t i = 0; i < content_->objects.size(); ++i) {
     DrawnObject& object = content_->objects[i];
     const auto meeting = entries_->places().meeting(worldBounds(object));
@@ -29,6 +51,80 @@ void ProbePrograms::assign(bool newProgramsAllowed) {
   }
   recordUse();
   updateStandIns();
+  foldFacts();
+}
+
+// Not while a handle is held: other facts may mean other programs.
+void ProbePrograms::foldFacts() {
+  if (plan_->interactive()) return;
+  std::vector<FactUse> uses;
+  for (const DrawnObject& object : content_->objects) {
+    uses.push_back({generalProgram(object), surfaceFacts(*object.surface, object.actor->GetProperty())});
+  }
+  const std::vector<SurfaceFacts> facts = foldableFacts(uses);
+  for (std::size_t i = 0; i < facts.size(); ++i) content_->objects[i].mapper->SetFoldableFacts(facts[i]);
+}
+
+void ProbePrograms::unfoldConstants() {
+  toFold_.clear();
+  for (const DrawnObject& object : content_->objects) object.mapper->SetConstants(nullptr);
+}
+
+void ProbePrograms::foldConstants() {
+  toFold_.clear();
+  const auto& probes = content_->scene.probes;
+  // A probe captured over and over never rests.
+  const bool never =
+      std::any_of(probes.begin(), probes.end(), [](const Probe& probe) { return probe.mode == ProbeMode::Realtime; });
+  if (plan_->interactive() || moving_ || never) return;
+  std::vector<std::size_t> objects;
+  std::vector<ConstantUse> uses;
+  std::set<std::string> general, folded;
+  for (std::size_t i = 0; i < content_->objects.size(); ++i) {
+    const DrawnObject& object = content_->objects[i];
+    if (!object.settings.visible || object.mapper->GetDrawnBinding() == nullptr) continue;
+    const std::string program = generalProgram(object);
+    general.insert(program);
+    objects.push_back(i);
+    uses.push_back(
+        {program + "/" + std::to_string(foldedFacts(object)), object.mapper->GetRestingValues(object.actor)});
+    folded.insert(uses.back().program);
+  }
+  const std::size_t most = general.size() + general.size() / 2;
+  const auto plans = foldableConstants(uses, most > folded.size() ? most - folded.size() : 0);
+  std::map<std::pair<std::string, const RestingValues*>, Fold> folds;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (!plans[k]) continue;
+    Fold& fold = folds[{uses[k].program, plans[k].get()}];
+    fold.objects.push_back(objects[k]);
+    if (fold.plan) continue;
+    const std::string variant = content_->objects[objects[k]].mapper->GetDrawnBinding()->variantKey();
+    fold.plan = std::make_shared<const ConstantsPlan>(ConstantsPlan{variant, *plans[k]});
+  }
+  for (auto& fold : folds) toFold_.push_back(std::move(fold.second));
+}
+
+// Where the driver or the memory refuses the program, the one that is on show stays.
+void ProbePrograms::foldNext() {
+  const Fold fold = std::move(toFold_.back());
+  toFold_.pop_back();
+  const DrawnObject& first = content_->objects[fold.objects.front()];
+  first.mapper->SetConstants(fold.plan);
+  CaptureSettings settings;
+  settings.originWorld = worldBounds(first).center();
+  bool refused = false;
+  try {
+    capture_->drawOnce(settings, {first.actor}, content_->lightPointers());
+    refused = first.mapper->GetConstantsRefused();
+  } catch (const std::bad_alloc&) {
+    refused = true;
+  }
+  if (refused) {
+    first.mapper->SetConstants(nullptr);
+    return;
+  }
+  for (const std::size_t object : fold.objects) content_->objects[object].mapper->SetConstants(fold.plan);
+  state_->counts.counters.constantsFolded += fold.objects.size();
 }
 
 // By what objects are drawn with, not by what meets them.
@@ -81,6 +177,7 @@ void ProbePrograms::updateStandIns() {
 
 // Draws one object into a few pixels with the program a drag will need, so that it is compiled by then.
 void ProbePrograms::prepareOne() {
+  if (toPrepare_.empty()) return foldNext();
   auto [index, general] = std::move(toPrepare_.back());
   toPrepare_.pop_back();
   DrawnObject& object = content_->objects[index];

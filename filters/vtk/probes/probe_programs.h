@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "filters/vtk/capture/cube_capture.h"
+#include "filters/vtk/draw/resting_values.h"
 #include "filters/vtk/probes/probe_plan.h"
 #include "filters/vtk/probes/shown_probes.h"
 #include "filters/vtk/scene/scene_content.h"
@@ -39,15 +40,32 @@ class ProbePrograms {
   /// To be called when captures begin or end.
   void updateStandIns();
 
+  /// Nothing has been edited for a while: programs with the numbers that rest as constants are compiled, one a call of
+  /// prepareOne(), and shown once they are there. Until assign() is called next, which leaves them.
+  void foldConstants();
+
   /// Is there a program to compile, and nothing moves meanwhile?
-  bool pending() const { return !plan_->interactive() && !moving_ && !toPrepare_.empty(); }
+  bool pending() const { return !plan_->interactive() && !moving_ && (!toPrepare_.empty() || !toFold_.empty()); }
   void prepareOne();
-  void giveUp() { toPrepare_.clear(); }
+  void giveUp() {
+    toPrepare_.clear();
+    toFold_.clear();
+  }
 
  private:
   void assign(bool newProgramsAllowed);
   void prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding);
   void recordUse();
+  /// What each object's program may take for granted.
+  void foldFacts();
+  void unfoldConstants();
+  void foldNext();
+
+  /// Objects that share a program with these constants.
+  struct Fold {
+    std::shared_ptr<const ConstantsPlan> plan;
+    std::vector<std::size_t> objects;
+  };
 
   SceneContent* content_;
   std::shared_ptr<DrawState> state_;
@@ -61,6 +79,7 @@ class ProbePrograms {
   /// Object, its binding in a drag or while the camera moves.
   std::vector<std::pair<std::size_t, std::shared_ptr<const ProbeBinding>>> toPrepare_;
   std::set<std::string> prepared_;  ///< variant and material
+  std::vector<Fold> toFold_;
 };
 
 }  // namespace boxprobe

@@ -68,6 +68,16 @@ void ProbeSet::setBakeTargets(const std::vector<std::string>& names) {
   work_.replan();
 }
 
+std::vector<std::string> ProbeSet::bakeKeys(const std::string& probeName) const {
+  const auto index = entries_.find(probeName);
+  if (!index || !entries_.baked(*index) || keys_.bounces().input(*index).view.empty()) return {};
+  std::vector<std::string> keys;
+  for (int bounce = 1; bounce <= entries_.probe(*index).bounces; ++bounce) {
+    keys.push_back(keys_.bounces().key(*index, bounce));
+  }
+  return keys;
+}
+
 void ProbeSet::useBakedFiles(const std::string& folder) {
   sources_.folder = folder.empty() ? BakeFolder() : BakeFolder(folder);
   updateKeys();

@@ -55,10 +55,12 @@ class ProbeSet {
   /// Returns whether any object is.
   bool setMoving(bool moving) { return programs_.setMoving(moving); }
   /// See the scene renderer's functions of these names.
+  void foldConstants() { programs_.foldConstants(); }
   void setBakeTargets(const std::vector<std::string>& names);
   void useBakedFiles(const std::string& folder);
   void requestBake(const std::vector<std::string>& names);
   BakeState bakeState(const std::string& probeName) const { return plan_.state(probeName); }
+  std::vector<std::string> bakeKeys(const std::string& probeName) const;
   const std::string& pictureError() const { return sources_.pictures.error(); }
   /// On pictures of custom probes and on damaged baked files, one sentence each.
   std::vector<std::string> sourceRemarks() const;

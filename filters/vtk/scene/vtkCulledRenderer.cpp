@@ -1,15 +1,29 @@
 #include "filters/vtk/scene/vtkCulledRenderer.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "filters/vtk/scene/view_frustum.h"
+#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 
 vtkStandardNewMacro(vtkCulledRenderer);
+
+namespace {
+
+// Glass comes after all that is seen through it, the sky included.
+bool mayBeReordered(vtkProp* prop) {
+  auto* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor != nullptr ? vtkProbePolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  return mapper != nullptr && !mapper->DrawsGlass();
+}
+
+}  // namespace
 
 vtkCulledRenderer::vtkCulledRenderer() = default;
 vtkCulledRenderer::~vtkCulledRenderer() = default;
@@ -79,6 +93,32 @@ int vtkCulledRenderer::UpdateGeometry(vtkFrameBufferObjectBase* fbo) {
   return rendered;
 }
 
+// By the farthest point of their bounds: a room that holds the eye and all the rest then comes last. Only for this
+// pass, because translucent props are blended in their own order.
+void vtkCulledRenderer::DrawOpaqueActors(vtkFrameBufferObjectBase* fbo) {
+  vtkProp** given = this->PropArray;
+  double eye[3];
+  this->GetActiveCamera()->GetPosition(eye);
+  std::vector<std::pair<double, vtkProp*>> actors;
+  for (int i = 0; i < this->PropArrayCount && mayBeReordered(given[i]); ++i) {
+    const double* b = given[i]->GetBounds();
+    double squared = 0.0;
+    for (int axis = 0; b != nullptr && axis < 3; ++axis) {
+      const double away = std::max(std::abs(b[2 * axis] - eye[axis]), std::abs(b[2 * axis + 1] - eye[axis]));
+      squared += away * away;
+    }
+    actors.emplace_back(squared, given[i]);
+  }
+  std::stable_sort(actors.begin(), actors.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<vtkProp*> ordered(given, given + this->PropArrayCount);
+  for (std::size_t i = 0; i < actors.size(); ++i) {
+    ordered[i] = actors[i].second;
+  }
+  this->PropArray = ordered.data();
+  this->Superclass::DeviceRenderOpaqueGeometry(fbo);
+  this->PropArray = given;
+}
+
 void vtkCulledRenderer::DrawOpaque(const std::vector<std::size_t>& items) {
   this->Array.clear();
   for (const std::size_t item : items) {
@@ -86,12 +126,12 @@ void vtkCulledRenderer::DrawOpaque(const std::vector<std::size_t>& items) {
   }
   this->PropArray = this->Array.data();
   this->PropArrayCount = static_cast<int>(this->Array.size());
-  this->Superclass::DeviceRenderOpaqueGeometry();
+  this->NearestFirst ? this->DrawOpaqueActors(nullptr) : this->Superclass::DeviceRenderOpaqueGeometry();
 }
 
 void vtkCulledRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo) {
   if (this->Culled.empty()) {
-    this->Superclass::DeviceRenderOpaqueGeometry(fbo);
+    this->NearestFirst ? this->DrawOpaqueActors(fbo) : this->Superclass::DeviceRenderOpaqueGeometry(fbo);
     return;
   }
   const View view = this->CurrentView();

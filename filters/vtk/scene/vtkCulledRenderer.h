@@ -35,6 +35,9 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   bool DrawnIsCurrent() { return this->DrawnHolds && this->CurrentView() == this->DrawnView; }
   /** false: all of them are drawn, hidden or not, in the view or not. */
   void SetCulling(bool culling);
+  /** Opaque actors up to the first prop of another kind are drawn nearest first, so that what is hidden is not worked
+   * out: the default. false: in the order they were added in. */
+  void SetNearestFirst(bool nearestFirst) { this->NearestFirst = nearestFirst; }
   std::uint64_t GetBoxesAsked() const { return this->BoxesAsked; }
 
   int UpdateGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
@@ -52,6 +55,7 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   using View = std::array<double, 14>;
   View CurrentView();
   void DrawOpaque(const std::vector<std::size_t>& items);
+  void DrawOpaqueActors(vtkFrameBufferObjectBase* fbo);
   void FindVisible();
   std::vector<std::size_t> Unhidden(const std::vector<char>& drawn);
   void SetDrawn(std::vector<std::size_t> items);
@@ -65,5 +69,6 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   View DrawnView{};
   bool DrawnHolds = false;  // for that view
   bool Culling = true;
+  bool NearestFirst = true;
   std::vector<vtkProp*> Others, Array;
 };

@@ -14,13 +14,14 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
   if (program.table()) {
     text += "#define BP_BRDF_SIZE " + std::to_string(kBrdfTableSize) + ".0f\n";
     if (program.form == LightForm::Vtk) text += "#define BP_VTK_TABLE\n";
+    if ((program.facts & kSmooth) != 0) text += "#define BP_SMOOTH\n";
     text += joinShaderSources({"shared/fresnel.glsl", "shared/split_sum.glsl", "gpu/fetch_split_sum.glsl"});
   }
   text += probes ? probeDeclarations(program.binding, program.output, program.mirror)
                  : std::string(shaderSource("gpu/output_uniforms.glsl"));
   if (probes) text += coverageDeclarations(program.binding);
   text += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
-  if (program.surface != nullptr) text += materialDeclarations(*program.surface);
+  if (program.surface != nullptr) text += materialDeclarations(*program.surface, program.facts);
   if (program.glass()) text += glassDeclarations(program.surface->glass);
   if (program.output == SurfaceOutput::Heights) text += "uniform vec4 bpHeightPlane;\n";
   if (program.debug()) {

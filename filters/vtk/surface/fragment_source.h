@@ -6,6 +6,7 @@
 
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/draw/probe_binding.h"
+#include "filters/vtk/draw/surface_facts.h"
 #include "filters/vtk/draw/surface_material.h"
 #include "filters/vtk/surface/surface_output.h"
 
@@ -18,6 +19,11 @@ struct SurfaceProgram {
   SurfaceOutput output;
   bool mirror;  ///< a planar mirror's picture is looked up
   LightForm form = LightForm::Single;
+  SurfaceFacts facts = 0;  ///< what the program leaves out; needs `surface`
+  /// Somebody else's actor: falloffs of lamps mean what they mean in VTK.
+  bool foreign = false;
+  /// Emissive factors show without an emissive texture.
+  bool emission = true;
 
   bool probes() const { return binding.lighting == Lighting::Probes; }
   bool debug() const { return output == SurfaceOutput::Debug; }

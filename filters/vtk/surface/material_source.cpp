@@ -16,32 +16,63 @@ std::vector<Varying> varyings(const SurfaceMaterial& surface) {
   return list;
 }
 
-std::string materialDeclarations(const SurfaceMaterial& surface) {
+namespace {
+
+// The texture of another slot is looked up in its place.
+int lookedUpFor(std::size_t slot, SurfaceFacts facts) {
+  if (slot == kEmissiveSlot && (facts & kEmissionIsBase) != 0) return kBaseColorSlot;
+  if (slot == kOcclusionSlot && (facts & kOcclusionInRoughMetal) != 0) return kRoughMetalSlot;
+  return static_cast<int>(slot);
+}
+
+std::string samplingFunction(const std::string& name, const SurfaceSlot& slot, bool plain) {
+  const std::string set = "bpUv" + std::to_string(slot.uvSet) + "F";
+  std::string text = "uniform sampler2D bpTex" + name + ";\n";
+  if (!plain) text += "uniform vec3 bpUv" + name + "[2];\n";
+  text += "vec4 bpSample" + name + "()\n{\n";
+  if (plain) return text + "  return texture(bpTex" + name + ", " + set + ");\n}\n";
+  return text + "  vec3 uv = vec3(" + set + ", 1.0f);\n  return texture(bpTex" + name + ", vec2(dot(bpUv" + name +
+         "[0], uv), dot(bpUv" + name + "[1], uv)));\n}\n";
+}
+
+}  // namespace
+
+std::string materialDeclarations(const SurfaceMaterial& surface, SurfaceFacts facts) {
+  const auto holds = [facts](SurfaceFact fact) { return (facts & fact) != 0; };
   std::string text;
   for (const Varying& v : varyings(surface)) text += std::string("in ") + v.type + " " + v.name + "F;\n";
   for (std::size_t i = 0; i < surface.slots.size(); ++i) {
     const SurfaceSlot& slot = surface.slots[i];
     if (!slot.texture) continue;
     const std::string name = surfaceSlotNames()[i];
-    text += "#define BP_HAS_" + name + "\nuniform sampler2D bpTex" + name + ";\nuniform vec3 bpUv" + name +
-            "[2];\nvec4 bpSample" + name + "()\n{\n  vec3 uv = vec3(bpUv" + std::to_string(slot.uvSet) +
-            "F, 1.0f);\n  return texture(bpTex" + name + ", vec2(dot(bpUv" + name + "[0], uv), dot(bpUv" + name +
-            "[1], uv)));\n}\n";
+    const int lookedUp = lookedUpFor(i, facts);
+    text += "#define BP_HAS_" + name + "\n";
+    text += lookedUp == static_cast<int>(i) ? samplingFunction(name, slot, holds(kPlainUv))
+                                            : "#define bpSample" + name + " bpSample" +
+                                                  surfaceSlotNames()[static_cast<std::size_t>(lookedUp)] + "\n";
   }
-  const auto factor = [&](const char* macro, SurfaceSlotIndex slot, const std::string& value) {
-    text += std::string("#define ") + macro + (surface.slots[slot].texture ? " * " + value : "") + "\n";
+  const auto times = [&](SurfaceSlotIndex slot, const char* value) {
+    return surface.slots[slot].texture ? std::string(" * ") + value : std::string();
   };
-  factor("BP_ROUGH_FACTOR", kRoughMetalSlot, "bpSampleRoughMetal().g");
-  factor("BP_METAL_FACTOR", kRoughMetalSlot, "bpSampleRoughMetal().b");
+  const auto define = [&text](const char* macro, const std::string& value) {
+    text += std::string("#define ") + macro + " " + value + "\n";
+  };
+  const auto factor = [&](const char* macro, SurfaceSlotIndex slot, const char* value) {
+    define(macro, times(slot, value));
+  };
+  define("BP_ROUGHNESS",
+         holds(kSmooth) ? "0.0f" : "roughnessUniform" + times(kRoughMetalSlot, "bpSampleRoughMetal().g"));
+  define("BP_METALLIC", holds(kNoMetal)    ? "0.0f"
+                        : holds(kAllMetal) ? "1.0f"
+                                           : "metallicUniform" + times(kRoughMetalSlot, "bpSampleRoughMetal().b"));
+  define("BP_EMISSION", surface.unlit ? "emissiveFactorUniform * bpBase.rgb"
+                        : holds(kNoEmission)
+                            ? "vec3(0.0f)"
+                            : "emissiveFactorUniform" + times(kEmissiveSlot, "bpSampleEmissive().rgb"));
   factor("BP_OCCLUSION_FACTOR", kOcclusionSlot, "bpSampleOcclusion().r");
   factor("BP_COAT_FACTOR", kCoatSlot, "bpSampleCoat().r");
   factor("BP_COAT_ROUGH_FACTOR", kCoatRoughnessSlot, "bpSampleCoatRoughness().g");
   factor("BP_TRANSMISSION_FACTOR", kTransmissionSlot, "bpSampleTransmission().r");
-  if (surface.unlit) {
-    text += "#define BP_EMISSIVE_FACTOR * bpBase.rgb\n";
-  } else {
-    factor("BP_EMISSIVE_FACTOR", kEmissiveSlot, "bpSampleEmissive().rgb");
-  }
   text += std::string("#define BP_ALPHA ") + (surface.alphaMode == AlphaMode::Blend ? "bpBase.a" : "1.0f") + "\n";
   text += std::string("#define BP_MASKED ") +
           (surface.alphaMode == AlphaMode::Mask ? "bpBase.a < bpAlphaCutoff" : "false") + "\n";

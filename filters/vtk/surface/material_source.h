@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/vtk/draw/surface_facts.h"
 #include "filters/vtk/draw/surface_material.h"
 
 namespace boxprobe {
@@ -17,8 +18,9 @@ struct Varying {
 };
 std::vector<Varying> varyings(const SurfaceMaterial& surface);
 
-/// What the anchors of a material refer to (BP_..._FACTOR and the like), with shaders/gpu/material.glsl.
-std::string materialDeclarations(const SurfaceMaterial& surface);
+/// What the anchors of a material refer to (BP_ROUGHNESS, BP_..._FACTOR and the like), with shaders/gpu/material.glsl;
+/// what the facts make constant is so.
+std::string materialDeclarations(const SurfaceMaterial& surface, SurfaceFacts facts);
 
 /// shaders/gpu/glass.glsl and what it needs; after the probes' declarations.
 std::string glassDeclarations(const GlassSurface& glass);

@@ -12,15 +12,22 @@ const std::vector<Anchor>& viewAndOutputAnchors() {
        {"float d = (NdH * a2 - NdH) * NdH + 1.0;"},
        {"float d = max((NdH * a2 - NdH) * NdH + 1.0, max(a2, 1.0e-12));"},
        false},
-      // VTK 9.1 drops the emissive factor of a material without an emissive texture.
-      {"emission",
-       {"vec3 emissiveColor = vec3(0.0);", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
-       {"vec3 emissiveColor = emissiveFactorUniform;", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
-       false},
       // Occlusion is of light from all around (glTF 2.0, section 3.9.3); VTK darkens that of lamps, too.
       {"occlusion",
        {"color += Lo;\n  color = mix(color, color * ao, aoStrengthUniform);"},
        {"color = mix(color, color * ao, aoStrengthUniform);\n  color += Lo;"},
+       false},
+  };
+  return anchors;
+}
+
+// VTK 9.1 drops the emissive factor of a material without an emissive texture. Not to be put
+// right unasked in other people's properties: VTK's default is white, and does not show there.
+const std::vector<Anchor>& emissionAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"emission",
+       {"vec3 emissiveColor = vec3(0.0);", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
+       {"vec3 emissiveColor = emissiveFactorUniform;", "emissiveColor = emissiveColor * emissiveFactorUniform;"},
        false},
   };
   return anchors;
@@ -34,15 +41,12 @@ const std::vector<Anchor>& materialAnchors() {
        {"vec4 bpBase = bpBaseColor();\n  vec3 albedo = diffuseColor * bpBase.rgb;\n  opacity = opacity * BP_ALPHA;\n"
         "  if (BP_MASKED) { discard; }"},
        false},
-      {"roughness",
-       {"float roughness = roughnessUniform;"},
-       {"float roughness = roughnessUniform BP_ROUGH_FACTOR;"},
-       false},
-      {"metallic", {"float metallic = metallicUniform;"}, {"float metallic = metallicUniform BP_METAL_FACTOR;"}, false},
+      {"roughness", {"float roughness = roughnessUniform;"}, {"float roughness = BP_ROUGHNESS;"}, false},
+      {"metallic", {"float metallic = metallicUniform;"}, {"float metallic = BP_METALLIC;"}, false},
       {"ambient occlusion", {"float ao = 1.0;"}, {"float ao = 1.0f BP_OCCLUSION_FACTOR;"}, false},
       {"emission of the material",
        {"vec3 emissiveColor = emissiveFactorUniform;"},
-       {"vec3 emissiveColor = emissiveFactorUniform BP_EMISSIVE_FACTOR;"},
+       {"vec3 emissiveColor = BP_EMISSION;"},
        false},
       {"clear coat",
        {"float coatStrength = coatStrengthUniform;"},
@@ -60,7 +64,7 @@ const std::vector<Anchor>& tableAnchors() {
   static const std::vector<Anchor> anchors = {
       {"split-sum table",
        {"vec2 brdf = vec2(0.0, 0.0);", "vec2 brdf = texture(brdfTex, vec2(NdV, roughness)).rg;"},
-       {"vec2 brdf = bpSplitSum(NdV, roughness);"},
+       {"vec2 brdf = bpSurfaceSum(NdV, roughness);"},
        false},
       {"clear-coat split-sum table",
        {"vec2 coatBrdf = vec2(0.0);", "vec2 coatBrdf = texture(brdfTex, vec2(coatNdV, coatRoughness)).rg;"},

@@ -17,6 +17,7 @@ struct Anchor {
 };
 
 const std::vector<Anchor>& viewAndOutputAnchors();
+const std::vector<Anchor>& emissionAnchors();
 const std::vector<Anchor>& materialAnchors();
 const std::vector<Anchor>& tableAnchors();
 const std::vector<Anchor>& lightingAnchors();

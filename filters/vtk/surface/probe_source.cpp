@@ -111,6 +111,16 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          joinShaderSources(evaluationFiles);
 }
 
+// Which forms of the impostor are drawn: BP_MARCH of technique/projection_impostor.glsl.
+int marchForms(const ProbeBinding& binding) {
+  bool few = false, many = false;
+  for (std::size_t slot = 0; slot < binding.probes.size(); ++slot) {
+    if (!projectionRows()[static_cast<std::size_t>(binding.technique(slot).projection)].distances) continue;
+    (binding.marches(slot) ? many : few) = true;
+  }
+  return !many ? 0 : few ? 1 : 2;
+}
+
 }  // namespace
 
 std::string parameterUniform(const ParameterRow& row) {
@@ -152,7 +162,8 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
          (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +
-         std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n" +
+         std::to_string(groups.empty() ? 0 : groups.back() + 1) + "\n#define BP_MARCH " +
+         std::to_string(marchForms(binding)) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/finite.glsl", "shared/slab.glsl", "shared/roughness.glsl",
                             "shared/weights.glsl", "shared/sh.glsl"}) +
          (debug ? joinShaderSources({"shared/cube.glsl", "gpu/debug_trace.glsl"}) : std::string()) + lighting;

@@ -4,6 +4,7 @@
 
 #include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/draw/probe_binding.h"
+#include "filters/vtk/surface/resting_uniforms.h"
 #include "filters/vtk/surface/uniform_upload.h"
 
 namespace boxprobe {
@@ -12,8 +13,15 @@ void uploadSplitSum(const UniformUpload& to, const SceneResources& resources);
 /// That, the camera's axes, and the sky where the binding looks it up.
 void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding);
 
-/// The slots: maps, boxes, weights and parameters; `debug`: the debug view's own maps, too. Makes the blue-noise mask
+/// Exposure and projection: what every spliced program reads.
+void uploadOutput(const UniformUpload& to, const PassSettings& pass);
+
+/// The slots' maps and origins; `debug`: the debug view's own maps, too. Makes the blue-noise mask
 /// if a technique wants it.
 void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug);
+/// All that a program with probes reads of its lighting: surroundings, slots, coverage. Counted. `resting`: that
+/// binding's lightingValues(), at least those that the program has not as `constants` (null: none).
+void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
+                    const RestingValues& resting, const RestingValues* constants = nullptr);
 
 }  // namespace boxprobe

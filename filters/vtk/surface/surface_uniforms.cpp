@@ -23,6 +23,7 @@ void uploadMaterial(const UniformUpload& to, const SurfaceMaterial& surface) {
     // A slot that this variant does not read would only take a unit.
     if (!to.used("bpTex" + name)) continue;
     to.texture2d("bpTex" + name, slot.texture->handle());
+    if (!to.used("bpUv" + name)) continue;
     const glm::mat3x2& m = slot.uvTransform;
     const float rows[2][3] = {{m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}};
     to.program->SetUniform3fv(("bpUv" + name).c_str(), 2, rows);

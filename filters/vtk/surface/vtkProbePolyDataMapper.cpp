@@ -1,7 +1,6 @@
 #include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkDataObject.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
@@ -10,7 +9,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLHelper.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLShaderCache.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShader.h>
@@ -18,10 +16,12 @@
 #include <vtkSmartPointer.h>
 
 #include "filters/vtk/gl/broken_shader.h"
-#include "filters/vtk/surface/coverage_uniforms.h"
+#include "filters/vtk/gl/opengl.h"
+#include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/surface/glass_draw.h"
 #include "filters/vtk/surface/plain_surface.h"
 #include "filters/vtk/surface/probe_uniforms.h"
+#include "filters/vtk/surface/resting_uniforms.h"
 #include "filters/vtk/surface/surface_uniforms.h"
 #include "filters/vtk/surface/view_uniforms.h"
 #include "filters/vtk/surface/vtk_pbr_splice.h"
@@ -135,23 +135,23 @@ void vtkProbePolyDataMapper::BuildShaders(std::map<vtkShader::Type, vtkShader*> 
   if (!this->State || !this->Drawn || this->Refused) {
     return;
   }
-  // Copies: the cache finishes the sources it is given.
-  std::map<vtkShader::Type, vtkSmartPointer<vtkShader>> copies;
-  std::map<vtkShader::Type, vtkShader*> tried;
-  for (const auto& entry : shaders) {
-    auto copy = vtkSmartPointer<vtkShader>::New();
-    copy->SetType(entry.first);
-    copy->SetSource(entry.second->GetSource());
-    tried[entry.first] = copy;
-    copies[entry.first] = copy;
-  }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(tried);
-  if (program != nullptr && program->GetCompiled()) {
+  const auto source = [&](vtkShader::Type type) { return shaders[type]->GetSource(); };
+  if (boxprobe::programCompiles(window, source(vtkShader::Vertex), source(vtkShader::Geometry),
+                                source(vtkShader::Fragment))) {
     return;
   }
-  this->State->counts.fail(
-      "this OpenGL driver refuses the shader of a surface with probes; it is drawn without reflections");
+  if (this->Constants) {
+    this->Constants = nullptr;
+    this->ConstantsRefused = true;
+    this->Superclass::BuildShaders(shaders, renderer, actor);
+    // As a rule the same with uniforms has been drawn before, but facts may have changed with the constants.
+    if (boxprobe::programCompiles(window, source(vtkShader::Vertex), source(vtkShader::Geometry),
+                                  source(vtkShader::Fragment))) {
+      return;
+    }
+  }
+  this->State->counts.fail(boxprobe::kSurfaceRefused);
   this->Refused = true;
   this->Superclass::BuildShaders(shaders, renderer, actor);
   if (this->Surface) {
@@ -187,13 +187,69 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
                                : samples                 ? SurfaceOutput::SpecularSeparate
                                                          : SurfaceOutput::SpecularSeparateNone;
   const boxprobe::SurfaceProgram program{*this->Drawn, this->Surface.get(), output, this->Mirror != nullptr,
-                                         this->Form};
+                                         this->Form,   this->Facts};
   const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, this->LitPhysically(actor));
   this->State->counts.fail(report.failure);
   boxprobe::breakShaderIfAsked(sources.fragment, "surface");
+  if (this->Constants) {
+    boxprobe::foldConstants(sources.fragment, this->Constants->values);
+    boxprobe::breakShaderIfAsked(sources.fragment, "constants");
+  }
+  boxprobe::leaveOut(sources.fragment, this->LeftOut);
   shaders[vtkShader::Vertex]->SetSource(sources.vertex);
   shaders[vtkShader::Geometry]->SetSource(sources.geometry);
   shaders[vtkShader::Fragment]->SetSource(sources.fragment);
+}
+
+// The debug view shows what the calculation finds, all of it.
+boxprobe::SurfaceFacts vtkProbePolyDataMapper::FactsOf(vtkActor* actor) {
+  if (!this->State || this->State->resources.general || !this->Surface || this->Debug) {
+    return 0;
+  }
+  return this->Foldable & boxprobe::surfaceFacts(*this->Surface, actor->GetProperty());
+}
+
+void vtkProbePolyDataMapper::SetConstants(std::shared_ptr<const boxprobe::ConstantsPlan> plan) {
+  this->Plan = std::move(plan);
+  this->ConstantsRefused = false;
+}
+
+void vtkProbePolyDataMapper::SetLeftOut(boxprobe::FrameParts parts) {
+  constexpr boxprobe::FrameParts written = ~(boxprobe::kRasterPart | boxprobe::kObjectPart);
+  const bool another = (parts & written) != (this->LeftOut & written);
+  this->LeftOut = parts;
+  if (another) {
+    this->Modified();
+  }
+}
+
+boxprobe::RestingValues vtkProbePolyDataMapper::GetRestingValues(vtkActor* actor) const {
+  boxprobe::RestingValues values;
+  if (this->State && this->Drawn) {
+    values = boxprobe::lightingValues(*this->State, *this->Drawn);
+  }
+  if (this->Surface) {
+    values.add(boxprobe::materialValues(*this->Surface, actor->GetProperty()));
+  }
+  return values;
+}
+
+// Whether the constants still hold is asked of the numbers themselves, so that no edit has to tell.
+void vtkProbePolyDataMapper::ChooseConstants(vtkActor* actor) {
+  std::shared_ptr<const boxprobe::ConstantsPlan> constants;
+  if (this->Plan && this->State && this->Drawn && !this->Refused && !this->State->resources.general &&
+      !this->ConstantsRefused && !this->Debug && !this->Heights && this->Plan->variant == this->VariantKey) {
+    if (this->GetRestingValues(actor).hold(this->Plan->values)) {
+      constants = this->Plan;
+    }
+  }
+  if (constants != this->Constants) {
+    if (!constants && this->State->pass().countDraws && !this->State->resources.general) {
+      ++this->State->counts.counters.constantsLeft;
+    }
+    this->Constants = std::move(constants);
+    this->Modified();
+  }
 }
 
 void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) {
@@ -207,6 +263,13 @@ void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer*
     this->Refused = false;
     this->Modified();
   }
+  const boxprobe::SurfaceFacts facts = this->FactsOf(actor);
+  if (facts != this->Facts) {
+    this->Facts = facts;
+    this->Refused = false;
+    this->Modified();
+  }
+  this->ChooseConstants(actor);
   this->Superclass::UpdateShaders(cellBO, renderer, actor);
   if (!this->State) {
     return;
@@ -223,9 +286,8 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
   if (!this->State || !this->Drawn || !program->IsUniformUsed("bpExposure")) {
     return;
   }
-  program->SetUniformf("bpExposure", this->State->pass().exposure);
-  program->SetUniformf("bpParallel", renderer->GetActiveCamera()->GetParallelProjection() ? 1.0f : 0.0f);
   const boxprobe::UniformUpload to{program, renderer, this->Bound};
+  boxprobe::uploadOutput(to, this->State->pass());
   if (this->Surface) {
     boxprobe::uploadMaterial(to, *this->Surface);
   }
@@ -242,7 +304,9 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
     boxprobe::uploadView(to, *this->State, *this->Drawn, this->ObjectNumber);
   }
   if (this->State->pass().countDraws && !this->Again) {
+    this->ProgramNumber = static_cast<unsigned>(program->GetHandle());
     this->Frame = this->State->counts.counters.renders;
+    this->State->counts.draws(program);
     ++this->State->counts.counters.drawsByProbeCount[probes ? this->Drawn->probes.size() : 0];
     this->State->counts.counters.drawsWithCoverage += probes && !this->Drawn->shadowLights.empty() ? 1 : 0;
     this->State->counts.counters.drawsWithOpenSky += probes && this->Drawn->open() ? 1 : 0;
@@ -251,16 +315,10 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
 
 void vtkProbePolyDataMapper::UploadLighting(const boxprobe::UniformUpload& to) {
   boxprobe::DrawState& state = *this->State;
-  ++state.counts.counters.uniformUpdates;
-  boxprobe::uploadSurroundings(to, state.resources, *this->Drawn);
+  boxprobe::uploadLighting(to, state, *this->Drawn, this->Debug, boxprobe::lightingValues(state, *this->Drawn),
+                           this->Constants ? &this->Constants->values : nullptr);
   if (this->Mirror) {
     boxprobe::uploadMirror(to, *this->Mirror, state.resources);
-  }
-  if (!this->Drawn->probes.empty()) {
-    boxprobe::uploadSlots(to, state, *this->Drawn, this->Debug);
-  }
-  if (!this->Drawn->shadowLights.empty()) {
-    boxprobe::uploadCoverage(to, state, *this->Drawn);
   }
   if (this->DrawsGlass()) {
     boxprobe::uploadGlassOf(to, this->Surface->glass, *this->Drawn, state.resources);
@@ -268,6 +326,15 @@ void vtkProbePolyDataMapper::UploadLighting(const boxprobe::UniformUpload& to) {
 }
 
 void vtkProbePolyDataMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) {
+  if ((this->LeftOut & (boxprobe::kRasterPart | boxprobe::kObjectPart)) != 0) {
+    if ((this->LeftOut & boxprobe::kObjectPart) != 0) {
+      return;
+    }
+    glEnable(GL_RASTERIZER_DISCARD);
+    this->Superclass::RenderPieceDraw(renderer, actor);
+    glDisable(GL_RASTERIZER_DISCARD);
+    return;
+  }
   if (!this->DrawsGlass() || renderer->GetSelector() != nullptr) {
     this->Superclass::RenderPieceDraw(renderer, actor);
     return;

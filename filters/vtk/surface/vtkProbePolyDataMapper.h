@@ -15,9 +15,12 @@
 #include <vector>
 
 #include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/draw/frame_parts.h"
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/draw/mirror_picture.h"
 #include "filters/vtk/draw/probe_binding.h"
+#include "filters/vtk/draw/resting_values.h"
+#include "filters/vtk/draw/surface_facts.h"
 #include "filters/vtk/draw/surface_material.h"
 #include "filters/vtk/surface/uniform_upload.h"
 
@@ -48,6 +51,21 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   const boxprobe::ProbeBinding* GetDrawnBinding() const { return this->Drawn.get(); }
   const boxprobe::ProbeBinding* GetBinding() const { return this->Binding.get(); }
   std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Binding; }
+  /** What its program may take for granted, as far as it holds (see surface_facts.h); by default whatever holds. A
+   * material that no longer has what its program is made for gets another program at the next draw. */
+  void SetFoldableFacts(boxprobe::SurfaceFacts facts) { this->Foldable = facts; }
+  boxprobe::SurfaceFacts GetFoldableFacts() const { return this->Foldable; }
+  /** Numbers its program may have as constants, as long as the draw's own are the same (see resting_values.h): where
+   * they differ, or for any other variant, it is drawn by the program that has them as uniforms. Null: none. */
+  void SetConstants(std::shared_ptr<const boxprobe::ConstantsPlan> plan);
+  /** Did the driver, or the memory, refuse the program with the constants set last? It is drawn without them. */
+  bool GetConstantsRefused() const { return this->ConstantsRefused; }
+  /** To find what they cost: the picture is drawn without these parts, which makes it a wrong one (frame_parts.h). */
+  void SetLeftOut(boxprobe::FrameParts parts);
+  /** The OpenGL program it was drawn with last, as a number; 0: none. Equal numbers share one. */
+  unsigned GetProgramNumber() const { return this->ProgramNumber; }
+  /** What the draw reads that rests between edits: lighting, then material. `actor` draws with this mapper. */
+  boxprobe::RestingValues GetRestingValues(vtkActor* actor) const;
   /** Draws with the debug view's program (see vtk_pbr_splice.h) instead of the picture's. */
   void SetDebug(bool debug);
   /** Was it drawn by the frame that ended last? Captures and linear pictures do not count. */
@@ -72,7 +90,9 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void operator=(const vtkProbePolyDataMapper&) = delete;
 
   bool LitPhysically(vtkActor* actor);
+  boxprobe::SurfaceFacts FactsOf(vtkActor* actor);
   void UploadLighting(const boxprobe::UniformUpload& to);
+  void ChooseConstants(vtkActor* actor);
 
   std::shared_ptr<boxprobe::DrawState> State;
   void UpdateDrawn();
@@ -87,7 +107,14 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::string VariantKey;
   int GlassVariant = 0;                                    // the program's
   boxprobe::LightForm Form = boxprobe::LightForm::Single;  // the program's
-  bool Again = false;                                      // a further pass of the same piece
+  boxprobe::SurfaceFacts Foldable = boxprobe::kAnyFact;
+  boxprobe::SurfaceFacts Facts = 0;                          // the program's
+  std::shared_ptr<const boxprobe::ConstantsPlan> Plan;       // may be drawn with
+  std::shared_ptr<const boxprobe::ConstantsPlan> Constants;  // the program's
+  bool ConstantsRefused = false;
+  boxprobe::FrameParts LeftOut = 0;
+  unsigned ProgramNumber = 0;
+  bool Again = false;  // a further pass of the same piece
   bool Debug = false;
   bool Refused = false;  // the driver did not compile the spliced program: VTK's own is drawn
   int ObjectNumber = 0;

@@ -51,12 +51,13 @@ void applyLamps(std::string& text, const SurfaceProgram& program, int lamps, boo
 
 // VTK 9.1 shades a directional lamp beside a positional one from its position, and its falloffs are not those of
 // KHR_lights_punctual; scene_lights.cpp packs what they need into a vtkLight.
-void applyPositional(std::string& text, int lamps, AnchorEdits& edits) {
+void applyPositional(std::string& text, int lamps, bool foreign, AnchorEdits& edits) {
   for (int i = 0; i < lamps; ++i) {
     const std::string n = std::to_string(i);
     const std::string towards = "lightPositionVC" + n + " - vertexVC.xyz;";
     edits.replace(text, "direction of a lamp",
                   {{"L = " + towards, "L = lightPositional" + n + " == 0 ? -lightDirectionVC" + n + " : " + towards}});
+    if (foreign) continue;
     edits.replace(text, "distance falloff",
                   {{"attenuation = 1.0 / (lightAttenuation" + n + ".x\n      + lightAttenuation" + n +
                         ".y * distanceVC\n      + lightAttenuation" + n + ".z * distanceVC * distanceVC);",
@@ -110,8 +111,8 @@ void spliceMaterial(std::string& fragment, bool coat, AnchorEdits& edits) {
 
 void spliceOutput(std::string& text, const SurfaceProgram& program, AnchorEdits& edits) {
   // VTK discards what is wholly transparent. Glass has a depth all the same, and without that test a pass for depth
-  // alone need not work out a colour.
-  if (program.glass()) {
+  // alone need not work out a colour; what is never transparent has its depth written before its colour is known.
+  if (program.glass() || (program.facts & kNeverDiscarded) != 0) {
     edits.replace(text, "wholly transparent", {{"if (gl_FragData[0].a <= 0.0)", "if (false)"}});
   }
   // VTK 9.1 gives the colour of visible edges to ambient light alone, which its physically based shading has not, and
@@ -132,7 +133,8 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
   const DeclaredLights lights = declaredLights(text);
   edits.replace(text, "declarations", {{kDeclarations, fragmentDeclarations(program) + "\n" + kDeclarations}});
   applyAnchors(text, viewAndOutputAnchors(), coat, edits);
-  if (lights.positional) applyPositional(text, lights.count, edits);
+  if (program.emission) applyAnchors(text, emissionAnchors(), coat, edits);
+  if (lights.positional) applyPositional(text, lights.count, program.foreign, edits);
   if (program.surface != nullptr) {
     spliceMaterial(text, coat, edits);
     spliceVertices(sources, *program.surface, edits);

@@ -62,6 +62,8 @@ for (const [name, scene, camera, node, probe, least] of [['ball', 'six-faces', '
   }
   writeFileSync(path.join(folder, 'sheet.png'), PNG.sync.write(sheet));
   const db = 10 * Math.log10(255 * 255 / Math.max(sum / count, 1e-9));
+  writeFileSync(path.join(folder, 'sheet.json'), JSON.stringify({ engine: 'godot3', view: name, db, pixels: count / 3, least,
+    left: 'a latitude-longitude picture in place of a cube', renderer: said.match(/drawn by (.*)/)[1], picture: 'sheet.png', parts: 2 }));
   good = good && count > 9000 && db >= least;
   console.log(`godot3 ${name}: ${db.toFixed(1)} dB over ${count / 3} pixels (at least ${least}), ${said.match(/drawn by .*/)}`);
 }

@@ -1,5 +1,5 @@
 // Exported probes and techniques in engines, beside `boxprobe render`: writes each pair of pictures as a sheet (ours, theirs, the
-// pixels that reflect) and prints the PSNR over those pixels.
+// pixels that reflect) and prints the PSNR over those pixels; VIEW.json beside it is for engines_sheet.mjs.
 // usage: show_probes.mjs BOXPROBE SCENES OUT [ENGINE ...] NODE_MODULES
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -23,13 +23,13 @@ const floor = {
 };
 const rough = { ...floor, name: 'rough-floor', nodes: ['floor'], materials: ['floor'], roughness: 0.4 };
 
-// `mirror`: the least roughness that the engine draws. `least`: dB that each view must reach.
+// `mirror`: the least roughness that the engine draws. Of each view the dB that it must reach. `left`: why the rest differs.
 const engines = [
-  { name: 'three', page: 'three.js', export: ['--format', 'ktx2', '--ladder', 'three'], mirror: 0.0525, views: [[ball, 33], [floor, 33], [rough, 28]] },
-  { name: 'babylon', page: 'babylon.js', export: ['--format', 'dds', '--ladder', 'babylon', '--center'], mirror: 0, views: [[ball, 30], [floor, 30], [rough, 25]] },
-  { name: 'playcanvas', page: 'playcanvas.js', export: ['--format', 'ktx2', '--ladder', 'three', '--center'], mirror: 0, views: [[ball, 25], [floor, 25], [rough, 20]] },
-  { name: 'technique-glsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'glsl', mirror: 0, views: [[ball, 50], [floor, 50], [rough, 50]] },
-  { name: 'technique-hlsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'hlsl', mirror: 0, views: [[rough, 50]] },
+  { name: 'three', page: 'three.js', export: ['--format', 'ktx2', '--ladder', 'three'], mirror: 0.0525, left: 'roughness at least 0.0525, mixed with the normal; levels between other levels', views: [[ball, 33], [floor, 33], [rough, 28]] },
+  { name: 'babylon', page: 'babylon.js', export: ['--format', 'dds', '--ladder', 'babylon', '--center'], mirror: 0, left: 'the box is about the probe (--center); irradiance mixed in by alpha', views: [[ball, 30], [floor, 30], [rough, 25]] },
+  { name: 'playcanvas', page: 'playcanvas.js', export: ['--format', 'ktx2', '--ladder', 'three', '--center'], mirror: 0, left: 'a filter and an atlas of its own', views: [[ball, 25], [floor, 25], [rough, 20]] },
+  { name: 'technique-glsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'glsl', mirror: 0, left: 'rounding', views: [[ball, 50], [floor, 50], [rough, 50]] },
+  { name: 'technique-hlsl', page: 'technique.js', export: ['--format', 'ktx2', '--ladder', 'own'], shader: 'hlsl', mirror: 0, left: 'rounding', views: [[rough, 50]] },
 ];
 
 // An exported technique as the fragment shader of a page; HLSL by way of glslang and spirv-cross.
@@ -88,6 +88,8 @@ async function show(engine, view, least) {
   const ours = PNG.sync.read(readFileSync(png)).data;
   const { db, pixels } = psnr(ours, drawn.picture, drawn.mask);
   writeFileSync(path.join(folder, view.name + '.png'), sheet([ours, drawn.picture, drawn.mask]));
+  writeFileSync(path.join(folder, view.name + '.json'), JSON.stringify({ engine: engine.name, view: view.name, db, pixels, least, left: engine.left,
+    renderer: drawn.renderer, picture: view.name + '.png', parts: 3 }));
   const good = pixels > 1000 && db >= least;
   console.log(`${engine.name} ${view.name}: ${db.toFixed(1)} dB over ${pixels} pixels (at least ${least}), drawn by ${drawn.renderer}${good ? '' : ': FAILED'}`);
   return good;

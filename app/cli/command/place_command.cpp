@@ -1,0 +1,106 @@
+// See place_command.h.
+#include "app/cli/command/place_command.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/options/render_options.h"
+#include "app/cli/report/place_report.h"
+#include "app/session/interrupt.h"
+#include "app/session/messages.h"
+#include "app/session/output_check.h"
+#include "app/session/progress_line.h"
+#include "app/session/scene_work.h"
+#include "app/session/stats_json.h"
+#include "filters/fit/place_probes.h"
+#include "filters/io/files/atomic_file.h"
+#include "filters/io/scene/scene_file.h"
+
+namespace boxprobe {
+
+namespace {
+
+struct PlaceCommandOptions {
+  std::string scenePath, outputPath;
+  int most = 64;
+  double gainPercent = 2.0;
+  bool keep = false;
+  FitOptions fit;
+  std::vector<std::string> assignments;
+  ReportOptions report;
+};
+
+void runPlace(const PlaceCommandOptions& options) {
+  if (!options.outputPath.empty()) {
+    requireExtension("-o", options.outputPath, {".json"});
+    requireWritable("-o", options.outputPath);
+  }
+  if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
+  const InterruptGuard interrupt;
+  const FitWishes wishes = parseFitWishes(options.fit, FitWishes{}.aspect);
+  LoadedScene loaded = loadSceneShown(options.scenePath, options.assignments, interrupt, options.report.quiet, wishes);
+  if (!options.report.quiet) printWarnings(loaded.warnings);
+
+  PlaceSettings settings;
+  settings.most = static_cast<std::size_t>(options.most);
+  settings.leastGain = 0.01 * options.gainPercent;
+  settings.keep = options.keep && !loaded.fit;  // a bare model's probe is nobody's own
+  settings.inverted = wishes.kind && *wishes.kind != ModelKind::Object;
+  std::optional<Placement> placement;
+  {
+    ProgressLine line("placing", !options.report.quiet);
+    placement = placeProbes(loaded.scene, loaded.models, settings, [&](double done) {
+      line.show(done);
+      return !interrupt.interrupted();
+    });
+  }
+  interrupt.check();
+  loaded.scene.probes = placement->all();
+  if (!options.outputPath.empty()) saveSceneFile(loaded.scene, options.outputPath);
+  if (options.report.json) {
+    printDocument(placeJson(*placement).dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  } else if (!options.report.quiet) {
+    printResult(placeText(*placement));
+  }
+  // Nothing is drawn or captured here, and the counters say so.
+  if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
+}
+
+}  // namespace
+
+Subcommand addPlaceCommand(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("place", "Find the rooms of a model and place fitted probes in them");
+  const auto options = std::make_shared<PlaceCommandOptions>();
+  command
+      ->add_option("SCENE", options->scenePath,
+                   "Scene file (.boxprobe.json) or bare model (.glb, .gltf, .obj, .ply, .stl, .vtp)")
+      ->required();
+  command
+      ->add_option("-o,--output", options->outputPath,
+                   "Write the scene with these probes to this file, *.boxprobe.json (default: nothing is written)")
+      ->type_name("FILE");
+  command->add_option("--most", options->most, "At most so many probes, those that are kept included (default 64)")
+      ->check(CLI::Range(1, 10000).description(""))
+      ->type_name("N");
+  command
+      ->add_option("--gain", options->gainPercent,
+                   "What one more probe in a room must gain, in percent of what its probes gain in all (default 2)")
+      ->check(CLI::Range(0.0, 100.0).description(""))
+      ->type_name("PERCENT");
+  command->add_flag("--keep", options->keep,
+                    "Keep the scene's probes, and place others only in rooms without one (default: replace them)");
+  command->add_option("--set", options->assignments, "Change a field of the scene first (repeatable)")
+      ->type_name("FIELD=VALUE")
+      ->allow_extra_args(false);
+  addModelOptions(*command, options->assignments);
+  addFitOptions(*command, options->fit);
+  addReportOptions(*command, options->report, "Print rooms, probes and decisions as JSON");
+  command->footer(
+      "Examples:\n"
+      "  boxprobe place flat.glb -o flat.boxprobe.json\n"
+      "  boxprobe place data/scenes/building.boxprobe.json --most 4 --gain 5 --json");
+  return {command, [options] { runPlace(*options); }};
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,42 @@
+// What rays of the window meet in the scene on show: for snapping, drop lines, picking and the camera. The structure is
+// built when it is first asked for, and again after the geometry changed. Called by the main window.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/gui/handles/view_ray.h"
+#include "filters/core/scene/document.h"
+#include "filters/fit/rays/triangle_rays.h"
+
+namespace boxprobe {
+
+/// What is under the pointer.
+struct PickedObject {
+  std::string node;      ///< glTF node name; may be empty
+  std::string material;  ///< empty: the default material
+};
+
+class SceneSurfaces {
+ public:
+  explicit SceneSurfaces(const Document& document) : document_(document) {}
+
+  void setModels(const TriangleRays::Models& models);
+  void documentChanged(const Changes& changes);
+  /// Null where there is nothing to meet.
+  const SurfaceRays* rays();
+  /// World; nothing where the ray goes into the sky.
+  std::optional<glm::dvec3> meet(const Ray& ray);
+  /// Of the first visible surface, glass included; nothing where the ray goes into the sky.
+  std::optional<PickedObject> objectAt(const Ray& ray) const;
+
+ private:
+  const Document& document_;
+  TriangleRays::Models models_;
+  std::unique_ptr<TriangleRays> rays_;
+  bool failed_ = false;  ///< the ray tracer could not take it: not tried again before something changes
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,14 @@
+// A step's curve as a picture: one measure over a number of the scene, with a second one as its cost. Called by the
+// lesson photographer; needs a QGuiApplication for its letters, no window.
+#pragma once
+
+#include <QImage>
+
+#include "app/lessons/lesson_player.h"
+
+namespace boxprobe {
+
+/// The values stand at equal distances, whatever lies between them. Both axes start at 0.
+QImage curvePicture(const LessonCurve& curve, const CurvePoints& points, int width, int height);
+
+}  // namespace boxprobe

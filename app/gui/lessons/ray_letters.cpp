@@ -1,0 +1,46 @@
+// See ray_letters.h.
+#include "app/gui/lessons/ray_letters.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kLetterPixels = 24;
+
+/// In white, outlined, so that it is read on any picture. `offset`: of its middle from the place.
+void letter(QPainter& painter, const std::optional<glm::dvec2>& place, const QPointF& offset, const char* text) {
+  if (!place) return;
+  QFont font("DejaVu Serif");
+  font.setPixelSize(kLetterPixels);
+  font.setBold(true);
+  font.setItalic(true);
+  QPainterPath path;
+  path.addText(0, 0, font, QString::fromUtf8(text));
+  const QRectF ink = path.boundingRect();
+  const QPointF middle = QPointF(place->x, place->y) + offset;
+  path.translate(middle - ink.center());
+  painter.strokePath(path, QPen(Qt::black, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.fillPath(path, Qt::white);
+}
+
+}  // namespace
+
+void drawRayLetters(QImage& picture, const Explanation& explanation, const ViewProjection& view) {
+  if (!explanation.hit || explanation.dominant < 0) return;
+  const ProbeExplanation& probe = explanation.probes[static_cast<std::size_t>(explanation.dominant)];
+  if (!probe.hitDistance) return;
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const glm::dvec3& from = explanation.surface.positionWorld;
+  const glm::dvec3 middle = 0.5 * (from + probe.hitWorld), lookup = 0.5 * (probe.originWorld + probe.hitWorld);
+  letter(painter, view.pixel(from), {-20, 8}, "P");
+  letter(painter, view.pixel(middle), {20, 0}, "R");
+  letter(painter, view.pixel(probe.hitWorld), {22, -8}, "H");
+  letter(painter, view.pixel(probe.originWorld), {-20, -6}, "C");
+  letter(painter, view.pixel(lookup), {0, -22}, "H − C");
+}
+
+}  // namespace boxprobe

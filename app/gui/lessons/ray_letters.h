@@ -1,0 +1,15 @@
+// The letters that formulas have, at their places in a picture: P, N, R, H, C and the lookup. Called by the lesson
+// photographer where a step draws rays.
+#pragma once
+
+#include <QImage>
+
+#include "app/gui/handles/handle_picking.h"
+#include "filters/explain/explanation.h"
+
+namespace boxprobe {
+
+/// Of one ray on a box; nothing where the pixel shows none.
+void drawRayLetters(QImage& picture, const Explanation& explanation, const ViewProjection& view);
+
+}  // namespace boxprobe

@@ -1,0 +1,70 @@
+// See picture_difference.h.
+#include "app/gui/view/picture_difference.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace boxprobe {
+
+double displayPsnr(const QImage& a, const QImage& b) {
+  double squares = 0.0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+      for (const int d : {qRed(p) - qRed(q), qGreen(p) - qGreen(q), qBlue(p) - qBlue(q)}) squares += d * d;
+    }
+  }
+  if (squares == 0.0) return std::numeric_limits<double>::infinity();
+  return 10.0 * std::log10(255.0 * 255.0 * 3.0 * a.width() * a.height() / squares);
+}
+
+QColor differenceColor(double difference) {
+  // As lightness grows evenly: matplotlib's "inferno" at nine places.
+  static constexpr int kColors[][3] = {{0, 0, 4},     {31, 12, 72},   {85, 15, 109},  {136, 34, 106}, {186, 54, 85},
+                                       {227, 89, 51}, {249, 140, 10}, {249, 201, 50}, {252, 255, 164}};
+  constexpr int kLast = static_cast<int>(std::size(kColors)) - 1;
+  const double at = std::clamp(difference / kMostDifference, 0.0, 1.0) * kLast;
+  const int below = std::min(static_cast<int>(at), kLast - 1);
+  const auto mixed = [&](int channel) {
+    const double share = at - below;
+    return static_cast<int>(std::lround((1.0 - share) * kColors[below][channel] + share * kColors[below + 1][channel]));
+  };
+  return {mixed(0), mixed(1), mixed(2)};
+}
+
+PictureDifference pictureDifference(const QImage& a, const QImage& b) {
+  PictureDifference difference;
+  const QImage p = a.convertToFormat(QImage::Format_RGB32), q = b.convertToFormat(QImage::Format_RGB32);
+  std::array<QRgb, 256> colors{};
+  for (std::size_t i = 0; i < colors.size(); ++i) colors[i] = differenceColor(static_cast<double>(i) / 255.0).rgb();
+  std::array<long, 256> counts{};
+  difference.picture = QImage(p.size(), QImage::Format_RGB32);
+  for (int y = 0; y < p.height(); ++y) {
+    const auto* first = reinterpret_cast<const QRgb*>(p.constScanLine(y));
+    const auto* second = reinterpret_cast<const QRgb*>(q.constScanLine(y));
+    auto* row = reinterpret_cast<QRgb*>(difference.picture.scanLine(y));
+    for (int x = 0; x < p.width(); ++x) {
+      const auto most = static_cast<std::size_t>(
+          std::max({std::abs(qRed(first[x]) - qRed(second[x])), std::abs(qGreen(first[x]) - qGreen(second[x])),
+                    std::abs(qBlue(first[x]) - qBlue(second[x]))}));
+      row[x] = colors[most];
+      ++counts[most];
+      difference.mean += static_cast<double>(most) / 255.0;
+    }
+  }
+  const long all = static_cast<long>(p.width()) * p.height();
+  if (all == 0) return difference;
+  difference.mean /= static_cast<double>(all);
+  long below = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    below += counts[i];
+    difference.mostOf95 = static_cast<double>(i) / 255.0;
+    if (static_cast<double>(below) >= 0.95 * static_cast<double>(all)) break;
+  }
+  return difference;
+}
+
+}  // namespace boxprobe

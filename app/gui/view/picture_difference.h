@@ -1,0 +1,27 @@
+// How far two pictures of one view are apart, pixel by pixel: as numbers and as a picture in false colours. Called by
+// the comparison; knows two images of display colours, no scene.
+#pragma once
+
+#include <QColor>
+#include <QImage>
+
+namespace boxprobe {
+
+/// Peak signal-to-noise ratio of display colours, dB, over all pixels; infinite for equal ones. Sizes must be equal.
+double displayPsnr(const QImage& a, const QImage& b);
+
+struct PictureDifference {
+  QImage picture;         ///< differenceColor() of each pixel
+  double mean = 0.0;      ///< of all pixels; differences go from 0 to 1, black against white
+  double mostOf95 = 0.0;  ///< 95 % of the pixels are no further apart
+};
+
+/// The difference of a pixel is the largest of its display colours' channels. Sizes must be equal.
+PictureDifference pictureDifference(const QImage& a, const QImage& b);
+
+/// The difference from which on the colour does not change.
+inline constexpr double kMostDifference = 0.25;
+/// Black for none, by purple, red and yellow to white: lighter is more, for every eye.
+QColor differenceColor(double difference);
+
+}  // namespace boxprobe

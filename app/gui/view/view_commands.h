@@ -1,0 +1,57 @@
+// Where the window looks from, by name: at the selection, along an axis, from a probe, from the scene's cameras, which
+// it also stores, renames and deletes. Called by the menu; edits the document through the editor.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <optional>
+
+#include "app/gui/edit/editor.h"
+#include "filters/core/geometry/probe_frame.h"
+
+namespace boxprobe {
+
+class SceneRenderer;
+class Viewport;
+
+class ViewCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  ViewCommands(Editor& editor, SceneRenderer& renderer, Viewport& viewport, QObject* parent);
+
+  /// The selected probe's box, or all that is visible where no probe is selected.
+  void frameSelection();
+  void lookAlong(const BoxFace& face);
+  /// From its capture origin, the way the camera looks now.
+  void lookFromProbe();
+  /// At a point of the scene, from where somebody sees it or closer on the same line, on which it reflects the same.
+  void lookAtSpot(const glm::dvec3& positionWorld, const glm::dvec3& eyeWorld);
+  /// The view from before the first lookAtSpot().
+  void comeBack();
+  void setWalking(bool on);
+
+  /// The view as it is now, as the scene's last camera; a name that is taken gets a number.
+  void storeCamera(const QString& name);
+  /// The same camera seen from where the view is now.
+  void updateCamera(int index);
+  void renameCamera(int index, const QString& name);
+  void deleteCamera(int index);
+
+ signals:
+  void cameraMoved();
+  /// There is a view to come back to, or no more.
+  void canComeBack(bool can);
+
+ private:
+  Camera current(const std::string& name) const;
+  double aspect() const;
+
+  Editor& editor_;
+  SceneRenderer& renderer_;
+  Viewport& viewport_;
+  std::optional<Camera> before_;  ///< a spot was looked at
+};
+
+}  // namespace boxprobe

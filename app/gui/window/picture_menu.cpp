@@ -1,0 +1,85 @@
+// See picture_menu.h.
+#include "app/gui/window/picture_menu.h"
+
+#include <QInputDialog>
+#include <QMenu>
+#include <algorithm>
+
+#include "app/gui/edit/editor.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/handles/scene_surfaces.h"
+#include "app/gui/view/view_commands.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/window/menu_bar.h"
+
+namespace boxprobe {
+
+PictureMenu::PictureMenu(const Parts& parts, QWidget* window) : QObject(window), parts_(parts), window_(window) {}
+
+void PictureMenu::select(const QPointF& pixel) {
+  const auto object = parts_.surfaces.objectAt(parts_.viewport.view().ray({pixel.x(), pixel.y()}));
+  if (!object) return;
+  const QString node = QString::fromStdString(object->node), material = QString::fromStdString(object->material);
+  emit message(material.isEmpty() ? tr("Object %1").arg(node) : tr("Object %1, material %2").arg(node, material));
+  emit picked(node, material);
+}
+
+std::unique_ptr<QMenu> PictureMenu::menuAt(const QPointF& pixel) {
+  auto menu = std::make_unique<QMenu>(window_);
+  if (const auto probe = parts_.handles.probeAt(pixel)) parts_.editor.selectProbe(*probe);
+  if (const Probe* probe = parts_.editor.probe()) {
+    const QString name = QString::fromStdString(probe->name);
+    menu->addSection(tr("Probe %1").arg(name));
+    for (QAction* action : parts_.menu.probeActions()) menu->addAction(action);
+  }
+  const auto object = parts_.surfaces.objectAt(parts_.viewport.view().ray({pixel.x(), pixel.y()}));
+  if (!object || object->node.empty()) return menu;
+  const std::string node = object->node;
+  menu->addSection(tr("Object %1").arg(QString::fromStdString(node)));
+  QAction* show = menu->addAction(tr("Show in the panels"));
+  const QString material = QString::fromStdString(object->material);
+  connect(show, &QAction::triggered, this,
+          [this, node, material] { emit picked(QString::fromStdString(node), material); });
+  if (const Probe* probe = parts_.editor.probe()) {
+    const bool out = std::find(probe->hides.begin(), probe->hides.end(), node) != probe->hides.end();
+    QAction* leave = menu->addAction(tr("Leave out of the capture of %1").arg(QString::fromStdString(probe->name)));
+    leave->setCheckable(true);
+    leave->setChecked(out);
+    connect(leave, &QAction::triggered, this, [this, node](bool checked) { leaveOut(node, checked); });
+  }
+  return menu;
+}
+
+void PictureMenu::show(const QPointF& pixel) {
+  const auto menu = menuAt(pixel);
+  if (!menu->isEmpty()) menu->exec(parts_.viewport.mapToGlobal(pixel.toPoint()));
+}
+
+void PictureMenu::leaveOut(const std::string& node, bool out) {
+  const QString name = QString::fromStdString(node);
+  parts_.editor.commitProbe(out ? tr("Leave %1 out").arg(name) : tr("Capture %1 again").arg(name),
+                            [node, out](Probe& probe) {
+                              auto& hides = probe.hides;
+                              hides.erase(std::remove(hides.begin(), hides.end(), node), hides.end());
+                              if (out) hides.push_back(node);
+                            });
+}
+
+void PictureMenu::storeCamera() {
+  bool accepted = false;
+  const QString name = QInputDialog::getText(window_, tr("Store this view"), tr("Name of the camera"),
+                                             QLineEdit::Normal, tr("view"), &accepted);
+  if (accepted) parts_.views.storeCamera(name);
+}
+
+void PictureMenu::renameCamera(int index) {
+  const auto& cameras = parts_.editor.scene().cameras;
+  if (static_cast<std::size_t>(index) >= cameras.size()) return;
+  bool accepted = false;
+  const QString was = QString::fromStdString(cameras[static_cast<std::size_t>(index)].name);
+  const QString name =
+      QInputDialog::getText(window_, tr("Rename camera"), tr("Name of the camera"), QLineEdit::Normal, was, &accepted);
+  if (accepted) parts_.views.renameCamera(index, name);
+}
+
+}  // namespace boxprobe

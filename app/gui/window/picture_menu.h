@@ -1,0 +1,56 @@
+// Clicks in the picture that take hold of nothing: they show the object under the pointer in the panels, or offer what
+// can be done there. And the questions that the camera menu asks. Called by the main window.
+#pragma once
+
+#include <QObject>
+#include <QPointF>
+#include <QString>
+#include <memory>
+
+class QMenu;
+class QWidget;
+
+namespace boxprobe {
+
+class Editor;
+class MenuBar;
+class ProbeWidget;
+class SceneSurfaces;
+class ViewCommands;
+class Viewport;
+
+class PictureMenu : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    Editor& editor;
+    Viewport& viewport;
+    ProbeWidget& handles;
+    SceneSurfaces& surfaces;
+    ViewCommands& views;
+    MenuBar& menu;
+  };
+  PictureMenu(const Parts& parts, QWidget* window);
+
+  /// The object there is told by picked().
+  void select(const QPointF& pixel);
+  /// What can be done at that pixel: of the probe whose handle is there, else of the selected one, and of the object.
+  std::unique_ptr<QMenu> menuAt(const QPointF& pixel);
+  void show(const QPointF& pixel);
+
+  void storeCamera();
+  void renameCamera(int index);
+
+ signals:
+  void picked(const QString& node, const QString& material);
+  void message(const QString& text);
+
+ private:
+  void leaveOut(const std::string& node, bool out);
+
+  Parts parts_;
+  QWidget* window_;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,37 @@
+// Probes through the clipboard, as the text of a scene file that holds nothing else: they can be pasted into another
+// scene or a text editor, and back. Called by the menu.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "app/gui/edit/editor.h"
+
+namespace boxprobe {
+
+/// The probes of a scene file's text, of a list of probes or of one probe, as scene files hold them. Throws InputError
+/// (one line, with line and column) for what is none.
+std::vector<Probe> probesFromText(const std::string& text);
+
+class ProbeClipboard : public QObject {
+  Q_OBJECT
+
+ public:
+  ProbeClipboard(Editor& editor, QObject* parent);
+
+  /// The selected probe.
+  void copy();
+  /// As one undo step; names that are taken get a number. The last one is selected.
+  void paste();
+
+ signals:
+  void message(const QString& text);
+  void failed(const QString& line);
+
+ private:
+  Editor& editor_;
+};
+
+}  // namespace boxprobe

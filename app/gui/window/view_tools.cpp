@@ -1,0 +1,145 @@
+// See view_tools.h.
+#include "app/gui/window/view_tools.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include <QLabel>
+#include <QMainWindow>
+#include <algorithm>
+
+#include "app/gui/edit/gauge_rows.h"
+#include "app/gui/handles/face_tags.h"
+#include "app/gui/handles/probe_overlay.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/panels/fit_panel.h"
+#include "app/gui/view/axis_gizmo.h"
+#include "app/gui/view/compare_wipe.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/window/key_list.h"
+#include "app/gui/window/menu_bar.h"
+#include "app/gui/window/panel_docks.h"
+#include "app/gui/window/probe_clipboard.h"
+#include "app/gui/window/status_line.h"
+#include "filters/core/base/at_end.h"
+#include "filters/core/base/errors.h"
+#include "filters/vtk/scene_renderer.h"
+
+namespace boxprobe {
+
+ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
+    : QObject(window),
+      parts_(parts),
+      views_(new ViewCommands(parts.editor, parts.renderer, parts.viewport, this)),
+      pictureMenu_(
+          new PictureMenu({parts.editor, parts.viewport, parts.handles, parts.surfaces, *views_, parts.menu}, window)),
+      wipe_(new CompareWipe(&parts.viewport)),
+      compare_(new PictureCompare(
+          parts.document, *wipe_,
+          {[this] { return parts_.scheduler.idle() && !parts_.renderer.workPending(); },
+           [this] { return barePicture(); }, [this] { return parts_.renderer.currentCamera(); }, parts.models},
+          this)),
+      tags_(new FaceTags(parts.panels.fitPanel().gauge(), parts.editor,
+                         {[this] { return parts_.viewport.view(); },
+                          [this] { return parts_.overlay.visible() && parts_.handles.mode() == HandleMode::Box; }},
+                         &parts.viewport)) {
+  connectViews();
+  connectClicks(window);
+  connectCompare();
+  connectGauge();
+}
+
+// Cameras change the menu that asks for them: later.
+void ViewTools::connectViews() {
+  MenuBar* menu = &parts_.menu;
+  connect(menu, &MenuBar::frameRequested, views_, &ViewCommands::frameSelection);
+  connect(menu, &MenuBar::lookAlongChosen, views_, &ViewCommands::lookAlong);
+  connect(menu, &MenuBar::lookFromProbeRequested, views_, &ViewCommands::lookFromProbe);
+  connect(menu, &MenuBar::walkSwitched, views_, &ViewCommands::setWalking);
+  connect(menu, &MenuBar::storeCameraRequested, pictureMenu_, &PictureMenu::storeCamera, Qt::QueuedConnection);
+  connect(menu, &MenuBar::renameCameraRequested, pictureMenu_, &PictureMenu::renameCamera, Qt::QueuedConnection);
+  connect(menu, &MenuBar::updateCameraRequested, views_, &ViewCommands::updateCamera, Qt::QueuedConnection);
+  connect(menu, &MenuBar::deleteCameraRequested, views_, &ViewCommands::deleteCamera, Qt::QueuedConnection);
+  connect(views_, &ViewCommands::cameraMoved, &parts_.viewport, &Viewport::cameraMoved);
+  auto* axes = new AxisGizmo([this] { return parts_.viewport.view(); }, &parts_.viewport);
+  connect(axes, &AxisGizmo::chosen, views_, &ViewCommands::lookAlong);
+  connect(&parts_.scheduler, &RenderScheduler::rendered, axes, QOverload<>::of(&QWidget::update));
+  connect(menu, &MenuBar::keysSwitched, this, &ViewTools::showKeys);
+}
+
+void ViewTools::connectClicks(QMainWindow* window) {
+  connect(&parts_.viewport, &Viewport::selected, pictureMenu_, &PictureMenu::select);
+  connect(&parts_.viewport, &Viewport::menuRequested, pictureMenu_, &PictureMenu::show);
+  connect(pictureMenu_, &PictureMenu::picked, &parts_.panels, &PanelDocks::show);
+  connect(pictureMenu_, &PictureMenu::message, &parts_.status, &StatusLine::showMessage);
+  auto* clipboard = new ProbeClipboard(parts_.editor, window);
+  connect(&parts_.menu, &MenuBar::copyRequested, clipboard, &ProbeClipboard::copy);
+  connect(&parts_.menu, &MenuBar::pasteRequested, clipboard, &ProbeClipboard::paste);
+  connect(clipboard, &ProbeClipboard::message, &parts_.status, &StatusLine::showMessage);
+  connect(clipboard, &ProbeClipboard::failed, &parts_.status, &StatusLine::showError);
+}
+
+void ViewTools::connectCompare() {
+  MenuBar* menu = &parts_.menu;
+  connect(menu, &MenuBar::holdRequested, compare_, &PictureCompare::hold);
+  connect(menu, &MenuBar::traceRequested, compare_, &PictureCompare::traceReference);
+  connect(menu, &MenuBar::traceErrorRequested, compare_, &PictureCompare::traceError);
+  connect(menu, &MenuBar::differenceSwitched, compare_, &PictureCompare::setDifference);
+  connect(compare_, &PictureCompare::differenceChanged, menu, &MenuBar::showDifference);
+  connect(menu, &MenuBar::flipSwitched, compare_, &PictureCompare::setFlipped);
+  connect(menu, &MenuBar::compareEnded, compare_, &PictureCompare::stop);
+  connect(compare_, &PictureCompare::activeChanged, menu, &MenuBar::showCompare);
+  connect(compare_, &PictureCompare::message, &parts_.status, &StatusLine::showMessage);
+  connect(compare_, &PictureCompare::failed, &parts_.status, &StatusLine::showError);
+  connect(&parts_.scheduler, &RenderScheduler::rendered, compare_, &PictureCompare::pictureDrawn);
+  connect(&parts_.editor, &Editor::settled, compare_, &PictureCompare::documentChanged);
+}
+
+void ViewTools::connectGauge() {
+  GaugeRows* rows = &parts_.panels.fitPanel().rows();
+  connect(&parts_.scheduler, &RenderScheduler::rendered, tags_, &FaceTags::follow);
+  connect(rows, &GaugeRows::spotWanted, this, [this](const WorstSpot& spot) {
+    views_->lookAtSpot(spot.positionWorld, spot.eyeWorld);
+    tags_->showSpot(spot);
+  });
+  connect(rows, &GaugeRows::comeBackWanted, this, [this] {
+    views_->comeBack();
+    tags_->showSpot({});
+  });
+  connect(views_, &ViewCommands::canComeBack, rows, &GaugeRows::setCanComeBack);
+}
+
+QImage ViewTools::barePicture() {
+  if (!parts_.viewport.readyToDraw()) return {};
+  parts_.viewport.window3d()->MakeCurrent();
+  ImageRgba8 image;
+  try {
+    parts_.overlay.setSuspended(true);
+    const AtEnd again([this] { parts_.overlay.setSuspended(false); });
+    image = parts_.renderer.renderDisplay();
+  } catch (const Error& error) {
+    parts_.status.showError(QString::fromUtf8(error.what()));
+    return {};
+  }
+  parts_.viewport.window3d()->Render();  // the handles again
+  const QImage shared(image.pixels.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBA8888);
+  return shared.convertToFormat(QImage::Format_RGB32);
+}
+
+void ViewTools::showKeys(bool shown) {
+  if (keys_ == nullptr) {
+    keys_ = new QLabel(keyTable(), &parts_.viewport);
+    keys_->setObjectName("keys");
+    keys_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    keys_->setStyleSheet("QLabel { color: #f4f4f4; background: rgba(16, 18, 22, 225); padding: 10px 14px; }");
+    keys_->setWordWrap(true);
+  }
+  constexpr int kMargin = 8, kWidest = 760;
+  keys_->setFixedWidth(std::min(kWidest, parts_.viewport.width() - 2 * kMargin));
+  keys_->adjustSize();
+  keys_->move(kMargin, kMargin);
+  keys_->raise();
+  keys_->setVisible(shown);
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,69 @@
+// What is done with the picture beside editing probes: views and cameras, clicks and the menu under the pointer, the
+// clipboard, comparison, the list of keys; put together and connected to the menus. Called by the main window.
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "app/gui/edit/editor.h"
+#include "app/gui/view/picture_compare.h"
+#include "app/gui/view/view_commands.h"
+#include "app/gui/window/picture_menu.h"
+
+class QLabel;
+class QMainWindow;
+
+namespace boxprobe {
+
+class FaceTags;
+class PanelDocks;
+class ProbeOverlay;
+class RenderScheduler;
+class SceneRenderer;
+class StatusLine;
+
+class ViewTools : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    Document& document;
+    Editor& editor;
+    SceneRenderer& renderer;
+    Viewport& viewport;
+    ProbeOverlay& overlay;
+    ProbeWidget& handles;
+    SceneSurfaces& surfaces;
+    MenuBar& menu;
+    PanelDocks& panels;
+    StatusLine& status;
+    RenderScheduler& scheduler;
+    std::function<std::vector<std::shared_ptr<const Model>>()> models;
+  };
+  ViewTools(const Parts& parts, QMainWindow* window);
+
+  ViewCommands& views() { return *views_; }
+  PictureMenu& pictureMenu() { return *pictureMenu_; }
+  PictureCompare& compare() { return *compare_; }
+
+ private:
+  void connectViews();
+  void connectClicks(QMainWindow* window);
+  void connectCompare();
+  void connectGauge();
+  void showKeys(bool shown);
+  QImage barePicture();
+
+  Parts parts_;
+  ViewCommands* views_;
+  PictureMenu* pictureMenu_;
+  CompareWipe* wipe_;
+  PictureCompare* compare_;
+  FaceTags* tags_;
+  QLabel* keys_ = nullptr;
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,19 @@
+// Vectors along axes that are turned about +y. Called by what turns rays and what turns the points they meet.
+#pragma once
+
+#include <cmath>
+#include <glm/vec3.hpp>
+
+namespace boxprobe {
+
+/// Into axes turned by `yaw` (radians, about +y): the inverse of that rotation.
+class AxisTurn {
+ public:
+  explicit AxisTurn(double yaw) : c_(std::cos(yaw)), s_(std::sin(yaw)) {}
+  glm::dvec3 operator()(const glm::dvec3& v) const { return {c_ * v.x - s_ * v.z, v.y, s_ * v.x + c_ * v.z}; }
+
+ private:
+  double c_, s_;
+};
+
+}  // namespace boxprobe

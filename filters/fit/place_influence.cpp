@@ -1,0 +1,164 @@
+// See place_influence.h.
+#include "filters/fit/place_influence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+
+#include "filters/core/geometry/probe_geometry.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr double kSkin = 0.018;    // of the rooms' height, behind a wall: less than half of a thin one
+constexpr double kMostGap = 0.25;  // of the rooms' height: a wall is no thicker
+
+/// Boxes of a probe are given as if it were not turned about the middle of its projection box; `axes` are turned about
+/// the world's origin.
+Box alongAxes(const Box& box, const Probe& probe) {
+  const glm::dvec3 pivot = probe.box.center();
+  const glm::dvec3 off = glm::transpose(rotationMatrix(probe.rotationDegrees)) * pivot - pivot;
+  return {box.min + off, box.max + off};
+}
+
+Box asOfProbe(const Box& along, const Probe& probe) {
+  const glm::dvec3 pivot = probe.box.center();
+  const glm::dvec3 off = glm::transpose(rotationMatrix(probe.rotationDegrees)) * pivot - pivot;
+  return {along.min - off, along.max - off};
+}
+
+double side(const Box& box, int axis, bool upper) {
+  return (upper ? box.max : box.min)[axis];
+}
+
+/// Where the walls about some cells stand, along the axes of a probe: where rays from the cells end near the last ones.
+Box wallsOf(const SurfaceRays& rays, const FreeSpace& space, const std::vector<std::size_t>& cells,
+            const Probe& probe) {
+  constexpr std::size_t kLooks = 400, kLeast = 5;
+  const glm::dmat3 worldFromAxes = rotationMatrix(probe.rotationDegrees), axesFromWorld = glm::transpose(worldFromAxes);
+  Box walls = extentOf(space, cells, worldFromAxes);
+  const std::size_t stride = std::max<std::size_t>(1, cells.size() / kLooks);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool upper : {false, true}) {
+      const double out = upper ? 1.0 : -1.0;
+      double& wall = (upper ? walls.max : walls.min)[axis];
+      std::vector<double> ends;
+      for (std::size_t i = 0; i < cells.size(); i += stride) {
+        const glm::dvec3 from = space.worldPosition(cells[i]), along = out * worldFromAxes[axis];
+        const std::optional<SurfaceHit> hit = rays.first(from, along);
+        if (!hit) continue;
+        const double end = (axesFromWorld * (from + hit->distance * along))[axis];
+        if (std::abs(end - wall) <= 1.5 * space.cell) ends.push_back(out * end);
+      }
+      if (ends.size() < kLeast) {
+        wall += 0.5 * out * space.cell;
+        continue;
+      }
+      const auto most = ends.begin() + static_cast<std::ptrdiff_t>(0.97 * static_cast<double>(ends.size() - 1));
+      std::nth_element(ends.begin(), most, ends.end());
+      wall = out * *most;
+    }
+  }
+  return walls;
+}
+
+/// The axis along which a doorway leads, seen along other axes than the grid's.
+glm::dvec3 alongProbe(const FreeSpace& space, const glm::dvec3& normalGrid, const Probe& probe) {
+  return glm::transpose(rotationMatrix(probe.rotationDegrees)) * (space.worldFromGrid * normalGrid);
+}
+
+}  // namespace
+
+void setBoxAbout(Probe& probe, const FreeSpace& space, const std::vector<std::size_t>& cells,
+                 const glm::dvec3& rotationDegrees) {
+  const glm::dmat3 worldFromAxes = rotationMatrix(rotationDegrees);
+  const Box extent = extentOf(space, cells, worldFromAxes);
+  probe.rotationDegrees = rotationDegrees;
+  const glm::dvec3 middle = worldFromAxes * extent.center(), half = 0.5 * extent.size() + 0.5 * space.cell;
+  probe.box = {middle - half, middle + half};
+  probe.influence = Box{probe.box.min - 0.5 * space.cell, probe.box.max + 0.5 * space.cell};
+  probe.blendDistance = {glm::dvec3(0.0), glm::dvec3(0.0)};
+}
+
+void setInfluences(const SurfaceRays& rays, const Rooms& rooms, std::vector<PlacedProbe>& probes) {
+  const FreeSpace& space = rooms.space;
+  const double skin = kSkin * rooms.region.height;
+  std::vector<Box> walls;
+  for (const PlacedProbe& placed : probes) {
+    walls.push_back(wallsOf(rays, space, rooms.rooms[placed.room].cells, placed.probe));
+  }
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    Probe& probe = probes[i].probe;
+    BlendDistance reach{glm::dvec3(skin), glm::dvec3(skin)};
+    for (const Doorway& doorway : rooms.doorways) {
+      if (doorway.a != probes[i].room && doorway.b != probes[i].room) continue;
+      const bool here = doorway.a == probes[i].room;
+      const std::size_t otherRoom = here ? doorway.b : doorway.a;
+      const auto other = std::find_if(probes.begin(), probes.end(),
+                                      [otherRoom](const PlacedProbe& each) { return each.room == otherRoom; });
+      if (other == probes.end() || other->probe.rotationDegrees != probe.rotationDegrees) continue;
+      const glm::dvec3 out = alongProbe(space, here ? doorway.normal : -doorway.normal, probe);
+      const int axis = std::abs(out.x) > std::abs(out.z) ? 0 : 2;
+      const bool upper = out[axis] > 0.0;
+      const Box& there = walls[static_cast<std::size_t>(other - probes.begin())];
+      const double gap = (upper ? 1.0 : -1.0) * (side(there, axis, !upper) - side(walls[i], axis, upper));
+      if (gap <= skin || gap > kMostGap * rooms.region.height) continue;
+      double& to = (upper ? reach.max : reach.min)[axis];
+      to = std::max(to, gap);
+    }
+    probe.influence = asOfProbe({walls[i].min - reach.min, walls[i].max + reach.max}, probe);
+    probe.blendDistance = reach;
+  }
+}
+
+void setPartInfluence(const SurfaceRays& rays, const FreeSpace& space, const std::vector<std::size_t>& cells,
+                      const Probe& ofRoom, Probe& ofPart) {
+  const Box walls = wallsOf(rays, space, cells, ofPart);
+  const Box whole = alongAxes(ofRoom.influenceBox(), ofRoom);
+  const bool sameAxes = ofRoom.rotationDegrees == ofPart.rotationDegrees;
+  Box influence = walls;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool upper : {false, true}) {
+      double& to = (upper ? influence.max : influence.min)[axis];
+      double& blend = (upper ? ofPart.blendDistance.max : ofPart.blendDistance.min)[axis];
+      if (sameAxes && std::abs(to - side(whole, axis, upper)) <= 2.0 * space.cell) {
+        to = side(whole, axis, upper);
+        blend = (upper ? ofRoom.blendDistance.max : ofRoom.blendDistance.min)[axis];
+      } else {
+        blend = 3.0 * space.cell;
+        to += (upper ? 0.5 : -0.5) * blend;
+      }
+    }
+  }
+  ofPart.influence = asOfProbe(influence, ofPart);
+  ofPart.importance = ofRoom.importance + 1.0;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> overlaps(const std::vector<PlacedProbe>& probes) {
+  constexpr double kOverlap = 0.05;  // of the smaller volume
+  const auto volumeOf = [](const Box& box) {
+    const glm::dvec3 size = glm::max(box.size(), glm::dvec3(0.0));
+    return size.x * size.y * size.z;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const Box a = alongAxes(probes[i].probe.influenceBox(), probes[i].probe);
+    for (std::size_t k = i + 1; k < probes.size(); ++k) {
+      // Of boxes turned against each other, bounds along the first one's axes.
+      Probe other = probes[k].probe;
+      const Box upright = influenceBounds(other);
+      other.rotationDegrees = probes[i].probe.rotationDegrees;
+      const Box b = other.rotationDegrees == probes[k].probe.rotationDegrees
+                        ? alongAxes(other.influenceBox(), other)
+                        : alongAxes(turnedInfluence(upright, other), other);
+      const double shared = volumeOf({glm::max(a.min, b.min), glm::min(a.max, b.max)});
+      if (shared > kOverlap * std::min(volumeOf(a), volumeOf(b))) pairs.emplace_back(i, k);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace boxprobe

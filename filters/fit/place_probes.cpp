@@ -1,0 +1,387 @@
+// See place_probes.h.
+#include "filters/fit/place_probes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+#include "filters/fit/place_influence.h"
+#include "filters/fit/room_fit.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kScoreRays = 2048;
+constexpr std::size_t kMostParts = 8;
+constexpr std::size_t kMostRanks = 8;  // of importance, should probes be above each other in a circle
+constexpr double kLeastPart = 0.08;    // of its room's volume
+constexpr double kRoofed = 0.3, kLeastGloss = 0.02;
+constexpr double kLong = 1.5;  // a room so much longer than wide is also tried in halves
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(const Clock::time_point& begun) {
+  return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+template <class... Values>
+std::string sentence(const char* format, Values... values) {
+  char text[256];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+/// Every direction from a point meets mostly back sides: where faces are inverted this is a room.
+bool amongBacks(const SurfaceRays& rays, const glm::dvec3& position) {
+  constexpr int kLooks = 96;
+  int backs = 0;
+  for (const glm::dvec3& direction : evenDirections(kLooks)) {
+    const std::optional<SurfaceHit> hit = rays.first(position, direction);
+    backs += hit && hit->back ? 1 : 0;
+  }
+  return backs > 0.8 * kLooks;
+}
+
+/// Rooms are fitted for whoever stands in them: a camera sees the one that it stands in, and that from one place.
+Scene withoutCameras(Scene scene) {
+  scene.cameras.clear();
+  return scene;
+}
+
+/// Share of what people see reflected that smooth surfaces reflect.
+double glossOf(const ReflectedRays& rays) {
+  double smooth = 0.0, all = 0.0;
+  for (const ReflectedRay& ray : rays.rays) {
+    if (!ray.seen) continue;
+    all += ray.weight;
+    smooth += ray.roughness < 0.6 ? ray.weight : 0.0;
+  }
+  return all > 0.0 ? smooth / all : 0.0;
+}
+
+class Placer {
+ public:
+  Placer(const Scene& scene, const TriangleRays::Models& models, const PlaceSettings& settings,
+         const FitProgress& progress)
+      : scene_(scene), settings_(settings), progress_(progress), fitter_(withoutCameras(scene), models) {}
+
+  std::optional<Placement> place() {
+    const Clock::time_point begun = Clock::now();
+    RoomSettings wanted{settings_.inverted};
+    const auto inBacks = [&](const glm::dvec3& at) { return amongBacks(captured(), at); };
+    for (const Camera& camera : scene_.cameras) wanted.inverted = wanted.inverted || inBacks(camera.position);
+    for (const Probe& probe : scene_.probes) wanted.inverted = wanted.inverted || inBacks(probe.origin);
+    std::optional<Rooms> rooms = findRooms(captured(), wanted, part(0.0, 0.25));
+    if (!rooms) return std::nullopt;
+    rooms_ = *std::move(rooms);
+    roomFits_.emplace(fitter_, rooms_, settings_.rays);
+    describeRooms();
+    placement_.roomSeconds = secondsSince(begun);
+    if (settings_.keep && !rooms_.rooms.empty()) keepProbes();
+    if (!placeInRooms() || !placeInParts() || !judge()) return std::nullopt;
+    nameProbes();
+    placement_.seconds = secondsSince(begun);
+    return std::move(placement_);
+  }
+
+ private:
+  FitProgress part(double from, double to) const {
+    return [this, from, to](double done) { return !progress_ || progress_(from + (to - from) * done); };
+  }
+
+  const SurfaceRays& captured() { return fitter_.placeOf(Probe{}).captured; }
+
+  void describeRooms() {
+    const FreeSpace& space = rooms_.space;
+    placement_.cell = space.cell;
+    placement_.cells = space.depth.size();
+    placement_.rooms.resize(rooms_.rooms.size());
+    for (std::size_t i = 0; i < rooms_.rooms.size(); ++i) {
+      const Room& room = rooms_.rooms[i];
+      PlacedRoom& placed = placement_.rooms[i];
+      placed.extent = room.extent;
+      placed.yawDegrees = glm::degrees(rooms_.region.yaw);
+      placed.middleWorld = space.worldFromGrid * room.extent.center();
+      placed.volume = room.volume;
+      placed.parts = room.parts.size();
+    }
+    for (const Doorway& doorway : rooms_.doorways) {
+      placement_.rooms[doorway.a].doorways.push_back(doorway);
+      placement_.rooms[doorway.b].doorways.push_back({doorway.b, doorway.a, doorway.area, -doorway.normal});
+    }
+    std::vector<std::string>& remarks = placement_.remarks;
+    if (rooms_.rooms.empty()) {
+      const double least = std::pow(0.45 * rooms_.region.height, 3.0);
+      const bool backs = space.backVolume > std::max(least, 0.0) && !space.backsAreFronts;
+      remarks.push_back(backs ? "no room was found: back sides of surfaces close in the space within; if it is a room, "
+                                "its faces are inverted: turn them over, or use --as interior"
+                              : "open: no room was found; nothing is closed in by a floor and walls");
+      placement_.kept = scene_.probes;
+      if (!scene_.probes.empty()) remarks.push_back("the scene's probes stay");
+    } else if (space.backsAreFronts) {
+      remarks.push_back("the walls show their back sides to the rooms: the model's faces are inverted");
+    }
+    if (rooms_.hollows > 0) {
+      remarks.push_back(sentence("%d closed spaces are too small for a room and have no probe", rooms_.hollows));
+    }
+    if (space.cell > 0.1001 * rooms_.region.height) {
+      remarks.push_back("the model is very large for the height of its rooms: doors may be missed");
+    }
+  }
+
+  std::optional<std::size_t> roomAt(const glm::dvec3& world) const {
+    const FreeSpace& space = rooms_.space;
+    const glm::dvec3 at = (glm::transpose(space.worldFromGrid) * world - space.first) / space.cell;
+    const glm::ivec3 cell(glm::round(at));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(at[axis] > -0.5) || cell[axis] >= space.count[axis]) return std::nullopt;
+    }
+    const std::size_t index = space.index(cell);
+    for (std::size_t i = 0; i < rooms_.rooms.size(); ++i) {
+      const std::vector<std::size_t>& cells = rooms_.rooms[i].cells;
+      if (std::find(cells.begin(), cells.end(), index) != cells.end()) return i;
+    }
+    return std::nullopt;
+  }
+
+  void keepProbes() {
+    placement_.kept = scene_.probes;
+    for (const Probe& probe : scene_.probes) {
+      const std::optional<std::size_t> room = roomAt(probe.origin);
+      if (room) {
+        held_.push_back(*room);
+        placement_.rooms[*room].decisions.push_back("it has the probe " + probe.name + ", which is kept");
+      } else {
+        placement_.remarks.push_back(probe.name +
+                                     ": its origin is in no room, inside of a wall or in the open; it is "
+                                     "kept");
+      }
+    }
+  }
+
+  double roomCount() const { return static_cast<double>(rooms_.rooms.size()); }
+  bool full() const { return placement_.kept.size() + placement_.probes.size() >= settings_.most; }
+  bool holds(std::size_t room) const { return std::find(held_.begin(), held_.end(), room) != held_.end(); }
+
+  bool placeInRooms() {
+    for (std::size_t i = 0; i < rooms_.rooms.size(); ++i) {
+      const double from = 0.25 + 0.45 * static_cast<double>(i) / roomCount();
+      PlacedRoom& placed = placement_.rooms[i];
+      Probe about = roomFits_->start(rooms_.rooms[i].cells);
+      rays_.push_back(reflectedRays(fitter_.placeOf(about), about, kScoreRays, kScoreTurn));
+      if (!part(from, from)(0.0)) return false;
+      if (holds(i)) continue;
+      placed.reflects = rooms_.rooms[i].roofed >= kRoofed || glossOf(rays_.back()) >= kLeastGloss;
+      if (!placed.reflects) {
+        placed.decisions.push_back("left out: it has no ceiling, and no surface in it is smoother than roughness 0.6");
+        continue;
+      }
+      if (full()) {
+        placed.decisions.push_back(sentence("left out: no more than %zu probes were asked for", settings_.most));
+        continue;
+      }
+      const std::optional<BoxFit> fit = roomFits_->fit(rooms_.rooms[i].cells, part(from, from + 0.4 / roomCount()));
+      if (!fit) return false;
+      placement_.probes.push_back({fit->probe, i, false, 0.0, *fit});
+    }
+    setInfluences(captured(), rooms_, placement_.probes);
+    for (PlacedProbe& placed : placement_.probes) {
+      const LitErrors errors = litErrors(fitter_, rays_[placed.room], {placed.probe});
+      placed.gainDegrees = kHiddenDegrees - errors.meanDegrees;
+      placement_.rooms[placed.room].decisions.push_back(
+          sentence("its first probe leaves %.2f of %.0f degrees", errors.meanDegrees, kHiddenDegrees));
+    }
+    return true;
+  }
+
+  /// What more probes of a room could be for: what lies between narrow places, and the halves of a long room.
+  std::vector<std::vector<std::size_t>> partsOf(const Room& room) const {
+    std::vector<std::vector<std::size_t>> parts;
+    const double least = kLeastPart * static_cast<double>(room.cells.size());
+    for (const std::vector<std::size_t>& part : room.parts) {
+      if (room.parts.size() > 1 && static_cast<double>(part.size()) >= least) parts.push_back(part);
+    }
+    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    if (parts.size() > kMostParts) parts.resize(kMostParts);
+    const glm::dvec3 size = room.extent.size();
+    const int axis = size.x > size.z ? 0 : 2;
+    if (size[axis] >= kLong * size[2 - axis]) {
+      std::vector<std::size_t> halves[2];
+      for (const std::size_t cell : room.cells) {
+        halves[rooms_.space.gridPosition(cell)[axis] < room.extent.center()[axis] ? 0 : 1].push_back(cell);
+      }
+      for (std::vector<std::size_t>& half : halves) {
+        if (static_cast<double>(half.size()) >= least) parts.push_back(std::move(half));
+      }
+    }
+    return parts;
+  }
+
+  bool placeInParts() {
+    for (std::size_t i = 0; i < rooms_.rooms.size(); ++i) {
+      const double from = 0.7 + 0.25 * static_cast<double>(i) / roomCount();
+      if (!part(from, from)(0.0)) return false;
+      const auto first = std::find_if(placement_.probes.begin(), placement_.probes.end(),
+                                      [i](const PlacedProbe& each) { return each.room == i; });
+      if (first == placement_.probes.end()) continue;
+      if (!placeInPartsOf(i, static_cast<std::size_t>(first - placement_.probes.begin()), from)) return false;
+    }
+    return true;
+  }
+
+  bool placeInPartsOf(std::size_t room, std::size_t first, double from) {
+    std::vector<std::string>& decisions = placement_.rooms[room].decisions;
+    std::vector<Probe> chosen = {placement_.probes[first].probe};
+    double error = litErrors(fitter_, rays_[room], chosen).meanDegrees;
+    const auto needed = [&] { return settings_.leastGain * (kHiddenDegrees - error); };
+    if (error <= needed()) return true;  // not even perfection would gain enough
+    std::vector<PlacedProbe> candidates;
+    const std::vector<std::vector<std::size_t>> parts = partsOf(rooms_.rooms[room]);
+    for (const std::vector<std::size_t>& cells : parts) {
+      const std::optional<BoxFit> fit = roomFits_->fit(cells, part(from, from));
+      if (!fit) return false;
+      PlacedProbe candidate{fit->probe, room, true, 0.0, *fit};
+      setPartInfluence(captured(), rooms_.space, cells, placement_.probes[first].probe, candidate.probe);
+      candidates.push_back(std::move(candidate));
+    }
+    while (!candidates.empty()) {
+      std::size_t best = 0;
+      double least = 1e300;
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        std::vector<Probe> with = chosen;
+        with.push_back(candidates[i].probe);
+        const double cost = litErrors(fitter_, rays_[room], with).meanDegrees;
+        if (cost < least) best = i, least = cost;
+      }
+      if (error - least < needed()) {
+        decisions.push_back(sentence("of %zu more places the best gains %.2f degrees; %.2f are needed",
+                                     candidates.size(), error - least, needed()));
+        break;
+      }
+      if (full()) {
+        decisions.push_back(sentence("one more would gain %.2f degrees; no more than %zu probes were asked for",
+                                     error - least, settings_.most));
+        break;
+      }
+      decisions.push_back(sentence("one more gains %.2f degrees", error - least));
+      candidates[best].gainDegrees = error - least;
+      error = least;
+      chosen.push_back(candidates[best].probe);
+      placement_.probes.push_back(std::move(candidates[best]));
+      candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(best));
+    }
+    if (chosen.size() < 3) return true;
+    chosen.erase(chosen.begin());
+    const double without = litErrors(fitter_, rays_[room], chosen).meanDegrees;
+    if (without - error >= needed()) return true;
+    decisions.push_back(
+        sentence("the others cover its first probe, which gains only %.2f degrees: left out", without - error));
+    placement_.probes.erase(placement_.probes.begin() + static_cast<std::ptrdiff_t>(first));
+    return true;
+  }
+
+  /// Where influences overlap, that probe counts more with which the two rooms are better off.
+  void setImportance() {
+    std::vector<PlacedProbe>& probes = placement_.probes;
+    std::vector<std::pair<std::size_t, std::size_t>> above;  // the second over the first
+    for (const auto& [a, b] : overlaps(probes)) {
+      if (probes[a].room == probes[b].room) {
+        if (probes[a].part != probes[b].part) above.emplace_back(probes[a].part ? b : a, probes[a].part ? a : b);
+        continue;
+      }
+      std::vector<Probe> two = {probes[a].probe, probes[b].probe};
+      const std::size_t ofA = probes[a].room, ofB = probes[b].room;
+      const auto errorWith = [&](double importanceA, double importanceB) {
+        two[0].importance = importanceA;
+        two[1].importance = importanceB;
+        double error = 0.0;
+        for (const std::size_t room : {ofA, ofB}) {
+          error += rooms_.rooms[room].volume * litErrors(fitter_, rays_[room], two).meanDegrees;
+        }
+        return error;
+      };
+      const double alike = errorWith(1, 1), first = errorWith(2, 1), second = errorWith(1, 2);
+      if (std::min(first, second) > 0.99 * alike) continue;
+      first < second ? above.emplace_back(b, a) : above.emplace_back(a, b);
+    }
+    for (PlacedProbe& placed : probes) placed.probe.importance = 1.0;
+    for (std::size_t round = 0; round < above.size() && round < kMostRanks; ++round) {
+      for (const auto& [low, high] : above) {
+        double& importance = probes[high].probe.importance;
+        importance = std::max(importance, std::min(probes[low].probe.importance, 1.0 * kMostRanks) + 1.0);
+      }
+    }
+  }
+
+  bool judge() {
+    setImportance();
+    double volume = 0.0;
+    const auto add = [](LitErrors& sum, const LitErrors& each, double weight) {
+      sum.meanDegrees += weight * each.meanDegrees;
+      sum.p95Degrees += weight * each.p95Degrees;
+      sum.hidden += weight * each.hidden;
+      sum.unlit += weight * each.unlit;
+    };
+    for (const PlacedRoom& room : placement_.rooms) volume += room.reflects ? room.volume : 0.0;
+    const std::vector<Probe> all = placement_.all();
+    for (std::size_t i = 0; i < placement_.rooms.size(); ++i) {
+      if (!part(0.95, 1.0)(static_cast<double>(i) / roomCount())) return false;
+      PlacedRoom& room = placement_.rooms[i];
+      room.before = litErrors(fitter_, rays_[i], scene_.probes);
+      room.after = litErrors(fitter_, rays_[i], all);
+      if (!room.reflects) continue;
+      add(placement_.before, room.before, room.volume / volume);
+      add(placement_.after, room.after, room.volume / volume);
+    }
+    return true;
+  }
+
+  void nameProbes() {
+    std::stable_sort(placement_.probes.begin(), placement_.probes.end(),
+                     [](const PlacedProbe& a, const PlacedProbe& b) { return a.room < b.room; });
+    Scene named = scene_;
+    named.probes = placement_.kept;
+    for (PlacedProbe& placed : placement_.probes) {
+      const std::string stem = "room " + std::to_string(placed.room + 1);
+      placed.probe.name = unusedProbeName(named, placed.part ? stem + " part" : stem);
+      named.probes.push_back(placed.probe);
+    }
+  }
+
+  const Scene& scene_;
+  const PlaceSettings& settings_;
+  const FitProgress& progress_;
+  ProbeFitter fitter_;
+  Rooms rooms_;
+  std::optional<RoomFitter> roomFits_;
+  std::vector<ReflectedRays> rays_;  ///< to choose by, of each room
+  std::vector<std::size_t> held_;    ///< rooms that hold a probe which is kept
+  Placement placement_;
+};
+
+}  // namespace
+
+std::vector<Probe> Placement::all() const {
+  std::vector<Probe> together = kept;
+  for (const PlacedProbe& placed : probes) together.push_back(placed.probe);
+  return together;
+}
+
+std::optional<Placement> placeProbes(const Scene& scene, const TriangleRays::Models& models,
+                                     const PlaceSettings& settings, const FitProgress& progress) {
+  double furthest = 0.0;
+  const FitProgress onward = [&](double done) {
+    furthest = std::max(furthest, done);
+    return !progress || progress(furthest);
+  };
+  return Placer(scene, models, settings, onward).place();
+}
+
+}  // namespace boxprobe

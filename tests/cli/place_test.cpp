@@ -1,0 +1,116 @@
+// `boxprobe place` finds the rooms of a model, is no worse than probes set by hand, writes a scene that holds what it
+// placed, and refuses what it cannot do. Runs without a display throughout.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "data/scenes/glb_writer.h"
+#include "data/scenes/scenes.h"
+#include "filters/io/scene/scene_file.h"
+#include "tests/cli/program.h"
+#include "tests/support/made_flat.h"
+
+namespace boxprobe::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+Outcome place(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "place");
+  return runProgram(arguments, DisplayKind::Unset);
+}
+
+json placed(std::vector<std::string> arguments) {
+  arguments.push_back("--json");
+  const Outcome outcome = place(std::move(arguments));
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  return json::parse(outcome.out);
+}
+
+TEST(Place, FindsEveryApartmentAndIsNoWorseThanProbesSetByHand) {
+  const TemporaryFolder folder;
+  scenes::Apartments made = scenes::apartments(8, 1);
+  made.scene.models = {{folder.write("apartments.glb", scenes::glbBytes(made.model))}};
+  saveSceneFile(made.scene, folder.path("apartments.boxprobe.json"));
+  const json report =
+      placed({folder.path("apartments.boxprobe.json"), "-o", folder.path("placed.boxprobe.json"), "--quiet"});
+  EXPECT_EQ(report["rooms"].size(), 10u) << "eight and two corridors";
+  EXPECT_LE(report["probes"].size(), made.scene.probes.size());
+  EXPECT_LE(report["after"]["meanDegrees"], 1.1 * report["before"]["meanDegrees"].get<double>());
+  EXPECT_LT(report["after"]["unlit"], 0.01);
+  for (const json& room : report["rooms"]) {
+    EXPECT_LE(room["after"]["meanDegrees"], 1.1 * room["before"]["meanDegrees"].get<double>()) << room["name"];
+    EXPECT_GE(room["doorways"].size(), 1u);
+  }
+
+  // Placed again among those, nothing is better by much; kept, they leave nothing to do.
+  const json again = placed({folder.path("placed.boxprobe.json")});
+  EXPECT_NEAR(again["before"]["meanDegrees"], report["after"]["meanDegrees"].get<double>(), 1e-6);
+  const json kept = placed({folder.path("placed.boxprobe.json"), "--keep"});
+  EXPECT_EQ(kept["probes"].size(), 0u);
+  EXPECT_EQ(kept["kept"].size(), report["probes"].size());
+}
+
+TEST(Place, TakesABareFlatInCentimetresOnALargePlain) {
+  const TemporaryFolder folder;
+  FlatWishes wishes;
+  wishes.unitsPerMetre = 100.0;
+  wishes.yawDegrees = 25.0;
+  wishes.groundMetres = 80.0;
+  const std::string model = folder.write("flat.glb", scenes::glbBytes(madeFlat(wishes)));
+  const std::string output = folder.path("flat.boxprobe.json");
+  const Outcome outcome = place({model, "--set", "models.0.unit=cm", "-o", output});
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("2 rooms, 2 probes placed"));
+  EXPECT_THAT(outcome.out, HasSubstr("open to room 2"));
+  const Scene scene = loadSceneFile(output);
+  ASSERT_EQ(scene.probes.size(), 2u);
+  EXPECT_NEAR(std::remainder(scene.probes[0].rotationDegrees.y - 25.0, 90.0), 0.0, 0.5);
+  EXPECT_NEAR(scene.probes[0].box.size().y, 2.6, 0.03) << "in metres";
+  const json one = placed({output, "--most", "1"});
+  EXPECT_EQ(one["probes"].size(), 1u);
+  EXPECT_THAT(one["rooms"][1]["decisions"][0], HasSubstr("no more than 1"));
+}
+
+TEST(Place, LeavesAnOpenSceneAsItIs) {
+  const TemporaryFolder folder;
+  folder.write("model.gltf", triangleGltf());
+  const std::string scene = folder.write("open.boxprobe.json", R"({"format": "boxprobe-scene", "version": 1,
+    "model": "model.gltf", "probes": [{"name": "p", "origin": [0, 1, 1], "box": {"min": [-1, 0, -1], "max": [1, 2, 2]}}]})");
+  const std::string output = folder.path("placed.boxprobe.json");
+  const Outcome outcome = place({scene, "-o", output});
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("open: no room was found"));
+  EXPECT_THAT(outcome.out, HasSubstr("the scene's probes stay"));
+  ASSERT_EQ(loadSceneFile(output).probes.size(), 1u) << "nothing is lost";
+}
+
+TEST(Place, AnInvertedRoomIsARoomIfItsUserSaysSo) {
+  const TemporaryFolder folder;
+  FlatWishes wishes;
+  wishes.inverted = true;
+  const std::string model = folder.write("flat.glb", scenes::glbBytes(madeFlat(wishes)));
+  const Outcome plain = place({model});
+  EXPECT_EQ(plain.exitStatus, 0) << plain.err;
+  EXPECT_THAT(plain.out, HasSubstr("its faces are inverted: turn them over, or use --as interior"));
+  EXPECT_EQ(placed({model, "--as", "interior"})["probes"].size(), 2u);
+}
+
+TEST(Place, RefusesWhatItCannotDo) {
+  const auto refused = [](const std::vector<std::string>& arguments, const char* text) {
+    const Outcome outcome = place(arguments);
+    EXPECT_EQ(outcome.exitStatus, 2);
+    EXPECT_EQ(outcome.errLines().size(), 1u);
+    EXPECT_THAT(outcome.err, HasSubstr(text));
+  };
+  refused({demoScene("room"), "--most", "0"}, "--most");
+  refused({demoScene("room"), "--gain", "-1"}, "--gain");
+  refused({demoScene("room"), "-o", "/nowhere/out.boxprobe.json"}, "/nowhere");
+  refused({demoScene("room"), "-o", "placed.txt"}, "placed.txt");
+  refused({"no-such.glb"}, "no such file");
+}
+
+}  // namespace
+}  // namespace boxprobe::test

@@ -1,0 +1,135 @@
+// Probes placed as their user sees it: a flat is dropped, a key pressed, the list reviewed and applied as one step.
+#include "app/gui/panels/place_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QLabel>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUrl>
+#include <cmath>
+#include <ctime>
+
+#include "data/scenes/glb_writer.h"
+#include "tests/gui/window_test.h"
+#include "tests/support/made_flat.h"
+
+namespace boxprobe {
+namespace {
+
+class PlacePanelTest : public WindowTest {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    QObject::connect(panel(), &PlacePanel::ghostsChanged, &context_,
+                     [this](const std::vector<Probe>& ghosts) { ghosts_ = ghosts; });
+  }
+  PlacePanel* panel() { return window_->findChild<PlacePanel*>(); }
+  template <typename Widget>
+  Widget* find(const char* name) {
+    Widget* found = window_->findChild<Widget*>(name);
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  void dropFlat() {
+    test::FlatWishes wishes;
+    wishes.unitsPerMetre = 100.0;
+    wishes.yawDegrees = 25.0;
+    wishes.groundMetres = 80.0;
+    QFile file(folder_.filePath("flat.glb"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    const std::string bytes = scenes::glbBytes(test::madeFlat(wishes));
+    file.write(bytes.data(), static_cast<qint64>(bytes.size()));
+    file.close();
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file.fileName())});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(window_, &enter);
+    ASSERT_TRUE(enter.isAccepted());
+    QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(window_, &event);
+    waitUntilIdle();
+    ASSERT_TRUE(QString::fromStdString(document().scene().models.front().file).endsWith("flat.glb"));
+  }
+  void placeByKey() {
+    key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(panel()->running());
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !panel()->running(); }, 240000));
+    waitUntilIdle();
+  }
+  void click(const char* name) {
+    auto* button = find<QPushButton>(name);
+    ASSERT_TRUE(button->isVisible() && button->isEnabled()) << name;
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+
+  QObject context_;  // the window outlives the test
+  QTemporaryDir folder_;
+  std::vector<Probe> ghosts_;
+};
+
+TEST_F(PlacePanelTest, ADroppedFlatOfTwoRoomsGetsTwoProbesAndOneUndoRestoresIt) {
+  dropFlat();
+  const Scene before = document().scene();
+  const std::clock_t begun = std::clock();
+  placeByKey();
+  EXPECT_LT(static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC, 60.0) << "of all threads together";
+  ASSERT_EQ(ghosts_.size(), 2u);
+  EXPECT_TRUE(document().scene().probes == before.probes) << "nothing counts before it is applied";
+  EXPECT_EQ(find<QListWidget>("placedProbes")->count(), 2);
+  const QString output = qEnvironmentVariable("BOXPROBE_TEST_OUTPUT");
+  if (!output.isEmpty()) window_->grab().save(output + "/place.png");
+
+  click("applyPlaced");
+  ASSERT_EQ(document().scene().probes.size(), 2u);
+  EXPECT_TRUE(ghosts_.empty());
+  for (const Probe& placed : document().scene().probes) {
+    EXPECT_NEAR(std::remainder(placed.rotationDegrees.y - 25.0, 90.0), 0.0, 0.5) << placed.name;
+    EXPECT_NEAR(placed.box.size().y, 260.0, 3.0) << placed.name;
+    EXPECT_LT(placed.box.size().x + placed.box.size().z, 810.0) << placed.name << " is no larger than its room";
+  }
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(document().scene().probes == before.probes);
+}
+
+TEST_F(PlacePanelTest, ProbesAreAcceptedOneByOneAndAdded) {
+  dropFlat();
+  const std::size_t before = document().scene().probes.size();
+  placeByKey();
+  ASSERT_EQ(ghosts_.size(), 2u);
+  auto* list = find<QListWidget>("placedProbes");
+  list->item(0)->setCheckState(Qt::Unchecked);
+  ASSERT_EQ(ghosts_.size(), 1u);
+  const Box second = ghosts_[0].box;
+  if (before > 0) find<QCheckBox>("replaceProbes")->setChecked(false);
+  click("applyPlaced");
+  ASSERT_EQ(document().scene().probes.size(), before + 1);
+  EXPECT_TRUE(document().scene().probes.back().box == second);
+}
+
+TEST_F(PlacePanelTest, StopsWhenAskedAndIsDroppedWhenTheSceneChanges) {
+  panel()->place();
+  ASSERT_TRUE(panel()->running());
+  EXPECT_TRUE(find<QPushButton>("placeProbes")->text().startsWith("Stop"));
+  panel()->place();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !panel()->running(); }, 60000));
+  EXPECT_TRUE(ghosts_.empty());
+  EXPECT_FALSE(find<QPushButton>("applyPlaced")->isVisible());
+
+  dropFlat();
+  placeByKey();
+  ASSERT_FALSE(ghosts_.empty());
+  window_->editor().commit("Add", [](Scene& scene) { scene.probes.emplace_back().name = "mine"; });
+  waitUntilIdle();
+  EXPECT_TRUE(ghosts_.empty());
+  EXPECT_FALSE(find<QPushButton>("applyPlaced")->isVisible());
+}
+
+}  // namespace
+}  // namespace boxprobe

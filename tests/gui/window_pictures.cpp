@@ -1,0 +1,92 @@
+// Pictures of the window in its states, for people to look at: as opened, two probes with their influence, the picture
+// beside the ray-traced reference, the light theme, a small screen and letters at 200 %.
+//   xvfb-run -a -s "-screen 0 3200x2000x24 -noreset" build/release/tests/gui/window_pictures
+// They are written to out/window, or to the folder that BOXPROBE_PICTURES names.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QLabel>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QTest>
+#include <cstdio>
+
+#include "app/gui/handles/handle.h"
+#include "app/gui/handles/probe_widget.h"
+#include "app/gui/view/picture_compare.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/widgets/window_style.h"
+#include "app/gui/window/view_tools.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+class WindowPictures : public WindowTest {
+ protected:
+  LoadedScene scene() const override { return loadScene(buildingPath()); }
+  void size(int width, int height) {
+    window_->resize(width, height);
+    waitUntilIdle();
+  }
+  void keep(const char* name) {
+    const QString folder = qEnvironmentVariable("BOXPROBE_PICTURES", "out/window");
+    ASSERT_TRUE(QDir().mkpath(folder)) << folder.toStdString() << ": cannot be made";
+    waitUntilIdle();
+    const QString path = QDir(folder).filePath(QString(name) + ".png");
+    ASSERT_TRUE(window_->grab().save(path)) << path.toStdString() << ": cannot be written";
+    std::printf("%s\n", path.toStdString().c_str());
+  }
+};
+
+TEST_F(WindowPictures, AtOneToOne) {
+  size(1440, 900);
+  keep("as-opened");
+
+  window_->probeWidget().setMode(HandleMode::Influence);
+  Probe second = probe();
+  second.name = "second";
+  second.origin.z += 2.0;
+  window_->editor().commit("Add probe", [second](Scene& scene) { scene.probes.push_back(second); });
+  keep("two-probes-influence");
+  window_->editor().undo();
+  window_->probeWidget().setMode(HandleMode::Box);
+
+  key(Qt::Key_C, Qt::ShiftModifier);
+  const auto* numbers = window_->findChild<QLabel*>("compareNumbers");
+  ASSERT_TRUE(QTest::qWaitFor([numbers] { return !numbers->text().isEmpty(); }, 120000));
+  keep("beside-the-reference");
+  window_->tools().compare().stop();
+
+  applyWindowStyle(*qApp, Theme::Light);
+  key(Qt::Key_E);
+  const QPointF middle(0.5 * window_->viewport().width(), 0.75 * window_->viewport().height());
+  move(middle);
+  press(middle);
+  release(middle);
+  keep("light-theme");
+  key(Qt::Key_E);
+  applyWindowStyle(*qApp);
+
+  size(1280, 800);
+  keep("1280x800");
+}
+
+TEST_F(WindowPictures, AtTwice) {
+  if (qApp->devicePixelRatio() < 1.5) {
+    QProcess child;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("QT_SCALE_FACTOR", "2");
+    child.setProcessEnvironment(environment);
+    child.start(QCoreApplication::applicationFilePath(), {"--gtest_filter=WindowPictures.AtTwice"});
+    ASSERT_TRUE(child.waitForFinished(600000));
+    ASSERT_EQ(child.exitCode(), 0) << child.readAllStandardOutput().toStdString();
+    return;
+  }
+  size(1280, 800);  // 2560 x 1600 of the screen
+  keep("at-200-percent");
+}
+
+}  // namespace
+}  // namespace boxprobe

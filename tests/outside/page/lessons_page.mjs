@@ -1,0 +1,129 @@
+// The page of lessons in a browser: the plan's numbers against C++ for 1,000 drags, keys and touch, wipes, questions, the page
+// without scripts, printed. usage: lessons_page.mjs BOXPROBE PLAN_NUMBERS SCENES OUT [DRAGS]
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, statSync } from 'node:fs';
+import path from 'node:path';
+import { BrowserPage, check, roomPsnr } from './browser_page.mjs';
+
+const [program, oracle, scenes, out, drags = '1000'] = process.argv.slice(2);
+mkdirSync(out, { recursive: true });
+const file = path.resolve(out, 'floor-mirror.html');
+if (!process.env.BOXPROBE_KEEP_PAGE || !existsSync(file)) execFileSync(program, ['lessons', 'floor-mirror', '-o', file, '--quiet', '--language', 'en'], { stdio: 'inherit' });
+const address = 'file://' + file;
+console.log(`${(statSync(file).size / 1e6).toFixed(2)} MB`);
+
+let seed = 1;
+const random = () => { seed = (seed * 1103515245 + 12345) % 2147483648; return seed / 2147483648; };
+
+const page = await BrowserPage.open(address);
+const plan = '(document.querySelector(".plan.live").boxprobePlan)';
+await page.until('!!document.querySelector(".plan.live")');
+
+// 1,000 drags of random handles to random places of their drawing.
+const handles = await page.evaluate(`[...document.querySelectorAll('.plan.live .plan-view')].flatMap((view, i) => [...view.querySelectorAll('.handle')].map((h) => [i, h.dataset.handle]))`);
+await page.middle('.plan.live .plan-views');
+const given = [], shown = [];
+for (let n = 0; n < Number(drags); n++) {
+  if (n % 20 === 0) await page.evaluate(`document.querySelector('.plan.live .plan-bar button:last-child').click()`);  // walls that met hold each other
+  const [view, id] = handles[Math.floor(random() * handles.length)];
+  const [x, y, left, top, width, height] = await page.evaluate(`(() => { const v = document.querySelectorAll('.plan.live .plan-view')[${view}]; const s = v.querySelector('svg').getBoundingClientRect();
+    const h = v.querySelector('[data-handle="${id}"] > :last-child').getBoundingClientRect(); return [h.x + h.width / 2, h.y + h.height / 2, s.x, s.y, s.width, s.height]; })()`);
+  await page.drag([x, y], [left + width * (0.04 + 0.92 * random()), top + height * (0.04 + 0.92 * random())]);
+  const { state, numbers, text } = await page.evaluate(`({ state: ${plan}.state(), numbers: ${plan}.numbers(), text: [...document.querySelectorAll('.plan.live tr')].find((r) => r.firstChild.textContent === 'd').children[1].textContent })`);
+  given.push([...state.position, ...state.normal, ...state.eye, ...state.origin, ...state.box.min, ...state.box.max]);
+  shown.push({ ...numbers, text, size: Math.hypot(...state.box.max.map((v, i) => v - state.box.min[i])) });
+}
+const answers = execFileSync(oracle, { input: given.map((row) => row.join(' ')).join('\n') + '\n' }).toString().trim().split('\n').map((line) => line.split(' ').map(Number));
+let worst = 0, worstT = 0, otherAxis = 0, otherText = 0, moved = 0;
+answers.forEach((v, n) => {
+  const s = shown[n];
+  for (let i = 0; i < 3; i++) {
+    worst = Math.max(worst, Math.abs(v[9 + i] - s.lookup[i]) / s.size, Math.abs(v[6 + i] - s.reflection[i]));
+    // A ray almost along a wall meets it far away: the error of R grows with the square of that distance.
+    if (v[i] < 1e30 && s.t[i] < 1e30) worstT = Math.max(worstT, Math.abs(v[i] - s.t[i]) / Math.max(s.size, v[i] * v[i] / s.size));
+  }
+  worst = Math.max(worst, Math.abs(v[3] - s.distance) / s.size);
+  if (v[12] !== s.axis && Math.abs(s.t[v[12]] - s.t[s.axis]) > 1e-5 * s.size) otherAxis++;
+  if (Math.abs(Number(s.text.replace('−', '-')) - s.distance) > 5.1e-4) otherText++;
+  if (n > 0 && given[n].some((value, i) => value !== given[n - 1][i])) moved++;
+});
+check(answers.length === Number(drags), `${answers.length} drags answered by the C++ numbers`);
+check(moved > 0.75 * Number(drags), `${moved} of them moved something; the others pulled a handle against its stop or one that another covers`);
+check(worst <= 1e-5, `d, R, H - C off by at most ${worst.toExponential(1)} of the box (1e-5)`);
+check(worstT <= 1e-5, `t_x, t_y, t_z by at most ${worstT.toExponential(1)} (1e-5)`);
+check(otherAxis === 0 && otherText === 0, `the same wall wins and the table says so (${otherAxis}, ${otherText})`);
+
+// Keys and touch.
+await page.evaluate(`document.querySelector('.plan.live .plan-bar button:last-child').click()`);
+const before = await page.evaluate(`${plan}.state()`);
+await page.evaluate(`document.querySelector('.plan.live [data-handle="C"]').focus()`);
+await page.key('ArrowRight');
+const keyed = await page.evaluate(`${plan}.state()`);
+check(Math.abs(keyed.origin[0] - before.origin[0] - 0.05) < 1e-6, 'an arrow key moves C by .05');
+await page.send('Emulation.setTouchEmulationEnabled', { enabled: true });
+const [tx, ty] = await page.middle('.plan.live [data-handle="P"] > :last-child');
+await page.touch('touchStart', tx, ty);
+await page.touch('touchMove', tx + 30, ty - 20);
+await page.touch('touchEnd');
+const touched = await page.evaluate(`${plan}.state()`);
+check(touched.position[0] > keyed.position[0] + 0.05, 'a finger moves P');
+await page.send('Emulation.setTouchEmulationEnabled', { enabled: false });
+await page.screenshot(path.join(out, 'plan.png'));
+
+// Wipe.
+const [wx, wy] = await page.middle('.compare');
+await page.click(wx, wy);
+await page.until('!!document.querySelector(".wipe")');
+await page.middle('.wipe .picture');
+const picture = await page.evaluate(`(() => { const r = document.querySelector('.wipe .picture').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()`);
+for (const share of [0.25, 0.8]) {
+  await page.drag([picture[0] + picture[2] / 2, picture[1] + picture[3] / 2], [picture[0] + share * picture[2], picture[1] + picture[3] / 2]);
+  const cut = await page.evaluate(`document.querySelector('.wipe .before').style.clipPath`);
+  check(Math.abs(parseFloat(cut.match(/inset\(0(?:px)? ([\d.]+)%/)[1]) - 100 * (1 - share)) < 0.6, `the wipe follows the pointer to ${share}: ${cut}`);
+}
+await page.screenshot(path.join(out, 'wipe.png'));
+
+// Questions.
+const [qx, qy] = await page.middle('.question details.wrong summary');
+await page.click(qx, qy);
+const [rx, ry] = await page.middle('.question details.right summary');
+await page.click(rx, ry);
+const question = await page.evaluate(`({ open: [...document.querySelectorAll('.question details')].map((d) => d.open + d.className), tried: document.querySelector('.question').dataset.tried, score: document.querySelector('.score').textContent })`);
+check(question.open.filter((o) => o === 'trueright').length === 1 && !question.open.includes('truewrong'), 'one answer is open, the right one');
+check(question.tried === 'wrong' && /0 of 1 right/.test(question.score), `the first try counts: ${question.score}`);
+
+// The room, at the face size it is in the page with, as the lesson's first step has it.
+const [ox, oy] = await page.middle('.open-room');
+await page.click(ox, oy);
+await page.until('Number(document.querySelector(".room-view").dataset.drawn) > 0 || !!document.querySelector(".room-said")?.textContent', 240);
+await page.screenshot(path.join(out, 'room.png'));
+const png = path.join(out, 'render.png'), width = 480, height = 300;
+for (const technique of ['infinite', 'box']) {
+  execFileSync(program, ['render', path.join(scenes, 'room.boxprobe.json'), '-o', png, '--size', `${width}x${height}`, '--camera', 'A', '--samples', '1', '--quiet', '--technique', technique,
+    '--set', 'probes.room.faceSize=128', ...[1, 2, 3].flatMap((n) => ['--set', `objects.sphere ${n}.visible=false`])]);
+  await page.evaluate(`(async () => { const host = document.createElement('div'); host.className = 'room-view'; document.body.append(host); const from = document.querySelector('.room-view');
+    await boxprobeRoom(host, JSON.parse(document.getElementById(from.dataset.scene).textContent), { antialias: false, prepare: (room) => boxprobeView(room, JSON.parse(from.dataset.view)) });
+    host.boxprobePanel.redraw = () => {}; window.plainRoom = host.boxprobeRoom; plainRoom.row = plainRoom.findRow('${technique}', 'none'); })()`);
+  const db = await roomPsnr(page, 'plainRoom', png, width, height);
+  check(db >= 40, `the room by ${technique}: ${db.toFixed(1)} dB from render (at least 40)`);
+}
+
+// On paper and in a hand.
+await page.pdf(path.join(out, 'page.pdf'));
+check(statSync(path.join(out, 'page.pdf')).size > 20000, 'it prints');
+await page.size(390, 844, true);
+await page.middle('.plan.live');
+const wide = await page.evaluate('document.documentElement.scrollWidth');
+check(wide <= 390, `a telephone's width is enough (${wide} of 390)`);
+await page.screenshot(path.join(out, 'phone.png'));
+check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
+await page.close();
+
+// Without scripts: still plans with the same letters, answers that open.
+const still = await BrowserPage.open(address, { scripts: false });
+await still.send('DOM.enable');
+const { root } = await still.send('DOM.getDocument', { depth: -1 });
+const text = JSON.stringify(root);
+check((text.match(/plan-view/g) || []).length >= 2 && text.includes('"H - C"'), 'without scripts the plan and the elevation stand there');
+await still.screenshot(path.join(out, 'still.png'));
+await still.close();
