@@ -206,6 +206,17 @@ TEST_F(ProbeGaugeTest, TheWorstSpotIsLookedAtAndLeft) {
   EXPECT_FALSE(back->isEnabled());
 }
 
+TEST_F(ProbeGaugeTest, AnotherSceneHasNoViewToComeBackTo) {
+  moveFaceBy(2.0);
+  QTest::mouseClick(find<QPushButton>("worstSpot"), Qt::LeftButton);
+  waitUntilIdle();
+  EXPECT_TRUE(find<QPushButton>("worstSpotBack")->isEnabled());
+  window_->showScene(scene());
+  waitUntilIdle();
+  EXPECT_FALSE(find<QPushButton>("worstSpotBack")->isEnabled());
+  EXPECT_FALSE(find<QLabel>("spotTag")->isVisible());
+}
+
 TEST_F(ProbeGaugeTest, AnotherOriginIsMeasuredAnew) {
   const ProbeGauge::Counts counts = gauge().counts();
   window_->editor().commitProbe("Move", [](Probe& probe) { probe.origin.y += 0.5; });

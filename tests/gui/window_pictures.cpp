@@ -1,5 +1,6 @@
 // Pictures of the window in its states, for people to look at: as opened, two probes with their influence, the picture
-// beside the ray-traced reference, the light theme, a small screen and letters at 200 %.
+// beside the ray-traced reference, a pixel explained, the light theme, a small screen, a lesson's task and letters at
+// 200 %.
 //   xvfb-run -a -s "-screen 0 3200x2000x24 -noreset" build/release/tests/gui/window_pictures
 // They are written to out/window, or to the folder that BOXPROBE_PICTURES names.
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 
 #include "app/gui/handles/handle.h"
 #include "app/gui/handles/probe_widget.h"
+#include "app/gui/lessons/lesson_view.h"
 #include "app/gui/view/picture_compare.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/window_style.h"
@@ -59,6 +61,14 @@ TEST_F(WindowPictures, AtOneToOne) {
   keep("beside-the-reference");
   window_->tools().compare().stop();
 
+  key(Qt::Key_E);
+  const QPointF floor(0.26 * window_->viewport().width(), 0.72 * window_->viewport().height());
+  move(floor);
+  press(floor);
+  release(floor);
+  keep("explain");
+  key(Qt::Key_E);
+
   applyWindowStyle(*qApp, Theme::Light);
   key(Qt::Key_E);
   const QPointF middle(0.5 * window_->viewport().width(), 0.75 * window_->viewport().height());
@@ -71,6 +81,13 @@ TEST_F(WindowPictures, AtOneToOne) {
 
   size(1280, 800);
   keep("1280x800");
+}
+
+TEST_F(WindowPictures, ALessonsTask) {
+  size(1440, 900);
+  window_->lessons().open("fit-the-box", 2);
+  keep("lesson-task");
+  window_->lessons().leave();
 }
 
 TEST_F(WindowPictures, AtTwice) {

@@ -98,6 +98,11 @@ void ViewCommands::comeBack() {
   emit canComeBack(false);
 }
 
+void ViewCommands::forgetView() {
+  before_.reset();
+  emit canComeBack(false);
+}
+
 void ViewCommands::setWalking(bool on) {
   viewport_.cameraController().setWalking(on);
 }

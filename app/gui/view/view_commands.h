@@ -30,6 +30,8 @@ class ViewCommands : public QObject {
   void lookAtSpot(const glm::dvec3& positionWorld, const glm::dvec3& eyeWorld);
   /// The view from before the first lookAtSpot().
   void comeBack();
+  /// Other models are shown: a view of those before is none of these.
+  void forgetView();
   void setWalking(bool on);
 
   /// The view as it is now, as the scene's last camera; a name that is taken gets a number.

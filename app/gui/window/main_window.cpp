@@ -129,6 +129,7 @@ MainWindow::~MainWindow() {
   // The overlay and the scene hold GL objects of the viewport's context: they go first, while it is there.
   panels_->stopReading();
   delete tools_;  // its threads and its drawings over the picture
+  tools_ = nullptr;
   viewport_->window3d()->MakeCurrent();
   debugView_->releaseGraphics();
   renderer_->releaseGraphics();
@@ -367,6 +368,7 @@ void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& mod
   panels_->setModels(models);
   debugView_->setModels(models);
   panels_->bakePanel().useFilesBeside(path);
+  if (tools_ != nullptr) tools_->modelsReplaced();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

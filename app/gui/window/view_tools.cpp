@@ -109,6 +109,11 @@ void ViewTools::connectGauge() {
   connect(views_, &ViewCommands::canComeBack, rows, &GaugeRows::setCanComeBack);
 }
 
+void ViewTools::modelsReplaced() {
+  views_->forgetView();
+  tags_->showSpot({});
+}
+
 QImage ViewTools::barePicture() {
   if (!parts_.viewport.readyToDraw()) return {};
   parts_.viewport.window3d()->MakeCurrent();

@@ -48,6 +48,8 @@ class ViewTools : public QObject {
   ViewCommands& views() { return *views_; }
   PictureMenu& pictureMenu() { return *pictureMenu_; }
   PictureCompare& compare() { return *compare_; }
+  /// Other models are shown: what was remembered of those before is forgotten.
+  void modelsReplaced();
 
  private:
   void connectViews();

@@ -157,14 +157,15 @@ std::vector<std::string> lessonLanguages(const std::string& folder) {
   return languages;
 }
 
-const Lesson& findLesson(const LessonList& list, const std::string& name) {
+const Lesson& findLesson(const LessonList& list, std::string_view name) {
   std::vector<std::string> names;
   for (const Lesson& lesson : list.lessons) {
     if (lesson.name == name) return lesson;
     names.push_back(lesson.name);
   }
-  const std::string guess = didYouMean(name, names);
-  throw InputError("lesson " + name + ": there is no such lesson" +
+  const std::string wanted(name);
+  const std::string guess = didYouMean(wanted, names);
+  throw InputError("lesson " + wanted + ": there is no such lesson" +
                    (guess.empty() ? "; `boxprobe lessons` lists them" : guess));
 }
 

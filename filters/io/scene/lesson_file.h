@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "filters/core/scene/lesson.h"
@@ -32,7 +33,7 @@ LessonList loadLessons(const std::string& folder, const std::string& language = 
 std::vector<std::string> lessonLanguages(const std::string& folder);
 
 /// The lesson of that name. Throws InputError with the nearest one.
-const Lesson& findLesson(const LessonList& list, const std::string& name);
+const Lesson& findLesson(const LessonList& list, std::string_view name);
 
 /// The scene as a step shows it: the lesson's, with its changes and those of every step up to this one. Throws
 /// InputError.
