@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include "app/gui/widgets/window_style.h"
@@ -11,6 +12,9 @@ int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   boxprobe::setSurfaceFormat();
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  // Compiled shaders are Mesa's to keep, for every program that draws the same.
+  const QString kept = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
+  if (!qEnvironmentVariableIsSet("MESA_SHADER_CACHE_DIR")) qputenv("MESA_SHADER_CACHE_DIR", kept.toUtf8());
   // Preferences of this run alone: several run at once. A test's own child shares them.
   QTemporaryDir own;
   if (qEnvironmentVariableIsSet("BOXPROBE_TEST_PREFERENCES")) own.remove();
