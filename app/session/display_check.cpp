@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "app/session/interrupt.h"
 #include "filters/core/base/errors.h"
 
 namespace boxprobe {
@@ -20,10 +21,13 @@ namespace {
 class QuietStderr {
  public:
   QuietStderr() : kept_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)), null_(open("/dev/null", O_WRONLY | O_CLOEXEC)) {
-    if (kept_ >= 0 && null_ >= 0) dup2(null_, STDERR_FILENO);
+    if (kept_ < 0 || null_ < 0) return;
+    sayOfSignalsTo(kept_);
+    dup2(null_, STDERR_FILENO);
   }
   ~QuietStderr() {
     if (kept_ >= 0) dup2(kept_, STDERR_FILENO);
+    sayOfSignalsTo(STDERR_FILENO);
     close(kept_);
     close(null_);
   }

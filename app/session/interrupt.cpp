@@ -31,7 +31,7 @@ volatile sig_atomic_t waitsSince = 0, patient = 0;
 timer_t stopTimer;
 bool haveTimer = false;
 int guards = 0;
-volatile sig_atomic_t wakeDescriptor = -1;
+volatile sig_atomic_t wakeDescriptor = -1, sayDescriptor = STDERR_FILENO;
 struct sigaction handlersBefore[3], alarmBefore;
 
 void endWithin(long milliseconds) {
@@ -60,7 +60,7 @@ bool writeWhole(int file, const char* bytes, std::size_t count) {
 }
 
 void say(const char* text, std::size_t count) {
-  writeWhole(STDERR_FILENO, text, count);
+  writeWhole(sayDescriptor, text, count);
 }
 
 void writeKeptText() {
@@ -151,6 +151,8 @@ InterruptGuard::~InterruptGuard() {
   if (haveTimer) timer_delete(stopTimer);
   haveTimer = false;
   sigaction(SIGALRM, &alarmBefore, nullptr);
+  // Nobody asked since it arrived: it must not be lost.
+  if (signalArrived != 0 && !stopSeen) endNow(signalArrived);
 }
 
 void InterruptGuard::waitForPartialResults() {
@@ -175,6 +177,10 @@ void keepForSignals(const std::string& path, const std::string& text) {
   const int other = 1 - keptNow.load();
   keptTexts[other] = {path, text};
   keptNow.store(other);
+}
+
+void sayOfSignalsTo(int descriptor) {
+  sayDescriptor = descriptor;
 }
 
 void answerWriteSignals() {

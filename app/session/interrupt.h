@@ -11,7 +11,8 @@ namespace boxprobe {
 /// signal that arrives late is still told of by the last check(). What does not stop within 0.7 s of a signal (three
 /// where the machine is busy with other work), or is sent a second one, ends there: temporary files are removed, one
 /// line is printed, and the signal's own end follows (status 128 + its number). Work that has seen the flag gets five
-/// seconds to write what it announced. A SIGHUP that the parent ignores (nohup) stays ignored.
+/// seconds to write what it announced. A signal that nobody has asked for when the last of these goes ends the program
+/// there, in the same way. A SIGHUP that the parent ignores (nohup) stays ignored.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -37,6 +38,10 @@ class InterruptGuard {
 /// If a signal ends the process in the middle of a step, `text` is written to `path` and that is said. An empty text:
 /// nothing. For one thread.
 void keepForSignals(const std::string& path, const std::string& text);
+
+/// Where a signal that ends the process in the middle of a step says so, while standard error is another file; else
+/// that.
+void sayOfSignalsTo(int descriptor);
 
 /// Writing to a closed pipe, or beyond the limit on a file's size, becomes an error of the write; either would end the
 /// process with its temporary files left. For the whole process, its children included.

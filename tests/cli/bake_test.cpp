@@ -77,7 +77,7 @@ TEST(Bake, StoppedWorkLeavesWholeFilesAndGoesOn) {
   RunningProgram program(arguments);
   ASSERT_TRUE(program.waitUntilHandling(SIGINT));
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-  program.send(SIGINT);
+  ASSERT_TRUE(program.sendAtWork(SIGINT)) << "done before the signal";
   const Outcome stopped = program.finish();
   // Between two faces, or in the middle of one that takes long.
   EXPECT_THAT(stopped.exitStatus, ::testing::AnyOf(1, 128 + SIGINT));

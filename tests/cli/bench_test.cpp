@@ -4,14 +4,12 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
-#include <thread>
 
 #include "filters/core/picture/pareto_front.h"
 #include "filters/io/image/image_file.h"
@@ -196,10 +194,10 @@ TEST_F(BenchRefusals, SceneWithNothingToMeasure) {
 
 TEST(Bench, InterruptedLeavesWhatItHasUnderAnotherName) {
   const TemporaryFolder folder;
-  RunningProgram program({"bench", demoScene("gallery"), "-o", folder.path("out")});
-  ASSERT_TRUE(program.waitUntilHandling(SIGINT));
-  std::this_thread::sleep_for(std::chrono::seconds(6));
-  program.send(SIGINT);
+  // Small pictures: of many short steps, each of which asks for signals.
+  RunningProgram program({"bench", demoScene("gallery"), "-o", folder.path("out"), "--size", "160x90"});
+  ASSERT_TRUE(program.waitForProgress(1)) << program.finish().err;
+  ASSERT_TRUE(program.sendAtWork(SIGINT)) << "done before the signal";
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.exitStatus, 1) << outcome.err;
   ASSERT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;

@@ -143,7 +143,7 @@ TEST_F(GlTrouble, OnWaylandAWindowTakesXOrSaysWhatToInstall) {
   EXPECT_THAT(oneLine({demoScene("room")}, 2, DisplayKind::Unset), HasSubstr("install xwayland"));
   RunningProgram window({demoScene("room")});
   ASSERT_TRUE(window.waitUntilHandling(SIGTERM)) << "it opens, and asks for no plugin";
-  window.send(SIGTERM);
+  ASSERT_TRUE(window.sendAtWork(SIGTERM));
   EXPECT_EQ(window.finish().exitStatus, 128 + SIGTERM);
 }
 

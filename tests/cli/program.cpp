@@ -4,11 +4,14 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -35,6 +38,9 @@ fs::path newFolder() {
     const int file = open((folder / name).c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
     if (file < 0 || dup2(file, target) < 0) _exit(126);
   };
+  // Beside other tests that run: no preferences, no changes that a window offers to recover.
+  for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) setenv(place, folder.c_str(), 1);
+  setenv("BOXPROBE_PROGRESS", "lines", 1);
   redirect("out", STDOUT_FILENO);
   redirect("err", STDERR_FILENO);
   std::string program = BOXPROBE_PROGRAM;
@@ -45,6 +51,19 @@ fs::path newFolder() {
   execv(program.c_str(), argv.data());
   _exit(127);
 }
+
+/// True once `holds` does; false if `program` ended first, or never seems to do either.
+template <typename Condition>
+bool waitUntil(const RunningProgram& program, const Condition& holds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(10);
+  while (!holds()) {
+    if (program.ended() || std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
+constexpr const char* kProgress = "progress ";  // and how many percent
 
 }  // namespace
 
@@ -70,18 +89,26 @@ RunningProgram::~RunningProgram() {
   fs::remove_all(folder_, ignored);
 }
 
-bool RunningProgram::waitUntilHandling(int signal) const {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (std::chrono::steady_clock::now() < end) {
-    std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
-    for (std::string line; std::getline(status, line);) {
-      if (line.rfind("SigCgt:", 0) != 0) continue;
-      const unsigned long long caught = std::stoull(line.substr(7), nullptr, 16);
-      if ((caught >> (signal - 1)) & 1) return true;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+bool RunningProgram::handles(int signal) const {
+  std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.rfind("SigCgt:", 0) != 0) continue;
+    const unsigned long long caught = std::stoull(line.substr(7), nullptr, 16);
+    if ((caught >> (signal - 1)) & 1) return true;
   }
   return false;
+}
+
+bool RunningProgram::waitUntilHandling(int signal) const {
+  return waitUntil(*this, [&] { return handles(signal); });
+}
+
+bool RunningProgram::waitForProgress(int percent) const {
+  return waitUntil(*this, [&] {
+    const std::string err = readFile((folder_ / "err").string());
+    const std::size_t last = err.rfind(kProgress);
+    return last != std::string::npos && std::atoi(err.c_str() + last + std::strlen(kProgress)) >= percent;
+  });
 }
 
 bool RunningProgram::ended() const {
@@ -89,18 +116,44 @@ bool RunningProgram::ended() const {
   return waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
 }
 
-void RunningProgram::send(int signal) const {
-  kill(pid_, signal);
+bool RunningProgram::sendAtWork(int signal) const {
+  kill(pid_, SIGSTOP);
+  siginfo_t info = {};
+  if (waitid(P_PID, static_cast<id_t>(pid_), &info, WSTOPPED | WEXITED | WNOWAIT) != 0) return false;
+  const bool atWork = info.si_code == CLD_STOPPED && handles(signal);
+  if (atWork) kill(pid_, signal);
+  kill(pid_, SIGCONT);
+  return atWork;
+}
+
+void RunningProgram::waitForEnd() const {
+  siginfo_t info = {};
+  waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT);
+}
+
+double RunningProgram::secondsWithoutProcessor() const {
+  std::ifstream file("/proc/" + std::to_string(pid_) + "/schedstat");
+  double ran = 0.0, waited = 0.0;  // nanoseconds
+  return file >> ran >> waited ? 1e-9 * waited : 0.0;
 }
 
 Outcome RunningProgram::finish() {
   int status = 0;
-  waitpid(pid_, &status, 0);
+  rusage used = {};
+  wait4(pid_, &status, 0, &used);
   pid_ = -1;
   Outcome outcome;
   outcome.exitStatus = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  for (const timeval& part : {used.ru_utime, used.ru_stime}) {
+    outcome.cpuSeconds += static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
+  }
   outcome.out = readFile((folder_ / "out").string());
-  outcome.err = readFile((folder_ / "err").string());
+  std::istringstream said(readFile((folder_ / "err").string()));
+  for (std::string line; std::getline(said, line);) {
+    if (line.rfind(kProgress, 0) == 0) continue;
+    outcome.err += line;
+    if (!said.eof()) outcome.err += '\n';
+  }
   return outcome;
 }
 

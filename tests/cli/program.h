@@ -10,7 +10,8 @@
 namespace boxprobe::test {
 
 struct Outcome {
-  int exitStatus = -1;  ///< 128 + the signal's number if one ended it
+  int exitStatus = -1;      ///< 128 + the signal's number if one ended it
+  double cpuSeconds = 0.0;  ///< of all its threads
   std::string out;
   std::string err;
 
@@ -22,7 +23,7 @@ enum class DisplayKind { Inherited, Unset, Unreachable };
 /// Runs `boxprobe ARGUMENTS...` to its end.
 Outcome runProgram(const std::vector<std::string>& arguments, DisplayKind display = DisplayKind::Inherited);
 
-/// The program while it runs, for sending it signals.
+/// The program while it runs, for sending it signals. Its preferences and its kept changes are in a folder of its own.
 class RunningProgram {
  public:
   explicit RunningProgram(const std::vector<std::string>& arguments, DisplayKind display = DisplayKind::Inherited);
@@ -30,14 +31,25 @@ class RunningProgram {
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
 
-  /// Waits until the program handles `signal` itself; false if it ended or 60 s passed first.
+  /// Waits until the program handles `signal` itself; false if it ended or ten minutes passed first.
   bool waitUntilHandling(int signal) const;
+  /// Waits until the program says that this share of its work is done; false if it ended or ten minutes passed first.
+  /// Not with --quiet.
+  bool waitForProgress(int percent) const;
   /// True once it has ended, before finish() as well.
   bool ended() const;
-  void send(int signal) const;
-  Outcome finish();  ///< waits for the end
+  /// Sends `signal` while the program stands still and handles it: the handler is the first of it that runs then.
+  /// False, and nothing is sent, if it has ended or is past its work.
+  bool sendAtWork(int signal) const;
+  void waitForEnd() const;
+  /// How long its main thread has been ready and had to wait for a processor, until the end and after it. 0 where the
+  /// system does not tell.
+  double secondsWithoutProcessor() const;
+  /// Waits for the end. What it said of its progress is left out of `err`.
+  Outcome finish();
 
  private:
+  bool handles(int signal) const;
   pid_t pid_ = -1;
   std::filesystem::path folder_;  ///< holds its stdout and stderr
 };

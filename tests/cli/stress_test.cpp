@@ -103,7 +103,7 @@ TEST(StressCommand, StopsWhenInterrupted) {
   const TemporaryFolder folder;
   RunningProgram program({"stress", "--count", "1000000000", "-o", folder.path("stress.json")}, DisplayKind::Unset);
   ASSERT_TRUE(program.waitUntilHandling(SIGINT));
-  program.send(SIGINT);
+  ASSERT_TRUE(program.sendAtWork(SIGINT));
   const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.exitStatus, 1) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("interrupted"));

@@ -1,6 +1,6 @@
 #include "tests/fuzz/scratch_file.h"
 
-#include <unistd.h>
+#include <stdlib.h>
 
 #include <fstream>
 #include <stdexcept>
@@ -16,8 +16,9 @@ ScratchFile::ScratchFile() {
   std::error_code ignored;
   const fs::path memory = "/dev/shm";
   const fs::path parent = fs::is_directory(memory, ignored) ? memory : fs::temp_directory_path();
-  folder_ = parent / ("boxprobe-fuzz-" + std::to_string(::getpid()));
-  fs::create_directories(folder_);
+  std::string name = (parent / "boxprobe-fuzz-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot create " + name);
+  folder_ = name;
 }
 
 ScratchFile::~ScratchFile() {

@@ -167,7 +167,7 @@ TEST_F(BakePanelTest, BakeAllMakesEveryProbe) {
 
 TEST_F(BakePanelTest, StopLeavesTheRestAndTheStateSaysSo) {
   click("bake");
-  ASSERT_TRUE(QTest::qWaitFor([this] { return state() == "Capturing"; }, 20000)) << state().toStdString();
+  ASSERT_TRUE(waitFor([this] { return state() == "Capturing"; })) << state().toStdString();
   click("stopBake");
   waitUntilIdle();
   EXPECT_TRUE(window_->renderer().workPending());
@@ -183,7 +183,7 @@ TEST_F(BakePanelTest, WhatIsSavedBesideTheSceneIsLoadedWithIt) {
   const auto question = answerMessageBox(QMessageBox::Save);
   click("saveBaked");
   EXPECT_TRUE(question->text.contains("copy.probes")) << question->text.toStdString();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return window_->statusBar()->currentMessage().startsWith("Wrote"); }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_->statusBar()->currentMessage().startsWith("Wrote"); }, 120000));
   const QDir files(folder_.filePath("copy.probes"));
   EXPECT_TRUE(files.exists("room.exr"));
   // As a program started again: this window's own maps are kept for undo.
@@ -191,8 +191,8 @@ TEST_F(BakePanelTest, WhatIsSavedBesideTheSceneIsLoadedWithIt) {
   second.resize(window_->size());
   second.showScene(loadScene(path.toStdString()));
   second.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&second));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return second.scheduler().idle() && !second.renderer().workPending(); }, 60000));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&second, 60000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return second.scheduler().idle() && !second.renderer().workPending(); }, 300000));
   EXPECT_EQ(second.renderer().counters().facesCaptured, 0u);
   EXPECT_EQ(second.findChild<QLabel*>("bakeState")->text(), "Loaded from disk, up to date");
 }

@@ -98,7 +98,7 @@ TEST_F(CameraTest, LettersFlyUntilTheyAreLetGo) {
   const Camera before = camera();
   const glm::dvec3 ahead = glm::normalize(before.target - before.position);
   keyDown(Qt::Key_W);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return glm::dot(camera().position - before.position, ahead) > 0.05; }, 20000));
+  EXPECT_TRUE(waitFor([&] { return glm::dot(camera().position - before.position, ahead) > 0.05; }));
   keyUp(Qt::Key_W);
   QCoreApplication::processEvents();
   const Camera stopped = camera();
@@ -114,7 +114,7 @@ TEST_F(CameraTest, WalkingKeepsTheEyesOverTheFloor) {
   EXPECT_NEAR(camera().position.y, 1.6, 0.02);
   const glm::dvec3 before = camera().position;
   keyDown(Qt::Key_S);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return glm::length(camera().position - before) > 0.05; }, 20000));
+  EXPECT_TRUE(waitFor([&] { return glm::length(camera().position - before) > 0.05; }));
   keyUp(Qt::Key_S);
   EXPECT_NEAR(camera().position.y, 1.6, 0.02);
   key(Qt::Key_G);

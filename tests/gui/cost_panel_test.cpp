@@ -6,7 +6,6 @@
 
 #include <QDir>
 #include <QDockWidget>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QLabel>
 #include <QProgressBar>
@@ -76,10 +75,9 @@ TEST_F(CostPanelTest, ShowsAnEarlierBenchmarkAndTheCurrentChoice) {
   const auto selected = table->selectedItems();
   ASSERT_EQ(selected.size(), 1);
   EXPECT_EQ(selected.front()->text(0), "box");
-  QTest::qWait(400);
+  const auto* chart = panel_->findChild<QLabel*>("costChart");
+  EXPECT_TRUE(QTest::qWaitFor([chart] { return !chart->pixmap(Qt::ReturnByValue).isNull(); }, 60000));
   waitUntilIdle();
-  const QPixmap chart = panel_->findChild<QLabel*>("costChart")->pixmap(Qt::ReturnByValue);
-  EXPECT_FALSE(chart.isNull());
   if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT"))
     window_->grab().save(QString(folder) + "/cost_panel.png");
 
@@ -101,17 +99,11 @@ TEST_F(CostPanelTest, MeasuresBesideTheWindowAndStops) {
   QTest::mouseClick(quick, Qt::LeftButton);
   EXPECT_TRUE(panel_->measuring());
   EXPECT_FALSE(quick->isEnabled());
-  QElapsedTimer timer;
-  timer.start();
-  while (panel_->measuring() && named<QProgressBar>("costProgress")->value() < 1 && timer.elapsed() < 120000) {
-    QTest::qWait(50);
-  }
+  EXPECT_TRUE(waitFor([this] { return !panel_->measuring() || named<QProgressBar>("costProgress")->value() >= 1; }));
   EXPECT_TRUE(panel_->measuring()) << "it says how far it is before it is done";
   EXPECT_GE(named<QProgressBar>("costProgress")->value(), 1);
   QTest::mouseClick(named<QPushButton>("stopMeasuring"), Qt::LeftButton);
-  timer.restart();
-  while (panel_->measuring() && timer.elapsed() < 60000) QTest::qWait(50);
-  EXPECT_FALSE(panel_->measuring());
+  EXPECT_TRUE(waitFor([this] { return !panel_->measuring(); }));
   EXPECT_TRUE(quick->isEnabled());
   EXPECT_FALSE(QFile::exists(QString::fromStdString(CostPanel::folderBeside(path)) + "/bench.json"));
 }

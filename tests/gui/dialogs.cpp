@@ -14,13 +14,20 @@ namespace boxprobe {
 namespace {
 
 constexpr int kPollMilliseconds = 20;
-constexpr int kPolls = 250;
+constexpr int kPolls = 6000;  // of an event loop that turns: two minutes
+
+/// Of dialogs of that kind: one at a time.
+template <typename Dialog>
+QPointer<QTimer>& pendingAnswer() {
+  static QPointer<QTimer> pending;
+  return pending;
+}
 
 /// Calls `answer` with the modal dialog once there is one of that kind.
 template <typename Dialog, typename Answer>
 void whenShown(const Answer& answer) {
   // An answer that no dialog came for must not be given to the dialog of a later test.
-  static QPointer<QTimer> pending;
+  QPointer<QTimer>& pending = pendingAnswer<Dialog>();
   delete pending.data();
   auto* timer = new QTimer(qApp);
   pending = timer;

@@ -27,7 +27,7 @@ TEST_F(DragOriginTest, CapturesOnTheWayAndOnceMoreWhenItRests) {
   press(from);
   for (int i = 1; i <= 10; ++i) move(from + (to - from) * i / 10);
   const auto capturedOnce = [&] { return counters().facesCaptured >= facesBefore + 6; };
-  EXPECT_TRUE(QTest::qWaitFor(capturedOnce, 60000)) << "nothing was captured while the origin was dragged";
+  EXPECT_TRUE(waitFor(capturedOnce)) << "nothing was captured while the origin was dragged";
   EXPECT_TRUE(document().previewing());
 
   // Delivered by itself, so that no work goes on between it and the count.

@@ -26,7 +26,7 @@ class ExplainCardTest : public ::testing::Test {
   }
   void open() {
     card_.QWidget::show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&card_));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&card_, 60000));
   }
 
   ExplainedRoom room_;

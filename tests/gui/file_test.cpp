@@ -11,6 +11,8 @@
 #include <QTest>
 #include <QToolButton>
 #include <QUrl>
+#include <chrono>
+#include <filesystem>
 
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/model_fitter.h"
@@ -69,7 +71,6 @@ TEST_F(FileTest, SaveAsWritesWhatReadsBackAndTheTitleFollows) {
 
 TEST_F(FileTest, AFailedSaveKeepsTheStar) {
   edit();
-  answerFileDialog(inFolder("none/mine.boxprobe.json"));
   document().markSaved("/nowhere/at/all.boxprobe.json");
   window_->editor().commitProbe("Set box", [](Probe& edited) { edited.box.max.x = 2.0; });
   const auto box = answerMessageBox(QMessageBox::Ok);
@@ -88,11 +89,13 @@ TEST_F(FileTest, AnEndThatDoesNotAskWritesUnsavedChangesBesideTheFile) {
   EXPECT_FALSE(QFile::exists(inFolder("mine.boxprobe.json"))) << "the user's own file is the user's to save";
   EXPECT_TRUE(window_->isWindowModified());
 
-  QTemporaryDir home;
+  const QTemporaryDir home;
+  const QByteArray usual = qgetenv("XDG_DATA_HOME");
   qputenv("XDG_DATA_HOME", home.path().toUtf8());
   document().markSaved("/nowhere/at/all.boxprobe.json");
   window_->editor().commitProbe("Set box", [](Probe& edited) { edited.box.max.x = 2.0; });
   const std::string elsewhere = window_->files().saveRecovery();
+  qputenv("XDG_DATA_HOME", usual);
   EXPECT_EQ(elsewhere.rfind(home.path().toStdString(), 0), 0u) << elsewhere;
   EXPECT_EQ(loadScene(elsewhere).scene.probes.front().box.max.x, 2.0);
 }
@@ -116,8 +119,7 @@ TEST_F(FileTest, ADroppedModelIsTreatedByWhatItIsUntilTheUserSaysOtherwise) {
   EXPECT_FALSE(kind->isHidden());
   EXPECT_EQ(kind->text(), "Interior");
   waitUntilIdle();
-  for (int i = 0; i < 100 && document().scene().exposure == 1.0; ++i) QTest::qWait(20);
-  EXPECT_NE(document().scene().exposure, 1.0) << "found from the first picture";
+  EXPECT_TRUE(waitFor([this] { return document().scene().exposure != 1.0; })) << "found from the first picture";
   EXPECT_FALSE(window_->isWindowModified()) << "and part of opening it";
 
   window_->modelFitter().treatAs(ModelKind::Object);
@@ -222,19 +224,22 @@ TEST_F(FileTest, AFileThatChangesOnDiskIsReadAgainUnlessThereAreChanges) {
   const auto writeOther = [&](double x) {
     Scene other = loadSceneFile(path.toStdString());
     other.probes.front().box.max.x = x;
-    QTest::qWait(20);  // a later time of the file
+    const std::filesystem::path file(path.toStdString());
+    const auto before = std::filesystem::last_write_time(file);
     saveSceneFile(other, path.toStdString());
+    // Later by more than any file system rounds times to.
+    std::filesystem::last_write_time(file, before + std::chrono::seconds(5));
   };
   key(Qt::Key_P);
   const Camera view = window_->renderer().currentCamera();
   writeOther(1.25);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return probe().box.max.x == 1.25; }, 20000)) << "read again";
+  EXPECT_TRUE(QTest::qWaitFor([this] { return probe().box.max.x == 1.25; }, 120000)) << "read again";
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_NEAR(window_->renderer().currentCamera().position.y, view.position.y, 1e-9) << "the view stays";
   edit();
   writeOther(0.5);
   EXPECT_TRUE(
-      QTest::qWaitFor([this] { return window_->statusBar()->currentMessage().contains("changed on disk"); }, 20000));
+      QTest::qWaitFor([this] { return window_->statusBar()->currentMessage().contains("changed on disk"); }, 120000));
   EXPECT_EQ(probe().box.max.x, 3.0) << "one's own changes stay";
   document().undo();
 }

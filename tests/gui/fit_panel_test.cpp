@@ -35,9 +35,9 @@ class FitPanelTest : public WindowTest {
   FitPanel* panel() { return window_->findChild<FitPanel*>(); }
   const Probe& shown() { return window_->editor().scene().probes.front(); }
   void fit() {
+    ASSERT_FALSE(ghost_);
     key(Qt::Key_F, Qt::ControlModifier);
-    ASSERT_TRUE(panel()->running());
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !panel()->running(); }, 120000));
+    ASSERT_TRUE(waitFor([this] { return ghost_ && !panel()->running(); }));
     waitUntilIdle();
   }
   template <typename Widget>

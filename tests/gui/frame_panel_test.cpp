@@ -27,8 +27,9 @@ class FramePanelTest : public WindowTest {
     dock_->show();
     dock_->raise();
     waitUntilIdle();
-    QTest::qWait(50);
     tree_ = window_->findChild<QTreeWidget*>("frameTree");
+    QTest::qWait(50);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return tree_->isVisible() && section("Draws") != nullptr; }, 60000));
   }
   void TearDown() override {
     window_->findChild<QDockWidget*>("probes")->raise();

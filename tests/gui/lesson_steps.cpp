@@ -8,6 +8,7 @@
 #include <QWindow>
 
 #include "app/gui/lessons/lesson_progress.h"
+#include "app/gui/view/picture_work.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/window/projector.h"
 #include "filters/io/scene/scene_file.h"
@@ -22,6 +23,7 @@ std::string lessonFolder() {
 void LessonWindowTest::SetUp() {
   forgetLessons();
   WindowTest::SetUp();
+  window_->pictureWork().setRest(PictureWork::kRestMilliseconds);
   lessons().setFolder(lessonFolder());
   lessons().setLanguage("en");
 }
@@ -72,7 +74,7 @@ void LessonWindowTest::openFromList(const std::string& lesson) {
 
 void LessonWindowTest::waitForMeasure() {
   waitUntilIdle();
-  constexpr int kMilliseconds = 120000;
+  constexpr int kMilliseconds = 300000;
   ASSERT_TRUE(QTest::qWaitFor([this] { return !lessons().check().pending(); }, kMilliseconds)) << "never measured";
   waitUntilIdle();
 }

@@ -166,9 +166,9 @@ TEST_F(LessonTest, OpensFromTheHelpMenuByTheMouse) {
   QAction* help = bar->actions().last();
   QTest::mouseClick(bar, Qt::LeftButton, {}, bar->actionGeometry(help).center());
   QMenu* menu = help->menu();
-  ASSERT_TRUE(QTest::qWaitFor([menu] { return menu->isVisible(); }));
+  ASSERT_TRUE(QTest::qWaitFor([menu] { return menu->isVisible(); }, 60000));
   QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().first()).center());
-  EXPECT_TRUE(QTest::qWaitFor([this] { return shown("lesson:floor-mirror"); }));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return shown("lesson:floor-mirror"); }, 60000));
   keepPicture("lesson_list");
   button("lesson:floor-mirror")->setFocus();
   key(Qt::Key_Return);

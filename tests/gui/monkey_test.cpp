@@ -28,6 +28,7 @@
 #include <string>
 #include <vector>
 
+#include "app/gui/view/picture_work.h"
 #include "app/gui/view/viewport.h"
 #include "tests/gui/window_test.h"
 
@@ -51,6 +52,7 @@ class MonkeyTest : public WindowTest {
  protected:
   void SetUp() override {
     WindowTest::SetUp();
+    window_->pictureWork().setRest(PictureWork::kRestMilliseconds);
     // Dialogs are left as they came.
     connection_ = QObject::connect(&refuse_, &QTimer::timeout, [] {
       if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) dialog->reject();

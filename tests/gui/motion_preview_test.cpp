@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "app/gui/handles/probe_widget.h"
+#include "app/gui/view/picture_work.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/axis_colors.h"
@@ -121,13 +122,25 @@ TEST_F(CheapTechniqueTest, NothingStandsInForACheapTechnique) {
   EXPECT_EQ(renders(), before) << "no second picture of the same thing";
 }
 
+TEST_F(CheapTechniqueTest, AtRestProgramsAreMadeForTheSceneAsItIsAndThePictureStays) {
+  const QImage before = shown();
+  const auto folded = counters().constantsFolded;
+  QTest::qWait(100);
+  EXPECT_EQ(counters().constantsFolded, folded) << "not before the rest is over";
+  window_->pictureWork().setRest(0);
+  EXPECT_TRUE(waitFor([&] { return counters().constantsFolded > folded; }));
+  waitUntilIdle();
+  window_->pictureWork().setRest(kNeverMilliseconds);
+  EXPECT_EQ(differingShare(before, shown(), 1), 0.0);
+}
+
 TEST_F(CheapTechniqueTest, FramesAreAveragedWhileNothingMovesUntilThereAreEnough) {
   window_->editor().commitProbe("Set technique", [](Probe& p) {
     p.technique = "raytraced";
     p.parameters = {{"samples", 1.0}, {"animated", true}};
   });
   const auto averaged = [this] { return window_->renderer().frameCount().averaged; };
-  ASSERT_TRUE(QTest::qWaitFor([&] { return averaged() >= 5; }, 60000));
+  ASSERT_TRUE(waitFor([&] { return averaged() >= 5; }));
   EXPECT_EQ(pictureState(), QString("%1 of 1024 frames averaged").arg(averaged()));
   // Handles and boxes lie on top of the mean as ever.
   const Box& box = probe().box;
@@ -135,7 +148,7 @@ TEST_F(CheapTechniqueTest, FramesAreAveragedWhileNothingMovesUntilThereAreEnough
   EXPECT_GT(pixelsNear(shown(), pixelOf(a), pixelOf(b), 3.0, boxColor(), 40), 100);
 
   window_->editor().commitProbe("Set samples", [](Probe& p) { p.parameters["samples"] = 2.0; });
-  ASSERT_TRUE(QTest::qWaitFor([&] { return averaged() == 1; }, 60000)) << "an edit begins the mean anew";
+  ASSERT_TRUE(waitFor([&] { return averaged() == 1; })) << "an edit begins the mean anew";
   window_->editor().commitProbe("Still", [](Probe& p) { p.parameters["animated"] = false; });
   waitUntilIdle();
   EXPECT_EQ(pictureState(), "");

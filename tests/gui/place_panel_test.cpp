@@ -58,9 +58,9 @@ class PlacePanelTest : public WindowTest {
     ASSERT_TRUE(QString::fromStdString(document().scene().models.front().file).endsWith("flat.glb"));
   }
   void placeByKey() {
+    ASSERT_TRUE(ghosts_.empty());
     key(Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
-    ASSERT_TRUE(panel()->running());
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !panel()->running(); }, 240000));
+    ASSERT_TRUE(waitFor([this] { return !ghosts_.empty() && !panel()->running(); }));
     waitUntilIdle();
   }
   void click(const char* name) {

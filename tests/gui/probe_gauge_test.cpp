@@ -137,7 +137,7 @@ TEST_F(ProbeGaugeTest, AClickOnTheMarkInThePictureSnapsTheFaceAndOthersLetTheMou
   moveFaceBy(-1.2);
   ASSERT_EQ(gauge().gauge()->worst, kPlusXNumber);
   auto* tag = find<QToolButton>("faceTag1");
-  ASSERT_TRUE(QTest::qWaitFor([tag] { return tag->isVisible(); }, 10000));
+  ASSERT_TRUE(QTest::qWaitFor([tag] { return tag->isVisible(); }, 60000));
   const QRect beside = tag->geometry().adjusted(-24, -24, 24, 24);
   EXPECT_TRUE(beside.contains(facePixel(kPlusX).toPoint())) << "beside its handle";
   EXPECT_FALSE(tag->geometry().adjusted(-4, -4, 4, 4).contains(facePixel(kPlusX).toPoint())) << "and not over it";
@@ -162,8 +162,8 @@ TEST_F(ProbeGaugeTest, AClickOnTheMarkInThePictureSnapsTheFaceAndOthersLetTheMou
 
 TEST_F(ProbeGaugeTest, TagsGoWithTheHandles) {
   auto* tag = find<QToolButton>("faceTag0");
-  const auto visible = [&] { return QTest::qWaitFor([tag] { return tag->isVisible(); }, 5000); };
-  const auto hidden = [&] { return QTest::qWaitFor([tag] { return !tag->isVisible(); }, 5000); };
+  const auto visible = [&] { return QTest::qWaitFor([tag] { return tag->isVisible(); }, 60000); };
+  const auto hidden = [&] { return QTest::qWaitFor([tag] { return !tag->isVisible(); }, 60000); };
   EXPECT_TRUE(visible());
   key(Qt::Key_B, Qt::ControlModifier);
   EXPECT_TRUE(hidden());

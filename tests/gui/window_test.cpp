@@ -1,13 +1,17 @@
 // See window_test.h.
 #include "tests/gui/window_test.h"
 
+#include <QAbstractEventDispatcher>
 #include <QApplication>
+#include <QDeadlineTimer>
+#include <QEventLoop>
 #include <QScrollArea>
 #include <QTest>
 #include <QWindow>
 
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/view/motion_preview.h"
+#include "app/gui/view/picture_work.h"
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/viewport.h"
 #include "filters/vtk/scene_renderer.h"
@@ -29,6 +33,16 @@ LoadedScene smallBuilding(const std::vector<std::string>& more) {
   return loaded;
 }
 
+bool waitFor(const std::function<bool()>& holds) {
+  const QDeadlineTimer deadline(300000);
+  while (!holds()) {
+    if (deadline.hasExpired()) return false;
+    if (!QAbstractEventDispatcher::instance()->processEvents(QEventLoop::AllEvents)) QTest::qSleep(2);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+  return true;
+}
+
 std::unique_ptr<MainWindow>& sharedWindow() {
   static std::unique_ptr<MainWindow> window;
   return window;
@@ -37,24 +51,25 @@ std::unique_ptr<MainWindow>& sharedWindow() {
 void WindowTest::SetUp() {
   if (!sharedWindow()) sharedWindow() = std::make_unique<MainWindow>();
   window_ = sharedWindow().get();
+  window_->pictureWork().setRest(kNeverMilliseconds);
   window_->resize(1200, 700);
   window_->showScene(scene());
   window_->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window_, 60000));
   QApplication::setActiveWindow(window_);  // a bare X server has no window manager to give it the focus
   window_->viewport().setFocus();
   waitUntilIdle();
 }
 
 void WindowTest::waitUntilIdle() {
-  constexpr int kMilliseconds = 120000;
+  constexpr int kMilliseconds = 300000;
   const bool done = QTest::qWaitFor(
       [this] {
         return window_->scheduler().idle() && !window_->motionPreview().active() &&
                (!window_->renderer().workPending() || window_->scheduler().workStopped());
       },
       kMilliseconds);
-  ASSERT_TRUE(done) << "work still pending after two minutes, " << window_->renderer().workProgress() << " done";
+  ASSERT_TRUE(done) << "work still pending after five minutes, " << window_->renderer().workProgress() << " done";
   ASSERT_EQ(window_->renderer().error(), "");
 }
 

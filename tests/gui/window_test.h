@@ -8,6 +8,7 @@
 #include <QPointF>
 #include <QString>
 #include <Qt>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,13 @@ class QWidget;
 
 namespace boxprobe {
 
+/// Lets the event loop turn, round by round, until `holds` does, for what may pass by: QTest::qWaitFor asks only once
+/// nothing is left to do. False after five minutes.
+bool waitFor(const std::function<bool()>& holds);
+
+/// So long that it does not come: for a timer that another test is about.
+constexpr int kNeverMilliseconds = 24 * 3600 * 1000;
+
 /// The building with captures small enough to wait for.
 std::string buildingPath();
 LoadedScene smallBuilding(const std::vector<std::string>& more = {});
@@ -29,6 +37,7 @@ std::unique_ptr<MainWindow>& sharedWindow();
 
 class WindowTest : public ::testing::Test {
  protected:
+  /// The window makes no programs for a scene at rest: how soon a test gets how far is the machine's.
   void SetUp() override;
 
   /// What SetUp shows.

@@ -3,10 +3,10 @@
 // programs and buffers that the second uses again, and whatever grows is a leak.
 #include <gtest/gtest.h>
 #include <malloc.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
+#include <string>
 
 #include "filters/core/scene/document.h"
 #include "filters/vtk/gl/opengl.h"
@@ -19,12 +19,18 @@ namespace {
 constexpr int kEdits = 100, kRounds = 8;  // edits a round
 constexpr std::size_t kMegabyte = std::size_t{1} << 20;
 
-/// What the allocator merely keeps for later is given back first.
+/// Without the pages of files, which the system takes and brings back as it likes. What the allocator merely keeps for
+/// later is given back first.
 std::size_t residentBytes() {
   ::malloc_trim(0);
-  std::size_t pages = 0, resident = 0;
-  std::ifstream("/proc/self/statm") >> pages >> resident;
-  return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  std::ifstream status("/proc/self/status");
+  std::size_t kilobytes = 0;
+  for (std::string key; status >> key;) {
+    std::size_t value = 0;
+    if ((key == "RssAnon:" || key == "RssShmem:") && status >> value) kilobytes += value;
+  }
+  EXPECT_GT(kilobytes, 0u) << "/proc/self/status does not tell";
+  return 1024 * kilobytes;
 }
 
 /// The names of all errors since the last call.

@@ -14,13 +14,6 @@
 
 namespace boxprobe {
 
-namespace {
-
-/// So long nobody has edited anything: programs are then made for the scene as it is.
-constexpr int kRestMilliseconds = 2000;
-
-}  // namespace
-
 PictureWork::PictureWork(const Document& document, SceneRenderer& renderer, Viewport& viewport,
                          std::function<void()> beforePicture, QObject* parent)
     : QObject(parent),
@@ -95,6 +88,10 @@ void PictureWork::tellError() {
   if (renderer_.error() == toldError_) return;
   toldError_ = renderer_.error();
   if (!toldError_.empty()) emit failed(QString::fromStdString(toldError_));
+}
+
+void PictureWork::setRest(int milliseconds) {
+  rest_.setInterval(milliseconds);  // begins anew if it runs
 }
 
 void PictureWork::syncScene(const Changes& changes) {

@@ -38,6 +38,9 @@ class PictureWork : public QObject {
   void showCamera(int index);
   /// Its first camera, or one that sees everything.
   void resetCamera();
+  /// So long nobody has edited anything: programs are then made for the scene as it is.
+  static constexpr int kRestMilliseconds = 2000;
+  void setRest(int milliseconds);
 
  signals:
   void cameraPlaced();

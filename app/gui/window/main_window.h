@@ -65,6 +65,7 @@ class MainWindow : public QMainWindow {
   Projector& projector() { return *projector_; }
   ModelFitter& modelFitter() { return *fitter_; }
   MotionPreview& motionPreview();
+  PictureWork& pictureWork() { return *work_; }
   ViewTools& tools() { return *tools_; }
   /// Who is told of which changes of the document.
   const ChangeViews& views() const { return views_; }

@@ -10,11 +10,6 @@ namespace boxprobe {
 
 namespace {
 
-double rounded(double value, int digits) {
-  const double scale = std::pow(10.0, digits);
-  return std::isfinite(value) ? std::round(value * scale) / scale : value;
-}
-
 Json parametersJson(const BenchTechnique& technique) {
   Json json = Json::object();
   for (const auto& [name, value] : technique.parameters) {
@@ -39,7 +34,7 @@ std::string parametersText(const BenchTechnique& technique) {
 }
 
 Json ratioJson(const bench::Ratio& ratio) {
-  return {rounded(ratio.low, 4), rounded(ratio.high, 4)};
+  return {roundedTo(ratio.low, 4), roundedTo(ratio.high, 4)};
 }
 
 /// By technique and roughness.
@@ -62,25 +57,25 @@ Json rowJson(const BenchResult& result, const BenchRow& row) {
   json["surface"] = surfaceKindName(row.surface);
   json["reference"] = truthName(row.truth);
   json["pixels"] = row.pixels;
-  json["error"] = rounded(row.error, 6);
-  json["relativeRmse"] = rounded(row.relativeRmse, 6);
+  json["error"] = roundedTo(row.error, 6);
+  json["relativeRmse"] = roundedTo(row.relativeRmse, 6);
   json["meanTruthSquare"] = row.meanTruthSquare;
-  json["flip"] = rounded(row.flip, 6);
-  json["brightnessRatio"] = rounded(row.brightnessRatio, 6);
-  json["errorRatioToHdrp"] = rounded(row.errorRatioToHdrp, 4);
-  json["lookups"] = rounded(row.lookups, 3);
+  json["flip"] = roundedTo(row.flip, 6);
+  json["brightnessRatio"] = roundedTo(row.brightnessRatio, 6);
+  json["errorRatioToHdrp"] = roundedTo(row.errorRatioToHdrp, 4);
+  json["lookups"] = roundedTo(row.lookups, 3);
   if (row.noise) {
-    json["lowFrequencyShare"] = rounded(row.noise->lowFrequencyShare, 4);
-    json["errorAfterBlur"] = rounded(row.noise->errorAfterBlur, 6);
+    json["lowFrequencyShare"] = roundedTo(row.noise->lowFrequencyShare, 4);
+    json["errorAfterBlur"] = roundedTo(row.noise->errorAfterBlur, 6);
   }
   const FrameCost* cost = costOf(result, row);
   json["frameCpuRatioToBox"] = nullptr;
   if (cost != nullptr) {
     const bench::Ratio cpu = bench::ratioOfMedians(cost->cpuSeconds, 400);
-    json["frameCpuRatioToBox"] = rounded(cpu.value, 4);
+    json["frameCpuRatioToBox"] = roundedTo(cpu.value, 4);
     json["frameCpuRatioInterval"] = ratioJson(cpu);
     if (!cost->gpuSeconds.a.empty())
-      json["frameGpuRatioToBox"] = rounded(bench::ratioOfMedians(cost->gpuSeconds, 400).value, 4);
+      json["frameGpuRatioToBox"] = roundedTo(bench::ratioOfMedians(cost->gpuSeconds, 400).value, 4);
   }
   return json;
 }
@@ -90,7 +85,7 @@ Json bucketJson(const BenchResult& result, const EnergyBucket& bucket) {
   json["reference"] = truthName(bucket.truth);
   json["roughness"] = bucket.roughness;
   json["nDotV"] = {bucket.nDotVLow, bucket.nDotVHigh};
-  json["brightnessRatio"] = rounded(bucket.brightnessRatio, 5);
+  json["brightnessRatio"] = roundedTo(bucket.brightnessRatio, 5);
   json["pixels"] = bucket.pixels;
   return json;
 }
@@ -98,28 +93,29 @@ Json bucketJson(const BenchResult& result, const EnergyBucket& bucket) {
 Json summaryJson(const BenchResult& result, const BenchSummary& s) {
   Json json = identity(result, s.technique);
   json["reference"] = truthName(s.truth);
-  json["error"] = rounded(s.error, 6);
-  json["errorRatioToHdrp"] = rounded(s.errorRatioToHdrp, 4);
-  json["relativeRmse"] = rounded(s.relativeRmse, 6);
-  json["flip"] = rounded(s.flip, 6);
-  json["brightnessRatio"] = rounded(s.brightnessRatio, 5);
-  json["lookups"] = rounded(s.lookups, 3);
-  json["frameCpuRatioToBox"] = rounded(s.cpuRatioToBox.value, 4);
+  json["error"] = roundedTo(s.error, kErrorDigits);
+  json["errorRatioToHdrp"] = roundedTo(s.errorRatioToHdrp, 4);
+  json["relativeRmse"] = roundedTo(s.relativeRmse, 6);
+  json["flip"] = roundedTo(s.flip, 6);
+  json["brightnessRatio"] = roundedTo(s.brightnessRatio, 5);
+  json["lookups"] = roundedTo(s.lookups, 3);
+  json["frameCpuRatioToBox"] = roundedTo(s.cpuRatioToBox.value, kCostDigits);
   json["frameCpuRatioInterval"] = ratioJson(s.cpuRatioToBox);
   if (s.gpuRatioToBox) {
-    json["frameGpuRatioToBox"] = rounded(s.gpuRatioToBox->value, 4);
+    json["frameGpuRatioToBox"] = roundedTo(s.gpuRatioToBox->value, 4);
     json["frameGpuRatioInterval"] = ratioJson(*s.gpuRatioToBox);
   }
-  json["ownCpuRatioToBox"] = rounded(s.ownCpuRatioToBox, 3);
+  json["ownCpuRatioToBox"] = roundedTo(s.ownCpuRatioToBox, 3);
   json["onFront"] = s.onParetoFront;
   for (const auto& [roughness, error] : s.errorByRoughness) {
-    json["errorByRoughness"].push_back({{"roughness", roughness}, {"error", rounded(error, 6)}});
+    json["errorByRoughness"].push_back({{"roughness", roughness}, {"error", roundedTo(error, 6)}});
   }
-  for (const auto& [kind, error] : s.errorBySurface) json["errorBySurface"][surfaceKindName(kind)] = rounded(error, 6);
+  for (const auto& [kind, error] : s.errorBySurface)
+    json["errorBySurface"][surfaceKindName(kind)] = roundedTo(error, 6);
   if (s.worstEnergy.pixels > 0) {
     json["worstEnergy"] = {{"roughness", s.worstEnergy.roughness},
                            {"nDotV", {s.worstEnergy.nDotVLow, s.worstEnergy.nDotVHigh}},
-                           {"brightnessRatio", rounded(s.worstEnergy.brightnessRatio, 5)}};
+                           {"brightnessRatio", roundedTo(s.worstEnergy.brightnessRatio, 5)}};
   }
   return json;
 }
@@ -131,10 +127,10 @@ Json studyJson(const BenchResult& result) {
   json["rows"] = Json::array();
   for (const StudyRow& row : result.study.rows) {
     Json entry = identity(result, row.technique);
-    entry["error"] = rounded(row.tally.rmse, 6);
-    entry["relativeRmse"] = rounded(row.tally.relativeRmse, 6);
-    for (const double e : row.tally.rmseByRoughness) entry["errorByRoughness"].push_back(rounded(e, 6));
-    for (const double l : row.tally.light) entry["brightnessRatios"].push_back(rounded(l, 4));
+    entry["error"] = roundedTo(row.tally.rmse, 6);
+    entry["relativeRmse"] = roundedTo(row.tally.relativeRmse, 6);
+    for (const double e : row.tally.rmseByRoughness) entry["errorByRoughness"].push_back(roundedTo(e, 6));
+    for (const double l : row.tally.light) entry["brightnessRatios"].push_back(roundedTo(l, 4));
     json["rows"].push_back(entry);
   }
   return json;
@@ -156,8 +152,8 @@ std::string benchJson(const BenchResult& result) {
     json["references"].push_back({{"camera", noise.camera},
                                   {"roughness", noise.roughness},
                                   {"reference", truthName(noise.truth)},
-                                  {"standardError", rounded(noise.standardError, 6)},
-                                  {"raysPerPixel", rounded(noise.raysPerPixel, 1)}});
+                                  {"standardError", roundedTo(noise.standardError, 6)},
+                                  {"raysPerPixel", roundedTo(noise.raysPerPixel, 1)}});
   }
   json["summary"] = Json::array();
   for (const Truth truth : kTruths) {
@@ -187,18 +183,18 @@ std::string benchCsv(const BenchResult& result) {
     add(row.roughness);
     text += std::string(",") + surfaceKindName(row.surface) + "," + truthName(row.truth);
     add(static_cast<double>(row.pixels));
-    for (const double value : {row.error, row.relativeRmse, row.flip, row.brightnessRatio}) add(rounded(value, 6));
-    add(rounded(row.errorRatioToHdrp, 4));
-    add(rounded(row.lookups, 3));
+    for (const double value : {row.error, row.relativeRmse, row.flip, row.brightnessRatio}) add(roundedTo(value, 6));
+    add(roundedTo(row.errorRatioToHdrp, 4));
+    add(roundedTo(row.lookups, 3));
     if (row.noise) {
-      add(rounded(row.noise->lowFrequencyShare, 4));
-      add(rounded(row.noise->errorAfterBlur, 6));
+      add(roundedTo(row.noise->lowFrequencyShare, 4));
+      add(roundedTo(row.noise->errorAfterBlur, 6));
     } else {
       text += ",,";
     }
     const FrameCost* cost = costOf(result, row);
     if (cost != nullptr) {
-      add(rounded(bench::ratioOfMedians(cost->cpuSeconds, 1).value, 4));
+      add(roundedTo(bench::ratioOfMedians(cost->cpuSeconds, 1).value, 4));
     } else {
       text += ",";
     }

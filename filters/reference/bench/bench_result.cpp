@@ -74,6 +74,11 @@ BenchSummary summary(const BenchResult& result, Truth truth, std::size_t techniq
 
 }  // namespace
 
+double roundedTo(double value, int digits) {
+  const double scale = std::pow(10.0, digits);
+  return std::isfinite(value) ? std::round(value * scale) / scale : value;
+}
+
 const char* truthName(Truth truth) {
   return truth == Truth::Box ? "box" : "scene";
 }
@@ -91,7 +96,10 @@ std::vector<BenchSummary> summaries(const BenchResult& result, Truth truth) {
     for (BenchSummary& s : list) s.errorRatioToHdrp = s.error / baseline.error;
   }
   std::vector<ParetoPoint> points;
-  for (const BenchSummary& s : list) points.push_back({{}, {}, s.cpuRatioToBox.value, s.error, false, false});
+  for (const BenchSummary& s : list) {
+    points.push_back(
+        {{}, {}, roundedTo(s.cpuRatioToBox.value, kCostDigits), roundedTo(s.error, kErrorDigits), false, false});
+  }
   markParetoFront(points);
   for (std::size_t i = 0; i < list.size(); ++i) list[i].onParetoFront = points[i].onParetoFront;
   return list;

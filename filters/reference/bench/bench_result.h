@@ -132,7 +132,13 @@ struct BenchResult {
 /// Fewer pixels than this say little about a mean.
 inline constexpr std::size_t kLeastBucketPixels = 200;
 
-/// One a technique, in the order of the table; `front` marked by cost and error.
+/// `value` to so many decimal places; what is not finite stays.
+double roundedTo(double value, int digits);
+/// Of summaries in files.
+inline constexpr int kErrorDigits = 6, kCostDigits = 4;
+
+/// One a technique, in the order of the table; `front` marked by cost and error as files have them, so that a reader of
+/// a file finds the same front.
 std::vector<BenchSummary> summaries(const BenchResult& result, Truth truth);
 
 /// The points of the chart.
