@@ -59,6 +59,7 @@ float trueHitDistance(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 p
 {
   const int kSteps = 64;
   const int kHalvings = 12;
+  const float kThick = 1.0f; // texels: as far behind a surface that is no plane as its own relief explains
   bool inFront = false;
   float before = 0.0f;
   for (int i = 1; i <= kSteps; ++i)
@@ -76,7 +77,13 @@ float trueHitDistance(DISTANCE_MAP map, ProbeShape probe, float faceSize, vec3 p
       }
       TexelHit hit = texelHit(map, probe, faceSize, position, reflection, high);
       // A ray leaves the surface it starts from slowly: in the steps of texels it may seem to dip below it again.
-      if (!hit.start) { return hit.distance; }
+      if (!hit.start)
+      {
+        if (hit.onPlane) { return hit.distance; }
+        // Not met but passed behind: whatever the ray hits from here on is hidden from the capture origin.
+        vec3 end = position + high * reflection;
+        return trueHitDepth(map, probe, end) < kThick * length(end) * 2.0f / faceSize ? hit.distance : kNoHit;
+      }
     }
     inFront = depth < 0.0f;
     before = t;

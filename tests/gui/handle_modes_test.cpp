@@ -105,6 +105,10 @@ TEST_F(HandleModesTest, TheWholeProbeMovesAndTurnsAndEscapeRestoresIt) {
   EXPECT_EQ(document().undoLabel(), "Move room");
   document().undo();
 
+  // From above: seen almost from its edge, a ring turns by its tangent instead.
+  const glm::dvec3 middle = probe().box.center();
+  window_->tools().views().lookAtSpot(middle, middle + glm::dvec3(4.0, 8.0, 6.0));
+  waitUntilIdle();
   const Handle yaw{HandleKind::Turn, 0, {1, true}};
   const auto ring = handleGripWorld(probe(), yaw, window_->viewport().view());
   // Taken at an eighth of the ring, which no arrow crosses, and led along it.

@@ -331,7 +331,8 @@ TEST(Views, SameNumbersAsTheExplanation) {
   for (std::size_t view = 1; view < surfaceViews().size(); ++view) {
     const std::string id(surfaceViews()[view].id);
     std::printf("  %s: %zu of %zu differ, %zu defined\n", id.c_str(), different[view], compared[view], defined[view]);
-    EXPECT_GT(defined[view], compared[view] / 2) << id;
+    // Of the pixels in these open scenes a third reflects the sky, and some what the capture origin does not see.
+    EXPECT_GT(defined[view], compared[view] / 3) << id;
     // Where a ray grazes an edge of the box or of what the probe saw, rounding decides between two answers.
     EXPECT_LE(static_cast<double>(different[view]), 5.0e-3 * static_cast<double>(compared[view])) << id;
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -17,6 +18,15 @@ namespace {
 
 /// Deflate makes 1032 bytes of one, the most that any of VTK's compressors does.
 constexpr std::size_t kMostOfAByte = 1032, kMostPieces = 1000, kMostArrays = 1000;
+
+// Expat 2.9 took a wider count and deprecates the one before.
+std::uint64_t lineOf(XML_Parser parser) {
+#if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
+  return XML_GetCurrentLineNumber64(parser);
+#else
+  return XML_GetCurrentLineNumber(parser);
+#endif
+}
 
 class VtpXml {
  public:
@@ -47,7 +57,7 @@ class VtpXml {
     const auto status = XML_Parse(parser.get(), bytes.data(), static_cast<int>(length), whole ? 1 : 0);
     if (!error_.empty()) failVtp(path_, error_);
     if (status != XML_STATUS_OK) {
-      throw InputError(oneLine(path_ + ":" + std::to_string(XML_GetCurrentLineNumber(parser.get())) +
+      throw InputError(oneLine(path_ + ":" + std::to_string(lineOf(parser.get())) +
                                ": is not XML: " + XML_ErrorString(XML_GetErrorCode(parser.get())) + "; save it again"));
     }
     if (file_.pieces.empty()) failVtp(path_, "holds no PolyData; save it as VTP");
