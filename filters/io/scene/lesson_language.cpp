@@ -23,6 +23,13 @@ std::string required(const JsonCursor& value) {
   return text;
 }
 
+/// Step by step: the library's own operator[] of a pointer is a deprecated comparison to newer compilers.
+Json& valueAt(Json& root, const Json::json_pointer& place) {
+  if (place.empty()) return root;
+  Json& holder = valueAt(root, place.parent_pointer());
+  return holder.is_array() ? holder[std::stoul(place.back())] : holder[place.back()];
+}
+
 void readHeader(const JsonCursor& root, const std::string& language) {
   root.requireObject();
   const auto format = root.find("format");
@@ -69,7 +76,7 @@ class TextMover {
       KeyPath at = key;
       at.push_back(member.key());
       if (const auto place = places_.find(at); place != places_.end()) {
-        lesson_[place->second] = required(member);
+        valueAt(lesson_, place->second) = required(member);
       } else {
         move(member, at);
       }
