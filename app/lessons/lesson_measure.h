@@ -14,6 +14,7 @@
 namespace boxprobe {
 
 class SceneRenderer;
+struct Explanation;
 
 /// What is shown: `renderer` is up to date with `scene`, all work done, its GL context current.
 struct ShownScene {

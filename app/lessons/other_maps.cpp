@@ -5,8 +5,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "filters/math/cube/cube_filter.h"
-
 namespace boxprobe {
 
 namespace {
@@ -52,7 +50,18 @@ glm::vec4 pullOverEdge(const CubeMap& cube, int level, int face, const glm::ivec
 
 CubeMap withPlainMeans(const CubeMap& cube) {
   CubeMap made = cube;
-  makeSourceLevels(made);
+  for (int level = 1; level < made.levels(); ++level) {
+    const int size = made.levelSize(level);
+    for (int face = 0; face < 6; ++face) {
+      for (int row = 0; row < size; ++row) {
+        for (int column = 0; column < size; ++column) {
+          glm::vec4 sum(0.0f);
+          for (int i = 0; i < 4; ++i) sum += made.texel(level - 1, face, 2 * column + i % 2, 2 * row + i / 2);
+          made.setTexel(level, face, column, row, 0.25f * sum);
+        }
+      }
+    }
+  }
   return made;
 }
 

@@ -7,7 +7,7 @@
 
 namespace boxprobe {
 
-/// As many levels, each a plain mean of the one before: what glGenerateMipmap makes, but weighted by solid angle.
+/// As many levels, each texel the mean of four of the level before, as glGenerateMipmap makes them.
 CubeMap withPlainMeans(const CubeMap& cube);
 
 /// Of every level but 0 the texels near an edge of a face pulled towards those across it, over at most `width` texels

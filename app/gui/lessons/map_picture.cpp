@@ -58,7 +58,7 @@ QImage levelsPicture(const LessonMap& map, const CubeMap& cube, float exposure, 
                       std::to_string(level));
     }
     painter.drawText(QRect(x, 0, size, kHeading), Qt::AlignCenter,
-                     QString("l = %1   %2²").arg(level).arg(cube.levelSize(level)));
+                     QString("l = %1   %2").arg(level).arg(cube.levelSize(level)));
     painter.drawImage(x, kHeading, faceImage(cube, level, map.face, size, exposure));
     painter.drawImage(x, kHeading + size + kMapGap, faceImage(means, level, map.face, size, exposure));
   }
