@@ -14,7 +14,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kJpegQuality = 80;  // some hundred pictures and a room are to stay below 8 MB
+constexpr int kJpegQuality = 70;  // some hundred pictures and a room are to stay below 8 MB
 
 std::string html(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped().toStdString();
