@@ -119,12 +119,18 @@ std::vector<glm::ivec2> gridOver(const PictureRegion& r, const ShownScene& shown
   return places;
 }
 
+/// Where a view or a number of explanations is asked for.
+std::vector<glm::ivec2> placesOf(const ShownScene& shown, const LessonMeasure& measure) {
+  if (measure.points.empty()) return gridOver(measure.region, shown);
+  return {pixelAt(measure.points.front(), shown.width, shown.height)};
+}
+
 std::optional<double> viewMean(const ShownScene& shown, const LessonMeasure& measure) {
   const auto view = findSurfaceView(measure.name);
   if (!view) return std::nullopt;
   double sum = 0.0;
   int count = 0;
-  for (const Explanation& e : shown.renderer.explain(gridOver(measure.region, shown), shown.width, shown.height)) {
+  for (const Explanation& e : shown.renderer.explain(placesOf(shown, measure), shown.width, shown.height)) {
     const auto value = surfaceValue(surfaceViews()[static_cast<std::size_t>(*view)], e);
     if (!value || !std::isfinite(value->x)) continue;
     sum += value->x;
@@ -135,12 +141,9 @@ std::optional<double> viewMean(const ShownScene& shown, const LessonMeasure& mea
 
 /// A number of explanations; of a region the mean where there is one.
 std::optional<double> explained(const ShownScene& shown, const LessonMeasure& measure) {
-  const std::vector<glm::ivec2> places =
-      measure.points.empty() ? gridOver(measure.region, shown)
-                             : std::vector<glm::ivec2>{pixelAt(measure.points.front(), shown.width, shown.height)};
   double sum = 0.0;
   int count = 0;
-  for (const Explanation& e : shown.renderer.explain(places, shown.width, shown.height)) {
+  for (const Explanation& e : shown.renderer.explain(placesOf(shown, measure), shown.width, shown.height)) {
     const auto value = numberIn(explanationJson(e), measure.name);
     if (!value) continue;
     sum += *value;
@@ -184,6 +187,26 @@ ImageRgbaF pictureOf(const ShownScene& shown) {
   return shown.picture != nullptr ? *shown.picture : shown.renderer.renderLinear(shown.width, shown.height, kSamples);
 }
 
+/// The largest component of a difference between a pixel and the one beside or below it.
+double largestJump(const ImageRgbaF& picture, const PictureRegion& region) {
+  const PicturePart part = pixelsOf(region, picture.width, picture.height);
+  const auto at = [&](int x, int y, int c) {
+    const auto pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+    return toneMapped(static_cast<double>(picture.pixels[4 * pixel + static_cast<std::size_t>(c)]));
+  };
+  double largest = 0.0;
+  for (int y = part.top; y < part.bottom; ++y) {
+    for (int x = part.left; x < part.right; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        if (x + 1 < part.right) largest = std::max(largest, std::abs(at(x + 1, y, c) - at(x, y, c)));
+        if (y + 1 < part.bottom) largest = std::max(largest, std::abs(at(x, y + 1, c) - at(x, y, c)));
+      }
+    }
+  }
+  return largest;
+}
+
 std::optional<double> measureHere(const ShownScene& shown, const LessonMeasure& measure) {
   switch (measure.kind) {
     case MeasureKind::Error:
@@ -191,6 +214,8 @@ std::optional<double> measureHere(const ShownScene& shown, const LessonMeasure& 
       return errorAgainstScene(shown, pictureOf(shown), measure.region);
     case MeasureKind::Mean:
       return finite(meanLight(pictureOf(shown), measure));
+    case MeasureKind::Jump:
+      return finite(largestJump(pictureOf(shown), measure.region));
     case MeasureKind::Explain:
       return explained(shown, measure);
     case MeasureKind::Fit:
@@ -224,6 +249,14 @@ std::optional<double> measureShown(const ShownScene& shown, const LessonMeasure&
   return value;
 }
 
+std::vector<Explanation> explanationsOf(const ShownScene& shown, const LessonMeasure& measure) {
+  const Camera kept = shown.renderer.currentCamera();
+  shown.renderer.applyCamera(shown.camera);
+  std::vector<Explanation> found = shown.renderer.explain(placesOf(shown, measure), shown.width, shown.height);
+  shown.renderer.applyCamera(kept);
+  return found;
+}
+
 double pictureDifference(const ImageRgbaF& picture, const ImageRgbaF& other, const PictureRegion& region) {
   return pictureError(picture, other, maskOf(region, picture.width, picture.height)).toneMappedRmse;
 }
@@ -231,7 +264,8 @@ double pictureDifference(const ImageRgbaF& picture, const ImageRgbaF& other, con
 std::string measuredText(double value, const std::string& unit) {
   char text[64];
   std::snprintf(text, sizeof(text), "%.3g", value);
-  return unit.empty() ? text : std::string(text) + " " + unit;
+  if (unit.empty()) return text;
+  return text + std::string(unit == "\u00b0" ? "" : " ") + unit;
 }
 
 double conditionLimit(const LessonCondition& condition, double times) {

@@ -14,6 +14,7 @@
 namespace boxprobe {
 
 class SceneRenderer;
+struct Explanation;
 
 /// What is shown: `renderer` is up to date with `scene`, all work done, its GL context current.
 struct ShownScene {
@@ -30,6 +31,9 @@ struct ShownScene {
 /// Of one picture: every kind but Difference, Counter, Broken and Turned. Nothing where it is not defined there (a
 /// pixel that shows the background, a field that does not exist, a number that is not finite).
 std::optional<double> measureShown(const ShownScene& shown, const LessonMeasure& measure);
+
+/// Of the pixels that a View or an Explain measure is the mean of.
+std::vector<Explanation> explanationsOf(const ShownScene& shown, const LessonMeasure& measure);
 
 /// Root mean square of the differences, tone mapped, within a region.
 double pictureDifference(const ImageRgbaF& picture, const ImageRgbaF& other, const PictureRegion& region);

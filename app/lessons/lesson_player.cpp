@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/lessons/published_picture.h"
+#include "app/lessons/room_task.h"
 #include "app/session/load_scene.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/number_text.h"
@@ -185,15 +186,29 @@ double LessonPlayer::measure(const LessonMeasure& measure, std::optional<std::si
       rays_->setVisible(false);
       window()->MakeCurrent();
       const bool published = measure.step && !lesson_->steps[step].published.empty();
-      ShownScene shown{renderer(), scene_, models_, camera_, kMeasuredWidth, kMeasuredWidth * height_ / width_};
+      ShownScene shown = shownScene();
       if (published) shown.picture = &linear(step);
-      shown.goOn = goOn_;
       value = measureShown(shown, measure);
       if (goOn_ && !goOn_()) throw WorkError(kStopped);
     }
   }
   if (!value) throw WorkError(lesson_->path + ": a measure is not defined where the lesson asks for it");
   return *value;
+}
+
+ShownScene LessonPlayer::shownScene() {
+  ShownScene shown{renderer(), scene_, models_, camera_, kMeasuredWidth, kMeasuredWidth * height_ / width_};
+  shown.goOn = goOn_;
+  return shown;
+}
+
+std::string LessonPlayer::taskForPage(std::size_t step) {
+  const auto& task = lesson_->steps[step].task;
+  if (!task) return {};
+  show(step);
+  double start = 0.0;
+  done(*task, step, &start);
+  return roomTask(shownScene(), *task, start);
 }
 
 ClaimResult LessonPlayer::check(const LessonCondition& condition) {

@@ -63,6 +63,8 @@ class LessonPlayer {
   CurvePoints curve(std::size_t step);
   /// Of what is shown now, `step` of the lesson being meant where a measure names none.
   bool done(const LessonTask& task, std::size_t step, double* value = nullptr);
+  /// Of a step's task, what lets a browser measure it (see roomTask); empty: it cannot. Shows the step.
+  std::string taskForPage(std::size_t step);
 
  private:
   /// Of a published form, see PublishedPicture.
@@ -72,6 +74,7 @@ class LessonPlayer {
 
   double measure(const LessonMeasure& measure, std::optional<std::size_t> here);
   const ImageRgbaF& linear(std::size_t step);
+  ShownScene shownScene();
   void drawRays(const LessonStep& step);
   void showScene(std::size_t step, Scene scene);
   void forgetCaptures();

@@ -1,6 +1,9 @@
 // See published_picture.h. The forms are those of shaders/published, which say where each is from, and more:
 //   behind      a box's planes selected with step(0, R) into mix(max, min): those behind the ray
 //   difference  as "world", but for (P - C) + d R: the subtraction first. Unity and Catlike Coding have it so
+//   means       the cubemap's levels as plain means of four texels each, as glGenerateMipmap makes them
+//   alone       each face of the cubemap looked up for itself, as hardware did before seamless lookups
+//   fixup       the same with CubeMapGen's edge fix-up over four texels
 //   masking     not a lookup: the split sum made with the masking that is most often printed
 //   eta         glass, bent once by refract(-V, N, n2 / n1): Arm, "Guide to Unity: Enhancing Your Mobile Games", 6.4.4
 #include "app/lessons/published_picture.h"
@@ -10,9 +13,11 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <iterator>
 #include <utility>
 
+#include "app/lessons/other_maps.h"
+#include "filters/core/picture/baked_probe.h"
+#include "filters/core/scene/lesson.h"
 #include "filters/math/published/published_math.h"
 #include "filters/vtk/scene_renderer.h"
 
@@ -60,6 +65,11 @@ const GlassExplanation* glassBy(const std::string& form, const Explanation& e) {
   return form == "eta" && e.glass && !e.glass->back ? &*e.glass : nullptr;
 }
 
+/// Another map, or another lookup in the same, in the same direction.
+bool keepsDirection(const std::string& form) {
+  return form == "means" || form == "alone" || form == "fixup";
+}
+
 /// What the program itself looks up where `form` does.
 glm::vec3 ownLookup(const std::string& form, const Explanation& e, const ProbeExplanation& probe) {
   const GlassExplanation* glass = glassBy(form, e);
@@ -73,6 +83,7 @@ double degreesBetween(const glm::dvec3& a, const glm::dvec3& b) {
 glm::vec3 lookupBy(const std::string& form, const Explanation& e, const ProbeExplanation& probe) {
   if (form == "eta") return lookupThrough(probe, refracted(e, 1.0f / e.glass->eta));
   shading::ProbeShape shape = shapeOf(probe);
+  if (keepsDirection(form)) return probe.lookupDirection;
   if (form == "behind") return behind(probe);
   if (form == "select") return shading::publishedBoxSelect(shape, probe.positionProbe, probe.reflectionProbe).direction;
   if (form == "rounded")
@@ -96,8 +107,8 @@ glm::vec3 byPublishedMasking(const Explanation& e) {
 }  // namespace
 
 bool isPublishedForm(const std::string& id) {
-  const char* const forms[] = {"behind", "select", "world", "difference", "half", "rounded", "masking", "eta"};
-  return std::find(std::begin(forms), std::end(forms), id) != std::end(forms);
+  const auto& forms = publishedForms();
+  return std::find(forms.begin(), forms.end(), id) != forms.end();
 }
 
 PublishedPicture::PublishedPicture(SceneRenderer& renderer, const Scene& scene, std::string form, int width, int height)
@@ -105,6 +116,20 @@ PublishedPicture::PublishedPicture(SceneRenderer& renderer, const Scene& scene, 
   picture_.width = width;
   picture_.height = height;
   picture_.pixels.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0.0f);
+}
+
+glm::vec3 PublishedPicture::lookedUp(const BakedMaps& maps, const glm::vec3& along, float level) {
+  if (!keepsDirection(form_)) return glm::vec3(maps.radiance.fetch(along, level));
+  if (form_ == "alone") return glm::vec3(fetchWithinFace(maps.radiance, along, level));
+  const auto found = made_.find(&maps);
+  constexpr int kFixupWidth = 4;  // CubeMapGen's
+  const CubeMap& cube = found != made_.end()
+                            ? found->second
+                            : made_
+                                  .emplace(&maps, form_ == "means" ? withPlainMeans(maps.radiance)
+                                                                   : withEdgeFixup(maps.radiance, kFixupWidth))
+                                  .first->second;
+  return glm::vec3(form_ == "means" ? cube.fetch(along, level) : fetchWithinFace(cube, along, level));
 }
 
 bool PublishedPicture::draw(int rows) {
@@ -130,7 +155,7 @@ bool PublishedPicture::draw(int rows) {
         const glm::vec3 along = glm::mat3(probe->mapFromProbe) * direction;
         const float level = glass != nullptr ? shading::levelForRoughness(glass->roughness, probe->maxLevel)
                                              : probe->lookups.front().level;
-        const glm::vec3 light(maps->radiance.fetch(along, level));
+        const glm::vec3 light = lookedUp(*maps, along, level);
         const float share = probe->weight * probe->intensity;
         color += glass != nullptr ? glass->passed * (share * light - glass->looked)
                                   : e.specularFactor * share * (light - probe->specular);

@@ -3,18 +3,21 @@
 // window; none of these forms is a technique.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/math/cube/cube_map.h"
 
 namespace boxprobe {
 
 class SceneRenderer;
+struct BakedMaps;
 
-/// "behind", "select", "world", "difference", "half", "rounded", "masking", "eta"; see published_picture.cpp.
+/// One of publishedForms(); see published_picture.cpp.
 bool isPublishedForm(const std::string& id);
 
 /// A row at a time, so that a window can go on in between. The renderer's camera and maps must not change meanwhile.
@@ -34,9 +37,12 @@ class PublishedPicture {
   double meanTurn() const;
 
  private:
+  glm::vec3 lookedUp(const BakedMaps& maps, const glm::vec3& along, float level);
+
   SceneRenderer& renderer_;
   const Scene& scene_;
   std::string form_;
+  std::map<const BakedMaps*, CubeMap> made_;  ///< out of those maps, for forms that keep them in another way
   ImageRgbaF picture_;
   int next_ = 0;
   long long reflecting_ = 0, broken_ = 0;

@@ -4,6 +4,20 @@
 (() => {
   for (const host of document.querySelectorAll('.plan[data-plan]')) window.boxprobePlan(host, JSON.parse(host.dataset.plan));
 
+  // Tasks are measured in the plan or the room that they stand below.
+  function startTask(task, host, state) {
+    const { measure } = window.boxprobeTask(task, JSON.parse(task.dataset.task), state);
+    host.addEventListener('boxprobechange', measure);
+  }
+  for (const host of document.querySelectorAll('.plan[data-plan]')) {
+    const task = host.parentNode.querySelector('.task[data-task]');
+    if (!task) continue;
+    startTask(task, host, () => {
+      const { box, origin } = host.boxprobePlan.state();
+      return { boxMin: box.min, boxMax: box.max, origin };
+    });
+  }
+
   // Rooms start when they are asked for: each takes a share of the graphics card.
   for (const host of document.querySelectorAll('.room-view[data-scene]')) {
     const button = document.createElement('button'), view = JSON.parse(host.dataset.view);
@@ -15,6 +29,13 @@
       const prepare = (room) => window.boxprobeView(room, view);
       await window.boxprobeRoom(host, JSON.parse(document.getElementById(host.dataset.scene).textContent), { wheel: false, prepare });
       host.querySelector('canvas')?.focus({ preventScroll: true });
+      const task = host.parentNode.querySelector('.task[data-task]');
+      if (!task || !host.boxprobeRoom) return;
+      startTask(task, host, () => {
+        const { origin, axes, boxMin, boxMax } = host.boxprobeRoom.probes[0];
+        const world = axes.map((axis) => axis[0] * origin[0] + axis[1] * origin[1] + axis[2] * origin[2]);
+        return { boxMin: boxMin.map((v, i) => v + world[i]), boxMax: boxMax.map((v, i) => v + world[i]), origin: world };
+      });
     });
     host.append(button);
   }

@@ -276,6 +276,7 @@
         element('td', { class: 'value' }, tr, row.value);
         subscripted(element('td', { class: 'how' }, tr), row.how);
       }
+      host.dispatchEvent(new Event('boxprobechange'));
     };
     const changed = (change) => { change(state); show(); };
     const build = () => {

@@ -417,6 +417,7 @@
         if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });
         this.room.draw();
         this.host.dataset.drawn = String(Number(this.host.dataset.drawn || 0) + 1);
+        this.host.dispatchEvent(new Event('boxprobechange'));
       });
     }
 

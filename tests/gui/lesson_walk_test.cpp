@@ -30,7 +30,7 @@ class LessonWalkTest : public LessonWindowTest, public ::testing::WithParamInter
     EXPECT_EQ(text("stepTitle").toStdString(), step.title);
     EXPECT_EQ(text("stepText").toStdString(), step.say);
     EXPECT_EQ(shown("stepFormula"), !step.formula.empty());
-    EXPECT_EQ(shown("stepTry"), !step.mayMove.empty() || step.curve.has_value());
+    EXPECT_EQ(shown("stepTry"), !step.mayMove.empty() || step.drawn());
     EXPECT_EQ(shown("lessonQuestion"), step.question.has_value());
     EXPECT_EQ(shown("lessonTask"), step.task.has_value());
     EXPECT_EQ(document().scene(), lessonScene(lesson, index));

@@ -85,9 +85,30 @@ TEST_F(LessonFile, EachMistakeIsOneLineWithItsPlace) {
   EXPECT_THAT(curve("exposure", "[1]"), HasSubstr("needs 2 to 32 numbers"));
   EXPECT_THAT(curve("exposhure", "[1, 2]"), HasSubstr("exposure"));
   EXPECT_THAT(curve("exposure", "[-1, 2]"), HasSubstr("curve"));
+  EXPECT_THAT(error(lesson("\"map\": {}")), HasSubstr("one of levels and lookups"));
+  EXPECT_THAT(error(lesson("\"map\": {\"levels\": [0], \"lookups\": [0, 0, 1, 1]}")), HasSubstr("one of levels"));
+  EXPECT_THAT(error(lesson("\"map\": {\"levels\": [-1]}")), HasSubstr("is a mip level"));
+  EXPECT_THAT(error(lesson("\"map\": {\"levels\": []}")), HasSubstr("needs 1 to 7 levels"));
+  EXPECT_THAT(error(lesson("\"map\": {\"levels\": [0], \"face\": \"x\"}")), HasSubstr("face"));
+  EXPECT_THAT(error(lesson("\"map\": {\"lookups\": [0, 0.5, 1, 0.5]}")), HasSubstr("is empty"));
+  EXPECT_THAT(error(lesson("\"map\": {\"lookups\": [0, 0, 1, 1], \"face\": \"+x\"}")), HasSubstr("belongs to levels"));
   std::string missing = lesson("");
   missing.replace(missing.find("room.boxprobe"), 4, "cellar");
   EXPECT_THAT(error(missing), HasSubstr("cellar"));
+}
+
+TEST_F(LessonFile, MapsAreReadWhole) {
+  const Lesson levels = loadLessonFile(write(
+      "1-levels.lesson.json", lesson("\"map\": {\"levels\": [0, 3], \"face\": \"-y\"}, \"published\": \"fixup\"")));
+  ASSERT_TRUE(levels.steps[0].map.has_value());
+  EXPECT_EQ(levels.steps[0].map->levels, (std::vector<int>{0, 3}));
+  EXPECT_EQ(levels.steps[0].map->face, 3);
+  EXPECT_FALSE(levels.steps[0].map->lookups.has_value());
+  EXPECT_TRUE(levels.steps[0].drawn());
+  EXPECT_EQ(levels.steps[0].published, "fixup");
+  const Lesson lookups =
+      loadLessonFile(write("2-lookups.lesson.json", lesson("\"map\": {\"lookups\": [0, 0.5, 1, 0.75]}")));
+  EXPECT_EQ(lookups.steps[0].map->lookups, (PictureRegion{0, 0.5, 1, 0.75}));
 }
 
 TEST_F(LessonFile, ExercisesAndCurvesAreReadWhole) {

@@ -14,7 +14,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kJpegQuality = 80;  // some hundred pictures and a room are to stay below 8 MB
+constexpr int kJpegQuality = 70;  // some hundred pictures and a room are to stay below 8 MB
 
 std::string html(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped().toStdString();
@@ -56,12 +56,20 @@ std::string pictureId(const Lesson& lesson, std::size_t step) {
   return html(lesson.name) + "-" + std::to_string(step + 1);
 }
 
+/// Formulas that stand beside each other in the window stand one below the other: a column is narrow.
 std::string formulaHtml(const std::string& formula) {
-  return formula.empty() ? std::string()
-                         : "<div class=\"formula\"><math display=\"block\">" + formulaMathml(formula) + "</math></div>";
+  static const std::string between = "\\quad";
+  std::string text;
+  for (std::size_t from = 0; from < formula.size();) {
+    const std::size_t to = std::min(formula.find(between, from), formula.size());
+    text += "<math display=\"block\">" + formulaMathml(formula.substr(from, to - from)) + "</math>";
+    from = to + between.size();
+  }
+  return text.empty() ? text : "<div class=\"formula\">" + text + "</div>";
 }
 
-std::string stepHtml(const Lesson& lesson, std::size_t number, const LessonPictures& pictures) {
+/// `measured`: the page measures the task in a plan or a room.
+std::string stepHtml(const Lesson& lesson, std::size_t number, const LessonPictures& pictures, bool measured) {
   const LessonStep& step = lesson.steps[number];
   std::string text = "<div class=\"step\"><figure";
   if (pictures.sameView[number]) text += " data-before=\"" + pictureId(lesson, number - 1) + "\"";
@@ -69,9 +77,15 @@ std::string stepHtml(const Lesson& lesson, std::size_t number, const LessonPictu
           "\" src=\"" + embedded(pictures.steps[number]) + "\"></div></figure><h4>" + std::to_string(number + 1) +
           "&ensp;" + html(step.title) + "</h4><p>" + html(step.say) + "</p>";
   text += formulaHtml(step.formula);
-  if (!step.mayMove.empty()) text += "<p class=\"try\"><b>Try it.</b> " + html(step.mayMove) + "</p>";
+  // A page has neither panels nor handles.
+  if (!step.mayMove.empty()) {
+    text += "<p class=\"try\"><b>Try it in the program's window.</b> " + html(step.mayMove) + "</p>";
+  }
   if (step.question) text += questionHtml(*step.question);
-  if (step.task) text += "<p class=\"try\"><b>Task.</b> " + html(step.task->ask) + "</p>";
+  if (step.task) {
+    text += "<p class=\"try\"><b>Task.</b> " + html(step.task->ask) +
+            (measured ? " This page measures it, below." : "") + "</p>";
+  }
   return text + "</div>\n";
 }
 
@@ -114,22 +128,31 @@ std::string notationHtml(const std::vector<LessonSymbol>& notation) {
   return text + "</table>\n";
 }
 
-std::string planHtml(const Explanation& plan) {
+/// Beside what it is done in: the plan or the room. Measured by data/web/task.js.
+std::string taskHtml(const Lesson& lesson, const std::string& task) {
+  const auto step =
+      std::find_if(lesson.steps.begin(), lesson.steps.end(), [](const LessonStep& s) { return s.task.has_value(); });
+  if (task.empty() || step == lesson.steps.end()) return {};
+  return "<div class=\"task\" data-task=\"" + html(task) + "\"><p class=\"try\"><b>Task.</b> " + html(step->task->ask) +
+         "</p></div>\n";
+}
+
+std::string planHtml(const Explanation& plan, const std::string& task) {
   return "<div class=\"widget\"><h4>The ray in plan and elevation</h4>\n"
          "<p>The box is the heavy outline, C the place the cubemap was captured from. The orange ray is what the "
          "surface reflects; the pink arrow is what the cubemap is sampled with, H &minus; C; the dashed grey one is R, "
          "sampled without box projection. With scripts, drag P, the eye, C and the walls.</p>\n"
          "<div class=\"plan\" data-plan=\"" +
-         html(planJson(plan)) + "\"><div class=\"plan-views\">" + planSvg(plan) + "</div></div></div>\n";
+         html(planJson(plan)) + "\"><div class=\"plan-views\">" + planSvg(plan) + "</div></div>\n" + task + "</div>\n";
 }
 
-std::string roomHtml(const std::string& view, std::size_t scene) {
+std::string roomHtml(const std::string& view, std::size_t scene, const std::string& task) {
   return "<div class=\"widget\"><h4>The room, to walk in</h4><p>Drawn in the browser by the program's own shader "
          "files: look around, move the walls of the box and the place the cubemap is captured from, choose technique "
          "and "
          "roughness. It needs scripts and WebGL2; without them the pictures above show the same.</p>\n"
          "<div class=\"room-view\" data-scene=\"scene-" +
-         std::to_string(scene) + "\" data-view=\"" + html(view) + "\"></div></div>\n";
+         std::to_string(scene) + "\" data-view=\"" + html(view) + "\"></div>\n" + task + "</div>\n";
 }
 
 std::string script(const char* file) {
@@ -146,9 +169,13 @@ void LessonPage::addScene(const std::string& path, const std::string& json) {
   scenes_.push_back(path);
 }
 
-void LessonPage::addLoop(const std::string& say, const std::string& webm) {
+void LessonPage::addLoop(const LessonLoop& loop, const std::string& webm) {
+  const std::string& say = loop.say;
+  std::string labels;  // those in the film lie under the browser's controls until it plays
+  for (const std::string& label : loop.labels) labels += "<span>" + html(label) + "</span>";
   const QByteArray bytes = QByteArray::fromRawData(webm.data(), static_cast<int>(webm.size()));
-  loops_ += "<figure class=\"loop\"><video controls loop muted playsinline aria-label=\"" + html(say) +
+  loops_ += "<figure class=\"loop\"><div class=\"loop-labels\">" + labels +
+            "</div><video controls loop muted playsinline aria-label=\"" + html(say) +
             "\" src=\"data:video/webm;base64," + bytes.toBase64().toStdString() + "\"></video><figcaption>" +
             html(say) + "</figcaption></figure>\n";
 }
@@ -164,18 +191,21 @@ void LessonPage::add(const Lesson& lesson, const LessonPictures& pictures, bool 
   if (!lesson.unreviewed.empty()) body_ += "<p class=\"try\">" + html(lesson.unreviewed) + "</p>\n";
   body_ += "<h3 id=\"" + html(lesson.name) + "\">" + html(lesson.title) + "</h3><p>" + html(lesson.summary) +
            "</p><div class=\"steps\">\n";
+  const auto scene = std::find(scenes_.begin(), scenes_.end(), lesson.scene);
+  const bool hasRoom = room && scene != scenes_.end();
+  const std::string task = hasRoom || pictures.plan ? taskHtml(lesson, pictures.task) : std::string();
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    body_ += stepHtml(lesson, i, pictures);
+    body_ += stepHtml(lesson, i, pictures, !task.empty());
     if (lesson.steps[i].question) answers_ += answerHtml(lesson, lesson.steps[i]);
   }
   body_ += "</div>\n" + loops_;
   loops_.clear();
-  if (pictures.plan) body_ += planHtml(*pictures.plan);
-  const auto scene = std::find(scenes_.begin(), scenes_.end(), lesson.scene);
-  if (room && scene != scenes_.end()) {
-    body_ += roomHtml(pictures.view, static_cast<std::size_t>(scene - scenes_.begin()));
+  if (pictures.plan) body_ += planHtml(*pictures.plan, hasRoom ? std::string() : task);
+  if (hasRoom) {
+    body_ += roomHtml(pictures.view, static_cast<std::size_t>(scene - scenes_.begin()), task);
   }
   body_ += "<div class=\"measured\">";
+  if (!pictures.claims.empty()) body_ += "<h4>Measured</h4>";
   for (const LessonPictures::Claim& claim : pictures.claims) {
     body_ += "<p>" + html(claim.say) + " <b>" + html(claim.measured) + "</b>" +
              (claim.holds ? "" : " <span class=\"failed\">does not hold</span>") + "</p>";
@@ -198,7 +228,7 @@ std::string LessonPage::text(const std::vector<LessonSymbol>& notation) const {
   if (!answers_.empty()) text += "<section class=\"answers\"><h2>Answers</h2>\n" + answers_ + "</section>\n";
   if (!solutions_.empty()) text += "<section class=\"answers\"><h2>Solutions</h2>\n" + solutions_ + "</section>\n";
   if (!scenes_.empty()) text += sceneTexts_ + script("room.js");
-  return text + script("plan.js") + script("page.js") + "</body></html>\n";
+  return text + script("plan.js") + script("task.js") + script("page.js") + "</body></html>\n";
 }
 
 }  // namespace boxprobe

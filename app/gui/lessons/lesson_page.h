@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/lessons/lesson_pictures.h"
+#include "app/lessons/page_widgets.h"
 #include "filters/core/scene/lesson.h"
 
 namespace boxprobe {
@@ -15,8 +16,8 @@ class LessonPage {
  public:
   /// A scene that lessons can be walked in (app/web/web_scene.h), as one JSON text, by the path that lessons name.
   void addScene(const std::string& path, const std::string& json);
-  /// A loop of the lesson that is added next: what it says, and the bytes of its WebM file.
-  void addLoop(const std::string& say, const std::string& webm);
+  /// A loop of the lesson that is added next, and the bytes of its WebM file.
+  void addLoop(const LessonLoop& loop, const std::string& webm);
   /// `room`: its scene, which has been added, follows the steps.
   void add(const Lesson& lesson, const LessonPictures& pictures, bool room);
   /// `notation` stands at the end, as a table; empty: none.

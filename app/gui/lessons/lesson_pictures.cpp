@@ -8,6 +8,7 @@
 
 #include "app/gui/handles/probe_overlay.h"
 #include "app/gui/lessons/curve_picture.h"
+#include "app/gui/lessons/map_picture.h"
 #include "app/gui/lessons/ray_letters.h"
 #include "app/lessons/plan_figure.h"
 #include "app/web/web_view.h"
@@ -46,6 +47,13 @@ QImage LessonPhotographer::picture(const LessonStep& step) {
   return picture;
 }
 
+QImage LessonPhotographer::pictureOf(const Lesson& lesson, std::size_t index) {
+  const LessonStep& step = lesson.steps[index];
+  if (step.curve) return curvePicture(*step.curve, player_.curve(index), width_, height_);
+  if (step.map) return mapPicture(*step.map, player_, width_, height_);
+  return picture(step);
+}
+
 void LessonPhotographer::open(const Lesson& lesson) {
   player_.window()->MakeCurrent();
   boxes_.reset();  // drawn over the renderer there was
@@ -58,13 +66,15 @@ LessonPictures LessonPhotographer::take(const Lesson& lesson, const std::optiona
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const Camera before = i > 0 ? player_.camera() : Camera();
     player_.show(i);
-    // A curve is no view of the scene.
-    const bool curve = lesson.steps[i].curve.has_value();
-    const bool afterCurve = i > 0 && lesson.steps[i - 1].curve.has_value();
-    pictures.sameView.push_back(i > 0 && !curve && !afterCurve && before == player_.camera());
-    pictures.steps.push_back(curve ? curvePicture(*lesson.steps[i].curve, player_.curve(i), width_, height_)
-                                   : picture(lesson.steps[i]));
+    const LessonStep& step = lesson.steps[i];
+    const bool afterDrawn = i > 0 && lesson.steps[i - 1].drawn();
+    pictures.sameView.push_back(i > 0 && !step.drawn() && !afterDrawn && before == player_.camera());
+    pictures.steps.push_back(pictureOf(lesson, i));
     if (i == 0) pictures.view = webView(player_.scene(), player_.camera());
+    if (step.task && pictures.task.empty()) {
+      pictures.task = player_.taskForPage(i);
+      if (!pictures.task.empty()) pictures.view = webView(player_.scene(), player_.camera());
+    }
     if (!plan || pictures.plan) continue;
     const int x = std::min(static_cast<int>((*plan)[0] * width_), width_ - 1);
     const int y = std::min(static_cast<int>((*plan)[1] * height_), height_ - 1);

@@ -21,7 +21,8 @@ struct LessonPictures {
   /// Of each step: is its picture taken from where the one before was? Two such pictures lie over each other.
   std::vector<bool> sameView;
   std::optional<Explanation> plan;  ///< of the pixel that was asked for, in the first step where a box is hit there
-  std::string view;                 ///< of the first step, for a room to walk in (app/web/web_view.h)
+  std::string view;  ///< of the first step, or of that with the task, for a room to walk in (app/web/web_view.h)
+  std::string task;  ///< of the first task that a browser can measure (app/lessons/room_task.h); empty: there is none
   struct Claim {
     std::string say;
     std::string measured;  ///< "0.21, which is 9.8 times 0.0215"
@@ -47,6 +48,8 @@ class LessonPhotographer {
   LessonPlayer& player() { return player_; }
 
  private:
+  QImage pictureOf(const Lesson& lesson, std::size_t index);
+
   int width_, height_;
   LessonPlayer player_;
   std::unique_ptr<ProbeOverlay> boxes_;

@@ -54,7 +54,7 @@ struct Caption {
   Block above;
   QImage formula;
   Block below;
-  int height() const { return above.height() + (formula.isNull() ? 0 : formula.height() + 14) + below.height() + 8; }
+  int height() const { return above.height() + (formula.isNull() ? 6 : formula.height() + 14) + below.height() + 8; }
 };
 
 QString questionHtml(const LessonStep& step) {
@@ -143,7 +143,9 @@ QImage lessonSheet(const Lesson& lesson, const LessonPictures& pictures) {
     painter.drawImage(x, y, pictures.steps[static_cast<std::size_t>(i)]);
     text.above.paint(painter, x, below);
     below += text.above.height();
-    if (!text.formula.isNull()) {
+    if (text.formula.isNull()) {
+      below += 6;
+    } else {
       painter.drawImage(x, below + 6, text.formula);
       below += text.formula.height() + 14;
     }

@@ -136,11 +136,12 @@ void LessonStepPage::show(const Lesson& lesson, std::size_t index, const Solved&
   const QString mathml =
       step.formula.empty() ? QString() : QString("<math>%1</math>").arg(text(formulaMathml(step.formula)));
   formula_->setMathml(mathml, text(step.formula));
-  // A curve takes a minute to measure, so the window does not draw it.
+  // A curve takes a minute to measure, and what a probe holds stands in its panel: the window draws neither.
   const QString tries = step.mayMove.empty() ? QString() : tr("Try: %1").arg(text(step.mayMove));
-  const QString curve =
-      step.curve ? tr("boxprobe lessons %1 -o sheet.png draws the curve.").arg(text(lesson.name)) : QString();
-  mayMove_->setText(tries + (tries.isEmpty() || curve.isEmpty() ? "" : "\n") + curve);
+  const QString what = step.curve ? tr("curve") : tr("map");
+  const QString drawn =
+      step.drawn() ? tr("boxprobe lessons %1 -o sheet.png draws the %2.").arg(text(lesson.name), what) : QString();
+  mayMove_->setText(tries + (tries.isEmpty() || drawn.isEmpty() ? "" : "\n") + drawn);
   mayMove_->setVisible(!mayMove_->text().isEmpty());
   question_->setVisible(step.question.has_value());
   if (step.question) question_->show(*step.question, solved.question);

@@ -87,6 +87,8 @@ QString measureLabel(const LessonMeasure& measure) {
       return LessonTaskBox::tr("Mean light");
     case MeasureKind::Bend:
       return LessonTaskBox::tr("Curvature");
+    case MeasureKind::Jump:
+      return LessonTaskBox::tr("Largest jump between two pixels");
     case MeasureKind::Broken:
       return LessonTaskBox::tr("Share of lookups that are not a number");
     case MeasureKind::Turned:

@@ -211,7 +211,7 @@ std::string loopFile(const std::string& folder, const LessonLoop& loop) {
 void addLoops(LessonPage& page, const Lesson& lesson, const PageWidgets& widgets, const std::string& folder) {
   for (const LessonLoop& loop : widgets.loops) {
     const std::string file = loopFile(folder, loop);
-    if (loop.lesson == lesson.name && fs::exists(file)) page.addLoop(loop.say, readWholeFile(file, kLargestLoop));
+    if (loop.lesson == lesson.name && fs::exists(file)) page.addLoop(loop, readWholeFile(file, kLargestLoop));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "filters/core/scene/scene.h"
@@ -26,6 +27,7 @@ enum class MeasureKind {
   Bend,     ///< of a straight line of the picture: how far from straight what it shows of the box is, over its length
   Counter,  ///< work counted since the step before
   Field,    ///< a number of the scene
+  Jump,     ///< largest difference between two pixels that are neighbours, tone mapped as errors are
   Broken,   ///< share of a published form's lookups that are not a number
   Turned,   ///< mean angle between a published form's lookups and the program's, degrees
   Fit       ///< a number of the box fit of the step's probes, as `boxprobe fit --json` names it
@@ -95,6 +97,15 @@ struct LessonCurve {
   std::string fieldName, measureName, costName, lineName;
 };
 
+/// What the first probe holds, drawn as the step's picture on sheets and pages: one of the two.
+struct LessonMap {
+  /// Mip levels of its cubemap, a column each; below each the same level made of plain means.
+  std::vector<int> levels;
+  int face = 0;  ///< whose levels, OpenGL order +X -X +Y -Y +Z -Z
+  /// Part of the picture: where in the cubemap its pixels sample, and where they should.
+  std::optional<PictureRegion> lookups;
+};
+
 /// To be solved on paper. What can be measured of the solution is.
 struct LessonExercise {
   std::string ask;
@@ -120,7 +131,17 @@ struct LessonStep {
   std::optional<LessonQuestion> question;
   std::optional<LessonTask> task;
   std::optional<LessonCurve> curve;
+  std::optional<LessonMap> map;
+  /// The picture is drawn from measures or from what a probe holds; it is no view of the scene.
+  bool drawn() const { return curve.has_value() || map.has_value(); }
 };
+
+/// What a step's `published` may be; app/lessons/published_picture.cpp says what each is.
+inline const std::vector<std::string_view>& publishedForms() {
+  static const std::vector<std::string_view> forms = {"behind",  "select", "world", "difference", "half", "rounded",
+                                                      "masking", "eta",    "means", "alone",      "fixup"};
+  return forms;
+}
 
 /// A symbol of the formulas and the one thing it stands for.
 struct LessonSymbol {

@@ -52,6 +52,12 @@ std::array<double, N> shares(const JsonCursor& value, const char* wanted) {
   return result;
 }
 
+PictureRegion readRegion(const JsonCursor& value) {
+  const auto region = shares<4>(value, "[left, top, right, bottom], shares of the picture");
+  if (!(region[0] < region[2] && region[1] < region[3])) value.fail("is empty; give left, top, right, bottom");
+  return region;
+}
+
 std::vector<PicturePoint> readPoints(const JsonCursor& value) {
   value.requireArray();
   std::vector<PicturePoint> points;
@@ -87,7 +93,7 @@ LessonMeasure readMeasure(const JsonCursor& entry, std::size_t steps) {
   LessonMeasure measure;
   measure.kind = static_cast<MeasureKind>(requiredValue(entry, "kind")
                                               .choice({"error", "difference", "mean", "explain", "view", "bend",
-                                                       "counter", "field", "broken", "turned", "fit"}));
+                                                       "counter", "field", "jump", "broken", "turned", "fit"}));
   if (const auto step = entry.find("step")) measure.step = readStep(*step, steps);
   if (const auto against = entry.find("against")) {
     if (measure.kind == MeasureKind::Error) {
@@ -101,10 +107,7 @@ LessonMeasure readMeasure(const JsonCursor& entry, std::size_t steps) {
     entry.fail("has no other step; add \"against\": 1");
   }
   if (const auto region = entry.find("region")) {
-    measure.region = shares<4>(*region, "[left, top, right, bottom], shares of the picture");
-    if (!(measure.region[0] < measure.region[2] && measure.region[1] < measure.region[3])) {
-      region->fail("is empty; give left, top, right, bottom");
-    }
+    measure.region = readRegion(*region);
   }
   if (const auto channel = entry.find("channel")) {
     measure.channel = static_cast<int>(channel->choice({"red", "green", "blue"}));
@@ -238,6 +241,34 @@ LessonCurve readCurve(const JsonCursor& entry, std::size_t steps) {
   return curve;
 }
 
+constexpr int kMostLevels = 11;  // of 1024 texels and fewer; a probe has at most as many
+constexpr std::size_t kMostColumns = 7;
+
+LessonMap readMap(const JsonCursor& entry) {
+  entry.requireObject({"levels", "face", "lookups"});
+  LessonMap map;
+  const auto levels = entry.find("levels"), lookups = entry.find("lookups");
+  if (levels.has_value() == lookups.has_value()) entry.fail("needs one of levels and lookups");
+  if (lookups) {
+    if (const auto face = entry.find("face")) face->fail("belongs to levels");
+    map.lookups = readRegion(*lookups);
+    return map;
+  }
+  levels->requireArray();
+  for (const JsonCursor& value : levels->elements()) {
+    const int level = value.whole();
+    if (level < 0 || level > kMostLevels) value.fail("is a mip level, from 0 to " + std::to_string(kMostLevels));
+    map.levels.push_back(level);
+  }
+  if (map.levels.empty() || map.levels.size() > kMostColumns) {
+    levels->fail("needs 1 to " + std::to_string(kMostColumns) + " levels");
+  }
+  if (const auto face = entry.find("face")) {
+    map.face = static_cast<int>(face->choice({"+x", "-x", "+y", "-y", "+z", "-z"}));
+  }
+  return map;
+}
+
 /// By the scene file's own grammar.
 Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
   value.requireObject();
@@ -252,7 +283,7 @@ Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
 
 LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std::string& folder) {
   entry.requireObject({"id", "title", "say", "formula", "set", "camera", "view", "published", "reflections", "boxes",
-                       "rays", "mayMove", "question", "task", "curve"});
+                       "rays", "mayMove", "question", "task", "curve", "map"});
   checkId(entry);
   LessonStep step;
   step.title = required(entry, "title");
@@ -274,9 +305,7 @@ LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std:
       step.camera = readStepCamera(*camera, folder);
   }
   if (const auto published = entry.find("published")) {
-    const char* const forms[] = {"behind", "select", "world", "difference", "half", "rounded", "masking", "eta"};
-    step.published =
-        forms[published->choice({"behind", "select", "world", "difference", "half", "rounded", "masking", "eta"})];
+    step.published = publishedForms()[published->choice(publishedForms())];
   }
   if (const auto reflections = entry.find("reflections")) step.reflections = reflections->boolean();
   if (const auto boxes = entry.find("boxes")) step.boxes = boxes->boolean();
@@ -284,6 +313,8 @@ LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std:
   if (const auto question = entry.find("question")) step.question = readQuestion(*question);
   if (const auto task = entry.find("task")) step.task = readTask(*task, steps, folder);
   if (const auto curve = entry.find("curve")) step.curve = readCurve(*curve, steps);
+  if (const auto map = entry.find("map")) step.map = readMap(*map);
+  if (step.curve && step.map) entry.find("map")->fail("stands beside a curve; a step has one picture");
   return step;
 }
 

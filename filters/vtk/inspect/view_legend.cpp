@@ -26,6 +26,8 @@ namespace boxprobe {
 namespace {
 
 constexpr int kColors = 256;
+constexpr int kSmallPicture = 800;    // pixels across: such a picture stands on a page among others, and smaller still
+constexpr double kSmallFactor = 1.5;  // of letters and bar in it
 
 void setText(vtkTextProperty* text, int size) {
   text->SetFontFamilyToArial();
@@ -85,6 +87,11 @@ void ViewLegend::show(vtkRenderer* renderer, const SurfaceViewRow& row, double l
   renderer->RemoveViewProp(names_);
   renderer->RemoveViewProp(caption_);
   if (row.kind == ViewKind::Picture) return;
+  const double factor = renderer->GetSize()[0] < kSmallPicture ? kSmallFactor : 1.0;
+  for (vtkTextProperty* text : {bar_->GetLabelTextProperty(), names_->GetEntryTextProperty()}) {
+    text->SetFontSize(static_cast<int>(14 * factor));
+  }
+  caption_->GetTextProperty()->SetFontSize(static_cast<int>(16 * factor));
   const std::string unit = row.unit.empty() ? "" : ", " + std::string(row.unit);
   caption_->SetInput((" " + std::string(row.label) + unit + " ").c_str());
   renderer->AddViewProp(caption_);
@@ -115,7 +122,7 @@ void ViewLegend::show(vtkRenderer* renderer, const SurfaceViewRow& row, double l
   bar_->SetLookupTable(table);
   bar_->SetLabelFormat(high - low >= 10.0 ? "%.1f" : high - low >= 0.1 ? "%.2f" : "%.4f");
   bar_->SetPosition(0.015, 0.03);
-  bar_->SetWidth(0.13);
+  bar_->SetWidth(0.13 * factor);
   bar_->SetHeight(0.5);
   renderer->AddViewProp(bar_);
 }
@@ -145,8 +152,9 @@ void ViewLegend::showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& 
     longest = std::max(longest, names[i].size());
   }
   names_->SetPosition(0.015, 0.03);
-  names_->SetPosition2(std::min(0.05 + 0.008 * static_cast<double>(longest), 0.4),
-                       std::min(0.045 * static_cast<double>(count), 0.9));
+  const double factor = renderer->GetSize()[0] < kSmallPicture ? 2.0 * kSmallFactor : 1.0;
+  names_->SetPosition2(std::min(factor * (0.05 + 0.008 * static_cast<double>(longest)), 0.4),
+                       std::min(factor * 0.045 * static_cast<double>(count), 0.9));
   renderer->AddViewProp(names_);
 }
 

@@ -1,7 +1,7 @@
 // The page of lessons in a browser: the plan's numbers against C++ for 1,000 drags, keys and touch, wipes, questions, the page
 // without scripts, printed. usage: lessons_page.mjs BOXPROBE PLAN_NUMBERS SCENES OUT [DRAGS]
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, statSync } from 'node:fs';
+import { existsSync, mkdirSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { BrowserPage, check, roomPsnr } from './browser_page.mjs';
 
@@ -10,7 +10,6 @@ mkdirSync(out, { recursive: true });
 const file = path.resolve(out, 'floor-mirror.html');
 if (!process.env.BOXPROBE_KEEP_PAGE || !existsSync(file)) execFileSync(program, ['lessons', 'floor-mirror', '-o', file, '--quiet', '--language', 'en'], { stdio: 'inherit' });
 const address = 'file://' + file;
-console.log(`${(statSync(file).size / 1e6).toFixed(2)} MB`);
 
 let seed = 1;
 const random = () => { seed = (seed * 1103515245 + 12345) % 2147483648; return seed / 2147483648; };
@@ -107,6 +106,33 @@ for (const technique of ['infinite', 'box']) {
   const db = await roomPsnr(page, 'plainRoom', png, width, height);
   check(db >= 40, `the room by ${technique}: ${db.toFixed(1)} dB from render (at least 40)`);
 }
+
+// A task in its room: measured as the program does, done by dragging the slider of the face, and undone again.
+const taskFile = path.resolve(out, 'fit-the-box.html');
+if (!process.env.BOXPROBE_KEEP_PAGE || !existsSync(taskFile)) execFileSync(program, ['lessons', 'fit-the-box', '-o', taskFile, '--quiet', '--language', 'en'], { stdio: 'inherit' });
+const taskPage = await BrowserPage.open('file://' + taskFile);
+const [tox, toy] = await taskPage.middle('.open-room');
+await taskPage.click(tox, toy);
+await taskPage.until('!!document.querySelector(".room-view + .task .task-said") || !!document.querySelector(".room-said")?.textContent', 240);
+const task = '.room-view + .task';
+const measured = () => taskPage.evaluate(`({ value: Number(document.querySelector('${task}').dataset.value), done: document.querySelector('${task}').classList.contains('done'),
+  start: JSON.parse(document.querySelector('${task}').dataset.task).start })`);
+const begun = await measured();
+check(Math.abs(begun.value - begun.start) < 1e-3, `the task begins at ${begun.value.toFixed(4)}, in the program at ${begun.start.toFixed(4)}`);
+check(!begun.done, 'it is not done yet');
+await taskPage.middle('[data-control="box +x"]');
+const slider = await taskPage.evaluate(`(() => { const s = document.querySelector('[data-control="box +x"]'), r = s.getBoundingClientRect(), knob = 16;
+  const at = (v) => r.x + knob / 2 + (r.width - knob) * (v - s.min) / (s.max - s.min); return { y: r.y + r.height / 2, now: at(s.value), right: at(4), wrong: at(4.6) }; })()`);
+await taskPage.drag([slider.now, slider.y], [slider.right, slider.y]);
+await taskPage.until(`document.querySelector('${task}').classList.contains('done')`, 30);
+const solved = await measured();
+check(solved.value < 0.05, `dragged to the wall it is done, at ${solved.value.toFixed(4)} m`);
+await taskPage.screenshot(path.join(out, 'task.png'));
+await taskPage.drag([slider.right, slider.y], [slider.wrong, slider.y]);
+await taskPage.until(`!document.querySelector('${task}').classList.contains('done')`, 30);
+check((await measured()).value > 0.1, 'dragged past it, it is not');
+check(taskPage.messages.length === 0, `no script failed ${taskPage.messages.join(' ')}`);
+await taskPage.close();
 
 // On paper and in a hand.
 await page.pdf(path.join(out, 'page.pdf'));

@@ -1,0 +1,45 @@
+// The page of all lessons with its films: at most 8 MB, whole by itself, every picture and film readable, every task measured
+// as the program does, printed with its answers. usage: whole_page.mjs BOXPROBE LESSONS OUT
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, readdirSync, statSync } from 'node:fs';
+import path from 'node:path';
+import { BrowserPage, check } from './browser_page.mjs';
+
+const [program, lessons, out] = process.argv.slice(2);
+mkdirSync(out, { recursive: true });
+const file = path.resolve(out, 'lessons.html');
+if (!process.env.BOXPROBE_KEEP_PAGE || !existsSync(file)) {
+  execFileSync(program, ['lessons', '-o', file, '--quiet', '--language', 'en'], { stdio: 'inherit', env: { ...process.env, GALLIVM_PERF: 'nopt' } });
+}
+const bytes = statSync(file).size, text = readFileSync(file, 'utf8'), widgets = JSON.parse(readFileSync(path.join(lessons, 'page.json')));
+check(bytes <= 8e6, `${(bytes / 1e6).toFixed(2)} MB (at most 8)`);
+check((text.match(/src="data:video\/webm;base64,/g) || []).length === widgets.loops.length, `with its ${widgets.loops.length} films`);
+check(!/(src|href)="(?!data:|#)/.test(text), 'nothing is loaded from elsewhere');
+check(!text.includes('does not hold'), 'every claim and every exercise holds');
+
+const page = await BrowserPage.open('file://' + file);
+await page.until('[...document.images].every((image) => image.complete)');
+const found = await page.evaluate(`({ lessons: document.querySelectorAll('h3').length, pictures: document.images.length, broken: [...document.images].filter((image) => !image.naturalWidth).length,
+  plans: document.querySelectorAll('.plan.live').length, rooms: document.querySelectorAll('.room-view').length, tasks: document.querySelectorAll('[data-task]').length,
+  links: [...document.querySelectorAll('nav a')].filter((a) => !document.querySelector(a.getAttribute('href'))).length })`);
+const files = readdirSync(lessons).filter((name) => name.endsWith('.lesson.json')).length;
+check(found.lessons === files && found.broken === 0 && found.links === 0, `${found.lessons} lessons, ${found.pictures} pictures, every link leads to its lesson`);
+check(found.plans === Object.keys(widgets.plans).length && found.rooms === widgets.rooms.length, `${found.plans} plans and ${found.rooms} rooms`);
+await page.evaluate(`document.querySelectorAll('video').forEach((video) => { video.preload = 'auto'; video.load(); })`);
+await page.until(`[...document.querySelectorAll('video')].every((video) => video.readyState >= 2 || video.error)`);
+const films = await page.evaluate(`[...document.querySelectorAll('video')].map((video) => ({ seconds: video.duration, error: video.error?.message || '' }))`);
+check(films.every((film, i) => !film.error && Math.abs(film.seconds - widgets.loops[i].seconds) < 0.5), `films play: ${films.map((film) => film.seconds.toFixed(1)).join(', ')} s`);
+
+// Every task that stands beside a plan or a room: the browser begins where the program does.
+check(found.tasks >= 4, `${found.tasks} tasks are measured in the page`);
+for (let i = 0; i < found.tasks; i++) {
+  const name = await page.evaluate(`(() => { const task = document.querySelectorAll('[data-task]')[${i}]; task.closest('section').querySelector('.open-room')?.click(); return task.closest('section').querySelector('h3').id; })()`);
+  await page.until(`!!document.querySelectorAll('[data-task]')[${i}].dataset.value`, 240);
+  const task = await page.evaluate(`(() => { const task = document.querySelectorAll('[data-task]')[${i}]; return { value: Number(task.dataset.value), start: JSON.parse(task.dataset.task).start, done: task.classList.contains('done') }; })()`);
+  check(!task.done && Math.abs(task.value - task.start) < 2e-3 * Math.max(1, task.start), `${name}: ${task.value.toFixed(4)}, in the program ${task.start.toFixed(4)}, not done yet`);
+}
+check(page.messages.length === 0, `no script failed ${page.messages.join(' ')}`);
+await page.pdf(path.join(out, 'lessons.pdf'));
+const answers = (text.match(/<fieldset class="question">/g) || []).length;
+check(statSync(path.join(out, 'lessons.pdf')).size > 1e6 && answers > 40, `it prints, ${answers} answers at its end`);
+await page.close();
