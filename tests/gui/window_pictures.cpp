@@ -62,7 +62,7 @@ TEST_F(WindowPictures, AtOneToOne) {
   window_->tools().compare().stop();
 
   key(Qt::Key_E);
-  const QPointF floor(0.26 * window_->viewport().width(), 0.72 * window_->viewport().height());
+  const QPointF floor(0.655 * window_->viewport().width(), 0.73 * window_->viewport().height());
   move(floor);
   press(floor);
   release(floor);
