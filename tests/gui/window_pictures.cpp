@@ -86,6 +86,8 @@ TEST_F(WindowPictures, AtOneToOne) {
 TEST_F(WindowPictures, ALessonsTask) {
   size(1440, 900);
   window_->lessons().open("fit-the-box", 2);
+  const auto* value = window_->findChild<QLabel*>("taskValue");
+  ASSERT_TRUE(QTest::qWaitFor([value] { return value->text().contains("done below"); }, 120000));
   keep("lesson-task");
   window_->lessons().leave();
 }
