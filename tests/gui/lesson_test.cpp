@@ -198,7 +198,7 @@ TEST_F(LessonTest, TheStepsOfALessonShareTheirModelsAndThePictureStaysUntilTheNe
 }
 
 TEST_F(LessonTest, ADragOfTheBoxDoesTheTask) {
-  window_->resize(1440, 900);  // as it opens: a pixel of the view beside both docks is a centimetre or two of the box
+  window_->resize(1440, 900);  // as it opens
   window_->openLesson(kMirror, kTask);
   waitForMeasure();
   EXPECT_FALSE(lessons().check().result()->done);
@@ -206,11 +206,11 @@ TEST_F(LessonTest, ADragOfTheBoxDoesTheTask) {
   EXPECT_TRUE(text("taskValue").contains("done below 0.02 m")) << text("taskValue").toStdString();
   ASSERT_NEAR(face(), 4.5, 1e-9);
   const QPointF there = facePixelAfter(kPlusX, -0.5), beside = facePixelAfter(kPlusX, -0.6);
-  // The mouse is at whole pixels; of how many there are, menus and letters have a say.
+  // The mouse takes and leaves it at whole pixels; how many there are is up to the height of menus and letters.
   const double pixel = 0.1 / std::hypot(there.x() - beside.x(), there.y() - beside.y());
-  EXPECT_LT(pixel, 0.025);
+  EXPECT_LT(pixel, 0.1);
   drag(facePixel(kPlusX), there, {}, 16);
-  EXPECT_NEAR(face(), 4.0, 1.5 * pixel);
+  EXPECT_NEAR(face(), 4.0, pixel);
   waitForMeasure();
   // As exact as the mouse can be; the rest by the field.
   EXPECT_LT(*lessons().check().result()->value, 0.05);
