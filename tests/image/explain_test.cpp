@@ -331,8 +331,10 @@ TEST(Views, SameNumbersAsTheExplanation) {
   for (std::size_t view = 1; view < surfaceViews().size(); ++view) {
     const std::string id(surfaceViews()[view].id);
     std::printf("  %s: %zu of %zu differ, %zu defined\n", id.c_str(), different[view], compared[view], defined[view]);
-    // Of the pixels in these open scenes a third reflects the sky, and some what the capture origin does not see.
-    EXPECT_GT(defined[view], compared[view] / 3) << id;
+    // A third of the rays of these open scenes leaves them, and some end where the capture origin does not see: they
+    // have no true hit (true_hit_test judges which).
+    const bool ofTrueHit = id == "true-distance" || id == "hit-error" || id == "direction-error";
+    EXPECT_GT(defined[view], compared[view] / (ofTrueHit ? 3 : 2)) << id;
     // Where a ray grazes an edge of the box or of what the probe saw, rounding decides between two answers.
     EXPECT_LE(static_cast<double>(different[view]), 5.0e-3 * static_cast<double>(compared[view])) << id;
   }
