@@ -2,6 +2,7 @@
 
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 
 #include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
@@ -73,7 +74,7 @@ void SceneParts::drawMirrors(double aspect, int width, int height, int samples) 
 void SceneParts::beginFrame() {
   prepareDraws();
   view.upload(window, state->resources);
-  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  window->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   state->setExposure(static_cast<float>(content.scene.exposure));
   Counters& counters = state->counts.counters;
   state->counts.beginFrame();

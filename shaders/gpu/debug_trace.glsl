@@ -21,6 +21,13 @@ float bpLevelSum = 0.0f;   // of the probe being evaluated
 float bpFetches = 0.0f;
 bool bpCoat = false;       // the clear coat's lookups count, but its probes are not what is shown
 
+// Before anything reads it, in the text as well: drivers warn of what looks unset.
+void bpTraceNothing()
+{
+  bpBest.share = 0.0f;
+  bpBest.fetches = 0.0f;
+}
+
 void bpTraceFetch(float level, float maxLevel)
 {
   bpLookups += 1.0f;

@@ -92,11 +92,7 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   light.share = 0.0f;
 #endif
 #if BP_DEBUG
-  if (!bpCoat)
-  {
-    bpBest.share = 0.0f;
-    bpBest.fetches = 0.0f;
-  }
+  if (!bpCoat) { bpTraceNothing(); }
 #endif
 
   float remaining = bpShareOut(position);

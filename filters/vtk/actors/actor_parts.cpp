@@ -1,6 +1,7 @@
 #include "filters/vtk/actors/actor_parts.h"
 
 #include <vtkLightCollection.h>
+#include <vtkOpenGLState.h>
 #include <vtkProperty.h>
 
 #include "filters/core/base/at_end.h"
@@ -91,14 +92,16 @@ void ActorParts::beginFrame() {
     return;
   }
   state->setExposure(static_cast<float>(exposure));
-  seamlessBefore = glIsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS) != GL_FALSE;
-  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  vtkOpenGLState* gl = graphics->window->GetState();
+  seamlessBefore = gl->GetEnumState(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  gl->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   assign();
 }
 
 void ActorParts::endFrame() {
   draws->bound.clear();
-  if (!seamlessBefore && draws->renderer != nullptr) glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  if (!seamlessBefore && draws->renderer != nullptr && graphics)
+    graphics->window->GetState()->vtkglDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
 
 void ActorParts::assign() {

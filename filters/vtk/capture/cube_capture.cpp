@@ -72,7 +72,7 @@ void CubeCapture::draw(vtkCamera* camera) {
     pass.exposure = kLinearOutput;
     pass.countDraws = false;
   });
-  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  window_->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   renderer_->Render();
 }
 

@@ -34,8 +34,13 @@ class CubeBinding {
 }  // namespace
 
 std::string seamlessCubesProblem() {
+  // Put back as it was: VTK keeps its own account of this state.
+  const bool before = glIsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS) == GL_TRUE;
+  if (before) return {};
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  if (glIsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS) == GL_TRUE) return {};
+  const bool works = glIsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS) == GL_TRUE;
+  glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  if (works) return {};
   while (glGetError() != GL_NO_ERROR) {
   }
   return "this OpenGL driver does not filter across the edges of cube maps (OpenGL 3.2 or ARB_seamless_cube_map is "
@@ -158,7 +163,7 @@ PassState::PassState(vtkOpenGLRenderWindow* window) : window_(window), saved_(ne
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  state->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
 
 PassState::~PassState() {

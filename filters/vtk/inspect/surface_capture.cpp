@@ -74,7 +74,7 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
       settings.countDraws = false;
       settings.pixelOrigin = glm::ivec2(rect.x, height - rect.y - rect.height);
     });
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    window_->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     renderer_->Render();
   }
 
