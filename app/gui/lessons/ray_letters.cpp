@@ -2,28 +2,16 @@
 #include "app/gui/lessons/ray_letters.h"
 
 #include <QPainter>
-#include <QPainterPath>
+
+#include "app/gui/explain/picture_inset.h"
 
 namespace boxprobe {
 
 namespace {
 
-constexpr int kLetterPixels = 24;
-
-/// In white, outlined, so that it is read on any picture. `offset`: of its middle from the place.
+/// `offset`: of its middle from the place.
 void letter(QPainter& painter, const std::optional<glm::dvec2>& place, const QPointF& offset, const char* text) {
-  if (!place) return;
-  QFont font("DejaVu Serif");
-  font.setPixelSize(kLetterPixels);
-  font.setBold(true);
-  font.setItalic(true);
-  QPainterPath path;
-  path.addText(0, 0, font, QString::fromUtf8(text));
-  const QRectF ink = path.boundingRect();
-  const QPointF middle = QPointF(place->x, place->y) + offset;
-  path.translate(middle - ink.center());
-  painter.strokePath(path, QPen(Qt::black, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.fillPath(path, Qt::white);
+  if (place) paintPictureLetter(painter, QPointF(place->x, place->y) + offset, text);
 }
 
 }  // namespace
