@@ -148,7 +148,8 @@ class ViewPainter {
       if (!eye && pixels > kArrowPixels) arrowHead(to, direction, color);
       if (pixels > 2.0 * kArrowPixels) {
         labels_.push_back({QString::fromStdString(line.label), 0.5 * (from + to),
-                           QPointF(direction.y(), -direction.x()), color, kLineRank});
+                           QPointF(direction.y(), -direction.x()), color,
+                           line.kind == SchematicLine::Lookup ? kOptionalRank : kLineRank});
       }
       return;
     }
@@ -323,9 +324,9 @@ void paintPaper(QPainter& painter, const QRectF& area) {
   painter.drawRoundedRect(area, 6.0, 6.0);
 }
 
-/// Of an inset, for its one line of words.
+/// Of an inset, for its one line of words, beyond the padding that a drawing has anyway.
 double headHeight(const QPainter& painter) {
-  return QFontMetricsF(painter.font()).height() + 2.0;
+  return QFontMetricsF(painter.font()).height() - 0.5 * kInsetPadding;
 }
 
 }  // namespace
@@ -344,7 +345,7 @@ void paintInset(QPainter& painter, const QRectF& area, const SchematicView& view
   const QRectF inner = area.adjusted(0.0, head, 0.0, 0.0);
   ViewPainter(painter, inner, view, fittingScale(view, inner.size(), kInsetPadding), true).paint();
   painter.setPen(kInk);
-  painter.drawText(QRectF(area.left() + 6.0, area.top() + 2.0, area.width(), head), Qt::AlignLeft, words);
+  painter.drawText(QPointF(area.left() + 6.0, area.top() + 2.0 + QFontMetricsF(painter.font()).ascent()), words);
 }
 
 void paintSchematic(QPainter& painter, const QRectF& area, const Schematic& schematic) {

@@ -23,9 +23,10 @@ void drawRayLetters(QImage& picture, const Explanation& explanation, const ViewP
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
   const glm::dvec3& from = explanation.surface.positionWorld;
-  const glm::dvec3 middle = 0.5 * (from + probe.hitWorld), lookup = 0.5 * (probe.originWorld + probe.hitWorld);
+  // Below its middle: there the handle of a face often stands.
+  const glm::dvec3 along = from + 0.42 * (probe.hitWorld - from), lookup = 0.5 * (probe.originWorld + probe.hitWorld);
   letter(painter, view.pixel(from), {-20, 8}, "P");
-  letter(painter, view.pixel(middle), {20, 0}, "R");
+  letter(painter, view.pixel(along), {20, 0}, "R");
   letter(painter, view.pixel(probe.hitWorld), {22, -8}, "H");
   letter(painter, view.pixel(probe.originWorld), {-20, -6}, "C");
   letter(painter, view.pixel(lookup), {0, -22}, "H − C");
