@@ -13,9 +13,10 @@ namespace boxprobe {
 namespace {
 
 constexpr int kLetterPixels = 24;
-constexpr double kMostWidth = 0.42, kMostHeight = 0.47;  ///< of the picture
-constexpr double kPictureHeight = 350.0;                 ///< of a sheet's, for which the sizes below are
-constexpr double kInsetScale = 1.4, kSmallestScale = 1.2, kLargestScale = 1.8;
+constexpr double kMostWidth = 0.42, kMostHeight = 0.47;          ///< of the picture
+constexpr double kLeastWidth = 160.0;                            ///< pixels, for a window that is narrow
+constexpr double kPictureWidth = 560.0, kPictureHeight = 350.0;  ///< of a sheet's, for which the scale is
+constexpr double kInsetScale = 1.4, kSmallestScale = 0.9, kLargestScale = 1.8;
 constexpr double kCornerGap = 8.0;
 constexpr double kPointSize = 10.0;
 
@@ -34,12 +35,14 @@ void paintPictureLetter(QPainter& painter, const QPointF& middle, const char* te
 }
 
 void paintPictureInset(QPainter& painter, const QRectF& picture, const LessonInset& inset, const SchematicView& view) {
-  const double scale = std::clamp(kInsetScale * picture.height() / kPictureHeight, kSmallestScale, kLargestScale);
+  const double share = std::min(picture.width() / kPictureWidth, picture.height() / kPictureHeight);
+  const double scale = std::clamp(kInsetScale * share, kSmallestScale, kLargestScale);
   painter.save();
   QFont font("DejaVu Sans");
   font.setPointSizeF(kPointSize);
   painter.setFont(font);
-  const QSizeF most(kMostWidth * picture.width() / scale, kMostHeight * picture.height() / scale);
+  const QSizeF most(std::max(kMostWidth * picture.width(), kLeastWidth) / scale,
+                    kMostHeight * picture.height() / scale);
   const QSizeF size = insetSize(painter, view, most);
   painter.translate(inset.right ? picture.right() - kCornerGap - scale * size.width() : picture.left() + kCornerGap,
                     inset.bottom ? picture.bottom() - kCornerGap - scale * size.height() : picture.top() + kCornerGap);
