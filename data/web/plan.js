@@ -215,7 +215,7 @@
       this.label(n.hit, 'H', 'hit', 9, -9);
       this.label(s.position, 'P', 'P', -18, 19);
       this.label(s.origin, 'C', 'C', -18, -9);
-      this.label(s.eye, 'eye', 'eye', 10, -10);
+      this.label(s.eye, 'eye', 'eye', p[0] > this.pixel(s.eye)[0] ? -38 : 10, -10);  // not over the V of its line
       for (const { g, read } of this.handles.values()) {
         const [x, y] = this.pixel(read(s));
         g.setAttribute('transform', `translate(${x} ${y})`);

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 
 #include "filters/core/base/fixed_text.h"
 
@@ -57,6 +58,17 @@ int smallestAxis(const glm::vec3& t) {
   return t.x <= t.y && t.x <= t.z ? 0 : t.y <= t.z ? 1 : 2;
 }
 
+/// As far as the ray stays in the box, whether or not the technique asks it; without a box, a length that reads well.
+double wayOut(const Ray& r, const glm::dvec3& from, const glm::dvec3& along) {
+  double way = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (along[axis] == 0.0) continue;
+    const double wall = along[axis] > 0.0 ? r.boxMax[axis] : r.boxMin[axis];
+    way = std::min(way, (wall - from[axis]) / along[axis]);
+  }
+  return std::isfinite(way) && way > 0.0 ? way : r.reach;
+}
+
 class ViewBuilder {
  public:
   ViewBuilder(std::string title, int right, int up, bool rightFlipped, bool upFlipped) {
@@ -80,6 +92,44 @@ class ViewBuilder {
     addLines(r);
     if (r.slab) addPlanes(r);
     addPoints(r);
+    return view_;
+  }
+
+  /// The view of an inset; see insetView.
+  SchematicView buildInset(const Ray& r) {
+    if (r.boxMax != r.boxMin) addBox(r);
+    view_.boxUsed = r.hasBox;
+    const glm::dvec3 none(0.0);
+    for (const glm::dvec3& p : {r.position, none, r.hit.value_or(none), r.trueHit.value_or(none)}) see(paper(p));
+    // An eye far off would shrink the drawing: its line leaves the paper.
+    const glm::dvec2 size = view_.high - view_.low;
+    see(glm::clamp(paper(r.eye), view_.low - 0.5 * size, view_.high + 0.5 * size));
+    const auto line = [&](SchematicLine kind, const glm::dvec3& from, const glm::dvec3& to, const char* label) {
+      view_.lines.push_back({kind, paper(from), paper(to), label, 1.0});
+    };
+    const auto point = [&](SchematicPoint kind, const glm::dvec3& at, const char* label) {
+      view_.points.push_back({kind, paper(at), label, {}});
+    };
+    line(SchematicLine::Eye, r.eye, r.position, "");
+    if (r.hit) {
+      line(SchematicLine::Lookup, none, *r.hit, "H - C");
+      line(SchematicLine::Reflected, r.position, *r.hit, "R");
+      point(SchematicPoint::Hit, *r.hit, "H");
+    } else {
+      const glm::dvec3 met = r.trueHit.value_or(r.position + wayOut(r, r.position, r.reflection) * r.reflection);
+      const glm::dvec3 lookup = glm::normalize(r.lookup);
+      line(SchematicLine::Lookup, none, wayOut(r, none, lookup) * lookup, "R");
+      line(SchematicLine::Reflected, r.position, met, "R");
+    }
+    const double visible = 0.02 * glm::length(r.boxMax - r.boxMin);
+    if (r.hit && r.trueHit && glm::length(*r.trueHit - *r.hit) > visible) {
+      line(SchematicLine::TrueHit, *r.hit, *r.trueHit, "");
+      point(SchematicPoint::TrueHit, *r.trueHit, "true");
+    }
+    point(SchematicPoint::Shading, r.position, "P");
+    point(SchematicPoint::Origin, none, "C");
+    point(SchematicPoint::Eye, r.eye, "eye");
+    for (auto& shown : view_.points) shown.labelDirection = freeDirection(shown.at);
     return view_;
   }
 
@@ -207,20 +257,37 @@ std::string caption(const ProbeExplanation& p) {
   return "d = min(t_x, t_y, t_z) = min(" + t(0) + ", " + t(1) + ", " + t(2) + ") = " + d;
 }
 
+/// The probe that is drawn; null: there is nothing to draw.
+const ProbeExplanation* drawnProbe(const Explanation& e) {
+  if (!e.hit || e.surface.normalWorld == glm::vec3(0.0f) || e.probes.empty()) return nullptr;
+  return &e.probes[static_cast<std::size_t>(std::max(e.dominant, 0))];
+}
+
+ViewBuilder planOf() {
+  return {"Plan (from above)", 0, 2, false, true};
+}
+
+/// Looking along -z at the front (x to the right), or from the +x side (-z to the right, as one walks round).
+ViewBuilder elevationOf(const Ray& r) {
+  const bool alongX = std::abs(r.reflection.x) >= std::abs(r.reflection.z);
+  return alongX ? ViewBuilder("Elevation (from the front)", 0, 1, false, false)
+                : ViewBuilder("Elevation (from the side)", 2, 1, true, false);
+}
+
 }  // namespace
 
 std::optional<Schematic> schematic(const Explanation& e) {
-  if (!e.hit || e.surface.normalWorld == glm::vec3(0.0f) || e.probes.empty()) return std::nullopt;
-  const ProbeExplanation& p = e.probes[static_cast<std::size_t>(std::max(e.dominant, 0))];
-  const Ray r = rayOf(e, p);
-  Schematic made;
-  made.plan = ViewBuilder("Plan (from above)", 0, 2, false, true).build(r);
-  // Looking along -z at the front (x to the right), or from the +x side (-z to the right, as one walks round).
-  const bool alongX = std::abs(r.reflection.x) >= std::abs(r.reflection.z);
-  made.elevation = alongX ? ViewBuilder("Elevation (from the front)", 0, 1, false, false).build(r)
-                          : ViewBuilder("Elevation (from the side)", 2, 1, true, false).build(r);
-  made.caption = caption(p);
-  return made;
+  const ProbeExplanation* p = drawnProbe(e);
+  if (p == nullptr) return std::nullopt;
+  const Ray r = rayOf(e, *p);
+  return Schematic{planOf().build(r), elevationOf(r).build(r), caption(*p)};
+}
+
+std::optional<SchematicView> insetView(const Explanation& e, bool elevation) {
+  const ProbeExplanation* p = drawnProbe(e);
+  if (p == nullptr) return std::nullopt;
+  const Ray r = rayOf(e, *p);
+  return (elevation ? elevationOf(r) : planOf()).buildInset(r);
 }
 
 }  // namespace boxprobe

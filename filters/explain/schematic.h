@@ -23,6 +23,7 @@ struct SchematicView {
   bool upFlipped = false;
   glm::dvec2 low{0.0}, high{0.0};  ///< what has to be seen: box, P, C, H
   std::optional<glm::dvec2> boxLow, boxHigh;
+  bool boxUsed = true;  ///< false: the technique does not ask it
 
   struct Line {
     SchematicLine kind;
@@ -56,5 +57,10 @@ struct Schematic {
 
 /// Nothing without a surface, a normal or a probe to draw.
 std::optional<Schematic> schematic(const Explanation& e);
+
+/// The same ray in one small drawing for the corner of a picture: box, eye, P, C, the ray and what is sampled; neither
+/// normals nor distances. A technique without a hit has its ray drawn to what it meets, and R once more from C. Seen
+/// from above, or in elevation. Nothing where schematic() has nothing.
+std::optional<SchematicView> insetView(const Explanation& e, bool elevation);
 
 }  // namespace boxprobe

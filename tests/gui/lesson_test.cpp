@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "app/gui/explain/debug_view.h"
+#include "app/gui/explain/picture_inset.h"
 #include "app/gui/explain/surface_view_panel.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/lessons/lesson_progress.h"
@@ -44,6 +45,7 @@ const char* const kLessonText = R"({
        {"text": "R", "reply": "That was before."},
        {"text": "From the probe to where the ray leaves the box", "right": true, "reply": "Yes."}]}},
     {"title": "Your turn", "say": "The box is half a metre too large.", "boxes": true,
+     "inset": {"plan": [0.62, 0.78], "corner": "top-left"},
      "set": {"probes.room.box.max": [4.5, 3, 3]}, "mayMove": "Drag the box's face.",
      "task": {"ask": "Make the box fit the room.", "measure": {"kind": "view", "name": "hit-error"}, "below": 0.02,
        "unit": "m", "praise": "The box is the room again.", "solution": {"probes.room.box.max": [4, 3, 3]},
@@ -195,6 +197,27 @@ TEST_F(LessonTest, TheStepsOfALessonShareTheirModelsAndThePictureStaysUntilTheNe
   EXPECT_TRUE(held->isVisible() || !window_->renderer().workPending()) << "the half-made picture must not show";
   waitUntilIdle();
   EXPECT_FALSE(held->isVisible());
+}
+
+TEST_F(LessonTest, TheInsetFollowsTheBoxAndGoesWithItsStep) {
+  openFromList(kMirror);
+  waitUntilIdle();
+  EXPECT_FALSE(shown("lessonInset"));
+  lessons().open(kMirror, kTask);
+  waitUntilIdle();
+  ASSERT_TRUE(shown("lessonInset"));
+  const auto* inset = dynamic_cast<const PictureInset*>(window_->findChild<QWidget*>("lessonInset"));
+  ASSERT_NE(inset, nullptr);
+  const auto wall = [&] { return inset->view()->boxHigh->x + probe().origin.x; };
+  EXPECT_NEAR(wall(), 4.5, 1e-5);
+  keepPicture("lesson_inset");
+  edit({"probes.room.box.max=[4.25,3,3]"});
+  waitUntilIdle();
+  ASSERT_TRUE(inset->view().has_value());
+  EXPECT_NEAR(wall(), 4.25, 1e-5);
+  key(Qt::Key_Left);
+  waitUntilIdle();
+  EXPECT_FALSE(shown("lessonInset"));
 }
 
 TEST_F(LessonTest, ADragOfTheBoxDoesTheTask) {

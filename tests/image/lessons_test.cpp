@@ -1,6 +1,7 @@
 // Every lesson held to what it says: each claim measured on the pictures it speaks of, each task tried with what solves
 // it and what does not. One test a lesson.
 #include <gtest/gtest.h>
+#include <vtkOpenGLRenderWindow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "app/lessons/lesson_player.h"
 #include "filters/core/base/errors.h"
+#include "filters/explain/schematic.h"
 #include "filters/io/scene/lesson_file.h"
 
 namespace {
@@ -101,6 +103,29 @@ TEST(Lessons, AFitIsMeasured) {
     condition.measure.name = name;
     EXPECT_THROW(player().check(condition), WorkError) << name;
   }
+}
+
+// A ray to draw starts at the place of every inset, with a box round it.
+TEST(Lessons, EveryInsetHasARay) {
+  int insets = 0;
+  const Lesson* open = nullptr;
+  for (const Lesson& lesson : allLessons().lessons) {
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+      if (!lesson.steps[i].inset) continue;
+      const LessonInset& inset = *lesson.steps[i].inset;
+      if (&lesson != open) player().open(lesson);
+      open = &lesson;
+      player().show(i);
+      player().window()->MakeCurrent();
+      const auto view = insetView(player().renderer().explain(static_cast<int>(inset.at[0] * 319),
+                                                              static_cast<int>(inset.at[1] * 199), 320, 200),
+                                  inset.elevation);
+      ASSERT_TRUE(view) << lesson.name << ", step " << i + 1;
+      EXPECT_TRUE(view->boxLow.has_value()) << lesson.name << ", step " << i + 1;
+      ++insets;
+    }
+  }
+  EXPECT_GE(insets, 20);
 }
 
 // The measuring can fail.

@@ -92,6 +92,12 @@ TEST_F(LessonFile, EachMistakeIsOneLineWithItsPlace) {
   EXPECT_THAT(error(lesson("\"map\": {\"levels\": [0], \"face\": \"x\"}")), HasSubstr("face"));
   EXPECT_THAT(error(lesson("\"map\": {\"lookups\": [0, 0.5, 1, 0.5]}")), HasSubstr("is empty"));
   EXPECT_THAT(error(lesson("\"map\": {\"lookups\": [0, 0, 1, 1], \"face\": \"+x\"}")), HasSubstr("belongs to levels"));
+  EXPECT_THAT(error(lesson("\"inset\": {}")), HasSubstr("one of plan and elevation"));
+  EXPECT_THAT(error(lesson("\"inset\": {\"plan\": [0, 0], \"elevation\": [0, 0]}")), HasSubstr("one of plan and"));
+  EXPECT_THAT(error(lesson("\"inset\": {\"plan\": [0.5, 1.5]}")), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(error(lesson("\"inset\": {\"plan\": [0, 0], \"corner\": \"middle\"}")), HasSubstr("bottom-left"));
+  EXPECT_THAT(error(lesson("\"inset\": {\"plan\": [0, 0]}, \"published\": \"half\"")), HasSubstr("published form"));
+  EXPECT_THAT(error(lesson("\"inset\": {\"plan\": [0, 0]}, \"map\": {\"levels\": [0]}")), HasSubstr("no view of"));
   std::string missing = lesson("");
   missing.replace(missing.find("room.boxprobe"), 4, "cellar");
   EXPECT_THAT(error(missing), HasSubstr("cellar"));
@@ -109,6 +115,19 @@ TEST_F(LessonFile, MapsAreReadWhole) {
   const Lesson lookups =
       loadLessonFile(write("2-lookups.lesson.json", lesson("\"map\": {\"lookups\": [0, 0.5, 1, 0.75]}")));
   EXPECT_EQ(lookups.steps[0].map->lookups, (PictureRegion{0, 0.5, 1, 0.75}));
+}
+
+TEST_F(LessonFile, InsetsAreReadWhole) {
+  const Lesson plan = loadLessonFile(write("1-plan.lesson.json", lesson("\"inset\": {\"plan\": [0.25, 0.75]}")));
+  ASSERT_TRUE(plan.steps[0].inset.has_value());
+  EXPECT_EQ(plan.steps[0].inset->at, (PicturePoint{0.25, 0.75}));
+  EXPECT_FALSE(plan.steps[0].inset->elevation);
+  EXPECT_TRUE(plan.steps[0].inset->right && plan.steps[0].inset->bottom);
+  const Lesson side = loadLessonFile(
+      write("2-side.lesson.json", lesson("\"inset\": {\"elevation\": [0, 1], \"corner\": \"bottom-left\"}")));
+  EXPECT_TRUE(side.steps[0].inset->elevation);
+  EXPECT_FALSE(side.steps[0].inset->right);
+  EXPECT_TRUE(side.steps[0].inset->bottom);
 }
 
 TEST_F(LessonFile, ExercisesAndCurvesAreReadWhole) {

@@ -117,6 +117,38 @@ TEST(Schematic, WithoutABoxTheRayGoesOnAndTheCaptionSaysSo) {
   EXPECT_NE(drawn->caption.find("undefined"), std::string::npos);
 }
 
+// The same points, and the eye always on the paper.
+TEST(Schematic, AnInsetHasTheRayAndNoDistances) {
+  const Explanation room = ExplainedRoom().explain();
+  for (const bool elevation : {false, true}) {
+    const auto inset = insetView(room, elevation);
+    ASSERT_TRUE(inset);
+    EXPECT_TRUE(inset->boxUsed);
+    EXPECT_TRUE(inset->planes.empty());
+    for (const auto& shown : inset->points) {
+      EXPECT_NE(shown.kind, SchematicPoint::SlabPlane);
+      EXPECT_TRUE(shown.at.x >= inset->low.x && shown.at.x <= inset->high.x) << shown.label;
+      EXPECT_TRUE(shown.at.y >= inset->low.y && shown.at.y <= inset->high.y) << shown.label;
+    }
+    expectAt(line(*inset, SchematicLine::Reflected).to, 2.0, elevation ? 0.5 : 0.0);
+    expectAt(line(*inset, SchematicLine::Lookup).from, 0.0, 0.0);
+    expectAt(line(*inset, SchematicLine::Lookup).to, 2.0, elevation ? 0.5 : 0.0);
+  }
+}
+
+// R alone: from P to what it meets, and the same direction from C until it leaves the box.
+TEST(Schematic, AnInsetWithoutAHitDrawsRTwice) {
+  ExplainedRoom room;
+  room.probe.technique = "infinite";
+  const auto inset = insetView(room.explain(), true);
+  ASSERT_TRUE(inset);
+  EXPECT_FALSE(inset->boxUsed);
+  expectAt(line(*inset, SchematicLine::Reflected).to, 2.0, 0.5);
+  expectAt(line(*inset, SchematicLine::Lookup).to, 2.0, 2.0);
+  EXPECT_TRUE(std::none_of(inset->points.begin(), inset->points.end(),
+                           [](const auto& p) { return p.kind == SchematicPoint::Hit; }));
+}
+
 TEST(Schematic, ThereIsNoneWithoutSurfaceNormalOrProbe) {
   EXPECT_FALSE(schematic(Explanation{}));
   ExplainedRoom room;

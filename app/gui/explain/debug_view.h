@@ -63,6 +63,8 @@ class DebugView : public QObject {
   void drawRays(const Rays& rays);
   /// Rays that start at what the picture shows at these places, logical pixels, as it is now.
   void drawRaysAt(const std::vector<QPointF>& positions);
+  /// Of the pixel at a place, logical, as the picture is now.
+  Explanation explain(const QPointF& position) const;
   /// While its GL context is current, before the renderer goes.
   void releaseGraphics();
 
@@ -89,7 +91,6 @@ class DebugView : public QObject {
   void setSurfaceView(const SurfaceViewSettings& settings);
   void raysChanged();
   void updateMirrors();
-  Explanation explain(const QPointF& position) const;
   PixelInspector::Explain hold(const QPointF& position);
   vtkCamera* seenFrom() const;
   double pixelScale() const;

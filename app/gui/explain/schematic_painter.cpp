@@ -28,6 +28,7 @@ constexpr double kVectorPixels = 40.0;  ///< N, V and R are directions: drawn as
 constexpr double kArrowPixels = 9.0;
 constexpr double kDotPixels = 4.0;
 constexpr double kMargin = 26.0;  ///< around a drawing, for labels
+constexpr double kInsetPadding = 17.0;
 
 /// The colours that the lines have in the picture (filters/vtk/rays/ray_colors.cpp).
 QColor colorOf(SchematicLine kind) {
@@ -50,7 +51,6 @@ QColor colorOf(SchematicLine kind) {
 
 QPen pen(const QColor& color, double width, Qt::PenStyle style = Qt::SolidLine) {
   QPen made(color, width, style, Qt::RoundCap, Qt::RoundJoin);
-  made.setCosmetic(true);
   return made;
 }
 
@@ -60,8 +60,10 @@ double length(const QPointF& v) {
 
 class ViewPainter {
  public:
-  ViewPainter(QPainter& painter, const QRectF& area, const SchematicView& view, double pixelsPerUnit)
-      : painter_(painter), area_(area), view_(view), scale_(pixelsPerUnit) {
+  /// `inset`: small, without axes, the rays as lines with heads.
+  ViewPainter(QPainter& painter, const QRectF& area, const SchematicView& view, double pixelsPerUnit,
+              bool inset = false)
+      : painter_(painter), area_(area), view_(view), scale_(pixelsPerUnit), inset_(inset) {
     const glm::dvec2 middle = 0.5 * (view.low + view.high);
     offset_ = area.center() - QPointF(middle.x * scale_, -middle.y * scale_);
   }
@@ -76,7 +78,7 @@ class ViewPainter {
     std::stable_sort(labels_.begin(), labels_.end(), [](const Label& a, const Label& b) { return a.rank < b.rank; });
     for (const Label& label : labels_) place(label);
     painter_.restore();
-    paintAxes();
+    if (!inset_) paintAxes();
   }
 
  private:
@@ -92,7 +94,7 @@ class ViewPainter {
 
   void paintBox() {
     painter_.setBrush(QColor(255, 255, 255, 14));
-    painter_.setPen(pen(kBox, 1.4));
+    painter_.setPen(pen(view_.boxUsed ? kBox : kDim, 1.4, view_.boxUsed ? Qt::SolidLine : Qt::DashLine));
     if (view_.boxLow) painter_.drawRect(QRectF(at(*view_.boxLow), at(*view_.boxHigh)).normalized());
     for (const auto& plane : view_.planes) {
       if (plane.smallest) {
@@ -139,6 +141,18 @@ class ViewPainter {
     const double pixels = length(to - from);
     const QPointF direction = pixels > 0.0 ? (to - from) / pixels : QPointF();
     const QColor color = colorOf(line.kind);
+    if (inset_ && line.kind != SchematicLine::TrueHit) {
+      const bool eye = line.kind == SchematicLine::Eye;
+      painter_.setPen(pen(color, eye ? 1.4 : 2.2));
+      painter_.drawLine(from, eye || pixels < kArrowPixels ? to : to - 0.6 * kArrowPixels * direction);
+      if (!eye && pixels > kArrowPixels) arrowHead(to, direction, color);
+      if (pixels > 2.0 * kArrowPixels) {
+        labels_.push_back({QString::fromStdString(line.label), 0.5 * (from + to),
+                           QPointF(direction.y(), -direction.x()), color,
+                           line.kind == SchematicLine::Lookup ? kOptionalRank : kLineRank});
+      }
+      return;
+    }
     switch (line.kind) {
       case SchematicLine::Slab:
         painter_.setPen(pen(color, 1.2, Qt::DotLine));
@@ -290,31 +304,59 @@ class ViewPainter {
   QRectF area_;
   const SchematicView& view_;
   double scale_;
+  bool inset_;
   QPointF offset_;
   std::vector<Label> labels_;
   std::vector<QRectF> occupied_;  ///< by points and by labels placed
 };
 
-double fittingScale(const SchematicView& view, const QRectF& area) {
+double fittingScale(const SchematicView& view, const QSizeF& area, double margin = kMargin) {
   const glm::dvec2 extent = view.high - view.low;
   const double smallest = 1e-9;
-  return std::min((area.width() - 2.0 * kMargin) / std::max(extent.x, smallest),
-                  (area.height() - 2.0 * kMargin) / std::max(extent.y, smallest));
+  return std::min((area.width() - 2.0 * margin) / std::max(extent.x, smallest),
+                  (area.height() - 2.0 * margin) / std::max(extent.y, smallest));
 }
 
-}  // namespace
-
-void paintSchematic(QPainter& painter, const QRectF& area, const Schematic& schematic) {
+void paintPaper(QPainter& painter, const QRectF& area) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   painter.setBrush(kPaper);
   painter.drawRoundedRect(area, 6.0, 6.0);
+}
+
+/// Of an inset, for its one line of words, beyond the padding that a drawing has anyway.
+double headHeight(const QPainter& painter) {
+  return QFontMetricsF(painter.font()).height() - 0.5 * kInsetPadding;
+}
+
+}  // namespace
+
+QSizeF insetSize(const QPainter& painter, const SchematicView& view, const QSizeF& most) {
+  const QSizeF room = most - QSizeF(0.0, headHeight(painter));
+  const double scale = fittingScale(view, room, kInsetPadding);
+  const glm::dvec2 drawn = scale * (view.high - view.low) + 2.0 * kInsetPadding;
+  constexpr double kWords = 96.0;
+  return {std::clamp(drawn.x, std::min(kWords, most.width()), most.width()), drawn.y + headHeight(painter)};
+}
+
+void paintInset(QPainter& painter, const QRectF& area, const SchematicView& view, const QString& words) {
+  paintPaper(painter, area);
+  const double head = headHeight(painter);
+  const QRectF inner = area.adjusted(0.0, head, 0.0, 0.0);
+  ViewPainter(painter, inner, view, fittingScale(view, inner.size(), kInsetPadding), true).paint();
+  painter.setPen(kInk);
+  painter.drawText(QPointF(area.left() + 6.0, area.top() + 2.0 + QFontMetricsF(painter.font()).ascent()), words);
+}
+
+void paintSchematic(QPainter& painter, const QRectF& area, const Schematic& schematic) {
+  paintPaper(painter, area);
   const double line = QFontMetricsF(painter.font()).height();
   const QRectF inner = area.adjusted(6.0, line + 6.0, -6.0, -line - 8.0);
   const QRectF left(inner.left(), inner.top(), 0.5 * inner.width() - 3.0, inner.height());
   const QRectF right(inner.center().x() + 3.0, inner.top(), 0.5 * inner.width() - 3.0, inner.height());
   // One scale for both, as technical drawings have it.
-  const double scale = std::min(fittingScale(schematic.plan, left), fittingScale(schematic.elevation, right));
+  const double scale =
+      std::min(fittingScale(schematic.plan, left.size()), fittingScale(schematic.elevation, right.size()));
   ViewPainter(painter, left, schematic.plan, scale).paint();
   ViewPainter(painter, right, schematic.elevation, scale).paint();
   painter.setPen(pen(QColor(255, 255, 255, 40), 1.0));

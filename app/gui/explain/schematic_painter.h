@@ -4,6 +4,8 @@
 #pragma once
 
 #include <QRectF>
+#include <QSizeF>
+#include <QString>
 
 #include "filters/explain/schematic.h"
 
@@ -12,5 +14,10 @@ class QPainter;
 namespace boxprobe {
 
 void paintSchematic(QPainter& painter, const QRectF& area, const Schematic& schematic);
+
+/// Of one view alone, at most as large as `most`, by the painter's font.
+QSizeF insetSize(const QPainter& painter, const SchematicView& view, const QSizeF& most);
+/// On an area of that size, under a line of words.
+void paintInset(QPainter& painter, const QRectF& area, const SchematicView& view, const QString& words);
 
 }  // namespace boxprobe

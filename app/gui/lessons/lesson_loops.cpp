@@ -20,6 +20,7 @@ namespace {
 constexpr const char* kEncoder = "libvpx-vp9";
 constexpr int kQualities[] = {36, 42, 48, 54, 60};  // VP9's scale: 63 is the worst
 constexpr int kPanelGap = 4;                        // pixels between panels
+constexpr int kPanelHead = 36;                      // for the label
 constexpr double kPi = 3.141592653589793;
 
 QString encoderProgram() {
@@ -32,17 +33,15 @@ std::string lastLine(const QByteArray& said) {
   return lines.isEmpty() ? std::string() : lines.back().trimmed().toStdString();
 }
 
-/// Into the picture: a loop has no place for it beside.
-void label(QPainter& painter, const QRect& panel, const std::string& title) {
+/// Over its panel, as the head of a column: a player's controls lie at the foot, a view's own title at the top.
+void label(QPainter& painter, const QRect& head, const std::string& title) {
   QFont font("DejaVu Sans");
-  font.setPixelSize(19);
+  font.setPixelSize(21);
+  font.setBold(true);
   painter.setFont(font);
-  const QString text = QString::fromStdString(title);
-  const QRect ink = painter.fontMetrics().boundingRect(text);
-  const QRect box(panel.left() + 8, panel.bottom() - 37, ink.width() + 20, 30);
-  painter.fillRect(box, QColor(0, 0, 0, 205));
+  painter.fillRect(head, QColor("#1d2126"));
   painter.setPen(Qt::white);
-  painter.drawText(box, Qt::AlignCenter, text);
+  painter.drawText(head, Qt::AlignCenter, QString::fromStdString(title));
 }
 
 Camera between(const Camera& from, const Camera& to, double t) {
@@ -80,19 +79,21 @@ QImage drawPanels(LessonPhotographer& photographer, Lesson& lesson, const Lesson
     photographer.player().showChanged(index, changes);
     LessonStep bare = step;
     bare.rays.clear();  // a changed scene is shown without rays, so it gets no letters either
+    bare.inset.reset();
     panels.push_back(photographer.picture(bare));
   }
   const int width = panels.front().width(), count = static_cast<int>(panels.size());
   // VP9 wants even sizes.
-  QImage picture((count * width + (count - 1) * kPanelGap) & ~1, panels.front().height() & ~1, QImage::Format_RGB888);
+  QImage picture((count * width + (count - 1) * kPanelGap) & ~1, (kPanelHead + panels.front().height()) & ~1,
+                 QImage::Format_RGB888);
   picture.fill(Qt::white);
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::TextAntialiasing);
   for (int i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const int left = i * (width + kPanelGap);
-    painter.drawImage(left, 0, panels[at]);
-    label(painter, QRect(left, 0, width, picture.height()), loop.labels[at]);
+    painter.drawImage(left, kPanelHead, panels[at]);
+    label(painter, QRect(left, 0, width, kPanelHead), loop.labels[at]);
   }
   return picture;
 }

@@ -171,11 +171,8 @@ void LessonPage::addScene(const std::string& path, const std::string& json) {
 
 void LessonPage::addLoop(const LessonLoop& loop, const std::string& webm) {
   const std::string& say = loop.say;
-  std::string labels;  // those in the film lie under the browser's controls until it plays
-  for (const std::string& label : loop.labels) labels += "<span>" + html(label) + "</span>";
   const QByteArray bytes = QByteArray::fromRawData(webm.data(), static_cast<int>(webm.size()));
-  loops_ += "<figure class=\"loop\"><div class=\"loop-labels\">" + labels +
-            "</div><video controls loop muted playsinline aria-label=\"" + html(say) +
+  loops_ += "<figure class=\"loop\"><video controls loop muted playsinline aria-label=\"" + html(say) +
             "\" src=\"data:video/webm;base64," + bytes.toBase64().toStdString() + "\"></video><figcaption>" +
             html(say) + "</figcaption></figure>\n";
 }

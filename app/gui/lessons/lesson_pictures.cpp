@@ -3,15 +3,18 @@
 
 #include <vtkRenderer.h>
 
+#include <QPainter>
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/explain/picture_inset.h"
 #include "app/gui/handles/probe_overlay.h"
 #include "app/gui/lessons/curve_picture.h"
 #include "app/gui/lessons/map_picture.h"
 #include "app/gui/lessons/ray_letters.h"
 #include "app/lessons/plan_figure.h"
 #include "app/web/web_view.h"
+#include "filters/core/base/errors.h"
 
 namespace boxprobe {
 
@@ -44,14 +47,31 @@ QImage LessonPhotographer::picture(const LessonStep& step) {
     drawRayLetters(picture, player_.renderer().explain(x, y, width_, height_),
                    ViewProjection(renderer->GetActiveCamera(), width_, height_));
   }
+  if (step.inset) drawInset(picture, *step.inset, step.rays.size() == 1);
   return picture;
+}
+
+void LessonPhotographer::drawInset(QImage& picture, const LessonInset& inset, bool lettered) {
+  const QPointF place(inset.at[0] * (width_ - 1), inset.at[1] * (height_ - 1));
+  const auto view =
+      insetView(player_.renderer().explain(static_cast<int>(place.x()), static_cast<int>(place.y()), width_, height_),
+                inset.elevation);
+  if (!view) throw WorkError("there is no surface with a probe where an inset's ray starts");
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintPictureInset(painter, QRectF(picture.rect()), inset, *view);
+  if (!lettered) paintInsetPlace(painter, place);
 }
 
 QImage LessonPhotographer::pictureOf(const Lesson& lesson, std::size_t index) {
   const LessonStep& step = lesson.steps[index];
   if (step.curve) return curvePicture(*step.curve, player_.curve(index), width_, height_);
   if (step.map) return mapPicture(*step.map, player_, width_, height_);
-  return picture(step);
+  try {
+    return picture(step);
+  } catch (const WorkError& error) {
+    throw WorkError(lesson.path + ": step " + std::to_string(index + 1) + ": " + error.what());
+  }
 }
 
 void LessonPhotographer::open(const Lesson& lesson) {

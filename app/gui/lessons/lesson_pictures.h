@@ -43,12 +43,15 @@ class LessonPhotographer {
   LessonPictures take(const Lesson& lesson, const std::optional<PicturePoint>& plan = {});
   /// For pictures of its steps one by one; the lesson must outlive them.
   void open(const Lesson& lesson);
-  /// Of what the player shows now, with the boxes that the step wants.
+  /// Of what the player shows now, with the boxes and the inset that the step wants. Throws WorkError where there is
+  /// nothing to draw in the inset.
   QImage picture(const LessonStep& step);
   LessonPlayer& player() { return player_; }
 
  private:
   QImage pictureOf(const Lesson& lesson, std::size_t index);
+  /// `lettered`: the picture has a P.
+  void drawInset(QImage& picture, const LessonInset& inset, bool lettered);
 
   int width_, height_;
   LessonPlayer player_;

@@ -40,7 +40,11 @@ bool sameView(const Camera& a, const Camera& b) {
 }  // namespace
 
 LessonStage::LessonStage(SceneRenderer& renderer, Viewport& viewport, DebugView& debugView, ViewSwitches switches)
-    : renderer_(renderer), viewport_(viewport), debugView_(debugView), switches_(std::move(switches)) {}
+    : renderer_(renderer),
+      viewport_(viewport),
+      debugView_(debugView),
+      switches_(std::move(switches)),
+      inset_(new PictureInset(&viewport, [this](const QPointF& place) { return debugView_.explain(place); })) {}
 
 void LessonStage::enter() {
   own_ = Settings{renderer_.currentCamera(), debugView_.surfacePanel()->settings(), switches_.reflections(),
@@ -59,6 +63,8 @@ void LessonStage::setUp(const LessonStep& step, const Camera& camera) {
   camera_ = camera;
   fitCamera();
   pendingRays_ = step.rays;
+  inset_->show(step.inset);
+  if (step.inset) insetAt_ = step.inset->at;
 }
 
 void LessonStage::fitCamera() {
@@ -71,16 +77,18 @@ void LessonStage::shapeChanged() {
   if (fitted_ && sameView(*fitted_, renderer_.currentCamera())) fitCamera();
 }
 
-bool LessonStage::pictureDrawn() {
-  if (pendingRays_.empty()) return false;
-  std::vector<QPointF> positions;
-  // Shares of the lesson's picture, which is in the middle of the window's and as large as that has room for.
+// A share of the lesson's picture, which is in the middle of the window's and as large as that has room for.
+QPointF LessonStage::placeOf(const PicturePoint& point) const {
   const double width = std::min<double>(viewport_.width(), viewport_.height() * kLessonAspect);
   const double height = width / kLessonAspect;
-  for (const PicturePoint& point : pendingRays_) {
-    positions.emplace_back(0.5 * viewport_.width() + (point[0] - 0.5) * width,
-                           0.5 * viewport_.height() + (point[1] - 0.5) * height);
-  }
+  return {0.5 * viewport_.width() + (point[0] - 0.5) * width, 0.5 * viewport_.height() + (point[1] - 0.5) * height};
+}
+
+bool LessonStage::pictureDrawn() {
+  inset_->update(placeOf(insetAt_));
+  if (pendingRays_.empty()) return false;
+  std::vector<QPointF> positions;
+  for (const PicturePoint& point : pendingRays_) positions.push_back(placeOf(point));
   pendingRays_.clear();
   debugView_.drawRaysAt(positions);
   return true;
@@ -88,6 +96,7 @@ bool LessonStage::pictureDrawn() {
 
 void LessonStage::leave() {
   pendingRays_.clear();
+  inset_->show({});
   fitted_.reset();
   if (!own_) return;
   debugView_.unpin();

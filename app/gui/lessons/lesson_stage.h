@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/gui/explain/debug_view.h"
+#include "app/gui/explain/picture_inset.h"
 #include "filters/core/scene/lesson.h"
 #include "filters/core/scene/surface_view.h"
 
@@ -28,14 +29,18 @@ class LessonStage {
   /// Remembers what the learner has.
   void enter();
   void setUp(const LessonStep& step, const Camera& camera);
-  /// The step's picture is on the screen: rays can start in it. True if some are now drawn.
+  /// The step's picture is on the screen: rays can start in it, and the inset's can be followed. True if rays are now
+  /// drawn.
   bool pictureDrawn();
+  /// The scene, its maps or the camera changed: the inset may show another ray.
+  void invalidate() { inset_->invalidate(); }
   /// The window's shape changed: the step's camera is fitted again unless the learner has moved it.
   void shapeChanged();
   void leave();
 
  private:
   void fitCamera();
+  QPointF placeOf(const PicturePoint& point) const;
 
   struct Settings {
     Camera camera;
@@ -52,6 +57,8 @@ class LessonStage {
   Camera camera_;                 ///< of the step
   std::optional<Camera> fitted_;  ///< as it was fitted to the window last
   std::vector<PicturePoint> pendingRays_;
+  PictureInset* inset_;  ///< the viewport's
+  PicturePoint insetAt_{0.5, 0.5};
 };
 
 }  // namespace boxprobe

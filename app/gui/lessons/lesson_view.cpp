@@ -290,6 +290,7 @@ void LessonView::documentChanged() {
   if (!parts_.document.previewing()) updateTry();
   check_.invalidate();
   published_.invalidate();
+  stage_.invalidate();
 }
 
 void LessonView::pictureDrawn() {
@@ -301,13 +302,20 @@ void LessonView::workEnded() {
   held_.release();
   check_.invalidate();
   published_.invalidate();
+  stage_.invalidate();
 }
 
 void LessonView::shapeChanged() {
   if (!visit_.lesson()) return;
   stage_.shapeChanged();
+  stage_.invalidate();
   published_.invalidate();
   check_.invalidate();  // it may have waited for the first picture
+}
+
+void LessonView::cameraMoved() {
+  published_.invalidate();
+  stage_.invalidate();
 }
 
 std::optional<double> LessonView::measure(const LessonMeasure& wanted) {

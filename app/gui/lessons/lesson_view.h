@@ -73,7 +73,7 @@ class LessonView : public QObject {
   void pictureDrawn();
   void workEnded();
   void shapeChanged();
-  void cameraMoved() { published_.invalidate(); }
+  void cameraMoved();
 
  signals:
   void shown();  ///< the panel has something to look at

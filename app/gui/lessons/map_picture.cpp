@@ -18,7 +18,7 @@ namespace {
 
 const QColor kMapInk("#1d2126"), kSampled("#a2267a"), kRightPlace("#0b5cad");
 constexpr int kMapLetters = 17;  // pixels, as in curves
-constexpr int kMapGap = 10, kHeading = 34;
+constexpr int kMapGap = 10, kHeading = 46, kRowName = 24;
 constexpr int kLookupColumns = 9, kLookupRows = 5;  // pixels whose lookups are drawn
 constexpr double kPaleness = 0.45;
 
@@ -48,8 +48,17 @@ QImage levelsPicture(const LessonMap& map, const CubeMap& cube, float exposure, 
   painter.setFont(mapLetters());
   painter.setPen(kMapInk);
   const auto columns = static_cast<int>(map.levels.size());
-  const int size = std::min((width - kMapGap * (columns + 1)) / columns, (height - kHeading - 3 * kMapGap) / 2);
-  const int inset = (width - columns * size - (columns - 1) * kMapGap) / 2;
+  const int size =
+      std::min((width - kRowName - kMapGap * (columns + 1)) / columns, (height - kHeading - 3 * kMapGap) / 2);
+  const int inset = kRowName + (width - kRowName - columns * size - (columns - 1) * kMapGap) / 2;
+  const char* const rows[] = {"over the lobe", "plain means"};
+  for (int row = 0; row < 2; ++row) {
+    painter.save();
+    painter.translate(inset - kRowName, kHeading + row * (size + kMapGap) + size);
+    painter.rotate(-90.0);
+    painter.drawText(QRect(0, 0, size, kRowName), Qt::AlignCenter, rows[row]);
+    painter.restore();
+  }
   const CubeMap means = withPlainMeans(cube);
   for (int i = 0; i < columns; ++i) {
     const int level = map.levels[static_cast<std::size_t>(i)], x = inset + i * (size + kMapGap);
@@ -58,7 +67,7 @@ QImage levelsPicture(const LessonMap& map, const CubeMap& cube, float exposure, 
                       std::to_string(level));
     }
     painter.drawText(QRect(x, 0, size, kHeading), Qt::AlignCenter,
-                     QString("l = %1   %2").arg(level).arg(cube.levelSize(level)));
+                     QString("level %1\n%2 texels").arg(level).arg(cube.levelSize(level)));
     painter.drawImage(x, kHeading, faceImage(cube, level, map.face, size, exposure));
     painter.drawImage(x, kHeading + size + kMapGap, faceImage(means, level, map.face, size, exposure));
   }

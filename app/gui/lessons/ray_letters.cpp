@@ -2,28 +2,16 @@
 #include "app/gui/lessons/ray_letters.h"
 
 #include <QPainter>
-#include <QPainterPath>
+
+#include "app/gui/explain/picture_inset.h"
 
 namespace boxprobe {
 
 namespace {
 
-constexpr int kLetterPixels = 24;
-
-/// In white, outlined, so that it is read on any picture. `offset`: of its middle from the place.
+/// `offset`: of its middle from the place.
 void letter(QPainter& painter, const std::optional<glm::dvec2>& place, const QPointF& offset, const char* text) {
-  if (!place) return;
-  QFont font("DejaVu Serif");
-  font.setPixelSize(kLetterPixels);
-  font.setBold(true);
-  font.setItalic(true);
-  QPainterPath path;
-  path.addText(0, 0, font, QString::fromUtf8(text));
-  const QRectF ink = path.boundingRect();
-  const QPointF middle = QPointF(place->x, place->y) + offset;
-  path.translate(middle - ink.center());
-  painter.strokePath(path, QPen(Qt::black, 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.fillPath(path, Qt::white);
+  if (place) paintPictureLetter(painter, QPointF(place->x, place->y) + offset, text);
 }
 
 }  // namespace
@@ -35,9 +23,10 @@ void drawRayLetters(QImage& picture, const Explanation& explanation, const ViewP
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
   const glm::dvec3& from = explanation.surface.positionWorld;
-  const glm::dvec3 middle = 0.5 * (from + probe.hitWorld), lookup = 0.5 * (probe.originWorld + probe.hitWorld);
+  // Below its middle: there the handle of a face often stands.
+  const glm::dvec3 along = from + 0.42 * (probe.hitWorld - from), lookup = 0.5 * (probe.originWorld + probe.hitWorld);
   letter(painter, view.pixel(from), {-20, 8}, "P");
-  letter(painter, view.pixel(middle), {20, 0}, "R");
+  letter(painter, view.pixel(along), {20, 0}, "R");
   letter(painter, view.pixel(probe.hitWorld), {22, -8}, "H");
   letter(painter, view.pixel(probe.originWorld), {-20, -6}, "C");
   letter(painter, view.pixel(lookup), {0, -22}, "H − C");

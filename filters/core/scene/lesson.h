@@ -106,6 +106,13 @@ struct LessonMap {
   std::optional<PictureRegion> lookups;
 };
 
+/// A small drawing in a corner of the step's picture: the probe's box, the eye, C, and the ray of one of its pixels.
+struct LessonInset {
+  PicturePoint at{0.5, 0.5};         ///< whose ray
+  bool elevation = false;            ///< seen from the side; otherwise from above
+  bool right = true, bottom = true;  ///< the corner it stands in
+};
+
 /// To be solved on paper. What can be measured of the solution is.
 struct LessonExercise {
   std::string ask;
@@ -132,6 +139,7 @@ struct LessonStep {
   std::optional<LessonTask> task;
   std::optional<LessonCurve> curve;
   std::optional<LessonMap> map;
+  std::optional<LessonInset> inset;
   /// The picture is drawn from measures or from what a probe holds; it is no view of the scene.
   bool drawn() const { return curve.has_value() || map.has_value(); }
 };

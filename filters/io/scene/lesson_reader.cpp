@@ -269,6 +269,21 @@ LessonMap readMap(const JsonCursor& entry) {
   return map;
 }
 
+LessonInset readInset(const JsonCursor& entry) {
+  entry.requireObject({"plan", "elevation", "corner"});
+  const auto plan = entry.find("plan"), elevation = entry.find("elevation");
+  if (plan.has_value() == elevation.has_value()) entry.fail("needs one of plan and elevation");
+  LessonInset inset;
+  inset.elevation = elevation.has_value();
+  inset.at = shares<2>(plan ? *plan : *elevation, "[x, y], shares of the picture");
+  if (const auto corner = entry.find("corner")) {
+    const std::size_t choice = corner->choice({"top-left", "top-right", "bottom-left", "bottom-right"});
+    inset.right = choice % 2 == 1;
+    inset.bottom = choice >= 2;
+  }
+  return inset;
+}
+
 /// By the scene file's own grammar.
 Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
   value.requireObject();
@@ -283,7 +298,7 @@ Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
 
 LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std::string& folder) {
   entry.requireObject({"id", "title", "say", "formula", "set", "camera", "view", "published", "reflections", "boxes",
-                       "rays", "mayMove", "question", "task", "curve", "map"});
+                       "rays", "mayMove", "question", "task", "curve", "map", "inset"});
   checkId(entry);
   LessonStep step;
   step.title = required(entry, "title");
@@ -315,6 +330,11 @@ LessonStep readStepObject(const JsonCursor& entry, std::size_t steps, const std:
   if (const auto curve = entry.find("curve")) step.curve = readCurve(*curve, steps);
   if (const auto map = entry.find("map")) step.map = readMap(*map);
   if (step.curve && step.map) entry.find("map")->fail("stands beside a curve; a step has one picture");
+  if (const auto inset = entry.find("inset")) {
+    if (step.drawn()) inset->fail("stands in no view of the scene; the step's picture is a curve or a map");
+    if (!step.published.empty()) inset->fail("would draw the program's ray beside a published form's picture");
+    step.inset = readInset(*inset);
+  }
   return step;
 }
 

@@ -56,7 +56,7 @@ ViewLegend::ViewLegend()
 
   bar_->UnconstrainedFontSizeOn();
   setText(bar_->GetLabelTextProperty(), 14);
-  bar_->SetTextPositionToPrecedeScalarBar();
+  bar_->SetTextPositionToSucceedScalarBar();
   bar_->DrawBackgroundOn();
   bar_->GetBackgroundProperty()->SetColor(0.08, 0.08, 0.09);
   bar_->GetBackgroundProperty()->SetOpacity(0.78);

@@ -81,6 +81,11 @@ for (const share of [0.25, 0.8]) {
   check(Math.abs(parseFloat(cut.match(/inset\(0(?:px)? ([\d.]+)%/)[1]) - 100 * (1 - share)) < 0.6, `the wipe follows the pointer to ${share}: ${cut}`);
 }
 await page.screenshot(path.join(out, 'wipe.png'));
+const covered = () => page.evaluate(`getComputedStyle(document.querySelector('.wipe .before')).display !== 'none'`);
+const onScreen = await covered();
+await page.send('Emulation.setEmulatedMedia', { media: 'print' });
+check(onScreen && !(await covered()), 'on paper an open wipe leaves the picture itself');
+await page.send('Emulation.setEmulatedMedia', { media: '' });
 
 // Questions.
 const [qx, qy] = await page.middle('.question details.wrong summary');
