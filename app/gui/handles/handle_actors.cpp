@@ -16,6 +16,7 @@
 #include <vtkSphereSource.h>
 
 #include <QColor>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -178,16 +179,16 @@ HandleActors::Mark& HandleActors::markOf(const Handle& handle) {
   return origins_[handle.probe];
 }
 
-void HandleActors::place(Mark& mark, const std::vector<Probe>& probes, const Handle& handle, bool selected,
+void HandleActors::place(Mark& mark, const std::vector<Probe>& probes, const Handle& handle, Rank rank,
                          bool highlighted) {
   const Probe& probe = probes[handle.probe];
   mark.shown = true;
   mark.positionWorld = handleAnchorWorld(probe, handle);
   const bool origin = handle.kind == HandleKind::Origin;
-  QColor color = !origin ? axisColor(handle.face.axis) : selected ? originColor() : idleColor();
+  QColor color = !origin ? axisColor(handle.face.axis) : rank != Rank::Idle ? originColor() : idleColor();
   QColor rim = haloColor();
   mark.outlinePixels = kOutlinePixels;
-  mark.radiusPixels = origin                             ? (selected ? kOriginRadius : kIdleOriginRadius)
+  mark.radiusPixels = origin                             ? (rank == Rank::Shown ? kOriginRadius : kIdleOriginRadius)
                       : handle.kind == HandleKind::Blend ? kBlendRadius
                       : mark.form == Form::Pointing      ? kArrowPixels
                       : mark.form == Form::Ring          ? kRingPixels
@@ -216,11 +217,14 @@ void HandleActors::forAll(const std::function<void(Mark&)>& work) {
 }
 
 void HandleActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
-                          std::optional<Handle> highlighted, HandleMode mode) {
+                          const std::vector<std::size_t>& together, std::optional<Handle> highlighted,
+                          HandleMode mode) {
   while (origins_.size() < probes.size()) origins_.push_back(newMark(diamond_, Form::Round));
   forAll([](Mark& mark) { mark.shown = false; });
   for (const Handle& handle : handles(probes, selected, mode)) {
-    place(markOf(handle), probes, handle, selected == handle.probe, highlighted && *highlighted == handle);
+    const bool beside = std::binary_search(together.begin(), together.end(), handle.probe);
+    const Rank rank = selected == handle.probe ? Rank::Shown : beside ? Rank::Beside : Rank::Idle;
+    place(markOf(handle), probes, handle, rank, highlighted && *highlighted == handle);
   }
   setVisible(visible_);
 }

@@ -1,5 +1,5 @@
-// The scene's probes by name: select, add, duplicate, delete, and rename in place. Called by the main window; the menu
-// calls its actions too.
+// The scene's probes by name: select one or several, add, duplicate, delete, and rename in place. Called by the main
+// window; the menu calls its actions too.
 #pragma once
 
 #include <QWidget>
@@ -34,6 +34,7 @@ class ProbeList : public QWidget {
   void addProbe();
   void duplicateProbe();
   void deleteProbe();
+  void selectAll();
   QListWidget* list() const { return list_; }
 
  signals:
@@ -42,12 +43,17 @@ class ProbeList : public QWidget {
 
  private:
   void rename(QListWidgetItem* item);
+  void choose();
+  void showSelection();
+  void markShown();
   QToolButton* addButton(const QString& text, const QString& toolTip, void (ProbeList::*action)());
 
   Editor& editor_;
   Hooks hooks_;
   QListWidget* list_;
   QToolButton *duplicate_ = nullptr, *delete_ = nullptr;
+  int bold_ = -1;          ///< row
+  bool choosing_ = false;  ///< the list's own selection is on its way to the document
 };
 
 }  // namespace boxprobe
