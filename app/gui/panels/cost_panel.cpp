@@ -20,13 +20,18 @@
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/scene/technique_parameters.h"
 #include "filters/io/cube/bake_folder.h"
+#include "filters/io/files/data_folder.h"
 #include "filters/io/scene/pareto_front_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/reference/study/bench_technique.h"
 #include "filters/vtk/charts/pareto_chart.h"
 
 namespace boxprobe {
 
 namespace {
+
+/// What `boxprobe bench` measured in data/scenes/building.boxprobe.json, for scenes that nobody has measured yet.
+constexpr const char* kShipped = "scenes/measured/building.json";
 
 constexpr int kRedrawDelayMs = 150;  // while a splitter is dragged
 constexpr int kLeastChartSide = 160;
@@ -145,14 +150,36 @@ bool CostPanel::measuring() const {
 void CostPanel::useScene(const std::string& scenePath) {
   if (measuring()) process_.terminate();
   scenePath_ = scenePath;
+  folder_ = scenePath.empty() ? std::string() : folderBeside(scenePath);
+  own_.reset();
   load();
 }
 
+// What is on show is measured: where the file does not hold it, a copy.
+QString CostPanel::sceneToMeasure() {
+  editor_.finish();
+  const Document& document = editor_.document();
+  if (!document.path().empty() && !document.modified()) {
+    own_.reset();
+    folder_ = folderBeside(document.path());
+    return QString::fromStdString(document.path());
+  }
+  own_ = std::make_unique<QTemporaryDir>();
+  const QString copy = own_->filePath("shown.boxprobe.json");
+  saveSceneFile(document.scene(), copy.toStdString());
+  folder_ = own_->filePath("bench").toStdString();
+  return copy;
+}
+
 void CostPanel::measure(bool quick) {
-  if (measuring() || scenePath_.empty()) return;
-  QStringList arguments = {"bench",   QString::fromStdString(scenePath_),
-                           "-o",      QString::fromStdString(folderBeside(scenePath_)),
-                           "--rooms", "0"};
+  if (measuring() || editor_.scene().models.empty()) return;
+  QString scene;
+  try {
+    scene = sceneToMeasure();
+  } catch (const Error& error) {
+    return emit failed(QString::fromUtf8(error.what()));
+  }
+  QStringList arguments = {"bench", scene, "-o", QString::fromStdString(folder_), "--rooms", "0"};
   if (quick) arguments << "--quick";
   output_.clear();
   auto environment = QProcessEnvironment::systemEnvironment();
@@ -165,7 +192,7 @@ void CostPanel::measure(bool quick) {
   stop_->show();
   quick_->setEnabled(false);
   full_->setEnabled(false);
-  emit message(tr("Measuring the saved file; you can go on working"));
+  emit message(tr("Measuring the scene as it is shown now; you can go on working"));
 }
 
 void CostPanel::readProgress() {
@@ -190,19 +217,23 @@ void CostPanel::measured(int exitCode, QProcess::ExitStatus status) {
 
 void CostPanel::load() {
   points_.clear();
-  const std::string path = scenePath_.empty() ? std::string() : folderBeside(scenePath_) + "/bench.json";
-  const bool there = !path.empty() && QFileInfo::exists(QString::fromStdString(path));
-  if (there) {
+  std::string path = folder_ + "/bench.json";
+  shipped_ = folder_.empty() || !QFileInfo::exists(QString::fromStdString(path));
+  if (shipped_) path = dataFile(kShipped);
+  if (QFileInfo::exists(QString::fromStdString(path))) {
     try {
       points_ = loadParetoFront(path);
     } catch (const InputError& error) {
       emit failed(QString::fromUtf8(error.what()));
     }
   }
-  quick_->setEnabled(!scenePath_.empty());
-  full_->setEnabled(!scenePath_.empty());
+  enableButtons();
   fillTable();
   showCurrent(true);
+}
+
+void CostPanel::enableButtons() {
+  for (QPushButton* button : {quick_, full_}) button->setEnabled(!measuring() && !editor_.scene().models.empty());
 }
 
 void CostPanel::fillTable() {
@@ -241,6 +272,7 @@ std::string CostPanel::currentLabel() const {
 
 void CostPanel::update() {
   if (editor_.document().path() != scenePath_) useScene(editor_.document().path());
+  enableButtons();
   showCurrent(false);
 }
 
@@ -254,9 +286,7 @@ void CostPanel::showCurrent(bool always) {
   }
   const auto at = std::find_if(points_.begin(), points_.end(), [&](const ParetoPoint& p) { return p.label == label; });
   QString text;
-  if (scenePath_.empty()) {
-    text = tr("Save the scene first: then each technique's run time and error can be measured in it.");
-  } else if (points_.empty()) {
+  if (points_.empty()) {
     text =
         tr("Not measured yet in this scene. A measurement gives every technique's frame time and its error against the "
            "integral over the box.");
@@ -268,6 +298,9 @@ void CostPanel::showCurrent(bool always) {
                      .arg(label.c_str());
   } else {
     text = tr("The probe's technique is not among those measured.");
+  }
+  if (shipped_ && !points_.empty()) {
+    text = tr("Measured in the example scene building, not in this one. Measure does it for what is on show. ") + text;
   }
   state_->setText(text);
   redraw_->start();

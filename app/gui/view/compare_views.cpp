@@ -24,7 +24,10 @@ CompareViews::CompareViews(QWidget* picture, const std::vector<Choice>& choices)
     // Beside this widget and not in it: it takes the mouse.
     auto* combo = new QuietCombo(picture);
     combo->setObjectName(QString("compareView%1").arg(view));
-    combo->setToolTip(tr("What this view shows"));
+    combo->setToolTip(
+        tr("What this view shows. Beside it: how far display colours differ from the ray-traced view, or from the "
+           "scene as "
+           "it is: the mean in percent of white, and the PSNR"));
     combo->setMaxVisibleItems(24);
     for (const Choice& choice : choices) {
       combo->addItem(choice.text, choice.id);
@@ -77,7 +80,8 @@ void CompareViews::arrange() {
   for (int view = 0; view < kViews; ++view) {
     const QRect room = place(view);
     QComboBox* combo = cells_[static_cast<std::size_t>(view)].choice;
-    combo->setGeometry(room.left() + 2, room.bottom() - kLine + 2, std::min(kMostCombo, room.width() / 2), kLine - 3);
+    combo->setGeometry(room.left() + 2, room.bottom() - kLine + 2, std::min(kMostCombo, room.width() * 11 / 20),
+                       kLine - 3);
   }
   update();
 }

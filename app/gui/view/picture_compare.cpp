@@ -46,7 +46,10 @@ void PictureCompare::hold() {
 void PictureCompare::traceReference() {
   source_ = Source::Reference;
   start();
-  if (active()) emit activeChanged(true);
+  if (!active()) return;
+  emit activeChanged(true);
+  emit message(tr(
+      "Ray traced in the background, with one reflection: mirrors seen in mirrors stay black. V flips, Esc ends it"));
 }
 
 void PictureCompare::start() {
@@ -82,6 +85,7 @@ void PictureCompare::stop() {
   wipe_.setScaleShown(false);
   wipe_.setFlipped(false);
   wipe_.setShown(false);
+  emit message({});
   emit activeChanged(false);
 }
 

@@ -28,9 +28,7 @@ QString words(const char* plain) {
 QString errorText(const QImage& picture, const QImage& truth) {
   const double psnr = displayPsnr(picture, truth);
   if (std::isinf(psnr)) return words("No difference");
-  return words("Error: mean %1 %, PSNR %2 dB")
-      .arg(100.0 * pictureDifference(picture, truth).mean, 0, 'f', 1)
-      .arg(psnr, 0, 'f', 1);
+  return words("Error %1 %, %2 dB").arg(100.0 * pictureDifference(picture, truth).mean, 0, 'f', 1).arg(psnr, 0, 'f', 1);
 }
 
 }  // namespace
@@ -39,7 +37,9 @@ std::vector<CompareViews::Choice> viewChoices() {
   std::vector<CompareViews::Choice> choices = {
       {"", words("Nothing"), {}},
       {"now", words("As it is now"), words("The scene as it is edited")},
-      {"traced", words("Ray traced"), words("The true scene, traced in the background; the others are measured by it")},
+      {"traced", words("Ray traced"),
+       words("The true scene, traced in the background, with one reflection: mirrors seen in mirrors stay black. The "
+             "others are measured by it")},
       {"before", words("Before"), words("The scene as it was when the views were opened")},
       {"baked", words("All probes baked"), words("Every realtime probe captured and filtered as a baked one")},
       {"live", words("All probes live"), words("Every baked probe captured as a realtime one")}};
@@ -116,6 +116,7 @@ void ViewComparison::setOn(bool on) {
     trace_.end();
     rest_.stop();
     views_->setShown(false);
+    emit message({});
   }
   emit onChanged(on);
 }
@@ -216,8 +217,8 @@ void ViewComparison::traced(const QImage& picture, double share) {
     if (views_->chosen(view) != "traced") continue;
     pictures_[static_cast<std::size_t>(view)] = picture;
     views_->show(view, picture, {});
-    views_->showNumbers(view, share < 1.0 ? tr("%1 % traced").arg(std::lround(100.0 * share))
-                                          : tr("The others' error is against this"));
+    views_->showNumbers(
+        view, share < 1.0 ? tr("%1 % traced").arg(std::lround(100.0 * share)) : tr("The measure of the others"));
   }
   if (!shown_) measure();
 }
@@ -237,7 +238,7 @@ void ViewComparison::measure() {
     const QImage& each = pictures_[static_cast<std::size_t>(view)];
     const QString id = views_->chosen(view);
     if (each.isNull() || id == "traced" || each.size() != truth.size()) continue;
-    views_->showNumbers(view, id == by ? tr("The others' error is against this") : errorText(each, truth));
+    views_->showNumbers(view, id == by ? tr("The measure of the others") : errorText(each, truth));
   }
 }
 

@@ -49,6 +49,8 @@ QScrollArea* scrolled(QWidget* content) {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // What is cut off at the right edge cannot be scrolled to.
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
   return scroll;
 }
 
@@ -262,7 +264,7 @@ void PanelDocks::subscribe(ChangeViews& views) {
   views.add("picture panel", {&C::exposure}, [this](const C&) { picturePanel_->update(); });
   // Its maps come with the pictures that follow them.
   views.add("cubemap", {&C::probeList, &C::selection, &C::exposure}, [this](const C&) { preview_->update(); });
-  views.add("cost panel", {&C::probeTechnique, &C::probeList, &C::selection, &C::file},
+  views.add("cost panel", {&C::probeTechnique, &C::probeList, &C::selection, &C::file, &C::models},
             [this](const C&) { costPanel_->update(); });
 }
 
