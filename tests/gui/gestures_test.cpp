@@ -92,11 +92,11 @@ class GesturesTest : public WindowTest {
     FAIL() << "no menu has " << text.toStdString();
   }
 
-  QString writeFlat(const QString& folder, double unitsPerMetre, double yawDegrees) {
+  QString writeFlat(const QString& folder, double unitsPerMetre, double yawDegrees, double groundMetres) {
     test::FlatWishes wishes;
     wishes.unitsPerMetre = unitsPerMetre;
     wishes.yawDegrees = yawDegrees;
-    wishes.groundMetres = 80.0;
+    wishes.groundMetres = groundMetres;
     QFile file(QDir(folder).filePath("flat.glb"));
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
     const std::string bytes = scenes::glbBytes(test::madeFlat(wishes));
@@ -126,24 +126,25 @@ class GesturesTest : public WindowTest {
 TEST_F(GesturesTest, DISABLED_EditsAFlatAndIsKilled) {
   const QString folder = qEnvironmentVariable("BOXPROBE_TEST_GESTURES");
   ASSERT_FALSE(folder.isEmpty());
-  drop(writeFlat(folder, 1.0, 0.0));
+  drop(writeFlat(folder, 1.0, 0.0, 0.0));
   ASSERT_TRUE(QString::fromStdString(document().scene().models.front().file).endsWith("flat.glb"));
   placeAndApply();
-  chord(Qt::Key_A, Qt::ControlModifier);
-  auto* faceSize = window_->findChild<QComboBox*>("faceSize");
-  faceSize->setFocus();
-  while (faceSize->currentData().toInt() > 32) key(Qt::Key_Up);
-  for (const Probe& each : document().scene().probes) ASSERT_EQ(each.faceSize, 32);
-  waitUntilIdle();
   chord(Qt::Key_F, Qt::ControlModifier);
   endFit();
   chord(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
   endFit();
   ASSERT_EQ(document().scene().probes.size(), 3u);
+  const std::size_t added = *document().selectedProbe();
+  // All at once: small enough to wait for.
+  chord(Qt::Key_A, Qt::ControlModifier);
+  auto* faceSize = window_->findChild<QComboBox*>("faceSize");
+  faceSize->setFocus();
+  while (faceSize->currentData().toInt() > 32) key(Qt::Key_Up);
+  for (const Probe& each : document().scene().probes) ASSERT_EQ(each.faceSize, 32);
+  window_->editor().selectProbe(added);
   waitUntilIdle();
 
   // Moved, turned, its influence set.
-  const std::size_t added = *document().selectedProbe();
   chord(Qt::Key_F);
   chord(Qt::Key_4);
   waitUntilIdle();
@@ -151,13 +152,24 @@ TEST_F(GesturesTest, DISABLED_EditsAFlatAndIsKilled) {
   const double far = 0.2 * probe(added).box.size().x;
   pull({HandleKind::Move, added, {0, true}}, far);
   EXPECT_NEAR(glm::length(probe(added).box.center() - middle), far, 0.2 * far);
-  window_->tools().views().lookAtSpot(middle, middle + glm::dvec3(4.0, 8.0, 6.0));
+  const glm::dvec3 now = probe(added).box.center();
+  window_->tools().views().lookAtSpot(now, now + glm::dvec3(4.0, 8.0, 6.0));
   waitUntilIdle();
   const auto ring = handleGripWorld(probe(added), {HandleKind::Turn, added, {1, true}}, window_->viewport().view());
   const double yaw = probe(added).rotationDegrees.y;
-  press(pixelOf(ring[6]));
-  for (std::size_t i = 7; i <= 9; ++i) move(pixelOf(ring[i]));
-  release(pixelOf(ring[9]));
+  // Taken where no arrow and no diamond is nearer.
+  const auto takes = [&](std::size_t i) {
+    const QPointF pixel = pixelOf(ring[i]);
+    const auto under = handleAt(document().scene().probes, added, window_->viewport().view(), {pixel.x(), pixel.y()},
+                                12.0, HandleMode::Place);
+    return under && under->kind == HandleKind::Turn && under->face.axis == 1;
+  };
+  std::size_t first = 0;
+  while (first < 40 && !takes(first)) ++first;
+  ASSERT_LT(first, 40u);
+  press(pixelOf(ring[first]));
+  for (std::size_t i = first + 1; i <= first + 3; ++i) move(pixelOf(ring[i]));
+  release(pixelOf(ring[first + 3]));
   EXPECT_NE(probe(added).rotationDegrees.y, yaw);
   chord(Qt::Key_F);
   chord(Qt::Key_2);
@@ -237,7 +249,7 @@ TEST_F(GesturesTest, AllGesturesOutliveAKilledProcessAndReadBackEqual) {
 
 TEST_F(GesturesTest, AFlatInCentimetresTurnedBy25DegreesGetsTwoBakedAndSavedProbesInSevenGestures) {
   const QTemporaryDir folder;
-  const QString flat = writeFlat(folder.path(), 100.0, 25.0);
+  const QString flat = writeFlat(folder.path(), 100.0, 25.0, 80.0);
   QElapsedTimer time;
   time.start();
   drop(flat);
