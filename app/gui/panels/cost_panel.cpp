@@ -30,8 +30,8 @@ namespace boxprobe {
 
 namespace {
 
-/// What `boxprobe bench` measured in data/scenes/building.boxprobe.json, for scenes that nobody has measured yet.
-constexpr const char* kShipped = "scenes/measured/building.json";
+/// The table of tests/bench/README.md, for scenes that nobody has measured yet.
+constexpr const char* kShipped = "scenes/measured/gallery.json";
 
 constexpr int kRedrawDelayMs = 150;  // while a splitter is dragged
 constexpr int kLeastChartSide = 160;
@@ -300,7 +300,7 @@ void CostPanel::showCurrent(bool always) {
     text = tr("The probe's technique is not among those measured.");
   }
   if (shipped_ && !points_.empty()) {
-    text = tr("Measured in the example scene building, not in this one. Measure does it for what is on show. ") + text;
+    text = tr("Measured in the example scene gallery, not in this one. Measure does it for what is on show. ") + text;
   }
   state_->setText(text);
   redraw_->start();
