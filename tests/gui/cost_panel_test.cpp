@@ -78,6 +78,8 @@ TEST_F(CostPanelTest, ShowsAnEarlierBenchmarkAndTheCurrentChoice) {
   const auto* chart = panel_->findChild<QLabel*>("costChart");
   EXPECT_TRUE(QTest::qWaitFor([chart] { return !chart->pixmap(Qt::ReturnByValue).isNull(); }, 60000));
   waitUntilIdle();
+  const QImage dark = chart->pixmap(Qt::ReturnByValue).toImage();
+  EXPECT_LT(dark.pixelColor(2, 2).lightness(), 60) << "as dark as the window";
   if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT"))
     window_->grab().save(QString(folder) + "/cost_panel.png");
 

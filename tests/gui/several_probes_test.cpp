@@ -120,7 +120,7 @@ TEST_F(SeveralProbesTest, ThePictureSelectsSeveralWithCtrl) {
   EXPECT_EQ(newSteps(), 0u);
 }
 
-TEST_F(SeveralProbesTest, AnArrowMovesAllAsOneStepAndCapturesNothingMeanwhile) {
+TEST_F(SeveralProbesTest, AnArrowMovesAllAsOneStep) {
   selectAll();
   const std::vector<Probe> before = probes();
   const Probe& shown = *window_->editor().probe();

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 #include "app/gui/widgets/axis_colors.h"
 #include "filters/core/geometry/probe_geometry.h"
@@ -183,6 +184,7 @@ void HandleActors::place(Mark& mark, const std::vector<Probe>& probes, const Han
                          bool highlighted) {
   const Probe& probe = probes[handle.probe];
   mark.shown = true;
+  mark.idle = handle.kind == HandleKind::Origin && rank == Rank::Idle;
   mark.positionWorld = handleAnchorWorld(probe, handle);
   const bool origin = handle.kind == HandleKind::Origin;
   QColor color = !origin ? axisColor(handle.face.axis) : rank != Rank::Idle ? originColor() : idleColor();
@@ -237,10 +239,24 @@ void HandleActors::setVisible(bool visible) {
   });
 }
 
+double HandleActors::fadeOf(const Mark& mark, const ViewProjection& view, double nearest) {
+  constexpr double kFull = 3.0;  ///< times as far as the nearest: from there on it fades
+  constexpr double kLeast = 0.35;
+  if (!mark.idle) return 1.0;
+  const double distance = glm::length(mark.positionWorld - view.eyeWorld());
+  return distance > 0.0 ? std::clamp(kFull * nearest / distance, kLeast, 1.0) : 1.0;
+}
+
 void HandleActors::fit(const ViewProjection& view) {
-  forAll([&view](Mark& mark) {
+  double nearest = std::numeric_limits<double>::max();
+  forAll([&](Mark& mark) {
+    if (mark.shown && mark.idle) nearest = std::min(nearest, glm::length(mark.positionWorld - view.eyeWorld()));
+  });
+  forAll([&](Mark& mark) {
     if (!mark.shown) return;
-    const double metres = view.metresPerPixel(mark.positionWorld);
+    const double fade = fadeOf(mark, view, nearest);
+    for (vtkActor* actor : {mark.body.Get(), mark.outline.Get()}) actor->GetProperty()->SetOpacity(fade);
+    const double metres = fade * view.metresPerPixel(mark.positionWorld);
     const glm::dmat3 frame = mark.form == Form::Round ? screenFrame(view, mark.positionWorld) : mark.frame;
     setMatrix(mark.body, frame * (metres * mark.radiusPixels), mark.positionWorld);
     const double outline = mark.form == Form::Round ? mark.radiusPixels + mark.outlinePixels : mark.radiusPixels;

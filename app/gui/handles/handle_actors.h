@@ -40,7 +40,9 @@ class HandleActors {
     glm::dmat3 frame{1.0};  ///< of what points or lies somewhere: its X is the axis
     double radiusPixels = 7.0, outlinePixels = 2.0;
     bool shown = false;
+    bool idle = false;  ///< of a probe that is not selected: smaller and fainter with its distance
   };
+  static double fadeOf(const Mark& mark, const ViewProjection& view, double nearest);
   Mark newMark(vtkPolyData* shape, Form form);
   Mark& markOf(const Handle& handle);
   /// Which of the selected probes a handle belongs to: none, one beside another, the one whose handles are shown.

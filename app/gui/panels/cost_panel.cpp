@@ -2,6 +2,7 @@
 #include "app/gui/panels/cost_panel.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -36,6 +37,23 @@ constexpr const char* kShipped = "scenes/measured/gallery.json";
 constexpr int kRedrawDelayMs = 150;  // while a splitter is dragged
 constexpr int kLeastChartSide = 160;
 enum Column { kTechnique, kCost, kError };
+
+/// The same hues, with white as `ground` and black as nearly white.
+QImage darkened(const QImage& chart, const QColor& ground) {
+  constexpr int kBrightest = 235;
+  QImage dark = chart.convertToFormat(QImage::Format_RGB32);
+  const auto between = [](int from, int share) { return from + share * (kBrightest - from) / 255; };
+  for (int y = 0; y < dark.height(); ++y) {
+    auto* row = reinterpret_cast<QRgb*>(dark.scanLine(y));
+    for (int x = 0; x < dark.width(); ++x) {
+      const int r = qRed(row[x]), g = qGreen(row[x]), b = qBlue(row[x]);
+      const int turned = 255 - std::max({r, g, b}) - std::min({r, g, b});  // lightness the other way round
+      row[x] = qRgb(between(ground.red(), r + turned), between(ground.green(), g + turned),
+                    between(ground.blue(), b + turned));
+    }
+  }
+  return dark;
+}
 
 // Sorts by value, not by text.
 class Row : public QTreeWidgetItem {
@@ -326,8 +344,14 @@ void CostPanel::drawChart() {
   text.costAxis = tr("Frame time relative to plain box projection").toStdString();
   text.current = shownLabel_;
   const ImageRgba8 picture = frontChartPicture(points_, text, width, height);
+  onDark_ = palette().color(QPalette::Base).lightness() < 128;
   const QImage image(picture.pixels.data(), picture.width, picture.height, 4 * picture.width, QImage::Format_RGBA8888);
-  chart_->setPixmap(QPixmap::fromImage(image));
+  chart_->setPixmap(QPixmap::fromImage(onDark_ ? darkened(image, palette().color(QPalette::Base)) : image));
+}
+
+void CostPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) redraw_->start();
 }
 
 }  // namespace boxprobe

@@ -49,6 +49,7 @@ class CostPanel : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void useScene(const std::string& scenePath);
@@ -70,7 +71,7 @@ class CostPanel : public QWidget {
   bool shipped_ = false;                ///< the points are of the example scene
   std::vector<ParetoPoint> points_;
   std::string shownLabel_;
-  bool watched_ = false;
+  bool watched_ = false, onDark_ = false;
   QByteArray output_;
   QString program_;
   QProcess process_;

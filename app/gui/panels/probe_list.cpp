@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -29,7 +30,16 @@ Probe newProbe(const Scene& scene, const Box& bounds, const glm::dvec3& targetWo
 }  // namespace
 
 ProbeList::ProbeList(Editor& editor, Hooks hooks, QWidget* parent)
-    : QWidget(parent), editor_(editor), hooks_(std::move(hooks)), list_(new QListWidget(this)) {
+    : QWidget(parent),
+      editor_(editor),
+      hooks_(std::move(hooks)),
+      list_(new QListWidget(this)),
+      filter_(new QLineEdit(this)) {
+  filter_->setObjectName("probeFilter");
+  filter_->setPlaceholderText(tr("Find a probe"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setToolTip(tr("Lists only the probes that have this in their name"));
+  connect(filter_, &QLineEdit::textChanged, this, &ProbeList::filter);
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   list_->setMinimumHeight(72);
   list_->setMaximumHeight(120);
@@ -50,6 +60,7 @@ ProbeList::ProbeList(Editor& editor, Hooks hooks, QWidget* parent)
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(filter_);
   layout->addWidget(list_);
   layout->addLayout(buttons);
 
@@ -85,8 +96,20 @@ void ProbeList::update() {
   }
   if (!choosing_) showSelection();
   markShown();
+  filter();
   duplicate_->setEnabled(selected.has_value());
   delete_->setEnabled(selected.has_value());
+}
+
+// A handful needs no search.
+void ProbeList::filter() {
+  constexpr int kFew = 6;
+  filter_->setVisible(list_->count() > kFew || !filter_->text().isEmpty());
+  const QString wanted = filter_->text().trimmed();
+  for (int row = 0; row < list_->count(); ++row) {
+    const bool hidden = !list_->item(row)->text().contains(wanted, Qt::CaseInsensitive);
+    if (list_->isRowHidden(row) != hidden) list_->setRowHidden(row, hidden);
+  }
 }
 
 void ProbeList::choose() {

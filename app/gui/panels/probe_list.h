@@ -8,6 +8,7 @@
 #include "app/gui/edit/editor.h"
 #include "app/gui/panels/bake_state_look.h"
 
+class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
 class QToolButton;
@@ -46,11 +47,13 @@ class ProbeList : public QWidget {
   void choose();
   void showSelection();
   void markShown();
+  void filter();
   QToolButton* addButton(const QString& text, const QString& toolTip, void (ProbeList::*action)());
 
   Editor& editor_;
   Hooks hooks_;
   QListWidget* list_;
+  QLineEdit* filter_;
   QToolButton *duplicate_ = nullptr, *delete_ = nullptr;
   int bold_ = -1;          ///< row
   bool choosing_ = false;  ///< the list's own selection is on its way to the document
