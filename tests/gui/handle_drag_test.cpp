@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <random>
 
 #include "app/gui/handles/handle_picking.h"
@@ -31,6 +33,44 @@ TEST(HandleDrag, ClosestOnLineIsWhereTheRayWasAimed) {
     ASSERT_TRUE(found);
     ASSERT_NEAR(*found, t, 1e-8);
   }
+}
+
+TEST(HandleDrag, WhatIsSelectedTooKeepsItsPlaceBesideWhatIsDragged) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-3.0, 3.0), angle(-170.0, 170.0);
+  const auto vector = [&] { return glm::dvec3(any(random), any(random), any(random)); };
+  for (int i = 0; i < 200; ++i) {
+    Probe start, other;
+    for (Probe* probe : {&start, &other}) {
+      const glm::dvec3 middle = vector();
+      probe->box = {middle - 1.0, middle + glm::dvec3(1.0, 2.0, 0.5)};
+      probe->origin = middle + 0.2 * vector();
+      probe->rotationDegrees = {0.4 * angle(random), angle(random), angle(random)};
+    }
+    Probe now = start;
+    now.rotationDegrees = {0.4 * angle(random), angle(random), angle(random)};
+    // Seen from the one that is turned, the other's middle, origin and axes are where they were.
+    const auto seen = [](const Probe& from, const Probe& of) {
+      const glm::dmat3 back = glm::transpose(rotationMatrix(from.rotationDegrees));
+      return std::array<glm::dvec3, 5>{
+          back * (of.box.center() - from.box.center()), back * (of.origin - from.box.center()),
+          back * rotationMatrix(of.rotationDegrees)[0], back * rotationMatrix(of.rotationDegrees)[1],
+          back * rotationMatrix(of.rotationDegrees)[2]};
+    };
+    const Probe turned = movedAlong(other, HandleKind::Turn, start, now);
+    const auto before = seen(start, other), after = seen(now, turned);
+    for (std::size_t k = 0; k < before.size(); ++k) EXPECT_LT(glm::length(after[k] - before[k]), 1e-9) << i;
+    EXPECT_LT(glm::length(turned.box.size() - other.box.size()), 1e-9);
+
+    const glm::dvec3 by = vector();
+    EXPECT_EQ(movedAlong(other, HandleKind::Move, start, movedProbe(start, by)).rotationDegrees, other.rotationDegrees);
+    now = start;
+    now.origin += by;
+    const Probe shifted = movedAlong(other, HandleKind::OriginAxis, start, now);
+    EXPECT_LT(glm::length(shifted.origin - other.origin - by), 1e-12);
+    EXPECT_EQ(shifted.box, other.box);
+  }
+  EXPECT_FALSE(movesOthers(HandleKind::Face));
 }
 
 TEST(HandleDrag, NothingAlongTheLineOrBehindTheViewer) {

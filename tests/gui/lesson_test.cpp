@@ -372,7 +372,9 @@ TEST_F(LessonTest, ProgressIsKeptShownAndForgotten) {
   EXPECT_EQ(visit().step(), 1u) << "where it was left off";
   key(Qt::Key_F1);
   EXPECT_TRUE(shown("leaveLessonsFromList"));
+  const auto asked = answerMessageBox(QMessageBox::Yes);
   click("forgetProgress");
+  EXPECT_FALSE(asked->text.isEmpty()) << "it cannot be undone";
   EXPECT_EQ(lessonProgress(kMirror).furthest, -1);
   EXPECT_FALSE(button("forgetProgress")->isEnabled());
 }

@@ -1,22 +1,27 @@
-// Pictures of the window in its states, for people to look at: as opened, two probes with their influence, the picture
-// beside the ray-traced reference, a pixel explained, the light theme, a small screen, a lesson's task and letters at
-// 200 %.
+// Pictures of the window in its states, for people to look at: as opened, two probes with their influence, the error
+// with the worst face, the picture beside the ray-traced reference, four views side by side, several probes selected,
+// a pixel explained, the light theme, a small screen, the menus, the other docks, a lesson's task and letters at 200 %.
 //   xvfb-run -a -s "-screen 0 3200x2000x24 -noreset" build/release/tests/gui/window_pictures
 // They are written to out/window, or to the folder that BOXPROBE_PICTURES names.
 #include <gtest/gtest.h>
 
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QTest>
 #include <cstdio>
 
+#include "app/gui/edit/probe_gauge.h"
 #include "app/gui/handles/handle.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/view/picture_compare.h"
+#include "app/gui/view/view_comparison.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/view_tools.h"
@@ -50,16 +55,58 @@ TEST_F(WindowPictures, AtOneToOne) {
   Probe second = probe();
   second.name = "second";
   second.origin.z += 2.0;
-  window_->editor().commit("Add probe", [second](Scene& scene) { scene.probes.push_back(second); });
+  second.box.min.z = 0.0;
+  second.influence.reset();
+  window_->editor().commit("Add probe", [second](Scene& scene) {
+    scene.probes.front().box.max.z = 0.0;
+    scene.probes.front().influence.reset();
+    scene.probes.push_back(second);
+  });
   keep("two-probes-influence");
   window_->editor().undo();
   window_->probeWidget().setMode(HandleMode::Box);
+
+  // A face a metre too far out: it is marked, and the picture shows where that tells.
+  const Probe right = probe();
+  window_->editor().commitProbe("Set box", [](Probe& edited) { edited.box.min.z -= 1.0; });
+  auto* gauge = window_->findChild<ProbeGauge*>();
+  ASSERT_TRUE(QTest::qWaitFor([gauge] { return gauge->current(); }, 120000));
+  keep("worst-face");
+  const auto* caption = window_->findChild<QLabel*>("compareRight");
+  key(Qt::Key_V, Qt::ShiftModifier);
+  ASSERT_TRUE(QTest::qWaitFor([caption] { return caption->text() == "Difference: Ray traced"; }, 600000));
+  keep("error-worst-face");
+  key(Qt::Key_Escape);
+  window_->editor().undo();
 
   key(Qt::Key_C, Qt::ShiftModifier);
   const auto* numbers = window_->findChild<QLabel*>("compareNumbers");
   ASSERT_TRUE(QTest::qWaitFor([numbers] { return !numbers->text().isEmpty(); }, 120000));
   keep("beside-the-reference");
   window_->tools().compare().stop();
+
+  key(Qt::Key_C, Qt::AltModifier);
+  ViewComparison& views = window_->tools().sideBySide();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&views] { return !views.making() && views.views().numbers(1).startsWith("The measure"); }, 600000));
+  keep("four-views");
+  views.setOn(false);
+
+  window_->editor().commit("Add probes", [right](Scene& scene) {
+    for (int i = 1; i < 3; ++i) {
+      Probe more = right;
+      more.name = "more " + std::to_string(i);
+      more.box = {right.box.min * 0.5, right.box.max * 0.5};
+      more.origin.z += 1.5 * i;
+      more.intensity = i;
+      scene.probes.push_back(more);
+    }
+  });
+  key(Qt::Key_A, Qt::ControlModifier);
+  window_->probeWidget().setMode(HandleMode::Place);
+  keep("several-probes");
+  window_->probeWidget().setMode(HandleMode::Box);
+  window_->editor().undo();
 
   key(Qt::Key_E);
   const QPointF floor(0.655 * window_->viewport().width(), 0.73 * window_->viewport().height());
@@ -79,8 +126,31 @@ TEST_F(WindowPictures, AtOneToOne) {
   key(Qt::Key_E);
   applyWindowStyle(*qApp);
 
+  window_->findChild<QDockWidget*>("probes")->raise();
   size(1280, 800);
   keep("1280x800");
+}
+
+TEST_F(WindowPictures, MenusAndDocks) {
+  size(1440, 900);
+  for (QAction* action : window_->menuBar()->actions()) {
+    QMenu* menu = action->menu();
+    menu->popup(window_->mapToGlobal(QPoint(0, 30)));
+    const QString name = "menu-" + QString(action->text()).remove('&').toLower();
+    QCoreApplication::processEvents();
+    const QString folder = qEnvironmentVariable("BOXPROBE_PICTURES", "out/window");
+    QDir().mkpath(folder);
+    EXPECT_TRUE(menu->grab().save(QDir(folder).filePath(name + ".png")));
+    menu->hide();
+  }
+  for (const char* name : {"cubemap", "debug", "cost", "frame"}) {
+    auto* dock = window_->findChild<QDockWidget*>(name);
+    dock->show();
+    dock->raise();
+    QTest::qWait(1500);  // the cubemap is read a face at a time
+    keep(name);
+  }
+  window_->findChild<QDockWidget*>("probes")->raise();
 }
 
 TEST_F(WindowPictures, ALessonsTask) {

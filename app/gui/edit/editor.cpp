@@ -17,23 +17,10 @@ Document::Edit onProbe(const std::string& name, const Editor::ProbeEdit& edit) {
   };
 }
 
-std::vector<std::string> probeNames(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Probe& probe : scene.probes) names.push_back(probe.name);
+std::set<std::string> probeNames(const Scene& scene) {
+  std::set<std::string> names;
+  for (const Probe& probe : scene.probes) names.insert(probe.name);
   return names;
-}
-
-/// After undo or redo: a probe that came back, or the neighbour of the selected one that went.
-void selectWhatChanged(Document& document, const std::vector<std::string>& before,
-                       std::optional<std::size_t> selected) {
-  const auto& probes = document.scene().probes;
-  if (probes.size() == before.size() + 1) {
-    for (std::size_t i = 0; i < probes.size(); ++i) {
-      if (std::find(before.begin(), before.end(), probes[i].name) == before.end()) document.selectProbe(i);
-    }
-  } else if (selected && !document.selectedProbe() && !probes.empty()) {
-    document.selectProbe(std::min(*selected > 0 ? *selected - 1 : 0, probes.size() - 1));
-  }
 }
 
 }  // namespace
@@ -54,6 +41,24 @@ void Editor::guarded(const Work& work) {
 const Probe* Editor::probe() const {
   const auto index = document_.selectedProbe();
   return index ? &document_.scene().probes[*index] : nullptr;
+}
+
+std::vector<std::size_t> Editor::selected() const {
+  const auto shown = document_.selectedProbe();
+  if (!shown) return {};
+  const auto& probes = scene().probes;
+  if (together_.count(probes[*shown].name) == 0) return {*shown};
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (together_.count(probes[i].name) > 0) indices.push_back(i);
+  }
+  return indices;
+}
+
+QString Editor::selectedName() const {
+  const std::size_t count = selected().size();
+  if (count > 1) return tr("%1 probes").arg(count);
+  return count == 1 ? QString::fromStdString(probe()->name) : QString();
 }
 
 bool Editor::goesOn(const EditToken& token) const {
@@ -81,18 +86,34 @@ void Editor::commit(const EditToken& token, const QString& label, const Document
   emit settled();
 }
 
+Document::Edit Editor::onSelected(const ProbeEdit& edit) const {
+  const std::vector<std::size_t> indices = selected();
+  if (indices.size() == 1) return onProbe(probe()->name, edit);
+  std::set<std::string> names;
+  for (const std::size_t index : indices) names.insert(scene().probes[index].name);
+  return [names, edit](Scene& scene) {
+    for (Probe& probe : scene.probes) {
+      if (names.count(probe.name) > 0) edit(probe);
+    }
+  };
+}
+
 void Editor::previewProbe(EditToken token, const QString& label, const ProbeEdit& edit) {
-  const Probe* selected = probe();
-  if (selected == nullptr) return;
-  token.target = selected->name;
-  preview(token, label, onProbe(selected->name, edit));
+  const Probe* shown = probe();
+  if (shown == nullptr) return;
+  token.target = shown->name;
+  preview(token, label, onSelected(edit));
 }
 
 void Editor::commitProbe(EditToken token, const QString& label, const ProbeEdit& edit) {
-  const Probe* selected = probe();
-  if (selected == nullptr) return;
-  token.target = selected->name;
-  commit(token, label, onProbe(selected->name, edit));
+  const Probe* shown = probe();
+  if (shown == nullptr) return;
+  token.target = shown->name;
+  commit(token, label, onSelected(edit));
+}
+
+void Editor::commitOne(const QString& label, const ProbeEdit& edit) {
+  if (const Probe* shown = probe()) commit(label, onProbe(shown->name, edit));
 }
 
 void Editor::finish() {
@@ -113,10 +134,25 @@ template <typename Move>
 void Editor::step(const Move& move) {
   finish();
   const auto names = probeNames(scene());
-  const auto selected = document_.selectedProbe();
+  const auto selectedBefore = document_.selectedProbe();
   guarded(move);
-  selectWhatChanged(document_, names, selected);
+  const auto& probes = scene().probes;
+  if (probes.size() > names.size()) {
+    selectWhatCameBack(names);
+  } else if (selectedBefore && !document_.selectedProbe() && !probes.empty()) {
+    selectProbe(std::min(*selectedBefore > 0 ? *selectedBefore - 1 : 0, probes.size() - 1));
+  }
   emit settled();
+}
+
+void Editor::selectWhatCameBack(const std::set<std::string>& before) {
+  std::vector<std::size_t> back;
+  const auto& probes = scene().probes;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (before.count(probes[i].name) == 0) back.push_back(i);
+  }
+  // Where others went meanwhile, nobody knows which of them counts.
+  if (back.size() + before.size() == probes.size()) selectProbes(back);
 }
 
 void Editor::undo() {
@@ -132,8 +168,35 @@ void Editor::goTo(std::size_t position) {
 }
 
 void Editor::selectProbe(std::optional<std::size_t> index) {
+  selectProbes(index ? std::vector<std::size_t>{*index} : std::vector<std::size_t>(), index);
+}
+
+void Editor::selectProbes(const std::vector<std::size_t>& indices, std::optional<std::size_t> shown) {
   finish();
-  document_.selectProbe(index);
+  const std::vector<std::size_t> before = selected();
+  const auto& probes = scene().probes;
+  if (!shown || std::find(indices.begin(), indices.end(), *shown) == indices.end()) {
+    shown = indices.empty() ? std::nullopt : std::optional<std::size_t>(indices.back());
+  }
+  together_.clear();
+  for (const std::size_t index : indices) {
+    if (index < probes.size()) together_.insert(probes[index].name);
+  }
+  const auto shownBefore = document_.selectedProbe();
+  document_.selectProbe(shown);
+  if (shownBefore != document_.selectedProbe() || before != selected()) emit selectionChanged();
+}
+
+void Editor::toggleProbe(std::size_t index) {
+  std::vector<std::size_t> indices = selected();
+  const auto found = std::find(indices.begin(), indices.end(), index);
+  if (found == indices.end()) {
+    indices.push_back(index);
+    return selectProbes(indices, index);
+  }
+  if (indices.size() == 1) return;
+  indices.erase(found);
+  selectProbes(indices, document_.selectedProbe());
 }
 
 }  // namespace boxprobe

@@ -1,6 +1,7 @@
 // See probe_fields.h.
 #include "app/gui/edit/probe_fields.h"
 
+#include <QCheckBox>
 #include <QCoreApplication>
 #include <QFormLayout>
 #include <QSignalBlocker>
@@ -12,8 +13,7 @@
 namespace boxprobe {
 
 QString probeEditLabel(const Editor& editor, const QString& what) {
-  const Probe* probe = editor.probe();
-  return probe ? Editor::tr("Set %1 of %2").arg(what, QString::fromStdString(probe->name)) : QString();
+  return editor.probe() ? Editor::tr("Set %1 of %2").arg(what, editor.selectedName()) : QString();
 }
 
 ValueField* addProbeNumber(Editor& editor, QFormLayout* form, const QString& label, const ValueField::Format& format,
@@ -47,6 +47,17 @@ void showChoice(QComboBox* combo, int value, const QString& pattern) {
   const QSignalBlocker quiet(combo);
   if (combo->findData(value) < 0) combo->addItem(pattern.arg(value), value);
   combo->setCurrentIndex(combo->findData(value));
+}
+
+void showDiffers(QWidget* field, bool differ) {
+  if (auto* number = dynamic_cast<ValueField*>(field)) {
+    number->setDiffers(differ);
+  } else if (auto* combo = dynamic_cast<QuietCombo*>(field)) {
+    combo->setDiffers(differ);
+  } else if (auto* box = dynamic_cast<QCheckBox*>(field)) {
+    box->setTristate(differ);
+    if (differ) box->setCheckState(Qt::PartiallyChecked);
+  }
 }
 
 QVector<ProbeChoice> choicesOf(const FieldInfo& field, const QStringList& names) {

@@ -13,10 +13,11 @@
 
 class QComboBox;
 class QFormLayout;
+class QWidget;
 
 namespace boxprobe {
 
-/// "Set near of room": the undo step of a field.
+/// "Set near of room", "Set near of 3 probes": the undo step of a field.
 QString probeEditLabel(const Editor& editor, const QString& what);
 
 ValueField* addProbeNumber(Editor& editor, QFormLayout* form, const QString& label, const ValueField::Format& format,
@@ -32,6 +33,10 @@ QComboBox* addProbeChoice(QFormLayout* form, const QString& label, const QVector
                           const QString& toolTip, const std::function<void(int value)>& chosen);
 /// Shows a value of the document; one that is not among the choices joins them as `pattern` says ("%1").
 void showChoice(QComboBox* combo, int value, const QString& pattern = "%1");
+
+/// Says of a field of the selected probes that they do not agree in it: a ValueField, a combo box made here or a check
+/// box that shows the value of one of them already.
+void showDiffers(QWidget* field, bool differ);
 
 /// Choices of a field by its row, under the names a form shows, in the order of the ids.
 QVector<ProbeChoice> choicesOf(const FieldInfo& field, const QStringList& names);

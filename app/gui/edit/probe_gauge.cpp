@@ -155,8 +155,9 @@ void ProbeGauge::start() {
 void ProbeGauge::snap(int face) {
   if (!current()) return emit message(tr("The error is still being measured"));
   const double offset = gauge_->faces[static_cast<std::size_t>(face)].offset;
-  editor_.commitProbe(probeEditLabel(editor_, tr("face %1").arg(faceName(face))),
-                      [face, offset](Probe& probe) { probe = withFaceAt(probe, face, offset); });
+  const QString name = QString::fromStdString(editor_.probe()->name);
+  editor_.commitOne(tr("Set face %1 of %2").arg(faceName(face), name),
+                    [face, offset](Probe& probe) { probe = withFaceAt(probe, face, offset); });
 }
 
 }  // namespace boxprobe

@@ -16,9 +16,11 @@
 #include <vtkSphereSource.h>
 
 #include <QColor>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 #include "app/gui/widgets/axis_colors.h"
 #include "filters/core/geometry/probe_geometry.h"
@@ -178,16 +180,17 @@ HandleActors::Mark& HandleActors::markOf(const Handle& handle) {
   return origins_[handle.probe];
 }
 
-void HandleActors::place(Mark& mark, const std::vector<Probe>& probes, const Handle& handle, bool selected,
+void HandleActors::place(Mark& mark, const std::vector<Probe>& probes, const Handle& handle, Rank rank,
                          bool highlighted) {
   const Probe& probe = probes[handle.probe];
   mark.shown = true;
+  mark.idle = handle.kind == HandleKind::Origin && rank == Rank::Idle;
   mark.positionWorld = handleAnchorWorld(probe, handle);
   const bool origin = handle.kind == HandleKind::Origin;
-  QColor color = !origin ? axisColor(handle.face.axis) : selected ? originColor() : idleColor();
+  QColor color = !origin ? axisColor(handle.face.axis) : rank != Rank::Idle ? originColor() : idleColor();
   QColor rim = haloColor();
   mark.outlinePixels = kOutlinePixels;
-  mark.radiusPixels = origin                             ? (selected ? kOriginRadius : kIdleOriginRadius)
+  mark.radiusPixels = origin                             ? (rank == Rank::Shown ? kOriginRadius : kIdleOriginRadius)
                       : handle.kind == HandleKind::Blend ? kBlendRadius
                       : mark.form == Form::Pointing      ? kArrowPixels
                       : mark.form == Form::Ring          ? kRingPixels
@@ -216,11 +219,14 @@ void HandleActors::forAll(const std::function<void(Mark&)>& work) {
 }
 
 void HandleActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
-                          std::optional<Handle> highlighted, HandleMode mode) {
+                          const std::vector<std::size_t>& together, std::optional<Handle> highlighted,
+                          HandleMode mode) {
   while (origins_.size() < probes.size()) origins_.push_back(newMark(diamond_, Form::Round));
   forAll([](Mark& mark) { mark.shown = false; });
   for (const Handle& handle : handles(probes, selected, mode)) {
-    place(markOf(handle), probes, handle, selected == handle.probe, highlighted && *highlighted == handle);
+    const bool beside = std::binary_search(together.begin(), together.end(), handle.probe);
+    const Rank rank = selected == handle.probe ? Rank::Shown : beside ? Rank::Beside : Rank::Idle;
+    place(markOf(handle), probes, handle, rank, highlighted && *highlighted == handle);
   }
   setVisible(visible_);
 }
@@ -233,10 +239,24 @@ void HandleActors::setVisible(bool visible) {
   });
 }
 
+double HandleActors::fadeOf(const Mark& mark, const ViewProjection& view, double nearest) {
+  constexpr double kFull = 3.0;  ///< times as far as the nearest: from there on it fades
+  constexpr double kLeast = 0.35;
+  if (!mark.idle) return 1.0;
+  const double distance = glm::length(mark.positionWorld - view.eyeWorld());
+  return distance > 0.0 ? std::clamp(kFull * nearest / distance, kLeast, 1.0) : 1.0;
+}
+
 void HandleActors::fit(const ViewProjection& view) {
-  forAll([&view](Mark& mark) {
+  double nearest = std::numeric_limits<double>::max();
+  forAll([&](Mark& mark) {
+    if (mark.shown && mark.idle) nearest = std::min(nearest, glm::length(mark.positionWorld - view.eyeWorld()));
+  });
+  forAll([&](Mark& mark) {
     if (!mark.shown) return;
-    const double metres = view.metresPerPixel(mark.positionWorld);
+    const double fade = fadeOf(mark, view, nearest);
+    for (vtkActor* actor : {mark.body.Get(), mark.outline.Get()}) actor->GetProperty()->SetOpacity(fade);
+    const double metres = fade * view.metresPerPixel(mark.positionWorld);
     const glm::dmat3 frame = mark.form == Form::Round ? screenFrame(view, mark.positionWorld) : mark.frame;
     setMatrix(mark.body, frame * (metres * mark.radiusPixels), mark.positionWorld);
     const double outline = mark.form == Form::Round ? mark.radiusPixels + mark.outlinePixels : mark.radiusPixels;

@@ -24,8 +24,9 @@ class HandleActors {
  public:
   explicit HandleActors(vtkRenderer* renderer);
 
-  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, std::optional<Handle> highlighted,
-              HandleMode mode);
+  /// `together`: the places of all selected probes, ascending.
+  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
+              const std::vector<std::size_t>& together, std::optional<Handle> highlighted, HandleMode mode);
   void setVisible(bool visible);
   /// Before each picture: sizes follow the view, whose pixels are logical ones.
   void fit(const ViewProjection& view);
@@ -39,10 +40,14 @@ class HandleActors {
     glm::dmat3 frame{1.0};  ///< of what points or lies somewhere: its X is the axis
     double radiusPixels = 7.0, outlinePixels = 2.0;
     bool shown = false;
+    bool idle = false;  ///< of a probe that is not selected: smaller and fainter with its distance
   };
+  static double fadeOf(const Mark& mark, const ViewProjection& view, double nearest);
   Mark newMark(vtkPolyData* shape, Form form);
   Mark& markOf(const Handle& handle);
-  void place(Mark& mark, const std::vector<Probe>& probes, const Handle& handle, bool selected, bool highlighted);
+  /// Which of the selected probes a handle belongs to: none, one beside another, the one whose handles are shown.
+  enum class Rank { Idle, Beside, Shown };
+  void place(Mark& mark, const std::vector<Probe>& probes, const Handle& handle, Rank rank, bool highlighted);
   void forAll(const std::function<void(Mark&)>& work);
 
   vtkSmartPointer<vtkRenderer> renderer_;

@@ -218,4 +218,33 @@ Probe movedProbe(const Probe& probe, const glm::dvec3& by) {
   return moved;
 }
 
+bool movesOthers(HandleKind kind) {
+  return kind == HandleKind::Move || kind == HandleKind::Turn || kind == HandleKind::Origin ||
+         kind == HandleKind::OriginAxis;
+}
+
+Probe movedAlong(const Probe& other, HandleKind kind, const Probe& start, const Probe& now) {
+  if (kind == HandleKind::Move) return movedProbe(other, now.box.center() - start.box.center());
+  Probe moved = other;
+  if (kind != HandleKind::Turn) {
+    moved.origin += now.origin - start.origin;
+    return moved;
+  }
+  const glm::dmat3 turn = rotationMatrix(now.rotationDegrees) * glm::transpose(rotationMatrix(start.rotationDegrees));
+  const glm::dvec3 pivot = start.box.center();
+  const auto turned = [&](const glm::dvec3& point) { return pivot + turn * (point - pivot); };
+  moved = movedProbe(other, turned(other.box.center()) - other.box.center());
+  moved.origin = turned(other.origin);
+  const auto upright = [](const Probe& probe) {
+    return probe.rotationDegrees.x == 0.0 && probe.rotationDegrees.z == 0.0;
+  };
+  if (upright(other) && upright(start) && upright(now)) {
+    const double yaw = other.rotationDegrees.y + now.rotationDegrees.y - start.rotationDegrees.y;
+    moved.rotationDegrees = {0.0, wrappedDegrees(yaw), 0.0};
+  } else {
+    moved.rotationDegrees = rotationDegreesOf(turn * rotationMatrix(other.rotationDegrees));
+  }
+  return moved;
+}
+
 }  // namespace boxprobe

@@ -81,4 +81,11 @@ Probe besideOthers(const Probe& probe, const std::vector<Probe>& others);
 /// The probe moved by `by`, world: its box, its influence box and its origin.
 Probe movedProbe(const Probe& probe, const glm::dvec3& by);
 
+/// Whether other probes that are selected too go along with a drag of that handle: where the whole probe or its origin
+/// moves.
+bool movesOthers(HandleKind kind);
+/// Another probe that goes along while a drag of a handle of that kind makes `now` of `start`: moved as far, or turned
+/// as far about the middle of the box of `start`.
+Probe movedAlong(const Probe& other, HandleKind kind, const Probe& start, const Probe& now);
+
 }  // namespace boxprobe

@@ -58,12 +58,12 @@ QString handleHint(const Handle& handle, const Probe& probe, bool selected) {
     case HandleKind::Origin:
       break;
   }
-  if (!selected) return words("Click to select probe %1.").arg(name);
+  if (!selected) return words("Click to select probe %1. Ctrl: beside those that are selected.").arg(name);
   return words("Drag to move the capture origin of %1. X, Y, Z: along that axis. Shift: finely. Ctrl: grid.").arg(name);
 }
 
-QString handleEditLabel(const Handle& handle, const Probe& probe) {
-  const QString name = QString::fromStdString(probe.name), face = faceName(handle.face);
+QString handleEditLabel(const Handle& handle, const QString& name) {
+  const QString face = faceName(handle.face);
   switch (handle.kind) {
     case HandleKind::Face:
       return words("Move face %1 of %2").arg(face, name);

@@ -11,8 +11,8 @@ namespace boxprobe {
 
 /// For the status bar; `selected`: it belongs to the selected probe.
 QString handleHint(const Handle& handle, const Probe& probe, bool selected);
-/// "Move face +X of room": the undo step.
-QString handleEditLabel(const Handle& handle, const Probe& probe);
+/// "Move face +X of room": the undo step; `name` is the probe's, or "3 probes".
+QString handleEditLabel(const Handle& handle, const QString& name);
 /// Of a drag that has made `now` of `before`.
 QString handleReadout(const Handle& handle, const Probe& before, const Probe& now);
 /// "on the wall", "grid 0.1 m"

@@ -43,10 +43,11 @@ ProbeOverlay::~ProbeOverlay() {
 }
 
 void ProbeOverlay::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
-                          std::optional<Handle> highlighted, HandleMode mode) {
-  solid_.update(probes, selected, mode);
-  faint_.update(probes, selected, mode);
-  handles_.update(probes, selected, highlighted, mode);
+                          const std::vector<std::size_t>& together, std::optional<Handle> highlighted,
+                          HandleMode mode) {
+  solid_.update(probes, selected, together, mode);
+  faint_.update(probes, selected, together, mode);
+  handles_.update(probes, selected, together, highlighted, mode);
   setVisible(visible_);
 }
 

@@ -27,7 +27,9 @@ class ProbeOverlay {
   ProbeOverlay(const ProbeOverlay&) = delete;
   ProbeOverlay& operator=(const ProbeOverlay&) = delete;
 
-  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, std::optional<Handle> highlighted,
+  /// `together`: the places of all selected probes; `selected` is the one whose handles are shown.
+  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
+              const std::vector<std::size_t>& together, std::optional<Handle> highlighted,
               HandleMode mode = HandleMode::Box);
   /// From a capture origin to the floor under it; nothing: none.
   void setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "app/gui/handles/handle_words.h"
@@ -70,7 +72,13 @@ bool ProbeWidget::press(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   hover(pixel);
   if (!hovered_) return false;
   if (editor_.document().selectedProbe() != hovered_->probe) {
-    editor_.selectProbe(hovered_->probe);
+    if (modifiers.testFlag(Qt::ControlModifier)) {
+      editor_.toggleProbe(hovered_->probe);
+    } else {
+      editor_.selectProbe(hovered_->probe);
+    }
+    hovered_.reset();  // what can be done with it is another thing now
+    hover(pixel);
     return true;
   }
   editor_.finish();
@@ -99,8 +107,11 @@ void ProbeWidget::release(const QPointF& pixel, Qt::KeyboardModifiers modifiers)
   if (!dragging()) return;
   move(pixel, modifiers);
   if (!dragging()) return;
+  const Handle handle = drag_->handle();
+  const bool takeOut = !moved_ && handle.kind == HandleKind::Origin && modifiers.testFlag(Qt::ControlModifier);
   endDrag();
   editor_.finish();
+  if (takeOut) editor_.toggleProbe(handle.probe);
   hover(pixel);
 }
 
@@ -168,20 +179,34 @@ void ProbeWidget::drag() {
   const Probe result = drag_->at(wish);
   const Handle handle = drag_->handle();
   previewed_ = true;
-  preview(handle, result);
+  preview(handle, drag_->start(), result);
   QString text = handleReadout(handle, drag_ ? drag_->start() : result, result);
   if (snap) text += "\n" + snapWords(*snap, handle);
   emit readout(text, pixel_);
 }
 
-void ProbeWidget::preview(const Handle& handle, const Probe& result) {
+// Previews start from the scene as it was before the drag: what goes along is told from where it stood, too.
+void ProbeWidget::preview(const Handle& handle, const Probe& start, const Probe& result) {
   const int part = 16 * static_cast<int>(handle.kind) + handle.face.index();
-  editor_.previewProbe({this, part}, handleEditLabel(handle, result), [result](Probe& edited) {
-    edited.box = result.box;
-    edited.influence = result.influence;
-    edited.origin = result.origin;
-    edited.rotationDegrees = result.rotationDegrees;
-    edited.blendDistance = result.blendDistance;
+  std::set<std::string> along;
+  if (movesOthers(handle.kind)) {
+    for (const std::size_t index : editor_.selected()) along.insert(editor_.scene().probes[index].name);
+  }
+  along.erase(result.name);
+  const QString label = along.empty() ? handleEditLabel(handle, QString::fromStdString(result.name))
+                                      : handleEditLabel(handle, editor_.selectedName());
+  editor_.preview({this, part, result.name}, label, [handle, start, result, along](Scene& scene) {
+    for (Probe& edited : scene.probes) {
+      if (edited.name == result.name) {
+        edited.box = result.box;
+        edited.influence = result.influence;
+        edited.origin = result.origin;
+        edited.rotationDegrees = result.rotationDegrees;
+        edited.blendDistance = result.blendDistance;
+      } else if (along.count(edited.name) > 0) {
+        edited = movedAlong(edited, handle.kind, start, result);
+      }
+    }
   });
 }
 
@@ -222,7 +247,7 @@ bool ProbeWidget::nudge(int key, Qt::KeyboardModifiers modifiers) {
   } else {
     result.origin += nudge_->by;
   }
-  preview(handle, result);
+  preview(handle, nudge_->start, result);
   return true;
 }
 
@@ -251,7 +276,7 @@ void ProbeWidget::update() {
   // Undone or replaced from elsewhere while the button was down: the drag has nothing left to move.
   if (dragging() && previewed_ && !editor_.document().previewing()) endDrag();
   if (nudge_ && !editor_.document().previewing()) nudge_.reset();
-  overlay_.update(probes, editor_.document().selectedProbe(), hovered_, mode_);
+  overlay_.update(probes, editor_.document().selectedProbe(), editor_.selected(), hovered_, mode_);
   updateDrop();
   emit pictureChanged();
 }

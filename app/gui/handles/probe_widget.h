@@ -24,7 +24,8 @@ class ProbeWidget : public QObject {
   ProbeWidget(Editor& editor, ProbeOverlay& overlay, SceneSurfaces& surfaces, std::function<ViewProjection()> view,
               QObject* parent = nullptr);
 
-  /// True if the pointer took hold of a handle; the camera must then stay where it is.
+  /// True if the pointer took hold of a handle; the camera must then stay where it is. On the diamond of another probe
+  /// it selects that one, with Ctrl beside those that are selected.
   bool press(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   /// While dragging: Shift moves a tenth as far, Ctrl snaps, Alt moves the opposite face as well.
   void move(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
@@ -61,7 +62,7 @@ class ProbeWidget : public QObject {
  private:
   void hover(const QPointF& pixel);
   void drag();
-  void preview(const Handle& handle, const Probe& result);
+  void preview(const Handle& handle, const Probe& start, const Probe& result);
   void endDrag();
   void updateDrop();
 

@@ -127,19 +127,22 @@ void HaloLines::placeActors() {
 }
 
 WireActors::WireActors(vtkRenderer* renderer, bool faint)
-    : idle_(renderer, {idleColor(), 1.0, faint ? 0.25 : 0.6, !faint}),
+    : idle_(renderer, {idleColor(), 1.5, faint ? 0.3 : 0.8, !faint}),
+      beside_(renderer, {boxColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
       influence_(renderer, {influenceColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
       blend_(renderer, {blendColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
       box_(renderer, {boxColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}),
       ghost_(renderer, {ghostColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}),
       drop_(renderer, {originColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}) {}
 
-void WireActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, HandleMode mode) {
-  std::vector<glm::dvec3> idle, influence, blend, box;
+void WireActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
+                        const std::vector<std::size_t>& together, HandleMode mode) {
+  std::vector<glm::dvec3> idle, beside, influence, blend, box;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const Probe& probe = probes[i];
     if (selected != i) {
-      addEdges(idle, probe, probe.box, false);
+      const bool also = std::binary_search(together.begin(), together.end(), i);
+      addEdges(also ? beside : idle, probe, probe.box, false);
       continue;
     }
     addEdges(box, probe, probe.box, false);
@@ -149,6 +152,7 @@ void WireActors::update(const std::vector<Probe>& probes, std::optional<std::siz
     if (!(probe.blendDistance == none)) addEdges(blend, probe, fullWeightBox(probe), true);
   }
   idle_.setSegments(idle);
+  beside_.setSegments(beside);
   influence_.setSegments(influence);
   blend_.setSegments(blend);
   box_.setSegments(box);
@@ -176,11 +180,12 @@ void WireActors::setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWor
 }
 
 void WireActors::setVisible(bool visible) {
-  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_, &ghost_, &drop_}) lines->setVisible(visible);
+  for (HaloLines* lines : {&idle_, &beside_, &influence_, &blend_, &box_, &ghost_, &drop_}) lines->setVisible(visible);
 }
 
 void WireActors::pullTowards(const glm::dvec3& eyeWorld, double factor) {
-  for (HaloLines* lines : {&idle_, &influence_, &blend_, &box_, &ghost_, &drop_}) lines->pullTowards(eyeWorld, factor);
+  for (HaloLines* lines : {&idle_, &beside_, &influence_, &blend_, &box_, &ghost_, &drop_})
+    lines->pullTowards(eyeWorld, factor);
 }
 
 }  // namespace boxprobe

@@ -1,5 +1,6 @@
 // The wire boxes of the probes in a vtkRenderer: the selected probe's box and, dashed, the box inside which it has its
-// full weight; proposed boxes; the other probes' boxes thin. Called by the probe widget; knows no mouse.
+// full weight; the boxes of those selected beside it; proposed boxes; the other probes' boxes thin. Called by the probe
+// widget; knows no mouse.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -53,7 +54,9 @@ class WireActors {
   WireActors(vtkRenderer* renderer, bool faint);
 
   /// In HandleMode::Influence the influence box is drawn even where it is the projection box.
-  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected, HandleMode mode);
+  /// `together`: the places of all selected probes, ascending.
+  void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
+              const std::vector<std::size_t>& together, HandleMode mode);
   /// From a capture origin to the floor under it, with a cross there; nothing: none.
   void setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);
   /// Boxes that are proposed and not there yet, dashed.
@@ -62,7 +65,7 @@ class WireActors {
   void pullTowards(const glm::dvec3& eyeWorld, double factor);
 
  private:
-  HaloLines idle_, influence_, blend_, box_, ghost_, drop_;
+  HaloLines idle_, beside_, influence_, blend_, box_, ghost_, drop_;
 };
 
 }  // namespace boxprobe

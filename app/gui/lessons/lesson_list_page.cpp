@@ -42,7 +42,7 @@ LessonListPage::LessonListPage(QWidget* parent)
   layout->addWidget(scroll_, 1);
   forget_->setObjectName("forgetProgress");
   forget_->setToolTip(tr("Marks all lessons as not started"));
-  layout->addWidget(forget_, 0, Qt::AlignRight);
+  layout->addWidget(forget_, 0, Qt::AlignLeft);  // Next stands at the right of a lesson's page
   connect(forget_, &QPushButton::clicked, this, &LessonListPage::forgetRequested);
   connect(leave_, &QPushButton::clicked, this, &LessonListPage::leaveRequested);
 }

@@ -34,7 +34,7 @@ QImage LessonPhotographer::picture(const LessonStep& step) {
     boxes_->setVisible(step.boxes);
     // Handles only where there is something to drag.
     const bool drags = !probes.empty() && (step.task || !step.mayMove.empty());
-    boxes_->update(probes, drags ? std::optional<std::size_t>(0) : std::nullopt, std::nullopt);
+    boxes_->update(probes, drags ? std::optional<std::size_t>(0) : std::nullopt, {}, std::nullopt);
     boxes_->follow(ViewProjection(renderer->GetActiveCamera(), width_, height_));
   }
   const ImageRgba8 shown = player_.picture();

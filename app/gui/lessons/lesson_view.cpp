@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QTabBar>
 #include <QTextEdit>
 #include <algorithm>
@@ -98,6 +99,10 @@ void LessonView::connectPanel() {
     updateKeys();
   });
   connect(panel_->list(), &LessonListPage::forgetRequested, this, [this] {
+    const auto answer = QMessageBox::question(panel_, tr("Forget progress"),
+                                              tr("Mark all lessons as not started? This cannot be undone."),
+                                              QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel);
+    if (answer != QMessageBox::Yes) return;
     forgetLessons();
     showProgress();
   });

@@ -1,6 +1,7 @@
 // See bake_panel.h.
 #include "app/gui/panels/bake_panel.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -39,8 +40,10 @@ BakePanel::BakePanel(Editor& editor, SceneRenderer& renderer, RenderScheduler& s
   addRow(form, tr("State"), line, tr("Progress of the selected probe's cubemap"));
 
   auto* buttons = new QHBoxLayout;
-  bake_ = addButton(tr("Bake"), "bake", tr("Recaptures and filters the selected probe"), &BakePanel::bakeSelected);
-  bakeAll_ = addButton(tr("Bake all"), "bakeAll", tr("Recaptures and filters every probe"), &BakePanel::bakeAll);
+  bake_ =
+      addButton(tr("Bake"), "bake", tr("Recaptures and filters the selected probes (F5)"), &BakePanel::bakeSelected);
+  bakeAll_ =
+      addButton(tr("Bake all"), "bakeAll", tr("Recaptures and filters every probe (Shift+F5)"), &BakePanel::bakeAll);
   stop_ = addButton(tr("Stop"), "stopBake", tr("Stops the work until the scene changes again (Esc)"), &BakePanel::stop);
   save_ = addButton(tr("Save files..."), "saveBaked",
                     tr("Writes every baked probe to an OpenEXR file in a folder. In the folder beside the scene they "
@@ -52,6 +55,7 @@ BakePanel::BakePanel(Editor& editor, SceneRenderer& renderer, RenderScheduler& s
 
   connect(&scheduler_, &RenderScheduler::workProgressed, this, &BakePanel::update);
   connect(&scheduler_, &RenderScheduler::workEnded, this, &BakePanel::update);
+  connect(&scheduler_, &RenderScheduler::workEnded, this, &BakePanel::tellStale);
 }
 
 QToolButton* BakePanel::addButton(const QString& text, const char* name, const QString& toolTip,
@@ -78,6 +82,8 @@ void BakePanel::update() {
   const bool busy = renderer_.workPending() && !scheduler_.workStopped();
   bool baked = false;
   for (const Probe& probe : editor_.scene().probes) baked |= probe.mode == ProbeMode::Baked;
+  const std::size_t count = editor_.selected().size();
+  bake_->setText(count > 1 ? tr("Bake %1").arg(count) : tr("Bake"));
   bake_->setEnabled(selected.has_value());
   bakeAll_->setEnabled(!looks.empty());
   stop_->setEnabled(busy);
@@ -93,7 +99,28 @@ void BakePanel::update() {
 }
 
 void BakePanel::useFilesBeside(const std::string& scenePath) {
-  renderer_.useBakedFiles(scenePath.empty() ? std::string() : BakeFolder::besideScene(scenePath));
+  const std::string folder = scenePath.empty() ? std::string() : BakeFolder::besideScene(scenePath);
+  renderer_.useBakedFiles(folder);
+  const QDir files(QString::fromStdString(folder));
+  checkFiles_ = !folder.empty() && !files.entryList({"*.exr"}, QDir::Files).isEmpty();
+}
+
+// Once after a scene was opened: files that were there and did not hold.
+void BakePanel::tellStale() {
+  if (!checkFiles_ || renderer_.workPending()) return;
+  checkFiles_ = false;
+  int baked = 0, stale = 0;
+  for (const Probe& probe : editor_.scene().probes) {
+    if (probe.mode != ProbeMode::Baked) continue;
+    ++baked;
+    stale += renderer_.bakeState(probe.name) == BakeState::UpToDate ? 1 : 0;
+  }
+  if (stale == 0) return;
+  emit message(
+      tr("%1 of %2 baked files are missing or out of date: those probes were captured again. Save baked probes "
+         "to renew the files")
+          .arg(stale)
+          .arg(baked));
 }
 
 void BakePanel::bake(const std::vector<std::string>& names) {
@@ -104,7 +131,9 @@ void BakePanel::bake(const std::vector<std::string>& names) {
 }
 
 void BakePanel::bakeSelected() {
-  if (const Probe* probe = editor_.probe()) bake({probe->name});
+  std::vector<std::string> names;
+  for (const std::size_t index : editor_.selected()) names.push_back(editor_.scene().probes[index].name);
+  if (!names.empty()) bake(names);
 }
 
 void BakePanel::bakeAll() {
@@ -163,6 +192,7 @@ void BakePanel::saveNext() {
     }
     // What was written now need not be captured again after an undo.
     useFilesBeside(editor_.document().path());
+    checkFiles_ = false;
     const QString done = tr("Wrote %1 files to %2").arg(saved_).arg(folder_);
     if (notFinished_.isEmpty()) {
       emit message(done);

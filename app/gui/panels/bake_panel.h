@@ -43,6 +43,7 @@ class BakePanel : public QWidget {
   void bake(const std::vector<std::string>& names);
   QString chooseFolder();
   void saveNext();
+  void tellStale();
   void stop();
 
   Editor& editor_;
@@ -52,6 +53,7 @@ class BakePanel : public QWidget {
   QToolButton *bake_ = nullptr, *bakeAll_ = nullptr, *stop_ = nullptr, *save_ = nullptr;
   std::vector<BakeStateLook> shown_;
   std::string pictureError_;
+  bool checkFiles_ = false;  ///< there are files beside the scene, and nothing was said of them yet
 
   QString folder_;                   ///< being saved to
   std::vector<std::string> toSave_;  ///< still, last first

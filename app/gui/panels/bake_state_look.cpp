@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include "app/gui/widgets/axis_colors.h"
+
 namespace boxprobe {
 
 namespace {
@@ -54,10 +56,15 @@ QIcon stateIcon(const BakeStateLook& look) {
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
+  // A dark rim: seen before light, dark and the selection's colour.
+  painter.setPen(QPen(haloColor(), 4.0));
+  painter.drawEllipse(QRectF(4.0, 4.0, 8.0, 8.0));
   painter.setPen(QPen(look.color, 2.0));
   painter.setBrush(look.filled ? QBrush(look.color) : QBrush(Qt::NoBrush));
   painter.drawEllipse(QRectF(4.0, 4.0, 8.0, 8.0));
-  return pixmap;
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);  // else Qt tints it with the selection's colour
+  return icon;
 }
 
 }  // namespace boxprobe

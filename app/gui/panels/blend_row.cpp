@@ -10,6 +10,7 @@
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
+#include "filters/core/geometry/probe_frame.h"
 
 namespace boxprobe {
 
@@ -47,25 +48,39 @@ BlendRow::BlendRow(QWidget* parent)
   layout->addWidget(all_, 1);
   layout->addWidget(unfoldButton(faces_, tr("One distance for each of the six faces"), this));
 
-  connect(all_, &ValueField::previewed, this, [this](double value) { emit previewed(everyFace(value)); });
-  connect(all_, &ValueField::committed, this, [this](double value) { emit committed(everyFace(value)); });
-  const auto connectFaces = [this](VectorRow* row, glm::dvec3 BlendDistance::*side) {
-    const auto with = [this, side](int axis, double value) {
-      BlendDistance blend = shown_;
-      (blend.*side)[axis] = value;
-      return blend;
-    };
+  connect(all_, &ValueField::previewed, this, [this](double value) { emit previewed(-1, value); });
+  connect(all_, &ValueField::committed, this, [this](double value) { emit committed(-1, value); });
+  const auto connectFaces = [this](VectorRow* row, bool positive) {
+    const auto face = [positive](int axis) { return BoxFace{axis, positive}.index(); };
     connect(row, &VectorRow::previewed, this,
-            [this, with](int axis, double value) { emit previewed(with(axis, value)); });
+            [this, face](int axis, double value) { emit previewed(face(axis), value); });
     connect(row, &VectorRow::committed, this,
-            [this, with](int axis, double value) { emit committed(with(axis, value)); });
+            [this, face](int axis, double value) { emit committed(face(axis), value); });
   };
-  connectFaces(min_, &BlendDistance::min);
-  connectFaces(max_, &BlendDistance::max);
+  connectFaces(min_, false);
+  connectFaces(max_, true);
+}
+
+BlendDistance withBlend(BlendDistance blend, int face, double distance) {
+  if (face < 0) return everyFace(distance);
+  for (const BoxFace& each : kBoxFaces) {
+    if (each.index() == face) (each.positive ? blend.max : blend.min)[each.axis] = distance;
+  }
+  return blend;
+}
+
+void BlendRow::showDiffers(const std::array<bool, 6>& faces) {
+  bool any = false;
+  for (const BoxFace& face : kBoxFaces) {
+    const bool differs = faces[static_cast<std::size_t>(face.index())];
+    (face.positive ? max_ : min_)->field(face.axis)->setDiffers(differs);
+    any |= differs;
+  }
+  if (any) all_->setPrefix({});
+  all_->setDiffers(any);
 }
 
 void BlendRow::show(const BlendDistance& blend) {
-  shown_ = blend;
   const double most = largest(blend);
   all_->setPrefix(blend == everyFace(most) ? QString() : tr("up to "));
   all_->show(most);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 
 #include "filters/core/scene/scene.h"
 
@@ -11,6 +12,9 @@ namespace boxprobe {
 class ValueField;
 class VectorRow;
 
+/// With one distance replaced; `face` as BlendRow tells it.
+BlendDistance withBlend(BlendDistance blend, int face, double distance);
+
 class BlendRow : public QWidget {
   Q_OBJECT
 
@@ -18,17 +22,19 @@ class BlendRow : public QWidget {
   explicit BlendRow(QWidget* parent = nullptr);
 
   void show(const BlendDistance& blend);
+  /// Faces, in the order of BoxFace::index(), in which the selected probes do not agree.
+  void showDiffers(const std::array<bool, 6>& faces);
   ValueField* all() const { return all_; }
   /// The unfolding part, as wide as the panel: the panel places it below this row.
   QWidget* faces() const { return faces_; }
   VectorRow* minFaces() const { return min_; }
 
  signals:
-  void previewed(const BlendDistance& blend);
-  void committed(const BlendDistance& blend);
+  /// `face` is a BoxFace::index(), or -1 for all six.
+  void previewed(int face, double distance);
+  void committed(int face, double distance);
 
  private:
-  BlendDistance shown_;
   ValueField* all_;
   QWidget* faces_;
   VectorRow* min_;

@@ -9,6 +9,7 @@
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
+#include "app/gui/edit/selected_probes.h"
 #include "app/gui/panels/hides_list.h"
 #include "app/gui/panels/image_fields.h"
 #include "app/gui/widgets/panel_layout.h"
@@ -183,6 +184,21 @@ void CapturePanel::update() {
     showRow(field, !custom);
   }
   showRow(clearColor_, !custom && color != nullptr);
+  markDifferences();
+}
+
+void CapturePanel::markDifferences() {
+  const SelectedProbes all(editor_);
+  const auto mark = [&all](QWidget* field, const auto& get) { showDiffers(field, all.differ(get)); };
+  mark(mode_, [](const Probe& probe) { return probe.mode; });
+  mark(faceSize_, [](const Probe& probe) { return probe.faceSize; });
+  mark(samples_, [](const Probe& probe) { return probe.samplesPerPixel; });
+  mark(bounces_, [](const Probe& probe) { return probe.bounces; });
+  mark(filter_, [](const Probe& probe) { return probe.filter; });
+  mark(filterSamples_, [](const Probe& probe) { return probe.filterSamples; });
+  mark(near_, [](const Probe& probe) { return probe.nearDistance; });
+  mark(far_, [](const Probe& probe) { return probe.farDistance; });
+  mark(clear_, [](const Probe& probe) { return probe.clear.index(); });
 }
 
 }  // namespace boxprobe

@@ -36,6 +36,7 @@ class CapturePanel : public QWidget {
   void buildSampling(QFormLayout* form);
   void buildView(QFormLayout* form);
   void chooseMode(int mode);
+  void markDifferences();
   void showRow(QWidget* field, bool shown);
 
   Editor& editor_;

@@ -2,6 +2,7 @@
 #include "app/gui/panels/cost_panel.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -20,7 +21,9 @@
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/scene/technique_parameters.h"
 #include "filters/io/cube/bake_folder.h"
+#include "filters/io/files/data_folder.h"
 #include "filters/io/scene/pareto_front_file.h"
+#include "filters/io/scene/scene_file.h"
 #include "filters/reference/study/bench_technique.h"
 #include "filters/vtk/charts/pareto_chart.h"
 
@@ -28,9 +31,29 @@ namespace boxprobe {
 
 namespace {
 
+/// The table of tests/bench/README.md, for scenes that nobody has measured yet.
+constexpr const char* kShipped = "scenes/measured/gallery.json";
+
 constexpr int kRedrawDelayMs = 150;  // while a splitter is dragged
 constexpr int kLeastChartSide = 160;
 enum Column { kTechnique, kCost, kError };
+
+/// The same hues, with white as `ground` and black as nearly white.
+QImage darkened(const QImage& chart, const QColor& ground) {
+  constexpr int kBrightest = 235;
+  QImage dark = chart.convertToFormat(QImage::Format_RGB32);
+  const auto between = [](int from, int share) { return from + share * (kBrightest - from) / 255; };
+  for (int y = 0; y < dark.height(); ++y) {
+    auto* row = reinterpret_cast<QRgb*>(dark.scanLine(y));
+    for (int x = 0; x < dark.width(); ++x) {
+      const int r = qRed(row[x]), g = qGreen(row[x]), b = qBlue(row[x]);
+      const int turned = 255 - std::max({r, g, b}) - std::min({r, g, b});  // lightness the other way round
+      row[x] = qRgb(between(ground.red(), r + turned), between(ground.green(), g + turned),
+                    between(ground.blue(), b + turned));
+    }
+  }
+  return dark;
+}
 
 // Sorts by value, not by text.
 class Row : public QTreeWidgetItem {
@@ -145,14 +168,36 @@ bool CostPanel::measuring() const {
 void CostPanel::useScene(const std::string& scenePath) {
   if (measuring()) process_.terminate();
   scenePath_ = scenePath;
+  folder_ = scenePath.empty() ? std::string() : folderBeside(scenePath);
+  own_.reset();
   load();
 }
 
+// What is on show is measured: where the file does not hold it, a copy.
+QString CostPanel::sceneToMeasure() {
+  editor_.finish();
+  const Document& document = editor_.document();
+  if (!document.path().empty() && !document.modified()) {
+    own_.reset();
+    folder_ = folderBeside(document.path());
+    return QString::fromStdString(document.path());
+  }
+  own_ = std::make_unique<QTemporaryDir>();
+  const QString copy = own_->filePath("shown.boxprobe.json");
+  saveSceneFile(document.scene(), copy.toStdString());
+  folder_ = own_->filePath("bench").toStdString();
+  return copy;
+}
+
 void CostPanel::measure(bool quick) {
-  if (measuring() || scenePath_.empty()) return;
-  QStringList arguments = {"bench",   QString::fromStdString(scenePath_),
-                           "-o",      QString::fromStdString(folderBeside(scenePath_)),
-                           "--rooms", "0"};
+  if (measuring() || editor_.scene().models.empty()) return;
+  QString scene;
+  try {
+    scene = sceneToMeasure();
+  } catch (const Error& error) {
+    return emit failed(QString::fromUtf8(error.what()));
+  }
+  QStringList arguments = {"bench", scene, "-o", QString::fromStdString(folder_), "--rooms", "0"};
   if (quick) arguments << "--quick";
   output_.clear();
   auto environment = QProcessEnvironment::systemEnvironment();
@@ -165,7 +210,7 @@ void CostPanel::measure(bool quick) {
   stop_->show();
   quick_->setEnabled(false);
   full_->setEnabled(false);
-  emit message(tr("Measuring the saved file; you can go on working"));
+  emit message(tr("Measuring the scene as it is shown now; you can go on working"));
 }
 
 void CostPanel::readProgress() {
@@ -190,19 +235,23 @@ void CostPanel::measured(int exitCode, QProcess::ExitStatus status) {
 
 void CostPanel::load() {
   points_.clear();
-  const std::string path = scenePath_.empty() ? std::string() : folderBeside(scenePath_) + "/bench.json";
-  const bool there = !path.empty() && QFileInfo::exists(QString::fromStdString(path));
-  if (there) {
+  std::string path = folder_ + "/bench.json";
+  shipped_ = folder_.empty() || !QFileInfo::exists(QString::fromStdString(path));
+  if (shipped_) path = dataFile(kShipped);
+  if (QFileInfo::exists(QString::fromStdString(path))) {
     try {
       points_ = loadParetoFront(path);
     } catch (const InputError& error) {
       emit failed(QString::fromUtf8(error.what()));
     }
   }
-  quick_->setEnabled(!scenePath_.empty());
-  full_->setEnabled(!scenePath_.empty());
+  enableButtons();
   fillTable();
   showCurrent(true);
+}
+
+void CostPanel::enableButtons() {
+  for (QPushButton* button : {quick_, full_}) button->setEnabled(!measuring() && !editor_.scene().models.empty());
 }
 
 void CostPanel::fillTable() {
@@ -241,6 +290,7 @@ std::string CostPanel::currentLabel() const {
 
 void CostPanel::update() {
   if (editor_.document().path() != scenePath_) useScene(editor_.document().path());
+  enableButtons();
   showCurrent(false);
 }
 
@@ -254,9 +304,7 @@ void CostPanel::showCurrent(bool always) {
   }
   const auto at = std::find_if(points_.begin(), points_.end(), [&](const ParetoPoint& p) { return p.label == label; });
   QString text;
-  if (scenePath_.empty()) {
-    text = tr("Save the scene first: then each technique's run time and error can be measured in it.");
-  } else if (points_.empty()) {
+  if (points_.empty()) {
     text =
         tr("Not measured yet in this scene. A measurement gives every technique's frame time and its error against the "
            "integral over the box.");
@@ -268,6 +316,9 @@ void CostPanel::showCurrent(bool always) {
                      .arg(label.c_str());
   } else {
     text = tr("The probe's technique is not among those measured.");
+  }
+  if (shipped_ && !points_.empty()) {
+    text = tr("Measured in the example scene gallery, not in this one. Measure does it for what is on show. ") + text;
   }
   state_->setText(text);
   redraw_->start();
@@ -293,8 +344,14 @@ void CostPanel::drawChart() {
   text.costAxis = tr("Frame time relative to plain box projection").toStdString();
   text.current = shownLabel_;
   const ImageRgba8 picture = frontChartPicture(points_, text, width, height);
+  onDark_ = palette().color(QPalette::Base).lightness() < 128;
   const QImage image(picture.pixels.data(), picture.width, picture.height, 4 * picture.width, QImage::Format_RGBA8888);
-  chart_->setPixmap(QPixmap::fromImage(image));
+  chart_->setPixmap(QPixmap::fromImage(onDark_ ? darkened(image, palette().color(QPalette::Base)) : image));
+}
+
+void CostPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) redraw_->start();
 }
 
 }  // namespace boxprobe

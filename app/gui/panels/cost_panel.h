@@ -5,7 +5,9 @@
 #pragma once
 
 #include <QProcess>
+#include <QTemporaryDir>
 #include <QWidget>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,13 +29,16 @@ class CostPanel : public QWidget {
   explicit CostPanel(Editor& editor, QWidget* parent = nullptr);
   ~CostPanel() override;
 
-  /// The document changed; another file: what an earlier benchmark left beside it is shown.
+  /// The document changed; another file: what an earlier benchmark left beside it is shown, else the table of the
+  /// example scene that comes with the program, marked as such.
   void update();
   /// What measures: this program itself, unless a test says otherwise.
   void setProgram(const QString& path) { program_ = path; }
   /// Draws only while it can be seen.
   void setWatched(bool watched);
   bool measuring() const;
+  /// The scene file that was measured last.
+  QString measuredScene() const { return process_.arguments().value(1); }
 
   /// Where the results of a scene lie: `room.bench` beside `room.boxprobe.json`.
   static std::string folderBeside(const std::string& scenePath);
@@ -44,9 +49,12 @@ class CostPanel : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void useScene(const std::string& scenePath);
+  QString sceneToMeasure();
+  void enableButtons();
   void measure(bool quick);
   void readProgress();
   void measured(int exitCode, QProcess::ExitStatus status);
@@ -58,9 +66,12 @@ class CostPanel : public QWidget {
 
   Editor& editor_;
   std::string scenePath_;
+  std::string folder_;                  ///< of the results
+  std::unique_ptr<QTemporaryDir> own_;  ///< of a scene that is not saved as it is shown
+  bool shipped_ = false;                ///< the points are of the example scene
   std::vector<ParetoPoint> points_;
   std::string shownLabel_;
-  bool watched_ = false;
+  bool watched_ = false, onDark_ = false;
   QByteArray output_;
   QString program_;
   QProcess process_;

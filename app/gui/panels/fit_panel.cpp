@@ -147,9 +147,9 @@ Probe FitPanel::proposed() const {
 void FitPanel::apply() {
   if (!result_ || result_->outcome != FitOutcome::Fitted) return;
   const Probe fitted = proposed();
-  const QString label = probeEditLabel(editor_, tr("fit"));
+  const QString label = tr("Set fit of %1").arg(QString::fromStdString(fitted.name));
   discard();
-  editor_.commitProbe(label, [fitted](Probe& probe) { probe = fitted; });
+  editor_.commitOne(label, [fitted](Probe& probe) { probe = fitted; });
 }
 
 void FitPanel::discard() {

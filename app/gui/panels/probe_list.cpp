@@ -2,11 +2,14 @@
 #include "app/gui/panels/probe_list.h"
 
 #include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
 #include <glm/common.hpp>
+#include <numeric>
 #include <utility>
 
 #include "app/gui/handles/handle_drag.h"
@@ -27,11 +30,21 @@ Probe newProbe(const Scene& scene, const Box& bounds, const glm::dvec3& targetWo
 }  // namespace
 
 ProbeList::ProbeList(Editor& editor, Hooks hooks, QWidget* parent)
-    : QWidget(parent), editor_(editor), hooks_(std::move(hooks)), list_(new QListWidget(this)) {
+    : QWidget(parent),
+      editor_(editor),
+      hooks_(std::move(hooks)),
+      list_(new QListWidget(this)),
+      filter_(new QLineEdit(this)) {
+  filter_->setObjectName("probeFilter");
+  filter_->setPlaceholderText(tr("Find a probe"));
+  filter_->setClearButtonEnabled(true);
+  filter_->setToolTip(tr("Lists only the probes that have this in their name"));
+  connect(filter_, &QLineEdit::textChanged, this, &ProbeList::filter);
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   list_->setMinimumHeight(72);
   list_->setMaximumHeight(120);
-  list_->setToolTip(tr("Click to select, double-click or F2 to rename, Delete to remove"));
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  list_->setToolTip(tr("Click to select, with Ctrl or Shift several, double-click or F2 to rename, Delete to remove"));
 
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(0, 0, 0, 0);
@@ -39,21 +52,22 @@ ProbeList::ProbeList(Editor& editor, Hooks hooks, QWidget* parent)
                                tr("Adds a probe captured at the centre of the view, with its box fitted to the scene"),
                                &ProbeList::addProbe));
   duplicate_ =
-      addButton(tr("Duplicate"), tr("Copies the selected probe, a little aside (Ctrl+D)"), &ProbeList::duplicateProbe);
-  delete_ = addButton(tr("Delete"), tr("Removes the selected probe (Delete)"), &ProbeList::deleteProbe);
+      addButton(tr("Duplicate"), tr("Copies the selected probes, a little aside (Ctrl+D)"), &ProbeList::duplicateProbe);
+  delete_ = addButton(tr("Delete"), tr("Removes the selected probes (Delete)"), &ProbeList::deleteProbe);
   buttons->addWidget(duplicate_);
   buttons->addWidget(delete_);
   buttons->addStretch(1);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(filter_);
   layout->addWidget(list_);
   layout->addLayout(buttons);
 
   connect(list_, &QListWidget::itemChanged, this, &ProbeList::rename);
-  connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
-    editor_.selectProbe(row < 0 ? std::optional<std::size_t>() : static_cast<std::size_t>(row));
-  });
+  // Which comes first differs between mouse, keys and calls; what both say in the end is the same.
+  connect(list_, &QListWidget::currentRowChanged, this, &ProbeList::choose);
+  connect(list_, &QListWidget::itemSelectionChanged, this, &ProbeList::choose);
   update();
 }
 
@@ -80,9 +94,62 @@ void ProbeList::update() {
     const QString name = QString::fromStdString(probes[i].name);
     if (list_->item(row)->text() != name) list_->item(row)->setText(name);
   }
-  list_->setCurrentRow(selected ? static_cast<int>(*selected) : -1);
+  if (!choosing_) showSelection();
+  markShown();
+  filter();
   duplicate_->setEnabled(selected.has_value());
   delete_->setEnabled(selected.has_value());
+}
+
+// A handful needs no search.
+void ProbeList::filter() {
+  constexpr int kFew = 6;
+  filter_->setVisible(list_->count() > kFew || !filter_->text().isEmpty());
+  const QString wanted = filter_->text().trimmed();
+  for (int row = 0; row < list_->count(); ++row) {
+    const bool hidden = !list_->item(row)->text().contains(wanted, Qt::CaseInsensitive);
+    if (list_->isRowHidden(row) != hidden) list_->setRowHidden(row, hidden);
+  }
+}
+
+void ProbeList::choose() {
+  if (choosing_) return;
+  choosing_ = true;  // the list is where it comes from: it shows it already
+  std::vector<std::size_t> rows;
+  for (const QModelIndex& index : list_->selectionModel()->selectedRows()) {
+    rows.push_back(static_cast<std::size_t>(index.row()));
+  }
+  std::sort(rows.begin(), rows.end());
+  const int current = list_->currentRow();
+  editor_.selectProbes(rows, current < 0 ? std::nullopt : std::optional<std::size_t>(current));
+  choosing_ = false;
+}
+
+void ProbeList::showSelection() {
+  const auto shown = editor_.document().selectedProbe();
+  const int row = shown ? static_cast<int>(*shown) : -1;
+  if (list_->currentRow() != row) list_->setCurrentRow(row, QItemSelectionModel::NoUpdate);
+  const std::vector<std::size_t> selected = editor_.selected();
+  QItemSelection wanted;
+  for (const std::size_t index : selected) {
+    const QModelIndex at = list_->model()->index(static_cast<int>(index), 0);
+    wanted.select(at, at);
+  }
+  list_->selectionModel()->select(wanted, QItemSelectionModel::ClearAndSelect);
+}
+
+// Of several, the one whose handles and fields are shown is set in bold.
+void ProbeList::markShown() {
+  const QSignalBlocker quiet(list_);
+  const int bold = editor_.selected().size() > 1 ? static_cast<int>(*editor_.document().selectedProbe()) : -1;
+  if (bold == bold_) return;
+  for (const int row : {bold_, bold}) {
+    if (row < 0 || row >= list_->count()) continue;
+    QFont font = list_->item(row)->font();
+    font.setBold(row == bold);
+    list_->item(row)->setFont(font);
+  }
+  bold_ = bold;
 }
 
 void ProbeList::showStates(const std::vector<BakeStateLook>& looks) {
@@ -116,6 +183,9 @@ void ProbeList::rename(QListWidgetItem* item) {
 
 void ProbeList::addProbe() {
   editor_.finish();
+  if (editor_.scene().models.empty()) {
+    return emit editor_.failed(tr("There is nothing to capture yet: open a model or a scene first (Ctrl+O)"));
+  }
   const Probe probe = newProbe(editor_.scene(), hooks_.sceneBounds(), hooks_.cameraTargetWorld());
   editor_.commit(tr("Add %1").arg(QString::fromStdString(probe.name)),
                  [probe](Scene& scene) { scene.probes.push_back(probe); });
@@ -123,30 +193,43 @@ void ProbeList::addProbe() {
   emit added();
 }
 
+// The copies stand together behind the last of what they are of.
 void ProbeList::duplicateProbe() {
   editor_.finish();
-  const auto selected = editor_.document().selectedProbe();
-  if (!selected) return;
-  Probe copy = *editor_.probe();
-  const QString from = QString::fromStdString(copy.name);
-  copy = besideOthers(copy, editor_.scene().probes);
-  copy.name = unusedProbeName(editor_.scene(), copy.name);
-  const std::size_t at = *selected + 1;
-  editor_.commit(tr("Duplicate %1").arg(from), [copy, at](Scene& scene) {
-    scene.probes.insert(scene.probes.begin() + static_cast<std::ptrdiff_t>(at), copy);
-  });
-  editor_.selectProbe(findProbe(editor_.scene(), copy.name));
+  const std::vector<std::size_t> selected = editor_.selected();
+  if (selected.empty()) return;
+  const QString from = editor_.selectedName();
+  Scene after = editor_.scene();
+  const std::size_t at = selected.back() + 1;
+  std::vector<std::size_t> copies;
+  for (const std::size_t index : selected) {
+    Probe copy = besideOthers(after.probes[index], after.probes);
+    copy.name = unusedProbeName(after, copy.name);
+    copies.push_back(at + copies.size());
+    after.probes.insert(after.probes.begin() + static_cast<std::ptrdiff_t>(copies.back()), copy);
+  }
+  const std::vector<Probe> all = after.probes;
+  editor_.commit(tr("Duplicate %1").arg(from), [all](Scene& scene) { scene.probes = all; });
+  editor_.selectProbes(copies);
 }
 
 void ProbeList::deleteProbe() {
   editor_.finish();
-  const auto selected = editor_.document().selectedProbe();
-  if (!selected) return;
-  const std::size_t at = *selected;
-  editor_.commit(tr("Delete %1").arg(QString::fromStdString(editor_.probe()->name)),
-                 [at](Scene& scene) { scene.probes.erase(scene.probes.begin() + static_cast<std::ptrdiff_t>(at)); });
+  const std::vector<std::size_t> selected = editor_.selected();
+  if (selected.empty()) return;
+  editor_.commit(tr("Delete %1").arg(editor_.selectedName()), [selected](Scene& scene) {
+    for (auto index = selected.rbegin(); index != selected.rend(); ++index) {
+      scene.probes.erase(scene.probes.begin() + static_cast<std::ptrdiff_t>(*index));
+    }
+  });
   const std::size_t left = editor_.scene().probes.size();
-  if (left > 0) editor_.selectProbe(std::min(at, left - 1));
+  if (left > 0) editor_.selectProbe(std::min(selected.front(), left - 1));
+}
+
+void ProbeList::selectAll() {
+  std::vector<std::size_t> all(editor_.scene().probes.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  if (!all.empty()) editor_.selectProbes(all, editor_.document().selectedProbe());
 }
 
 }  // namespace boxprobe

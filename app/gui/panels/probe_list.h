@@ -1,5 +1,5 @@
-// The scene's probes by name: select, add, duplicate, delete, and rename in place. Called by the main window; the menu
-// calls its actions too.
+// The scene's probes by name: select one or several, add, duplicate, delete, and rename in place. Called by the main
+// window; the menu calls its actions too.
 #pragma once
 
 #include <QWidget>
@@ -8,6 +8,7 @@
 #include "app/gui/edit/editor.h"
 #include "app/gui/panels/bake_state_look.h"
 
+class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
 class QToolButton;
@@ -34,6 +35,7 @@ class ProbeList : public QWidget {
   void addProbe();
   void duplicateProbe();
   void deleteProbe();
+  void selectAll();
   QListWidget* list() const { return list_; }
 
  signals:
@@ -42,12 +44,19 @@ class ProbeList : public QWidget {
 
  private:
   void rename(QListWidgetItem* item);
+  void choose();
+  void showSelection();
+  void markShown();
+  void filter();
   QToolButton* addButton(const QString& text, const QString& toolTip, void (ProbeList::*action)());
 
   Editor& editor_;
   Hooks hooks_;
   QListWidget* list_;
+  QLineEdit* filter_;
   QToolButton *duplicate_ = nullptr, *delete_ = nullptr;
+  int bold_ = -1;          ///< row
+  bool choosing_ = false;  ///< the list's own selection is on its way to the document
 };
 
 }  // namespace boxprobe

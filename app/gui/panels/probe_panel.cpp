@@ -6,16 +6,21 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <utility>
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
+#include "app/gui/edit/selected_probes.h"
 #include "app/gui/panels/blend_row.h"
 #include "app/gui/panels/technique_chooser.h"
 #include "app/gui/panels/technique_parameters_panel.h"
+#include "app/gui/widgets/differs.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/vector_row.h"
 #include "filters/core/geometry/probe_frame.h"
+#include "filters/math/technique/technique_table.h"
 
 namespace boxprobe {
 
@@ -106,6 +111,8 @@ void ProbePanel::buildPlace() {
   boxMax_ = cornerRow("max", box, this);
   rotation_ = new VectorRow(fieldFormat(rotation, 5.0, 1), fieldTip(rotation), this);
   size_ = new QLabel(this);
+  several_ = helpLabel(this);
+  form->addRow(several_);
   addRow(form, tr("Origin"), origin_, tr("%1 It is the diamond in the picture.").arg(fieldTip(origin)));
   addRow(form, tr("Box min"), boxMin_, fieldTip(box));
   addRow(form, tr("Box max"), boxMax_, fieldTip(box));
@@ -126,11 +133,14 @@ void ProbePanel::buildInfluence() {
   blend_ = new BlendRow(this);
   addRow(form, tr("Blend distance"), blend_);
   form->addRow(blend_->faces());
-  connect(blend_, &BlendRow::previewed, this, [this](const BlendDistance& blend) {
-    editor_.previewProbe({blend_}, label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
+  const auto set = [](int face, double distance) {
+    return [=](Probe& probe) { probe.blendDistance = withBlend(probe.blendDistance, face, distance); };
+  };
+  connect(blend_, &BlendRow::previewed, this, [this, set](int face, double distance) {
+    editor_.previewProbe({blend_}, label(tr("blend distance")), set(face, distance));
   });
-  connect(blend_, &BlendRow::committed, this, [this](const BlendDistance& blend) {
-    editor_.commitProbe({blend_}, label(tr("blend distance")), [=](Probe& probe) { probe.blendDistance = blend; });
+  connect(blend_, &BlendRow::committed, this, [this, set](int face, double distance) {
+    editor_.commitProbe({blend_}, label(tr("blend distance")), set(face, distance));
   });
   const auto& importance = probeField("importance");
   importance_ = addProbeNumber(editor_, form, tr("Importance"), fieldFormat(importance, 1.0, 2), fieldTip(importance),
@@ -268,6 +278,52 @@ void ProbePanel::update() {
   occlusionMultiplier_->show(occlusion.multiplier);
   occlusionPower_->show(occlusion.power);
   occlusionStrength_->show(occlusion.strength);
+  markDifferences();
+}
+
+void ProbePanel::markDifferences() {
+  const SelectedProbes all(editor_);
+  several_->setVisible(all.count() > 1);
+  several_->setText(tr("%1 probes are selected. What is set here is set for all; %2 stands where they differ.")
+                        .arg(all.count())
+                        .arg(differsText()));
+  const auto markRow = [&all](VectorRow* row, const std::function<glm::dvec3(const Probe&)>& get) {
+    for (int axis = 0; axis < 3; ++axis) {
+      row->field(axis)->setDiffers(all.differ([&](const Probe& probe) { return get(probe)[axis]; }));
+    }
+  };
+  markRow(origin_, [](const Probe& probe) { return probe.origin; });
+  markRow(boxMin_, [](const Probe& probe) { return probe.box.min; });
+  markRow(boxMax_, [](const Probe& probe) { return probe.box.max; });
+  markRow(rotation_, [](const Probe& probe) { return probe.rotationDegrees; });
+  markRow(influenceMin_, [](const Probe& probe) { return probe.influenceBox().min; });
+  markRow(influenceMax_, [](const Probe& probe) { return probe.influenceBox().max; });
+  if (all.differ([](const Probe& probe) { return probe.box; })) size_->setText(differsText());
+  std::array<bool, 6> faces{};
+  for (const BoxFace& face : kBoxFaces) {
+    faces[static_cast<std::size_t>(face.index())] = all.differ([&face](const Probe& probe) {
+      return (face.positive ? probe.blendDistance.max : probe.blendDistance.min)[face.axis];
+    });
+  }
+  blend_->showDiffers(faces);
+  const auto techniqueOf = [](const Probe& probe) { return parseTechnique(probe.technique).value_or(Technique()); };
+  technique_->showDiffers(all.differ([&](const Probe& probe) { return techniqueOf(probe).projection; }),
+                          all.differ([&](const Probe& probe) { return techniqueOf(probe).evaluation; }));
+  if (all.differ([](const Probe& probe) { return probe.technique; })) {
+    techniqueHelp_->setText(tr("The selected probes have different techniques."));
+  }
+  const auto mark = [&all](QWidget* field, const auto& get) { showDiffers(field, all.differ(get)); };
+  mark(importance_, [](const Probe& probe) { return probe.importance; });
+  mark(intensity_, [](const Probe& probe) { return probe.intensity; });
+  mark(ownInfluence_, [](const Probe& probe) { return probe.influence.has_value(); });
+  mark(projection_, [](const Probe& probe) { return probe.projection; });
+  mark(bevelRadius_, [](const Probe& probe) { return probe.bevel.value_or(Bevel()).radius; });
+  mark(bevelFromRoughness_, [](const Probe& probe) { return probe.bevel.value_or(Bevel()).fromRoughness; });
+  mark(occluded_, [](const Probe& probe) { return probe.occlusion.has_value(); });
+  const auto occlusionOf = [](const Probe& probe) { return probe.occlusion.value_or(BoxOcclusion()); };
+  mark(occlusionMultiplier_, [&](const Probe& probe) { return occlusionOf(probe).multiplier; });
+  mark(occlusionPower_, [&](const Probe& probe) { return occlusionOf(probe).power; });
+  mark(occlusionStrength_, [&](const Probe& probe) { return occlusionOf(probe).strength; });
 }
 
 }  // namespace boxprobe

@@ -39,11 +39,12 @@ class ProbePanel : public QWidget {
   void buildEdges(QFormLayout* form);
   void connectVector(VectorRow* row, const QString& what, const VectorEdit& edit);
   void updateBoxBounds(VectorRow* min, VectorRow* max, const Box& box);
+  void markDifferences();
   QString label(const QString& what) const;
 
   Editor& editor_;
   VectorRow *origin_ = nullptr, *boxMin_ = nullptr, *boxMax_ = nullptr, *rotation_ = nullptr;
-  QLabel* size_ = nullptr;
+  QLabel *size_ = nullptr, *several_ = nullptr;
   QCheckBox* ownInfluence_ = nullptr;
   QWidget* influenceFields_ = nullptr;
   VectorRow *influenceMin_ = nullptr, *influenceMax_ = nullptr;

@@ -170,6 +170,7 @@ void ProbePreview::start() {
   reader_.start(maps_.lock(), readLevel_, readDistance_);
   if (reader_.pending()) {
     timer_.start();
+    if (cube_.empty()) draw();  // says that it is on its way
   } else {
     timer_.stop();
     cube_ = {};
@@ -190,7 +191,8 @@ void ProbePreview::readOne() {
 void ProbePreview::draw() {
   exposure_ = editor_.scene().exposure;
   const auto kind = static_cast<CubePictureKind>(kind_->currentData().toInt());
-  const QString instead = !editor_.probe() ? tr("No probe selected")
+  const QString instead = !editor_.probe()    ? tr("No probe selected")
+                          : reader_.pending() ? tr("Reading the cubemap")
                           : showsDistance()
                               ? tr("This probe has no distances: its picture was imported, or it is not captured yet")
                               : tr("Not captured yet");

@@ -5,6 +5,7 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
+#include "app/gui/edit/probe_fields.h"
 #include "app/gui/widgets/quiet_combo.h"
 #include "filters/math/technique/technique_table.h"
 
@@ -78,6 +79,11 @@ void TechniqueChooser::show(const std::string& techniqueId) {
   projection_->setCurrentIndex(technique ? projection_->findData(technique->projection) : -1);
   evaluation_->setCurrentIndex(technique ? evaluation_->findData(technique->evaluation) : -1);
   if (technique) enableWhatCombines();
+}
+
+void TechniqueChooser::showDiffers(bool projections, bool evaluations) {
+  boxprobe::showDiffers(projection_, projections);
+  boxprobe::showDiffers(evaluation_, evaluations);
 }
 
 QString TechniqueChooser::help() const {

@@ -16,6 +16,8 @@ class TechniqueChooser : public QWidget {
   explicit TechniqueChooser(QWidget* parent = nullptr);
 
   void show(const std::string& techniqueId);
+  /// The selected probes do not agree in one or the other.
+  void showDiffers(bool projections, bool evaluations);
   /// What the current technique does, in a line or two.
   QString help() const;
   QComboBox* projection() const { return projection_; }

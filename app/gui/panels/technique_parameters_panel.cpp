@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/gui/edit/probe_fields.h"
+#include "app/gui/edit/selected_probes.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/scene/technique_parameters.h"
@@ -91,12 +92,14 @@ TechniqueParametersPanel::Row TechniqueParametersPanel::addSwitch(const Paramete
 }
 
 void TechniqueParametersPanel::show(const Probe& probe) {
+  const SelectedProbes all(editor_);
   const std::vector<const ParameterRow*> used = parametersOf(probeTechnique(probe));
   for (const Row& row : rows_) {
     const bool shown = std::find(used.begin(), used.end(), row.parameter) != used.end();
     row.label->setVisible(shown);
     row.field->setVisible(shown);
     row.show(parameterNumber(probe, *row.parameter));
+    showDiffers(row.field, all.differ([&row](const Probe& each) { return parameterNumber(each, *row.parameter); }));
   }
   setVisible(!used.empty());
 }

@@ -1,45 +1,17 @@
 // See picture_compare.h.
 #include "app/gui/view/picture_compare.h"
 
-#include <QMetaObject>
-#include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 #include "app/gui/view/compare_wipe.h"
 #include "app/gui/view/picture_difference.h"
-#include "app/session/load_scene.h"
-#include "filters/reference/light/reference_scene.h"
 
 namespace boxprobe {
 
 namespace {
 
 constexpr int kRestMilliseconds = 300;
-
-/// Coarse at once, fine later.
-struct TracePass {
-  int divisor;  ///< of the picture's size
-  int rays;
-};
-constexpr TracePass kTracePasses[] = {{8, 8}, {4, 16}, {2, 32}, {1, 64}, {1, 256}};
-
-QImage displayImage(const ImageRgbaF& linear, double exposure) {
-  QImage image(linear.width, linear.height, QImage::Format_RGB32);
-  std::size_t at = 0;
-  for (int y = 0; y < linear.height; ++y) {
-    auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
-    for (int x = 0; x < linear.width; ++x, at += 4) {
-      const auto shown = [&](std::size_t channel) {
-        const double value = std::clamp(exposure * static_cast<double>(linear.pixels[at + channel]), 0.0, 1.0);
-        return static_cast<int>(std::lround(255.0 * std::pow(value, 1.0 / 2.2)));
-      };
-      row[x] = qRgb(shown(0), shown(1), shown(2));
-    }
-  }
-  return image;
-}
 
 }  // namespace
 
@@ -48,21 +20,15 @@ PictureCompare::PictureCompare(const Document& document, CompareWipe& wipe, Hook
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMilliseconds);
   connect(&rest_, &QTimer::timeout, this, &PictureCompare::measure);
-}
-
-PictureCompare::~PictureCompare() {
-  endThread();
-}
-
-void PictureCompare::endThread() {
-  stop_ = true;
-  ++run_;
-  if (thread_.joinable()) thread_.join();
-  stop_ = false;
+  connect(&trace_, &ReferenceTrace::traced, this, &PictureCompare::referenceDone);
+  connect(&trace_, &ReferenceTrace::failed, this, [this](const QString& line) {
+    emit failed(line);
+    stop();
+  });
 }
 
 void PictureCompare::hold() {
-  endThread();
+  trace_.end();
   other_ = hooks_.picture();
   if (other_.isNull()) return;
   camera_ = hooks_.camera();
@@ -80,12 +46,14 @@ void PictureCompare::hold() {
 void PictureCompare::traceReference() {
   source_ = Source::Reference;
   start();
-  if (active()) emit activeChanged(true);
+  if (!active()) return;
+  emit activeChanged(true);
+  emit message(tr(
+      "Ray traced in the background, with one reflection: mirrors seen in mirrors stay black. V flips, Esc ends it"));
 }
 
-// In a thread of its own, each pass finer than the one before it.
 void PictureCompare::start() {
-  endThread();
+  trace_.end();
   const QImage now = hooks_.picture();
   if (now.isNull()) return stop();
   camera_ = hooks_.camera();
@@ -95,51 +63,21 @@ void PictureCompare::start() {
   name_ = tr("Ray traced: preparing");
   showOther();
   wipe_.showNumbers({});
-  thread_ = std::thread([this, run = run_, scene = document_.scene(), models = hooks_.models(), camera = camera_,
-                         size = size_] {
-    const auto tell = [this, run](const QImage& image, double share, const QString& error) {
-      QMetaObject::invokeMethod(
-          this, [this, image, share, error, run] { referenceDone(image, share, error, run); }, Qt::QueuedConnection);
-    };
-    try {
-      const ReferenceScene reference(scene, models, loadSkyImage(scene));
-      double done = 0.0;
-      for (const TracePass& pass : kTracePasses) {
-        ReferenceSettings settings;
-        settings.width = std::max(size.width() / pass.divisor, 1);
-        settings.height = std::max(size.height() / pass.divisor, 1);
-        settings.samplesPerPixel = 1;
-        settings.raysPerPixel = pass.rays;
-        const ReferencePicture picture = reference.render(camera, settings, [this](double) { return !stop_; });
-        if (stop_ || !picture.complete) return;
-        done += 1.0 / std::size(kTracePasses);
-        const QImage image = displayImage(picture.color, scene.exposure);
-        tell(image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation), done, {});
-      }
-    } catch (const std::exception& caught) {
-      tell({}, 0.0, QString::fromUtf8(caught.what()));
-    }
-  });
+  trace_.start(document_.scene(), hooks_.models(), camera_, size_);
 }
 
-void PictureCompare::referenceDone(const QImage& image, double share, const QString& error, int run) {
-  if (run != run_ || source_ != Source::Reference) return;
-  if (!error.isEmpty()) {
-    emit failed(error);
-    return stop();
-  }
+void PictureCompare::referenceDone(const QImage& image, double share) {
+  if (source_ != Source::Reference) return;
   other_ = image;
   traced_ = true;
-  const bool whole = share > 0.999;
-  if (whole) endThread();
-  name_ = whole ? tr("Ray traced") : tr("Ray traced, %1 %").arg(std::lround(100.0 * share));
+  name_ = share >= 1.0 ? tr("Ray traced") : tr("Ray traced, %1 %").arg(std::lround(100.0 * share));
   if (!difference_) showOther();  // else the picture on show is that of the last difference until the next one is made
   measured_ = false;
   rest_.start();
 }
 
 void PictureCompare::stop() {
-  endThread();
+  trace_.end();
   rest_.stop();
   if (source_ == Source::None) return;
   source_ = Source::None;
@@ -147,6 +85,7 @@ void PictureCompare::stop() {
   wipe_.setScaleShown(false);
   wipe_.setFlipped(false);
   wipe_.setShown(false);
+  emit message({});
   emit activeChanged(false);
 }
 
@@ -186,7 +125,10 @@ void PictureCompare::pictureDrawn() {
   if (!active()) return;
   const bool same = sameView();
   wipe_.setShown(same);
-  if (!same && source_ == Source::Reference) stop_ = outdated_ = true;  // the next start waits for its end
+  if (!same && source_ == Source::Reference) {
+    trace_.requestStop();  // the next start waits for its end
+    outdated_ = true;
+  }
   measured_ = false;
   rest_.start();
 }
@@ -195,7 +137,7 @@ void PictureCompare::pictureDrawn() {
 void PictureCompare::documentChanged() {
   measured_ = false;
   if (source_ != Source::Reference) return;
-  stop_ = true;
+  trace_.requestStop();
   outdated_ = true;
   rest_.start();
 }

@@ -6,12 +6,11 @@
 #include <QImage>
 #include <QObject>
 #include <QTimer>
-#include <atomic>
 #include <functional>
 #include <memory>
-#include <thread>
 #include <vector>
 
+#include "app/gui/view/reference_trace.h"
 #include "filters/core/scene/document.h"
 #include "filters/core/scene/model.h"
 
@@ -31,8 +30,6 @@ class PictureCompare : public QObject {
   };
   /// `wipe` must outlive this.
   PictureCompare(const Document& document, CompareWipe& wipe, Hooks hooks, QObject* parent = nullptr);
-  /// Stops the reference under way and waits for it.
-  ~PictureCompare() override;
 
   /// What is on show now stands on the right from now on.
   void hold();
@@ -45,7 +42,7 @@ class PictureCompare : public QObject {
   bool difference() const { return difference_; }
   void stop();
   bool active() const { return source_ != Source::None; }
-  bool tracing() const { return thread_.joinable(); }
+  bool tracing() const { return trace_.running(); }
   void setFlipped(bool flipped);
 
   /// A picture was drawn, the document was edited.
@@ -61,8 +58,7 @@ class PictureCompare : public QObject {
  private:
   enum class Source { None, Held, Reference };
   void start();
-  void endThread();
-  void referenceDone(const QImage& image, double share, const QString& error, int run);
+  void referenceDone(const QImage& image, double share);
   void measure();
   void showOther();
   bool sameView() const;
@@ -77,9 +73,7 @@ class PictureCompare : public QObject {
   Camera camera_;  ///< of `other_`
   QSize size_;
   QTimer rest_;
-  std::thread thread_;
-  std::atomic<bool> stop_{false};
-  int run_ = 0;          ///< which start of a reference what comes in belongs to
+  ReferenceTrace trace_;
   bool traced_ = false;  ///< a first pass of the reference is there
   bool measured_ = false;
   bool outdated_ = false;  ///< the scene was edited since the reference was begun

@@ -42,18 +42,28 @@ double ViewCommands::aspect() const {
   return viewport_.height() > 0 ? static_cast<double>(viewport_.width()) / viewport_.height() : 1.0;
 }
 
+Box ViewCommands::selectedBounds() const {
+  const std::vector<std::size_t> selected = editor_.selected();
+  if (selected.empty()) return renderer_.bounds();
+  const auto& probes = editor_.scene().probes;
+  Box bounds = boundsOf(probes[selected.front()]);
+  for (const std::size_t index : selected) {
+    const Box one = boundsOf(probes[index]);
+    bounds = {glm::min(bounds.min, one.min), glm::max(bounds.max, one.max)};
+  }
+  return bounds;
+}
+
 void ViewCommands::frameSelection() {
-  const Probe* probe = editor_.probe();
-  frameBox(renderer_.renderer()->GetActiveCamera(), probe != nullptr ? boundsOf(*probe) : renderer_.bounds(), aspect());
+  frameBox(renderer_.renderer()->GetActiveCamera(), selectedBounds(), aspect());
   emit cameraMoved();
 }
 
 void ViewCommands::lookAlong(const BoxFace& face) {
   vtkCamera* camera = renderer_.renderer()->GetActiveCamera();
-  const Probe* probe = editor_.probe();
 
   viewport_.cameraController().setAxisView(camera->GetViewAngle());
-  boxprobe::lookAlong(camera, face, probe != nullptr ? boundsOf(*probe) : renderer_.bounds(), aspect());
+  boxprobe::lookAlong(camera, face, selectedBounds(), aspect());
   emit cameraMoved();
 }
 

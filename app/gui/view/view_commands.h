@@ -21,7 +21,7 @@ class ViewCommands : public QObject {
  public:
   ViewCommands(Editor& editor, SceneRenderer& renderer, Viewport& viewport, QObject* parent);
 
-  /// The selected probe's box, or all that is visible where no probe is selected.
+  /// The selected probes' boxes, or all that is visible where no probe is selected.
   void frameSelection();
   void lookAlong(const BoxFace& face);
   /// From its capture origin, the way the camera looks now.
@@ -49,6 +49,7 @@ class ViewCommands : public QObject {
  private:
   Camera current(const std::string& name) const;
   double aspect() const;
+  Box selectedBounds() const;
 
   Editor& editor_;
   SceneRenderer& renderer_;

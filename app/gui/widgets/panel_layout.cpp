@@ -13,7 +13,7 @@ namespace boxprobe {
 QFormLayout* addSection(QWidget* parent, const QString& title) {
   auto* group = new PanelSection(title, parent);
   auto* form = new QFormLayout(group);
-  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->setLabelAlignment(Qt::AlignLeft);
   form->setHorizontalSpacing(10);
   form->setVerticalSpacing(6);

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/gui/widgets/differs.h"
+
 namespace boxprobe {
 
 ValueField::ValueField(const Format& format, QWidget* parent) : QDoubleSpinBox(parent) {
@@ -24,6 +26,23 @@ ValueField::ValueField(const Format& format, QWidget* parent) : QDoubleSpinBox(p
   restTimer_.setInterval(kRestMilliseconds);
   connect(&restTimer_, &QTimer::timeout, this, &ValueField::commitPreview);
   connect(this, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &ValueField::changed);
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { typed_ = true; });
+  connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+    if (differs_ && typed_) emit committed(value());
+    typed_ = false;
+  });
+}
+
+QString ValueField::textFromValue(double value) const {
+  return differs_ ? differsText() : QDoubleSpinBox::textFromValue(value);
+}
+
+void ValueField::setDiffers(bool differs) {
+  if (differs == differs_) return;
+  differs_ = differs;
+  if (hasFocus() && lineEdit()->isModified()) return;
+  const QSignalBlocker quiet(this);
+  setValue(QDoubleSpinBox::value());  // writes the text anew
 }
 
 void ValueField::show(double value) {
@@ -59,6 +78,7 @@ void ValueField::stepBy(int steps) {
 }
 
 void ValueField::changed(double value) {
+  typed_ = false;
   if (stepping_) {
     previewing_ = true;
     emit previewed(value);

@@ -24,6 +24,10 @@ class ValueField : public QDoubleSpinBox {
 
   /// Shows a value of the document; no signal. Text being typed stays.
   void show(double value);
+  /// What it stands for differs: a dash is shown in place of the number, and what is typed counts even where it is the
+  /// number behind the dash.
+  void setDiffers(bool differs);
+  bool differs() const { return differs_; }
   /// Narrows what can be entered; the value shown always stays within.
   void setBounds(double minimum, double maximum);
   /// For scrubbing from outside: previews `value`, brought into range.
@@ -39,6 +43,7 @@ class ValueField : public QDoubleSpinBox {
   void committed(double value);
 
  protected:
+  QString textFromValue(double value) const override;
   void stepBy(int steps) override;
   void wheelEvent(QWheelEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -53,6 +58,7 @@ class ValueField : public QDoubleSpinBox {
   QTimer restTimer_;
   bool stepping_ = false;
   bool previewing_ = false;
+  bool differs_ = false, typed_ = false;
 };
 
 }  // namespace boxprobe

@@ -76,7 +76,13 @@ void applyWindowStyle(QApplication& application, Theme theme) {
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
     palette.setColor(QPalette::Disabled, role, look.dim);
   }
+  // Fusion draws disabled text a second time in this colour, a pixel aside: it would look bolder than what is enabled.
+  palette.setColor(QPalette::Disabled, QPalette::Light, Qt::transparent);
   application.setPalette(palette);
+  // The outline of boxes to tick is a darker shade of this colour: darker than the window it is not seen.
+  QPalette ticks = palette;
+  ticks.setColor(QPalette::Window, look.dim.lighter(120));
+  for (const char* kind : {"QMenu", "QCheckBox"}) QApplication::setPalette(ticks, kind);
 
   QFont font = application.font();
   constexpr double kSmallestPoints = 10.0;

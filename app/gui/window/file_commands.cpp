@@ -100,7 +100,6 @@ void FileCommands::openVariant(const QString& variant) {
 }
 
 bool FileCommands::openWith(const QString& path, const std::vector<std::string>& assignments) {
-  if (!confirmLeaving()) return false;
   try {
     QProgressDialog shown(tr("Loading %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 100, window_);
     shown.setWindowModality(Qt::WindowModal);
@@ -116,6 +115,8 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
         wishes);
     shown.reset();
     requireSky(loaded.scene);
+    // Not before: a file that proves broken asks nothing.
+    if (!confirmLeaving()) return false;
     const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
     const QString decided = loaded.fit ? QString::fromStdString(loaded.fit->decided) : QString();
@@ -273,10 +274,10 @@ std::optional<FileCommands::Recovery> FileCommands::recovery() const {
 }
 
 bool FileCommands::recover(const QString& kept, const QString& original, const QDateTime& keptAt) {
-  if (!confirmLeaving()) return false;
   try {
     LoadedScene loaded = loadScene(kept.toStdString());
     requireSky(loaded.scene);
+    if (!confirmLeaving()) return false;
     loaded.path = original.toStdString();
     loaded.unsaved = true;
     hooks_.show(std::move(loaded));

@@ -27,6 +27,7 @@
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/preferences.h"
 #include "app/gui/widgets/recent_files.h"
+#include "app/gui/widgets/tool_icons.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/about_dialog.h"
 #include "app/gui/window/autosave.h"
@@ -110,6 +111,7 @@ MainWindow::MainWindow()
   setCentralWidget(viewport_);
   setAcceptDrops(true);
   resize(1440, 900);
+  setWindowIcon(toolIcon(ToolIcon::Box));
   buildLessonDock();
   connectDocument();
   connectFiles();
@@ -329,7 +331,7 @@ void MainWindow::openLesson(const QString& name, std::optional<std::size_t> step
 void MainWindow::escape() {
   if (probeWidget_->dragging()) return probeWidget_->cancel();
   if (projector_->on()) return projector_->setOn(false);
-  if (tools_->compare().active()) return tools_->compare().stop();
+  if (tools_->stopComparing()) return;
   if (!debugView_->unpin()) scheduler().stopWork();
 }
 

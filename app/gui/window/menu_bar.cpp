@@ -43,6 +43,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   delete_ = add(edit, tr("De&lete probe"), QKeySequence::Delete, &MenuBar::deleteRequested);
   copy_ = add(edit, tr("&Copy probe"), QKeySequence::Copy, &MenuBar::copyRequested);
   add(edit, tr("&Paste probes"), QKeySequence::Paste, &MenuBar::pasteRequested);
+  add(edit, tr("&Select all probes"), QKeySequence::SelectAll, &MenuBar::selectAllRequested);
   edit->addSeparator();
   fit_ = add(edit, tr("&Fit box"), QKeySequence("Ctrl+F"), &MenuBar::fitRequested);
   add(edit, tr("&Place probes"), QKeySequence("Ctrl+Shift+F"), &MenuBar::placeRequested);
@@ -77,13 +78,20 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   QMenu* debug = window->menuBar()->addMenu(tr("&Debug"));
   explain_ = addToggle(debug, tr("&Explain pixels"), QKeySequence("E"), &MenuBar::explainToolSwitched);
   explain_->setChecked(false);
+  surfaces_ = debug->addMenu(tr("&Surfaces coloured by"));
+  surfaces_->setObjectName("surfaceViews");
+  surfaceViews_ = new QActionGroup(this);
   debug->addSeparator();
   add(debug, tr("&Copy explanation as text"), QKeySequence("Ctrl+Shift+C"), &MenuBar::copyTextRequested);
   add(debug, tr("Copy explanation as &JSON"), QKeySequence("Ctrl+Shift+J"), &MenuBar::copyJsonRequested);
   add(debug, tr("Save &rays..."), QKeySequence(), &MenuBar::saveRaysRequested);
+  debug->addSeparator();
+  QAction* counters = addToggle(debug, tr("&Work counters in the status bar"), {}, &MenuBar::countersSwitched);
+  counters->setObjectName("countersShown");
+  counters->setChecked(false);
 
   QMenu* help = window->menuBar()->addMenu(tr("&Help"));
-  add(help, tr("&Lessons..."), QKeySequence("F1"), &MenuBar::lessonsRequested);
+  view_->addAction(add(help, tr("&Lessons..."), QKeySequence("F1"), &MenuBar::lessonsRequested));
   keys_ = addToggle(help, tr("&Keys over the picture"), QKeySequence("H"), &MenuBar::keysSwitched);
   keys_->setChecked(false);
   add(help, tr("&Mouse and keys, about"), QKeySequence("Shift+F1"), &MenuBar::aboutRequested);
@@ -113,6 +121,8 @@ void MenuBar::buildCompare() {
                           &MenuBar::differenceSwitched);
   difference_->setChecked(false);
   flip_ = addToggle(compare, tr("&Flip to the other picture"), QKeySequence("V"), &MenuBar::flipSwitched);
+  views_ = addToggle(compare, tr("Four &views side by side"), QKeySequence("Alt+C"), &MenuBar::viewsSwitched);
+  views_->setChecked(false);
   endCompare_ = add(compare, tr("&Stop comparing"), {}, &MenuBar::compareEnded);
   showCompare(false);
 }
@@ -141,6 +151,10 @@ void MenuBar::showCompare(bool active) {
   if (!active) showDifference(false);
   difference_->setEnabled(active);
   endCompare_->setEnabled(active);
+}
+
+void MenuBar::showViews(bool on) {
+  views_->setChecked(on);
 }
 
 void MenuBar::fillCameras() {
@@ -264,6 +278,23 @@ void MenuBar::showProjector(bool on) {
   projector_->setChecked(on);
 }
 
+void MenuBar::addSurfaceViews(const QStringList& names) {
+  for (int view = 0; view < names.size(); ++view) {
+    QAction* action = surfaces_->addAction(names[view]);
+    action->setCheckable(true);
+    action->setChecked(view == 0);
+    if (view < 10) action->setShortcut(QKeySequence(QString("Alt+%1").arg(view)));
+    surfaceViews_->addAction(action);
+    window_->addAction(action);
+    connect(action, &QAction::triggered, this, [this, view] { emit surfaceViewChosen(view); });
+  }
+}
+
+void MenuBar::showSurfaceView(int view) {
+  const auto actions = surfaceViews_->actions();
+  if (view >= 0 && view < actions.size()) actions[view]->setChecked(true);
+}
+
 void MenuBar::addDockToggle(QAction* action) {
   view_->addAction(action);
 }
@@ -295,6 +326,14 @@ void MenuBar::fillHistory() {
     connect(
         action, &QAction::triggered, this, [this, step] { emit historyChosen(step); }, Qt::QueuedConnection);
   }
+}
+
+void MenuBar::showSelected(std::size_t count) {
+  const QString probes = count > 1 ? tr("%1 probes").arg(count) : tr("probe");
+  duplicate_->setText(tr("&Duplicate %1").arg(probes));
+  delete_->setText(tr("De&lete %1").arg(probes));
+  copy_->setText(tr("&Copy %1").arg(probes));
+  bake_->setText(tr("&Bake %1").arg(probes));
 }
 
 void MenuBar::update(const Document& document) {

@@ -26,6 +26,8 @@ class MenuBar : public QObject {
 
   /// The document changed: labels of undo and redo, what can be chosen, the scene's cameras.
   void update(const Document& document);
+  /// So many probes are selected: what the commands on them are called.
+  void showSelected(std::size_t count);
   void addDockToggle(QAction* action);
   void showRecent(const QStringList& paths);
   /// Names of the model's other sets of materials; `shown` may be empty, for its own.
@@ -37,8 +39,12 @@ class MenuBar : public QObject {
   bool boxesAreShown() const;
   bool reflectionsAreShown() const;
   void showProjector(bool on);
+  /// What the surfaces can be coloured by, the picture itself first.
+  void addSurfaceViews(const QStringList& names);
+  void showSurfaceView(int view);
   void showHandleMode(HandleMode mode);
   void showCompare(bool active);
+  void showViews(bool on);
   void showTheme(int theme);
   void showDifference(bool on);
   /// What can be done with the selected probe, for other menus.
@@ -64,6 +70,7 @@ class MenuBar : public QObject {
   void addRequested();
   void duplicateRequested();
   void deleteRequested();
+  void selectAllRequested();
   void fitRequested();
   void placeRequested();
   void bakeRequested();
@@ -87,6 +94,7 @@ class MenuBar : public QObject {
   void differenceSwitched(bool on);
   void flipSwitched(bool flipped);
   void compareEnded();
+  void viewsSwitched(bool on);
   void resetViewRequested();
   void handleModeChosen(boxprobe::HandleMode mode);
   void boxesShown(bool shown);
@@ -96,6 +104,8 @@ class MenuBar : public QObject {
   void copyTextRequested();
   void copyJsonRequested();
   void saveRaysRequested();
+  void surfaceViewChosen(int view);
+  void countersSwitched(bool shown);
   void aboutRequested();
   void lessonsRequested();
   void projectorSwitched(bool on);
@@ -119,11 +129,13 @@ class MenuBar : public QObject {
   QMenu* cameras_;
   QMenu* recent_;
   QMenu* history_;
+  QMenu* surfaces_;
+  QActionGroup* surfaceViews_;
   QActionGroup* themes_;  ///< in the order of Theme
   QMenu* variants_;
   std::vector<std::string> cameraNames_;
   QAction *undo_, *redo_, *duplicate_, *delete_, *copy_, *fit_, *frame_, *lookFrom_, *keys_, *flip_, *difference_,
-      *endCompare_, *bake_, *export_, *explain_, *motionPreview_, *boxes_, *reflections_, *projector_;
+      *endCompare_, *views_, *bake_, *export_, *explain_, *motionPreview_, *boxes_, *reflections_, *projector_;
 };
 
 }  // namespace boxprobe

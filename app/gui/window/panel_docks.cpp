@@ -49,6 +49,8 @@ QScrollArea* scrolled(QWidget* content) {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // What is cut off at the right edge cannot be scrolled to.
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
   return scroll;
 }
 
@@ -116,6 +118,7 @@ void PanelDocks::buildProbes() {
   panels->setMinimumWidth(std::max(kPanelWidth, asked));
   add(tr("Probes"), "probes", withSearch(panels, tr("Find a setting")))
       ->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+  connect(&editor, &Editor::selectionChanged, this, &PanelDocks::showSelection);
   connect(bakePanel_, &BakePanel::statesChanged, probeList_, &ProbeList::showStates);
   connect(bakePanel_, &BakePanel::message, this, &PanelDocks::message);
   connect(bakePanel_, &BakePanel::failed, this, &PanelDocks::failed);
@@ -134,6 +137,14 @@ void PanelDocks::buildProbes() {
   connect(placePanel_, &PlacePanel::failed, this, &PanelDocks::failed);
   connect(fitPanel_, &FitPanel::message, this, &PanelDocks::message);
   connect(fitPanel_, &FitPanel::failed, this, &PanelDocks::failed);
+}
+
+void PanelDocks::showSelection() {
+  probeList_->update();
+  probePanel_->update();
+  capturePanel_->update();
+  bakePanel_->update();
+  parts_.menu.showSelected(parts_.editor.selected().size());
 }
 
 void PanelDocks::showGhosts() {
@@ -156,6 +167,15 @@ void PanelDocks::buildPreview() {
 void PanelDocks::buildDebug() {
   DebugView& debugView = parts_.debugView;
   add(tr("Debug"), "debug", scrolled(debugView.panel()));
+  SurfaceViewPanel* views = debugView.surfacePanel();
+  QStringList names;
+  for (const SurfaceViewRow& row : surfaceViews()) {
+    names.append(QString::fromUtf8(row.label.data(), static_cast<int>(row.label.size())));
+  }
+  parts_.menu.addSurfaceViews(names);
+  connect(&parts_.menu, &MenuBar::surfaceViewChosen, views, &SurfaceViewPanel::choose);
+  connect(views, &SurfaceViewPanel::changed, &parts_.menu,
+          [this](const SurfaceViewSettings& settings) { parts_.menu.showSurfaceView(settings.view); });
   QDockWidget* card = add(tr("Explain"), "explain", debugView.explainPanel());
   connect(&debugView, &DebugView::toolChanged, card, [card](bool on) {
     if (!on) return;
@@ -217,7 +237,10 @@ void PanelDocks::buildFrame() {
 
 void PanelDocks::subscribe(ChangeViews& views) {
   using C = Changes;
-  views.add("probe list", {&C::probeList, &C::selection}, [this](const C&) { probeList_->update(); });
+  views.add("probe list", {&C::probeList, &C::selection}, [this](const C&) {
+    probeList_->update();
+    parts_.menu.showSelected(parts_.editor.selected().size());
+  });
   views.add("fit panel", selectedProbeKinds(), [this](const C&) { fitPanel_->update(); });
   views.add("live error",
             {&C::probeShape, &C::probeCapture, &C::probeList, &C::selection, &C::materials, &C::objects, &C::models,
@@ -241,7 +264,7 @@ void PanelDocks::subscribe(ChangeViews& views) {
   views.add("picture panel", {&C::exposure}, [this](const C&) { picturePanel_->update(); });
   // Its maps come with the pictures that follow them.
   views.add("cubemap", {&C::probeList, &C::selection, &C::exposure}, [this](const C&) { preview_->update(); });
-  views.add("cost panel", {&C::probeTechnique, &C::probeList, &C::selection, &C::file},
+  views.add("cost panel", {&C::probeTechnique, &C::probeList, &C::selection, &C::file, &C::models},
             [this](const C&) { costPanel_->update(); });
 }
 

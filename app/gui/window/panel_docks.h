@@ -14,7 +14,6 @@
 
 class QDockWidget;
 class QScrollArea;
-class QScrollArea;
 class QMainWindow;
 class QWidget;
 
@@ -85,6 +84,7 @@ class PanelDocks : public QObject {
   void buildFrame();
   FrameCosts measureCosts();
   void showGhosts();
+  void showSelection();
 
   QMainWindow* window_;
   Parts parts_;

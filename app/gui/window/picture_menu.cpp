@@ -4,6 +4,7 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <algorithm>
+#include <vector>
 
 #include "app/gui/edit/editor.h"
 #include "app/gui/handles/probe_widget.h"
@@ -26,10 +27,12 @@ void PictureMenu::select(const QPointF& pixel) {
 
 std::unique_ptr<QMenu> PictureMenu::menuAt(const QPointF& pixel) {
   auto menu = std::make_unique<QMenu>(window_);
-  if (const auto probe = parts_.handles.probeAt(pixel)) parts_.editor.selectProbe(*probe);
-  if (const Probe* probe = parts_.editor.probe()) {
-    const QString name = QString::fromStdString(probe->name);
-    menu->addSection(tr("Probe %1").arg(name));
+  const std::vector<std::size_t> selected = parts_.editor.selected();
+  const auto under = parts_.handles.probeAt(pixel);
+  if (under && std::find(selected.begin(), selected.end(), *under) == selected.end()) parts_.editor.selectProbe(*under);
+  if (parts_.editor.probe() != nullptr) {
+    const QString name = parts_.editor.selectedName();
+    menu->addSection(parts_.editor.selected().size() > 1 ? name : tr("Probe %1").arg(name));
     for (QAction* action : parts_.menu.probeActions()) menu->addAction(action);
   }
   const auto object = parts_.surfaces.objectAt(parts_.viewport.view().ray({pixel.x(), pixel.y()}));
@@ -42,7 +45,7 @@ std::unique_ptr<QMenu> PictureMenu::menuAt(const QPointF& pixel) {
           [this, node, material] { emit picked(QString::fromStdString(node), material); });
   if (const Probe* probe = parts_.editor.probe()) {
     const bool out = std::find(probe->hides.begin(), probe->hides.end(), node) != probe->hides.end();
-    QAction* leave = menu->addAction(tr("Leave out of the capture of %1").arg(QString::fromStdString(probe->name)));
+    QAction* leave = menu->addAction(tr("Leave out of the capture of %1").arg(parts_.editor.selectedName()));
     leave->setCheckable(true);
     leave->setChecked(out);
     connect(leave, &QAction::triggered, this, [this, node](bool checked) { leaveOut(node, checked); });

@@ -38,12 +38,13 @@ ProbeClipboard::ProbeClipboard(Editor& editor, QObject* parent) : QObject(parent
 
 void ProbeClipboard::copy() {
   editor_.finish();
-  const Probe* probe = editor_.probe();
-  if (probe == nullptr) return;
+  const std::vector<std::size_t> selected = editor_.selected();
+  if (selected.empty()) return;
   Scene alone;
-  alone.probes = {*probe};
+  for (const std::size_t index : selected) alone.probes.push_back(editor_.scene().probes[index]);
   QApplication::clipboard()->setText(QString::fromStdString(sceneText(alone, kFolder)));
-  emit message(tr("Copied probe %1 as JSON").arg(QString::fromStdString(probe->name)));
+  emit message(selected.size() == 1 ? tr("Copied probe %1 as JSON").arg(editor_.selectedName())
+                                    : tr("Copied %1 as JSON").arg(editor_.selectedName()));
 }
 
 void ProbeClipboard::paste() {
@@ -67,7 +68,9 @@ void ProbeClipboard::paste() {
   const QString name = QString::fromStdString(all.back().name);
   editor_.commit(probes.size() == 1 ? tr("Paste %1").arg(name) : tr("Paste %1 probes").arg(probes.size()),
                  [all](Scene& scene) { scene.probes = all; });
-  editor_.selectProbe(findProbe(editor_.scene(), all.back().name));
+  std::vector<std::size_t> pasted;
+  for (std::size_t i = all.size() - probes.size(); i < all.size(); ++i) pasted.push_back(i);
+  editor_.selectProbes(pasted);
 }
 
 }  // namespace boxprobe

@@ -21,9 +21,9 @@ class ProbeClipboard : public QObject {
  public:
   ProbeClipboard(Editor& editor, QObject* parent);
 
-  /// The selected probe.
+  /// The selected probes.
   void copy();
-  /// As one undo step; names that are taken get a number. The last one is selected.
+  /// As one undo step; names that are taken get a number. What was pasted is selected.
   void paste();
 
  signals:

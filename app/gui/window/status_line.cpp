@@ -40,8 +40,10 @@ StatusLine::StatusLine(QStatusBar* bar)
   bar_->addPermanentWidget(counters_);
   connect(stop_, &QToolButton::clicked, this, &StatusLine::stopRequested);
   connect(resume_, &QToolButton::clicked, this, &StatusLine::resumeRequested);
+  counters_->setObjectName("workCounters");
   hideProgress(false);
   showCounters({});
+  setCountersShown(false);
   showPicture({}, false);
 }
 
@@ -67,6 +69,10 @@ void StatusLine::showCounters(const Counters& c) {
                          .arg(c.drawsByProbeCount[0])
                          .arg(c.drawsByProbeCount[1])
                          .arg(more));
+}
+
+void StatusLine::setCountersShown(bool shown) {
+  counters_->setVisible(shown);
 }
 
 void StatusLine::showProgress(double fraction) {

@@ -23,6 +23,8 @@ class StatusLine : public QObject {
   explicit StatusLine(QStatusBar* bar);
 
   void showCounters(const Counters& counters);
+  /// Off at first: they are for those who look into the program's work.
+  void setCountersShown(bool shown);
   void showProgress(double fraction);
   void hideProgress(bool stopped);
   /// Of the picture on the screen: how many frames it is the mean of, or that it stands in for a better one.

@@ -12,9 +12,11 @@
 #include "app/gui/handles/probe_overlay.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/panels/fit_panel.h"
+#include "app/gui/panels/probe_list.h"
 #include "app/gui/view/axis_gizmo.h"
 #include "app/gui/view/compare_wipe.h"
 #include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/view_comparison.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/window/key_list.h"
 #include "app/gui/window/menu_bar.h"
@@ -39,6 +41,15 @@ ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
           {[this] { return parts_.scheduler.idle() && !parts_.renderer.workPending(); },
            [this] { return barePicture(); }, [this] { return parts_.renderer.currentCamera(); }, parts.models},
           this)),
+      sideBySide_(new ViewComparison(
+          parts.document, &parts.viewport,
+          {[this] { return parts_.scheduler.idle() && !parts_.renderer.workPending(); },
+           [this] { return barePicture(); }, [this] { return parts_.renderer.currentCamera(); }, parts.models,
+           [this](const Scene& scene, const Changes& changes) {
+             parts_.renderer.sync(scene, changes);
+             parts_.scheduler.sceneChanged();
+           }},
+          this)),
       tags_(new FaceTags(parts.panels.fitPanel().gauge(), parts.editor,
                          {[this] { return parts_.viewport.view(); },
                           [this] { return parts_.overlay.visible() && parts_.handles.mode() == HandleMode::Box; }},
@@ -46,7 +57,10 @@ ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
   connectViews();
   connectClicks(window);
   connectCompare();
+  connectSideBySide();
   connectGauge();
+  connect(&parts.menu, &MenuBar::selectAllRequested, &parts.panels.probeList(), &ProbeList::selectAll);
+  connect(&parts.editor, &Editor::selectionChanged, &parts.handles, &ProbeWidget::update);
 }
 
 // Cameras change the menu that asks for them: later.
@@ -65,6 +79,7 @@ void ViewTools::connectViews() {
   connect(axes, &AxisGizmo::chosen, views_, &ViewCommands::lookAlong);
   connect(&parts_.scheduler, &RenderScheduler::rendered, axes, QOverload<>::of(&QWidget::update));
   connect(menu, &MenuBar::keysSwitched, this, &ViewTools::showKeys);
+  connect(menu, &MenuBar::countersSwitched, &parts_.status, &StatusLine::setCountersShown);
 }
 
 void ViewTools::connectClicks(QMainWindow* window) {
@@ -95,6 +110,29 @@ void ViewTools::connectCompare() {
   connect(&parts_.editor, &Editor::settled, compare_, &PictureCompare::documentChanged);
 }
 
+// One comparison at a time: both stand in the place of the picture.
+void ViewTools::connectSideBySide() {
+  MenuBar* menu = &parts_.menu;
+  connect(menu, &MenuBar::viewsSwitched, sideBySide_, &ViewComparison::setOn);
+  connect(sideBySide_, &ViewComparison::onChanged, menu, &MenuBar::showViews);
+  connect(sideBySide_, &ViewComparison::onChanged, this, [this](bool on) {
+    if (on) compare_->stop();
+  });
+  connect(compare_, &PictureCompare::activeChanged, this, [this](bool active) {
+    if (active) sideBySide_->setOn(false);
+  });
+  connect(sideBySide_, &ViewComparison::message, &parts_.status, &StatusLine::showMessage);
+  connect(sideBySide_, &ViewComparison::failed, &parts_.status, &StatusLine::showError);
+  connect(&parts_.scheduler, &RenderScheduler::rendered, sideBySide_, &ViewComparison::pictureDrawn);
+}
+
+bool ViewTools::stopComparing() {
+  const bool any = compare_->active() || sideBySide_->on();
+  compare_->stop();
+  sideBySide_->setOn(false);
+  return any;
+}
+
 void ViewTools::connectGauge() {
   GaugeRows* rows = &parts_.panels.fitPanel().rows();
   connect(&parts_.scheduler, &RenderScheduler::rendered, tags_, &FaceTags::follow);
@@ -110,6 +148,8 @@ void ViewTools::connectGauge() {
 }
 
 void ViewTools::modelsReplaced() {
+  sideBySide_->forget();
+  parts_.editor.selectAlone();
   views_->forgetView();
   tags_->showSpot({});
 }

@@ -24,6 +24,7 @@ class ProbeOverlay;
 class RenderScheduler;
 class SceneRenderer;
 class StatusLine;
+class ViewComparison;
 
 class ViewTools : public QObject {
   Q_OBJECT
@@ -48,6 +49,9 @@ class ViewTools : public QObject {
   ViewCommands& views() { return *views_; }
   PictureMenu& pictureMenu() { return *pictureMenu_; }
   PictureCompare& compare() { return *compare_; }
+  ViewComparison& sideBySide() { return *sideBySide_; }
+  /// Ends whichever comparison is under way; false without one.
+  bool stopComparing();
   /// Other models are shown: what was remembered of those before is forgotten.
   void modelsReplaced();
 
@@ -55,6 +59,7 @@ class ViewTools : public QObject {
   void connectViews();
   void connectClicks(QMainWindow* window);
   void connectCompare();
+  void connectSideBySide();
   void connectGauge();
   void showKeys(bool shown);
   QImage barePicture();
@@ -64,6 +69,7 @@ class ViewTools : public QObject {
   PictureMenu* pictureMenu_;
   CompareWipe* wipe_;
   PictureCompare* compare_;
+  ViewComparison* sideBySide_;
   FaceTags* tags_;
   QLabel* keys_ = nullptr;
 };

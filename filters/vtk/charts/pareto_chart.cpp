@@ -161,8 +161,9 @@ void showFrontChart(vtkContextScene* scene, const std::vector<ParetoPoint>& all,
   addPoints(chart, published, {"published", vtkPlotPoints::CIRCLE, 10.0f, {90, 98, 112}});
   addPoints(chart, ours, {"this project's own", vtkPlotPoints::DIAMOND, 12.0f, {30, 110, 190}});
   chart->SetShowLegend(true);
-  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
-  chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+  // Below and left of the front there is nothing: that is what makes it the front.
+  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
+  chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::BOTTOM);
   scene->AddItem(chart);
   vtkNew<vtkParetoLabels> names;
   names->SetChart(chart);

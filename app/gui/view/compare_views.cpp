@@ -1,0 +1,120 @@
+// See compare_views.h.
+#include "app/gui/view/compare_views.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include "app/gui/widgets/quiet_combo.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kLine = 30;  ///< logical pixels: the line under each picture
+constexpr int kGap = 4;
+constexpr int kMostCombo = 230;
+const QColor kGround(16, 18, 22), kText(244, 244, 244);
+
+}  // namespace
+
+CompareViews::CompareViews(QWidget* picture, const std::vector<Choice>& choices) : QWidget(picture) {
+  setObjectName("compareViews");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  for (int view = 0; view < kViews; ++view) {
+    // Beside this widget and not in it: it takes the mouse.
+    auto* combo = new QuietCombo(picture);
+    combo->setObjectName(QString("compareView%1").arg(view));
+    combo->setToolTip(
+        tr("What this view shows. Beside it: how far display colours differ from the ray-traced view, or from the "
+           "scene as "
+           "it is: the mean in percent of white, and the PSNR"));
+    combo->setMaxVisibleItems(24);
+    for (const Choice& choice : choices) {
+      combo->addItem(choice.text, choice.id);
+      combo->setItemData(combo->count() - 1, choice.toolTip, Qt::ToolTipRole);
+    }
+    connect(combo, QOverload<int>::of(&QComboBox::activated), this, [this, view] { emit chosenAnew(view); });
+    cells_[static_cast<std::size_t>(view)].choice = combo;
+  }
+  picture->installEventFilter(this);
+  setShown(false);
+}
+
+void CompareViews::choose(int view, const QString& id) {
+  QComboBox* combo = cells_[static_cast<std::size_t>(view)].choice;
+  combo->setCurrentIndex(combo->findData(id));
+}
+
+QString CompareViews::chosen(int view) const {
+  return cells_[static_cast<std::size_t>(view)].choice->currentData().toString();
+}
+
+void CompareViews::show(int view, const QImage& picture, const QString& note) {
+  Cell& cell = cells_[static_cast<std::size_t>(view)];
+  cell.picture = picture;
+  cell.note = note;
+  update();
+}
+
+void CompareViews::showNumbers(int view, const QString& text) {
+  cells_[static_cast<std::size_t>(view)].numbers = text;
+  update();
+}
+
+void CompareViews::setShown(bool shown) {
+  setVisible(shown);
+  for (const Cell& cell : cells_) cell.choice->setVisible(shown);
+  if (!shown) return;
+  arrange();
+  raise();
+  for (const Cell& cell : cells_) cell.choice->raise();
+}
+
+QRect CompareViews::place(int view) const {
+  const int width = (this->width() - kGap) / 2, height = (this->height() - kGap) / 2;
+  return {(view % 2) * (width + kGap), (view / 2) * (height + kGap), width, height};
+}
+
+void CompareViews::arrange() {
+  setGeometry(QRect(QPoint(0, 0), parentWidget()->size()));
+  for (int view = 0; view < kViews; ++view) {
+    const QRect room = place(view);
+    QComboBox* combo = cells_[static_cast<std::size_t>(view)].choice;
+    combo->setGeometry(room.left() + 2, room.bottom() - kLine + 2, std::min(kMostCombo, room.width() * 11 / 20),
+                       kLine - 3);
+  }
+  update();
+}
+
+void CompareViews::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.fillRect(rect(), QColor(70, 74, 82));
+  for (int view = 0; view < kViews; ++view) {
+    const Cell& cell = cells_[static_cast<std::size_t>(view)];
+    const QRect all = place(view), room = all.adjusted(0, 0, 0, -kLine);
+    painter.fillRect(all, kGround);
+    if (!cell.picture.isNull()) {
+      const QSize size = cell.picture.size().scaled(room.size(), Qt::KeepAspectRatio);
+      const QPoint corner = room.topLeft() + QPoint((room.width() - size.width()) / 2, 0);
+      painter.drawImage(QRect(corner, size), cell.picture);
+    }
+    painter.setPen(kText);
+    if (!cell.note.isEmpty()) {
+      const QRect note = painter.boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, cell.note);
+      painter.fillRect(note.adjusted(-8, -5, 8, 5), QColor(16, 18, 22, 210));
+      painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, cell.note);
+    }
+    const QRect line(cell.choice->geometry().right() + 8, all.bottom() - kLine + 1,
+                     all.right() - cell.choice->geometry().right() - 12, kLine);
+    painter.drawText(line, Qt::AlignVCenter | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(cell.numbers, Qt::ElideRight, line.width()));
+  }
+}
+
+bool CompareViews::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parentWidget() && event->type() == QEvent::Resize && isVisibleTo(parentWidget())) arrange();
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace boxprobe

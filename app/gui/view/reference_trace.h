@@ -1,0 +1,48 @@
+// The ray-traced reference of a view, made in a thread of its own: coarse at once, finer with each pass. Called by the
+// comparisons; draws nothing.
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QSize>
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "filters/core/scene/model.h"
+#include "filters/core/scene/scene.h"
+
+namespace boxprobe {
+
+class ReferenceTrace : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ReferenceTrace(QObject* parent = nullptr) : QObject(parent) {}
+  /// Stops what is under way and waits for it.
+  ~ReferenceTrace() override;
+
+  /// Begins anew; `models` in the order of scene.models, `size` in pixels.
+  void start(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models, const Camera& camera,
+             const QSize& size);
+  /// Asks it to stop without waiting; what comes in until end() or start() is still told.
+  void requestStop() { stop_ = true; }
+  /// Stops and waits; nothing is told any more.
+  void end();
+  bool running() const { return thread_.joinable(); }
+
+ signals:
+  /// A pass is done: display colours, of the size asked for; `share` of the work, 1 with the last pass.
+  void traced(const QImage& picture, double share);
+  void failed(const QString& line);
+
+ private:
+  void passDone(const QImage& picture, double share, const QString& error, int run);
+
+  std::thread thread_;
+  std::atomic<bool> stop_{false};
+  int run_ = 0;  ///< which start what comes in belongs to
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,159 @@
+// What is expected of every window: menus that name each command and key once, questions in their place, nothing shown
+// that only the program's authors read.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <map>
+
+#include "app/gui/handles/handle_drag.h"
+#include "app/gui/panels/bake_panel.h"
+#include "app/gui/panels/probe_list.h"
+#include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/viewport.h"
+#include "app/gui/window/file_commands.h"
+#include "filters/core/scene/surface_view.h"
+#include "filters/io/scene/scene_file.h"
+#include "filters/vtk/scene_renderer.h"
+#include "tests/gui/dialogs.h"
+#include "tests/gui/window_test.h"
+
+namespace boxprobe {
+namespace {
+
+class WindowMannersTest : public WindowTest {
+ protected:
+  QTemporaryDir folder_;
+};
+
+TEST_F(WindowMannersTest, NoTwoCommandsShareAKey) {
+  std::map<QString, QString> commands;
+  for (const QAction* action : window_->findChildren<QAction*>()) {
+    for (const QKeySequence& keys : action->shortcuts()) {
+      const QString text = keys.toString();
+      // The line of a text field has the usual keys of its own, while it has the focus.
+      if (text.isEmpty() || action->shortcutContext() != Qt::WindowShortcut) continue;
+      if (qobject_cast<QLineEdit*>(action->parent()) != nullptr) continue;
+      EXPECT_EQ(commands.count(text), 0u)
+          << text.toStdString() << ": " << commands[text].toStdString() << ", " << action->text().toStdString();
+      commands[text] = action->text();
+    }
+  }
+  EXPECT_GT(commands.size(), 50u);
+}
+
+TEST_F(WindowMannersTest, CountersOfWorkAreShownOnlyWhenAskedFor) {
+  auto* counters = window_->findChild<QLabel*>("workCounters");
+  auto* shown = window_->findChild<QAction*>("countersShown");
+  ASSERT_TRUE(counters != nullptr && shown != nullptr);
+  EXPECT_FALSE(counters->isVisible());
+  shown->trigger();
+  EXPECT_TRUE(counters->isVisible());
+  EXPECT_TRUE(counters->text().contains("faces"));
+  shown->trigger();
+  EXPECT_FALSE(counters->isVisible());
+}
+
+TEST_F(WindowMannersTest, TheDebugMenuHasEveryViewOfTheSurfaces) {
+  const auto actions = window_->findChild<QMenu*>("surfaceViews")->actions();
+  ASSERT_EQ(static_cast<std::size_t>(actions.size()), surfaceViews().size());
+  auto* combo = window_->findChild<QComboBox*>("surfaceView");
+  window_->viewport().setFocus();
+  key(Qt::Key_1, Qt::AltModifier);
+  EXPECT_EQ(combo->currentIndex(), 1);
+  EXPECT_TRUE(actions[1]->isChecked());
+  EXPECT_FALSE(actions[0]->isChecked());
+  waitUntilIdle();
+  key(Qt::Key_0, Qt::AltModifier);
+  EXPECT_EQ(combo->currentIndex(), 0);
+  EXPECT_TRUE(actions[0]->isChecked());
+  waitUntilIdle();
+}
+
+TEST_F(WindowMannersTest, ABrokenFileAsksNothingAboutUnsavedChanges) {
+  window_->editor().commitProbe("Set box", [](Probe& edited) { edited.box.max.x = 3.0; });
+  QFile file(folder_.filePath("bad.boxprobe.json"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("{ not JSON");
+  file.close();
+  const auto first = answerMessageBox(QString("OK"));
+  EXPECT_FALSE(window_->files().openPath(file.fileName()));
+  EXPECT_TRUE(first->text.contains("bad.boxprobe.json")) << first->text.toStdString();
+  EXPECT_EQ(probe().box.max.x, 3.0);
+  document().undo();
+}
+
+TEST_F(WindowMannersTest, AddWithoutASceneSaysWhatToDo) {
+  window_->showScene(LoadedScene());
+  QTest::mouseClick(window_->findChild<QToolButton*>("Add"), Qt::LeftButton);
+  EXPECT_TRUE(document().scene().probes.empty());
+  EXPECT_TRUE(window_->statusBar()->currentMessage().contains("open a model"))
+      << window_->statusBar()->currentMessage().toStdString();
+}
+
+TEST_F(WindowMannersTest, BakedFilesThatNoLongerHoldAreToldWhenTheSceneIsOpened) {
+  const std::string path = folder_.filePath("copy.boxprobe.json").toStdString();
+  saveSceneFile(document().scene(), path);
+  window_->showScene(loadScene(path));
+  waitUntilIdle();
+  const auto question = answerMessageBox(QMessageBox::Save);
+  window_->findChild<BakePanel*>()->saveBaked();
+  ASSERT_TRUE(waitFor([this] { return window_->statusBar()->currentMessage().startsWith("Wrote"); }));
+  const auto told = [&path] {
+    MainWindow second;
+    QString said;
+    QObject::connect(second.statusBar(), &QStatusBar::messageChanged, [&said](const QString& text) {
+      if (text.contains("baked files")) said = text;
+    });
+    second.showScene(loadScene(path));
+    second.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&second, 60000));
+    EXPECT_TRUE(waitFor([&] { return second.scheduler().idle() && !second.renderer().workPending(); }));
+    return said;
+  };
+  EXPECT_EQ(told(), "") << "files that hold are nothing to tell";
+  Scene moved = loadSceneFile(path);
+  moved.probes.front().origin.x += 0.5;
+  saveSceneFile(moved, path);
+  const QString said = told();
+  EXPECT_TRUE(said.startsWith("1 of 1 baked files")) << said.toStdString();
+}
+
+TEST_F(WindowMannersTest, ALongListOfProbesCanBeSearched) {
+  auto* filter = window_->findChild<QLineEdit*>("probeFilter");
+  EXPECT_FALSE(filter->isVisible()) << "a handful needs none";
+  window_->editor().commit("Many", [](Scene& scene) {
+    for (int i = 0; i < 9; ++i) {
+      Probe more = movedProbe(scene.probes.front(), {0.1 * (i + 1), 0.0, 0.0});
+      more.name = (i % 3 == 0 ? "hall " : "bath ") + std::to_string(i);
+      scene.probes.push_back(more);
+    }
+  });
+  ASSERT_TRUE(filter->isVisible());
+  filter->setFocus();
+  QTest::keyClicks(filter, "hall");
+  auto* list = window_->findChild<ProbeList*>()->list();
+  int shown = 0;
+  for (int row = 0; row < list->count(); ++row) shown += list->isRowHidden(row) ? 0 : 1;
+  EXPECT_EQ(shown, 3);
+  if (const char* out = std::getenv("BOXPROBE_TEST_OUTPUT")) {
+    waitUntilIdle();
+    window_->grab().save(QString(out) + "/filter.png");
+  }
+  filter->clear();
+  document().undo();
+  EXPECT_FALSE(filter->isVisible());
+}
+
+}  // namespace
+}  // namespace boxprobe
