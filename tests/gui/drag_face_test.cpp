@@ -94,7 +94,9 @@ TEST_F(DragFaceTest, ManyMovesInOneTurnMakeOnePicture) {
   const std::uint64_t before = counters().renders;
   constexpr int kMoves = 40;
   for (int i = 1; i <= kMoves; ++i) {
-    QMouseEvent event(QEvent::MouseMove, from + (to - from) * i / kMoves, Qt::NoButton, Qt::LeftButton, {});
+    const QPointF at = from + (to - from) * i / kMoves;
+    const QPointF onScreen = window_->viewport().mapToGlobal(at.toPoint());
+    QMouseEvent event(QEvent::MouseMove, at, onScreen, Qt::NoButton, Qt::LeftButton, {});
     QCoreApplication::sendEvent(&window_->viewport(), &event);
   }
   waitUntilIdle();

@@ -31,7 +31,8 @@ TEST_F(DragOriginTest, CapturesOnTheWayAndOnceMoreWhenItRests) {
   EXPECT_TRUE(document().previewing());
 
   // Delivered by itself, so that no work goes on between it and the count.
-  QMouseEvent released(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton, {});
+  const QPointF onScreen = window_->viewport().mapToGlobal(to.toPoint());
+  QMouseEvent released(QEvent::MouseButtonRelease, to, onScreen, Qt::LeftButton, Qt::NoButton, {});
   QCoreApplication::sendEvent(&window_->viewport(), &released);
   EXPECT_FALSE(document().previewing());
   const std::uint64_t facesAtRest = counters().facesCaptured;

@@ -40,7 +40,8 @@ TEST_F(MaterialTest, TheRoughnessSliderIsLiveAndOneStep) {
   const QImage smooth = shownPicture(window_->viewport());
   const QPoint from = handleOf(slider).center();
   QTest::mousePress(slider, Qt::LeftButton, {}, from);
-  QMouseEvent moved(QEvent::MouseMove, from + QPoint(slider->width() / 2, 0), Qt::NoButton, Qt::LeftButton, {});
+  const QPoint at = from + QPoint(slider->width() / 2, 0);
+  QMouseEvent moved(QEvent::MouseMove, at, slider->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
   QCoreApplication::sendEvent(slider, &moved);
   const auto changed = [&] { return differingShare(smooth, shownPicture(window_->viewport())) > 0.01; };
   EXPECT_TRUE(QTest::qWaitFor(changed, 60000)) << "the picture must follow the slider";
