@@ -215,6 +215,15 @@ std::string SceneRenderer::saveBaked(const std::string& probeName, const std::st
   return BakeFolder::save(folder, probe, *record, *maps, {program, rendererName()}, earlierBounce);
 }
 
+bool SceneRenderer::filterMissingLevel(const std::string& probeName) {
+  const auto maps = probeName.empty() ? impl_->state->resources.sky : impl_->probes.maps(probeName);
+  const LevelMask missing = maps ? maps->missing(kAllLevels) : 0;
+  if (missing == 0) return false;
+  impl_->window->MakeCurrent();
+  maps->need(missing & (~missing + 1));
+  return true;
+}
+
 const std::string& SceneRenderer::pictureError() const {
   return impl_->probes.pictureError();
 }

@@ -156,6 +156,9 @@ class SceneRenderer {
   /// Throws WorkError.
   std::string saveBaked(const std::string& probeName, const std::string& folder, const std::string& program,
                         int earlierBounce = 0) const;
+  /// Files hold every mip level: filters one of this probe's that nothing has sampled so far. False: none is missing,
+  /// and saveBaked has nothing to filter.
+  bool filterMissingLevel(const std::string& probeName);
   /// OpenGL's name of what draws and captures.
   std::string rendererName() const;
   /// Empty while every custom probe's picture could be read; else one line. Such a probe keeps the maps it had.

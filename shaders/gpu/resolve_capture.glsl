@@ -1,6 +1,6 @@
 // From a rendered face (float, several samples per texel) to a texel of the probe: mean colour brought into half-float range,
-// distance from the depth buffer. In a second use it draws only the texels that had to be changed, for an occlusion query
-// to count them. Needs shared/cube.glsl.
+// distance from the depth buffer. An occlusion query counts the texels that are drawn: nearly always all are good, and one pass is all.
+// Needs shared/cube.glsl.
 uniform sampler2D bpColor;
 uniform sampler2D bpDepth;
 uniform int bpScale;      // samples along each side of a texel
@@ -8,7 +8,7 @@ uniform int bpFace;
 uniform float bpFaceSize; // texels
 uniform float bpNear;     // clipping distances of the capture, scene units
 uniform float bpFar;
-uniform int bpCount;      // 0: write; 1: keep texels out of range or not finite; 2: not finite only
+uniform int bpKeep;       // 0: good texels; 1: all, brought into range; 2: none but those that are not finite
 
 const float kHalfMax = 65504.0f;
 const float kFloatMax = 3.4e38f;
@@ -49,8 +49,8 @@ void main()
   }
   vec4 mean = sum / float(bpScale * bpScale);
   bool inRange = all(lessThanEqual(mean.rgb, vec3(kHalfMax)));
-  if (bpCount == 1 && finite && inRange) { discard; }
-  if (bpCount == 2 && finite) { discard; }
+  if (bpKeep == 0 && !(finite && inRange)) { discard; }
+  if (bpKeep == 2 && finite) { discard; }
 
   // Distance at the texel's centre, which lies between samples where their number is even. Window depth is linear across a plane on
   // the screen, so the mean of the samples around the centre is exact on one; across an edge it would be a surface that is not there,

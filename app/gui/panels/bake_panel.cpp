@@ -181,6 +181,11 @@ void BakePanel::saveBaked() {
 void BakePanel::saveNext() {
   try {
     const std::string name = toSave_.back();
+    // A level at a time, so that the window goes on answering.
+    if (renderer_.filterMissingLevel(name)) {
+      QTimer::singleShot(0, this, &BakePanel::saveNext);
+      return;
+    }
     toSave_.pop_back();
     const std::string path = renderer_.saveBaked(name, folder_.toStdString(), "Boxprobe " BOXPROBE_VERSION);
     if (!path.empty()) ++saved_;

@@ -24,6 +24,11 @@ struct Counters {
   std::uint64_t mapsLoaded = 0;        ///< probes (and sky) read from baked files in place of captures
   std::uint64_t skyFacesCaptured = 0;  ///< of the sky's own map
   std::uint64_t levelsFiltered = 0;    ///< prefiltered mip levels, six faces each
+  std::uint64_t levelsSkipped = 0;     ///< of captured maps: left out, because no material samples them
+  std::uint64_t levelsMadeLater = 0;   ///< of those: filtered after all, when something asked for them
+  std::uint64_t objectsCaptured = 0;   ///< draws of objects into probes' faces
+  std::uint64_t objectsCulled = 0;  ///< objects of the scene that lie outside of such a face's view, and were not drawn
+  std::uint64_t facesUnlit = 0;     ///< of facesCaptured: first ones, drawn by programs without any lookup of a probe
   std::uint64_t errorsMeasured = 0;  ///< probes whose own errors `auto` goes by, each time their box or picture changed
   std::uint64_t reliefsBounded =
       0;  ///< probes whose distances' least and greatest were made, for rays that are followed

@@ -196,9 +196,10 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
     addRgba(part.levels.front(), radiance.face(level, 0), precision);
     parts.push_back(std::move(part));
   }
-  // The levels of a chain are alike; the finest one has most of the bytes and the hardest content.
-  const Imf::Compression compression = chooseCompression(parts[1].levels.front());
-  for (ExrPart& part : parts) part.header.compression() = compression;
+  // The finest level has most of the bytes and the hardest content. PIZ makes a table for each block, which takes
+  // longer than the rest where blocks are small: tiles, and coarse levels.
+  for (ExrPart& part : parts) part.header.compression() = Imf::ZIP_COMPRESSION;
+  parts[1].header.compression() = chooseCompression(parts[1].levels.front());
   if (!file.maps.distance.empty()) {
     ExrPart part = stackPart("distance", file.maps.distance.faceSize(), displayWindow);
     addPlane(part.levels.front(), "distance", file.maps.distance.face(0, 0), 4, ExrPrecision::Float);

@@ -123,8 +123,34 @@ CubeMap::Taps CubeMap::taps(const glm::vec3& direction, float level) const {
   return result;
 }
 
+// The four texels in the middle of a face that lie about a point of it, as tap() weighs them; false at its rim.
+bool CubeMap::addInside(const CubePoint& point, int level, float weight, glm::vec4& sum) const {
+  const int size = levelSize(level);
+  const float u = (0.5f * point.s + 0.5f) * static_cast<float>(size) - 0.5f;
+  const float v = (0.5f * point.t + 0.5f) * static_cast<float>(size) - 0.5f;
+  const float column = std::floor(u), row = std::floor(v);
+  const int x = static_cast<int>(column), y = static_cast<int>(row);
+  if (x < 0 || y < 0 || x + 1 >= size || y + 1 >= size) return false;
+  const float a = u - column, b = v - row;
+  const float shares[4] = {(1.0f - a) * (1.0f - b), a * (1.0f - b), (1.0f - a) * b, a * b};
+  const float* texels = face(level, point.face) + 4 * (static_cast<std::ptrdiff_t>(y) * size + x);
+  for (int i = 0; i < 4; ++i) {
+    const float* p = texels + 4 * (static_cast<std::ptrdiff_t>(i >> 1) * size + (i & 1));
+    sum += shares[i] * weight * glm::vec4(p[0], p[1], p[2], p[3]);
+  }
+  return true;
+}
+
 glm::vec4 CubeMap::fetch(const glm::vec3& direction, float level) const {
   if (empty()) return glm::vec4(0.0f);
+  const float clamped = std::clamp(level, 0.0f, maxLevel());
+  const int lower = std::min(static_cast<int>(clamped), levels() - 1);
+  const float fraction = clamped - static_cast<float>(lower);
+  const CubePoint point = cubePoint(direction);
+  glm::vec4 inside(0.0f);
+  const bool all = addInside(point, lower, 1.0f - fraction, inside) &&
+                   (fraction <= 0.0f || addInside(point, lower + 1, fraction, inside));
+  if (all) return inside;
   const Taps found = taps(direction, level);
   glm::vec4 sum(0.0f);
   for (std::size_t i = 0; i < found.count; ++i) {

@@ -56,6 +56,7 @@ class CubeMap : public shading::CubeSampler {
 
  private:
   struct Taps;
+  bool addInside(const CubePoint& point, int level, float weight, glm::vec4& sum) const;
   void tap(const glm::vec3& direction, int level, float weight, Taps& taps) const;
   Taps taps(const glm::vec3& direction, float level) const;
 

@@ -26,6 +26,13 @@ struct ProjectionRow {
   bool ours = false;                               ///< this project's own; false: as published elsewhere
 };
 
+/// Levels that an evaluation looks up for a surface of one roughness.
+enum class LevelReach {
+  Any,      ///< not known: all of the chain
+  Own,      ///< that of its roughness (levelForCurve) alone
+  UpToOwn,  ///< from 0 to that one
+};
+
 struct EvaluationRow {
   std::string_view id;
   std::string_view label;
@@ -40,6 +47,7 @@ struct EvaluationRow {
   /// Id of the row that may be drawn in its place while the camera or a handle moves: cheap, and as near to it as cheap
   /// rows come, so that little jumps when the picture comes to rest. Empty: it is cheap itself.
   std::string_view standIn = {};
+  LevelReach levels = LevelReach::Any;  ///< the others need not be filtered
 };
 
 const std::vector<ProjectionRow>& projectionRows();

@@ -127,6 +127,7 @@ void ActorProbes::setMaps(std::size_t index, const BakedMaps& maps) {
 
 void ActorProbes::setMaps(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
   if (index >= parts_->shownProbes.size()) throw InputError("there is no probe " + std::to_string(index));
+  if (maps) maps->need(kAllLevels);  // of these actors' materials nobody knows
   parts_->show(index, std::move(maps));
 }
 

@@ -12,15 +12,6 @@ namespace {
 
 constexpr int kFaces = 6;
 
-int sourceLevels(int faceSize) {
-  int levels = 1;
-  while (faceSize > 1) {
-    faceSize /= 2;
-    ++levels;
-  }
-  return levels;
-}
-
 }  // namespace
 
 CaptureSettings captureSettings(const Probe& probe) {
@@ -47,7 +38,8 @@ BakeRunner::BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState>
       state_(std::move(state)),
       capture_(capture),
       times_(times),
-      prefilter_(window, &state_->counts.counters) {}
+      prefilter_(window, &state_->counts.counters),
+      later_(std::make_shared<LevelFilter>(window, &state_->counts.counters)) {}
 
 // Six faces; the source's mip chain with the copy of level 0; level 1; further levels; the diffuse light, which is next
 // to nothing, with the last of them.
@@ -131,12 +123,18 @@ void BakeRunner::captureFace(const FaceSource& source, int face) {
     const Drawing drawing(*item_);
     const PassScope scope(*state_, [this](PassSettings& pass) {
       pass.firstBounce = item_->reflectNothing;
+      pass.dark = item_->reflectNothing && item_->dark;
       pass.movingShadowsOn = false;
     });
     capture_->captureFace(item_->settings, face, source.props, source.lights, source_,
                           item_->sky ? nullptr : &maps_->distance);
   }
-  ++(item_->sky ? state_->counts.counters.skyFacesCaptured : state_->counts.counters.facesCaptured);
+  Counters& counters = state_->counts.counters;
+  ++(item_->sky ? counters.skyFacesCaptured : counters.facesCaptured);
+  if (item_->sky) return;
+  counters.objectsCaptured += source.objects;
+  counters.objectsCulled += source.culled;
+  if (item_->reflectNothing && item_->dark) ++counters.facesUnlit;
 }
 
 void BakeRunner::copyFace(const ProbeMaps& from, int face) {
@@ -152,19 +150,40 @@ void BakeRunner::copyFace(const ProbeMaps& from, int face) {
   if (!item_->sky) copy(from.distance, maps_->distance);
 }
 
+// What no material samples is not filtered, unless level 0 is blurred: the capture would be lost with it.
+void BakeRunner::beginFilter(int levels) {
+  maps_->radiance.allocate(item_->faceSize, levels, GL_RGBA16F);
+  prefilter_.begin(source_, maps_->radiance, item_->prefilter);
+  const bool keepsCapture = lobeOfLevel(item_->prefilter, 0, levels - 1).width <= 0.0f;
+  if (!item_->levels || !keepsCapture) return;
+  maps_->filtered = item_->levels(levels) | 1u;
+  if (maps_->missing(kAllLevels) == 0) return;
+  maps_->filterLevels = [later = std::weak_ptr<LevelFilter>(later_), settings = item_->prefilter](const ProbeMaps& maps,
+                                                                                                  LevelMask missing) {
+    if (const auto filter = later.lock()) filter->make(maps.radiance, missing, settings);
+  };
+}
+
 bool BakeRunner::filter() {
   const CpuTimer timer(times_->prefilterCpuSeconds);
   const int levels = prefilterLevels(item_->faceSize);
   if (level_ == 0) {
-    maps_->radiance.allocate(item_->faceSize, levels, GL_RGBA16F);
-    prefilter_.begin(source_, maps_->radiance, item_->prefilter);
+    beginFilter(levels);
     level_ = 1;
     return false;
   }
-  do {
-    if (level_ < levels) prefilter_.filterLevel(source_, maps_->radiance, level_, item_->prefilter);
+  bool more = true;
+  while (more && level_ < levels) {
+    const bool skips = skipped(level_);
+    if (skips) {
+      prefilter_.copyLevel(source_, maps_->radiance, level_);
+      ++state_->counts.counters.levelsSkipped;
+    } else {
+      prefilter_.filterLevel(source_, maps_->radiance, level_, item_->prefilter);
+    }
     ++level_;
-  } while (item_->fewSteps && level_ > 2 && level_ < levels);
+    more = item_->fewSteps ? level_ > 2 : skips;
+  }
   if (level_ < levels) return false;
   maps_->irradiance = Prefilter::irradiance(source_, rotationMatrix(item_->settings.rotationDegrees));
   return true;
@@ -173,6 +192,7 @@ bool BakeRunner::filter() {
 void BakeRunner::release() {
   abort();
   prefilter_.release();
+  later_->release();
   source_.release();
   from_.release();
   to_.release();

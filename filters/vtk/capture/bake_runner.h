@@ -8,6 +8,7 @@
 
 #include "filters/math/cube/cube_map.h"
 #include "filters/vtk/capture/cube_capture.h"
+#include "filters/vtk/capture/level_filter.h"
 #include "filters/vtk/capture/prefilter.h"
 #include "filters/vtk/capture/work_times.h"
 
@@ -22,6 +23,8 @@ struct FaceSource {
   std::shared_ptr<const ProbeMaps> same;  ///< already holds this very face: it is copied, nothing is drawn
   std::vector<vtkProp*> props;
   std::vector<vtkLight*> lights;
+  std::size_t objects = 0;  ///< of `props`, the sky apart
+  std::size_t culled = 0;   ///< further ones, which the face does not show
 };
 
 /// One cubemap to make.
@@ -31,10 +34,14 @@ struct BakeItem {
   int bounce = 1;               ///< of its probe: what its cost is booked under
   bool sky = false;             ///< the sky's own map: at infinity, so without distances
   bool reflectNothing = false;  ///< first bounce: no probe has been captured yet
+  /// Then by programs without any lookup of a probe. They have to be compiled, which pays for many faces only.
+  bool dark = false;
   /// Small levels are filtered together, as one unit that costs less than the first level alone: fewer steps to wait
   /// for a map that follows something that moves.
   bool fewSteps = false;
   PrefilterSettings prefilter;
+  /// Which levels of a chain of so many something samples, asked when the filtering begins; null: all.
+  std::function<LevelMask(int levels)> levels;
   std::shared_ptr<const CubeMap> picture;  ///< taken in place of a capture; then `face` is not asked
 
   /// Asked just before a face is made, so that it shows the scene as it is by then.
@@ -64,12 +71,15 @@ class BakeRunner {
   void copyFace(const ProbeMaps& from, int face);
   void captureFace(const FaceSource& source, int face);
   bool filter();
+  void beginFilter(int levels);
+  bool skipped(int level) const { return (maps_->filtered >> level & 1u) == 0; }
 
   vtkOpenGLRenderWindow* window_;
   std::shared_ptr<DrawState> state_;
   CubeCapture* capture_;
   Times* times_;
   Prefilter prefilter_;
+  std::shared_ptr<LevelFilter> later_;  ///< of maps without all levels, as long as there is a context
   CubeTexture source_;
   CubeFramebuffer from_, to_;
 

@@ -110,7 +110,7 @@ void CubeCapture::captureFace(const CaptureSettings& settings, int face, const s
   faces_.bind(window_, radiance, face, 0, distance);
   const BoundTexture colorTexture(window_, GL_TEXTURE_2D, target_.color());
   const BoundTexture depthTexture(window_, GL_TEXTURE_2D, target_.depth());
-  const auto draw = [&](int count) {
+  const auto draw = [&](int keep) {
     resolve_.draw(window_, [&](vtkShaderProgram* program) {
       program->SetUniformi("bpColor", colorTexture.unit());
       program->SetUniformi("bpDepth", depthTexture.unit());
@@ -119,28 +119,28 @@ void CubeCapture::captureFace(const CaptureSettings& settings, int face, const s
       program->SetUniformf("bpFaceSize", static_cast<float>(radiance.faceSize()));
       program->SetUniformf("bpNear", static_cast<float>(settings.nearDistance));
       program->SetUniformf("bpFar", static_cast<float>(settings.farDistance));
-      program->SetUniformi("bpCount", count);
+      program->SetUniformi("bpKeep", keep);
     });
   };
-  draw(0);
-
-  // Count with an occlusion query: no texel has to be read back.
-  const auto count = [&](int kind) {
+  // Counted with an occlusion query: no texel has to be read back.
+  const auto drawn = [&](int keep) {
     if (query_ == 0) glGenQueries(1, &query_);
-    window_->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glBeginQuery(GL_SAMPLES_PASSED, query_);
-    draw(kind);
+    draw(keep);
     glEndQuery(GL_SAMPLES_PASSED);
-    window_->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     GLuint texels = 0;
     glGetQueryObjectuiv(query_, GL_QUERY_RESULT, &texels);
     return texels;
   };
-  if (const GLuint bad = count(1); bad > 0) {
-    const GLuint notFinite = count(2);
-    state_->counts.counters.texelsNotFinite += notFinite;
-    state_->counts.counters.texelsClamped += bad - notFinite;
-  }
+  const auto texels = static_cast<GLuint>(radiance.faceSize()) * static_cast<GLuint>(radiance.faceSize());
+  const GLuint bad = texels - std::min(drawn(0), texels);
+  if (bad == 0) return;
+  draw(1);
+  window_->GetState()->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const GLuint notFinite = drawn(2);
+  window_->GetState()->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state_->counts.counters.texelsNotFinite += notFinite;
+  state_->counts.counters.texelsClamped += bad - notFinite;
 }
 
 void CubeCapture::drawOnce(const CaptureSettings& settings, const std::vector<vtkProp*>& props,

@@ -46,20 +46,37 @@ void Prefilter::begin(const CubeTexture& source, const CubeTexture& chain, const
     filterLevel(source, chain, 0, settings);
     return;
   }
+  copyLevel(source, chain, 0);
+}
+
+void Prefilter::copyLevel(const CubeTexture& from, const CubeTexture& to, int level) {
   const PassState saved(window_);
-  const int size = source.faceSize();
+  const int size = to.faceSize() >> level;
   for (int face = 0; face < 6; ++face) {
-    to_.bind(window_, chain, face, 0);
-    from_.bind(window_, source, face, 0);
+    to_.bind(window_, to, face, level);
+    from_.bind(window_, from, face, level);
     to_.bindDraw(window_);
     glBlitFramebuffer(0, 0, size, size, 0, 0, size, size, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
 }
 
+const std::vector<LobeTap>& Prefilter::tapsOf(const FilterLobe& lobe, int samples, int faceSize) {
+  constexpr std::size_t kKept = 16;
+  for (const Taps& known : taps_) {
+    if (known.lobe.kind == lobe.kind && known.lobe.width == lobe.width && known.samples == samples &&
+        known.faceSize == faceSize) {
+      return known.taps;
+    }
+  }
+  if (taps_.size() == kKept) taps_.erase(taps_.begin());
+  taps_.push_back({lobe, samples, faceSize, lobeTaps(lobe, samples, faceSize)});
+  return taps_.back().taps;
+}
+
 void Prefilter::filterLevel(const CubeTexture& source, const CubeTexture& chain, int level,
                             const PrefilterSettings& settings) {
   const FilterLobe lobe = lobeOfLevel(settings, level, chain.levels() - 1);
-  filterWith(source, chain, level, lobeTaps(lobe, samplesOfLevel(settings, level), source.faceSize()),
+  filterWith(source, chain, level, tapsOf(lobe, samplesOfLevel(settings, level), source.faceSize()),
              settings.filter == FilterLobe::Kind::Gaussian ? settings.gaussian.edgeFixupWidth : 0);
 }
 

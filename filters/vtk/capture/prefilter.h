@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filters/math/sampling/filter_lobe.h"
+#include "filters/math/technique/levels_read.h"
 #include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 
@@ -26,6 +27,8 @@ class Prefilter {
   /// Any lookups into any level: what the above does with those of the level's own lobe.
   void filterWith(const CubeTexture& source, const CubeTexture& chain, int level, const std::vector<LobeTap>& taps,
                   int edgeFixupWidth = 0);
+  /// The same level of another chain as large, as it is.
+  void copyLevel(const CubeTexture& from, const CubeTexture& to, int level);
   /// The source's levels alone.
   void makeSourceLevels(const CubeTexture& source);
   /// Diffuse irradiance, by world normals, from a small level of the source.
@@ -36,8 +39,16 @@ class Prefilter {
  private:
   vtkOpenGLRenderWindow* window_;
   Counters* counters_;
+  const std::vector<LobeTap>& tapsOf(const FilterLobe& lobe, int samples, int faceSize);
+
   CubeFramebuffer from_, to_;
   FullScreenPass sourcePass_, lobePass_;
+  struct Taps {
+    FilterLobe lobe;
+    int samples = 0, faceSize = 0;
+    std::vector<LobeTap> taps;
+  };
+  std::vector<Taps> taps_;  ///< of the lobes asked for last: probes of one size share them
 };
 
 }  // namespace boxprobe

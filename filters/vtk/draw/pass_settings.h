@@ -22,6 +22,7 @@ struct PassSettings {
   bool dragging = false;        ///< a handle is held: uniforms change, and nothing is worked out for them
   DebugView debug;              ///< not in captures
   bool firstBounce = false;     ///< of a capture: probes reflect nothing yet, and the sky lights in their place
+  bool dark = false;            ///< with firstBounce: by programs that look nothing up in probes
   bool movingShadowsOn = true;  ///< not in captures of what stands still
   bool countDraws = true;       ///< of the frame on the screen, not of captures
   int frame = 0;                ///< of those that are averaged
@@ -31,7 +32,7 @@ struct PassSettings {
 
   bool operator==(const PassSettings& o) const {
     return exposure == o.exposure && dragging == o.dragging && debug == o.debug && firstBounce == o.firstBounce &&
-           movingShadowsOn == o.movingShadowsOn && countDraws == o.countDraws && frame == o.frame &&
+           dark == o.dark && movingShadowsOn == o.movingShadowsOn && countDraws == o.countDraws && frame == o.frame &&
            pixelOrigin == o.pixelOrigin && heightPlaneView == o.heightPlaneView;
   }
 };

@@ -59,6 +59,14 @@ std::shared_ptr<const ProbeBinding> ProbeBinding::standIn() const {
   return differs ? cheap : nullptr;
 }
 
+// Through openings the sky shows, captured or not.
+std::shared_ptr<const ProbeBinding> ProbeBinding::inTheDark() const {
+  if (lighting != Lighting::Probes || probes.empty() || open()) return nullptr;
+  auto unlit = std::make_shared<ProbeBinding>(*this);
+  unlit->dark = true;
+  return unlit;
+}
+
 int ProbeBinding::animatedSamples() const {
   int samples = 0;
   for (std::size_t i = 0; i < probes.size(); ++i) {
@@ -107,6 +115,7 @@ std::string ProbeBinding::variantKey() const {
   if (weights && onlyProbes) key += 'p';
   if (sky) key += 's';
   if (diffuse) key += 'd';
+  if (dark) key += 'k';
   const std::vector<int> group = groups();
   for (std::size_t i = 0; i < probes.size(); ++i) {
     key += " " + std::to_string(group[i]) + ":" + techniqueId(technique(i)) + (blurred(i) ? "~" : "");

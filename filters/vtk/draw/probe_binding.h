@@ -48,6 +48,9 @@ struct ProbeBinding {
   std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
   bool diffuse = true;      ///< false: the material is all metal
 
+  /// No probe has been captured yet, so that none gives a reflection: nothing is looked up. For captures alone.
+  bool dark = false;
+
   /// What draws each: the probe's own technique, or what `auto` chose for this object. Empty: their own.
   std::vector<Technique> techniques;
   Technique technique(std::size_t slot) const;
@@ -56,6 +59,9 @@ struct ProbeBinding {
   std::string variantKey() const;
   /// The same by what stands in for its techniques while something moves; null if nothing does.
   std::shared_ptr<const ProbeBinding> standIn() const;
+  /// The same for captures in which no probe reflects anything; null where that would not spare any lookup, or where
+  /// what is looked up does not depend on the probes alone.
+  std::shared_ptr<const ProbeBinding> inTheDark() const;
   /// Is a technique that is drawn one whose picture is a mean of frames, and of how many rays per pixel and frame? 0:
   /// no.
   int animatedSamples() const;

@@ -40,7 +40,7 @@ int worthOf(const Kinds& kinds) {
 SurfaceFacts surfaceFacts(const SurfaceMaterial& surface, vtkProperty* property) {
   if (surface.glass.drawn) return 0;
   const auto& slots = surface.slots;
-  SurfaceFacts facts = 0;
+  SurfaceFacts facts = kQuickOutput;
   const bool plain = std::all_of(slots.begin(), slots.end(), [](const SurfaceSlot& slot) {
     return !slot.texture || slot.uvTransform == SurfaceSlot().uvTransform;
   });

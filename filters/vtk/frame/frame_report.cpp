@@ -37,6 +37,13 @@ std::vector<std::string> skippedLines(const FrameReport& report) {
   const auto notMade = std::count_if(report.probes.begin(), report.probes.end(),
                                      [](const FrameReport::ProbeUse& probe) { return probe.bytes == 0; });
   say(static_cast<std::size_t>(notMade), "probe holds", "probes hold", " no texture");
+  std::size_t levels = 0, notFiltered = 0;
+  for (const FrameReport::ProbeUse& probe : report.probes) {
+    levels += probe.levels;
+    notFiltered += probe.notFiltered;
+  }
+  say(notFiltered, "mip level", "mip levels",
+      " of " + std::to_string(levels) + " not filtered: no material samples " + (notFiltered == 1 ? "it" : "them"));
   say(drawnObjects(report, [](const Object& o) { return o.unlit; }), "draw is", "draws are",
       " unlit: no light, no probe");
   say(drawnObjects(report, [](const Object& o) { return !o.unlit && o.probes.empty(); }), "draw has", "draws have",

@@ -27,9 +27,11 @@ struct FrameReport {
   };
   struct ProbeUse {
     std::string name;
-    std::size_t objects = 0;  ///< visible ones that it lights
-    std::size_t drawn = 0;    ///< of those, in this frame
-    std::size_t bytes = 0;    ///< on the graphics side, 0: nothing is there
+    std::size_t objects = 0;      ///< visible ones that it lights
+    std::size_t drawn = 0;        ///< of those, in this frame
+    std::size_t bytes = 0;        ///< on the graphics side, 0: nothing is there
+    std::size_t levels = 0;       ///< of its chain
+    std::size_t notFiltered = 0;  ///< of those: left out, because no material samples them
   };
   /// A planar mirror of the scene.
   struct MirrorUse {

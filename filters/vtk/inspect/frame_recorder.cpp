@@ -1,6 +1,7 @@
 #include "filters/vtk/inspect/frame_recorder.h"
 
 #include <algorithm>
+#include <bitset>
 #include <map>
 #include <set>
 
@@ -13,7 +14,13 @@ FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, con
   FrameReport report;
   for (const Probe& probe : content.scene.probes) {
     const auto maps = probes.maps(report.probes.size());
-    report.probes.push_back({probe.name, 0, 0, maps ? maps->bytes() : 0});
+    FrameReport::ProbeUse use{probe.name};
+    if (maps) {
+      use.bytes = maps->bytes();
+      use.levels = static_cast<std::size_t>(maps->radiance.levels());
+      use.notFiltered = std::bitset<32>(maps->missing(kAllLevels)).count();
+    }
+    report.probes.push_back(std::move(use));
   }
   std::set<std::string> variants;
   for (const DrawnObject& object : content.objects) {

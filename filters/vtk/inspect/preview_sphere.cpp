@@ -104,6 +104,9 @@ void PreviewSphere::follow(const Probe* probe, const std::shared_ptr<const Probe
   actor_->SetVisibility(probe != nullptr && maps != nullptr);
   if (probe == nullptr || maps == nullptr) return;
   drawn_->maps = maps;
+  const double roughness = actor_->GetProperty()->GetRoughness();
+  maps->need(levelsRead(drawn_->geometry.technique, drawn_->geometry.parameters, roughness, roughness,
+                        maps->radiance.levels()));
   drawn_->geometry.originWorld = probe->origin;
   const bool turned = maps->capturedRotation != glm::dvec3(0.0);
   drawn_->geometry.mapFromProbe = turned ? glm::transpose(rotationMatrix(maps->capturedRotation)) : glm::dmat3(1.0);

@@ -35,6 +35,7 @@ void writeAll(const CubeMap& cube, GLenum internalFormat, CubeTexture& texture) 
 }  // namespace
 
 BakedMaps readBack(const ProbeMaps& maps) {
+  maps.need(kAllLevels);
   BakedMaps result;
   result.radiance = read(maps.radiance);
   result.distance = read(maps.distance);
@@ -45,6 +46,7 @@ BakedMaps readBack(const ProbeMaps& maps) {
 }
 
 CubeMap readRadiance(const ProbeMaps& maps) {
+  maps.need(kAllLevels);
   return read(maps.radiance);
 }
 

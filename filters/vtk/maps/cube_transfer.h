@@ -10,7 +10,8 @@
 
 namespace boxprobe {
 
-/// Everything a probe holds. Waits until the graphics side has finished what is under way.
+/// Everything a probe holds; levels that nothing sampled so far are filtered. Waits until the graphics side has
+/// finished what is under way.
 BakedMaps readBack(const ProbeMaps& maps);
 
 /// Of it, the chain alone.

@@ -34,6 +34,7 @@ void LevelReader::stop() {
 
 void LevelReader::step() {
   if (!pending()) return;
+  if (texture_ == &maps_->radiance) maps_->need(LevelMask{1} << level_);
   const std::vector<float> rgba = texture_->readFace(face_, level_);
   std::copy(rgba.begin(), rgba.end(), cube_.face(0, face_));
   if (++face_ == 6) stop();

@@ -2,11 +2,13 @@
 // when a draw first asks. Filled by captures and files, read by draws; knows no scene.
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
 
 #include "filters/math/cube/cube_map.h"
 #include "filters/math/cube/spherical_harmonics.h"
+#include "filters/math/technique/levels_read.h"
 #include "filters/vtk/gl/gl_objects.h"
 #include "filters/vtk/maps/coverage_texture.h"
 #include "filters/vtk/maps/light_texture.h"
@@ -29,6 +31,19 @@ struct ProbeMaps {
   /// Of the box, in degrees: the maps lie along the axes it had; irradiance along the world's.
   glm::dvec3 capturedRotation{0.0};
   float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
+  /// Levels of `radiance` that are filtered. The others hold plain means of the capture, which a lookup that comes too
+  /// early may show, until something needs them.
+  mutable LevelMask filtered = kAllLevels;
+  /// Filters the levels of a mask; null: none is missing.
+  std::function<void(const ProbeMaps& maps, LevelMask levels)> filterLevels;
+  LevelMask missing(LevelMask levels) const { return levels & ~filtered & ((LevelMask{1} << radiance.levels()) - 1); }
+  /// Filters those of these levels that are missing; with the window's context current.
+  void need(LevelMask levels) const {
+    const LevelMask wanted = missing(levels);
+    if (wanted == 0 || !filterLevels) return;
+    filterLevels(*this, wanted);
+    filtered |= wanted;
+  }
   /// Made when a draw first aims rays at what is bright (light_texture.h).
   mutable LightTexture light;
   /// Made when a draw first follows rays by the distances (relief_texture.h).

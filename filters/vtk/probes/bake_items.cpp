@@ -1,6 +1,9 @@
 #include "filters/vtk/probes/bake_items.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
 
 namespace boxprobe {
 
@@ -16,6 +19,11 @@ BakeItem ProbeItems::item(const ProbeJob& job, const Publish& publish) const {
   } else {
     item = bounce(job, faces);
   }
+  item.levels = [this, name = job.name](int levels) {
+    if (name.empty()) return needs_->ofSky(levels);
+    const auto index = entries_->find(name);
+    return index ? needs_->ofProbe(*index, levels) : kAllLevels;
+  };
   item.faceSize = job.faceSize;
   item.bounce = job.bounce;
   Probe as;  // as its capture begins
@@ -50,10 +58,20 @@ BakeItem ProbeItems::picture(const ProbeJob& job) const {
   return item;
 }
 
+// Nearest first, by the farthest point of their bounds as in the window (vtkCulledRenderer), so that what walls hide is
+// not worked out.
 FaceSource ProbeItems::faceSource(const Probe& probe, int face) const {
   FaceSource source;
-  for (const std::size_t i : objectsInFace(keys_->world(), probe, face))
-    source.props.push_back(content_->objects[i].actor);
+  std::vector<std::pair<double, vtkProp*>> order;
+  for (const std::size_t i : objectsInFace(keys_->world(), probe, face)) {
+    const Box& bounds = keys_->world().objects[i].boundsWorld;
+    const glm::dvec3 away = glm::max(glm::abs(bounds.min - probe.origin), glm::abs(bounds.max - probe.origin));
+    order.emplace_back(glm::dot(away, away), content_->objects[i].actor);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& object : order) source.props.push_back(object.second);
+  source.objects = source.props.size();
+  source.culled = content_->objects.size() - source.objects;
   if (std::holds_alternative<ClearToSky>(probe.clear)) source.props.push_back(content_->sky);
   source.lights = content_->lightPointers();
   return source;

@@ -7,6 +7,7 @@
 
 #include "filters/vtk/capture/bake_runner.h"
 #include "filters/vtk/maps/map_cache.h"
+#include "filters/vtk/probes/level_needs.h"
 #include "filters/vtk/probes/probe_plan.h"
 #include "filters/vtk/probes/shown_probes.h"
 #include "filters/vtk/scene/scene_content.h"
@@ -27,8 +28,14 @@ class ProbeItems {
 
   /// All pointers must outlive this and the items it makes.
   ProbeItems(SceneContent* content, const ProbeEntries* entries, const ProbeKeys* keys, const ProbeSources* sources,
-             const MapCache* cache, ShownProbes* shown)
-      : content_(content), entries_(entries), keys_(keys), sources_(sources), cache_(cache), shown_(shown) {}
+             const MapCache* cache, ShownProbes* shown, const LevelNeeds* needs)
+      : content_(content),
+        entries_(entries),
+        keys_(keys),
+        sources_(sources),
+        cache_(cache),
+        shown_(shown),
+        needs_(needs) {}
 
   /// Not of a file. The probe of a bounce, a drag or a realtime job must exist. `publish` is called once, at the end.
   BakeItem item(const ProbeJob& job, const Publish& publish) const;
@@ -47,6 +54,7 @@ class ProbeItems {
   const ProbeSources* sources_;
   const MapCache* cache_;
   ShownProbes* shown_;
+  const LevelNeeds* needs_;
 };
 
 }  // namespace boxprobe

@@ -5,7 +5,7 @@
 #include "filters/core/geometry/light_shadow.h"
 #include "filters/math/cube/openings.h"
 #include "filters/vtk/maps/cube_transfer.h"
-#include "filters/vtk/probes/glass_tint.h"
+#include "filters/vtk/scene/glass_tint.h"
 
 namespace boxprobe {
 

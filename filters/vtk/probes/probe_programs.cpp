@@ -50,6 +50,7 @@ void ProbePrograms::assign(bool newProgramsAllowed) {
     if (editable_) prepare(i, general->standIn());
   }
   recordUse();
+  needs_->update();
   updateStandIns();
   foldFacts();
 }

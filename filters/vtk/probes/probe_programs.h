@@ -10,6 +10,7 @@
 
 #include "filters/vtk/capture/cube_capture.h"
 #include "filters/vtk/draw/resting_values.h"
+#include "filters/vtk/probes/level_needs.h"
 #include "filters/vtk/probes/probe_plan.h"
 #include "filters/vtk/probes/shown_probes.h"
 #include "filters/vtk/scene/scene_content.h"
@@ -20,8 +21,14 @@ class ProbePrograms {
  public:
   /// All pointers must outlive this.
   ProbePrograms(SceneContent* content, std::shared_ptr<DrawState> state, CubeCapture* capture, ProbeEntries* entries,
-                const ProbePlan* plan, const ShownProbes* shown)
-      : content_(content), state_(std::move(state)), capture_(capture), entries_(entries), plan_(plan), shown_(shown) {}
+                const ProbePlan* plan, const ShownProbes* shown, LevelNeeds* needs)
+      : content_(content),
+        state_(std::move(state)),
+        capture_(capture),
+        entries_(entries),
+        plan_(plan),
+        shown_(shown),
+        needs_(needs) {}
 
   /// Gives every object the probes whose influence meets it; during a drag only as far as there are programs for it
   /// already.
@@ -73,6 +80,7 @@ class ProbePrograms {
   ProbeEntries* entries_;
   const ProbePlan* plan_;
   const ShownProbes* shown_;
+  LevelNeeds* needs_;
   bool editable_ = false, standInsAllowed_ = false, moving_ = false;
 
   std::set<std::string> variantsUsed_;  ///< program variants objects have had so far

@@ -13,10 +13,11 @@ ProbeSet::ProbeSet(vtkOpenGLRenderWindow* window, const std::shared_ptr<DrawStat
       keys_(&entries_, &sources_),
       plan_(&entries_, &keys_, &sources_),
       shown_(&content->scene, state),
+      needs_(content, &shown_, state.get()),
       light_(content, state, &shown_),
       errors_(&entries_, &shown_, state),
-      programs_(content, state, capture, &entries_, &plan_, &shown_),
-      items_(content, &entries_, &keys_, &sources_, &cache_, &shown_),
+      programs_(content, state, capture, &entries_, &plan_, &shown_, &needs_),
+      items_(content, &entries_, &keys_, &sources_, &cache_, &shown_, &needs_),
       publisher_(state, &entries_, &keys_, &plan_, &cache_, &shown_, &light_, &programs_),
       runner_(window, state, capture, times),
       work_(&runner_, state, &entries_, &keys_, &plan_, &sources_, &programs_, &items_, &publisher_) {}
@@ -64,6 +65,7 @@ void ProbeSet::setEnabled(bool enabled) {
 
 void ProbeSet::setBakeTargets(const std::vector<std::string>& names) {
   plan_.setTargets({names.begin(), names.end()});
+  needs_.setAll(!names.empty());
   updateKeys();
   work_.replan();
 }
@@ -125,6 +127,8 @@ std::optional<std::size_t> ProbeSet::toMeasure() const {
 
 void ProbeSet::step() {
   if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return giveUp();
+  // First, because what is drawn meanwhile shows too little of a blur.
+  if (levelsPending()) return needs_.makeOne();
   if (work_.step()) return;
   if (const auto index = toMeasure()) {
     errors_.measure(*index);

@@ -77,7 +77,9 @@ class ProbeSet {
   /// Does what is made follow from what frames show?
   bool followsSeen() const { return plan_.enabled() && plan_.targets().empty(); }
 
-  bool workPending() const { return work_.pending() || toMeasure().has_value() || programs_.pending(); }
+  bool workPending() const {
+    return work_.pending() || levelsPending() || toMeasure().has_value() || programs_.pending();
+  }
   void step();
   double progress() const { return work_.progress(); }
 
@@ -91,6 +93,9 @@ class ProbeSet {
 
  private:
   std::optional<std::size_t> toMeasure() const;
+  /// Not while a handle is dragged, which is to change uniforms and no more: what it newly lights shows plain means of
+  /// the capture until it is let go.
+  bool levelsPending() const { return !plan_.interactive() && needs_.lacking(); }
   void updateKeys();
   void makeAnew(std::size_t index);
 
@@ -103,6 +108,7 @@ class ProbeSet {
   ProbeKeys keys_;
   ProbePlan plan_;
   ShownProbes shown_;
+  LevelNeeds needs_;
   ProbeLight light_;
   ProbeErrors errors_;
   ProbePrograms programs_;

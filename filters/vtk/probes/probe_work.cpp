@@ -13,6 +13,7 @@ void ProbeWork::replan() {
   if (plan_->jobs().empty()) {
     publisher_->dropEarlierBounces();
     unitsDone_ = 0;
+    dark_ = false;
   }
   if (!plan_->keepsCurrent()) abort();
   if (programs_->moving()) programs_->updateStandIns();
@@ -33,8 +34,25 @@ bool ProbeWork::step() {
   return true;
 }
 
+// Programs for captures without reflections take CPU time to compile, which a few faces do not bring back. For files by
+// the probes of the scene, not by those that are left to make: shares of a bake are the same to the bit, and programs
+// may round differently.
+bool ProbeWork::manyDark() const {
+  constexpr int kWorthPrograms = 4;  // probes
+  if (!plan_->targets().empty()) {
+    int baked = 0;
+    for (std::size_t i = 0; i < entries_->size(); ++i) baked += entries_->baked(i) ? 1 : 0;
+    return baked >= kWorthPrograms;
+  }
+  const auto first = [](const ProbeJob& job) { return job.kind == JobKind::Bounce && job.bounce == 1; };
+  return std::count_if(plan_->jobs().begin(), plan_->jobs().end(), first) >= kWorthPrograms;
+}
+
 void ProbeWork::begin(const ProbeJob& job) {
-  runner_->start(items_->item(job, [this](MadeMaps made) { finish(std::move(made)); }));
+  dark_ = dark_ || manyDark();
+  BakeItem item = items_->item(job, [this](MadeMaps made) { finish(std::move(made)); });
+  item.dark = dark_ && job.kind == JobKind::Bounce && !state_->resources.general;
+  runner_->start(std::move(item));
   plan_->begin(job);
 }
 

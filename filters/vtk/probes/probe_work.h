@@ -44,6 +44,7 @@ class ProbeWork {
 
  private:
   void begin(const ProbeJob& job);
+  bool manyDark() const;
   void loadFile(const ProbeJob& job);
   void finish(MadeMaps made);
 
@@ -57,6 +58,7 @@ class ProbeWork {
   const ProbeItems* items_;
   ProbePublisher* publisher_;
   int unitsDone_ = 0;
+  bool dark_ = false;  ///< first bounces have programs of their own, until all is done
 };
 
 }  // namespace boxprobe

@@ -14,6 +14,7 @@ void ShownProbes::rearrange(const ProbeEntries::Origins& origins) {
   std::vector<ShownProbe> next;
   for (const auto& origin : origins) next.push_back(origin ? probes_[*origin] : ShownProbe{});
   probes_ = std::move(next);
+  ++generation_;
 }
 
 void ShownProbes::updateShapes() {
@@ -39,6 +40,7 @@ bool ShownProbes::show(std::size_t index, std::shared_ptr<const ProbeMaps> maps)
   const bool turned = probe.geometry.mapTurned;
   probe.geometry = geometry(index, maps.get());
   probe.maps = std::move(maps);
+  ++generation_;
   return probe.geometry.mapTurned != turned;
 }
 

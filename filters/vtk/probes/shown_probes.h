@@ -38,6 +38,8 @@ class ShownProbes {
   void updateShapes();
 
   std::size_t size() const { return probes_.size(); }
+  /// Changes whenever other maps may be shown.
+  std::uint64_t generation() const { return generation_; }
   ShownProbe& operator[](std::size_t index) { return probes_[index]; }
   const ShownProbe& operator[](std::size_t index) const { return probes_[index]; }
   DrawnProbe& drawn(std::size_t index) { return *probes_[index].drawn; }
@@ -68,7 +70,8 @@ class ShownProbes {
   };
   const Scene* scene_;
   std::shared_ptr<DrawState> state_;
-  std::vector<ShownProbe> probes_;            ///< in the order of scene.probes
+  std::vector<ShownProbe> probes_;  ///< in the order of scene.probes
+  std::uint64_t generation_ = 0;
   std::vector<Seen> windowSees_;              ///< put aside while a capture sees other maps
   std::shared_ptr<const ProbeMaps> skyKept_;  ///< put aside while a capture goes without
 };

@@ -20,6 +20,9 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
   text += probes ? probeDeclarations(program.binding, program.output, program.mirror)
                  : std::string(shaderSource("gpu/output_uniforms.glsl"));
   if (probes) text += coverageDeclarations(program.binding);
+  // What has no probes is compared with VTK's own pictures, to the bit.
+  const bool quick = (program.facts & kQuickOutput) != 0 && program.form != LightForm::Vtk;
+  if (quick && program.binding.lighting != Lighting::Plain) text += "#define BP_QUICK_OUTPUT\n";
   text += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
   if (program.surface != nullptr) text += materialDeclarations(*program.surface, program.facts);
   if (program.glass()) text += glassDeclarations(program.surface->glass);

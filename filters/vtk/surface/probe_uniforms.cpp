@@ -131,8 +131,8 @@ void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBindin
 void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug) {
   uploadLight(to, state, binding);
   if (debug) uploadDistances(to, state.resources, binding);
-  if (binding.distances()) uploadRelief(to, state, binding);
-  uploadSampling(to, state, binding);
+  if (binding.distances() && !binding.dark) uploadRelief(to, state, binding);
+  if (!binding.dark) uploadSampling(to, state, binding);
   uploadOrigins(to, binding);
 }
 

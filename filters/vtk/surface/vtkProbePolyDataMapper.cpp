@@ -76,6 +76,10 @@ void vtkProbePolyDataMapper::UpdateDrawn() {
   if (!this->Drawn) {
     this->Drawn = this->Binding;
   }
+  if (this->Dark && this->Drawn != this->DarkOf) {
+    this->Dark = this->DarkOf = nullptr;
+    this->Modified();
+  }
   const std::string key = this->Drawn ? this->Drawn->variantKey() : std::string();
   if (key != this->VariantKey) {
     this->VariantKey = key;
@@ -186,7 +190,7 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
                                : !this->SeparateSpecular ? SurfaceOutput::Picture
                                : samples                 ? SurfaceOutput::SpecularSeparate
                                                          : SurfaceOutput::SpecularSeparateNone;
-  const boxprobe::SurfaceProgram program{*this->Drawn, this->Surface.get(), output, this->Mirror != nullptr,
+  const boxprobe::SurfaceProgram program{this->Made(), this->Surface.get(), output, this->Mirror != nullptr,
                                          this->Form,   this->Facts};
   const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, this->LitPhysically(actor));
   this->State->counts.fail(report.failure);
@@ -237,7 +241,7 @@ boxprobe::RestingValues vtkProbePolyDataMapper::GetRestingValues(vtkActor* actor
 // Whether the constants still hold is asked of the numbers themselves, so that no edit has to tell.
 void vtkProbePolyDataMapper::ChooseConstants(vtkActor* actor) {
   std::shared_ptr<const boxprobe::ConstantsPlan> constants;
-  if (this->Plan && this->State && this->Drawn && !this->Refused && !this->State->resources.general &&
+  if (this->Plan && this->State && this->Drawn && !this->Dark && !this->Refused && !this->State->resources.general &&
       !this->ConstantsRefused && !this->Debug && !this->Heights && this->Plan->variant == this->VariantKey) {
     if (this->GetRestingValues(actor).hold(this->Plan->values)) {
       constants = this->Plan;
@@ -248,6 +252,22 @@ void vtkProbePolyDataMapper::ChooseConstants(vtkActor* actor) {
       ++this->State->counts.counters.constantsLeft;
     }
     this->Constants = std::move(constants);
+    this->Modified();
+  }
+}
+
+// A mirror's picture and glass look up more than probes.
+void vtkProbePolyDataMapper::ChooseDark() {
+  const bool wanted = this->State && this->Drawn && this->State->pass().firstBounce && this->State->pass().dark &&
+                      !this->State->resources.general && !this->Debug && !this->Heights && !this->Mirror &&
+                      !this->DrawsGlass();
+  if (wanted && this->DarkOf == this->Drawn) {
+    return;
+  }
+  const bool before = this->Dark != nullptr;
+  this->Dark = wanted ? this->Drawn->inTheDark() : nullptr;
+  this->DarkOf = wanted ? this->Drawn : nullptr;
+  if (before || this->Dark) {
     this->Modified();
   }
 }
@@ -269,6 +289,7 @@ void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer*
     this->Refused = false;
     this->Modified();
   }
+  this->ChooseDark();
   this->ChooseConstants(actor);
   this->Superclass::UpdateShaders(cellBO, renderer, actor);
   if (!this->State) {
@@ -315,7 +336,7 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
 
 void vtkProbePolyDataMapper::UploadLighting(const boxprobe::UniformUpload& to) {
   boxprobe::DrawState& state = *this->State;
-  boxprobe::uploadLighting(to, state, *this->Drawn, this->Debug, boxprobe::lightingValues(state, *this->Drawn),
+  boxprobe::uploadLighting(to, state, this->Made(), this->Debug, boxprobe::lightingValues(state, this->Made()),
                            this->Constants ? &this->Constants->values : nullptr);
   if (this->Mirror) {
     boxprobe::uploadMirror(to, *this->Mirror, state.resources);

@@ -93,6 +93,9 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   boxprobe::SurfaceFacts FactsOf(vtkActor* actor);
   void UploadLighting(const boxprobe::UniformUpload& to);
   void ChooseConstants(vtkActor* actor);
+  void ChooseDark();
+  /** What the program and its uniforms are made for now. */
+  const boxprobe::ProbeBinding& Made() const { return this->Dark ? *this->Dark : *this->Drawn; }
 
   std::shared_ptr<boxprobe::DrawState> State;
   void UpdateDrawn();
@@ -100,6 +103,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<const boxprobe::SurfaceMaterial> Surface;
   std::shared_ptr<const boxprobe::ProbeBinding> Binding;
   std::shared_ptr<const boxprobe::ProbeBinding> Drawn;
+  std::shared_ptr<const boxprobe::ProbeBinding> Dark;    // in place of Drawn, while captures show no reflection
+  std::shared_ptr<const boxprobe::ProbeBinding> DarkOf;  // what it was made from
   bool StandIn = false;
   bool SeparateSpecular = false;
   bool Heights = false;

@@ -1,4 +1,4 @@
-#include "filters/vtk/probes/glass_tint.h"
+#include "filters/vtk/scene/glass_tint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,37 @@
+#include "filters/vtk/capture/level_filter.h"
+
+#include <vtkOpenGLRenderWindow.h>
+
+namespace boxprobe {
+
+int sourceLevels(int faceSize) {
+  int levels = 1;
+  while (faceSize > 1) {
+    faceSize /= 2;
+    ++levels;
+  }
+  return levels;
+}
+
+LevelFilter::LevelFilter(vtkOpenGLRenderWindow* window, Counters* counters)
+    : window_(window), counters_(counters), prefilter_(window, counters) {}
+
+void LevelFilter::make(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings) {
+  window_->MakeCurrent();
+  source_.allocate(chain.faceSize(), sourceLevels(chain.faceSize()), GL_RGBA16F);
+  prefilter_.copyLevel(chain, source_, 0);
+  prefilter_.makeSourceLevels(source_);
+  for (int level = 1; level < chain.levels(); ++level) {
+    if ((levels >> level & 1u) == 0) continue;
+    prefilter_.filterLevel(source_, chain, level, settings);
+    ++counters_->levelsMadeLater;
+  }
+  source_.release();
+}
+
+void LevelFilter::release() {
+  prefilter_.release();
+  source_.release();
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,84 @@
+#include "filters/vtk/probes/level_needs.h"
+
+#include <algorithm>
+
+namespace boxprobe {
+
+void LevelNeeds::Need::add(const Lookup& lookup) {
+  if (std::find(lookups.begin(), lookups.end(), lookup) == lookups.end()) lookups.push_back(lookup);
+}
+
+// Glass looks along refracted rays as rough as its material, too, and at what its form makes of them.
+void LevelNeeds::update() {
+  needs_.assign(shown_->size(), {});
+  sky_ = {};
+  whole_ = false;
+  for (const DrawnObject& object : content_->objects) {
+    const ProbeBinding* binding = object.mapper->GetBinding();
+    if (!object.settings.visible || binding == nullptr || binding->lighting != Lighting::Probes) continue;
+    const bool glass = object.surface->glass.drawn;
+    const Lookup own{{}, object.roughnessMin, object.roughnessMax};
+    if (binding->sky || binding->open()) {
+      sky_.add(own);
+      sky_.all |= glass;
+    }
+    for (std::size_t slot = 0; slot < binding->probes.size(); ++slot) {
+      const auto index = static_cast<std::size_t>(binding->probes[slot]->index);
+      if (index >= needs_.size() || !shown_->has(*binding->probes[slot])) continue;
+      sky_.all |= binding->openByLookup(slot);
+      Need& need = needs_[index];
+      need.all |= glass;
+      for (const Technique& technique : {binding->technique(slot), standInFor(binding->technique(slot))}) {
+        need.add({technique, own.low, own.high});
+      }
+    }
+  }
+}
+
+LevelMask LevelNeeds::ofProbe(std::size_t probe, int levels) const {
+  if (all_ || probe >= needs_.size() || needs_[probe].all) return kAllLevels;
+  LevelMask mask = 0;
+  const auto& parameters = shown_->drawn(probe).geometry.parameters;
+  for (const Lookup& lookup : needs_[probe].lookups) {
+    mask |= levelsRead(lookup.technique, parameters, lookup.low, lookup.high, levels);
+  }
+  return mask;
+}
+
+LevelMask LevelNeeds::ofSky(int levels) const {
+  if (all_ || sky_.all) return kAllLevels;
+  LevelMask mask = 0;
+  for (const Lookup& lookup : sky_.lookups) mask |= skyLevelsRead(lookup.low, lookup.high, levels);
+  return mask;
+}
+
+LevelNeeds::Lack LevelNeeds::lackOf(const ProbeMaps* maps, LevelMask levels) const {
+  return {maps, maps->missing(levels)};
+}
+
+std::optional<LevelNeeds::Lack> LevelNeeds::find() const {
+  const ProbeMaps* sky = state_->resources.sky.get();
+  if (whole_ && wholeShown_ == shown_->generation() && wholeSky_ == sky) return std::nullopt;
+  for (std::size_t i = 0; i < shown_->size(); ++i) {
+    const ProbeMaps* maps = shown_->drawn(i).maps.get();
+    if (maps == nullptr || maps->missing(kAllLevels) == 0) continue;
+    if (const Lack lack = lackOf(maps, ofProbe(i, maps->radiance.levels())); lack.levels != 0) return lack;
+  }
+  if (sky != nullptr && sky->missing(kAllLevels) != 0) {
+    if (const Lack lack = lackOf(sky, ofSky(sky->radiance.levels())); lack.levels != 0) return lack;
+  }
+  whole_ = true;
+  wholeShown_ = shown_->generation();
+  wholeSky_ = sky;
+  return std::nullopt;
+}
+
+bool LevelNeeds::lacking() const {
+  return find().has_value();
+}
+
+void LevelNeeds::makeOne() {
+  if (const auto lack = find()) lack->maps->need(lack->levels & (~lack->levels + 1));
+}
+
+}  // namespace boxprobe
