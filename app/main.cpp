@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "app/cli/command/place_command.h"
 #include "app/cli/command/render_command.h"
 #include "app/cli/command/stress_command.h"
+#include "app/cli/options/help_text.h"
 #include "app/gui/window/lessons_command.h"
 #include "app/gui/window/window_app.h"
 #include "app/session/display_check.h"
@@ -32,6 +34,7 @@ using namespace boxprobe;
 int run(int& argc, char** argv) {
   CLI::App program("Places reflection probes, shows what box projection does to them, and draws the result.",
                    "boxprobe");
+  program.formatter(std::make_shared<HelpText>());  // the sub-commands take it over
   program.set_version_flag("--version", "boxprobe " BOXPROBE_VERSION);
   std::string scenePath;
   WindowOptions window;

@@ -45,7 +45,7 @@ class Installed : public testing::Test {
     return done;
   }
   static bool configure(const std::string& source, const std::string& build) {
-    return run(std::string(BOXPROBE_CMAKE " -S '") + source + "' -B '" + build +
+    return run(std::string(BOXPROBE_CMAKE " -G '" BOXPROBE_GENERATOR "' -S '") + source + "' -B '" + build +
                    "' -DCMAKE_CXX_COMPILER=" BOXPROBE_CXX + " -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH='" +
                    prefix() + "'",
                "configure");
