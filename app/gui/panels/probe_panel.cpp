@@ -185,8 +185,14 @@ void ProbePanel::buildLook() {
   intensity_ = addProbeNumber(editor_, form, tr("Intensity"), fieldFormat(intensity, 0.05, 2), fieldTip(intensity),
                               [](Probe& probe, double value) { probe.intensity = value; });
   buildEdges(form);
-  connect(technique_, &TechniqueChooser::chosen, this, [this](const std::string& id) {
-    editor_.commitProbe(label(tr("technique")), [id](Probe& probe) { probe.technique = id; });
+  // Of several, each keeps its own other half.
+  connect(technique_, &TechniqueChooser::projectionChosen, this, [this](int projection) {
+    editor_.commitProbe(label(tr("technique")),
+                        [projection](Probe& probe) { probe.technique = withProjection(probe.technique, projection); });
+  });
+  connect(technique_, &TechniqueChooser::evaluationChosen, this, [this](int evaluation) {
+    editor_.commitProbe(label(tr("technique")),
+                        [evaluation](Probe& probe) { probe.technique = withEvaluation(probe.technique, evaluation); });
   });
   connect(projection_, &QCheckBox::clicked, this, [this](bool on) {
     editor_.commitProbe(label(tr("projection")), [on](Probe& probe) { probe.projection = on; });

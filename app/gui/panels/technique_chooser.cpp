@@ -39,6 +39,19 @@ std::string idOf(int projection, int evaluation) {
 
 }  // namespace
 
+std::string withProjection(const std::string& techniqueId, int projection) {
+  const std::string id = idOf(projection, parseTechnique(techniqueId).value_or(Technique()).evaluation);
+  if (!id.empty()) return id;
+  return idOf(projection, parseTechnique(projectionRows().front().id).value_or(Technique()).evaluation);
+}
+
+std::string withEvaluation(const std::string& techniqueId, int evaluation) {
+  const std::string id = idOf(parseTechnique(techniqueId).value_or(Technique()).projection, evaluation);
+  if (!id.empty()) return id;
+  const auto alone = parseTechnique(evaluationRows()[static_cast<std::size_t>(evaluation)].id);
+  return alone ? shortTechniqueId(*alone) : techniqueId;
+}
+
 TechniqueChooser::TechniqueChooser(QWidget* parent) : QWidget(parent) {
   projection_ = comboOf(projectionRows(), tr("How the reflected ray is projected"), this);
   evaluation_ = comboOf(evaluationRows(), tr("How the lobe around the reflected ray is evaluated"), this);
@@ -48,21 +61,10 @@ TechniqueChooser::TechniqueChooser(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(projection_);
   column->addWidget(evaluation_);
-  for (QComboBox* combo : {projection_, evaluation_}) {
-    connect(combo, QOverload<int>::of(&QComboBox::activated), this, [this] { choose(); });
-  }
-}
-
-void TechniqueChooser::choose() {
-  const std::string id = idOf(projection_->currentData().toInt(), evaluation_->currentData().toInt());
-  // A projection that the evaluation does not go with takes the plainest one instead.
-  if (id.empty()) {
-    const QSignalBlocker quiet(evaluation_);
-    const auto plain = parseTechnique(projectionRows().front().id).value_or(Technique{}).evaluation;
-    evaluation_->setCurrentIndex(evaluation_->findData(plain));
-  }
-  enableWhatCombines();
-  emit chosen(idOf(projection_->currentData().toInt(), evaluation_->currentData().toInt()));
+  connect(projection_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { emit projectionChosen(projection_->currentData().toInt()); });
+  connect(evaluation_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { emit evaluationChosen(evaluation_->currentData().toInt()); });
 }
 
 void TechniqueChooser::enableWhatCombines() {

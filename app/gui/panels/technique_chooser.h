@@ -9,6 +9,13 @@ class QComboBox;
 
 namespace boxprobe {
 
+/// The technique of that id with another row of projectionRows(); an evaluation that does not go with it gives way to
+/// the plainest one.
+std::string withProjection(const std::string& techniqueId, int projection);
+/// The technique of that id with another row of evaluationRows(); a projection that does not go with it gives way to
+/// the one that the evaluation means by itself.
+std::string withEvaluation(const std::string& techniqueId, int evaluation);
+
 class TechniqueChooser : public QWidget {
   Q_OBJECT
 
@@ -24,11 +31,11 @@ class TechniqueChooser : public QWidget {
   QComboBox* evaluation() const { return evaluation_; }
 
  signals:
-  /// Shortest id that parses back.
-  void chosen(const std::string& techniqueId);
+  /// One of the two, and nothing of the other: row of projectionRows() or evaluationRows().
+  void projectionChosen(int projection);
+  void evaluationChosen(int evaluation);
 
  private:
-  void choose();
   void enableWhatCombines();
 
   QComboBox* projection_;  ///< item data: row of projectionRows()
