@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <optional>
 #include <utility>
 
 #include "app/gui/edit/field_form.h"
@@ -199,6 +200,12 @@ void CapturePanel::markDifferences() {
   mark(near_, [](const Probe& probe) { return probe.nearDistance; });
   mark(far_, [](const Probe& probe) { return probe.farDistance; });
   mark(clear_, [](const Probe& probe) { return probe.clear.index(); });
+  for (int channel = 0; channel < 3; ++channel) {
+    clearColor_->field(channel)->setDiffers(all.differ([channel](const Probe& probe) {
+      const auto* color = std::get_if<glm::vec3>(&probe.clear);
+      return color ? std::optional<float>((*color)[channel]) : std::nullopt;
+    }));
+  }
 }
 
 }  // namespace boxprobe
