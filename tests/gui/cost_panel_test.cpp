@@ -7,6 +7,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -114,9 +115,27 @@ TEST_F(CostPanelTest, MeasuresBesideTheWindowAndStops) {
   QTest::mouseClick(quick, Qt::LeftButton);
   EXPECT_FALSE(panel_->measuredScene().startsWith(folder_.path())) << panel_->measuredScene().toStdString();
   EXPECT_TRUE(loadSceneFile(panel_->measuredScene().toStdString()).probes == document().scene().probes);
+  // Saved under another name it is the same scene: the measurement goes on, and its results are shown.
+  const QString measured = panel_->measuredScene();
+  document().markSaved(folder_.filePath("other.boxprobe.json").toStdString());
+  EXPECT_TRUE(panel_->measuring());
+  ASSERT_TRUE(QFile::exists(measured));
+  const QString bench = QFileInfo(measured).absolutePath() + "/bench";
+  QDir().mkpath(bench);
+  QFile file(bench + "/bench.json");
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(kResults);
+  file.close();
   QTest::mouseClick(named<QPushButton>("stopMeasuring"), Qt::LeftButton);
   EXPECT_TRUE(waitFor([this] { return !panel_->measuring(); }));
   EXPECT_FALSE(QFile::exists(QString::fromStdString(CostPanel::folderBeside(path)) + "/bench.json"));
+  EXPECT_EQ(named<QTreeWidget>("costTable")->topLevelItemCount(), 3);
+  document().markSaved(folder_.filePath("third.boxprobe.json").toStdString());
+  EXPECT_EQ(named<QTreeWidget>("costTable")->topLevelItemCount(), 3);
+  // Another scene.
+  openCopy(false);
+  EXPECT_GT(named<QTreeWidget>("costTable")->topLevelItemCount(), 10);
+  EXPECT_FALSE(QFile::exists(measured));
 }
 
 }  // namespace

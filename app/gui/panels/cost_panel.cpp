@@ -166,8 +166,10 @@ bool CostPanel::measuring() const {
 }
 
 void CostPanel::useScene(const std::string& scenePath) {
-  if (measuring()) process_.terminate();
-  scenePath_ = scenePath;
+  if (measuring()) {
+    process_.terminate();
+    ending_ = std::move(own_);  // still written into until it has ended
+  }
   folder_ = scenePath.empty() ? std::string() : folderBeside(scenePath);
   own_.reset();
   load();
@@ -182,9 +184,11 @@ QString CostPanel::sceneToMeasure() {
     folder_ = folderBeside(document.path());
     return QString::fromStdString(document.path());
   }
-  own_ = std::make_unique<QTemporaryDir>();
-  const QString copy = own_->filePath("shown.boxprobe.json");
+  auto own = std::make_unique<QTemporaryDir>();
+  if (!own->isValid()) throw InputError(own->errorString().toStdString());
+  const QString copy = own->filePath("shown.boxprobe.json");
   saveSceneFile(document.scene(), copy.toStdString());
+  own_ = std::move(own);
   folder_ = own_->filePath("bench").toStdString();
   return copy;
 }
@@ -229,6 +233,7 @@ void CostPanel::readProgress() {
 void CostPanel::measured(int exitCode, QProcess::ExitStatus status) {
   progress_->hide();
   stop_->hide();
+  ending_.reset();
   if (status == QProcess::NormalExit && exitCode == 0) emit message(tr("%1 techniques measured").arg(points_.size()));
   load();
 }
@@ -289,7 +294,8 @@ std::string CostPanel::currentLabel() const {
 }
 
 void CostPanel::update() {
-  if (editor_.document().path() != scenePath_) useScene(editor_.document().path());
+  if (another_) useScene(editor_.document().path());
+  another_ = false;
   enableButtons();
   showCurrent(false);
 }
@@ -318,7 +324,7 @@ void CostPanel::showCurrent(bool always) {
     text = tr("The probe's technique is not among those measured.");
   }
   if (shipped_ && !points_.empty()) {
-    text = tr("Measured in the example scene gallery, not in this one. Measure does it for what is on show. ") + text;
+    text = tr("Measured in the example scene gallery, not in this one. Measure measures the scene on show. ") + text;
   }
   state_->setText(text);
   redraw_->start();

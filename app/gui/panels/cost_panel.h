@@ -29,9 +29,12 @@ class CostPanel : public QWidget {
   explicit CostPanel(Editor& editor, QWidget* parent = nullptr);
   ~CostPanel() override;
 
-  /// The document changed; another file: what an earlier benchmark left beside it is shown, else the table of the
-  /// example scene that comes with the program, marked as such.
+  /// The document changed. Another scene was opened: what an earlier benchmark left beside it is shown, else the table
+  /// of the example scene that comes with the program, marked as such. Saved under another name it is the same scene,
+  /// and what was measured stays.
   void update();
+  /// The next change of the document is another scene.
+  void sceneReplaced() { another_ = true; }
   /// What measures: this program itself, unless a test says otherwise.
   void setProgram(const QString& path) { program_ = path; }
   /// Draws only while it can be seen.
@@ -65,10 +68,11 @@ class CostPanel : public QWidget {
   std::string currentLabel() const;
 
   Editor& editor_;
-  std::string scenePath_;
-  std::string folder_;                  ///< of the results
-  std::unique_ptr<QTemporaryDir> own_;  ///< of a scene that is not saved as it is shown
-  bool shipped_ = false;                ///< the points are of the example scene
+  bool another_ = false;                   ///< another scene is on its way
+  std::string folder_;                     ///< of the results
+  std::unique_ptr<QTemporaryDir> own_;     ///< of a scene that is not saved as it is shown
+  std::unique_ptr<QTemporaryDir> ending_;  ///< of the process that was asked to end
+  bool shipped_ = false;                   ///< the points are of the example scene
   std::vector<ParetoPoint> points_;
   std::string shownLabel_;
   bool watched_ = false, onDark_ = false;

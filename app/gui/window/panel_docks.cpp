@@ -274,6 +274,7 @@ void PanelDocks::setModels(const std::vector<std::shared_ptr<const Model>>& mode
   placePanel_->setModels(models);
   materialPanel_->setModels(models);
   objectPanel_->setModels(models);
+  costPanel_->sceneReplaced();
 }
 
 void PanelDocks::show(const QString& node, const QString& material) {
