@@ -9,7 +9,6 @@
 #include <QToolButton>
 #include <algorithm>
 #include <glm/common.hpp>
-#include <numeric>
 #include <utility>
 
 #include "app/gui/handles/handle_drag.h"
@@ -39,7 +38,10 @@ ProbeList::ProbeList(Editor& editor, Hooks hooks, QWidget* parent)
   filter_->setPlaceholderText(tr("Find a probe"));
   filter_->setClearButtonEnabled(true);
   filter_->setToolTip(tr("Lists only the probes that have this in their name"));
-  connect(filter_, &QLineEdit::textChanged, this, &ProbeList::filter);
+  connect(filter_, &QLineEdit::textChanged, this, [this] {
+    filter();
+    deselectHidden();
+  });
   list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   list_->setMinimumHeight(72);
   list_->setMaximumHeight(120);
@@ -112,6 +114,22 @@ void ProbeList::filter() {
   }
 }
 
+std::vector<std::size_t> ProbeList::shownOf(const std::vector<std::size_t>& rows) const {
+  std::vector<std::size_t> shown;
+  for (const std::size_t row : rows) {
+    if (!list_->isRowHidden(static_cast<int>(row))) shown.push_back(row);
+  }
+  return shown;
+}
+
+// What nobody sees in the list is not edited or deleted with the others. Alone, the probe on show stays.
+void ProbeList::deselectHidden() {
+  const std::vector<std::size_t> selected = editor_.selected(), shown = shownOf(selected);
+  if (selected.size() < 2 || shown.size() == selected.size()) return;
+  const auto probe = editor_.document().selectedProbe();
+  editor_.selectProbes(shown.empty() && probe ? std::vector<std::size_t>{*probe} : shown, probe);
+}
+
 void ProbeList::choose() {
   if (choosing_) return;
   choosing_ = true;  // the list is where it comes from: it shows it already
@@ -121,8 +139,13 @@ void ProbeList::choose() {
   }
   std::sort(rows.begin(), rows.end());
   const int current = list_->currentRow();
-  editor_.selectProbes(rows, current < 0 ? std::nullopt : std::optional<std::size_t>(current));
+  // A range reaches over the rows that the search hides.
+  const std::vector<std::size_t> seen = shownOf(rows);
+  editor_.selectProbes(seen.empty() ? rows : seen, current < 0 ? std::nullopt : std::optional<std::size_t>(current));
   choosing_ = false;
+  if (seen.empty() || seen.size() == rows.size()) return;
+  const QSignalBlocker quiet(list_);
+  showSelection();
 }
 
 void ProbeList::showSelection() {
@@ -176,7 +199,8 @@ void ProbeList::rename(QListWidgetItem* item) {
     const std::string name = to.toStdString();
     editor_.commit(tr("Rename %1 to %2").arg(QString::fromStdString(from), to),
                    [row, name](Scene& scene) { scene.probes[row].name = name; });
-    editor_.selectProbe(row);
+    const std::vector<std::size_t> selected = editor_.selected();
+    if (std::find(selected.begin(), selected.end(), row) == selected.end()) editor_.selectProbe(row);
   }
   update();
 }
@@ -227,8 +251,10 @@ void ProbeList::deleteProbe() {
 }
 
 void ProbeList::selectAll() {
-  std::vector<std::size_t> all(editor_.scene().probes.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<std::size_t> all;
+  for (int row = 0; row < list_->count(); ++row) {
+    if (!list_->isRowHidden(row)) all.push_back(static_cast<std::size_t>(row));
+  }
   if (!all.empty()) editor_.selectProbes(all, editor_.document().selectedProbe());
 }
 

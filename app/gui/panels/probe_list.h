@@ -3,7 +3,9 @@
 #pragma once
 
 #include <QWidget>
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "app/gui/edit/editor.h"
 #include "app/gui/panels/bake_state_look.h"
@@ -48,6 +50,8 @@ class ProbeList : public QWidget {
   void showSelection();
   void markShown();
   void filter();
+  void deselectHidden();
+  std::vector<std::size_t> shownOf(const std::vector<std::size_t>& rows) const;
   QToolButton* addButton(const QString& text, const QString& toolTip, void (ProbeList::*action)());
 
   Editor& editor_;
