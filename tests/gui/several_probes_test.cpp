@@ -22,6 +22,7 @@
 #include "app/gui/window/probe_clipboard.h"
 #include "app/gui/window/view_tools.h"
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/math/technique/technique_table.h"
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/window_test.h"
 
@@ -255,6 +256,121 @@ TEST_F(SeveralProbesTest, WhatIsSetInThePanelIsSetForAllAsOneStep) {
   }
   for (const Probe& each : probes()) EXPECT_EQ(each.technique.rfind("infinite", 0), 0u) << each.technique;
   EXPECT_TRUE(document().undoLabel() == "Set technique of 3 probes") << document().undoLabel();
+}
+
+TEST_F(SeveralProbesTest, OneHalfOfATechniqueLeavesEachProbesOtherHalf) {
+  window_->editor().commit("Differ", [](Scene& scene) {
+    scene.probes[0].technique = "footprint4";
+    scene.probes[1].technique = "infinite";
+    scene.probes[2].technique = "hdrp";
+  });
+  steps_ = document().stepLabels().size();
+  selectAll();
+  const std::vector<Probe> before = probes();
+  const auto choose = [this](const char* name, int row) {
+    auto* combo = field<QComboBox>(name);
+    combo->setCurrentIndex(combo->findData(row));
+    emit combo->activated(combo->currentIndex());
+  };
+  const auto techniques = [this] {
+    std::vector<std::string> ids;
+    for (const Probe& each : probes()) ids.push_back(each.technique);
+    return ids;
+  };
+  choose("techniqueProjection", parseTechnique("infinite")->projection);
+  EXPECT_EQ(techniques(), (std::vector<std::string>{"infinite+footprint4", "infinite", "infinite+hdrp"}));
+  EXPECT_EQ(newSteps(), 1u);
+  document().undo();
+  EXPECT_TRUE(probes() == before);
+  choose("techniqueEvaluation", parseTechnique("hdrp")->evaluation);
+  EXPECT_EQ(techniques(), (std::vector<std::string>{"hdrp", "infinite+hdrp", "hdrp"}));
+  document().undo();
+  // What stands for the box alone takes it.
+  choose("techniqueEvaluation", parseTechnique("auto")->evaluation);
+  EXPECT_EQ(techniques(), (std::vector<std::string>{"auto", "auto", "auto"}));
+  choose("techniqueProjection", parseTechnique("infinite")->projection);
+  EXPECT_EQ(techniques(), (std::vector<std::string>{"infinite", "infinite", "infinite"}));
+}
+
+TEST_F(SeveralProbesTest, WhatTheSearchHidesIsNotSelectedAndNotDeleted) {
+  auto* filter = field<QLineEdit>("probeFilter");
+  selectAll();
+  filter->setText("d");  // second, third
+  EXPECT_EQ(chosen(), (Places{1, 2}));
+  EXPECT_EQ(rows(), (Places{1, 2}));
+  filter->setText("sec");
+  EXPECT_EQ(chosen(), Places{1});
+  filter->setText("room");
+  EXPECT_EQ(chosen(), Places{1}) << "the one on show may stay";
+  filter->setText("d");
+  window_->viewport().setFocus();
+  key(Qt::Key_A, Qt::ControlModifier);
+  EXPECT_EQ(chosen(), (Places{1, 2}));
+  key(Qt::Key_Delete);
+  ASSERT_EQ(probes().size(), 1u);
+  EXPECT_EQ(probe(0).name, "room");
+  document().undo();
+  filter->clear();
+}
+
+TEST_F(SeveralProbesTest, ARangeLeavesOutWhatTheSearchHides) {
+  window_->editor().commit("Rename", [](Scene& scene) { scene.probes[1].name = "x"; });
+  auto* filter = field<QLineEdit>("probeFilter");
+  filter->setText("r");  // room, third
+  clickRow(0);
+  clickRow(2, Qt::ShiftModifier);
+  EXPECT_EQ(chosen(), (Places{0, 2}));
+  EXPECT_EQ(rows(), (Places{0, 2}));
+  filter->clear();
+}
+
+TEST_F(SeveralProbesTest, RenamingTheOneOnShowKeepsTheOthersSelected) {
+  selectAll();
+  const std::size_t at = *document().selectedProbe();
+  list()->setFocus();
+  list()->editItem(list()->item(static_cast<int>(at)));
+  auto* name = list()->viewport()->findChild<QLineEdit*>();
+  ASSERT_NE(name, nullptr);
+  name->selectAll();
+  QTest::keyClicks(name, "hall");
+  QTest::keyClick(name, Qt::Key_Return);
+  QCoreApplication::processEvents();  // the list takes the text over in the next turn
+  ASSERT_EQ(probe(at).name, "hall");
+  EXPECT_EQ(chosen(), (Places{0, 1, 2}));
+  window_->editor().undo();
+  EXPECT_NE(probe(at).name, "hall");
+  EXPECT_EQ(chosen(), (Places{0, 1, 2}));
+  window_->editor().redo();
+  EXPECT_EQ(chosen(), (Places{0, 1, 2}));
+  EXPECT_EQ(rows(), (Places{0, 1, 2}));
+}
+
+TEST_F(SeveralProbesTest, AnEditThatMovesTheSelectionTellsIt) {
+  clickRow(2);
+  int told = 0;
+  const auto connection = QObject::connect(&window_->editor(), &Editor::selectionChanged, [&told] { ++told; });
+  window_->editor().commit("Erase", [](Scene& scene) { scene.probes.erase(scene.probes.begin()); });
+  EXPECT_EQ(chosen(), Places{1});
+  EXPECT_EQ(told, 1);
+  window_->editor().commitProbe("Set intensity", [](Probe& edited) { edited.intensity = 2.0; });
+  EXPECT_EQ(told, 1) << "the same is selected";
+  QObject::disconnect(connection);
+}
+
+TEST_F(SeveralProbesTest, ColoursThatDifferAreMarkedChannelByChannel) {
+  window_->editor().commit("Colours", [](Scene& scene) {
+    scene.probes[0].clear = glm::vec3(1.0f, 0.0f, 0.25f);
+    scene.probes[1].clear = glm::vec3(1.0f, 0.5f, 0.25f);
+    scene.probes[2].clear = glm::vec3(1.0f, 0.5f, 0.25f);
+  });
+  selectAll();
+  const auto channels = field<QWidget>("clearColor")->findChildren<ValueField*>();
+  ASSERT_EQ(channels.size(), 3);
+  EXPECT_FALSE(channels[0]->differs());
+  EXPECT_TRUE(channels[1]->differs());
+  EXPECT_FALSE(channels[2]->differs());
+  clickRow(0);
+  EXPECT_FALSE(channels[1]->differs());
 }
 
 TEST_F(SeveralProbesTest, OneFieldOfOneAxisLeavesTheOthers) {

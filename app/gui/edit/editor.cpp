@@ -17,9 +17,9 @@ Document::Edit onProbe(const std::string& name, const Editor::ProbeEdit& edit) {
   };
 }
 
-std::set<std::string> probeNames(const Scene& scene) {
-  std::set<std::string> names;
-  for (const Probe& probe : scene.probes) names.insert(probe.name);
+std::vector<std::string> probeNames(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Probe& probe : scene.probes) names.push_back(probe.name);
   return names;
 }
 
@@ -82,7 +82,11 @@ void Editor::preview(const EditToken& token, const QString& label, const Documen
 void Editor::commit(const EditToken& token, const QString& label, const Document::Edit& edit) {
   if (!goesOn(token)) finish();
   forgetPending();
+  const std::vector<std::size_t> selectedBefore = selected();
+  const std::vector<std::string> names = probeNames(scene());
   guarded([&] { document_.commit(label.toStdString(), edit); });
+  const bool renamed = followRenames(names);
+  if (renamed || selected() != selectedBefore) emit selectionChanged();
   emit settled();
 }
 
@@ -133,19 +137,40 @@ void Editor::cancel() {
 template <typename Move>
 void Editor::step(const Move& move) {
   finish();
-  const auto names = probeNames(scene());
+  const std::vector<std::string> names = probeNames(scene());
+  const std::vector<std::size_t> allBefore = selected();
   const auto selectedBefore = document_.selectedProbe();
   guarded(move);
+  const bool renamed = followRenames(names);
   const auto& probes = scene().probes;
   if (probes.size() > names.size()) {
     selectWhatCameBack(names);
   } else if (selectedBefore && !document_.selectedProbe() && !probes.empty()) {
     selectProbe(std::min(*selectedBefore > 0 ? *selectedBefore - 1 : 0, probes.size() - 1));
   }
+  if (renamed || selected() != allBefore) emit selectionChanged();
   emit settled();
 }
 
-void Editor::selectWhatCameBack(const std::set<std::string>& before) {
+// A renamed probe keeps its place, and no other has the name that it had. True if one of those selected was: whoever
+// heard of the edit before saw it alone.
+bool Editor::followRenames(const std::vector<std::string>& before) {
+  const auto& probes = scene().probes;
+  if (probes.size() != before.size()) return false;
+  std::set<std::string> after;
+  bool any = false;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const bool renamed = probes[i].name != before[i] && !findProbe(scene(), before[i]);
+    if (together_.count(before[i]) == 0) continue;
+    after.insert(renamed ? probes[i].name : before[i]);
+    any |= renamed;
+  }
+  together_ = after;
+  return any;
+}
+
+void Editor::selectWhatCameBack(const std::vector<std::string>& names) {
+  const std::set<std::string> before(names.begin(), names.end());
   std::vector<std::size_t> back;
   const auto& probes = scene().probes;
   for (std::size_t i = 0; i < probes.size(); ++i) {

@@ -81,7 +81,8 @@ class Editor : public QObject {
   bool goesOn(const EditToken& token) const;
   void forgetPending();
   Document::Edit onSelected(const ProbeEdit& edit) const;
-  void selectWhatCameBack(const std::set<std::string>& before);
+  bool followRenames(const std::vector<std::string>& before);
+  void selectWhatCameBack(const std::vector<std::string>& names);
 
   Document& document_;
   std::set<std::string> together_;  ///< names; count only while the document's selected probe is among them
