@@ -197,6 +197,23 @@ TEST_F(BakePanelTest, WhatIsSavedBesideTheSceneIsLoadedWithIt) {
   EXPECT_EQ(second.findChild<QLabel*>("bakeState")->text(), "Loaded from disk, up to date");
 }
 
+TEST_F(BakePanelTest, BakingIsNotToldAsStaleFiles) {
+  const QString path = folder_.filePath("copy.boxprobe.json");
+  saveSceneFile(document().scene(), path.toStdString());
+  ASSERT_TRUE(QDir(folder_.path()).mkpath("copy.probes"));
+  ImageRgbaF image{4, 2, std::vector<float>(32, 0.5f)};
+  saveExr(folder_.filePath("copy.probes/other.exr").toStdString(), image);
+  ASSERT_TRUE(window_->files().openPath(path));
+  QStringList told;
+  const auto connection =
+      QObject::connect(panel(), &BakePanel::message, [&told](const QString& text) { told << text; });
+  click("bake");
+  waitUntilIdle();
+  QObject::disconnect(connection);
+  EXPECT_EQ(state(), "Up to date");
+  EXPECT_TRUE(told.filter("missing or out of date").isEmpty()) << told.join("; ").toStdString();
+}
+
 TEST_F(BakePanelTest, ACustomProbeTakesItsImageFromTheDialogAndRefusesWhatIsNone) {
   answerFileDialog(environment(64, 32));
   choose("mode", static_cast<int>(ProbeMode::Custom));

@@ -132,6 +132,63 @@ TEST_F(ViewComparisonTest, AnotherViewShowsThePictureUntilItRests) {
   EXPECT_FALSE(window_->tools().compare().active());
 }
 
+TEST_F(ViewComparisonTest, TheViewsAreMadeAnewWhereThePictureChanges) {
+  key(Qt::Key_C, Qt::AltModifier);
+  choose(1, "");
+  choose(3, "");
+  ASSERT_TRUE(made());
+  const auto madeAnew = [this](const char* after) {
+    SCOPED_TRACE(after);
+    EXPECT_TRUE(QTest::qWaitFor([this] { return views().making(); }, 15000));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !views().making(); }, 15000));
+    EXPECT_TRUE(views().views().isVisible());
+  };
+  const QImage lit = shown(0);
+  key(Qt::Key_R, Qt::ControlModifier);
+  madeAnew("reflections off");
+  EXPECT_GT(differingShare(lit, shown(0)), 0.005);
+  key(Qt::Key_R, Qt::ControlModifier);
+  madeAnew("reflections on");
+  EXPECT_LT(differingShare(lit, shown(0)), 0.001);
+  key(Qt::Key_3, Qt::AltModifier);
+  madeAnew("a surface view");
+  EXPECT_GT(differingShare(lit, shown(0)), 0.005);
+  key(Qt::Key_0, Qt::AltModifier);
+  madeAnew("the picture");
+  const QSize size = window_->size();
+  window_->resize(size - QSize(120, 90));
+  madeAnew("a smaller window");
+  window_->resize(size);
+  madeAnew("the window as it was");
+}
+
+TEST_F(ViewComparisonTest, BakingAndExplainingAreOfTheDocumentsScene) {
+  waitUntilIdle();
+  const QImage picture = shownPicture(window_->viewport());
+  const auto away = [this] {
+    int others = 0;
+    const auto connection =
+        QObject::connect(&views(), &ViewComparison::ownSceneShown, [&others](bool own) { others += own ? 0 : 1; });
+    key(Qt::Key_C, Qt::AltModifier);
+    const bool gone = waitFor([&others] { return others > 0; });
+    QObject::disconnect(connection);
+    return gone;
+  };
+  ASSERT_TRUE(away());
+  key(Qt::Key_F5);
+  EXPECT_FALSE(views().on());
+  waitUntilIdle();
+  EXPECT_EQ(window_->renderer().bakeState("room"), BakeState::UpToDate);
+  EXPECT_LT(differingShare(picture, shownPicture(window_->viewport())), 0.001);
+  ASSERT_TRUE(away());
+  key(Qt::Key_E);
+  EXPECT_FALSE(views().on());
+  key(Qt::Key_E);
+  waitUntilIdle();
+  EXPECT_LT(differingShare(picture, shownPicture(window_->viewport())), 0.001);
+  EXPECT_FALSE(document().canUndo());
+}
+
 TEST(ViewScenes, EachChoiceIsAValidSceneOrNone) {
   const Scene now = smallBuilding().scene;
   int scenes = 0;

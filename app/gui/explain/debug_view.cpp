@@ -31,7 +31,7 @@ DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document
       renderer_(renderer),
       viewport_(viewport),
       document_(document),
-      inspector_({[this] { return viewport_.readyToDraw() && !document_.scene().models.empty(); },
+      inspector_({[this] { return !paused_ && viewport_.readyToDraw() && !document_.scene().models.empty(); },
                   [this](const QPointF& position) { return hold(position); },
                   [this](const QPointF& position) { return explain(position); }}),
       rays_(std::make_unique<RayRig>(renderer.renderer(),
@@ -218,6 +218,11 @@ void DebugView::setTool(bool on) {
   inspector_.setTool(on);
   if (!on) showNothing();
   emit toolChanged(on);
+}
+
+void DebugView::setPaused(bool paused) {
+  paused_ = paused;
+  if (!paused) inspector_.invalidate();
 }
 
 bool DebugView::unpin() {

@@ -69,6 +69,8 @@ class DebugView : public QObject {
   void releaseGraphics();
 
   void setTool(bool on);
+  /// While another scene than the document's is drawn, nothing is explained; what was explained is again after.
+  void setPaused(bool paused);
   /// The pinned point is let go. False if there was none.
   bool unpin();
   void saveRays();
@@ -99,6 +101,7 @@ class DebugView : public QObject {
   Viewport& viewport_;
   const Document& document_;
   vtkSmartPointer<vtkCamera> pinnedCamera_;  ///< null while nothing is pinned
+  bool paused_ = false;
   PixelInspector inspector_;
   std::unique_ptr<RayRig> rays_;
   std::unique_ptr<MirrorLines> mirrors_;

@@ -98,7 +98,7 @@ void BakePanel::update() {
   }
 }
 
-void BakePanel::useFilesBeside(const std::string& scenePath) {
+void BakePanel::sceneOpened(const std::string& scenePath) {
   const std::string folder = scenePath.empty() ? std::string() : BakeFolder::besideScene(scenePath);
   renderer_.useBakedFiles(folder);
   const QDir files(QString::fromStdString(folder));
@@ -125,6 +125,8 @@ void BakePanel::tellStale() {
 
 void BakePanel::bake(const std::vector<std::string>& names) {
   editor_.finish();
+  emit ownSceneWanted();
+  checkFiles_ = false;  // what is captured from now on was asked for
   renderer_.requestBake(names);
   scheduler_.sceneChanged();
   update();
@@ -180,6 +182,7 @@ void BakePanel::saveBaked() {
 
 void BakePanel::saveNext() {
   try {
+    emit ownSceneWanted();
     const std::string name = toSave_.back();
     // A level at a time, so that the window goes on answering.
     if (renderer_.filterMissingLevel(name)) {
@@ -196,7 +199,8 @@ void BakePanel::saveNext() {
       return;
     }
     // What was written now need not be captured again after an undo.
-    useFilesBeside(editor_.document().path());
+    const std::string& scene = editor_.document().path();
+    renderer_.useBakedFiles(scene.empty() ? std::string() : BakeFolder::besideScene(scene));
     checkFiles_ = false;
     const QString done = tr("Wrote %1 files to %2").arg(saved_).arg(folder_);
     if (notFinished_.isEmpty()) {

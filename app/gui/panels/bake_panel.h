@@ -24,8 +24,9 @@ class BakePanel : public QWidget {
 
   /// The document changed or work went on. Cheap where nothing else to show came of it.
   void update();
-  /// Another scene was opened: files baked beside it are used where they hold.
-  void useFilesBeside(const std::string& scenePath);
+  /// Another scene was opened: files baked beside it are used where they hold; once those that do not hold are captured
+  /// again, the user is told.
+  void sceneOpened(const std::string& scenePath);
 
   void bakeSelected();
   void bakeAll();
@@ -35,6 +36,8 @@ class BakePanel : public QWidget {
  signals:
   /// One a probe, in the scene's order.
   void statesChanged(const std::vector<boxprobe::BakeStateLook>& looks);
+  /// The renderer must draw the document's scene when this returns.
+  void ownSceneWanted();
   void message(const QString& text);
   void failed(const QString& line);
 

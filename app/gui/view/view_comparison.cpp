@@ -38,8 +38,8 @@ std::vector<CompareViews::Choice> viewChoices() {
       {"", words("Nothing"), {}},
       {"now", words("As it is now"), words("The scene as it is edited")},
       {"traced", words("Ray traced"),
-       words("The true scene, traced in the background, with one reflection: mirrors seen in mirrors stay black. The "
-             "others are measured by it")},
+       words("This is the true scene, traced in the background, with one reflection: mirrors seen in mirrors stay "
+             "black. The others are measured by it")},
       {"before", words("Before"), words("The scene as it was when the views were opened")},
       {"baked", words("All probes baked"), words("Every realtime probe captured and filtered as a baked one")},
       {"live", words("All probes live"), words("Every baked probe captured as a realtime one")}};
@@ -50,8 +50,9 @@ std::vector<CompareViews::Choice> viewChoices() {
     }
   };
   for (const ProjectionRow& row : projectionRows()) add(row, std::string(row.id));
-  for (std::size_t i = 1; i < evaluationRows().size(); ++i)
+  for (std::size_t i = 1; i < evaluationRows().size(); ++i) {
     add(evaluationRows()[i], std::string(evaluationRows()[i].id));
+  }
   return choices;
 }
 
@@ -91,6 +92,7 @@ ViewComparison::ViewComparison(Document& document, QWidget* picture, Hooks hooks
   });
   connect(&trace_, &ReferenceTrace::traced, this, &ViewComparison::traced);
   connect(&trace_, &ReferenceTrace::failed, this, [this](const QString& line) {
+    if (!on_ || outdated_) return;  // of a trace that was asked to stop
     emit failed(line);
     setOn(false);
   });
@@ -122,6 +124,7 @@ void ViewComparison::setOn(bool on) {
 }
 
 void ViewComparison::forget() {
+  if (shown_) emit ownSceneShown(true);
   shown_.reset();
   setOn(false);
 }
@@ -129,7 +132,7 @@ void ViewComparison::forget() {
 bool ViewComparison::sameView() const {
   Camera now = hooks_.camera();
   now.name = camera_.name;
-  return now == camera_;
+  return now == camera_ && views_->parentWidget()->size() == size_;
 }
 
 void ViewComparison::wait() {
@@ -146,11 +149,18 @@ void ViewComparison::comeBack() {
   const Changes changes = difference(*shown_, document_.scene());
   shown_.reset();
   hooks_.render(document_.scene(), changes);
+  emit ownSceneShown(true);
 }
 
 // While the view turns, the picture itself is seen.
 void ViewComparison::pictureDrawn() {
   if (!on_ || outdated_ || sameView()) return;
+  views_->setShown(false);
+  wait();
+}
+
+void ViewComparison::pictureChanged() {
+  if (!on_) return;
   views_->setShown(false);
   wait();
 }
@@ -170,6 +180,7 @@ void ViewComparison::start() {
   if (now.isNull()) return rest_.start();
   outdated_ = false;
   camera_ = hooks_.camera();
+  size_ = views_->parentWidget()->size();
   pictures_ = {};
   for (int view = CompareViews::kViews - 1; view >= 0; --view) {
     const QString id = views_->chosen(view);
@@ -198,6 +209,7 @@ void ViewComparison::next() {
     return next();
   }
   const Changes changes = difference(shown_ ? *shown_ : document_.scene(), wanted);
+  if (!shown_) emit ownSceneShown(false);
   shown_ = std::move(wanted);
   hooks_.render(*shown_, changes);
   poll_.start();

@@ -50,9 +50,13 @@ class ViewComparison : public QObject {
   void forget();
 
   void pictureDrawn();
+  /// What is drawn changes by neither the document nor the camera: reflections off, another surface view.
+  void pictureChanged();
 
  signals:
   void onChanged(bool on);
+  /// The renderer draws the document's scene again, or another one from now on.
+  void ownSceneShown(bool own);
   void message(const QString& text);
   void failed(const QString& line);
 
@@ -76,6 +80,7 @@ class ViewComparison : public QObject {
   bool on_ = false, outdated_ = false;
   Scene before_;                ///< when it was begun
   Camera camera_;               ///< of the pictures
+  QSize size_;                  ///< of the widget that they were made of, logical pixels
   std::optional<Scene> shown_;  ///< what the renderer draws in place of the document's scene
   std::vector<int> left_;       ///< views whose pictures are still to be made, last first
   int view_ = 0;                ///< whose picture is being made

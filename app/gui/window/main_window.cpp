@@ -65,6 +65,7 @@ MainWindow::MainWindow()
           {[this](LoadedScene loaded) { showScene(std::move(loaded)); },
            [this](const std::string& path) {
              motionPreview().rest();
+             tools_->showOwnScene();
              exportPicture(path, *renderer_, *viewport_, *overlay_);
              scheduler().requestRender();
            },
@@ -122,7 +123,7 @@ MainWindow::MainWindow()
   connectLessons();
   connectFitter();
   tools_ = new ViewTools({document_, *editor_, *renderer_, *viewport_, *overlay_, *probeWidget_, *surfaces_, *menu_,
-                          *panels_, *status_, scheduler(), [this] { return models_; }},
+                          *panels_, *debugView_, *status_, scheduler(), [this] { return models_; }},
                          this);
   views_.updateAll();
 }
@@ -201,6 +202,7 @@ void MainWindow::connectFiles() {
   connect(menu_, &MenuBar::saveAsRequested, files_, &FileCommands::saveAs);
   connect(menu_, &MenuBar::exportRequested, files_, &FileCommands::exportImage);
   connect(menu_, &MenuBar::exportProbesRequested, exporter_, &ProbeExporter::ask);
+  connect(exporter_, &ProbeExporter::ownSceneWanted, this, [this] { tools_->showOwnScene(); });
   connect(exporter_, &ProbeExporter::message, status_, &StatusLine::showMessage);
   connect(exporter_, &ProbeExporter::failed, status_, &StatusLine::showError);
   connect(menu_, &MenuBar::quitRequested, this, &QWidget::close);
@@ -369,7 +371,7 @@ void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& mod
   renderer_->setModels(models);
   panels_->setModels(models);
   debugView_->setModels(models);
-  panels_->bakePanel().useFilesBeside(path);
+  panels_->bakePanel().sceneOpened(path);
   if (tools_ != nullptr) tools_->modelsReplaced();
 }
 

@@ -64,6 +64,7 @@ void ProbeExporter::ask() {
 
 void ProbeExporter::start(const ExportSettings& settings, const QString& folder) {
   if (running_) return;
+  emit ownSceneWanted();
   std::vector<ProbeCapture> captures;
   QStringList unfinished;
   for (const Probe& probe : document_.scene().probes) {

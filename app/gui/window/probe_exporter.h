@@ -32,6 +32,8 @@ class ProbeExporter : public QObject {
   bool running() const { return running_; }
 
  signals:
+  /// The renderer must draw the document's scene when this returns.
+  void ownSceneWanted();
   void message(const QString& text);
   void failed(const QString& text);
 

@@ -8,9 +8,12 @@
 #include <algorithm>
 
 #include "app/gui/edit/gauge_rows.h"
+#include "app/gui/explain/debug_view.h"
+#include "app/gui/explain/surface_view_panel.h"
 #include "app/gui/handles/face_tags.h"
 #include "app/gui/handles/probe_overlay.h"
 #include "app/gui/handles/probe_widget.h"
+#include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/fit_panel.h"
 #include "app/gui/panels/probe_list.h"
 #include "app/gui/view/axis_gizmo.h"
@@ -124,6 +127,19 @@ void ViewTools::connectSideBySide() {
   connect(sideBySide_, &ViewComparison::message, &parts_.status, &StatusLine::showMessage);
   connect(sideBySide_, &ViewComparison::failed, &parts_.status, &StatusLine::showError);
   connect(&parts_.scheduler, &RenderScheduler::rendered, sideBySide_, &ViewComparison::pictureDrawn);
+  connect(menu, &MenuBar::reflectionsShown, sideBySide_, &ViewComparison::pictureChanged);
+  connect(parts_.debugView.surfacePanel(), &SurfaceViewPanel::changed, sideBySide_, &ViewComparison::pictureChanged);
+  // Pixels are explained, and probes baked and saved, of the document's scene.
+  connect(sideBySide_, &ViewComparison::ownSceneShown, &parts_.debugView,
+          [this](bool own) { parts_.debugView.setPaused(!own); });
+  connect(&parts_.debugView, &DebugView::toolChanged, this, [this](bool on) {
+    if (on) showOwnScene();
+  });
+  connect(&parts_.panels.bakePanel(), &BakePanel::ownSceneWanted, this, &ViewTools::showOwnScene);
+}
+
+void ViewTools::showOwnScene() {
+  sideBySide_->setOn(false);
 }
 
 bool ViewTools::stopComparing() {

@@ -18,6 +18,7 @@ class QMainWindow;
 
 namespace boxprobe {
 
+class DebugView;
 class FaceTags;
 class PanelDocks;
 class ProbeOverlay;
@@ -40,6 +41,7 @@ class ViewTools : public QObject {
     SceneSurfaces& surfaces;
     MenuBar& menu;
     PanelDocks& panels;
+    DebugView& debugView;
     StatusLine& status;
     RenderScheduler& scheduler;
     std::function<std::vector<std::shared_ptr<const Model>>()> models;
@@ -52,6 +54,8 @@ class ViewTools : public QObject {
   ViewComparison& sideBySide() { return *sideBySide_; }
   /// Ends whichever comparison is under way; false without one.
   bool stopComparing();
+  /// The renderer draws the document's scene when this returns, whatever views were being made.
+  void showOwnScene();
   /// Other models are shown: what was remembered of those before is forgotten.
   void modelsReplaced();
 
