@@ -59,7 +59,7 @@ std::string statsJson(const RunStats& stats) {
                       {"levelsMadeLater", c.levelsMadeLater},
                       {"objectsCaptured", c.objectsCaptured},
                       {"objectsCulled", c.objectsCulled},
-                      {"facesUnlit", c.facesUnlit},
+                      {"objectsUnlit", c.objectsUnlit},
                       {"programsCompiled", c.programsCompiled},
                       {"surfacePrograms", c.surfacePrograms},
                       {"programSwitches", c.programSwitches},

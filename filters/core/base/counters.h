@@ -28,7 +28,7 @@ struct Counters {
   std::uint64_t levelsMadeLater = 0;   ///< of those: filtered after all, when something asked for them
   std::uint64_t objectsCaptured = 0;   ///< draws of objects into probes' faces
   std::uint64_t objectsCulled = 0;  ///< objects of the scene that lie outside of such a face's view, and were not drawn
-  std::uint64_t facesUnlit = 0;     ///< of facesCaptured: first ones, drawn by programs without any lookup of a probe
+  std::uint64_t objectsUnlit = 0;   ///< of objectsCaptured: drawn by programs without any lookup of a probe
   std::uint64_t errorsMeasured = 0;  ///< probes whose own errors `auto` goes by, each time their box or picture changed
   std::uint64_t reliefsBounded =
       0;  ///< probes whose distances' least and greatest were made, for rays that are followed

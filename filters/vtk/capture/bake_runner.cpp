@@ -134,7 +134,6 @@ void BakeRunner::captureFace(const FaceSource& source, int face) {
   if (item_->sky) return;
   counters.objectsCaptured += source.objects;
   counters.objectsCulled += source.culled;
-  if (item_->reflectNothing && item_->dark) ++counters.facesUnlit;
 }
 
 void BakeRunner::copyFace(const ProbeMaps& from, int face) {
@@ -160,7 +159,9 @@ void BakeRunner::beginFilter(int levels) {
   if (maps_->missing(kAllLevels) == 0) return;
   maps_->filterLevels = [later = std::weak_ptr<LevelFilter>(later_), settings = item_->prefilter](const ProbeMaps& maps,
                                                                                                   LevelMask missing) {
-    if (const auto filter = later.lock()) filter->make(maps.radiance, missing, settings);
+    const auto filter = later.lock();
+    if (filter) filter->make(maps.radiance, missing, settings);
+    return filter != nullptr;
   };
 }
 

@@ -34,15 +34,14 @@ struct ProbeMaps {
   /// Levels of `radiance` that are filtered. The others hold plain means of the capture, which a lookup that comes too
   /// early may show, until something needs them.
   mutable LevelMask filtered = kAllLevels;
-  /// Filters the levels of a mask; null: none is missing.
-  std::function<void(const ProbeMaps& maps, LevelMask levels)> filterLevels;
+  /// Filters the levels of a mask; false: what filters is gone. Null: none is missing.
+  std::function<bool(const ProbeMaps& maps, LevelMask levels)> filterLevels;
   LevelMask missing(LevelMask levels) const { return levels & ~filtered & ((LevelMask{1} << radiance.levels()) - 1); }
   /// Filters those of these levels that are missing; with the window's context current.
   void need(LevelMask levels) const {
     const LevelMask wanted = missing(levels);
     if (wanted == 0 || !filterLevels) return;
-    filterLevels(*this, wanted);
-    filtered |= wanted;
+    if (filterLevels(*this, wanted)) filtered |= wanted;
   }
   /// Made when a draw first aims rays at what is bright (light_texture.h).
   mutable LightTexture light;

@@ -109,7 +109,10 @@ void ProbeItems::seeBounce(const ProbeJob& job) const {
   const std::vector<std::size_t>& sees = bounces.sees(*of);
   shown_->see([&](std::size_t i) -> std::shared_ptr<const ProbeMaps> {
     const bool seen = std::find(sees.begin(), sees.end(), i) != sees.end();
-    return seen ? cache_->find(bounces.key(i, job.bounce - 1)) : nullptr;
+    const std::shared_ptr<const ProbeMaps> maps = seen ? cache_->find(bounces.key(i, job.bounce - 1)) : nullptr;
+    // They are not on show, so nobody else sees to what is sampled of them; and they may be older than the materials.
+    if (maps) maps->need(needs_->ofProbe(i, maps->radiance.levels()));
+    return maps;
   });
 }
 

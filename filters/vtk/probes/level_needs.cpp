@@ -36,7 +36,11 @@ void LevelNeeds::update() {
 }
 
 LevelMask LevelNeeds::ofProbe(std::size_t probe, int levels) const {
-  if (all_ || probe >= needs_.size() || needs_[probe].all) return kAllLevels;
+  return all_ ? kAllLevels : sampledOf(probe, levels);
+}
+
+LevelMask LevelNeeds::sampledOf(std::size_t probe, int levels) const {
+  if (probe >= needs_.size() || needs_[probe].all) return kAllLevels;
   LevelMask mask = 0;
   const auto& parameters = shown_->drawn(probe).geometry.parameters;
   for (const Lookup& lookup : needs_[probe].lookups) {
@@ -46,7 +50,11 @@ LevelMask LevelNeeds::ofProbe(std::size_t probe, int levels) const {
 }
 
 LevelMask LevelNeeds::ofSky(int levels) const {
-  if (all_ || sky_.all) return kAllLevels;
+  return all_ ? kAllLevels : sampledOfSky(levels);
+}
+
+LevelMask LevelNeeds::sampledOfSky(int levels) const {
+  if (sky_.all) return kAllLevels;
   LevelMask mask = 0;
   for (const Lookup& lookup : sky_.lookups) mask |= skyLevelsRead(lookup.low, lookup.high, levels);
   return mask;
@@ -62,10 +70,10 @@ std::optional<LevelNeeds::Lack> LevelNeeds::find() const {
   for (std::size_t i = 0; i < shown_->size(); ++i) {
     const ProbeMaps* maps = shown_->drawn(i).maps.get();
     if (maps == nullptr || maps->missing(kAllLevels) == 0) continue;
-    if (const Lack lack = lackOf(maps, ofProbe(i, maps->radiance.levels())); lack.levels != 0) return lack;
+    if (const Lack lack = lackOf(maps, sampledOf(i, maps->radiance.levels())); lack.levels != 0) return lack;
   }
   if (sky != nullptr && sky->missing(kAllLevels) != 0) {
-    if (const Lack lack = lackOf(sky, ofSky(sky->radiance.levels())); lack.levels != 0) return lack;
+    if (const Lack lack = lackOf(sky, sampledOfSky(sky->radiance.levels())); lack.levels != 0) return lack;
   }
   whole_ = true;
   wholeShown_ = shown_->generation();

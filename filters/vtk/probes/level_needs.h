@@ -19,7 +19,7 @@ class LevelNeeds {
 
   /// Looks at all objects as they are drawn now. O(objects and their probes).
   void update();
-  /// Files that are written hold every level, whatever samples it.
+  /// Whether what is captured from now on gets every level, as files do, whatever samples it. Maps that are there stay.
   void setAll(bool all) { all_ = all; }
 
   /// Of a chain of so many levels; all, for a probe that is not in the list.
@@ -28,7 +28,7 @@ class LevelNeeds {
 
   /// Does something that is shown lack a level it needs? Cheap while nothing changes.
   bool lacking() const;
-  /// Filters one such level.
+  /// Filters one such level, with the window's context current; nothing where none is lacking.
   void makeOne();
 
  private:
@@ -46,6 +46,8 @@ class LevelNeeds {
     const ProbeMaps* maps;
     LevelMask levels;
   };
+  LevelMask sampledOf(std::size_t probe, int levels) const;
+  LevelMask sampledOfSky(int levels) const;
   std::optional<Lack> find() const;
   Lack lackOf(const ProbeMaps* maps, LevelMask levels) const;
 

@@ -295,6 +295,9 @@ void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer*
   if (!this->State) {
     return;
   }
+  if (this->Dark) {
+    ++this->State->counts.counters.objectsUnlit;
+  }
   if (cellBO.Program != nullptr && this->State->counts.programs.insert(cellBO.Program).second) {
     ++this->State->counts.counters.programsCompiled;
   }
