@@ -182,6 +182,17 @@ TEST_F(PlyGuard, LegalFilesAreRead) {
 }
 
 // VTK 9.1 recurses without end over 128 texture coordinates outside 0..1, and swaps points that share coordinates.
+// VTK from 9.6 on reads "property float x" as a line of its own, and crashes for want of an element.
+TEST_F(PlyGuard, AReturnWithinALineEndsNone) {
+  const std::string bytes = kText + "comment one\rproperty float x\n" + kVertex + kFace + kEnd + kPoints + "3 0\r1 2\n";
+  expectTriangle(bytes);
+  const std::optional<std::string> text = checkPly(file("m.ply")).text;
+  ASSERT_TRUE(text);
+  EXPECT_EQ(text->find('\r'), std::string::npos);
+  EXPECT_EQ(text->size(), bytes.size());
+  expectTriangle(replaced(bytes, "comment one\r", "comment one\r\n comment "));
+}
+
 TEST_F(PlyGuard, TextureCoordinatesOfFacesDoNotReachVtk) {
   constexpr int kFaces = 300;
   const std::string faces =

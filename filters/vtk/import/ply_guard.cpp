@@ -354,13 +354,26 @@ bool endLinesByFeeds(std::string& bytes) {
   return true;
 }
 
+/// A carriage return within a line is a space, as it is read here; VTK from 9.6 on ends the line there. Returns whether
+/// there were any.
+bool spaceOutReturns(std::string& bytes, std::size_t end) {
+  bool any = false;
+  for (std::size_t at = bytes.find('\r'); at < end; at = bytes.find('\r', at + 1)) {
+    if (at + 1 < bytes.size() && bytes[at + 1] == '\n') continue;
+    bytes[at] = ' ';
+    any = true;
+  }
+  return any;
+}
+
 }  // namespace
 
 PlyCheck checkPly(const std::string& path) {
   std::string bytes = readWholeFile(path);
   const bool respelled = endLinesByFeeds(bytes);
   const PlyHeader header = readPlyHeader(path, bytes);
-  bool changed = respelled || !header.longComments.empty();
+  const bool spaced = spaceOutReturns(bytes, header.format == PlyFormat::Text ? bytes.size() : header.body);
+  bool changed = respelled || spaced || !header.longComments.empty();
   for (const auto& [begin, end] : header.longComments) shorten(bytes, begin, end);
   if (header.format == PlyFormat::Text && bytes.back() != '\n') {
     bytes += '\n';
