@@ -24,10 +24,9 @@ CompareViews::CompareViews(QWidget* picture, const std::vector<Choice>& choices)
     // Beside this widget and not in it: it takes the mouse.
     auto* combo = new QuietCombo(picture);
     combo->setObjectName(QString("compareView%1").arg(view));
-    combo->setToolTip(
-        tr("What this view shows. Beside it: how far display colours differ from the ray-traced view, or from the "
-           "scene as "
-           "it is: the mean in percent of white, and the PSNR"));
+    combo->setToolTip(tr(
+        "This view shows what you choose here. The error beside it tells how far its display colours are from those of "
+        "the ray-traced view, or of the scene as it is: the mean in percent of white, and the PSNR"));
     combo->setMaxVisibleItems(24);
     for (const Choice& choice : choices) {
       combo->addItem(choice.text, choice.id);

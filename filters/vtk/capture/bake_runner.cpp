@@ -2,6 +2,7 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include "filters/math/cube/cube_filter.h"
 #include "filters/vtk/draw/pass_scope.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/maps/cube_transfer.h"
@@ -87,7 +88,7 @@ bool BakeRunner::makeFaces() {
     maps_ = std::make_shared<ProbeMaps>();
     maps_->capturedAt = item_->settings.originWorld;
     maps_->capturedRotation = item_->settings.rotationDegrees;
-    source_.allocate(item_->faceSize, sourceLevels(item_->faceSize), GL_RGBA16F);
+    source_.allocate(item_->faceSize, fullLevels(item_->faceSize), GL_RGBA16F);
     if (item_->picture) {
       uploadLevel0(*item_->picture, source_);
       face_ = kFaces;

@@ -2,23 +2,16 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
-namespace boxprobe {
+#include "filters/math/cube/cube_filter.h"
 
-int sourceLevels(int faceSize) {
-  int levels = 1;
-  while (faceSize > 1) {
-    faceSize /= 2;
-    ++levels;
-  }
-  return levels;
-}
+namespace boxprobe {
 
 LevelFilter::LevelFilter(vtkOpenGLRenderWindow* window, Counters* counters)
     : window_(window), counters_(counters), prefilter_(window, counters) {}
 
 void LevelFilter::make(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings) {
   window_->MakeCurrent();
-  source_.allocate(chain.faceSize(), sourceLevels(chain.faceSize()), GL_RGBA16F);
+  source_.allocate(chain.faceSize(), fullLevels(chain.faceSize()), GL_RGBA16F);
   prefilter_.copyLevel(chain, source_, 0);
   prefilter_.makeSourceLevels(source_);
   for (int level = 1; level < chain.levels(); ++level) {

@@ -21,7 +21,4 @@ class LevelFilter {
   CubeTexture source_;
 };
 
-/// Levels of a source for faces of that size, down to one texel.
-int sourceLevels(int faceSize);
-
 }  // namespace boxprobe

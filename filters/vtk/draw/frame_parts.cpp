@@ -30,7 +30,10 @@ void leaveOut(std::string& fragment, FrameParts parts) {
   }
   if ((parts & kLampsPart) != 0) replaceEach(fragment, "Lo += ", "if (false) Lo += ");
   if ((parts & kMaterialPart) != 0) leaveOutTextures(fragment);
-  if ((parts & kOutputPart) != 0) replaceEach(fragment, "? bpDisplayed(color * bpExposure) :", "? color :");
+  // The exposure stays: by that uniform the mappers know a program of ours, and set its samplers.
+  if ((parts & kOutputPart) != 0) {
+    replaceEach(fragment, "? bpDisplayed(color * bpExposure) :", "? color * bpExposure :");
+  }
   if ((parts & kFragmentPart) != 0) {
     replaceEach(fragment, "void main()\n{",
                 "void main()\n{\n  gl_FragData[0] = vec4(0.5f, 0.5f, 0.5f, 1.0f);\n  return;");
