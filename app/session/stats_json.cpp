@@ -61,6 +61,7 @@ std::string statsJson(const RunStats& stats) {
                       {"objectsCulled", c.objectsCulled},
                       {"objectsUnlit", c.objectsUnlit},
                       {"programsCompiled", c.programsCompiled},
+                      {"programsGivenBack", c.programsGivenBack},
                       {"surfacePrograms", c.surfacePrograms},
                       {"programSwitches", c.programSwitches},
                       {"constantsFolded", c.constantsFolded},

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "filters/vtk/draw/constant_plans.h"
+#include "filters/vtk/draw/program_shelf.h"
 #include "filters/vtk/draw/surface_facts.h"
 #include "tests/support/scene_names.h"
 #include "tests/support/scene_picture.h"
@@ -106,6 +107,38 @@ TEST(FoldedEdit, IsShownAtOnce) {
   const std::uint64_t programs = picture.renderer->counters().programsCompiled;
   EXPECT_EQ(worst(edited(MaterialOverride{}), first), 0);
   EXPECT_EQ(picture.renderer->counters().programsCompiled, programs) << "the first program was kept";
+}
+
+// Each rest makes programs with its own numbers. Those of long ago are given back; what was drawn with them is drawn
+// the same when it comes again, lamps included.
+TEST(FoldedConstants, OfLongAgoAreGivenBack) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.scene.probes.front().faceSize = 16;
+  picture.scene.probes.front().bounces = 1;
+  Light lamp;
+  lamp.position = {0.5, 2.0, 0.5};
+  lamp.type = LightType::Point;
+  picture.scene.lights.push_back(lamp);
+  picture.show(picture.scene.cameras.front());
+  const Counters& counters = picture.renderer->counters();
+  const double widest = picture.scene.probes.front().box.max.x;
+  const auto rest = [&](int edit) {
+    picture.scene.probes.front().box.max.x = widest + 0.01 * edit;
+    Changes changes;
+    changes.probeShape = true;
+    picture.renderer->sync(picture.scene, changes);
+    picture.renderer->finishWork();
+    return draw(picture, false).picture;
+  };
+  const ImageRgba8 first = rest(0);
+  const std::uint64_t before = counters.programsCompiled;
+  int edits = 1;
+  for (; edits < 200 && counters.programsGivenBack < 20; ++edits) rest(edits);
+  ASSERT_GE(counters.programsGivenBack, 20u) << "after " << edits << " edits nothing was given back";
+  EXPECT_LE(counters.programsCompiled - before - counters.programsGivenBack,
+            ProgramShelf::kMost + counters.surfacePrograms);
+  EXPECT_EQ(worst(rest(0), first), 0);
+  EXPECT_EQ(picture.renderer->error(), "");
 }
 
 // An edit is drawn at once, by the programs that have numbers as uniforms; those with constants come with the next

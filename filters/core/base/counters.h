@@ -32,11 +32,12 @@ struct Counters {
   std::uint64_t errorsMeasured = 0;  ///< probes whose own errors `auto` goes by, each time their box or picture changed
   std::uint64_t reliefsBounded =
       0;  ///< probes whose distances' least and greatest were made, for rays that are followed
-  std::uint64_t programsCompiled = 0;  ///< distinct GL programs this program caused
-  std::uint64_t surfacePrograms = 0;   ///< of the last frame: distinct programs of surfaces
-  std::uint64_t programSwitches = 0;   ///< of the last frame: surfaces drawn with another program than the one before
-  std::uint64_t constantsFolded = 0;   ///< objects given a program with resting numbers as constants, since the start
-  std::uint64_t constantsLeft = 0;     ///< of them, those drawn without again because a number had changed
+  std::uint64_t programsCompiled = 0;   ///< GL programs this program caused; again, if one had been given back
+  std::uint64_t programsGivenBack = 0;  ///< of surfaces: not drawn with for long
+  std::uint64_t surfacePrograms = 0;    ///< of the last frame: distinct programs of surfaces
+  std::uint64_t programSwitches = 0;    ///< of the last frame: surfaces drawn with another program than the one before
+  std::uint64_t constantsFolded = 0;    ///< objects given a program with resting numbers as constants, since the start
+  std::uint64_t constantsLeft = 0;      ///< of them, those drawn without again because a number had changed
   std::uint64_t renders = 0;
   std::array<std::uint64_t, 5> drawsByProbeCount{};  ///< of the last frame: draws that use 0, 1, 2, 3, 4 probes
   std::uint64_t drawsWithOpenSky = 0;   ///< of the last frame: those that look up the sky through a probe's openings

@@ -1,11 +1,13 @@
-// What every draw of a scene renderer needs to know: shared by the renderer, the passes and the mappers. Three parts
-// that live differently long: what there is (resources), how a pass draws (pass), what was drawn (counts).
+// What every draw of a scene renderer needs to know: shared by the renderer, the passes and the mappers. Four parts
+// that live differently long: what there is (resources), how a pass draws (pass), what was drawn (counts), with which
+// programs (programs).
 #pragma once
 
 #include <vtkWeakPointer.h>
 
 #include "filters/vtk/draw/frame_counts.h"
 #include "filters/vtk/draw/pass_settings.h"
+#include "filters/vtk/draw/program_shelf.h"
 #include "filters/vtk/draw/scene_resources.h"
 
 class vtkRenderer;
@@ -17,6 +19,7 @@ class DrawState {
  public:
   SceneResources resources;
   FrameCounts counts;
+  ProgramShelf programs;
   /// Draws the window's picture: its camera's lights are uploaded again after a pass with another camera (PassScope).
   vtkWeakPointer<vtkRenderer> shown;
 

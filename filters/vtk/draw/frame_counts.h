@@ -11,8 +11,7 @@ namespace boxprobe {
 
 struct FrameCounts {
   Counters counters;
-  std::set<const void*> programs;  ///< seen so far, to count compilations
-  std::set<const void*> drawn;     ///< of the last frame
+  std::set<const void*> drawn;  ///< of the last frame
   const void* drawnLast = nullptr;
   std::string error;  ///< first failure since the models were set
 

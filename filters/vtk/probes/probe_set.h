@@ -56,6 +56,8 @@ class ProbeSet {
   bool setMoving(bool moving) { return programs_.setMoving(moving); }
   /// See the scene renderer's functions of these names.
   void foldConstants() { programs_.foldConstants(); }
+  /// Some of the programs that objects have had are there no more.
+  void forgetPrograms() { programs_.forget(); }
   void setBakeTargets(const std::vector<std::string>& names);
   void useBakedFiles(const std::string& folder);
   void requestBake(const std::vector<std::string>& names);

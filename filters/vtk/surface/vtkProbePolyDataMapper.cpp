@@ -291,6 +291,10 @@ void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer*
   }
   this->ChooseDark();
   this->ChooseConstants(actor);
+  // Given back since it was drawn last (see program_shelf.h): made again, with its attributes.
+  if (cellBO.Program != nullptr && !cellBO.Program->GetCompiled()) {
+    cellBO.Program = nullptr;
+  }
   this->Superclass::UpdateShaders(cellBO, renderer, actor);
   if (!this->State) {
     return;
@@ -298,7 +302,7 @@ void vtkProbePolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer*
   if (this->Dark) {
     ++this->State->counts.counters.objectsUnlit;
   }
-  if (cellBO.Program != nullptr && this->State->counts.programs.insert(cellBO.Program).second) {
+  if (cellBO.Program != nullptr && this->State->programs.use(cellBO.Program, this->Constants != nullptr)) {
     ++this->State->counts.counters.programsCompiled;
   }
 }

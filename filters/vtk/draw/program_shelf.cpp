@@ -1,0 +1,57 @@
+#include "filters/vtk/draw/program_shelf.h"
+
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkShaderProgram.h>
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+namespace boxprobe {
+
+namespace {
+
+// What VTK remembers of its uniforms would be taken for uploaded in the program compiled anew.
+void giveBack(vtkShaderProgram* program, vtkOpenGLRenderWindow* window) {
+  program->ReleaseGraphicsResources(window);
+  for (const int group : {vtkShaderProgram::CameraGroup, vtkShaderProgram::LightingGroup, vtkShaderProgram::UserGroup})
+    program->SetUniformGroupUpdateTime(group, 0);
+}
+
+}  // namespace
+
+bool ProgramShelf::use(vtkShaderProgram* program, bool constants) {
+  Kept& kept = kept_[program];
+  // Another program may have come to stand where one was that VTK deleted.
+  const bool compiled = kept.program != program;
+  if (compiled) kept.program = program;
+  kept.constants = constants;
+  kept.used = ++uses_;
+  return compiled;
+}
+
+ProgramShelf::GivenBack ProgramShelf::trim(vtkOpenGLRenderWindow* window, std::size_t most) {
+  const std::uint64_t since = usesTrimmed_;
+  usesTrimmed_ = uses_;
+  if (kept_.size() <= most) return {};
+  std::vector<std::pair<const vtkShaderProgram*, Kept>> old;
+  for (const auto& each : kept_) {
+    if (each.second.used <= since) old.push_back(each);
+  }
+  std::sort(old.begin(), old.end(), [](const auto& a, const auto& b) {
+    return std::make_tuple(!a.second.constants, a.second.used) < std::make_tuple(!b.second.constants, b.second.used);
+  });
+  old.resize(std::min(old.size(), kept_.size() - most));
+  // Giving back unbinds whatever is bound, and the cache is to know it.
+  if (!old.empty()) window->GetShaderCache()->ReleaseCurrentShader();
+  GivenBack given{old.size()};
+  for (const auto& [address, kept] : old) {
+    if (kept.program) giveBack(kept.program, window);
+    given.general += kept.constants ? 0 : 1;
+    kept_.erase(address);
+  }
+  return given;
+}
+
+}  // namespace boxprobe

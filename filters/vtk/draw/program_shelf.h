@@ -1,0 +1,45 @@
+// The programs that surfaces have been drawn with, so that those of edits long past are given back: each rest of an
+// edited scene makes programs with its own numbers as constants, of some megabytes each with a software driver. Told
+// of each use by the mappers.
+#pragma once
+
+#include <vtkWeakPointer.h>
+
+#include <cstdint>
+#include <unordered_map>
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+namespace boxprobe {
+
+class ProgramShelf {
+ public:
+  /// Kept from frame to frame beside those that frames draw with.
+  static constexpr std::size_t kMost = 64;
+
+  /// `program`, compiled, is drawn with now; `constants`: it was made for numbers at rest, and no edit draws with it
+  /// again. True if it was compiled since the last call with it.
+  bool use(vtkShaderProgram* program, bool constants);
+  /// Compiled ones.
+  std::size_t size() const { return kept_.size(); }
+  struct GivenBack {
+    std::size_t all = 0;
+    std::size_t general = 0;  ///< of them, without constants
+  };
+  /// Gives back programs until `most` are left: first those with constants, of each kind those used longest ago; none
+  /// that was used since the last call. Who draws with one that was given back has it compiled again, by the same
+  /// text. With the window's context current.
+  GivenBack trim(vtkOpenGLRenderWindow* window, std::size_t most = kMost);
+
+ private:
+  struct Kept {
+    vtkWeakPointer<vtkShaderProgram> program;
+    std::uint64_t used = 0;
+    bool constants = false;
+  };
+  std::unordered_map<const vtkShaderProgram*, Kept> kept_;
+  std::uint64_t uses_ = 0, usesTrimmed_ = 0;
+};
+
+}  // namespace boxprobe
