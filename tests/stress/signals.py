@@ -46,6 +46,17 @@ def leftovers(folder):
     return hidden
 
 
+def stand_still(process):
+    """Stops the process; False if it has ended instead."""
+    process.send_signal(signal.SIGSTOP)
+    while process.poll() is None:
+        with open(f"/proc/{process.pid}/stat") as stat:
+            if stat.read().rsplit(")", 1)[1].split()[0] == "T":
+                return True
+        time.sleep(0.001)
+    return False
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -75,8 +86,14 @@ def main():
                 process.communicate()
                 row["statuses"]["before"] += 1
                 continue
+            # Standing still it cannot end by itself just before the signal, which would look like one that was lost.
+            if not stand_still(process):
+                process.communicate()
+                row["statuses"]["before"] += 1
+                continue
             begun = time.monotonic()
             process.send_signal(number)
+            process.send_signal(signal.SIGCONT)
             try:
                 errors = process.communicate(timeout=60)[1]
             except subprocess.TimeoutExpired:
