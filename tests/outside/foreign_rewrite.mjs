@@ -13,6 +13,7 @@ await MeshoptDecoder.ready;
 const io = new NodeIO().registerExtensions(ALL_EXTENSIONS).registerDependencies({
   'draco3d.decoder': await draco3d.createDecoderModule(), 'meshopt.decoder': MeshoptDecoder});
 const document = await io.read(from);
+if (!document.getRoot().listExtensionsUsed().some(e => e.extensionName === name)) throw new Error(`${from} does not use ${name}`);
 if (name === 'EXT_texture_webp') await document.transform(textureCompress({encoder: sharp, targetFormat: 'png'}));
 if (name === 'EXT_mesh_gpu_instancing') await document.transform(uninstance());
 if (name === 'EXT_meshopt_compression') await document.transform(dequantize());

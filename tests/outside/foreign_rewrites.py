@@ -15,7 +15,8 @@ from pathlib import Path
 from foreign_pictures import pixels
 
 PAIRS = [
-    ("KHR_draco_mesh_compression", "google+draco/testdata/KhronosSampleModels/Duck/glTF_Binary/Duck.glb", ""),
+    ("KHR_draco_mesh_compression", "javagl+glTF-Sample-Models/2.0/BrainStem/glTF-Draco/BrainStem.gltf", ""),
+    ("KHR_draco_mesh_compression", "javagl+glTF-Sample-Models/2.0/GearboxAssy/glTF-Draco/GearboxAssy.gltf", ""),
     ("KHR_draco_mesh_compression", "donmccurdy+glTF-Transform/packages/extensions/test/in/BoxDraco.gltf", ""),
     ("KHR_draco_mesh_compression", "playcanvas+engine/examples/assets/models/heart_draco.glb", ""),
     ("EXT_meshopt_compression", "zeux+meshoptimizer/demo/pirate.glb", ""),
