@@ -36,8 +36,8 @@ vec4 bpLookBehind(vec3 exitView, vec3 directionView, float alpha)
   // The last step moved by this share of the way from the eye: 5 % is what neighbouring pixels of a slanted floor differ by.
   float settled = 1.0f - smoothstep(0.02f, 0.05f, abs(far - before) / max(abs(exitView.z) + far, 1.0e-6f));
   vec2 inside = smoothstep(vec2(0.0f), vec2(0.05f), min(place, vec2(1.0f) - place));
-  // Half of a lobe's light lies within 2 alpha of its middle; a level's texel is as wide as that disk's radius.
-  float pixels = 2.0f * alpha * far * abs(bpBehindClip[1][1]) * 0.5f * bpBehindSize.y / w;
+  // Half of a GGX lobe's light lies within 2 alpha of its middle, half of what a level's linear filter weighs within .59 of a texel.
+  float pixels = (2.0f / 0.59f) * alpha * far * abs(bpBehindClip[1][1]) * 0.5f * bpBehindSize.y / w;
   vec4 seen = textureLod(bpBehindColor, place, log2(max(pixels, 1.0f)));
   return settled * inside.x * inside.y * seen;
 }
