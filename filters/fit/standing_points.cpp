@@ -12,6 +12,18 @@ namespace {
 constexpr double kEyeHeight = 1.6;     // metres
 constexpr double kTallestRoom = 60.0;  // metres: a higher one is in another unit
 
+/// Scene units. A room of 60 m is in another unit: in the one that makes it 2 to 8 m high, if there is such a one.
+double eyeHeight(double height) {
+  const double most = 0.6 * height;
+  if (height <= kTallestRoom) return std::clamp(kEyeHeight, 0.25 * height, most);
+  for (const double unitsPerMetre : {100.0, 1000.0}) {
+    if (height >= 2.0 * unitsPerMetre && height <= 8.0 * unitsPerMetre) {
+      return std::min(kEyeHeight * unitsPerMetre, most);
+    }
+  }
+  return most;
+}
+
 /// At eye height over what is below `from`; the share of the height holds where metres cannot be what the file is in.
 std::optional<StandingPoint> standingBelow(const TriangleRays& rays, const glm::dvec3& from) {
   const glm::dvec3 up(0.0, 1.0, 0.0);
@@ -22,9 +34,7 @@ std::optional<StandingPoint> standingBelow(const TriangleRays& rays, const glm::
   point.floor = from.y - below->distance;
   const double ceiling = above ? from.y + above->distance : std::max(rays.core().max.y, from.y);
   point.height = ceiling - point.floor;
-  const double share = 0.6 * point.height;
-  const double eye = point.height > kTallestRoom ? share : std::clamp(kEyeHeight, 0.25 * point.height, share);
-  point.eyeWorld = {from.x, point.floor + eye, from.z};
+  point.eyeWorld = {from.x, point.floor + eyeHeight(point.height), from.z};
   return point;
 }
 
