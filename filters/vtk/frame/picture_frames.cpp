@@ -110,7 +110,8 @@ void PictureFrames::beginFrame(bool plain) {
   }
   if (!screen_) screen_ = makePass();
   Key now = key();
-  if (!(now == shown_)) {
+  // A picture that nothing averages is drawn whenever it is asked for, as without the pass.
+  if (!(now == shown_) || (frames == 0 && rays == 0)) {
     screen_->Restart();
     shown_ = std::move(now);
   }
