@@ -55,6 +55,9 @@ void addNotes(Explanation& e, const ExplainInput& in) {
     e.notes.push_back("Light passes the glass nearly straight: " + fixedText(100.0 * double(e.glass->stands), 1) +
                       " % of what the picture shows here is what is drawn behind, in place of the lookup, and is not "
                       "part of this.");
+  } else if (e.glass && e.glass->reflectance < 1.0f) {
+    e.notes.emplace_back(
+        "Where something opaque is drawn along the refracted ray, the picture shows that in place of this lookup.");
   }
   if (e.probes.empty()) {
     e.notes.emplace_back(

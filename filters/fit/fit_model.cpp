@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 #include <utility>
 
+#include "filters/core/base/file_extension.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/geometry/model_placement.h"
 #include "filters/fit/fitted_camera.h"
@@ -149,6 +150,13 @@ std::string sizeRemark(const ModelFit& fit, const Box& bounds, const ModelFile& 
   return {};
 }
 
+/// Scanners and printers put Z up as often as Y, and these files do not say.
+std::string upRemark(const ModelFile& file) {
+  const std::string extension = lowerExtension(file.file);
+  if (file.upAxis != UpAxis::Y || (extension != ".stl" && extension != ".ply")) return {};
+  return extension.substr(1) + " files do not say which way is up: if it lies on its side, --set models.0.upAxis=z";
+}
+
 }  // namespace
 
 ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWishes& wishes) {
@@ -190,8 +198,9 @@ ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWis
   const std::string reflects = probe ? "one probe within it" : "no probe, the surroundings alone are reflected";
   fit.decided = what + "; " + reflects + "; " + lit;
   if (probe) scene.probes = {*std::move(probe)};
-  if (const std::string remark = sizeRemark(fit, rays.bounds(), scene.models.front()); !remark.empty()) {
-    fit.warnings.push_back(scene.models.front().file + ": " + remark);
+  const ModelFile& first = scene.models.front();
+  for (const std::string& remark : {sizeRemark(fit, rays.bounds(), first), upRemark(first)}) {
+    if (!remark.empty()) fit.warnings.push_back(first.file + ": " + remark);
   }
   return fit;
 }

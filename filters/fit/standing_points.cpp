@@ -9,7 +9,20 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kEyeHeight = 1.6;  // metres
+constexpr double kEyeHeight = 1.6;     // metres
+constexpr double kTallestRoom = 60.0;  // metres: a higher one is in another unit
+
+/// Scene units. A room of 60 m is in another unit: in the one that makes it 2 to 8 m high, if there is such a one.
+double eyeHeight(double height) {
+  const double most = 0.6 * height;
+  if (height <= kTallestRoom) return std::clamp(kEyeHeight, 0.25 * height, most);
+  for (const double unitsPerMetre : {100.0, 1000.0}) {
+    if (height >= 2.0 * unitsPerMetre && height <= 8.0 * unitsPerMetre) {
+      return std::min(kEyeHeight * unitsPerMetre, most);
+    }
+  }
+  return most;
+}
 
 /// At eye height over what is below `from`; the share of the height holds where metres cannot be what the file is in.
 std::optional<StandingPoint> standingBelow(const TriangleRays& rays, const glm::dvec3& from) {
@@ -21,8 +34,7 @@ std::optional<StandingPoint> standingBelow(const TriangleRays& rays, const glm::
   point.floor = from.y - below->distance;
   const double ceiling = above ? from.y + above->distance : std::max(rays.core().max.y, from.y);
   point.height = ceiling - point.floor;
-  const double eye = std::clamp(kEyeHeight, 0.25 * point.height, 0.6 * point.height);
-  point.eyeWorld = {from.x, point.floor + eye, from.z};
+  point.eyeWorld = {from.x, point.floor + eyeHeight(point.height), from.z};
   return point;
 }
 
@@ -39,15 +51,20 @@ std::optional<double> clearanceAt(const TriangleRays& rays, const glm::dvec3& ey
   return backs > kRays / 3 ? std::nullopt : std::optional(nearest);
 }
 
-/// Keeps those on the floor on which most stand: the others stand on tables, or in another storey.
+double medianOf(const std::vector<StandingPoint>& points, double StandingPoint::*member) {
+  std::vector<double> values;
+  for (const StandingPoint& point : points) values.push_back(point.*member);
+  const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), median, values.end());
+  return *median;
+}
+
+/// Keeps those on the floor on which most stand, under the ceiling that most have: the others stand on tables or lie
+/// below them, or are in another storey.
 void leaveFurniture(std::vector<StandingPoint>& points) {
-  std::vector<double> floors;
-  for (const StandingPoint& point : points) floors.push_back(point.floor);
-  const auto median = floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2);
-  std::nth_element(floors.begin(), median, floors.end());
-  const double floor = *median;
-  const auto elsewhere = [floor](const StandingPoint& point) {
-    return std::abs(point.floor - floor) > 0.1 * point.height;
+  const double floor = medianOf(points, &StandingPoint::floor), height = medianOf(points, &StandingPoint::height);
+  const auto elsewhere = [floor, height](const StandingPoint& point) {
+    return std::abs(point.floor - floor) > 0.1 * point.height || point.height < 0.6 * height;
   };
   points.erase(std::remove_if(points.begin(), points.end(), elsewhere), points.end());
 }

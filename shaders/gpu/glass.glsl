@@ -1,4 +1,5 @@
-// Glass on the graphics side: what shared/refraction.glsl finds is looked up as reflections are, in the object's probes and the sky.
+// Glass on the graphics side: what shared/refraction.glsl finds is looked up in what the frame shows behind (gpu/glass_behind.glsl), and
+// where that shows nothing as reflections are, in the object's probes and the sky.
 // Spliced in by filters/vtk/surface/material_source.cpp for materials that transmit light, after gpu/probe_lighting.glsl; it defines
 //   BP_GLASS_FORM   1 to 3, as GlassObject::form
 //   BP_GLASS_SHEET  true or false
@@ -79,8 +80,10 @@ vec3 bpLookUpThrough(BpGlass glass)
 {
   mat3 viewFromWorld = transpose(bpViewToWorld);
   vec3 direction = viewFromWorld * glass.seen.through.direction;
-  return bpGatherLight(viewFromWorld * glass.seen.through.position, direction, direction, sqrt(glass.seen.through.alpha), 1.0f)
-      .specular;
+  vec3 position = viewFromWorld * glass.seen.through.position;
+  vec4 behind = bpLookBehind(position, direction, glass.seen.through.alpha);
+  if (behind.w > 0.999f) { return behind.rgb; }
+  return behind.rgb + (1.0f - behind.w) * bpGatherLight(position, direction, direction, sqrt(glass.seen.through.alpha), 1.0f).specular;
 }
 
 // Factor of the reflection. What a rough surface's facets lose between them (A + B of the split sum fall short of 1) passes, but

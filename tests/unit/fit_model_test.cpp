@@ -226,6 +226,28 @@ TEST(FitModel, SaysSizesThatAreUnlikelyInMetres) {
   EXPECT_TRUE(fitted(closedRoom()).fit.warnings.empty());
 }
 
+TEST(FitModel, SaysHowToTurnFormatsThatDoNotSayWhatIsUp) {
+  for (const char* format : {"stl", "ply"}) {
+    ModelFile file{std::string("made.") + format};
+    const Fitted made = fitted(ball(), {}, file);
+    ASSERT_EQ(made.fit.warnings.size(), 1u);
+    EXPECT_EQ(made.fit.warnings.front(),
+              file.file + ": " + format +
+                  " files do not say which way is up: if it lies on its side, --set models.0.upAxis=z");
+    file.upAxis = UpAxis::Z;
+    EXPECT_TRUE(fitted(ball(), {}, file).fit.warnings.empty());
+  }
+}
+
+// A file in millimetres opened as metres: 8 m become 8000, and people are still not at a tenth of the height.
+TEST(FitModel, EyesAreHighInRoomsOfUnknownUnit) {
+  ModelFile file{"made.glb"};
+  file.scale = 1000.0;
+  const double eye = fitted(closedRoom(), {}, file).scene.cameras.at(0).position.y;
+  EXPECT_GT(eye, 500.0 * kRoom.size().y);
+  EXPECT_LT(eye, 700.0 * kRoom.size().y);
+}
+
 TEST(FitModel, AnObjectFillsTheHeightAndIsWholeInAnyShapeOfPicture) {
   for (const glm::dvec3& size : {glm::dvec3(1.0), glm::dvec3(0.2, 3.0, 0.2), glm::dvec3(4.0, 1.0, 0.01)}) {
     for (const double aspect : {0.6, 1.0, 16.0 / 9.0}) {

@@ -43,6 +43,13 @@ class ModelReader : public TemporaryFolder {
       "0 0 0 255 0 0\n1 0 0 255 0 0\n1 1 0 255 0 0\n0 1 0 0 0 188\n4 0 1 2 3\n";
 };
 
+TEST_F(ModelReader, PointersOfGitLfsAreNamed) {
+  for (const char* name : {"m.glb", "m.gltf", "m.obj", "m.ply", "m.stl", "m.vtp"}) {
+    expectRefused(name, "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 7\n",
+                  ": is a pointer of Git LFS, not the model; fetch it: git lfs pull");
+  }
+}
+
 TEST_F(ModelReader, ObjHasMaterialsTexturesAndNormals) {
   savePng(file("two.png"), ImageRgba8{1, 2, {255, 0, 0, 255, 0, 0, 255, 255}, "two"});  // red above blue
   write("m.mtl", "newmtl clay\nKd 0.25 0.5 0.75\nNs 30\nnewmtl glass\nKd 1 1 1\nd 0.4\nmap_Kd two.png\n");

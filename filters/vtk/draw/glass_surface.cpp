@@ -74,6 +74,10 @@ shading::GlassObject GlassSurface::object(const glm::dvec3& eyeWorld) const {
   return object;
 }
 
+bool GlassSurface::looksBehind(bool textured) const {
+  return drawn && !(sheet && !textured && roughness <= kClearRoughness);
+}
+
 float GlassSurface::behindShare() const {
   return form == GlassForm::TwoPass && !sheet ? kBehindShare : 0.0f;
 }
@@ -97,6 +101,7 @@ void GlassSurface::apply(const Material& material, const Mesh& mesh, const glm::
   sheet = material.thin;
   ior = material.ior;
   transmission = material.transmission;
+  roughness = material.roughness;
   thickness = sheet ? 0.0f : material.thickness;
   attenuationDistance = material.attenuationDistance;
   walls = false;

@@ -36,6 +36,7 @@ struct GlassSurface {
   bool walls = false;  ///< a hollow solid, drawn by its walls as sheets, those behind others, too
   float ior = 1.5f;
   float transmission = 0.0f;
+  float roughness = 0.0f;
   float thickness = 0.0f;            ///< scene units
   float attenuationDistance = 0.0f;  ///< scene units; 0: nothing is absorbed
   glm::vec3 attenuationColor{1.0f};
@@ -52,6 +53,8 @@ struct GlassSurface {
   shading::GlassObject object(const glm::dvec3& eyeWorld) const;
 
   ExplainedGlass explained(const glm::dvec3& eyeWorld, int faceSize) const;
+  /// Does it bend or scatter, so that what is drawn behind has to be looked up? `textured`: roughness differs by place.
+  bool looksBehind(bool textured) const;
   /// Of two passes: what the front faces leave of the back faces behind them.
   float behindShare() const;
 

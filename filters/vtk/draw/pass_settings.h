@@ -17,6 +17,17 @@ struct DebugView {
   bool operator==(const DebugView& o) const { return view == o.view && low == o.low && high == o.high; }
 };
 
+/// The opaque part of the frame that is being drawn, for glass to be looked through at; without a texture there is
+/// none.
+struct BehindPicture {
+  unsigned int color = 0;  ///< premultiplied by coverage, with mip levels
+  unsigned int depth = 0;
+  int width = 0, height = 0;  ///< pixels
+  bool operator==(const BehindPicture& o) const {
+    return color == o.color && depth == o.depth && width == o.width && height == o.height;
+  }
+};
+
 struct PassSettings {
   float exposure = 1.0f;        ///< factor of display colours; kLinearOutput
   bool dragging = false;        ///< a handle is held: uniforms change, and nothing is worked out for them
@@ -29,11 +40,12 @@ struct PassSettings {
   glm::ivec2 pixelOrigin{0};    ///< where in the picture the framebuffer's lower left lies
   /// Of the mirror whose picture is being drawn, view space; see mirrored_output.glsl.
   glm::vec4 heightPlaneView{0.0f};
+  BehindPicture behind;
 
   bool operator==(const PassSettings& o) const {
     return exposure == o.exposure && dragging == o.dragging && debug == o.debug && firstBounce == o.firstBounce &&
            dark == o.dark && movingShadowsOn == o.movingShadowsOn && countDraws == o.countDraws && frame == o.frame &&
-           pixelOrigin == o.pixelOrigin && heightPlaneView == o.heightPlaneView;
+           pixelOrigin == o.pixelOrigin && heightPlaneView == o.heightPlaneView && behind == o.behind;
   }
 };
 

@@ -50,6 +50,11 @@ int PictureFrames::blurredRays() const {
   return rays;
 }
 
+bool PictureFrames::looksBehind() const {
+  return std::any_of(content_->objects.begin(), content_->objects.end(),
+                     [](const DrawnObject& object) { return object.settings.visible && object.mapper->LooksBehind(); });
+}
+
 int PictureFrames::wanted() const {
   const int rays = raysAFrame();
   return rays == 0 ? 0 : limit_.value_or(framesWanted(rays));
@@ -96,7 +101,8 @@ void PictureFrames::beginFrame(bool plain) {
   const int frames = wanted();
   plain_ = plain;
   const int rays = plain ? 0 : blurredRays();
-  active_ = !plain && (frames > 0 || rays > 0);
+  const bool behind = !plain && looksBehind();
+  active_ = !plain && (frames > 0 || rays > 0 || behind);
   for (const DrawnObject& object : content_->objects) object.mapper->SetSeparateSpecular(rays > 0);
   if (!active_) {
     if (screen_) renderer_->SetPass(nullptr);
@@ -104,7 +110,8 @@ void PictureFrames::beginFrame(bool plain) {
   }
   if (!screen_) screen_ = makePass();
   Key now = key();
-  if (!(now == shown_)) {
+  // A picture that nothing averages is drawn whenever it is asked for, as without the pass.
+  if (!(now == shown_) || (frames == 0 && rays == 0)) {
     screen_->Restart();
     shown_ = std::move(now);
   }
@@ -112,6 +119,7 @@ void PictureFrames::beginFrame(bool plain) {
   screen_->Props.push_back(content_->sky);
   screen_->Sky = content_->sky;
   screen_->BlurredRays = rays;
+  screen_->Behind = behind;
   screen_->Width = shown_.size[0];
   screen_->Height = shown_.size[1];
   screen_->Samples = shown_.size[2];
@@ -122,11 +130,13 @@ void PictureFrames::beginFrame(bool plain) {
 vtkPicturePass* PictureFrames::linearPass(int frames) {
   const int rays = blurredRays();
   for (const DrawnObject& object : content_->objects) object.mapper->SetSeparateSpecular(rays > 0);
-  if (rays == 0 && (frames <= 1 || !averages())) return nullptr;
+  const bool behind = looksBehind();
+  if (rays == 0 && (frames <= 1 || !averages()) && !behind) return nullptr;
   if (!linear_) linear_ = makePass();
   linear_->Restart();
   linear_->Limit = averages() ? frames : 1;
   linear_->BlurredRays = rays;
+  linear_->Behind = behind;
   linear_->Sky = content_->sky;
   return linear_;
 }

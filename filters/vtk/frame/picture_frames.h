@@ -52,6 +52,7 @@ class PictureFrames {
   const ProbeBinding* drawn(const DrawnObject& object) const;
   int raysAFrame() const;
   int blurredRays() const;
+  bool looksBehind() const;
   int wanted() const;
   vtkSmartPointer<vtkPicturePass> makePass() const;
 

@@ -110,22 +110,31 @@ void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*
     pass.exposure = boxprobe::kLinearOutput;
     pass.frame = this->Average->frames();
   });
-  if (!apart) {
+  if (!apart && !this->Behind) {
     this->DrawProps(renderer, props, true, true);
   } else {
-    // Opaque surfaces overwrite every attachment; the sky knows of the first alone; what is translucent is blended over
-    // both.
-    std::vector<vtkProp*> opaque, sky, translucent;
-    for (vtkProp* prop : props) {
-      const bool blended =
-          prop != this->Sky && (prop->HasTranslucentPolygonalGeometry() != 0 || boxprobe::isGlass(prop));
-      (prop == this->Sky ? sky : blended ? translucent : opaque).push_back(prop);
-    }
-    this->DrawProps(renderer, opaque, true, false);
-    this->DrawProps(renderer, sky, false, false);
-    this->DrawProps(renderer, translucent, false, true);
+    this->DrawInOrder(renderer, props);
   }
   this->Frame.resolve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+}
+
+// Opaque surfaces overwrite every attachment, and glass is looked through at them; the sky knows of the first
+// attachment alone; what is translucent is blended over both.
+void vtkPicturePass::DrawInOrder(vtkRenderer* renderer, const std::vector<vtkProp*>& props) {
+  std::vector<vtkProp*> opaque, sky, translucent;
+  for (vtkProp* prop : props) {
+    const bool blended = prop != this->Sky && (prop->HasTranslucentPolygonalGeometry() != 0 || boxprobe::isGlass(prop));
+    (prop == this->Sky ? sky : blended ? translucent : opaque).push_back(prop);
+  }
+  this->DrawProps(renderer, opaque, true, false);
+  boxprobe::BehindPicture behind;
+  if (this->Behind && !translucent.empty()) {
+    if (!this->BehindCopy) this->BehindCopy = std::make_unique<boxprobe::BehindFrame>(&this->State->counts.counters);
+    behind = this->BehindCopy->take(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), this->Frame);
+  }
+  this->DrawProps(renderer, sky, false, false);
+  const boxprobe::PassScope scope(*this->State, [&](boxprobe::PassSettings& pass) { pass.behind = behind; });
+  this->DrawProps(renderer, translucent, false, true);
 }
 
 void vtkPicturePass::DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool clear, bool blend) {
@@ -181,6 +190,7 @@ void vtkPicturePass::ReleaseTargets() {
   this->Frame.release();
   if (this->Average) this->Average->releaseSums();
   if (this->Blur) this->Blur->releaseTargets();
+  if (this->BehindCopy) this->BehindCopy->releaseTextures();
 }
 
 void vtkPicturePass::ReleaseGraphicsResources(vtkWindow* window) {
@@ -190,5 +200,6 @@ void vtkPicturePass::ReleaseGraphicsResources(vtkWindow* window) {
   this->Frame.release();
   if (this->Average) this->Average->release();
   if (this->Blur) this->Blur->release();
+  if (this->BehindCopy) this->BehindCopy->release();
   if (this->Presented) this->Presented->release();
 }

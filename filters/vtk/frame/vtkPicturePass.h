@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "filters/vtk/draw/draw_state.h"
+#include "filters/vtk/frame/behind_frame.h"
 #include "filters/vtk/frame/frame_average.h"
 #include "filters/vtk/frame/reflection_blur.h"
 
@@ -34,6 +35,7 @@ class vtkPicturePass : public vtkRenderPass {
   unsigned int Framebuffer = 0;
   int Width = 1, Height = 1;  ///< pixels
   int Samples = 0;            ///< a pixel, of every frame
+  bool Behind = false;        ///< some of Props is glass that is looked through at the rest (see behind_frame.h)
   int BlurredRays = 0;        ///< a pixel and frame, where what is sampled is smoothed; 0: it is not
   vtkProp* Sky = nullptr;     ///< of Props: what has no reflection to keep apart and is drawn behind all others
   int Limit = 1;              ///< frames; once there are as many, further renders show what there is
@@ -55,6 +57,7 @@ class vtkPicturePass : public vtkRenderPass {
   int Finer() const;
   void RenderPicture(const vtkRenderState* s);
   void DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
+  void DrawInOrder(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
   void DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool clear, bool blend);
   void Present(vtkRenderer* renderer);
 
@@ -62,6 +65,7 @@ class vtkPicturePass : public vtkRenderPass {
   std::unique_ptr<boxprobe::FrameAverage> Average;
   std::unique_ptr<boxprobe::FullScreenPass> Presented;
   std::unique_ptr<boxprobe::ReflectionBlur> Blur;
+  std::unique_ptr<boxprobe::BehindFrame> BehindCopy;
   boxprobe::FrameTarget Frame;
   vtkNew<vtkTargetPass> Target;
   vtkNew<vtkSequencePass> OnTop;

@@ -56,6 +56,9 @@ void FrameTarget::drawTo(bool everyAttachment) const {
 void FrameTarget::resolve(vtkOpenGLRenderWindow* window) const {
   if (samples_ <= 1) return;
   vtkOpenGLState* state = window->GetState();
+  // A scissor rectangle of whoever drew before would cut the copy.
+  const vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.handle());
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.handle());

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <vector>
 
 #include "filters/core/base/errors.h"
@@ -115,6 +116,15 @@ Model readStl(const std::string& path, const LoadProgress& progress) {
   return modelOf(std::move(mesh), path);
 }
 
+/// Until large files are fetched, Git LFS leaves three lines of text under their names.
+void refusePointer(const std::string& path) {
+  constexpr char kFirstLine[] = "version https://git-lfs";
+  char start[sizeof(kFirstLine)] = {};
+  std::ifstream(path, std::ios::binary).read(start, sizeof(kFirstLine) - 1);
+  if (std::string(start) != kFirstLine) return;
+  throw InputError(path + ": is a pointer of Git LFS, not the model; fetch it: git lfs pull");
+}
+
 }  // namespace
 
 Material plainMaterial() {
@@ -141,6 +151,7 @@ const std::string& modelFilePatterns() {
 }
 
 Model readModel(const std::string& path, const LoadProgress& progress, const ModelState& state) {
+  refusePointer(path);
   const std::string extension = lowerExtension(path);
   if (!state.variant.empty() && extension != ".glb" && extension != ".gltf") {
     throw InputError(path + ": has no variant \"" + state.variant + "\"; only glTF files have variants");

@@ -90,7 +90,8 @@ std::string glassDeclarations(const GlassSurface& glass) {
               ? "\n#define GLASS_SHELL samplerCube\nvec4 fetchGlassShell(samplerCube shell, vec3 direction) { return "
                 "textureLod(shell, direction, 0.0f); }\n"
               : "\n#define GLASS_SHELL int\nvec4 fetchGlassShell(int shell, vec3 direction) { return vec4(0.0f); }\n") +
-         joinShaderSources({"shared/glass_types.glsl", "shared/refraction.glsl", "gpu/glass.glsl"});
+         joinShaderSources(
+             {"shared/glass_types.glsl", "shared/refraction.glsl", "gpu/glass_behind.glsl", "gpu/glass.glsl"});
 }
 
 }  // namespace boxprobe

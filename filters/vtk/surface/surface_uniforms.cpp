@@ -1,5 +1,8 @@
 #include "filters/vtk/surface/surface_uniforms.h"
 
+#include <vtkMatrix3x3.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLCamera.h>
 #include <vtkShaderProgram.h>
 
 #include <algorithm>
@@ -47,8 +50,28 @@ void uploadMirror(const UniformUpload& to, const MirrorPicture& mirror, const Sc
   to.program->SetUniform2f("bpMirrorSize", &size.x);
 }
 
+namespace {
+
+// By the very matrix that the vertices are placed with.
+void uploadBehind(const UniformUpload& to, const BehindPicture& behind, const SceneResources& resources) {
+  if (!to.used("bpBehindOn")) return;
+  const bool there = behind.color != 0;
+  to.program->SetUniformf("bpBehindOn", there ? 1.0f : 0.0f);
+  to.texture2d("bpBehindColor", there ? behind.color : resources.brdfTable);  // else not read
+  to.texture2d("bpBehindDepth", there ? behind.depth : resources.brdfTable);
+  vtkMatrix4x4 *clipFromWorld = nullptr, *viewFromWorld = nullptr, *clipFromView = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkOpenGLCamera::SafeDownCast(to.camera())
+      ->GetKeyMatrices(to.renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+  to.program->SetUniformMatrix("bpBehindClip", clipFromView);
+  const float size[2] = {static_cast<float>(behind.width), static_cast<float>(behind.height)};
+  to.program->SetUniform2f("bpBehindSize", size);
+}
+
+}  // namespace
+
 void uploadGlassOf(const UniformUpload& to, const GlassSurface& glass, const ProbeBinding& binding,
-                   const SceneResources& resources) {
+                   const SceneResources& resources, const BehindPicture& behind) {
   int faceSize = resources.sky ? resources.sky->radiance.faceSize() : 0;
   for (const auto& probe : binding.probes) {
     if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
@@ -56,6 +79,7 @@ void uploadGlassOf(const UniformUpload& to, const GlassSurface& glass, const Pro
   const bool followed = glass.shell && to.used("bpGlassShell");
   const int unit = followed ? to.bind(GL_TEXTURE_CUBE_MAP, glass.shell->handle()) : -1;
   uploadGlass(to.program, glass, to.eyeWorld(), faceSize, unit);
+  uploadBehind(to, behind, resources);
 }
 
 }  // namespace boxprobe

@@ -101,6 +101,11 @@ bool vtkProbePolyDataMapper::DrawsGlass() const {
          this->Drawn->lighting == Lighting::Probes && !this->Refused;
 }
 
+bool vtkProbePolyDataMapper::LooksBehind() const {
+  return this->DrawsGlass() &&
+         this->Surface->glass.looksBehind(this->Surface->slots[boxprobe::kRoughMetalSlot].texture != nullptr);
+}
+
 void vtkProbePolyDataMapper::SetHeights(bool heights) {
   if (heights != this->Heights) {
     this->Heights = heights;
@@ -349,7 +354,7 @@ void vtkProbePolyDataMapper::UploadLighting(const boxprobe::UniformUpload& to) {
     boxprobe::uploadMirror(to, *this->Mirror, state.resources);
   }
   if (this->DrawsGlass()) {
-    boxprobe::uploadGlassOf(to, this->Surface->glass, *this->Drawn, state.resources);
+    boxprobe::uploadGlassOf(to, this->Surface->glass, *this->Drawn, state.resources, state.pass().behind);
   }
 }
 

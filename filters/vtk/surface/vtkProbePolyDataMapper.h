@@ -35,6 +35,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   const boxprobe::SurfaceMaterial* GetSurface() const { return this->Surface.get(); }
   /** Is the surface glass, and lit so that it can be drawn as such? */
   bool DrawsGlass() const;
+  /** Glass that what is drawn behind does not already show through by blending. */
+  bool LooksBehind() const;
   /** Another variant key means another program, built at the next draw; otherwise only uniforms change. */
   void SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding);
   /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */
