@@ -1,0 +1,36 @@
+// What the pages share: the scene's plain values, marks at which the server reads the clock, frames in a row, and what is sent back.
+
+export const config = await (await fetch('/scene/config.json')).json();
+
+export const mark = (name) => fetch('/mark/' + name, { method: 'POST' });
+
+/** Waits until all that was asked for is drawn: a pixel is read. */
+export function finish(gl) {
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+}
+
+/** Frames that are drawn whole one after the other, and the picture of the last one. `draw` draws into `canvas`. */
+export async function timed(gl, canvas, draw) {
+  const frames = config.frames;
+  draw();
+  const picture = await new Promise((resolve) => canvas.toBlob(resolve));
+  await mark('picture');
+  for (let i = 0; i < 5; i++) {
+    draw();
+    finish(gl);
+  }
+  await mark('warm');
+  for (let i = 0; i < frames; i++) {
+    draw();
+    finish(gl);
+  }
+  await mark('end');
+  await fetch('/picture', { method: 'POST', body: picture });
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const renderer = gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  await fetch('/done', { method: 'POST', body: JSON.stringify({ frames, renderer }) });
+}
+
+const failed = (problem) => fetch('/failed', { method: 'POST', body: String(problem && (problem.stack || problem.message) || problem) });
+window.addEventListener('error', (event) => failed(event.error || event.message));
+window.addEventListener('unhandledrejection', (event) => failed(event.reason));
