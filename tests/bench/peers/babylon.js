@@ -55,7 +55,6 @@ if (config.sky) {
 }
 await scene.whenReadyAsync();
 
-await mark('capture');
 const seen = meshes.filter((mesh, index) => !config.meshes[index] || config.meshes[index].seenByProbes);
 const capture = new BABYLON.ReflectionProbe('probe', probe.faceSize, scene, true, true, true);
 capture.position = mirrored(probe.origin);
@@ -64,8 +63,18 @@ capture.refreshRate = BABYLON.RenderTargetTexture.REFRESHRATE_RENDER_ONCE;
 const { min, max } = probe.box;
 capture.cubeTexture.boundingBoxSize = new BABYLON.Vector3(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 capture.cubeTexture.boundingBoxPosition = mirrored(min.map((value, axis) => 0.5 * (value + max[axis])));
-while (!capture.cubeTexture.isReadyForRendering()) await new Promise((resolve) => setTimeout(resolve, 20));
-capture.cubeTexture.render();
+// Drawn with frames of the scene, the first ones before the clock is read: they leave out what is not compiled yet.
+scene.customRenderTargets.push(capture.cubeTexture);
+for (let i = 0; i < 3; i++) {
+  await scene.whenReadyAsync(true);
+  capture.cubeTexture.resetRefreshCounter();
+  scene.render();
+}
+finish(engine._gl);
+await mark('capture');
+capture.cubeTexture.resetRefreshCounter();
+scene.render();
+scene.customRenderTargets.pop();
 const filtering = new BABYLON.HDRFiltering(engine);
 filtering.quality = 64;  // samples, as ours at mip 1; its own 4096 take many minutes here
 await filtering.prefilter(capture.cubeTexture);
@@ -73,4 +82,4 @@ for (const material of materials) material.reflectionTexture = capture.cubeTextu
 finish(engine._gl);
 await mark('captured');
 await scene.whenReadyAsync();
-await timed(engine._gl, canvas, () => scene.render());
+await timed(engine._gl, canvas, () => scene.render(), 1);

@@ -159,12 +159,10 @@ def main():
         return target.texture_color.read()
 
     for item in unseen:
-        item.hide_viewport = True
+        item.hide_render = True  # from the bake; the viewport shows them
     before = clock()
     bpy.ops.scene.light_cache_bake("EXEC_DEFAULT")
     captured = clock()
-    for item in unseen:
-        item.hide_viewport = False
     draw()
     pixels = read()
     picture = clock()

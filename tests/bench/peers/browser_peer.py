@@ -82,5 +82,6 @@ class Peer:
         if "failed" in self.said:
             raise RuntimeError("%s: %s" % (self.page, self.said["failed"]))
         marks = self.marks
-        return {"start": marks["picture"], "capture": marks["captured"] - marks["capture"],
-                "frame": (marks["end"] - marks["warm"]) / self.said["frames"], "memory": self.memory, "renderer": self.said["renderer"]}
+        frame = (marks["end"] - marks["warm"]) / self.said["frames"]
+        return {"start": marks["picture"], "capture": marks["captured"] - marks["capture"] - frame * self.said["inCapture"], "frame": frame,
+                "memory": self.memory, "renderer": self.said["renderer"]}

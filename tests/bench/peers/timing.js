@@ -9,8 +9,9 @@ export function finish(gl) {
   gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
 }
 
-/** Frames that are drawn whole one after the other, and the picture of the last one. `draw` draws into `canvas`. */
-export async function timed(gl, canvas, draw) {
+/** Frames that are drawn whole one after the other, and the picture of the first one. `draw` draws into `canvas`; `inCapture`: frames
+ * drawn between the marks of the capture. */
+export async function timed(gl, canvas, draw, inCapture = 0) {
   const frames = config.frames;
   draw();
   const picture = await new Promise((resolve) => canvas.toBlob(resolve));
@@ -28,7 +29,7 @@ export async function timed(gl, canvas, draw) {
   await fetch('/picture', { method: 'POST', body: picture });
   const info = gl.getExtension('WEBGL_debug_renderer_info');
   const renderer = gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
-  await fetch('/done', { method: 'POST', body: JSON.stringify({ frames, renderer }) });
+  await fetch('/done', { method: 'POST', body: JSON.stringify({ frames, inCapture, renderer }) });
 }
 
 const failed = (problem) => fetch('/failed', { method: 'POST', body: String(problem && (problem.stack || problem.message) || problem) });
