@@ -97,12 +97,12 @@ def light_scene(scene):
 
 
 def place_probe(scene):
-    """A cube map with the box of ours as parallax volume."""
+    """A cube map with the box of ours as parallax volume; its influence reaches beyond the surfaces that lie in the box's faces."""
     source = config["probe"]
     low, high = Vector(source["box"]["min"]), Vector(source["box"]["max"])
     data = bpy.data.lightprobes.new("probe", "CUBE")
     data.influence_type = data.parallax_type = "BOX"
-    data.influence_distance, data.falloff, data.use_custom_parallax, data.parallax_distance = 1, 0, True, 1
+    data.influence_distance, data.falloff, data.use_custom_parallax, data.parallax_distance = 1.05, 0, True, 1
     data.clip_start, data.clip_end = 0.01, 1000
     added = bpy.data.objects.new("probe", data)
     # Its box is about its origin, so the probe stands in the middle of the box.

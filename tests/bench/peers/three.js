@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
-import { config, finish, mark, timed } from './timing.js';
+import { config, mark, settled, timed } from './timing.js';
 
 const { width, height, camera: view, probe } = config;
 const renderer = new THREE.WebGLRenderer({ antialias: config.samples > 1, preserveDrawingBuffer: true });
@@ -28,6 +28,7 @@ camera.up.set(...view.up);
 camera.position.set(...view.position);
 camera.lookAt(...view.target);
 
+await settled(gl);
 await mark('capture');
 const unseen = config.meshes.filter((mesh) => !mesh.seenByProbes).map((mesh) => mesh.name.replaceAll(' ', '_'));
 const hidden = scene.children.filter((object) => unseen.includes(object.name));
@@ -38,6 +39,6 @@ cube.position.set(...probe.origin);
 cube.update(renderer, world);
 for (const object of hidden) object.visible = true;
 world.environment = filter.fromCubemap(target.texture).texture;
-finish(gl);
+await settled(gl);
 await mark('captured');
 await timed(gl, renderer.domElement, () => renderer.render(world, camera));

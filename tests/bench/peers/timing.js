@@ -4,9 +4,18 @@ export const config = await (await fetch('/scene/config.json')).json();
 
 export const mark = (name) => fetch('/mark/' + name, { method: 'POST' });
 
-/** Waits until all that was asked for is drawn: a pixel is read. */
+/** Waits until the canvas is drawn: a pixel is read. */
 export function finish(gl) {
   gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+}
+
+/** Waits until the driver has done all of it, pictures that no pixel of the canvas needs included. */
+export async function settled(gl) {
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
+  do {
+    await new Promise((resolve) => setTimeout(resolve, 5));
+  } while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED);
 }
 
 /** Frames that are drawn whole one after the other, and the picture of the first one. `draw` draws into `canvas`; `inCapture`: frames
