@@ -15,9 +15,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-import browser_peer
-import plain_scene
-import processes
+sys.dont_write_bytecode = True  # no folder of its own among the sources
+import browser_peer  # noqa: E402
+import plain_scene  # noqa: E402
+import processes  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
@@ -39,7 +40,8 @@ def ours(job):
     said = render(job, job.picture, "--frames", str(job.frames))
     times = said["times"]
     return {"frame": times["frameCpuSecondsMedian"], "start": times["startToFirstFrameCpuSeconds"],
-            "capture": max(times["captureCpuSeconds"] + times["prefilterCpuSeconds"], times["startToFirstFrameCpuSeconds"] - without), "memory": said["memoryBytes"]["peakResident"] / 2**20,
+            "capture": max(times["captureCpuSeconds"] + times["prefilterCpuSeconds"], times["startToFirstFrameCpuSeconds"] - without),
+            "memory": said["memoryBytes"]["peakResident"] / 2**20,
             "renderer": said["gl"]["renderer"]}
 
 
@@ -62,7 +64,8 @@ def stock(job):
     text, _, memory = processes.run([job.bench / "bench_stock_first_frame", "--size", job.size, "--samples", job.samples, "--irradiance", "32",
                                      "--filter-time", job.scene], job.folder)
     start, filtered = map(float, text.split())
-    return {"frame": job.stock_frame, "start": start, "capture": filtered, "memory": memory}
+    measured = {"start": start, "capture": filtered, "memory": memory}
+    return dict(measured, frame=job.stock_frame) if job.stock_frame else measured
 
 
 def godot(job):
@@ -128,6 +131,7 @@ class Job:
         self.config["frames"] = self.frames
         (self.folder / "config.json").write_text(json.dumps(self.config))
         self.probe = self.config["probe"]["name"]
+        self.stock_frame = None  # measured beside ours
 
 
 def installed_modules(out):
