@@ -14,6 +14,7 @@
 #include "filters/vtk/draw/constant_plans.h"
 #include "filters/vtk/draw/program_shelf.h"
 #include "filters/vtk/draw/surface_facts.h"
+#include "filters/vtk/gl/cpu_time.h"
 #include "tests/support/scene_names.h"
 #include "tests/support/scene_picture.h"
 
@@ -24,8 +25,34 @@ using namespace boxprobe::test;
 
 struct Drawn {
   ImageRgba8 picture;
-  std::uint64_t programs = 0;  ///< of surfaces, in that frame
+  std::uint64_t programs = 0, switches = 0;  ///< of surfaces, in that frame
 };
+
+/// What a window does between two events until all that can be folded is.
+struct Rest {
+  std::uint64_t compiled = 0;      ///< programs
+  std::uint64_t mostAtOnce = 0;    ///< programs in one step, for which the window does not answer
+  double longestMilliseconds = 0;  ///< CPU time of one step
+};
+
+Rest rest(SceneRenderer& renderer) {
+  Rest done;
+  const std::uint64_t& compiled = renderer.counters().programsCompiled;
+  const std::uint64_t first = compiled;
+  renderer.foldConstants();
+  while (renderer.workPending()) {
+    const std::uint64_t before = compiled;
+    double seconds = 0.0;
+    {
+      const CpuTimer timer(seconds);
+      renderer.step();
+    }
+    done.mostAtOnce = std::max(done.mostAtOnce, compiled - before);
+    done.longestMilliseconds = std::max(done.longestMilliseconds, 1e3 * seconds);
+  }
+  done.compiled = compiled - first;
+  return done;
+}
 
 Drawn draw(ScenePicture& picture, bool generally) {
   picture.renderer->drawGenerally(generally);
@@ -36,6 +63,7 @@ Drawn draw(ScenePicture& picture, bool generally) {
   Drawn drawn;
   drawn.picture = picture.display();
   drawn.programs = picture.renderer->counters().surfacePrograms;
+  drawn.switches = picture.renderer->counters().programSwitches;
   return drawn;
 }
 
@@ -60,14 +88,21 @@ TEST_P(Folded, SamePictureAndHardlyMorePrograms) {
   }
   for (const Camera& camera : picture.scene.cameras) {
     picture.show(camera);
+    const Rest rested = rest(*picture.renderer);
     const Drawn folded = draw(picture, false), general = draw(picture, true);
     ASSERT_EQ(picture.renderer->error(), "");
     const int off = worst(folded.picture, general.picture);
-    std::printf("  %-12s %-8s at most %d/255; %d programs, %d without facts\n", GetParam().c_str(), camera.name.c_str(),
-                off, static_cast<int>(folded.programs), static_cast<int>(general.programs));
+    std::printf(
+        "  %-12s %-8s at most %d/255; programs %d, without folding %d; switches %d, %d; compiled %d, at most %d "
+        "at once, the longest %.0f ms\n",
+        GetParam().c_str(), camera.name.c_str(), off, static_cast<int>(folded.programs),
+        static_cast<int>(general.programs), static_cast<int>(folded.switches), static_cast<int>(general.switches),
+        static_cast<int>(rested.compiled), static_cast<int>(rested.mostAtOnce), rested.longestMilliseconds);
     EXPECT_LE(off, 1) << camera.name;
     EXPECT_EQ(picture.renderer->counters().constantsLeft, 0u) << "what rests is the same in every frame";
     EXPECT_LE(2 * folded.programs, 3 * general.programs) << camera.name;
+    EXPECT_LE(2 * folded.switches, 3 * general.switches) << camera.name;
+    EXPECT_LE(rested.mostAtOnce, 1u) << camera.name << ": the window waits for one program at a time";
     keepPicture(folded.picture, "folded_" + GetParam() + "_" + camera.name);
     keepPicture(general.picture, "general_" + GetParam() + "_" + camera.name);
   }
