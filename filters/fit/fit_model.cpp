@@ -7,7 +7,6 @@
 #include <glm/vec4.hpp>
 #include <utility>
 
-#include "filters/core/base/number_text.h"
 #include "filters/core/geometry/model_placement.h"
 #include "filters/fit/fitted_camera.h"
 #include "filters/fit/room_probe.h"
@@ -134,9 +133,7 @@ std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const F
 std::string sizeRemark(const ModelFit& fit, const Box& bounds, const ModelFile& file) {
   const glm::dvec3 size = bounds.size();
   const double largest = std::max({size.x, size.y, size.z});
-  const bool high = size.y >= largest;
-  const double digits = largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest)) - 1.0) : 1.0;
-  const std::string extent = numberText(std::round(largest / digits) * digits) + " m " + (high ? "high" : "wide");
+  const std::string extent = extentText(bounds);
   const double most = fit.kind == ModelKind::Interior ? 120.0 : fit.kind == ModelKind::Object ? 150.0 : 3000.0;
   if (largest > most && file.unit == LengthUnit::Metre) {
     const bool centimetres = largest <= (fit.kind == ModelKind::Object ? 500.0 : 6000.0);
@@ -193,6 +190,7 @@ ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWis
   if (const std::string remark = sizeRemark(fit, rays.bounds(), scene.models.front()); !remark.empty()) {
     fit.warnings.push_back(scene.models.front().file + ": " + remark);
   }
+  fit.guess = guessImport(scene, models, fit.survey.kind, rays.bounds());
   return fit;
 }
 

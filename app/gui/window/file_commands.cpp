@@ -16,6 +16,7 @@
 #include "app/gui/edit/editor.h"
 #include "app/gui/widgets/recent_files.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/scene/scene_fields.h"
 #include "filters/io/cube/sky_picture.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/json/json_text.h"
@@ -96,7 +97,16 @@ void FileCommands::openVariant(const QString& variant) {
   const std::string& path = document_.path();
   if (models.empty()) return;
   const std::string name = formatJson(Json(variant.toStdString()));
-  openWith(QString::fromStdString(path.empty() ? models.front().file : path), {"models.0.variant=" + name});
+  std::vector<std::string> assignments = {"models.0.variant=" + name};
+  if (path.empty()) {
+    // As the bare model is read now.
+    for (const char* field : {"unit", "upAxis"}) {
+      const FieldRow<ModelFile>& row = fieldNamed(modelFields(), field);
+      const auto choice = static_cast<std::size_t>(std::get<int>(row.get(models.front())));
+      assignments.push_back("models.0." + std::string(field) + "=" + std::string(row.choices.at(choice).id));
+    }
+  }
+  openWith(QString::fromStdString(path.empty() ? models.front().file : path), assignments);
 }
 
 bool FileCommands::openWith(const QString& path, const std::vector<std::string>& assignments) {
