@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/gui/edit/editor.h"
+#include "app/gui/edit/work_beside.h"
 #include "app/gui/window/import_bar.h"
 #include "app/session/automatic_exposure.h"
 #include "filters/vtk/scene_renderer.h"
@@ -167,7 +168,10 @@ void ModelFitter::refit(const QString& label, const Document::Edit& first) {
   try {
     Scene scene = parts_.editor.scene();
     if (first) first(scene);
-    ModelFit fit = fitModel(scene, parts_.models(), wishes_);
+    ModelFit fit;
+    const TriangleRays::Models models = parts_.models();
+    workBeside(parts_.picture->window(), tr("Fitting the model"), false,
+               [&](const BesideProgress&) { fit = fitModel(scene, models, wishes_); });
     if (fit.lightKnown) scene.exposure = 1.0;
     parts_.editor.commit(label, [&](Scene& edited) { edited = scene; });
     exposureWaits_ = !fit.lightKnown;
