@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -74,6 +75,9 @@ TEST_F(ImportTest, CentimetresAreProposedAndTakenInOneStep) {
   EXPECT_LT(probe().box.size().y, 4.0);
   EXPECT_LT(glm::length(window_->renderer().currentCamera().position), 20.0) << "the view is in it, too";
   waitUntilIdle();
+  EXPECT_TRUE(waitFor([this] { return window_->statusBar()->currentMessage().contains("; exposure "); }))
+      << "found again";
+  EXPECT_EQ(document().stepLabels().size(), 1u) << "within the step";
 
   const QString path = QDir(folder_.path()).filePath("flat.boxprobe.json");
   const auto dialog = answerFileDialog(path);

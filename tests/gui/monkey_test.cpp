@@ -2,8 +2,8 @@
 // or leave the document invalid; what is undone to the start is the scene as opened. How long the event loop was busy
 // at most is printed by kind of event, for the machine decides it. Scenes are names of data/scenes, paths, or `dense`:
 // a flat with things of 200,000 triangles, made here.
-//   BOXPROBE_MONKEY_EVENTS=5000 BOXPROBE_MONKEY_SEED=2 BOXPROBE_MONKEY_SCENES=building,dense,gallery \
-//     build/release/tests/gui/monkey_test
+//   export BOXPROBE_MONKEY_EVENTS=5000 BOXPROBE_MONKEY_SEED=2 BOXPROBE_MONKEY_SCENES=building,dense,gallery
+//   build/release/tests/gui/monkey_test
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -119,7 +119,7 @@ LoadedScene FileCommands::load(const QString& path, const std::vector<std::strin
   workBeside(window_, tr("Loading %1").arg(QFileInfo(path).fileName()), true, [&](const BesideProgress& progress) {
     loaded = loadScene(path.toStdString(), assignments, progress, wishes);
     requireSky(loaded.scene);
-    if (!progress(1.0)) throw LoadCancelled();
+    if (!progress(1.0)) throw LoadCancelled(path.toStdString() + ": loading was cancelled");
   });
   return loaded;
 }

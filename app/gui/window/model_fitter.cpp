@@ -103,6 +103,7 @@ void ModelFitter::opened(const LoadedScene& loaded) {
   wishes_ = FitWishes{};
   fit_ = loaded.fit;
   exposureWaits_ = loaded.exposureAutomatic;
+  refitted_.reset();
   modelsChanged();
   bar_->hide();
   if (fit_ && fit_->guess) {
@@ -175,6 +176,7 @@ void ModelFitter::refit(const QString& label, const Document::Edit& first) {
     if (fit.lightKnown) scene.exposure = 1.0;
     parts_.editor.commit(label, [&](Scene& edited) { edited = scene; });
     exposureWaits_ = !fit.lightKnown;
+    refitted_ = parts_.document.position();
     fit_ = std::move(fit);
   } catch (const std::exception& error) {
     emit failed(QString::fromUtf8(error.what()));
@@ -196,6 +198,19 @@ void ModelFitter::pictureDrawn() {
   QTimer::singleShot(0, this, &ModelFitter::expose);  // not within the frame that was drawn
 }
 
+// The step is made once more beside the document, whose views are then told of the exposure alone.
+void ModelFitter::exposeStep(double exposure) {
+  Scene scene = parts_.document.scene();
+  scene.exposure = exposure;
+  Document beside;
+  beside.restore(parts_.document.state());
+  const std::string label = beside.undoLabel();
+  beside.undo();
+  beside.commit(label, [&scene](Scene& edited) { edited = scene; });
+  parts_.document.restore(beside.state());
+  emit parts_.editor.settled();
+}
+
 void ModelFitter::expose() {
   const bool asked = std::exchange(exposureAsked_, false);
   if (borrowed_ || parts_.document.scene().models.empty()) return;
@@ -210,6 +225,10 @@ void ModelFitter::expose() {
     const std::optional<std::size_t> selected = parts_.document.selectedProbe();
     const std::optional<std::string> name = selected ? std::optional(scene.probes[*selected].name) : std::nullopt;
     parts_.document.restore(Document::State::opened(std::move(scene), parts_.document.path(), name));
+  } else if (!asked && parts_.document.canRedo()) {
+    return;  // what it was for was undone
+  } else if (!asked && refitted_ == parts_.document.position() && !parts_.document.previewing()) {
+    exposeStep(exposure);
   } else {
     parts_.editor.commit(tr("Automatic exposure"), [exposure](Scene& scene) { scene.exposure = exposure; });
   }

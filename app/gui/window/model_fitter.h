@@ -67,6 +67,7 @@ class ModelFitter : public QObject {
   void refit(const QString& label, const Document::Edit& first = {});
   void askAgain();
   void expose();
+  void exposeStep(double exposure);
   void update();
 
   Parts parts_;
@@ -80,7 +81,8 @@ class ModelFitter : public QObject {
   UpAxis up_ = UpAxis::Y;
   std::optional<ModelFit> fit_;  ///< of the bare model on show
   bool exposureWaits_ = false;
-  bool exposureAsked_ = false;  ///< by the user
+  bool exposureAsked_ = false;           ///< by the user
+  std::optional<std::size_t> refitted_;  ///< position of the last step that fitted the model again
   bool borrowed_ = false;
 };
 
