@@ -5,7 +5,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gui/panels/exposure_control.h"
+#include "app/gui/edit/exposure_control.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/value_field.h"
 #include "tests/gui/pictures.h"

@@ -13,9 +13,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/gui/view/import_bar.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/window/file_commands.h"
-#include "app/gui/window/import_bar.h"
 #include "data/scenes/glb_writer.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"

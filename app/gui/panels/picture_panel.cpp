@@ -4,7 +4,7 @@
 #include <QFormLayout>
 #include <QVBoxLayout>
 
-#include "app/gui/panels/exposure_control.h"
+#include "app/gui/edit/exposure_control.h"
 #include "app/gui/widgets/panel_layout.h"
 
 namespace boxprobe {

@@ -6,7 +6,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "app/gui/panels/exposure_control.h"
+#include "app/gui/edit/exposure_control.h"
 #include "app/gui/window/menu_bar.h"
 
 namespace boxprobe {

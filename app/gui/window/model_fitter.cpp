@@ -14,7 +14,7 @@
 
 #include "app/gui/edit/editor.h"
 #include "app/gui/edit/work_beside.h"
-#include "app/gui/window/import_bar.h"
+#include "app/gui/view/import_bar.h"
 #include "app/session/automatic_exposure.h"
 #include "filters/vtk/scene_renderer.h"
 

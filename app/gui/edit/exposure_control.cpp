@@ -1,5 +1,5 @@
 // See exposure_control.h.
-#include "app/gui/panels/exposure_control.h"
+#include "app/gui/edit/exposure_control.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>

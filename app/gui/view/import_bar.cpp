@@ -1,5 +1,5 @@
 // See import_bar.h.
-#include "app/gui/window/import_bar.h"
+#include "app/gui/view/import_bar.h"
 
 #include <QComboBox>
 #include <QEvent>
