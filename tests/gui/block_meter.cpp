@@ -1,6 +1,8 @@
 // See block_meter.h.
 #include "tests/gui/block_meter.h"
 
+#include <time.h>
+
 #include <QAbstractEventDispatcher>
 #include <QEvent>
 #include <QMetaEnum>
@@ -14,6 +16,13 @@ namespace boxprobe {
 namespace {
 
 constexpr double kLongMilliseconds = 200.0;
+
+/// Of this thread, milliseconds.
+double cpuNow() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
 
 std::string kindOf(const QObject* receiver, const QEvent* event) {
   const char* name = QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type());
@@ -38,6 +47,7 @@ void BlockMeter::looksAtEvents(bool mayWait) {
 
 void BlockMeter::begin() {
   if (counters_) before_ = counters_();
+  cpuBefore_ = cpuNow();
   clock_.start();
 }
 
@@ -60,6 +70,7 @@ void BlockMeter::end(const std::string& kind) {
   if (milliseconds > kLongMilliseconds) ++row.long_;
   if (milliseconds <= row.longest) return;
   row.longest = milliseconds;
+  row.cpu = cpuNow() - cpuBefore_;
   row.what = did.empty() ? label_ : kind + ", " + label_;
 }
 
@@ -100,12 +111,12 @@ void BlockMeter::during(const std::string& kind, const std::function<void()>& ca
 std::string BlockMeter::table() const {
   std::vector<std::pair<std::string, Kind>> rows(kinds_.begin(), kinds_.end());
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second.longest > b.second.longest; });
-  std::string text = "longest ms  blocks  > 0.2 s  kind (what the longest one was)\n";
+  std::string text = "longest ms  of it CPU  blocks  > 0.2 s  kind (what the longest one was)\n";
   constexpr std::size_t kRows = 20;
   for (std::size_t i = 0; i < std::min(rows.size(), kRows); ++i) {
     const auto& [kind, row] = rows[i];
     char numbers[64];
-    std::snprintf(numbers, sizeof numbers, "%10.0f %7zu %8zu  ", row.longest, row.blocks, row.long_);
+    std::snprintf(numbers, sizeof numbers, "%10.0f %10.0f %7zu %8zu  ", row.longest, row.cpu, row.blocks, row.long_);
     text += numbers + kind + " (" + row.what + ")\n";
   }
   return text;

@@ -23,7 +23,8 @@ class BlockMeter : public QApplication {
   /// For what a test calls in place of an event that would have come.
   void during(const std::string& kind, const std::function<void()>& call);
   void forget() { kinds_.clear(); }
-  /// One row a kind: blocks in all, those over 0.2 s, the longest in milliseconds and what it was; longest first.
+  /// One row a kind: the longest block in milliseconds, of them the processor's for this thread (the rest is waiting,
+  /// for other threads or programs), blocks in all, those over 0.2 s, and what the longest was. Longest first.
   std::string table() const;
 
   bool notify(QObject* receiver, QEvent* event) override;
@@ -31,7 +32,7 @@ class BlockMeter : public QApplication {
  private:
   struct Kind {
     std::size_t blocks = 0, long_ = 0;
-    double longest = 0.0;  ///< milliseconds
+    double longest = 0.0, cpu = 0.0;  ///< milliseconds
     std::string what;
   };
   void begin();
@@ -45,6 +46,7 @@ class BlockMeter : public QApplication {
   std::string label_;
   std::string kind_;  ///< of the event under way
   QElapsedTimer clock_;
+  double cpuBefore_ = 0.0;
   int depth_ = 0;
   bool waits_ = false;  ///< a nested event loop waits for what comes
 };
