@@ -87,15 +87,16 @@ void ImportBar::ask(const QString& why, LengthUnit unit, UpAxis up) {
 }
 
 bool ImportBar::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == parentWidget() && event->type() == QEvent::Resize && isVisible()) place();
+  if (watched == parentWidget() && event->type() == QEvent::Resize && !isHidden()) place();
   return QFrame::eventFilter(watched, event);
 }
 
 void ImportBar::place() {
   constexpr int kMargin = 8, kWidest = 620;
-  const int width = std::max(std::min(kWidest, parentWidget()->width() - 2 * kMargin), 1);
+  const int room = std::min(kWidest, parentWidget()->width() - 2 * kMargin);
+  const int width = std::max(room, layout()->minimumSize().width());
   const int height = layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height();
-  setGeometry((parentWidget()->width() - width) / 2, kMargin, width, height);
+  setGeometry(std::max((parentWidget()->width() - width) / 2, 0), kMargin, width, height);
 }
 
 }  // namespace boxprobe
