@@ -10,15 +10,15 @@
 
 namespace boxprobe {
 
-double measuredExposure(SceneRenderer& renderer, const ModelFit& fit, double aspect) {
+double measuredExposure(SceneRenderer& renderer, bool skyToo, double aspect) {
   constexpr int kHeight = 72;
   const int width = std::clamp(static_cast<int>(std::lround(kHeight * aspect)), 16, 4 * kHeight);
-  return keyedExposure(renderer.renderLinear(width, kHeight, 1), fit.within);
+  return keyedExposure(renderer.renderLinear(width, kHeight, 1), skyToo);
 }
 
 void exposeAutomatically(OffscreenScene& shown, LoadedScene& loaded, const ShownSettings& settings, double aspect) {
   if (!loaded.exposureAutomatic) return;
-  loaded.scene.exposure = measuredExposure(shown.renderer(), *loaded.fit, aspect);
+  loaded.scene.exposure = measuredExposure(shown.renderer(), loaded.fit->within, aspect);
   loaded.exposureAutomatic = false;
   shown.show(loaded.scene, loaded.models, settings);
 }

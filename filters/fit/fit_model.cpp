@@ -135,9 +135,7 @@ std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const F
 std::string sizeRemark(const ModelFit& fit, const Box& bounds, const ModelFile& file) {
   const glm::dvec3 size = bounds.size();
   const double largest = std::max({size.x, size.y, size.z});
-  const bool high = size.y >= largest;
-  const double digits = largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest)) - 1.0) : 1.0;
-  const std::string extent = numberText(std::round(largest / digits) * digits) + " m " + (high ? "high" : "wide");
+  const std::string extent = extentText(bounds);
   const double most = fit.kind == ModelKind::Interior ? 120.0 : fit.kind == ModelKind::Object ? 150.0 : 3000.0;
   if (largest > most && file.unit == LengthUnit::Metre) {
     const bool centimetres = largest <= (fit.kind == ModelKind::Object ? 500.0 : 6000.0);
@@ -202,6 +200,7 @@ ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWis
   for (const std::string& remark : {sizeRemark(fit, rays.bounds(), first), upRemark(first)}) {
     if (!remark.empty()) fit.warnings.push_back(first.file + ": " + remark);
   }
+  fit.guess = guessImport(scene, models, fit.survey.kind, rays.bounds());
   return fit;
 }
 

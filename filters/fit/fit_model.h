@@ -6,6 +6,7 @@
 #include <string>
 
 #include "filters/fit/box/fit_box.h"
+#include "filters/fit/import_guess.h"
 #include "filters/fit/model_kind.h"
 #include "filters/fit/model_light.h"
 
@@ -29,6 +30,7 @@ struct ModelFit {
   std::optional<BoxFit> box;          ///< of the probe, if it has one: from the median distances to the fit
   std::string decided;                ///< a sentence or two, for messages and `info`
   std::vector<std::string> warnings;  ///< of a size that is unlikely in metres
+  std::optional<ImportGuess> guess;   ///< how the file may be meant; nothing where it is plausible as it is
 };
 
 /// Gives `scene` probes, cameras, lights and a sky in place of those it has; cameras of the model files are kept first.

@@ -173,6 +173,13 @@ ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixe
 
 std::shared_ptr<const BakedMaps> SceneRenderer::mapsOnCpu(const std::string& probeName) {
   impl_->window->MakeCurrent();
+  const auto maps = probeName.empty() ? impl_->state->resources.sky : impl_->probes.maps(probeName);
+  if (maps) maps->need(kAllLevels);
+  return impl_->inspector.onCpu(maps);
+}
+
+std::shared_ptr<const BakedMaps> SceneRenderer::explainedMaps(const std::string& probeName) {
+  impl_->window->MakeCurrent();
   return impl_->inspector.onCpu(probeName.empty() ? impl_->state->resources.sky : impl_->probes.maps(probeName));
 }
 

@@ -157,7 +157,7 @@ class SceneRenderer {
   std::string saveBaked(const std::string& probeName, const std::string& folder, const std::string& program,
                         int earlierBounce = 0) const;
   /// Files hold every mip level: filters one of this probe's that nothing has sampled so far. False: none is missing,
-  /// and saveBaked has nothing to filter.
+  /// and saveBaked and mapsOnCpu have nothing to filter.
   bool filterMissingLevel(const std::string& probeName);
   /// OpenGL's name of what draws and captures.
   std::string rendererName() const;
@@ -170,8 +170,10 @@ class SceneRenderer {
 
   /// The maps a probe shows now, read back; nothing while it has none. An empty name stands for the sky.
   std::optional<BakedMaps> readMaps(const std::string& probeName) const;
-  /// The same copy that explain() looks up, read back once for each capture; null while it has none.
+  /// The same, read back once for each capture; null while it has none.
   std::shared_ptr<const BakedMaps> mapsOnCpu(const std::string& probeName);
+  /// The copy that explain() looks up: mip levels that nothing samples are not filtered for it and hold plain means.
+  std::shared_ptr<const BakedMaps> explainedMaps(const std::string& probeName);
 
   /// What a probe shows now, on the graphics side; another object whenever it was made again. Null while it has none.
   std::shared_ptr<const ProbeMaps> shownMaps(const std::string& probeName) const;

@@ -84,7 +84,11 @@ void SceneParts::beginFrame() {
   frames.beginFrame(view.any());
   if (sphere.shown()) {
     const auto index = findProbe(content.scene, sphere.settings().probe);
-    sphere.follow(index ? &content.scene.probes[*index] : nullptr, probes.maps(sphere.settings().probe));
+    const auto maps = probes.maps(sphere.settings().probe);
+    sphere.follow(index ? &content.scene.probes[*index] : nullptr, maps);
+    probes.alsoSampled(maps, maps ? sphere.sampled(*maps) : 0);
+  } else {
+    probes.alsoSampled(nullptr, 0);
   }
   const int* size = renderer->GetSize();
   drawMirrors(renderer->GetTiledAspectRatio(), size[0], size[1], kMirrorSamples);

@@ -1,11 +1,11 @@
 // Runs the window's tests under one QApplication, set up as the program's own.
 #include <gtest/gtest.h>
 
-#include <QApplication>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include "app/gui/widgets/window_style.h"
+#include "tests/gui/block_meter.h"
 #include "tests/gui/window_test.h"
 
 int main(int argc, char** argv) {
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   if (qEnvironmentVariableIsSet("BOXPROBE_TEST_PREFERENCES")) own.remove();
   const QString folder = qEnvironmentVariable("BOXPROBE_TEST_PREFERENCES", own.path());
   for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) qputenv(place, folder.toUtf8());
-  QApplication application(argc, argv);
+  boxprobe::BlockMeter application(argc, argv);
   boxprobe::applyWindowStyle(application);
   const int result = RUN_ALL_TESTS();
   boxprobe::sharedWindow().reset();  // while there is an application

@@ -1,7 +1,9 @@
 // A monkey at the window: events of a fixed seed, over three scenes, by the ways a user has. Nothing may crash, throw
 // or leave the document invalid; what is undone to the start is the scene as opened. How long the event loop was busy
-// at most is printed, for the machine decides it.
-//   BOXPROBE_MONKEY_EVENTS=5000 BOXPROBE_MONKEY_SEED=2 build/release/tests/gui/monkey_test
+// at most is printed by kind of event, for the machine decides it. Scenes are names of data/scenes, paths, or `dense`:
+// a flat with things of 200,000 triangles, made here.
+//   export BOXPROBE_MONKEY_EVENTS=5000 BOXPROBE_MONKEY_SEED=2 BOXPROBE_MONKEY_SCENES=building,dense,gallery
+//   build/release/tests/gui/monkey_test
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -10,27 +12,33 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QDir>
 #include <QDoubleSpinBox>
-#include <QElapsedTimer>
+#include <QFile>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollBar>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <map>
+#include <glm/gtc/matrix_transform.hpp>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "app/gui/view/picture_work.h"
 #include "app/gui/view/viewport.h"
+#include "data/scenes/glb_writer.h"
+#include "tests/gui/block_meter.h"
 #include "tests/gui/window_test.h"
+#include "tests/support/made_flat.h"
+#include "tests/support/sphere_mesh.h"
 
 namespace boxprobe {
 namespace {
@@ -46,6 +54,30 @@ double megabytesInUse() {
   double pages = 0.0, resident = 0.0;
   file >> pages >> resident;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
+}
+
+/// madeFlat() with four spheres of 51,200 triangles in its rooms.
+std::string denseModel(const QString& folder) {
+  Model model = test::madeFlat();
+  Mesh sphere = test::sphereMesh(0.35F, 160, 160);
+  Material shiny;
+  shiny.name = "shiny";
+  shiny.roughness = 0.2F;
+  shiny.metallic = 1.0F;
+  model.materials.push_back(shiny);
+  sphere.material = static_cast<int>(model.materials.size()) - 1;
+  sphere.name = "sphere";
+  model.meshes.push_back(sphere);
+  const int mesh = static_cast<int>(model.meshes.size()) - 1;
+  for (const double x : {-3.0, -1.5, 1.5, 4.0}) {
+    model.instances.push_back(
+        {"sphere " + std::to_string(x), mesh, glm::translate(glm::dmat4(1.0), glm::dvec3(x, 0.4, 0.9))});
+  }
+  QFile file(QDir(folder).filePath("dense.glb"));
+  EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+  const std::string bytes = scenes::glbBytes(model);
+  file.write(bytes.data(), static_cast<qint64>(bytes.size()));
+  return file.fileName().toStdString();
 }
 
 class MonkeyTest : public WindowTest {
@@ -65,6 +97,14 @@ class MonkeyTest : public WindowTest {
     QObject::disconnect(connection_);
   }
 
+  void now(const std::string& what) { meter().setLabel(scene_ + ", " + what); }
+  static BlockMeter& meter() { return *static_cast<BlockMeter*>(qApp); }
+  /// Of a name of data/scenes, a path, or "dense".
+  std::string fileOf(const QString& scene) const {
+    if (scene == "dense") return denseModel(folder_.path());
+    if (scene.contains('/')) return scene.toStdString();
+    return std::string(BOXPROBE_DATA_DIR) + "/scenes/" + scene.toStdString() + ".boxprobe.json";
+  }
   int number(int below) { return static_cast<int>(random_() % static_cast<unsigned>(std::max(below, 1))); }
   QPointF somewhere() {
     return {1.0 * number(window_->viewport().width()), 1.0 * number(window_->viewport().height())};
@@ -143,7 +183,8 @@ class MonkeyTest : public WindowTest {
     if (all.empty()) return "nothing";
     QAction* action = all[static_cast<std::size_t>(number(static_cast<int>(all.size())))];
     const std::string text = action->text().toStdString();
-    action->trigger();
+    now("menu: " + text);
+    meter().during("menu", [action] { action->trigger(); });
     return "menu: " + text;
   }
   std::string useAPanel() {
@@ -157,14 +198,19 @@ class MonkeyTest : public WindowTest {
     if (all.empty()) return "nothing";
     QWidget* widget = all[static_cast<std::size_t>(number(static_cast<int>(all.size())))];
     const std::string name = widget->objectName().toStdString();
+    now("panel: " + name);
     if (auto* slider = qobject_cast<QSlider*>(widget)) {
-      slider->setValue(slider->minimum() + number(slider->maximum() - slider->minimum() + 1));
+      const int value = slider->minimum() + number(slider->maximum() - slider->minimum() + 1);
+      meter().during("slider", [slider, value] { slider->setValue(value); });
       return "slider: " + name;
     }
     if (auto* combo = qobject_cast<QComboBox*>(widget)) {
       combo->setFocus();
-      combo->setCurrentIndex(number(combo->count()));
-      emit combo->activated(combo->currentIndex());
+      const int index = number(combo->count());
+      meter().during("combo box", [combo, index] {
+        combo->setCurrentIndex(index);
+        emit combo->activated(combo->currentIndex());
+      });
       return "combo: " + name;
     }
     if (auto* line = qobject_cast<QLineEdit*>(widget)) {
@@ -185,15 +231,20 @@ class MonkeyTest : public WindowTest {
     switch (number(10)) {
       case 0:
       case 1:
+        now("drag");
         return dragSomewhere();
       case 2:
       case 3:
+        now("drag of a face");
         return dragAFace();
       case 4:
+        now("wheel");
         return turnTheWheel();
       case 5:
+        now("key");
         return pressAKey();
       case 6:
+        now("undo");
         return undoOrRedo();
       case 7:
         return chooseFromTheMenu();
@@ -203,44 +254,46 @@ class MonkeyTest : public WindowTest {
   }
 
   std::mt19937 random_{static_cast<unsigned>(setting("BOXPROBE_MONKEY_SEED", 1))};
+  std::string scene_;
+  QTemporaryDir folder_;
   QTimer refuse_;
   QMetaObject::Connection connection_;
 };
 
 TEST_F(MonkeyTest, BreaksNothing) {
   const int events = setting("BOXPROBE_MONKEY_EVENTS", 240);
-  const std::string folder = std::string(BOXPROBE_DATA_DIR) + "/scenes/";
-  std::map<double, std::string> longest;  // milliseconds, what took them
-  for (const char* scene : {"building", "room", "gallery"}) {
-    std::vector<std::string> sets;
-    LoadedScene loaded = loadScene(folder + scene + ".boxprobe.json");
+  const QStringList scenes = qEnvironmentVariable("BOXPROBE_MONKEY_SCENES", "building,dense,gallery").split(',');
+  meter().setCounters([this] { return counters(); });
+  meter().forget();
+  for (const QString& name : scenes) {
+    const std::string scene = name.toStdString();
+    LoadedScene loaded = loadScene(fileOf(name));
     for (Probe& probe : loaded.scene.probes) {
       probe.faceSize = 32;
       probe.samplesPerPixel = 1;
       probe.bounces = 1;
     }
     const Scene opened = loaded.scene;
-    window_->showScene(std::move(loaded));
+    loaded.exposureAutomatic = false;  // the first picture would set it
+    scene_ = scene;
+    now("opening");
+    meter().during("a scene shown", [&] { window_->showScene(std::move(loaded)); });
     waitUntilIdle();
     const double before = megabytesInUse();
-    for (int i = 0; i < events / 3; ++i) {
-      QElapsedTimer clock;
-      clock.start();
+    const int share = events / static_cast<int>(scenes.size());
+    for (int i = 0; i < share; ++i) {
       const std::string done = something();
       QCoreApplication::processEvents();
-      longest[static_cast<double>(clock.nsecsElapsed()) * 1e-6] = std::string(scene) + ", " + done;
-      if (longest.size() > 10) longest.erase(longest.begin());
       ASSERT_NO_THROW(validate(document().scene())) << done;
     }
     key(Qt::Key_Escape);
     window_->editor().finish();
     while (document().canUndo()) document().undo();
     EXPECT_TRUE(document().scene() == opened) << scene << ": undone, it is as it was opened";
-    std::printf("%s: %d events, %.0f MB before, %.0f after\n", scene, events / 3, before, megabytesInUse());
+    std::printf("%s: %d events, %.0f MB before, %.0f after\n", scene.c_str(), share, before, megabytesInUse());
   }
-  for (auto each = longest.rbegin(); each != longest.rend(); ++each) {
-    std::printf("%8.0f ms  %s\n", each->first, each->second.c_str());
-  }
+  meter().setCounters({});
+  std::printf("%s", meter().table().c_str());
 }
 
 }  // namespace

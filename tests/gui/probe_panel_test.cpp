@@ -176,15 +176,15 @@ TEST_F(ProbePanelTest, TheParametersAreThoseOfTheTechnique) {
   const std::uint64_t faces = counters().facesCaptured;
   type(length, "2.5");
   type(power, "3");
-  choose(curve, curve->findText("unity"));
-  EXPECT_EQ(document().undoLabel(), "Set level curve of room");
+  choose(curve, curve->findText("As Unity"));
+  EXPECT_EQ(document().undoLabel(), "Set blur by roughness of room");
   const std::map<std::string, ParameterValue> expected = {
       {"hardeningLength", 2.5}, {"power", 3.0}, {"curve", std::string("unity")}};
   EXPECT_EQ(probe().parameters, expected);
   EXPECT_EQ(counters().facesCaptured, faces);
   key(Qt::Key_Z, Qt::ControlModifier);
   key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(curve->currentText(), "own");
+  EXPECT_EQ(curve->currentText(), "As this probe is filtered");
   EXPECT_DOUBLE_EQ(power->value(), 4.0);
   type(length, "6");
   EXPECT_TRUE(probe().parameters.empty()) << "a default is not written down";

@@ -18,6 +18,13 @@
 
 namespace boxprobe {
 
+namespace {
+
+/// So far apart in time two presses are not taken for a double click.
+constexpr int kMillisecondsApart = 600;
+
+}  // namespace
+
 std::string buildingPath() {
   return std::string(BOXPROBE_DATA_DIR) + "/scenes/building.boxprobe.json";
 }
@@ -86,8 +93,6 @@ void WindowTest::mouse(QEvent::Type type, const QWidget* over, const QPointF& po
                        Qt::KeyboardModifiers modifiers) {
   QWindow* window = window_->windowHandle();
   const QPointF local = QPointF(over->mapTo(window_, QPoint(0, 0))) + position;
-  // Far enough apart in time that two presses are not taken for a double click.
-  constexpr int kMillisecondsApart = 600;
   timestamp_ += type == QEvent::MouseButtonPress ? kMillisecondsApart : 1;
   qt_handleMouseEvent(window, local, window->mapToGlobal(QPoint(0, 0)) + local, buttons_, button, type, modifiers,
                       timestamp_);
@@ -106,6 +111,16 @@ void WindowTest::move(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
 void WindowTest::release(const QPointF& pixel, Qt::KeyboardModifiers modifiers, Qt::MouseButton button) {
   buttons_.setFlag(button, false);
   mouse(QEvent::MouseButtonRelease, &window_->viewport(), pixel, button, modifiers);
+}
+
+void WindowTest::doubleClick(const QPointF& pixel) {
+  constexpr int kBetween = 50;
+  move(pixel);
+  press(pixel);
+  release(pixel);
+  timestamp_ += kBetween - kMillisecondsApart;
+  press(pixel);
+  release(pixel);
 }
 
 void WindowTest::drag(const QPointF& from, const QPointF& to, Qt::KeyboardModifiers modifiers, int steps) {

@@ -50,6 +50,8 @@ class WindowTest : public ::testing::Test {
   void press(const QPointF& pixel, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButton button = Qt::LeftButton);
   void move(const QPointF& pixel, Qt::KeyboardModifiers modifiers = {});
   void release(const QPointF& pixel, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButton button = Qt::LeftButton);
+  /// With the left button.
+  void doubleClick(const QPointF& pixel);
   /// Press, `steps` moves on a straight line, release.
   void drag(const QPointF& from, const QPointF& to, Qt::KeyboardModifiers modifiers = {}, int steps = 8);
   /// The same over another widget, in its pixels.

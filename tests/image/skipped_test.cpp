@@ -8,6 +8,7 @@
 #include "data/scenes/glb_writer.h"
 #include "data/scenes/scenes.h"
 #include "filters/io/cube/cube_file.h"
+#include "filters/vtk/inspect/preview_settings.h"
 #include "tests/support/scene_picture.h"
 #include "tests/unit/temporary_folder.h"
 
@@ -109,6 +110,69 @@ TEST(Skipped, ASecondBounceAfterAnEditIsThatOfAFreshScene) {
     const float *p = a.radiance.face(level, 0), *q = b.radiance.face(level, 0);
     EXPECT_TRUE(std::equal(p, p + count, q)) << "level " << level;
   }
+}
+
+TEST(Skipped, AnExplanationFiltersNothing) {
+  ScenePicture picture = shownRoom();
+  ASSERT_GT(picture.renderer->counters().levelsSkipped, 0u);
+  for (const glm::ivec2& pixel : {glm::ivec2(80, 75), glm::ivec2(80, 45), glm::ivec2(30, 50)}) {
+    const Explanation e = picture.renderer->explain(pixel.x, pixel.y, kWidth, kHeight);
+    ASSERT_TRUE(e.rendered);
+    for (int channel = 0; channel < 3; ++channel) {
+      EXPECT_NEAR(e.color[channel], (*e.rendered)[channel], 0.02 * (1.0 + (*e.rendered)[channel]))
+          << pixel.x << ", " << pixel.y;
+    }
+  }
+  (void)picture.renderer->explainedMaps(picture.scene.probes[0].name);
+  EXPECT_EQ(picture.renderer->counters().levelsMadeLater, 0u);
+}
+
+TEST(Skipped, ThePreviewSphereGetsALevelAStep) {
+  ScenePicture picture = shownRoom();
+  SceneRenderer& renderer = *picture.renderer;
+  EXPECT_EQ(renderer.workProgress(), 1.0);
+  renderer.showPreviewSphere({SphereKind::Rough, picture.scene.probes[0].name, 0.55f});
+  (void)picture.display();
+  EXPECT_EQ(renderer.counters().levelsMadeLater, 0u) << "not within the frame";
+  ASSERT_TRUE(renderer.workPending());
+  std::uint64_t made = 0;
+  while (renderer.workPending()) {
+    EXPECT_LT(renderer.workProgress(), 1.0);
+    const std::uint64_t before = renderer.counters().levelsMadeLater;
+    renderer.step();
+    EXPECT_LE(renderer.counters().levelsMadeLater, before + 1);
+    made += renderer.counters().levelsMadeLater - before;
+  }
+  EXPECT_GT(made, 0u);
+  EXPECT_EQ(renderer.workProgress(), 1.0);
+  // Gone, it asks for nothing.
+  renderer.showPreviewSphere({});
+  (void)picture.display();
+  EXPECT_FALSE(renderer.workPending());
+}
+
+// What a realtime probe sees in a drag may lack levels, which are made once that has ended.
+TEST(Skipped, ARealtimeProbeSeesTheLevelsThatADragPutOff) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", kWidth, kHeight);
+  for (auto& [name, object] : picture.scene.objects) object.seenByProbes = true;
+  Probe live = picture.scene.probes[0];
+  // The baked one shows none of what is edited, and so stays: it lacks the levels.
+  for (const auto& [name, object] : picture.scene.objects) picture.scene.probes[0].hides.push_back(name);
+  live.name = "live";
+  live.mode = ProbeMode::Realtime;
+  live.bounces = 2;
+  picture.scene.probes.push_back(live);
+  picture.show(cameraNamed(picture.scene, "main"));
+  SceneRenderer& renderer = *picture.renderer;
+  renderer.setInteractive(true);
+  const std::uint64_t made = renderer.counters().levelsMadeLater;
+  edit(picture, [](Scene& s) { s.materials["sphere"].roughness = 0.45f; });
+  EXPECT_EQ(renderer.counters().levelsMadeLater, made) << "a drag changes uniforms and no more";
+  const std::uint64_t faces = renderer.counters().facesCaptured;
+  renderer.setInteractive(false);
+  renderer.finishWork();
+  EXPECT_GT(renderer.counters().levelsMadeLater, made);
+  EXPECT_GE(renderer.counters().facesCaptured, faces + 12) << "as many rounds as it has bounces";
 }
 
 using SkippedFiles = TemporaryFolder;

@@ -46,7 +46,7 @@ DebugView::DebugView(SceneRenderer& renderer, Viewport& viewport, const Document
       mirrorsShown_(new QCheckBox(tr("View of planar mirrors"), panel_)),
       surfacePanel_(new SurfaceViewPanel(panel_)),
       rayPanel_(new RayPanel(panel_)),
-      card_(new ExplainCard([this](const std::string& probe) { return renderer_.mapsOnCpu(probe); })),
+      card_(new ExplainCard([this](const std::string& probe) { return renderer_.explainedMaps(probe); })),
       explainPanel_(new QWidget),
       schematic_(new SchematicInset(SchematicInset::InLayout())),
       inset_(new SchematicInset(&viewport)) {

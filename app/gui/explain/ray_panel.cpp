@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
@@ -46,6 +47,18 @@ constexpr std::array<const char*, 5> kColorings = {
 
 constexpr int kMostPoints = 2000;
 
+/// Scrolling past does not change it, unless it was clicked before.
+class QuietSpinBox : public QSpinBox {
+ public:
+  using QSpinBox::QSpinBox;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (!hasFocus()) return event->ignore();
+    QSpinBox::wheelEvent(event);
+  }
+};
+
 }  // namespace
 
 RayPanel::RayPanel(QWidget* parent)
@@ -53,7 +66,7 @@ RayPanel::RayPanel(QWidget* parent)
       shown_(new QCheckBox(tr("Show rays"), this)),
       source_(new QuietCombo(this)),
       object_(new QuietCombo(this)),
-      count_(new QSpinBox(this)),
+      count_(new QuietSpinBox(this)),
       length_(new ValueField({1e-3, 1e7, 1.0, 2, ""}, this)),
       coloring_(new QuietCombo(this)),
       status_(helpLabel(this)),

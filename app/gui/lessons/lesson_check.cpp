@@ -13,8 +13,9 @@ namespace {
 
 /// A few times a second is as fast as a number can be read.
 constexpr int kApartMilliseconds = 250;
-/// A measurement that costs more would be felt in a drag.
-constexpr qint64 kCheapMilliseconds = 15;
+/// A measurement that costs more would stop a drag; others take a fifth of its time at most.
+constexpr qint64 kMostInDragMilliseconds = 150;
+constexpr qint64 kTimesApart = 4;
 
 }  // namespace
 
@@ -27,7 +28,7 @@ LessonCheck::LessonCheck(Hooks hooks, QObject* parent) : QObject(parent), hooks_
 void LessonCheck::setTask(std::optional<LessonTask> task) {
   task_ = std::move(task);
   result_.reset();
-  lastCost_ = kCheapMilliseconds + 1;  // unknown: not in a drag
+  lastCost_ = kMostInDragMilliseconds + 1;  // unknown: not in a drag
   timer_.stop();
   invalidate();
 }
@@ -35,12 +36,15 @@ void LessonCheck::setTask(std::optional<LessonTask> task) {
 void LessonCheck::invalidate() {
   stale_ = true;
   if (!task_ || timer_.isActive()) return;
-  timer_.start(static_cast<int>(std::max<qint64>(kApartMilliseconds - sinceMeasure_.elapsed(), 0)));
+  const bool counts = hooks_.dragging() && lastCost_ <= kMostInDragMilliseconds;
+  const qint64 apart = std::max<qint64>(kApartMilliseconds, counts ? kTimesApart * lastCost_ : 0);
+  timer_.start(static_cast<int>(std::max<qint64>(apart - sinceMeasure_.elapsed(), 0)));
 }
 
 void LessonCheck::measure() {
   // What ends the drag or the captures invalidates again.
-  if (!task_ || !hooks_.ready() || (hooks_.dragging() && lastCost_ > kCheapMilliseconds)) return;
+  if (!task_ || !hooks_.ready()) return;
+  if (hooks_.dragging() && lastCost_ > kMostInDragMilliseconds) return emit waiting();
   QElapsedTimer clock;
   clock.start();
   try {

@@ -41,6 +41,8 @@ class LessonCheck : public QObject {
 
  signals:
   void measured();
+  /// Measuring would stop the drag: it is measured when that ends.
+  void waiting();
   /// It cannot be measured here: one line.
   void failed(const QString& line);
 

@@ -171,6 +171,10 @@ void LessonStepPage::showResult(const LessonCheck::Result& result) {
   task_->showResult(result);
 }
 
+void LessonStepPage::showWaiting() {
+  task_->showWaiting();
+}
+
 void LessonStepPage::showFailure(const QString& line) {
   task_->showFailure(line);
 }

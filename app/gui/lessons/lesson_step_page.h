@@ -32,6 +32,7 @@ class LessonStepPage : public QWidget {
   /// `lesson`: its own scene is on show; `kept`: there is a try.
   void showTry(bool lesson, bool kept);
   void showResult(const LessonCheck::Result& result);
+  void showWaiting();
   void showFailure(const QString& line);
 
  signals:

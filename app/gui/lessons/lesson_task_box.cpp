@@ -73,6 +73,10 @@ void LessonTaskBox::showResult(const LessonCheck::Result& result) {
   }
 }
 
+void LessonTaskBox::showWaiting() {
+  value_->setText(tr("Let go to measure; with Shift handles move finely"));
+}
+
 void LessonTaskBox::showFailure(const QString& line) {
   value_->setText(line);
 }

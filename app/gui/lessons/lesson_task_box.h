@@ -21,6 +21,8 @@ class LessonTaskBox : public QFrame {
   /// `solved`: it was done before.
   void show(const LessonTask& task, bool solved);
   void showResult(const LessonCheck::Result& result);
+  /// It is measured once the drag ends.
+  void showWaiting();
   void showFailure(const QString& line);
 
  signals:

@@ -128,6 +128,7 @@ void LessonView::connectPanel() {
     updateTry();
   });
   connect(&check_, &LessonCheck::measured, this, &LessonView::measured);
+  connect(&check_, &LessonCheck::waiting, step, &LessonStepPage::showWaiting);
   connect(&check_, &LessonCheck::failed, step, &LessonStepPage::showFailure);
 }
 

@@ -86,6 +86,10 @@ void CapturePanel::buildSampling(QFormLayout* form) {
   for (int count = static_cast<int>(bounceRange.lowest); count <= bounceRange.highest; ++count)
     bounces.push_back(count);
   bounces_ = addWhole(tr("Bounces"), "bounces", bounces, "%1", &Probe::bounces);
+  black_ = helpLabel(this);
+  black_->setObjectName("blackMirrors");
+  black_->setText(tr("Mirrors and metals are black where this probe sees them. With 2 bounces they reflect, too."));
+  form->addRow(black_);
   filter_ = addProbeChoice(form, tr("Filter"), choicesOf(probeField("filter"), {tr("GGX"), tr("Gaussian (frosty)")}),
                            fieldTip(probeField("filter")), [this](int kind) {
                              editor_.commitProbe(probeEditLabel(editor_, tr("filter")), [kind](Probe& probe) {
@@ -185,6 +189,7 @@ void CapturePanel::update() {
     showRow(field, !custom);
   }
   showRow(clearColor_, !custom && color != nullptr);
+  black_->setVisible(!custom && probe->bounces == 1);
   markDifferences();
 }
 

@@ -13,6 +13,7 @@
 
 class QComboBox;
 class QFormLayout;
+class QLabel;
 
 namespace boxprobe {
 
@@ -41,6 +42,7 @@ class CapturePanel : public QWidget {
 
   Editor& editor_;
   QFormLayout* form_ = nullptr;
+  QLabel* black_ = nullptr;  ///< why mirrors are black with one bounce
   QComboBox *mode_ = nullptr, *faceSize_ = nullptr, *samples_ = nullptr, *bounces_ = nullptr, *filter_ = nullptr,
             *filterSamples_ = nullptr, *clear_ = nullptr;
   ImageFields* image_ = nullptr;

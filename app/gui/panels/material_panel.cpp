@@ -35,7 +35,7 @@ MaterialPanel::MaterialPanel(Editor& editor, QWidget* parent)
       materials_(new QuietCombo(this)),
       slider_(new QuietSlider(Qt::Horizontal, this)),
       field_(new ValueField(fieldFormat(materialField("roughness"), 0.01, 3), this)),
-      reset_(new QPushButton(tr("As in the model"), this)),
+      reset_(new QPushButton(tr("Reset to the model's own"), this)),
       glass_(new GlassFields(editor, this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

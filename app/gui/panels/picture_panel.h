@@ -5,11 +5,9 @@
 
 #include "app/gui/edit/editor.h"
 
-class QSlider;
-
 namespace boxprobe {
 
-class ValueField;
+class ExposureControl;
 
 class PicturePanel : public QWidget {
   Q_OBJECT
@@ -20,12 +18,7 @@ class PicturePanel : public QWidget {
   void update();
 
  private:
-  void preview(double exposure);
-  void commit(double exposure);
-
-  Editor& editor_;
-  QSlider* slider_;  ///< in thirds of a stop
-  ValueField* field_;
+  ExposureControl* exposure_;
 };
 
 }  // namespace boxprobe

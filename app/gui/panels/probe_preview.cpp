@@ -15,6 +15,7 @@
 #include "app/gui/edit/probe_fields.h"
 #include "app/gui/widgets/cube_view.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "app/gui/widgets/quiet_slider.h"
 #include "app/gui/widgets/value_field.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/scene_renderer.h"
@@ -92,8 +93,7 @@ void ProbePreview::buildFields() {
       {{tr("Cross"), static_cast<int>(CubePictureKind::Cross), tr("The six faces: -Z +X +Z -X around, +Y above")},
        {tr("Latitude-longitude"), static_cast<int>(CubePictureKind::LatLong), tr("The whole sphere in one picture")}},
       tr("Seen from the origin: +Z in the middle, +X to its left, +Y up"), [this](int) { draw(); });
-  level_ = new QSlider(Qt::Horizontal, this);
-  level_->setFocusPolicy(Qt::StrongFocus);
+  level_ = new QuietSlider(Qt::Horizontal, this);
   level_->setPageStep(1);
   level_->setRange(0, 0);
   addRow(form, tr("Level"), level_,

@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -23,6 +24,41 @@ QString text(std::string_view view) {
   return QString::fromUtf8(view.data(), static_cast<int>(view.size()));
 }
 
+/// What an artist sees for a choice of the scene file, and its tool tip; the file's own word where that says enough.
+ProbeChoice choiceWords(const ParameterRow& parameter, std::size_t choice) {
+  struct Words {
+    const char* parameter;
+    const char* choice;
+    const char* text;
+    const char* tip;
+  };
+  static constexpr Words kWords[] = {
+      {"curve", "own", QT_TRANSLATE_NOOP("Choices", "As this probe is filtered"),
+       QT_TRANSLATE_NOOP("Choices", "The right one: rough surfaces get the blur that belongs to them")},
+      {"curve", "unity", QT_TRANSLATE_NOOP("Choices", "As Unity"),
+       QT_TRANSLATE_NOOP("Choices", "To see the difference: the curve that Unity samples its probes by")},
+      {"curve", "linear", QT_TRANSLATE_NOOP("Choices", "In proportion"),
+       QT_TRANSLATE_NOOP("Choices", "To see the difference: the level in proportion to the roughness")},
+      {"curve", "exact", QT_TRANSLATE_NOOP("Choices", "Unity's, exactly"),
+       QT_TRANSLATE_NOOP("Choices", "To see the difference: what Unity's curve approximates")},
+      {"curve", "marmoset", QT_TRANSLATE_NOOP("Choices", "As Marmoset"),
+       QT_TRANSLATE_NOOP("Choices", "To see the difference: Marmoset's curve, blurred sooner")},
+      {"curve", "three-level", QT_TRANSLATE_NOOP("Choices", "Three steps of blur"),
+       QT_TRANSLATE_NOOP("Choices", "To see the difference: sharp, half and wholly blurred maps, mixed")},
+      {"fresnel", "power", QT_TRANSLATE_NOOP("Choices", "By the power above"), ""},
+      {"fresnel", "surface", QT_TRANSLATE_NOOP("Choices", "The surface's own"), ""},
+      {"sampling", "ggx", QT_TRANSLATE_NOOP("Choices", "Along the surface's lobe"), ""},
+      {"sampling", "luminance", QT_TRANSLATE_NOOP("Choices", "Half of them towards what is bright"), ""},
+  };
+  const auto value = static_cast<int>(choice);
+  for (const Words& words : kWords) {
+    if (parameter.name != words.parameter || parameter.choices[choice] != words.choice) continue;
+    return {QCoreApplication::translate("Choices", words.text), value,
+            words.tip[0] == 0 ? QString() : QCoreApplication::translate("Choices", words.tip)};
+  }
+  return {text(parameter.choices[choice]), value};
+}
+
 bool someTechniqueReads(const ParameterRow& parameter) {
   const auto reads = [&](const auto& row) {
     return std::find(row.parameters.begin(), row.parameters.end(), parameter.name) != row.parameters.end();
@@ -32,7 +68,7 @@ bool someTechniqueReads(const ParameterRow& parameter) {
 }
 
 QString defaultText(const ParameterRow& p) {
-  if (p.kind == ParameterKind::Choice) return text(p.choices[static_cast<std::size_t>(p.standard)]);
+  if (p.kind == ParameterKind::Choice) return choiceWords(p, static_cast<std::size_t>(p.standard)).text;
   if (p.kind == ParameterKind::Switch) return p.standard != 0.0 ? "on" : "off";
   return (QString::number(p.standard) + " " + text(p.unit)).trimmed();
 }
@@ -73,7 +109,7 @@ TechniqueParametersPanel::Row TechniqueParametersPanel::addNumber(const Paramete
 
 TechniqueParametersPanel::Row TechniqueParametersPanel::addChoice(const ParameterRow& p) {
   QVector<ProbeChoice> choices;
-  for (std::size_t i = 0; i < p.choices.size(); ++i) choices.push_back({text(p.choices[i]), static_cast<int>(i)});
+  for (std::size_t i = 0; i < p.choices.size(); ++i) choices.push_back(choiceWords(p, i));
   const QString what = text(p.label).toLower();
   QComboBox* combo = addProbeChoice(form_, text(p.label), choices, text(p.help), [this, &p, what](int value) {
     editor_.commitProbe(probeEditLabel(editor_, what), [&p, value](Probe& probe) { setParameter(probe, p, value); });

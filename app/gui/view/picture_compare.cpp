@@ -126,7 +126,7 @@ void PictureCompare::pictureDrawn() {
   const bool same = sameView();
   wipe_.setShown(same);
   if (!same && source_ == Source::Reference) {
-    trace_.requestStop();  // the next start waits for its end
+    trace_.requestStop();
     outdated_ = true;
   }
   measured_ = false;

@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "app/session/load_scene.h"
+#include "filters/core/base/at_end.h"
 #include "filters/reference/light/reference_scene.h"
 
 namespace boxprobe {
@@ -40,22 +41,38 @@ QImage displayImage(const ImageRgbaF& linear, double exposure) {
 
 ReferenceTrace::~ReferenceTrace() {
   end();
+  for (const auto& run : ending_) run->thread.join();
+}
+
+void ReferenceTrace::requestStop() {
+  if (run_) run_->stop = true;
 }
 
 void ReferenceTrace::end() {
-  stop_ = true;
-  ++run_;
-  if (thread_.joinable()) thread_.join();
-  stop_ = false;
+  requestStop();
+  ++number_;
+  if (run_) ending_.push_back(std::move(run_));
+  forgetEnded();
+}
+
+void ReferenceTrace::forgetEnded() {
+  const auto ended = [](const std::unique_ptr<Run>& run) {
+    if (!run->left) return false;
+    run->thread.join();  // at once
+    return true;
+  };
+  ending_.erase(std::remove_if(ending_.begin(), ending_.end(), ended), ending_.end());
 }
 
 void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
                            const Camera& camera, const QSize& size) {
   end();
-  thread_ = std::thread([this, run = run_, scene, models, camera, size] {
-    const auto tell = [this, run](const QImage& image, double share, const QString& error) {
+  run_ = std::make_unique<Run>();
+  run_->thread = std::thread([this, run = run_.get(), number = number_, scene, models, camera, size] {
+    const AtEnd left([run] { run->left = true; });
+    const auto tell = [this, number](const QImage& image, double share, const QString& error) {
       QMetaObject::invokeMethod(
-          this, [this, image, share, error, run] { passDone(image, share, error, run); }, Qt::QueuedConnection);
+          this, [this, image, share, error, number] { passDone(image, share, error, number); }, Qt::QueuedConnection);
     };
     try {
       const ReferenceScene reference(scene, models, loadSkyImage(scene));
@@ -66,8 +83,8 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
         settings.height = std::max(size.height() / pass.divisor, 1);
         settings.samplesPerPixel = 1;
         settings.raysPerPixel = pass.rays;
-        const ReferencePicture picture = reference.render(camera, settings, [this](double) { return !stop_; });
-        if (stop_ || !picture.complete) return;
+        const ReferencePicture picture = reference.render(camera, settings, [run](double) { return !run->stop; });
+        if (run->stop || !picture.complete) return;
         ++done;
         const QImage image = displayImage(picture.color, scene.exposure);
         tell(image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation),
@@ -79,8 +96,8 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
   });
 }
 
-void ReferenceTrace::passDone(const QImage& picture, double share, const QString& error, int run) {
-  if (run != run_) return;
+void ReferenceTrace::passDone(const QImage& picture, double share, const QString& error, int number) {
+  if (number != number_) return;
   if (!error.isEmpty()) return emit failed(error);
   if (share >= 1.0) end();
   emit traced(picture, share);

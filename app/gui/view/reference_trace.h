@@ -26,11 +26,11 @@ class ReferenceTrace : public QObject {
   /// Begins anew; `models` in the order of scene.models, `size` in pixels.
   void start(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models, const Camera& camera,
              const QSize& size);
-  /// Asks it to stop without waiting; what comes in until end() or start() is still told.
-  void requestStop() { stop_ = true; }
-  /// Stops and waits; nothing is told any more.
+  /// Asks it to stop; what comes in until end() or start() is still told.
+  void requestStop();
+  /// Asks it to stop; nothing is told any more. Does not wait: the thread ends by itself.
   void end();
-  bool running() const { return thread_.joinable(); }
+  bool running() const { return run_ != nullptr; }
 
  signals:
   /// A pass is done: display colours, of the size asked for; `share` of the work, 1 with the last pass.
@@ -38,11 +38,16 @@ class ReferenceTrace : public QObject {
   void failed(const QString& line);
 
  private:
-  void passDone(const QImage& picture, double share, const QString& error, int run);
+  struct Run {
+    std::thread thread;
+    std::atomic<bool> stop{false}, left{false};  ///< left: its thread does nothing more
+  };
+  void passDone(const QImage& picture, double share, const QString& error, int number);
+  void forgetEnded();
 
-  std::thread thread_;
-  std::atomic<bool> stop_{false};
-  int run_ = 0;  ///< which start what comes in belongs to
+  std::unique_ptr<Run> run_;
+  int number_ = 0;                            ///< of the run that what comes in belongs to
+  std::vector<std::unique_ptr<Run>> ending_;  ///< asked to stop
 };
 
 }  // namespace boxprobe

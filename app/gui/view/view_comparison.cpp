@@ -13,7 +13,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kRestMilliseconds = 300;  ///< after the camera has moved or the scene was edited
+constexpr int kStillMilliseconds = 300;  ///< after the camera has moved or the scene was edited
 constexpr int kPollMilliseconds = 30;
 const QString kTechnique = "technique:";
 
@@ -80,7 +80,7 @@ ViewComparison::ViewComparison(Document& document, QWidget* picture, Hooks hooks
   const char* const first[] = {"now", "traced", "technique:infinite", "live"};
   for (int view = 0; view < CompareViews::kViews; ++view) views_->choose(view, first[view]);
   rest_.setSingleShot(true);
-  rest_.setInterval(kRestMilliseconds);
+  rest_.setInterval(kStillMilliseconds);
   poll_.setSingleShot(true);
   poll_.setInterval(kPollMilliseconds);
   connect(&rest_, &QTimer::timeout, this, &ViewComparison::start);

@@ -141,6 +141,12 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   cameraController_.begin(motionFor(event->button(), event->modifiers()), pointerPlace(*event));
 }
 
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  mousePressEvent(event);
+  const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+  if (plain && !picking_ && !probeWidget_->dragging() && pressed_) emit doubleClicked(pointerPlace(*event));
+}
+
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
   event->accept();
   if (cameraController_.motion() == CameraController::Motion::None) {

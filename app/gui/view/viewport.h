@@ -55,6 +55,8 @@ class Viewport : public QVTKOpenGLNativeWidget {
   void clicked(const QPointF& position);
   /// On no handle, without a drag; only while picking is off.
   void selected(const QPointF& position);
+  /// The second of two clicks on no handle; only while picking is off.
+  void doubleClicked(const QPointF& position);
   /// A click with the right button.
   void menuRequested(const QPointF& position);
 
@@ -62,6 +64,7 @@ class Viewport : public QVTKOpenGLNativeWidget {
   bool event(QEvent* event) override;
   void initializeGL() override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;

@@ -33,7 +33,9 @@ struct TextButton::Layout {
 };
 
 TextButton::TextButton(QWidget* parent) : QAbstractButton(parent) {
-  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  // As high as its width asks for: a list that is scrolled would else count the height of the usual width, and end in
+  // nothing.
+  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Maximum);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
   setFocusPolicy(Qt::StrongFocus);
@@ -84,6 +86,11 @@ TextButton::Layout TextButton::layOut(int width) const {
 QSize TextButton::sizeHint() const {
   constexpr int kUsual = 260;
   return {kUsual, heightForWidth(kUsual)};
+}
+
+QSize TextButton::minimumSizeHint() const {
+  constexpr int kNarrowest = 120;
+  return {kNarrowest, static_cast<int>(std::ceil(QFontMetricsF(font()).height() + 2.0 * kMargin))};
 }
 
 int TextButton::heightForWidth(int width) const {

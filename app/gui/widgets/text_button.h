@@ -25,6 +25,7 @@ class TextButton : public QAbstractButton {
   Mark mark() const { return mark_; }
 
   QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
 

@@ -6,7 +6,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QProgressDialog>
 #include <QStandardPaths>
 #include <QUrl>
 #include <algorithm>
@@ -14,8 +13,11 @@
 #include <utility>
 
 #include "app/gui/edit/editor.h"
+#include "app/gui/edit/work_beside.h"
 #include "app/gui/widgets/recent_files.h"
+#include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/scene/scene_fields.h"
 #include "filters/io/cube/sky_picture.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/json/json_text.h"
@@ -88,7 +90,7 @@ void FileCommands::open() {
 }
 
 bool FileCommands::openPath(const QString& path) {
-  return openWith(path, {});
+  return !loading_ && openWith(path, {});
 }
 
 void FileCommands::openVariant(const QString& variant) {
@@ -96,25 +98,35 @@ void FileCommands::openVariant(const QString& variant) {
   const std::string& path = document_.path();
   if (models.empty()) return;
   const std::string name = formatJson(Json(variant.toStdString()));
-  openWith(QString::fromStdString(path.empty() ? models.front().file : path), {"models.0.variant=" + name});
+  std::vector<std::string> assignments = {"models.0.variant=" + name};
+  if (path.empty()) {
+    // As the bare model is read now.
+    for (const char* field : {"unit", "upAxis"}) {
+      const FieldRow<ModelFile>& row = fieldNamed(modelFields(), field);
+      const auto choice = static_cast<std::size_t>(std::get<int>(row.get(models.front())));
+      assignments.push_back("models.0." + std::string(field) + "=" + std::string(row.choices.at(choice).id));
+    }
+  }
+  openWith(QString::fromStdString(path.empty() ? models.front().file : path), assignments);
+}
+
+LoadedScene FileCommands::load(const QString& path, const std::vector<std::string>& assignments) {
+  FitWishes wishes;
+  wishes.aspect = hooks_.pictureAspect();
+  LoadedScene loaded;
+  loading_ = true;
+  const AtEnd ended([this] { loading_ = false; });
+  workBeside(window_, tr("Loading %1").arg(QFileInfo(path).fileName()), true, [&](const BesideProgress& progress) {
+    loaded = loadScene(path.toStdString(), assignments, progress, wishes);
+    requireSky(loaded.scene);
+    if (!progress(1.0)) throw LoadCancelled(path.toStdString() + ": loading was cancelled");
+  });
+  return loaded;
 }
 
 bool FileCommands::openWith(const QString& path, const std::vector<std::string>& assignments) {
   try {
-    QProgressDialog shown(tr("Loading %1").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 100, window_);
-    shown.setWindowModality(Qt::WindowModal);
-    shown.setMinimumDuration(500);  // what is there at once needs none
-    FitWishes wishes;
-    wishes.aspect = hooks_.pictureAspect();
-    LoadedScene loaded = loadScene(
-        path.toStdString(), assignments,
-        [&shown](double fraction) {
-          shown.setValue(std::min(static_cast<int>(100.0 * fraction), 99));  // lets events through
-          return !shown.wasCanceled();
-        },
-        wishes);
-    shown.reset();
-    requireSky(loaded.scene);
+    LoadedScene loaded = load(path, assignments);
     // Not before: a file that proves broken asks nothing.
     if (!confirmLeaving()) return false;
     const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
@@ -176,8 +188,8 @@ void FileCommands::watchFiles() {
 }
 
 void FileCommands::changedOnDisk() {
-  // A lesson is on show, or something is being dragged: later.
-  if (!hooks_.borrowedName().isEmpty() || document_.previewing()) return settle_.start();
+  // A lesson is on show, something is being dragged or opened: later.
+  if (loading_ || !hooks_.borrowedName().isEmpty() || document_.previewing()) return settle_.start();
   QStringList files = {QString::fromStdString(document_.path())};
   for (const ModelFile& model : document_.scene().models) files += QString::fromStdString(model.file);
   if (newest(files) <= known_) return watchFiles();
@@ -201,10 +213,7 @@ void FileCommands::reload() {
     return;
   }
   try {
-    FitWishes wishes;
-    wishes.aspect = hooks_.pictureAspect();
-    LoadedScene loaded = loadScene(path, assignments_, {}, wishes);
-    requireSky(loaded.scene);
+    LoadedScene loaded = load(QString::fromStdString(path), assignments_);
     hooks_.showAgain(std::move(loaded));
     emit message(tr("Read %1 again").arg(QString::fromStdString(path)));
   } catch (const std::exception& error) {

@@ -6,7 +6,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QMimeData>
 #include <QStatusBar>
 #include <utility>
@@ -14,7 +13,6 @@
 #include "app/gui/explain/debug_view.h"
 #include "app/gui/handles/probe_overlay.h"
 #include "app/gui/handles/probe_widget.h"
-#include "app/gui/lessons/lesson_panel.h"
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/fit_panel.h"
@@ -32,6 +30,7 @@
 #include "app/gui/window/about_dialog.h"
 #include "app/gui/window/autosave.h"
 #include "app/gui/window/file_commands.h"
+#include "app/gui/window/lesson_dock.h"
 #include "app/gui/window/menu_bar.h"
 #include "app/gui/window/model_fitter.h"
 #include "app/gui/window/panel_docks.h"
@@ -39,6 +38,7 @@
 #include "app/gui/window/projector.h"
 #include "app/gui/window/status_line.h"
 #include "app/gui/window/view_tools.h"
+#include "filters/core/geometry/probe_at.h"
 #include "filters/io/files/data_folder.h"
 #include "filters/vtk/scene_renderer.h"
 
@@ -102,7 +102,7 @@ MainWindow::MainWindow()
       status_(new StatusLine(statusBar())),
       fitter_(
           new ModelFitter({document_, *editor_, *renderer_, [this]() -> const TriangleRays::Models& { return models_; },
-                           [this] { return pictureAspect(); }},
+                           [this] { return pictureAspect(); }, viewport_},
                           this)),
       panels_(new PanelDocks(this, {*editor_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); },
@@ -113,7 +113,7 @@ MainWindow::MainWindow()
   setAcceptDrops(true);
   resize(1440, 900);
   setWindowIcon(toolIcon(ToolIcon::Box));
-  buildLessonDock();
+  lessonDock_ = new LessonDock(*lessons_, this);
   connectDocument();
   connectFiles();
   connectEditing();
@@ -125,6 +125,8 @@ MainWindow::MainWindow()
   tools_ = new ViewTools({document_, *editor_, *renderer_, *viewport_, *overlay_, *probeWidget_, *surfaces_, *menu_,
                           *panels_, *debugView_, *status_, scheduler(), [this] { return models_; }},
                          this);
+  tools_->subscribe(views_);
+  connect(tools_, &ViewTools::automaticExposureWanted, fitter_, &ModelFitter::exposeAgain);
   views_.updateAll();
 }
 
@@ -149,23 +151,8 @@ MotionPreview& MainWindow::motionPreview() {
   return work_->motion();
 }
 
-void MainWindow::buildLessonDock() {
-  constexpr int kLessonWidth = 400;
-  lessonDock_ = new QDockWidget(tr("Lessons"), this);
-  lessonDock_->setObjectName("lessons");
-  lessonDock_->setWidget(lessons_->panel());
-  lessonDock_->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-  addDockWidget(Qt::LeftDockWidgetArea, lessonDock_);
-  resizeDocks({lessonDock_}, {kLessonWidth}, Qt::Horizontal);
-  lessonDock_->hide();
-  lessonDock_->installEventFilter(this);
-  projector_ = new Projector(this, lessonDock_, lessons_->panel());
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  // A lesson whose text is gone would leave its scene behind.
-  if (watched == lessonDock_ && event->type() == QEvent::Close) lessons_->leave();
-  return QMainWindow::eventFilter(watched, event);
+Projector& MainWindow::projector() {
+  return lessonDock_->projector();
 }
 
 // The renderer first, for views ask it; the scheduler last, for views show whether work was stopped until now.
@@ -182,6 +169,7 @@ void MainWindow::connectDocument() {
   views_.add("lessons", ChangeKinds::all(), [this](const Changes&) { lessons_->documentChanged(); });
   views_.add("title", {&Changes::file, &Changes::models}, [this](const Changes&) { updateTitle(); });
   views_.add("invitation", {&Changes::models}, [this](const Changes&) { updateInvitation(); });
+  views_.add("unit", {&Changes::models}, [this](const Changes&) { fitter_->modelsChanged(); });
   views_.add("work", ChangeKinds::all(), [this](const Changes&) { scheduler().sceneChanged(); });
   connect(editor_.get(), &Editor::failed, status_, &StatusLine::showError);
   connect(editor_.get(), &Editor::settled, this, [this] {
@@ -290,13 +278,8 @@ void MainWindow::connectDebugView() {
 
 void MainWindow::connectLessons() {
   connect(menu_, &MenuBar::lessonsRequested, this, &MainWindow::showLessons);
-  connect(menu_, &MenuBar::projectorSwitched, projector_, &Projector::setOn);
-  connect(projector_, &Projector::switched, menu_, &MenuBar::showProjector);
-  connect(lessons_, &LessonView::shown, this, [this] {
-    lessonDock_->show();
-    lessonDock_->raise();
-  });
-  connect(lessons_, &LessonView::openChanged, projector_, &Projector::setLessonOpen);
+  connect(menu_, &MenuBar::projectorSwitched, &projector(), &Projector::setOn);
+  connect(&projector(), &Projector::switched, menu_, &MenuBar::showProjector);
   connect(lessons_, &LessonView::openChanged, this, &MainWindow::updateTitle);
   connect(lessons_, &LessonView::pictureChanged, &scheduler(), &RenderScheduler::requestRender);
   connect(lessons_, &LessonView::message, status_, &StatusLine::showMessage);
@@ -332,7 +315,7 @@ void MainWindow::openLesson(const QString& name, std::optional<std::size_t> step
 // What is nearest at hand ends first.
 void MainWindow::escape() {
   if (probeWidget_->dragging()) return probeWidget_->cancel();
-  if (projector_->on()) return projector_->setOn(false);
+  if (projector().on()) return projector().setOn(false);
   if (tools_->stopComparing()) return;
   if (!debugView_->unpin()) scheduler().stopWork();
 }
@@ -360,8 +343,8 @@ void MainWindow::showScene(LoadedScene loaded) {
   menu_->showVariants(variants, files.empty() ? QString() : QString::fromStdString(files.front().variant));
   document_.open(loaded.scene, loaded.path, loaded.unsaved);
   fitter_->opened(loaded);
-  if (!document_.scene().probes.empty()) document_.selectProbe(0);
   work_->resetCamera();
+  document_.selectProbe(probeNearest(document_.scene().probes, renderer_->currentCamera().position));
 }
 
 void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path) {
@@ -378,7 +361,7 @@ void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& mod
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!files_->confirmLeaving()) return event->ignore();
   emit closing();
-  if (!projector_->on()) keepWindowLayout(saveGeometry(), saveState());
+  if (!projector().on()) keepWindowLayout(saveGeometry(), saveState());
   event->accept();
 }
 

@@ -13,13 +13,12 @@
 #include "app/session/load_scene.h"
 #include "filters/core/scene/document.h"
 
-class QDockWidget;
-
 namespace boxprobe {
 
 class Autosave;
 class DebugView;
 class FileCommands;
+class LessonDock;
 class LessonView;
 class MenuBar;
 class ModelFitter;
@@ -62,7 +61,7 @@ class MainWindow : public QMainWindow {
   ProbeExporter& exporter() { return *exporter_; }
   DebugView& debugView() { return *debugView_; }
   LessonView& lessons() { return *lessons_; }
-  Projector& projector() { return *projector_; }
+  Projector& projector();
   ModelFitter& modelFitter() { return *fitter_; }
   MotionPreview& motionPreview();
   PictureWork& pictureWork() { return *work_; }
@@ -83,10 +82,8 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void buildLessonDock();
   void connectDocument();
   void connectFiles();
   void connectEditing();
@@ -120,8 +117,7 @@ class MainWindow : public QMainWindow {
   ModelFitter* fitter_;
   PanelDocks* panels_;
   ViewTools* tools_ = nullptr;
-  QDockWidget* lessonDock_ = nullptr;
-  Projector* projector_ = nullptr;
+  LessonDock* lessonDock_;
   std::vector<std::shared_ptr<const Model>> models_;
 };
 

@@ -44,6 +44,8 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   copy_ = add(edit, tr("&Copy probe"), QKeySequence::Copy, &MenuBar::copyRequested);
   add(edit, tr("&Paste probes"), QKeySequence::Paste, &MenuBar::pasteRequested);
   add(edit, tr("&Select all probes"), QKeySequence::SelectAll, &MenuBar::selectAllRequested);
+  add(edit, tr("Select the probe &here"), QKeySequence("Shift+P"), &MenuBar::selectHereRequested)
+      ->setToolTip(tr("The probe that lights the place where the camera stands"));
   edit->addSeparator();
   fit_ = add(edit, tr("&Fit box"), QKeySequence("Ctrl+F"), &MenuBar::fitRequested);
   add(edit, tr("&Place probes"), QKeySequence("Ctrl+Shift+F"), &MenuBar::placeRequested);
@@ -61,6 +63,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   add(view_, tr("&Reset view"), QKeySequence("Home"), &MenuBar::resetViewRequested);
   buildLook();
   buildCompare();
+  buildExposure();
   view_->addSeparator();
   boxes_ = addToggle(view_, tr("Probe &boxes and handles"), QKeySequence("Ctrl+B"), &MenuBar::boxesShown);
   reflections_ = addToggle(view_, tr("Re&flections from probes"), QKeySequence("Ctrl+R"), &MenuBar::reflectionsShown);
@@ -125,6 +128,13 @@ void MenuBar::buildCompare() {
   views_->setChecked(false);
   endCompare_ = add(compare, tr("&Stop comparing"), {}, &MenuBar::compareEnded);
   showCompare(false);
+}
+
+void MenuBar::buildExposure() {
+  QMenu* menu = view_->addMenu(tr("E&xposure"));
+  add(menu, tr("&Brighter"), QKeySequence("]"), &MenuBar::brighterRequested);
+  add(menu, tr("&Darker"), QKeySequence("["), &MenuBar::darkerRequested);
+  add(menu, tr("&Expose automatically"), {}, &MenuBar::exposeRequested);
 }
 
 void MenuBar::buildThemes() {

@@ -67,6 +67,10 @@ class MenuBar : public QObject {
   void undoRequested();
   void redoRequested();
   void historyChosen(int position);
+  void brighterRequested();
+  void darkerRequested();
+  void exposeRequested();
+  void selectHereRequested();
   void addRequested();
   void duplicateRequested();
   void deleteRequested();
@@ -119,6 +123,7 @@ class MenuBar : public QObject {
   void buildLook();
   void buildCompare();
   void buildThemes();
+  void buildExposure();
   void fillCameras();
   void fillHistory();
 

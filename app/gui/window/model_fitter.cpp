@@ -9,9 +9,12 @@
 #include <QTimer>
 #include <QToolButton>
 #include <exception>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 #include "app/gui/edit/editor.h"
+#include "app/gui/edit/work_beside.h"
+#include "app/gui/view/import_bar.h"
 #include "app/session/automatic_exposure.h"
 #include "filters/vtk/scene_renderer.h"
 
@@ -47,10 +50,16 @@ QString lightName(FitLight light) {
   return ModelFitter::tr("Sky and sun");
 }
 
+bool inside(const Box& box, const glm::dvec3& point) {
+  return glm::all(glm::greaterThan(point, box.min)) && glm::all(glm::lessThan(point, box.max));
+}
+
 }  // namespace
 
-ModelFitter::ModelFitter(Parts parts, QMainWindow* window) : QObject(window), parts_(std::move(parts)) {
+ModelFitter::ModelFitter(Parts parts, QMainWindow* window)
+    : QObject(window), parts_(std::move(parts)), bar_(new ImportBar(parts_.picture)) {
   buildMenu(window);
+  connect(bar_, &ImportBar::chosen, this, &ModelFitter::readAs);
   update();
 }
 
@@ -81,7 +90,7 @@ void ModelFitter::buildMenu(QMainWindow* window) {
   };
   addLight({}, tr("By the kind of model"));
   for (const FitLight light : allFitLights()) addLight(light, lightName(light));
-  connect(menu_->addAction(tr("&Expose automatically")), &QAction::triggered, this, &ModelFitter::exposeAgain);
+  connect(menu_->addAction(tr("&Unit and up axis...")), &QAction::triggered, this, &ModelFitter::askAgain);
 
   button_ = new QToolButton(window->statusBar());
   button_->setObjectName("modelKind");
@@ -94,7 +103,27 @@ void ModelFitter::opened(const LoadedScene& loaded) {
   wishes_ = FitWishes{};
   fit_ = loaded.fit;
   exposureWaits_ = loaded.exposureAutomatic;
+  refitted_.reset();
+  modelsChanged();
+  bar_->hide();
+  if (fit_ && fit_->guess) {
+    bar_->ask(QString::fromStdString(fit_->guess->reason), fit_->guess->unit, fit_->guess->upAxis);
+  }
   update();
+}
+
+void ModelFitter::modelsChanged() {
+  const auto& models = parts_.document.scene().models;
+  if (!fit_ || borrowed_ || models.empty()) return;
+  const bool otherwise = models.front().unit != unit_ || models.front().upAxis != up_;
+  unit_ = models.front().unit;
+  up_ = models.front().upAxis;
+  if (otherwise) emit cameraFitted();
+}
+
+void ModelFitter::askAgain() {
+  const auto& models = parts_.editor.scene().models;
+  if (!models.empty()) bar_->ask({}, models.front().unit, models.front().upAxis);
 }
 
 void ModelFitter::setBorrowed(bool borrowed) {
@@ -104,6 +133,7 @@ void ModelFitter::setBorrowed(bool borrowed) {
 
 void ModelFitter::update() {
   const bool shown = fit_ && !borrowed_;
+  if (!shown) bar_->hide();
   menu_->setEnabled(shown);
   button_->setVisible(shown);
   if (!shown) return;
@@ -123,16 +153,30 @@ void ModelFitter::lightBy(std::optional<FitLight> light) {
   refit(tr("Replace light"));
 }
 
-void ModelFitter::refit(const QString& label) {
+void ModelFitter::readAs(LengthUnit unit, UpAxis up) {
+  const auto& models = parts_.editor.scene().models;
+  if (models.empty() || (models.front().unit == unit && models.front().upAxis == up)) return;
+  refit(tr("Read in %1, %2").arg(unitName(unit), upAxisName(up)), [unit, up](Scene& scene) {
+    scene.models.front().unit = unit;
+    scene.models.front().upAxis = up;
+  });
+}
+
+void ModelFitter::refit(const QString& label, const Document::Edit& first) {
   if (!fit_) return;
   wishes_.aspect = parts_.aspect();
   wishes_.studio = studioFile();
   try {
     Scene scene = parts_.editor.scene();
-    ModelFit fit = fitModel(scene, parts_.models(), wishes_);
+    if (first) first(scene);
+    ModelFit fit;
+    const TriangleRays::Models models = parts_.models();
+    workBeside(parts_.picture->window(), tr("Fitting the model"), false,
+               [&](const BesideProgress&) { fit = fitModel(scene, models, wishes_); });
     if (fit.lightKnown) scene.exposure = 1.0;
     parts_.editor.commit(label, [&](Scene& edited) { edited = scene; });
     exposureWaits_ = !fit.lightKnown;
+    refitted_ = parts_.document.position();
     fit_ = std::move(fit);
   } catch (const std::exception& error) {
     emit failed(QString::fromUtf8(error.what()));
@@ -144,7 +188,7 @@ void ModelFitter::refit(const QString& label) {
 }
 
 void ModelFitter::exposeAgain() {
-  exposureWaits_ = fit_.has_value();
+  exposureWaits_ = exposureAsked_ = true;
   emit pictureWanted();
 }
 
@@ -154,10 +198,26 @@ void ModelFitter::pictureDrawn() {
   QTimer::singleShot(0, this, &ModelFitter::expose);  // not within the frame that was drawn
 }
 
+// The step is made once more beside the document, whose views are then told of the exposure alone.
+void ModelFitter::exposeStep(double exposure) {
+  Scene scene = parts_.document.scene();
+  scene.exposure = exposure;
+  Document beside;
+  beside.restore(parts_.document.state());
+  const std::string label = beside.undoLabel();
+  beside.undo();
+  beside.commit(label, [&scene](Scene& edited) { edited = scene; });
+  parts_.document.restore(beside.state());
+  emit parts_.editor.settled();
+}
+
 void ModelFitter::expose() {
-  if (!fit_ || borrowed_) return;
-  const double exposure = measuredExposure(parts_.renderer, *fit_, parts_.aspect());
-  const bool asOpened = !parts_.document.canUndo() && !parts_.document.canRedo() && !parts_.document.previewing();
+  const bool asked = std::exchange(exposureAsked_, false);
+  if (borrowed_ || parts_.document.scene().models.empty()) return;
+  const bool within = fit_ ? fit_->within : inside(parts_.renderer.bounds(), parts_.renderer.currentCamera().position);
+  const double exposure = measuredExposure(parts_.renderer, within, parts_.aspect());
+  const bool asOpened =
+      !asked && !parts_.document.canUndo() && !parts_.document.canRedo() && !parts_.document.previewing();
   if (asOpened) {
     // Part of opening it: nothing to undo or to save.
     Scene scene = parts_.document.scene();
@@ -165,10 +225,15 @@ void ModelFitter::expose() {
     const std::optional<std::size_t> selected = parts_.document.selectedProbe();
     const std::optional<std::string> name = selected ? std::optional(scene.probes[*selected].name) : std::nullopt;
     parts_.document.restore(Document::State::opened(std::move(scene), parts_.document.path(), name));
+  } else if (!asked && parts_.document.canRedo()) {
+    return;  // what it was for was undone
+  } else if (!asked && refitted_ == parts_.document.position() && !parts_.document.previewing()) {
+    exposeStep(exposure);
   } else {
     parts_.editor.commit(tr("Automatic exposure"), [exposure](Scene& scene) { scene.exposure = exposure; });
   }
-  emit message(tr("%1; exposure %2").arg(QString::fromStdString(fit_->decided)).arg(exposure));
+  const QString decided = asked || !fit_ ? tr("As the picture asks") : QString::fromStdString(fit_->decided);
+  emit message(tr("%1; exposure %2").arg(decided).arg(exposure));
 }
 
 }  // namespace boxprobe

@@ -1,5 +1,6 @@
 // What a bare model was taken for, and the way to have it otherwise: a menu, and a button with the same menu in the
-// status bar. Finds the exposure once the first picture is complete. Called by the main window.
+// status bar; over the picture a question where unit or up axis are doubtful. Finds the exposure once the first picture
+// is complete. Called by the main window.
 #pragma once
 
 #include <QObject>
@@ -19,6 +20,7 @@ class QToolButton;
 namespace boxprobe {
 
 class Editor;
+class ImportBar;
 class SceneRenderer;
 
 class ModelFitter : public QObject {
@@ -31,11 +33,14 @@ class ModelFitter : public QObject {
     SceneRenderer& renderer;
     std::function<const TriangleRays::Models&()> models;
     std::function<double()> aspect;  ///< of the picture: width over height
+    QWidget* picture;                ///< what the question about units stands over
   };
   ModelFitter(Parts parts, QMainWindow* window);
 
   /// A scene or a model was opened and is on show.
   void opened(const LoadedScene& loaded);
+  /// The model's file is read otherwise than before, by an edit or its undo: the view goes with it.
+  void modelsChanged();
   /// A lesson's scene takes its place for a while.
   void setBorrowed(bool borrowed);
   /// A frame was drawn: the exposure is found if that waits for it and nothing is left to capture.
@@ -44,6 +49,9 @@ class ModelFitter : public QObject {
   /// As one undo step: probes, cameras, lights and sky are fitted again. Nothing: as it is found.
   void treatAs(std::optional<ModelKind> kind);
   void lightBy(std::optional<FitLight> light);
+  /// The same with the model file read in another unit, another of its axes up.
+  void readAs(LengthUnit unit, UpAxis up);
+  /// Any scene: from the next complete picture, as an undo step.
   void exposeAgain();
   const std::optional<ModelFit>& fit() const { return fit_; }
 
@@ -56,18 +64,25 @@ class ModelFitter : public QObject {
 
  private:
   void buildMenu(QMainWindow* window);
-  void refit(const QString& label);
+  void refit(const QString& label, const Document::Edit& first = {});
+  void askAgain();
   void expose();
+  void exposeStep(double exposure);
   void update();
 
   Parts parts_;
   QMenu* menu_ = nullptr;
   QToolButton* button_ = nullptr;
+  ImportBar* bar_;
   std::vector<std::pair<std::optional<ModelKind>, QAction*>> kinds_;
   std::vector<std::pair<std::optional<FitLight>, QAction*>> lights_;
   FitWishes wishes_;
+  LengthUnit unit_ = LengthUnit::Metre;  ///< as shown
+  UpAxis up_ = UpAxis::Y;
   std::optional<ModelFit> fit_;  ///< of the bare model on show
   bool exposureWaits_ = false;
+  bool exposureAsked_ = false;           ///< by the user
+  std::optional<std::size_t> refitted_;  ///< position of the last step that fitted the model again
   bool borrowed_ = false;
 };
 

@@ -12,6 +12,7 @@
 #include "app/gui/view/view_commands.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/window/menu_bar.h"
+#include "filters/core/geometry/probe_at.h"
 
 namespace boxprobe {
 
@@ -23,6 +24,27 @@ void PictureMenu::select(const QPointF& pixel) {
   const QString node = QString::fromStdString(object->node), material = QString::fromStdString(object->material);
   emit message(material.isEmpty() ? tr("Object %1").arg(node) : tr("Object %1, material %2").arg(node, material));
   emit picked(node, material);
+}
+
+void PictureMenu::selectProbeOf(const QPointF& pixel) {
+  if (const auto point = parts_.surfaces.meet(parts_.viewport.view().ray({pixel.x(), pixel.y()}))) {
+    selectAt(*point, false);
+  }
+}
+
+void PictureMenu::selectHere() {
+  selectAt(parts_.viewport.view().eyeWorld(), true);
+}
+
+void PictureMenu::selectAt(const glm::dvec3& pointWorld, bool orNearest) {
+  const auto& probes = parts_.editor.scene().probes;
+  const auto lighting = probeLighting(probes, pointWorld);
+  const auto chosen = lighting || !orNearest ? lighting : probeNearest(probes, pointWorld);
+  if (!chosen) return emit message(tr("No probe lights this place; the sky does"));
+  parts_.editor.selectProbe(chosen);
+  const QString name = QString::fromStdString(probes[*chosen].name);
+  emit message(lighting ? tr("Probe %1 lights this place").arg(name)
+                        : tr("No probe lights this place; %1 is the nearest").arg(name));
 }
 
 std::unique_ptr<QMenu> PictureMenu::menuAt(const QPointF& pixel) {

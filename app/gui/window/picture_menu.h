@@ -5,7 +5,9 @@
 #include <QObject>
 #include <QPointF>
 #include <QString>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 
 class QMenu;
 class QWidget;
@@ -35,6 +37,10 @@ class PictureMenu : public QObject {
 
   /// The object there is told by picked().
   void select(const QPointF& pixel);
+  /// The probe that lights the surface there.
+  void selectProbeOf(const QPointF& pixel);
+  /// The probe that lights where the camera stands, else the nearest.
+  void selectHere();
   /// What can be done at that pixel: of the probe whose handle is there, else of the selected one, and of the object.
   std::unique_ptr<QMenu> menuAt(const QPointF& pixel);
   void show(const QPointF& pixel);
@@ -47,6 +53,7 @@ class PictureMenu : public QObject {
   void message(const QString& text);
 
  private:
+  void selectAt(const glm::dvec3& pointWorld, bool orNearest);
   void leaveOut(const std::string& node, bool out);
 
   Parts parts_;

@@ -5,6 +5,7 @@
 #include <QInputDialog>
 #include <QMetaObject>
 #include <QStringList>
+#include <algorithm>
 #include <exception>
 #include <utility>
 #include <vector>
@@ -41,7 +42,10 @@ std::vector<std::pair<QString, ExportSettings>> engineChoices() {
 }  // namespace
 
 ProbeExporter::ProbeExporter(const Document& document, SceneRenderer& renderer, QWidget* window)
-    : QObject(window), document_(document), renderer_(renderer), window_(window) {}
+    : QObject(window), document_(document), renderer_(renderer), window_(window) {
+  turn_.setInterval(0);
+  connect(&turn_, &QTimer::timeout, this, &ProbeExporter::readOne);
+}
 
 ProbeExporter::~ProbeExporter() {
   stop_ = true;
@@ -65,26 +69,47 @@ void ProbeExporter::ask() {
 void ProbeExporter::start(const ExportSettings& settings, const QString& folder) {
   if (running_) return;
   emit ownSceneWanted();
-  std::vector<ProbeCapture> captures;
-  QStringList unfinished;
-  for (const Probe& probe : document_.scene().probes) {
-    const auto maps =
-        renderer_.bakeState(probe.name) == BakeState::UpToDate ? renderer_.mapsOnCpu(probe.name) : nullptr;
-    if (maps == nullptr) {
-      unfinished << QString::fromStdString(probe.name);
-      continue;
-    }
-    captures.push_back({probe, maps->radiance, maps->irradiance, maps->capturedRotation, false});
-  }
-  if (captures.empty()) {
+  captures_.clear();
+  unfinished_.clear();
+  const auto& probes = document_.scene().probes;
+  waiting_.assign(probes.rbegin(), probes.rend());
+  const bool any = std::any_of(probes.begin(), probes.end(), [this](const Probe& probe) {
+    return renderer_.bakeState(probe.name) == BakeState::UpToDate;
+  });
+  if (!any) {
     emit failed(tr("No probe has a finished capture to export; bake first (F5)"));
     return;
   }
-  if (thread_.joinable()) thread_.join();
+  settings_ = settings;
+  folder_ = folder;
   running_ = true;
-  emit message(tr("Exporting %1 probe(s)").arg(captures.size()));
-  const QString left = unfinished.isEmpty() ? QString() : tr("; not finished: %1").arg(unfinished.join(", "));
-  thread_ = std::thread([this, captures = std::move(captures), settings, folder, left] {
+  emit message(tr("Exporting %1 probe(s)").arg(waiting_.size()));
+  turn_.start();
+}
+
+void ProbeExporter::readOne() {
+  emit ownSceneWanted();
+  if (waiting_.empty()) {
+    turn_.stop();
+    return write();
+  }
+  const std::string& name = waiting_.back().name;
+  const bool finished = renderer_.bakeState(name) == BakeState::UpToDate;
+  if (finished && renderer_.filterMissingLevel(name)) return;
+  const auto maps = finished ? renderer_.mapsOnCpu(name) : nullptr;
+  if (maps) {
+    captures_.push_back({waiting_.back(), maps->radiance, maps->irradiance, maps->capturedRotation, false});
+  } else {
+    unfinished_ << QString::fromStdString(name);
+  }
+  waiting_.pop_back();
+}
+
+void ProbeExporter::write() {
+  if (captures_.empty()) return end(tr("No probe has a finished capture to export; bake first (F5)"), false);
+  if (thread_.joinable()) thread_.join();  // it ended before
+  const QString left = unfinished_.isEmpty() ? QString() : tr("; not finished: %1").arg(unfinished_.join(", "));
+  thread_ = std::thread([this, captures = std::move(captures_), settings = settings_, folder = folder_, left] {
     QString text;
     bool good = true;
     try {

@@ -1,12 +1,16 @@
-// File, Export probes: what the window's probes show, written for an engine. Pictures are read back at once; filtering
-// and writing are another thread's, so that the window stays usable. Called by the menu.
+// File, Export probes: what the window's probes show, written for an engine. They are filtered and read back a level
+// and a probe per turn of the event loop, and written by another thread, so that the window stays usable. Called by the
+// menu.
 #pragma once
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
+#include <QTimer>
 #include <atomic>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "filters/io/engines/probe_export.h"
 
@@ -38,11 +42,20 @@ class ProbeExporter : public QObject {
   void failed(const QString& text);
 
  private:
+  /// One turn of the event loop: filters a level that a file holds and nothing has sampled, or reads a probe back.
+  void readOne();
+  void write();
   void end(const QString& text, bool good);
 
   const Document& document_;
   SceneRenderer& renderer_;
   QWidget* window_;
+  QTimer turn_;
+  ExportSettings settings_;
+  QString folder_;
+  std::vector<Probe> waiting_;  ///< the last is next
+  std::vector<ProbeCapture> captures_;
+  QStringList unfinished_;
   std::thread thread_;
   std::atomic<bool> stop_{false};
   bool running_ = false;

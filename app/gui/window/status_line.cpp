@@ -77,8 +77,10 @@ void StatusLine::setCountersShown(bool shown) {
 
 void StatusLine::showProgress(double fraction) {
   const auto seconds = timeLeft_.update(fraction, 1e-3 * static_cast<double>(clock_.elapsed()));
-  const QString text = tr("Capturing %p %");
-  progress_->setFormat(seconds ? text + ", " + QString::fromStdString(TimeLeft::text(*seconds)) : text);
+  // What is left then is not counted: programs, each of which takes as long as the driver likes.
+  const bool shaders = fraction >= 0.99;
+  const QString text = shaders ? tr("Preparing shaders") : tr("Capturing %p %");
+  progress_->setFormat(seconds && !shaders ? text + ", " + QString::fromStdString(TimeLeft::text(*seconds)) : text);
   progress_->setValue(static_cast<int>(100.0 * fraction));
   progress_->show();
   stop_->show();

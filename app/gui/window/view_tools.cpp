@@ -7,6 +7,7 @@
 #include <QMainWindow>
 #include <algorithm>
 
+#include "app/gui/edit/change_views.h"
 #include "app/gui/edit/gauge_rows.h"
 #include "app/gui/explain/debug_view.h"
 #include "app/gui/explain/surface_view_panel.h"
@@ -21,6 +22,7 @@
 #include "app/gui/view/render_scheduler.h"
 #include "app/gui/view/view_comparison.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/window/exposure_tools.h"
 #include "app/gui/window/key_list.h"
 #include "app/gui/window/menu_bar.h"
 #include "app/gui/window/panel_docks.h"
@@ -56,7 +58,8 @@ ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
       tags_(new FaceTags(parts.panels.fitPanel().gauge(), parts.editor,
                          {[this] { return parts_.viewport.view(); },
                           [this] { return parts_.overlay.visible() && parts_.handles.mode() == HandleMode::Box; }},
-                         &parts.viewport)) {
+                         &parts.viewport)),
+      exposure_(new ExposureTools(parts.editor, parts.menu, window)) {
   connectViews();
   connectClicks(window);
   connectCompare();
@@ -64,6 +67,11 @@ ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
   connectGauge();
   connect(&parts.menu, &MenuBar::selectAllRequested, &parts.panels.probeList(), &ProbeList::selectAll);
   connect(&parts.editor, &Editor::selectionChanged, &parts.handles, &ProbeWidget::update);
+  connect(exposure_, &ExposureTools::automaticWanted, this, &ViewTools::automaticExposureWanted);
+}
+
+void ViewTools::subscribe(ChangeViews& views) {
+  views.add("exposure in the tool bar", {&Changes::exposure}, [this](const Changes&) { exposure_->update(); });
 }
 
 // Cameras change the menu that asks for them: later.
@@ -88,6 +96,8 @@ void ViewTools::connectViews() {
 void ViewTools::connectClicks(QMainWindow* window) {
   connect(&parts_.viewport, &Viewport::selected, pictureMenu_, &PictureMenu::select);
   connect(&parts_.viewport, &Viewport::menuRequested, pictureMenu_, &PictureMenu::show);
+  connect(&parts_.viewport, &Viewport::doubleClicked, pictureMenu_, &PictureMenu::selectProbeOf);
+  connect(&parts_.menu, &MenuBar::selectHereRequested, pictureMenu_, &PictureMenu::selectHere);
   connect(pictureMenu_, &PictureMenu::picked, &parts_.panels, &PanelDocks::show);
   connect(pictureMenu_, &PictureMenu::message, &parts_.status, &StatusLine::showMessage);
   auto* clipboard = new ProbeClipboard(parts_.editor, window);

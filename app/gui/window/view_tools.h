@@ -18,7 +18,9 @@ class QMainWindow;
 
 namespace boxprobe {
 
+class ChangeViews;
 class DebugView;
+class ExposureTools;
 class FaceTags;
 class PanelDocks;
 class ProbeOverlay;
@@ -56,8 +58,13 @@ class ViewTools : public QObject {
   bool stopComparing();
   /// The renderer draws the document's scene when this returns, whatever views were being made.
   void showOwnScene();
+  /// Once, with all that tells of changes.
+  void subscribe(ChangeViews& views);
   /// Other models are shown: what was remembered of those before is forgotten.
   void modelsReplaced();
+
+ signals:
+  void automaticExposureWanted();
 
  private:
   void connectViews();
@@ -75,6 +82,7 @@ class ViewTools : public QObject {
   PictureCompare* compare_;
   ViewComparison* sideBySide_;
   FaceTags* tags_;
+  ExposureTools* exposure_;
   QLabel* keys_ = nullptr;
 };
 

@@ -107,9 +107,10 @@ const std::vector<ParameterRow>& parameterRows() {
        nullptr,
        &Values::fresnel},
       {"curve",
-       "Level curve",
+       "Blur by roughness",
        "",
-       "From roughness to the level looked up. Own is what the levels were filtered for; the others show a mismatch.",
+       "How blurred the reflection is at each roughness: the curve to the mip level. Own is what the levels were "
+       "filtered for; the others show a mismatch.",
        Kind::Choice,
        0,
        0,

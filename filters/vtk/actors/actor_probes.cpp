@@ -1,5 +1,7 @@
 #include "filters/vtk/actors/actor_probes.h"
 
+#include <vtkOpenGLRenderWindow.h>
+
 #include "filters/core/base/errors.h"
 #include "filters/vtk/actors/actor_parts.h"
 #include "filters/vtk/maps/cube_transfer.h"
@@ -127,7 +129,13 @@ void ActorProbes::setMaps(std::size_t index, const BakedMaps& maps) {
 
 void ActorProbes::setMaps(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
   if (index >= parts_->shownProbes.size()) throw InputError("there is no probe " + std::to_string(index));
-  if (maps) maps->need(kAllLevels);  // of these actors' materials nobody knows
+  if (maps) {
+    // Of these actors' materials nobody knows. The maps may be another window's, whose context filters them.
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(parts_->renderer->GetRenderWindow());
+    const bool current = window != nullptr && window->IsCurrent();
+    maps->need(kAllLevels);
+    if (current) window->MakeCurrent();
+  }
   parts_->show(index, std::move(maps));
 }
 

@@ -99,14 +99,17 @@ void PreviewSphere::release() {
   if (actor_ != nullptr) actor_->ReleaseGraphicsResources(window_);
 }
 
+LevelMask PreviewSphere::sampled(const ProbeMaps& maps) const {
+  const double roughness = actor_->GetProperty()->GetRoughness();
+  return levelsRead(drawn_->geometry.technique, drawn_->geometry.parameters, roughness, roughness,
+                    maps.radiance.levels());
+}
+
 void PreviewSphere::follow(const Probe* probe, const std::shared_ptr<const ProbeMaps>& maps) {
   if (!shown()) return;
   actor_->SetVisibility(probe != nullptr && maps != nullptr);
   if (probe == nullptr || maps == nullptr) return;
   drawn_->maps = maps;
-  const double roughness = actor_->GetProperty()->GetRoughness();
-  maps->need(levelsRead(drawn_->geometry.technique, drawn_->geometry.parameters, roughness, roughness,
-                        maps->radiance.levels()));
   drawn_->geometry.originWorld = probe->origin;
   const bool turned = maps->capturedRotation != glm::dvec3(0.0);
   drawn_->geometry.mapFromProbe = turned ? glm::transpose(rotationMatrix(maps->capturedRotation)) : glm::dmat3(1.0);

@@ -27,6 +27,8 @@ class PreviewSphere {
   const PreviewSphereSettings& settings() const { return settings_; }
   /// Before every picture, while it is shown: where the probe stands and what it holds now. Null hides it.
   void follow(const Probe* probe, const std::shared_ptr<const ProbeMaps>& maps);
+  /// Levels of these maps that the sphere samples; those that are not filtered yet it shows as they are.
+  LevelMask sampled(const ProbeMaps& maps) const;
   /// With the window's context current.
   void release();
   bool shown() const { return settings_.kind != SphereKind::Off; }

@@ -74,10 +74,15 @@ std::shared_ptr<const BakedMaps> SurfaceInspector::onCpu(const std::shared_ptr<c
   if (!maps) return nullptr;
   copies_.erase(std::remove_if(copies_.begin(), copies_.end(), [](const Copy& c) { return c.of.expired(); }),
                 copies_.end());
-  for (const Copy& copy : copies_) {
-    if (copy.of.lock() == maps) return copy.maps;
+  for (Copy& copy : copies_) {
+    if (copy.of.lock() != maps) continue;
+    if (copy.filtered != maps->filtered) {
+      copy.maps = std::make_shared<const BakedMaps>(readBackAsShown(*maps));
+      copy.filtered = maps->filtered;
+    }
+    return copy.maps;
   }
-  copies_.push_back({maps, std::make_shared<const BakedMaps>(readBack(*maps))});
+  copies_.push_back({maps, maps->filtered, std::make_shared<const BakedMaps>(readBackAsShown(*maps))});
   return copies_.back().maps;
 }
 

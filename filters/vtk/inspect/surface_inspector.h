@@ -25,7 +25,9 @@ class SurfaceInspector {
   /// current. A single pixel draws that pixel only; several draw the picture once.
   std::vector<Explanation> explain(vtkCamera* camera, int width, int height, const std::vector<glm::ivec2>& pixels);
 
-  /// The maps read back, once as long as they live; null for null. The context must be current.
+  /// The maps read back, once as long as they live and have no further level filtered; null for null. What the scene's
+  /// materials sample is filtered, or is shown so unfiltered, too; nothing is filtered for this. The context must be
+  /// current.
   std::shared_ptr<const BakedMaps> onCpu(const std::shared_ptr<const ProbeMaps>& maps);
 
   /// The objects were replaced.
@@ -50,6 +52,7 @@ class SurfaceInspector {
   std::map<std::size_t, Twin> twins_;
   struct Copy {
     std::weak_ptr<const ProbeMaps> of;
+    LevelMask filtered;
     std::shared_ptr<const BakedMaps> maps;
   };
   std::vector<Copy> copies_;  ///< maps read back; those whose original is gone are dropped

@@ -36,6 +36,10 @@ void writeAll(const CubeMap& cube, GLenum internalFormat, CubeTexture& texture) 
 
 BakedMaps readBack(const ProbeMaps& maps) {
   maps.need(kAllLevels);
+  return readBackAsShown(maps);
+}
+
+BakedMaps readBackAsShown(const ProbeMaps& maps) {
   BakedMaps result;
   result.radiance = read(maps.radiance);
   result.distance = read(maps.distance);

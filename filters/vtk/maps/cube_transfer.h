@@ -14,7 +14,10 @@ namespace boxprobe {
 /// finished what is under way.
 BakedMaps readBack(const ProbeMaps& maps);
 
-/// Of it, the chain alone.
+/// The same without filtering: a level that nothing sampled so far holds plain means of the capture.
+BakedMaps readBackAsShown(const ProbeMaps& maps);
+
+/// Of readBack(), the chain alone.
 CubeMap readRadiance(const ProbeMaps& maps);
 
 /// Its level 0 alone into level 0 of `cube`, of the same face size.

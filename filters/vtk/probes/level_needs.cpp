@@ -60,25 +60,53 @@ LevelMask LevelNeeds::sampledOfSky(int levels) const {
   return mask;
 }
 
-LevelNeeds::Lack LevelNeeds::lackOf(const ProbeMaps* maps, LevelMask levels) const {
-  return {maps, maps->missing(levels)};
+void LevelNeeds::also(const std::shared_ptr<const ProbeMaps>& maps, LevelMask levels) {
+  if (alsoOf_.lock() == maps && also_ == levels) return;
+  alsoOf_ = maps;
+  also_ = levels;
+  whole_ = false;
+}
+
+template <typename Each>
+void LevelNeeds::forEachLack(const Each& each) const {
+  const ProbeMaps* sky = state_->resources.sky.get();
+  if (const auto maps = alsoOf_.lock(); maps && maps->missing(also_) != 0) {
+    if (!each(maps.get(), maps->missing(also_))) return;
+  }
+  for (std::size_t i = 0; i < shown_->size(); ++i) {
+    const ProbeMaps* maps = shown_->drawn(i).maps.get();
+    if (maps == nullptr || maps->missing(kAllLevels) == 0) continue;
+    const LevelMask lack = maps->missing(sampledOf(i, maps->radiance.levels()));
+    if (lack != 0 && !each(maps, lack)) return;
+  }
+  if (sky == nullptr || sky->missing(kAllLevels) == 0) return;
+  const LevelMask lack = sky->missing(sampledOfSky(sky->radiance.levels()));
+  if (lack != 0) each(sky, lack);
 }
 
 std::optional<LevelNeeds::Lack> LevelNeeds::find() const {
   const ProbeMaps* sky = state_->resources.sky.get();
   if (whole_ && wholeShown_ == shown_->generation() && wholeSky_ == sky) return std::nullopt;
-  for (std::size_t i = 0; i < shown_->size(); ++i) {
-    const ProbeMaps* maps = shown_->drawn(i).maps.get();
-    if (maps == nullptr || maps->missing(kAllLevels) == 0) continue;
-    if (const Lack lack = lackOf(maps, sampledOf(i, maps->radiance.levels())); lack.levels != 0) return lack;
-  }
-  if (sky != nullptr && sky->missing(kAllLevels) != 0) {
-    if (const Lack lack = lackOf(sky, sampledOfSky(sky->radiance.levels())); lack.levels != 0) return lack;
-  }
+  std::optional<Lack> first;
+  forEachLack([&first](const ProbeMaps* maps, LevelMask levels) {
+    first = Lack{maps, levels};
+    return false;
+  });
+  if (first) return first;
   whole_ = true;
   wholeShown_ = shown_->generation();
   wholeSky_ = sky;
   return std::nullopt;
+}
+
+int LevelNeeds::left() const {
+  if (!lacking()) return 0;
+  int count = 0;
+  forEachLack([&count](const ProbeMaps*, LevelMask levels) {
+    for (; levels != 0; levels &= levels - 1) ++count;
+    return true;
+  });
+  return count;
 }
 
 bool LevelNeeds::lacking() const {

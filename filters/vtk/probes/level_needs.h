@@ -3,6 +3,7 @@
 // probe set.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,6 +26,11 @@ class LevelNeeds {
   /// Of a chain of so many levels; all, for a probe that is not in the list.
   LevelMask ofProbe(std::size_t probe, int levels) const;
   LevelMask ofSky(int levels) const;
+
+  /// Levels that something beside the scene's objects samples; of one chain at a time, null for none.
+  void also(const std::shared_ptr<const ProbeMaps>& maps, LevelMask levels);
+  /// How many levels are lacking.
+  int left() const;
 
   /// Does something that is shown lack a level it needs? Cheap while nothing changes.
   bool lacking() const;
@@ -49,7 +55,9 @@ class LevelNeeds {
   LevelMask sampledOf(std::size_t probe, int levels) const;
   LevelMask sampledOfSky(int levels) const;
   std::optional<Lack> find() const;
-  Lack lackOf(const ProbeMaps* maps, LevelMask levels) const;
+  /// Calls `each(maps, levels)` for what lacks levels, until it returns false.
+  template <typename Each>
+  void forEachLack(const Each& each) const;
 
   const SceneContent* content_;
   const ShownProbes* shown_;
@@ -57,6 +65,8 @@ class LevelNeeds {
   bool all_ = false;
   std::vector<Need> needs_;  ///< of each probe
   Need sky_;
+  std::weak_ptr<const ProbeMaps> alsoOf_;
+  LevelMask also_ = 0;
   // Nothing was lacking when these were what was shown.
   mutable std::uint64_t wholeShown_ = ~std::uint64_t{0};
   mutable const ProbeMaps* wholeSky_ = nullptr;

@@ -1,5 +1,7 @@
 #include "filters/vtk/probes/probe_set.h"
 
+#include <algorithm>
+
 #include "filters/vtk/gl/texture_memory.h"
 
 namespace boxprobe {
@@ -128,7 +130,7 @@ std::optional<std::size_t> ProbeSet::toMeasure() const {
 void ProbeSet::step() {
   if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return giveUp();
   // First, because what is drawn meanwhile shows too little of a blur.
-  if (levelsPending()) return needs_.makeOne();
+  if (levelsPending()) return makeLevel();
   if (work_.step()) return;
   if (const auto index = toMeasure()) {
     errors_.measure(*index);
@@ -136,6 +138,30 @@ void ProbeSet::step() {
   } else if (programs_.pending()) {
     programs_.prepareOne();
   }
+}
+
+// Realtime probes of several bounces saw the other levels, if any, while they were missing: in a drag, that is. They
+// come to rest again by as many rounds as they have bounces.
+void ProbeSet::makeLevel() {
+  needs_.makeOne();
+  ++levelsMade_;
+  bool again = false;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const Probe& probe = entries_.probe(i);
+    if (probe.mode != ProbeMode::Realtime || probe.bounces < 2 || entries_[i].passes >= probe.bounces) continue;
+    entries_[i].passes = probe.bounces;
+    again = true;
+  }
+  if (again) work_.replan();
+  if (!workPending()) levelsMade_ = 0;
+}
+
+double ProbeSet::progress() const {
+  if (!workPending()) return 1.0;
+  constexpr double kMost = 0.99;  // programs and measurements are not counted
+  const double levels = plan_.interactive() ? 0.0 : needs_.left();
+  const double done = work_.unitsDone() + levelsMade_, left = work_.unitsLeft() + levels;
+  return done + left > 0.0 ? std::min(done / (done + left), kMost) : kMost;
 }
 
 std::shared_ptr<const ProbeMaps> ProbeSet::maps(const std::string& probeName) const {

@@ -83,7 +83,10 @@ class ProbeSet {
     return work_.pending() || levelsPending() || toMeasure().has_value() || programs_.pending();
   }
   void step();
-  double progress() const { return work_.progress(); }
+  /// From 0 to 1, of all that was planned since there last was nothing to do; below 1 while anything is pending.
+  double progress() const;
+  /// What is drawn beside the scene's objects samples these levels of these maps; null: nothing does.
+  void alsoSampled(const std::shared_ptr<const ProbeMaps>& maps, LevelMask levels) { needs_.also(maps, levels); }
 
   /// What a probe shows now; null while it has none, or if there is no such probe.
   std::shared_ptr<const ProbeMaps> maps(const std::string& probeName) const;
@@ -98,6 +101,7 @@ class ProbeSet {
   /// Not while a handle is dragged, which is to change uniforms and no more: what it newly lights shows plain means of
   /// the capture until it is let go.
   bool levelsPending() const { return !plan_.interactive() && needs_.lacking(); }
+  void makeLevel();
   void updateKeys();
   void makeAnew(std::size_t index);
 
@@ -118,6 +122,7 @@ class ProbeSet {
   ProbePublisher publisher_;
   BakeRunner runner_;
   ProbeWork work_;
+  int levelsMade_ = 0;  ///< since there last was nothing to do
 };
 
 }  // namespace boxprobe

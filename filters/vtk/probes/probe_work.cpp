@@ -81,13 +81,13 @@ void ProbeWork::finish(MadeMaps made) {
   replan();
 }
 
-double ProbeWork::progress() const {
-  if (!pending()) return 1.0;
+int ProbeWork::unitsLeft() const {
+  if (!pending()) return 0;
   int left = -runner_->unitsDone();
   for (const ProbeJob& job : plan_->jobs()) {
     left += job.kind == JobKind::File ? 1 : BakeRunner::units(job.faceSize, job.kind == JobKind::Realtime);
   }
-  return static_cast<double>(unitsDone_) / std::max(unitsDone_ + left, 1);
+  return std::max(left, 0);
 }
 
 void ProbeWork::abort() {

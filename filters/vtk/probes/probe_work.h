@@ -34,8 +34,9 @@ class ProbeWork {
   /// At most a face is captured, a level filtered or a file read; returns whether there was anything to do. Throws
   /// WorkError where the driver refuses; giveUp() is then due.
   bool step();
-  /// From 0 to 1, of all that was planned since there last was nothing to do.
-  double progress() const;
+  /// Faces, levels and files: made since there last was nothing to do, and left of what is planned now.
+  int unitsDone() const { return unitsDone_; }
+  int unitsLeft() const;
   /// Ends the job under way; the next step begins the first of the plan.
   void abort();
   /// The same, and nothing is left to do until the next plan.

@@ -1,0 +1,32 @@
+// The place of the lessons in the window: the dock with their text, and the projector's view of it. Called by the main
+// window.
+#pragma once
+
+#include <QObject>
+
+class QDockWidget;
+class QMainWindow;
+
+namespace boxprobe {
+
+class LessonView;
+class Projector;
+
+class LessonDock : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Hidden at first, at the window's left.
+  LessonDock(LessonView& lessons, QMainWindow* window);
+  Projector& projector() { return *projector_; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  LessonView& lessons_;
+  QDockWidget* dock_;
+  Projector* projector_;
+};
+
+}  // namespace boxprobe

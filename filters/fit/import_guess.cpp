@@ -1,0 +1,126 @@
+#include "filters/fit/import_guess.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+#include "filters/core/base/number_text.h"
+#include "filters/core/geometry/model_placement.h"
+
+namespace boxprobe {
+
+namespace {
+
+double largestSide(const Box& bounds) {
+  const glm::dvec3 size = bounds.size();
+  return std::max({size.x, size.y, size.z});
+}
+
+std::string suffixOf(const std::string& file) {
+  const std::size_t dot = file.rfind('.');
+  std::string suffix = dot == std::string::npos ? std::string() : file.substr(dot + 1);
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix;
+}
+
+/// In metres, of what people model: beyond that a unit was taken for another.
+struct Plausible {
+  double least, most, centimetres;  ///< up to the last, a file of centimetres
+};
+
+Plausible plausibleSize(ModelKind kind, bool saysMetres) {
+  if (kind == ModelKind::Interior) return {1.0, 120.0, 6000.0};
+  if (kind == ModelKind::Open) return {1.0, 3000.0, 6000.0};
+  // A glTF file says that it is in metres: only what can hardly be is asked about.
+  return saysMetres ? Plausible{0.002, 150.0, 500.0} : Plausible{0.002, 20.0, 500.0};
+}
+
+LengthUnit likelyUnit(const std::string& suffix, ModelKind kind, double largest) {
+  const bool saysMetres = suffix == "glb" || suffix == "gltf";
+  const Plausible size = plausibleSize(kind, saysMetres);
+  if (largest <= size.most) return LengthUnit::Metre;
+  // What is printed in three dimensions is drawn in millimetres.
+  if (suffix == "stl" && kind == ModelKind::Object) return LengthUnit::Millimetre;
+  return largest <= size.centimetres ? LengthUnit::Centimetre : LengthUnit::Millimetre;
+}
+
+/// Area of all triangles as seen along each axis of the world.
+glm::dvec3 areasAlongAxes(const Scene& scene, const TriangleRays::Models& models) {
+  glm::dvec3 areas(0.0);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const glm::dmat4 placement = worldFromFile(scene.models[i]);
+    for (const Instance& instance : models[i]->instances) {
+      const glm::dmat4 world = placement * instance.worldFromModel;
+      const Mesh& mesh = models[i]->meshes[static_cast<std::size_t>(instance.mesh)];
+      const auto corner = [&](std::size_t at) {
+        return glm::dvec3(world * glm::dvec4(glm::dvec3(mesh.positions[mesh.indices[at]]), 1.0));
+      };
+      for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
+        const glm::dvec3 a = corner(at);
+        const glm::dvec3 area = 0.5 * glm::cross(corner(at + 1) - a, corner(at + 2) - a);
+        if (std::isfinite(area.x + area.y + area.z)) areas += glm::abs(area);
+      }
+    }
+  }
+  return areas;
+}
+
+/// Does it begin at 0 along this axis, as what stands on a floor does?
+bool standsOn(const Box& bounds, int axis) {
+  return std::abs(bounds.min[axis]) <= 0.02 * bounds.size()[axis];
+}
+
+/// Is it +Z that the file takes for up, rather than +Y?
+bool zIsUp(const Scene& scene, const TriangleRays::Models& models, const std::string& suffix, ModelKind kind,
+           const Box& bounds) {
+  const glm::dvec3 size = bounds.size();
+  const bool onY = standsOn(bounds, 1), onZ = standsOn(bounds, 2);
+  const bool saysUp = suffix == "glb" || suffix == "gltf";
+  // Standing on z = 0 and reaching below y = 0. A picture on a wall does so too, but not in metres with Y up.
+  if (onZ && !onY && bounds.min.y < -0.2 * size.y && (!saysUp || kind == ModelKind::Interior)) return true;
+  if (onY && !onZ) return false;
+  // Rooms are lower than wide, and have more floor and ceiling than wall along any one axis.
+  if (kind != ModelKind::Interior) return false;
+  const bool lowest = size.z <= 0.6 * std::min(size.x, size.y);
+  if (!lowest) return false;
+  const glm::dvec3 areas = areasAlongAxes(scene, models);
+  return areas.z >= 1.5 * std::max(areas.x, areas.y);
+}
+
+}  // namespace
+
+std::string extentText(const Box& bounds) {
+  const double largest = largestSide(bounds);
+  const double digits = largest > 0.0 ? std::pow(10.0, std::floor(std::log10(largest)) - 1.0) : 1.0;
+  const bool high = bounds.size().y >= largest;
+  return numberText(std::round(largest / digits) * digits) + " m " + (high ? "high" : "wide");
+}
+
+std::optional<ImportGuess> guessImport(const Scene& scene, const TriangleRays::Models& models, ModelKind kind,
+                                       const Box& bounds) {
+  if (models.empty() || !(largestSide(bounds) > 0.0)) return std::nullopt;
+  const ModelFile& file = scene.models.front();
+  if (file.unit != LengthUnit::Metre || file.upAxis != UpAxis::Y || file.scale != 1.0 ||
+      file.rotationDegrees != glm::dvec3(0.0)) {
+    return std::nullopt;
+  }
+  const std::string suffix = suffixOf(file.file);
+  ImportGuess guess;
+  guess.unit = likelyUnit(suffix, kind, largestSide(bounds));
+  const bool turned = zIsUp(scene, models, suffix, kind, bounds);
+  if (turned) guess.upAxis = UpAxis::Z;
+  if (guess.unit == LengthUnit::Metre && !turned) return std::nullopt;
+  if (guess.unit != LengthUnit::Metre) guess.reason = "In metres it would be " + extentText(bounds);
+  if (turned) {
+    guess.reason += guess.reason.empty() ? "It seems" : ", and it seems";
+    guess.reason += " to lie on its side";
+  }
+  return guess;
+}
+
+}  // namespace boxprobe
