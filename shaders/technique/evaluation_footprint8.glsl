@@ -5,37 +5,37 @@ vec4 evaluateFootprint8(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   FootprintLobe lobe = footprintLobe(point, 1.0f);
   vec3 axes = footprintAxes(probe, point, lobe);
   vec4 p = footprintPowers(point);
-  float size = footprintConstant(lobe, axes, p, vec4(-6.074f, 15.048f, -22.230f, 10.205f),
-                                             vec3(1.355f, 4.236f, -6.464f), vec3(-0.561f, 5.941f, -6.663f));
-  float narrowing = 2.183f + -2.189f * p.y;
+  float size = footprintConstant(lobe, axes, p, vec4(-7.036f, 17.983f, -27.582f, 12.837f),
+                                             vec3(-0.548f, 4.995f, -4.675f), vec3(1.659f, -0.176f, -2.603f));
+  float narrowing = 1.070f + -0.808f * p.y;
   lobe.size = lobe.size * footprintTurnedSize(axes, size, narrowing);
-  lobe.shift = lobe.view.x * footprintConstant(lobe, axes, p, vec4(-0.043f, 0.559f, -1.056f, 0.769f),
-                                             vec3(0.073f, -0.308f, 0.334f), vec3(0.052f, -0.299f, 0.396f));
-  float nearer = -lobe.alpha * dot(p, vec4(0.029f, -0.212f, -0.120f, 0.246f));
+  lobe.shift = lobe.view.x * footprintConstant(lobe, axes, p, vec4(-0.075f, 1.074f, -1.899f, 1.103f),
+                                             vec3(0.105f, -0.641f, 0.703f), vec3(0.041f, -0.138f, 0.267f));
+  float nearer = -lobe.alpha * dot(p, vec4(0.006f, 0.0f, -0.555f, 0.490f));
   FootprintSum sum = footprintStart();
   sum = footprintAddTurned(map, probe, point, lobe, axes, sum,
-                           footprintConstant(lobe, axes, p, vec4(0.630f, 2.424f, -5.433f, 2.827f),
-                                             vec3(0.107f, -0.408f, 0.425f), vec3(0.192f, -0.376f, 0.031f)),
-                           footprintConstant(lobe, axes, p, vec4(0.734f, -1.965f, 2.589f, -1.164f),
-                                             vec3(-0.162f, -0.160f, 0.126f), vec3(-0.640f, 1.380f, -0.843f)),
-                           dot(p, vec4(0.0f, 0.0f, 0.0f, 0.0f)), dot(p, vec4(-4.957f, 0.662f, 18.132f, -14.592f)), nearer);
+                           footprintConstant(lobe, axes, p, vec4(0.604f, 2.911f, -6.440f, 3.360f),
+                                             vec3(0.108f, -0.544f, 0.595f), vec3(0.144f, -0.055f, -0.243f)),
+                           footprintConstant(lobe, axes, p, vec4(0.830f, -3.277f, 4.886f, -2.182f),
+                                             vec3(-0.239f, 0.503f, -0.540f), vec3(-0.727f, 1.805f, -1.235f)),
+                           dot(p, vec4(0.0f, 0.0f, 0.0f, 0.0f)), dot(p, vec4(-3.612f, 7.810f, -3.287f, -0.969f)), nearer);
   sum = footprintAddTurned(map, probe, point, lobe, axes, sum,
-                           footprintConstant(lobe, axes, p, vec4(-0.415f, 0.405f, 0.236f, -0.290f),
-                                             vec3(0.491f, -1.386f, 0.859f), vec3(0.164f, -0.718f, 0.665f)),
-                           footprintConstant(lobe, axes, p, vec4(-0.077f, 1.060f, -0.393f, -0.415f),
-                                             vec3(1.153f, -4.296f, 3.137f), vec3(0.219f, -1.645f, 1.428f)),
-                           dot(p, vec4(3.103f, 1.633f, -15.981f, 10.940f)), dot(p, vec4(1.609f, -6.097f, 7.601f, -3.781f)), nearer);
+                           footprintConstant(lobe, axes, p, vec4(-0.698f, 1.548f, -0.996f, 0.029f),
+                                             vec3(0.841f, -2.635f, 1.861f), vec3(0.303f, -1.095f, 0.916f)),
+                           footprintConstant(lobe, axes, p, vec4(-0.182f, 1.659f, -1.498f, 0.184f),
+                                             vec3(1.216f, -4.338f, 3.128f), vec3(0.175f, -1.387f, 1.207f)),
+                           dot(p, vec4(2.564f, 0.614f, -11.090f, 7.561f)), dot(p, vec4(-0.042f, 5.478f, -10.922f, 5.559f)), nearer);
   sum = footprintAddTurned(map, probe, point, lobe, axes, sum,
-                           footprintConstant(lobe, axes, p, vec4(0.438f, 2.009f, -4.414f, 2.425f),
-                                             vec3(0.437f, -1.502f, 0.987f), vec3(0.093f, -0.324f, -0.025f)),
-                           footprintConstant(lobe, axes, p, vec4(-0.737f, 3.243f, -6.460f, 3.624f),
-                                             vec3(0.597f, -1.736f, 1.024f), vec3(-0.190f, -0.058f, 0.367f)),
-                           dot(p, vec4(2.428f, 2.378f, -18.488f, 13.464f)), dot(p, vec4(-0.243f, 0.839f, -4.903f, 3.428f)), nearer);
+                           footprintConstant(lobe, axes, p, vec4(0.578f, 1.493f, -3.782f, 2.204f),
+                                             vec3(0.342f, -1.286f, 0.837f), vec3(-0.044f, 0.221f, -0.475f)),
+                           footprintConstant(lobe, axes, p, vec4(-0.447f, 2.323f, -5.400f, 3.220f),
+                                             vec3(0.345f, -1.305f, 0.856f), vec3(-0.549f, 1.223f, -0.603f)),
+                           dot(p, vec4(1.743f, 0.436f, -9.905f, 7.471f)), dot(p, vec4(0.025f, -0.422f, 0.880f, -0.636f)), nearer);
   sum = footprintAddTurned(map, probe, point, lobe, axes, sum,
-                           footprintConstant(lobe, axes, p, vec4(0.183f, 0.679f, -1.845f, 1.157f),
-                                             vec3(0.353f, -0.053f, -0.225f), vec3(0.100f, 0.288f, -0.416f)),
-                           footprintConstant(lobe, axes, p, vec4(0.643f, -1.062f, 2.990f, -1.978f),
-                                             vec3(-0.689f, 1.245f, -0.789f), vec3(0.396f, -1.103f, 0.517f)),
-                           dot(p, vec4(3.478f, -1.502f, -12.914f, 10.686f)), dot(p, vec4(0.441f, 2.296f, -14.233f, 10.970f)), nearer);
+                           footprintConstant(lobe, axes, p, vec4(-0.098f, 1.819f, -3.220f, 1.589f),
+                                             vec3(0.687f, -1.129f, 0.608f), vec3(0.236f, -0.082f, -0.100f)),
+                           footprintConstant(lobe, axes, p, vec4(0.769f, -1.258f, 3.057f, -1.992f),
+                                             vec3(-0.718f, 1.041f, -0.521f), vec3(0.230f, -0.824f, 0.408f)),
+                           dot(p, vec4(3.215f, -4.968f, -2.043f, 3.455f)), dot(p, vec4(0.145f, 5.028f, -14.991f, 9.947f)), nearer);
   return sum.value / sum.weight;
 }

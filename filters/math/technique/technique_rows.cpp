@@ -235,7 +235,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "technique/evaluation_footprint2.glsl",
        "evaluateFootprint2",
        shading::evaluateFootprint2,
-       kFootprintFiles,
+       kTurnedFiles,
        {},
        true},
       {"footprint4",
