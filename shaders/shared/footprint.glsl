@@ -24,7 +24,7 @@ vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
   vec3 d = hit.direction / t;
   float distanceC = 0.0f;  // of C from the wall's plane, in units of t
   float cosineP = 1.0f;
-  if (hit.face >= 0)
+  if (hit.refined >= 0.0f)  // the proxy is a box, which is known when this is compiled
   {
     // A soft choice of wall, by how nearly the ray meets each: a hard one draws lines along the edges.
     vec3 w = vec3(t) / max(hit.slabFactors, vec3(t));

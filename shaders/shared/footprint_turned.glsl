@@ -35,8 +35,8 @@ vec3 footprintAxes(ProbeShape probe, ShadingPoint point, FootprintLobe lobe)
     float t = max(hit.distance, max(1.0e-9f * largest, 1.0e-37f));
     seen = hit.direction / t;
     // The wall's normal, by the same soft choice as in footprintCosines.
-    vec3 normal = seen - (0.5f * probe.boxMin + 0.5f * probe.boxMax) / t;
-    if (hit.face >= 0)
+    vec3 normal = vec3(0.0f);
+    if (hit.refined >= 0.0f)
     {
       vec3 w = vec3(t) / max(hit.slabFactors, vec3(t));
       w = w * w;
@@ -45,6 +45,7 @@ vec3 footprintAxes(ProbeShape probe, ShadingPoint point, FootprintLobe lobe)
     }
     else
     {
+      normal = seen - (0.5f * probe.boxMin + 0.5f * probe.boxMax) / t;
       normal = normal / max(length(normal), 1.0e-9f);
     }
     float cosine = max(dot(normal, direction), 1.0e-3f);
