@@ -82,8 +82,8 @@ float footprintConstant(FootprintLobe lobe, vec3 axes, vec4 powers, vec4 constan
   return dot(powers, constants) + axes.z * dot(p, byAxes) + (lobe.view.z - 0.5f) * dot(p, byView);
 }
 
-// What a piece is of the lobe before each has its own part. `size`: its logarithm, base 2. `narrowing`: the power of the shorter axis over
-// the longer that sharpens levels.
+// What a piece is of the lobe before each has its own part. `size`: its logarithm, base 2. `narrowing`: the power of the shorter axis
+// over the longer that sharpens levels.
 float footprintTurnedSize(vec3 axes, float size, float narrowing)
 {
   return exp2(size + 0.5f * narrowing * log2((1.01f - axes.z) / (1.0f + axes.z)));
