@@ -11,7 +11,7 @@
 // walls, and that its nearer side covers more of the cube. One lookup is worth three rays; many pieces are small enough for one each.
 //
 // Needs slab.glsl, roughness.glsl and lobe_frame.glsl; the host supplies PROBE_MAP, fetchProbe and projectRay. Called by
-// technique/evaluation_footprint*.glsl, whose constants tests/bench/fit_footprints finds; from 2 on by way of footprint_turned.glsl.
+// technique/evaluation_footprint*.glsl, whose constants tests/bench/fit_footprints finds.
 
 // x: t / |d|, y: cos_C, z: cos_P; all 1 for a direction that meets nothing, which is seen from C as from P.
 vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
@@ -134,8 +134,8 @@ FootprintSum footprintStart()
 }
 
 // A piece around one ray, looked up. `size`: its part of the lobe's; `nearer`: share of the way to the hit by which it aims short of it.
-FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
-                          float v, float weight, float size, float nearer)
+FootprintSum footprintAddShort(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
+                               float v, float weight, float size, float nearer)
 {
   FootprintRay ray = footprintRay(point, lobe, u, v);
   ProbeHit hit = projectRay(probe, point.position, point.normal, ray.direction);
@@ -149,6 +149,20 @@ FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, F
   result.value = sum.value + weight * ray.share * fetchProbe(map, probe, hit.direction - shorter * ray.direction, level);
   result.weight = sum.weight + weight * ray.share;
   return result;
+}
+
+FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
+                          float v, float weight, float size)
+{
+  return footprintAddShort(map, probe, point, lobe, sum, u, v, weight, size, 0.0f);
+}
+
+// Two pieces, mirrored in the plane of N and V.
+FootprintSum footprintAddPair(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
+                              float v, float weight, float size)
+{
+  FootprintSum one = footprintAdd(map, probe, point, lobe, sum, u, v, weight, size);
+  return footprintAdd(map, probe, point, lobe, one, -u, v, weight, size);
 }
 
 // A ray's hit, seen from C.

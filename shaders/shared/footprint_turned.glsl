@@ -97,6 +97,6 @@ FootprintSum footprintAddTurned(PROBE_MAP map, ProbeShape probe, ShadingPoint po
   float v = axes.y * x + axes.x * y;
   float share = exp2(weight);
   float part = exp2(size);
-  FootprintSum one = footprintAdd(map, probe, point, lobe, sum, u, v, share, part, nearer);
-  return footprintAdd(map, probe, point, lobe, one, -u, -v, share, part, nearer);
+  FootprintSum one = footprintAddShort(map, probe, point, lobe, sum, u, v, share, part, nearer);
+  return footprintAddShort(map, probe, point, lobe, one, -u, -v, share, part, nearer);
 }

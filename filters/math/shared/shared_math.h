@@ -100,6 +100,10 @@ float footprintScale(ProbeShape probe, ProbeHit hit, vec3 direction);
 float footprintLevel(ProbeShape probe, float alphaSquared, float bias);
 FootprintLobe footprintLobe(ShadingPoint point, float points);
 FootprintSum footprintStart();
+FootprintSum footprintAdd(ProbeMap map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum,
+                          float u, float v, float weight, float size);
+FootprintSum footprintAddPair(ProbeMap map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum,
+                              float u, float v, float weight, float size);
 FootprintPatch footprintPatch(ProbeShape probe, ShadingPoint point, FootprintLobe lobe, float u, float v, float weight);
 FootprintPatch footprintExtend(ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintPatch seen, float u,
                                float v, float weight);
