@@ -7,7 +7,7 @@
 // its middle. A pair is the same after half a turn, as an axis is: so nothing jumps as the longer axis turns. Where the middle is seen
 // round there is no such axis; patterns are made so that their turning does not show there.
 //
-// Needs footprint.glsl. Called by technique/evaluation_footprint2.glsl to 16, whose constants tests/bench/fit_footprints finds.
+// Needs footprint.glsl. Called by technique/evaluation_footprint2.glsl to 8, whose constants tests/bench/fit_footprints finds.
 
 // x, y: cosine and sine of the angle from u to the longer axis; z: the axes' eccentricity, (long² - short²) / (long² + short²), 0 where
 // the middle is seen round and 1 where it is a line.

@@ -1,6 +1,6 @@
 // Fits the constants of the footprint techniques to this project's prefilter and level mapping, and prints them as they
 // stand in shaders/technique; or judges the techniques as they are in rooms that the fit never saw:
-//   fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]]   (as many as the constants were fitted with, unless said)
+//   fit_footprints 1|2|4|8 [ROUNDS [RESTARTS]]   (as many as the constants were fitted with, unless said)
 //   fit_footprints judge [FACE_SIZE]
 // What is minimised: the error of display values and that of linear light, each relative to the HDRP form's, and light
 // gained or lost at any roughness and view angle.
@@ -32,8 +32,10 @@ struct Settings {
   int rounds, restarts;
 };
 constexpr Settings kSettings[] = {
-    {1, 1, 96, 32, 1.0, 14.0, 20, 3}, {2, 31, 192, 16, 1.0, 8.0, 0, 0},  {4, 31, 192, 16, 1.0, 8.0, 0, 0},
-    {8, 31, 192, 16, 1.0, 8.0, 0, 0}, {16, 31, 192, 16, 1.0, 8.0, 0, 0},
+    {1, 1, 96, 32, 1.0, 14.0, 20, 3},
+    {2, 31, 192, 16, 1.0, 8.0, 0, 0},
+    {4, 31, 192, 16, 1.0, 8.0, 0, 0},
+    {8, 31, 192, 16, 1.0, 8.0, 0, 0},
 };
 constexpr double kLightFreely = 0.004;  // what the rays of the reference leave open
 
@@ -147,6 +149,6 @@ int main(int argc, char** argv) {
     fit(settings, number(2, settings.rounds), number(3, settings.restarts));
     return 0;
   }
-  std::fprintf(stderr, "usage: fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]] | judge [FACE_SIZE]\n");
+  std::fprintf(stderr, "usage: fit_footprints 1|2|4|8 [ROUNDS [RESTARTS]] | judge [FACE_SIZE]\n");
   return 2;
 }

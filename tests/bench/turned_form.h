@@ -6,7 +6,7 @@
 
 namespace boxprobe::bench {
 
-/// For 2, 4, 8 or 16 lookups.
+/// For 2, 4 or 8 lookups.
 FootprintForm turnedForm(int lookups);
 /// The constants that its fit starts with.
 std::vector<double> turnedStart(int lookups);

@@ -267,7 +267,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "technique/evaluation_footprint16.glsl",
        "evaluateFootprint16",
        shading::evaluateFootprint16,
-       kTurnedFiles,
+       kFootprintFiles,
        {},
        true,
        "footprint1"},
