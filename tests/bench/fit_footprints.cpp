@@ -1,8 +1,8 @@
 // Fits the constants of the footprint techniques to this project's prefilter and level mapping, and prints them as they
 // stand in shaders/technique; or judges the techniques as they are in rooms that the fit never saw:
-//   fit_footprints 1|2|4|8 [ROUNDS [RESTARTS]]   (as many as the constants were fitted with, unless said; 8: in the form
-//   of 2 and 4, which the shaders do not have)
+//   fit_footprints 1|2|4|8 [ROUNDS [RESTARTS]]   (as many as the constants were fitted with, unless said)
 //   fit_footprints judge [FACE_SIZE]
+// 8 is a form like that of 2 and 4, which the shaders do not have.
 // What is minimised: the error of display values and that of linear light, each relative to the HDRP form's, and light
 // gained or lost at any roughness and view angle.
 #include <algorithm>
