@@ -24,7 +24,7 @@ vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
   vec3 d = hit.direction / t;
   float distanceC = 0.0f;  // of C from the wall's plane, in units of t
   float cosineP = 1.0f;
-  if (hit.refined >= 0.0f)  // the proxy is a box, which is known when this is compiled
+  if (hit.face >= 0)
   {
     // A soft choice of wall, by how nearly the ray meets each: a hard one draws lines along the edges.
     vec3 w = vec3(t) / max(hit.slabFactors, vec3(t));
@@ -133,9 +133,9 @@ FootprintSum footprintStart()
   return sum;
 }
 
-// A piece around one ray, looked up. `size`: its part of the lobe's; `nearer`: share of the way to the hit by which it aims short of it.
-FootprintSum footprintAddShort(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
-                               float v, float weight, float size, float nearer)
+// A piece around one ray, looked up. `size`: its part of the lobe's.
+FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
+                          float v, float weight, float size)
 {
   FootprintRay ray = footprintRay(point, lobe, u, v);
   ProbeHit hit = projectRay(probe, point.position, point.normal, ray.direction);
@@ -144,17 +144,9 @@ FootprintSum footprintAddShort(PROBE_MAP map, ProbeShape probe, ShadingPoint poi
   float area = lobe.size * size * along * c.x * c.y / ray.halfSquared;
   FootprintSum result;
   float level = footprintEasedLevel(probe, area * sqrt(along), lobe.bias);
-  // Bounded: behind the far side of C a direction would turn round, and what meets nothing has no distance to shorten.
-  float shorter = hit.distance < kNoHit ? nearer * hit.distance * min(4.0f / c.x, 1.0f) : 0.0f;
-  result.value = sum.value + weight * ray.share * fetchProbe(map, probe, hit.direction - shorter * ray.direction, level);
+  result.value = sum.value + weight * ray.share * fetchProbe(map, probe, hit.direction, level);
   result.weight = sum.weight + weight * ray.share;
   return result;
-}
-
-FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
-                          float v, float weight, float size)
-{
-  return footprintAddShort(map, probe, point, lobe, sum, u, v, weight, size, 0.0f);
 }
 
 // Two pieces, mirrored in the plane of N and V.

@@ -41,8 +41,7 @@ struct ProbeHit
   vec3 direction;   // what the cubemap is looked up with, probe frame, not normalised
   float distance;   // from P along R, scene units if R has unit length; a huge value if there is no proxy to hit
   int face;         // 0..5: -x +x -y +y -z +z of the box; -1 if the proxy is no box
-  float refined;    // 1 where the hit is not on the proxy but on what the probe saw; slabFactors are then of a box through the hit. -1 if
-                    // the proxy is no box but has a wall to hit.
+  float refined;    // 1 where the hit is not on the proxy but on what the probe saw; slabFactors are then of a box through the hit
   vec3 slabFactors; // box only: distance along R to the exit plane of each axis; `distance` is the smallest. Of a hit that is not on the
                     // box (a rounded edge, a refined hit): of the box scaled about P until its face goes through the hit.
 };

@@ -23,7 +23,7 @@ ProbeHit projectSphere(ProbeShape probe, vec3 position, vec3 normal, vec3 reflec
   hit.distance = t;
   hit.direction = position + t * reflection;
   hit.face = -1;
-  hit.refined = -1.0f;
+  hit.refined = 0.0f;
   hit.slabFactors = vec3(kNoHit);
   return hit;
 }

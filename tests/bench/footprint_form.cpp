@@ -1,10 +1,9 @@
 #include "tests/bench/footprint_form.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-
-#include "tests/bench/turned_form.h"
 
 namespace boxprobe::bench {
 
@@ -31,8 +30,9 @@ double d(float x) {
   return static_cast<double>(x);
 }
 
-// Bias and the disk's scales and shift, by roughness and view. a: alpha, n: N.V.
+// What all forms share: bias, size and the disk's scales and shift, by roughness and view. a: alpha, n: N.V.
 struct Common {
+  float size = 1.0f, sizeA = 0.0f, sizeN = 0.0f;  // alone; the pieces' are relative to it
   float bias, biasA, biasN;
   float scaleUA, scaleUN, scaleVA, scaleVN;
   float shift, shiftA, shiftN;  // times the sine of the view's angle: nothing leans where N = V
@@ -96,6 +96,129 @@ struct OneLookup {
   }
 };
 
+// --- Lookups by a ray each, on the axis and in pairs. Constants: Common; size (its logarithm), size by a and n; then
+// of each piece u 1 a (pairs only), v 1 a, the weight's logarithms at a = 0 and a = 1, and the size's.
+struct Layout {
+  int single, pairs;
+};
+Layout layoutOf(int lookups) {
+  return {2, (lookups - 2) / 2};
+}
+constexpr std::size_t kSingle = 5, kPair = 7;
+
+struct Piece {
+  bool pair;
+  float u, uA, v, vA, weight, weightA, size;
+};
+
+struct ManyLookups {
+  Common common;
+  std::vector<Piece> pieces;
+  float centreA = 0.0f, centreA2 = 0.0f,
+        weightA = 0.0f;  // the mean v, kept at 0: (centreA a + centreA2 a²) / (1 + weightA a)
+
+  ManyLookups(int lookups, const Constants& c) : common(commonOf(c.data())) {
+    const double* p = &c[kCommon];
+    common.size = rounded(std::exp(p[0])), common.sizeA = rounded(p[1]), common.sizeN = rounded(p[2]);
+    p += 3;
+    const auto add = [&](bool pair) {
+      Piece piece{pair, 0, 0, 0, 0, 0, 0, 0};
+      if (pair) piece.u = rounded(p[0]), piece.uA = rounded(p[1]), p += 2;
+      piece.v = static_cast<float>(p[0]), piece.vA = static_cast<float>(p[1]);
+      piece.weight = static_cast<float>(std::exp(p[2]));
+      piece.weightA = static_cast<float>(std::exp(p[3]) - std::exp(p[2]));
+      piece.size = rounded(std::exp(p[4]));
+      p += kSingle;
+      pieces.push_back(piece);
+    };
+    for (int i = 0; i < layoutOf(lookups).single; ++i) add(false);
+    for (int i = 0; i < layoutOf(lookups).pairs; ++i) add(true);
+    centre();
+  }
+  // Weights of sum 1 where a = 0, and points whose mean is 0 there.
+  void centre() {
+    double sum = 0.0, mean = 0.0;
+    for (const Piece& q : pieces) sum += d(q.weight) * (q.pair ? 2 : 1);
+    for (const Piece& q : pieces) mean += d(q.weight) * d(q.v) * (q.pair ? 2 : 1) / sum;
+    double a = 0.0, a2 = 0.0, w = 0.0;
+    for (Piece& q : pieces) {
+      q.weight = rounded(d(q.weight) / sum), q.weightA = rounded(d(q.weightA) / sum);
+      q.v = rounded(d(q.v) - mean), q.vA = rounded(d(q.vA));
+      const double count = q.pair ? 2.0 : 1.0;
+      a += count * (d(q.weight) * d(q.vA) + d(q.weightA) * d(q.v));
+      a2 += count * d(q.weightA) * d(q.vA);
+      w += count * d(q.weightA);
+    }
+    centreA = rounded(a), centreA2 = rounded(a2), weightA = rounded(w);
+  }
+  glm::dvec3 operator()(const study::RoomPoint& p) const {
+    shading::FootprintLobe lobe = shading::footprintLobe(p.point, 1.0f);
+    common.set(lobe);
+    const float a = lobe.alpha, n = lobe.view.z;
+    lobe.shift -= lobe.scaleV * a * (centreA + centreA2 * a) / (1.0f + weightA * a);
+    lobe.size *= common.size * std::max(1.0f + common.sizeA * a + common.sizeN * n, 0.1f);
+    shading::FootprintSum sum = shading::footprintStart();
+    for (const Piece& q : pieces) {
+      const auto add = q.pair ? shading::footprintAddPair : shading::footprintAdd;
+      sum = add(p.chain, p.probe, p.point, lobe, sum, q.u + q.uA * a, q.v + q.vA * a, q.weight + q.weightA * a, q.size);
+    }
+    return glm::dvec3(sum.value / sum.weight);
+  }
+  std::string shader() const {
+    std::string text = common.shader();
+    text += line("lobe.shift = lobe.shift - lobe.scaleV * a * (%.3ff + (%.3ff) * a) / (1.0f + (%.3ff) * a);",
+                 d(centreA), d(centreA2), d(weightA));
+    text += line("lobe.size = lobe.size * %.3ff * max(1.0f + (%.3ff) * a + (%.3ff) * n, 0.1f);", d(common.size),
+                 d(common.sizeA), d(common.sizeN));
+    text += line("FootprintSum sum = footprintStart();");
+    for (const Piece& q : pieces) {
+      const std::string u = q.pair ? line("%.3ff + (%.3ff) * a", d(q.u), d(q.uA)) : "  0.0f\n";
+      text += line("sum = %s(map, probe, point, lobe, sum, %.*s, %.3ff + (%.3ff) * a, %.3ff + (%.3ff) * a, %.3ff);",
+                   q.pair ? "footprintAddPair" : "footprintAdd", static_cast<int>(u.size()) - 3, u.c_str() + 2, d(q.v),
+                   d(q.vA), d(q.weight), d(q.weightA), d(q.size));
+    }
+    return text + line("return sum.value / sum.weight;");
+  }
+};
+
+// Where the fit starts: where an earlier one ended.
+Constants startOf(int lookups) {
+  if (lookups == 2) {
+    return {-0.02, 0.20, -0.09, 0.00, 0.00,  -0.49, -0.11, 0.04, 0.48, 0.04, -0.93, 0.22,
+            0.10,  1.59, 0.28,  0.53, -0.05, -0.40, 2.50,  1.57, 1.50, 0.27, 0.37};
+  }
+  if (lookups == 4) {
+    return {0.03, 0.01,  -0.15, -0.37, -0.35, -0.76, 0.11,  0.01, 0.06, 0.12, -2.02, -0.00, 0.67, 0.47, 0.92,
+            0.49, -0.03, -0.46, 1.64,  2.49,  1.31,  -0.48, 0.43, 0.39, 0.80, 1.01,  1.86,  0.61, 0.20, 0.04};
+  }
+  if (lookups == 8) {
+    return {0.04,  -0.45, -0.15, -0.52, -0.22, 0.04,  0.11,  -0.03, 0.24, 0.08, -3.69, 2.91,  4.14,  0.56, 0.57,
+            -2.02, 0.22,  -0.09, 1.39,  0.16,  -1.09, 0.38,  0.17,  0.42, 0.84, 0.93,  0.51,  -1.43, 0.47, 0.04,
+            0.49,  0.37,  0.31,  0.79,  -1.49, 0.02,  -0.19, 0.57,  0.49, 1.54, 0.35,  -2.55, 0.75,  0.09};
+  }
+  return {-0.24, -0.50, 0.13,  -0.29, -0.07, -0.13, -0.01, -0.02, 0.22,  0.02,  -3.83, 3.63,  1.10,  -0.29, -0.18,
+          0.48,  -0.04, 0.12,  1.11,  -0.31, 0.46,  -0.32, 0.03,  0.21,  0.05,  0.50,  -0.09, 0.21,  0.14,  0.12,
+          0.28,  -0.05, 0.03,  -0.04, 0.26,  0.21,  0.23,  0.44,  0.18,  0.80,  -0.17, 0.37,  0.20,  0.04,  0.73,
+          0.03,  0.33,  -0.25, 0.14,  0.50,  -0.02, 0.48,  -0.05, 1.22,  -0.26, -0.05, 0.18,  -0.14, 0.90,  0.24,
+          0.67,  -0.11, -1.03, 0.82,  -0.18, 0.75,  -0.34, -0.14, -0.31, -0.06, 0.05,  -0.20};
+}
+
+Constants plainOf(int lookups, const Constants& c) {
+  constexpr double kSizes = 0.06, kRest = 0.004;
+  Constants r;
+  for (std::size_t i = 0; i < kCommon; ++i) r.push_back(kRest * c[i]);
+  std::size_t at = kCommon + 3;
+  const Layout layout = layoutOf(lookups);
+  for (int i = 0; i < layout.single + layout.pairs; ++i) {
+    const bool pair = i >= layout.single;
+    const double* v = &c[at + (pair ? 2 : 0)];
+    r.insert(r.end(), {kRest * v[1], kRest * v[2], kRest * v[3], kSizes * v[4]});
+    if (pair) r.push_back(kRest * c[at + 1]);
+    at += pair ? kPair : kSingle;
+  }
+  return r;
+}
+
 }  // namespace
 
 FootprintForm footprintForm(int lookups) {
@@ -105,7 +228,9 @@ FootprintForm footprintForm(int lookups) {
             [](const Constants&) { return Constants(); },
             [](const Constants& c) { return OneLookup(c).shader(); }};
   }
-  return turnedForm(lookups);
+  return {startOf(lookups), [lookups](const Constants& c) { return study::Technique(ManyLookups(lookups, c)); },
+          [lookups](const Constants& c) { return plainOf(lookups, c); },
+          [lookups](const Constants& c) { return ManyLookups(lookups, c).shader(); }};
 }
 
 }  // namespace boxprobe::bench

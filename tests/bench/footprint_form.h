@@ -19,7 +19,7 @@ struct FootprintForm {
   std::function<std::string(const std::vector<double>& constants)> shader;
 };
 
-/// For 1, 2, 4 or 8 lookups.
+/// For 1, 2, 4, 8 or 16 lookups.
 FootprintForm footprintForm(int lookups);
 
 }  // namespace boxprobe::bench

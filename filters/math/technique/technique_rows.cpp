@@ -119,9 +119,8 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
 #include "shaders/shared/true_hit.glsl"   // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/weights.glsl"
 // After slab.glsl, which they use.
-#include "shaders/shared/footprint.glsl"         // after roughness.glsl and lobe_frame.glsl, which it uses
-#include "shaders/shared/footprint_turned.glsl"  // after footprint.glsl, which it uses
-#include "shaders/shared/light_sampling.glsl"    // after cube.glsl and slab.glsl, which it uses
+#include "shaders/shared/footprint.glsl"       // after roughness.glsl and lobe_frame.glsl, which it uses
+#include "shaders/shared/light_sampling.glsl"  // after cube.glsl and slab.glsl, which it uses
 #include "shaders/shared/relief_march.glsl"
 #include "shaders/shared/sample_pattern.glsl"  // after hash.glsl, which it uses
 #include "shaders/shared/visible_normal.glsl"
@@ -172,8 +171,6 @@ const std::vector<ProjectionRow>& projectionRows() {
 
 const std::vector<EvaluationRow>& evaluationRows() {
   const std::vector<std::string_view> kFootprintFiles = {"shared/lobe_frame.glsl", "shared/footprint.glsl"};
-  const std::vector<std::string_view> kTurnedFiles = {"shared/lobe_frame.glsl", "shared/footprint.glsl",
-                                                      "shared/footprint_turned.glsl"};
   static const std::vector<EvaluationRow> rows = {
       {"none",
        "No contact hardening",
@@ -235,7 +232,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "technique/evaluation_footprint2.glsl",
        "evaluateFootprint2",
        shading::evaluateFootprint2,
-       kTurnedFiles,
+       kFootprintFiles,
        {},
        true},
       {"footprint4",
@@ -245,7 +242,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        "technique/evaluation_footprint4.glsl",
        "evaluateFootprint4",
        shading::evaluateFootprint4,
-       kTurnedFiles,
+       kFootprintFiles,
        {},
        true,
        "footprint1"},
