@@ -51,7 +51,12 @@ class WindowSoak : public LessonWindowTest {
   }
 
   int number(int below) { return static_cast<int>(random_() % static_cast<unsigned>(below)); }
-  QPointF nearby(const QPointF& from) { return from + QPointF(number(160) - 80, number(120) - 60); }
+  /// Over the picture: beside it are buttons that lead elsewhere.
+  void dragOverPicture(const QPointF& from) {
+    const QRectF picture(window_->viewport().rect().adjusted(8, 8, -8, -8));
+    const QPointF to = from + QPointF(number(160) - 80, number(120) - 60);
+    if (picture.contains(from) && picture.contains(to)) drag(from, to);
+  }
 
   /// A copy in a folder of its own: what is baked is saved beside it.
   void openScene(const std::string& name) {
@@ -68,15 +73,9 @@ class WindowSoak : public LessonWindowTest {
   }
 
   void editByHand() {
-    const auto& faces = kBoxFaces;
-    for (int i = 0; i < 3; ++i) {
-      const QPointF at = facePixel(faces[static_cast<std::size_t>(number(6))]);
-      drag(at, nearby(at));
-    }
-    const QPointF origin = originPixel();
-    drag(origin, nearby(origin));
-    const QPointF corner(40, 40);
-    drag(corner, nearby(corner) + QPointF(90, 70));  // orbits
+    for (int i = 0; i < 3; ++i) dragOverPicture(facePixel(kBoxFaces[static_cast<std::size_t>(number(6))]));
+    dragOverPicture(originPixel());
+    dragOverPicture({120.0, 120.0});  // orbits
     waitUntilIdle();
     auto* chooser = window_->findChild<TechniqueChooser*>("technique");
     for (QComboBox* combo : {chooser->projection(), chooser->evaluation()}) {
@@ -124,7 +123,8 @@ TEST_F(WindowSoak, NothingIsLeftBehind) {
     return brief ? rows.size() < kShortRounds : static_cast<double>(clock.elapsed()) < 60000.0 * minutes;
   };
   while (more()) {
-    const std::size_t round = rows.size() + static_cast<std::size_t>(qEnvironmentVariableIntValue("BOXPROBE_SOAK_FROM"));
+    const std::size_t round =
+        rows.size() + static_cast<std::size_t>(qEnvironmentVariableIntValue("BOXPROBE_SOAK_FROM"));
     const std::string scene = brief ? kScenes[0] : kScenes[round % std::size(kScenes)];
     openScene(scene);
     editByHand();
