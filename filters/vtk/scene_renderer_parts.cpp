@@ -97,9 +97,7 @@ void SceneParts::beginFrame() {
 void SceneParts::endFrame() {
   ++state->counts.counters.renders;
   mirrors.hide();
-  const ProgramShelf::GivenBack given = state->programs.trim(window);
-  state->counts.counters.programsGivenBack += given.all;
-  if (given.general > 0) probes.forgetPrograms();
+  state->counts.counters.programsGivenBack += state->programs.trim(window);
   if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
   seen = renderer->GetDrawnGeneration();
   std::vector<std::size_t> objects;

@@ -23,6 +23,7 @@ vec4 bpLookBehind(vec3 exitView, vec3 directionView, float alpha)
   float before = 0.0f;
   vec2 place = vec2(0.5f);
   float w = 1.0f;
+  float z = 0.0f;
   // Each step goes to the depth that the frame has where the last one ended.
   for (int i = 0; i < 6; ++i)
   {
@@ -30,9 +31,12 @@ vec4 bpLookBehind(vec3 exitView, vec3 directionView, float alpha)
     w = max(clip.w, 1.0e-6f);
     place = 0.5f * clip.xy / w + vec2(0.5f);
     before = far;
-    float z = bpBehindZ(textureLod(bpBehindDepth, clamp(place, vec2(0.0f), vec2(1.0f)), 0.0f).r);
+    z = bpBehindZ(textureLod(bpBehindDepth, clamp(place, vec2(0.0f), vec2(1.0f)), 0.0f).r);
     far = max((z - exitView.z) / directionView.z, 0.0f);
   }
+  // What stands before the glass is not behind it.
+  float own = bpBehindZ(gl_FragCoord.z);
+  if (z > own + 1.0e-3f * abs(own)) { return vec4(0.0f); }
   // The last step moved by this share of the way from the eye: 5 % is what neighbouring pixels of a slanted floor differ by.
   float settled = 1.0f - smoothstep(0.02f, 0.05f, abs(far - before) / max(abs(exitView.z) + far, 1.0e-6f));
   vec2 inside = smoothstep(vec2(0.0f), vec2(0.05f), min(place, vec2(1.0f) - place));

@@ -16,6 +16,8 @@ def run(command, timeout=300):
             status, text = done.returncode, done.stdout + done.stderr
         except subprocess.TimeoutExpired:
             status, text = 124, "more than %d s" % timeout
+        except OSError as error:
+            status, text = 127, str(error)
         use = resource.getrusage(resource.RUSAGE_CHILDREN)
         answer = json.dumps([status, text, use.ru_utime + use.ru_stime, use.ru_maxrss / 1024])
         with os.fdopen(write, "w") as pipe:

@@ -48,6 +48,8 @@ class Editor : public QObject {
   void commitProbe(const QString& label, const ProbeEdit& edit) { commitProbe(EditToken(), label, edit); }
   /// Of probe() alone, whatever else is selected.
   void commitOne(const QString& label, const ProbeEdit& edit);
+  /// Is the preview under way that of `token`?
+  bool previews(const EditToken& token) const { return goesOn(token); }
   /// Commits the preview under way, if any.
   void finish();
   void cancel();

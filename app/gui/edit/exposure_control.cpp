@@ -48,7 +48,9 @@ ExposureControl::ExposureControl(Editor& editor, QWidget* parent)
   field_->setToolTip(toolTipText());
   rest_.setSingleShot(true);
   rest_.setInterval(ValueField::kRestMilliseconds);
-  connect(&rest_, &QTimer::timeout, this, [this] { editor_.finish(); });
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    if (editor_.previews({this})) editor_.finish();
+  });
   connect(slider_, &QSlider::valueChanged, this, [this](int value) {
     const double exposure = std::exp2(static_cast<double>(value) / kSliderPerStop);
     slider_->isSliderDown() ? preview(exposure) : commit(exposure);
@@ -60,10 +62,12 @@ ExposureControl::ExposureControl(Editor& editor, QWidget* parent)
 }
 
 void ExposureControl::preview(double exposure) {
+  rest_.stop();
   editor_.preview({this}, tr("Set exposure"), exposureEdit(exposure));
 }
 
 void ExposureControl::commit(double exposure) {
+  rest_.stop();
   editor_.commit({this}, tr("Set exposure"), exposureEdit(exposure));
 }
 

@@ -19,4 +19,7 @@ using BesideProgress = std::function<bool(double)>;
 void workBeside(QWidget* window, const QString& title, bool stoppable,
                 const std::function<void(const BesideProgress&)>& work);
 
+/// Is there such work? Nobody begins other such work then, or replaces the scene.
+bool workBesideRuns();
+
 }  // namespace boxprobe

@@ -75,7 +75,12 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
           this, [this, image, share, error, number] { passDone(image, share, error, number); }, Qt::QueuedConnection);
     };
     try {
+      // One at a time: it takes seconds and the memory of the scene's triangles. Those that were stopped meanwhile
+      // leave.
+      std::unique_lock<std::mutex> preparing(preparing_);
+      if (run->stop) return;
       const ReferenceScene reference(scene, models, loadSkyImage(scene));
+      preparing.unlock();
       std::size_t done = 0;
       for (const TracePass& pass : kTracePasses) {
         ReferenceSettings settings;

@@ -7,6 +7,7 @@
 #include <QSize>
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -45,6 +46,7 @@ class ReferenceTrace : public QObject {
   void passDone(const QImage& picture, double share, const QString& error, int number);
   void forgetEnded();
 
+  std::mutex preparing_;  ///< held by the run that builds its scene
   std::unique_ptr<Run> run_;
   int number_ = 0;                            ///< of the run that what comes in belongs to
   std::vector<std::unique_ptr<Run>> ending_;  ///< asked to stop

@@ -15,7 +15,6 @@
 #include "app/gui/edit/editor.h"
 #include "app/gui/edit/work_beside.h"
 #include "app/gui/widgets/recent_files.h"
-#include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/scene/scene_fields.h"
 #include "filters/io/cube/sky_picture.h"
@@ -90,7 +89,7 @@ void FileCommands::open() {
 }
 
 bool FileCommands::openPath(const QString& path) {
-  return !loading_ && openWith(path, {});
+  return openWith(path, {});
 }
 
 void FileCommands::openVariant(const QString& variant) {
@@ -110,12 +109,15 @@ void FileCommands::openVariant(const QString& variant) {
   openWith(QString::fromStdString(path.empty() ? models.front().file : path), assignments);
 }
 
+bool FileCommands::busy() {
+  if (workBesideRuns()) emit message(tr("Wait until what is being read or fitted is done"));
+  return workBesideRuns();
+}
+
 LoadedScene FileCommands::load(const QString& path, const std::vector<std::string>& assignments) {
   FitWishes wishes;
   wishes.aspect = hooks_.pictureAspect();
   LoadedScene loaded;
-  loading_ = true;
-  const AtEnd ended([this] { loading_ = false; });
   workBeside(window_, tr("Loading %1").arg(QFileInfo(path).fileName()), true, [&](const BesideProgress& progress) {
     loaded = loadScene(path.toStdString(), assignments, progress, wishes);
     requireSky(loaded.scene);
@@ -125,6 +127,7 @@ LoadedScene FileCommands::load(const QString& path, const std::vector<std::strin
 }
 
 bool FileCommands::openWith(const QString& path, const std::vector<std::string>& assignments) {
+  if (busy()) return false;
   try {
     LoadedScene loaded = load(path, assignments);
     // Not before: a file that proves broken asks nothing.
@@ -149,6 +152,7 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
 }
 
 void FileCommands::openSky(const QString& path) {
+  if (busy()) return;
   try {
     loadSkyPicture(path.toStdString());
   } catch (const std::exception& error) {
@@ -189,7 +193,7 @@ void FileCommands::watchFiles() {
 
 void FileCommands::changedOnDisk() {
   // A lesson is on show, something is being dragged or opened: later.
-  if (loading_ || !hooks_.borrowedName().isEmpty() || document_.previewing()) return settle_.start();
+  if (workBesideRuns() || !hooks_.borrowedName().isEmpty() || document_.previewing()) return settle_.start();
   QStringList files = {QString::fromStdString(document_.path())};
   for (const ModelFile& model : document_.scene().models) files += QString::fromStdString(model.file);
   if (newest(files) <= known_) return watchFiles();
@@ -201,6 +205,7 @@ void FileCommands::changedOnDisk() {
 }
 
 void FileCommands::reload() {
+  if (busy()) return;
   if (!hooks_.borrowedName().isEmpty()) return emit message(tr("A lesson is on show; leave it to read the file again"));
   const auto& models = document_.scene().models;
   const std::string path = document_.path().empty() && !models.empty() ? models.front().file : document_.path();
@@ -216,10 +221,15 @@ void FileCommands::reload() {
     LoadedScene loaded = load(QString::fromStdString(path), assignments_);
     hooks_.showAgain(std::move(loaded));
     emit message(tr("Read %1 again").arg(QString::fromStdString(path)));
+    return watchFiles();
+  } catch (const LoadCancelled&) {
+    emit message(tr("Loading cancelled; the scene is unchanged."));
   } catch (const std::exception& error) {
     emit message(tr("Not read again: %1").arg(QString::fromUtf8(error.what())));
   }
+  // What is on disk is still another: saving asks.
   watchFiles();
+  outdated_ = true;
 }
 
 void FileCommands::remember(const QString& path) {

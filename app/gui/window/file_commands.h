@@ -88,6 +88,8 @@ class FileCommands : public QObject {
   void changedOnDisk();
   bool openWith(const QString& path, const std::vector<std::string>& assignments);
   /// In a thread, while the window goes on; throws what loadScene() does.
+  /// Says so where something is being read or fitted.
+  bool busy();
   LoadedScene load(const QString& path, const std::vector<std::string>& assignments);
   bool saveTo(const QString& path);
   QString folder() const;
@@ -100,7 +102,6 @@ class FileCommands : public QObject {
   QFileSystemWatcher watcher_;
   QTimer settle_;                         ///< a file is written in several steps
   QDateTime known_;                       ///< of the watched files as they were read or saved
-  bool loading_ = false;                  ///< a file is being read
   bool outdated_ = false;                 ///< one of them is newer than what is on show
   std::vector<std::string> assignments_;  ///< with which the scene on show was opened
 };

@@ -103,6 +103,7 @@ void ModelFitter::opened(const LoadedScene& loaded) {
   wishes_ = FitWishes{};
   fit_ = loaded.fit;
   exposureWaits_ = loaded.exposureAutomatic;
+  exposureAsked_ = false;
   refitted_.reset();
   modelsChanged();
   bar_->hide();
@@ -128,6 +129,12 @@ void ModelFitter::askAgain() {
 
 void ModelFitter::setBorrowed(bool borrowed) {
   borrowed_ = borrowed;
+  // What was asked for in the one scene is not meant for the other.
+  if (std::exchange(exposureAsked_, false)) exposureWaits_ = false;
+  if (const auto& models = parts_.document.scene().models; !borrowed && !models.empty()) {
+    unit_ = models.front().unit;
+    up_ = models.front().upAxis;
+  }
   update();
 }
 
@@ -163,7 +170,7 @@ void ModelFitter::readAs(LengthUnit unit, UpAxis up) {
 }
 
 void ModelFitter::refit(const QString& label, const Document::Edit& first) {
-  if (!fit_) return;
+  if (!fit_ || workBesideRuns()) return;
   wishes_.aspect = parts_.aspect();
   wishes_.studio = studioFile();
   try {
@@ -172,11 +179,14 @@ void ModelFitter::refit(const QString& label, const Document::Edit& first) {
     ModelFit fit;
     const TriangleRays::Models models = parts_.models();
     workBeside(parts_.picture->window(), tr("Fitting the model"), false,
-               [&](const BesideProgress&) { fit = fitModel(scene, models, wishes_); });
+               [&, wishes = wishes_](const BesideProgress&) { fit = fitModel(scene, models, wishes); });
     if (fit.lightKnown) scene.exposure = 1.0;
+    const std::size_t before = parts_.document.position();
     parts_.editor.commit(label, [&](Scene& edited) { edited = scene; });
     exposureWaits_ = !fit.lightKnown;
-    refitted_ = parts_.document.position();
+    exposureAsked_ = false;
+    refitted_.reset();
+    if (parts_.document.position() != before) refitted_ = Refit{parts_.document.position(), label.toStdString()};
     fit_ = std::move(fit);
   } catch (const std::exception& error) {
     emit failed(QString::fromUtf8(error.what()));
@@ -193,7 +203,7 @@ void ModelFitter::exposeAgain() {
 }
 
 void ModelFitter::pictureDrawn() {
-  if (!exposureWaits_ || borrowed_ || parts_.renderer.workPending()) return;
+  if (!exposureWaits_ || (borrowed_ && !exposureAsked_) || parts_.renderer.workPending()) return;
   exposureWaits_ = false;
   QTimer::singleShot(0, this, &ModelFitter::expose);  // not within the frame that was drawn
 }
@@ -213,8 +223,9 @@ void ModelFitter::exposeStep(double exposure) {
 
 void ModelFitter::expose() {
   const bool asked = std::exchange(exposureAsked_, false);
-  if (borrowed_ || parts_.document.scene().models.empty()) return;
-  const bool within = fit_ ? fit_->within : inside(parts_.renderer.bounds(), parts_.renderer.currentCamera().position);
+  if ((borrowed_ && !asked) || parts_.document.scene().models.empty()) return;
+  const bool within =
+      fit_ && !borrowed_ ? fit_->within : inside(parts_.renderer.bounds(), parts_.renderer.currentCamera().position);
   const double exposure = measuredExposure(parts_.renderer, within, parts_.aspect());
   const bool asOpened =
       !asked && !parts_.document.canUndo() && !parts_.document.canRedo() && !parts_.document.previewing();
@@ -227,7 +238,8 @@ void ModelFitter::expose() {
     parts_.document.restore(Document::State::opened(std::move(scene), parts_.document.path(), name));
   } else if (!asked && parts_.document.canRedo()) {
     return;  // what it was for was undone
-  } else if (!asked && refitted_ == parts_.document.position() && !parts_.document.previewing()) {
+  } else if (!asked && refitted_ && refitted_->position == parts_.document.position() &&
+             refitted_->label == parts_.document.undoLabel() && !parts_.document.previewing()) {
     exposeStep(exposure);
   } else {
     parts_.editor.commit(tr("Automatic exposure"), [exposure](Scene& scene) { scene.exposure = exposure; });

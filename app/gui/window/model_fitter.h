@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/session/load_scene.h"
@@ -81,8 +82,13 @@ class ModelFitter : public QObject {
   UpAxis up_ = UpAxis::Y;
   std::optional<ModelFit> fit_;  ///< of the bare model on show
   bool exposureWaits_ = false;
-  bool exposureAsked_ = false;           ///< by the user
-  std::optional<std::size_t> refitted_;  ///< position of the last step that fitted the model again
+  bool exposureAsked_ = false;  ///< by the user
+  /// The last step that fitted the model again.
+  struct Refit {
+    std::size_t position;
+    std::string label;
+  };
+  std::optional<Refit> refitted_;
   bool borrowed_ = false;
 };
 

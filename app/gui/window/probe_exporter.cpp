@@ -72,7 +72,9 @@ void ProbeExporter::start(const ExportSettings& settings, const QString& folder)
   captures_.clear();
   unfinished_.clear();
   const auto& probes = document_.scene().probes;
-  waiting_.assign(probes.rbegin(), probes.rend());
+  waiting_.clear();
+  for (auto probe = probes.rbegin(); probe != probes.rend(); ++probe) waiting_.push_back(probe->name);
+  scene_ = {document_.path(), document_.scene().models};
   const bool any = std::any_of(probes.begin(), probes.end(), [this](const Probe& probe) {
     return renderer_.bakeState(probe.name) == BakeState::UpToDate;
   });
@@ -88,17 +90,31 @@ void ProbeExporter::start(const ExportSettings& settings, const QString& folder)
 }
 
 void ProbeExporter::readOne() {
-  emit ownSceneWanted();
-  if (waiting_.empty()) {
+  try {
+    emit ownSceneWanted();
+    if (scene_ != std::make_pair(document_.path(), document_.scene().models)) {
+      turn_.stop();
+      return end(tr("Not exported: another scene was opened meanwhile"), false);
+    }
+    if (!waiting_.empty()) return readNext();
     turn_.stop();
-    return write();
+    write();
+  } catch (const std::exception& error) {
+    turn_.stop();
+    end(QString::fromUtf8(error.what()), false);
   }
-  const std::string& name = waiting_.back().name;
+}
+
+// The probe as it is in the turn that reads its maps, so that both belong together.
+void ProbeExporter::readNext() {
+  const std::string& name = waiting_.back();
   const bool finished = renderer_.bakeState(name) == BakeState::UpToDate;
   if (finished && renderer_.filterMissingLevel(name)) return;
   const auto maps = finished ? renderer_.mapsOnCpu(name) : nullptr;
-  if (maps) {
-    captures_.push_back({waiting_.back(), maps->radiance, maps->irradiance, maps->capturedRotation, false});
+  const std::optional<std::size_t> place = findProbe(document_.scene(), name);
+  if (maps && place) {
+    captures_.push_back(
+        {document_.scene().probes[*place], maps->radiance, maps->irradiance, maps->capturedRotation, false});
   } else {
     unfinished_ << QString::fromStdString(name);
   }

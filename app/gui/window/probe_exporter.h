@@ -9,7 +9,9 @@
 #include <QTimer>
 #include <atomic>
 #include <memory>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "filters/io/engines/probe_export.h"
@@ -44,6 +46,7 @@ class ProbeExporter : public QObject {
  private:
   /// One turn of the event loop: filters a level that a file holds and nothing has sampled, or reads a probe back.
   void readOne();
+  void readNext();
   void write();
   void end(const QString& text, bool good);
 
@@ -53,7 +56,8 @@ class ProbeExporter : public QObject {
   QTimer turn_;
   ExportSettings settings_;
   QString folder_;
-  std::vector<Probe> waiting_;  ///< the last is next
+  std::vector<std::string> waiting_;                      ///< probes' names; the last is next
+  std::pair<std::string, std::vector<ModelFile>> scene_;  ///< whose probes they are: its file and its models
   std::vector<ProbeCapture> captures_;
   QStringList unfinished_;
   std::thread thread_;

@@ -31,10 +31,12 @@ bool ProgramShelf::use(vtkShaderProgram* program, bool constants) {
   return compiled;
 }
 
-ProgramShelf::GivenBack ProgramShelf::trim(vtkOpenGLRenderWindow* window, std::size_t most) {
+std::size_t ProgramShelf::trim(vtkOpenGLRenderWindow* window, std::size_t most) {
   const std::uint64_t since = usesTrimmed_;
+  // A frame that draws nothing anew says nothing of what the picture needs.
+  if (uses_ == since) return 0;
   usesTrimmed_ = uses_;
-  if (kept_.size() <= most) return {};
+  if (kept_.size() <= most) return 0;
   std::vector<std::pair<const vtkShaderProgram*, Kept>> old;
   for (const auto& each : kept_) {
     if (each.second.used <= since) old.push_back(each);
@@ -42,16 +44,14 @@ ProgramShelf::GivenBack ProgramShelf::trim(vtkOpenGLRenderWindow* window, std::s
   std::sort(old.begin(), old.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(!a.second.constants, a.second.used) < std::make_tuple(!b.second.constants, b.second.used);
   });
-  old.resize(std::min(old.size(), kept_.size() - most));
+  old.resize(old.size() - std::min(old.size(), most));
   // Giving back unbinds whatever is bound, and the cache is to know it.
   if (!old.empty()) window->GetShaderCache()->ReleaseCurrentShader();
-  GivenBack given{old.size()};
   for (const auto& [address, kept] : old) {
     if (kept.program) giveBack(kept.program, window);
-    given.general += kept.constants ? 0 : 1;
     kept_.erase(address);
   }
-  return given;
+  return old.size();
 }
 
 }  // namespace boxprobe

@@ -23,14 +23,10 @@ class ProgramShelf {
   bool use(vtkShaderProgram* program, bool constants);
   /// Compiled ones.
   std::size_t size() const { return kept_.size(); }
-  struct GivenBack {
-    std::size_t all = 0;
-    std::size_t general = 0;  ///< of them, without constants
-  };
-  /// Gives back programs until `most` are left: first those with constants, of each kind those used longest ago; none
-  /// that was used since the last call. Who draws with one that was given back has it compiled again, by the same
-  /// text. With the window's context current.
-  GivenBack trim(vtkOpenGLRenderWindow* window, std::size_t most = kMost);
+  /// Of those that were not used since the last call, gives back all but `most`: first those with constants, of each
+  /// kind those used longest ago. Who draws with one that was given back has it compiled again, by the same text. With
+  /// the window's context current. Returns how many; nothing happens where none was used.
+  std::size_t trim(vtkOpenGLRenderWindow* window, std::size_t most = kMost);
 
  private:
   struct Kept {

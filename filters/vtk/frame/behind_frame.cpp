@@ -36,7 +36,7 @@ GLuint makeTexture(int width, int height, GLint format, GLenum channels, bool le
 
 }  // namespace
 
-BehindFrame::BehindFrame(Counters* counters) : copy_({"gpu/behind_frame.glsl"}, counters) {}
+BehindFrame::BehindFrame(Counters* counters) : copy_({"shared/finite.glsl", "gpu/behind_frame.glsl"}, counters) {}
 
 void BehindFrame::allocate(int width, int height) {
   if (framebuffer_.made() && width == picture_.width && height == picture_.height) return;

@@ -50,7 +50,9 @@ int PictureFrames::blurredRays() const {
   return rays;
 }
 
+// Not where the renderer culls objects itself, which it does only without a pass: they would be missing.
 bool PictureFrames::looksBehind() const {
+  if (content_->many) return false;
   return std::any_of(content_->objects.begin(), content_->objects.end(),
                      [](const DrawnObject& object) { return object.settings.visible && object.mapper->LooksBehind(); });
 }

@@ -130,7 +130,11 @@ void vtkPicturePass::DrawInOrder(vtkRenderer* renderer, const std::vector<vtkPro
   boxprobe::BehindPicture behind;
   if (this->Behind && !translucent.empty()) {
     if (!this->BehindCopy) this->BehindCopy = std::make_unique<boxprobe::BehindFrame>(&this->State->counts.counters);
-    behind = this->BehindCopy->take(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), this->Frame);
+    try {
+      behind = this->BehindCopy->take(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), this->Frame);
+    } catch (const boxprobe::Error& refused) {
+      this->State->counts.fail(refused.what());  // glass is looked through by the probes alone
+    }
   }
   this->DrawProps(renderer, sky, false, false);
   const boxprobe::PassScope scope(*this->State, [&](boxprobe::PassSettings& pass) { pass.behind = behind; });

@@ -113,8 +113,12 @@ bool LevelNeeds::lacking() const {
   return find().has_value();
 }
 
-void LevelNeeds::makeOne() {
-  if (const auto lack = find()) lack->maps->need(lack->levels & (~lack->levels + 1));
+bool LevelNeeds::makeOne() {
+  const auto lack = find();
+  if (!lack) return false;
+  const LevelMask level = lack->levels & (~lack->levels + 1);
+  lack->maps->need(level);
+  return lack->maps != alsoOf_.lock().get() || (level & also_) == 0;
 }
 
 }  // namespace boxprobe

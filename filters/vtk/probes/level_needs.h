@@ -34,8 +34,9 @@ class LevelNeeds {
 
   /// Does something that is shown lack a level it needs? Cheap while nothing changes.
   bool lacking() const;
-  /// Filters one such level, with the window's context current; nothing where none is lacking.
-  void makeOne();
+  /// Filters one such level, with the window's context current; nothing where none is lacking. True if the scene's
+  /// objects needed it, not only what also() told of.
+  bool makeOne();
 
  private:
   struct Lookup {

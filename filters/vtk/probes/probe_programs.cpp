@@ -176,14 +176,6 @@ void ProbePrograms::updateStandIns() {
   }
 }
 
-void ProbePrograms::forget() {
-  variantsUsed_.clear();
-  prepared_.clear();
-  for (const DrawnObject& object : content_->objects) {
-    if (const ProbeBinding* binding = object.mapper->GetBinding()) variantsUsed_.insert(binding->variantKey());
-  }
-}
-
 // Draws one object into a few pixels with the program a drag will need, so that it is compiled by then.
 void ProbePrograms::prepareOne() {
   if (toPrepare_.empty()) return foldNext();

@@ -54,8 +54,6 @@ class ProbePrograms {
   /// Is there a program to compile, and nothing moves meanwhile?
   bool pending() const { return !plan_->interactive() && !moving_ && (!toPrepare_.empty() || !toFold_.empty()); }
   void prepareOne();
-  /// Programs were given back: which are compiled is found out anew, from the next assign() on.
-  void forget();
   void giveUp() {
     toPrepare_.clear();
     toFold_.clear();

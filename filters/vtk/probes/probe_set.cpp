@@ -118,6 +118,7 @@ void ProbeSet::makeAnew(std::size_t index) {
 }
 
 void ProbeSet::giveUp() {
+  levelsMade_ = 0;
   work_.giveUp();
   programs_.giveUp();
 }
@@ -128,6 +129,11 @@ std::optional<std::size_t> ProbeSet::toMeasure() const {
 }
 
 void ProbeSet::step() {
+  doOne();
+  if (!workPending()) levelsMade_ = 0;
+}
+
+void ProbeSet::doOne() {
   if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return giveUp();
   // First, because what is drawn meanwhile shows too little of a blur.
   if (levelsPending()) return makeLevel();
@@ -143,17 +149,16 @@ void ProbeSet::step() {
 // Realtime probes of several bounces saw the other levels, if any, while they were missing: in a drag, that is. They
 // come to rest again by as many rounds as they have bounces.
 void ProbeSet::makeLevel() {
-  needs_.makeOne();
+  const bool seen = needs_.makeOne();
   ++levelsMade_;
   bool again = false;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
+  for (std::size_t i = 0; seen && i < entries_.size(); ++i) {
     const Probe& probe = entries_.probe(i);
     if (probe.mode != ProbeMode::Realtime || probe.bounces < 2 || entries_[i].passes >= probe.bounces) continue;
     entries_[i].passes = probe.bounces;
     again = true;
   }
   if (again) work_.replan();
-  if (!workPending()) levelsMade_ = 0;
 }
 
 double ProbeSet::progress() const {

@@ -56,8 +56,6 @@ class ProbeSet {
   bool setMoving(bool moving) { return programs_.setMoving(moving); }
   /// See the scene renderer's functions of these names.
   void foldConstants() { programs_.foldConstants(); }
-  /// Some of the programs that objects have had are there no more.
-  void forgetPrograms() { programs_.forget(); }
   void setBakeTargets(const std::vector<std::string>& names);
   void useBakedFiles(const std::string& folder);
   void requestBake(const std::vector<std::string>& names);
@@ -101,6 +99,7 @@ class ProbeSet {
   /// Not while a handle is dragged, which is to change uniforms and no more: what it newly lights shows plain means of
   /// the capture until it is let go.
   bool levelsPending() const { return !plan_.interactive() && needs_.lacking(); }
+  void doOne();
   void makeLevel();
   void updateKeys();
   void makeAnew(std::size_t index);
