@@ -62,6 +62,10 @@ class WindowSoak : public LessonWindowTest {
     if (picture.contains(from) && picture.contains(to)) drag(from, to);
   }
 
+  void dragHandle(const glm::dvec3& world) {
+    if (const auto at = window_->viewport().view().pixel(world)) dragOverPicture({at->x, at->y});
+  }
+
   /// A copy in a folder of its own: what is baked is saved beside it.
   void openScene(const std::string& name) {
     LoadedScene loaded = loadScene(std::string(BOXPROBE_DATA_DIR) + "/scenes/" + name + ".boxprobe.json");
@@ -77,8 +81,10 @@ class WindowSoak : public LessonWindowTest {
   }
 
   void editByHand() {
-    for (int i = 0; i < 3; ++i) dragOverPicture(facePixel(kBoxFaces[static_cast<std::size_t>(number(6))]));
-    dragOverPicture(originPixel());
+    for (int i = 0; i < 3; ++i) {
+      dragHandle(faceCenterWorld(probe(), kBoxFaces[static_cast<std::size_t>(number(6))]));
+    }
+    dragHandle(probe().origin);
     dragOverPicture({120.0, 120.0});  // orbits
     waitUntilIdle();
     auto* chooser = window_->findChild<TechniqueChooser*>("technique");

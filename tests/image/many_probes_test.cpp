@@ -122,6 +122,22 @@ TEST_F(ManyProbes, WhatIsNotDrawnCouldNotBeSeen) {
   }
 }
 
+// What such glass is looked through at is drawn by a pass of its own, with which the renderer culls nothing itself.
+TEST_F(ManyProbes, AreThereBesideRoughGlass) {
+  ScenePicture picture(makeApartments(32), kWidth, kHeight);
+  MaterialOverride& sphere = picture.scene.materials["sphere"];
+  sphere.metallic = 0.0f;
+  sphere.transmission = 1.0f;
+  sphere.roughness = 0.4f;
+  picture.show(cameraNamed(picture.scene, "main"));
+  const ImageRgba8 glass = picture.display();
+  EXPECT_GT(picture.renderer->counters().glassDraws, 0u) << "no glass tests nothing";
+  EXPECT_GE(picture.renderer->counters().facesCaptured, 12u);
+  picture.scene.materials.clear();
+  picture.show(cameraNamed(picture.scene, "main"));
+  EXPECT_LT(differentPixels(glass, picture.display(), 32), kWidth * kHeight / 3) << "more than the sphere is gone";
+}
+
 TEST_F(ManyProbes, TurningRoundMakesWhatComesIntoView) {
   ScenePicture picture(makeApartments(32), kWidth, kHeight);
   picture.show(cameraNamed(picture.scene, "main"));
