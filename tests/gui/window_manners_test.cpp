@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
@@ -10,12 +11,18 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QProgressDialog>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
+#include <atomic>
+#include <chrono>
 #include <map>
+#include <thread>
 
+#include "app/gui/edit/work_beside.h"
 #include "app/gui/handles/handle_drag.h"
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/probe_list.h"
@@ -153,6 +160,34 @@ TEST_F(WindowMannersTest, ALongListOfProbesCanBeSearched) {
   filter->clear();
   document().undo();
   EXPECT_FALSE(filter->isVisible());
+}
+
+// Whoever closes it would edit what the work is about to replace.
+TEST_F(WindowMannersTest, AWaitCannotBeClosedAwayAndNothingElseBeginsMeanwhile) {
+  for (const bool stoppable : {false, true}) {
+    std::atomic<bool> mayEnd{false};
+    bool seen = false, stopped = false;
+    QTimer closing;
+    QObject::connect(&closing, &QTimer::timeout, [&] {
+      auto* dialog = qobject_cast<QProgressDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr || seen) return;
+      seen = true;
+      QTest::keyClick(dialog, Qt::Key_Escape);
+      dialog->close();
+      EXPECT_TRUE(dialog->isVisible());
+      EXPECT_TRUE(workBesideRuns());
+      EXPECT_FALSE(window_->files().openPath(QString::fromStdString(buildingPath())));
+      mayEnd = true;
+    });
+    closing.start(10);
+    workBeside(window_, "Test", stoppable, [&](const BesideProgress& progress) {
+      while (!mayEnd) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      stopped = !progress(0.5);
+    });
+    EXPECT_TRUE(seen);
+    EXPECT_EQ(stopped, stoppable);
+    EXPECT_FALSE(workBesideRuns());
+  }
 }
 
 }  // namespace
