@@ -132,14 +132,13 @@ std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const F
 }
 
 /// "6,500 m wide: is the unit mm? --set models.0.unit=mm", for a size that metres make unlikely.
-std::string sizeRemark(const ModelFit& fit, const Box& bounds, const ModelFile& file) {
+std::string sizeRemark(ModelKind kind, const Box& bounds, const ModelFile& file) {
   const glm::dvec3 size = bounds.size();
   const double largest = std::max({size.x, size.y, size.z});
   const std::string extent = extentText(bounds);
-  const double most = fit.kind == ModelKind::Interior ? 120.0 : fit.kind == ModelKind::Object ? 150.0 : 3000.0;
-  if (largest > most && file.unit == LengthUnit::Metre) {
-    const bool centimetres = largest <= (fit.kind == ModelKind::Object ? 500.0 : 6000.0);
-    const std::string unit = centimetres ? "cm" : "mm";
+  const LengthUnit likely = file.unit == LengthUnit::Metre ? likelyUnit(file.file, kind, largest) : LengthUnit::Metre;
+  if (likely != LengthUnit::Metre) {
+    const std::string unit = likely == LengthUnit::Centimetre ? "cm" : "mm";
     return extent + ": is the unit " + unit + "? --set models.0.unit=" + unit;
   }
   if (largest > 0.0 && largest < 0.002) {
@@ -196,11 +195,11 @@ ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWis
   const std::string reflects = probe ? "one probe within it" : "no probe, the surroundings alone are reflected";
   fit.decided = what + "; " + reflects + "; " + lit;
   if (probe) scene.probes = {*std::move(probe)};
+  fit.guess = guessImport(scene, models, fit.kind, rays.bounds());
   const ModelFile& first = scene.models.front();
-  for (const std::string& remark : {sizeRemark(fit, rays.bounds(), first), upRemark(first)}) {
+  for (const std::string& remark : {sizeRemark(fit.kind, rays.bounds(), first), upRemark(first)}) {
     if (!remark.empty()) fit.warnings.push_back(first.file + ": " + remark);
   }
-  fit.guess = guessImport(scene, models, fit.survey.kind, rays.bounds());
   return fit;
 }
 

@@ -1,13 +1,13 @@
 #include "filters/fit/import_guess.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
+#include "filters/core/base/file_extension.h"
 #include "filters/core/base/number_text.h"
 #include "filters/core/geometry/model_placement.h"
 
@@ -20,33 +20,17 @@ double largestSide(const Box& bounds) {
   return std::max({size.x, size.y, size.z});
 }
 
-std::string suffixOf(const std::string& file) {
-  const std::size_t dot = file.rfind('.');
-  std::string suffix = dot == std::string::npos ? std::string() : file.substr(dot + 1);
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return suffix;
-}
-
-/// In metres, of what people model: beyond that a unit was taken for another.
+/// Metres, of the longest side of what people model.
 struct Plausible {
-  double least, most, centimetres;  ///< up to the last, a file of centimetres
+  double most;         ///< beyond that a unit was taken for another
+  double centimetres;  ///< up to that, centimetres
 };
 
 Plausible plausibleSize(ModelKind kind, bool saysMetres) {
-  if (kind == ModelKind::Interior) return {1.0, 120.0, 6000.0};
-  if (kind == ModelKind::Open) return {1.0, 3000.0, 6000.0};
+  if (kind == ModelKind::Interior) return {120.0, 6000.0};
+  if (kind == ModelKind::Open) return {3000.0, 6000.0};
   // A glTF file says that it is in metres: only what can hardly be is asked about.
-  return saysMetres ? Plausible{0.002, 150.0, 500.0} : Plausible{0.002, 20.0, 500.0};
-}
-
-LengthUnit likelyUnit(const std::string& suffix, ModelKind kind, double largest) {
-  const bool saysMetres = suffix == "glb" || suffix == "gltf";
-  const Plausible size = plausibleSize(kind, saysMetres);
-  if (largest <= size.most) return LengthUnit::Metre;
-  // What is printed in three dimensions is drawn in millimetres.
-  if (suffix == "stl" && kind == ModelKind::Object) return LengthUnit::Millimetre;
-  return largest <= size.centimetres ? LengthUnit::Centimetre : LengthUnit::Millimetre;
+  return saysMetres ? Plausible{150.0, 500.0} : Plausible{20.0, 500.0};
 }
 
 /// Area of all triangles as seen along each axis of the world.
@@ -76,11 +60,11 @@ bool standsOn(const Box& bounds, int axis) {
 }
 
 /// Is it +Z that the file takes for up, rather than +Y?
-bool zIsUp(const Scene& scene, const TriangleRays::Models& models, const std::string& suffix, ModelKind kind,
+bool zIsUp(const Scene& scene, const TriangleRays::Models& models, const std::string& extension, ModelKind kind,
            const Box& bounds) {
   const glm::dvec3 size = bounds.size();
   const bool onY = standsOn(bounds, 1), onZ = standsOn(bounds, 2);
-  const bool saysUp = suffix == "glb" || suffix == "gltf";
+  const bool saysUp = extension == ".glb" || extension == ".gltf";
   // Standing on z = 0 and reaching below y = 0. A picture on a wall does so too, but not in metres with Y up.
   if (onZ && !onY && bounds.min.y < -0.2 * size.y && (!saysUp || kind == ModelKind::Interior)) return true;
   if (onY && !onZ) return false;
@@ -93,6 +77,16 @@ bool zIsUp(const Scene& scene, const TriangleRays::Models& models, const std::st
 }
 
 }  // namespace
+
+LengthUnit likelyUnit(const std::string& file, ModelKind kind, double largest) {
+  const std::string extension = lowerExtension(file);
+  const bool saysMetres = extension == ".glb" || extension == ".gltf";
+  const Plausible size = plausibleSize(kind, saysMetres);
+  if (largest <= size.most) return LengthUnit::Metre;
+  // What is printed in three dimensions is drawn in millimetres.
+  if (extension == ".stl" && kind == ModelKind::Object) return LengthUnit::Millimetre;
+  return largest <= size.centimetres ? LengthUnit::Centimetre : LengthUnit::Millimetre;
+}
 
 std::string extentText(const Box& bounds) {
   const double largest = largestSide(bounds);
@@ -109,10 +103,10 @@ std::optional<ImportGuess> guessImport(const Scene& scene, const TriangleRays::M
       file.rotationDegrees != glm::dvec3(0.0)) {
     return std::nullopt;
   }
-  const std::string suffix = suffixOf(file.file);
+  const std::string extension = lowerExtension(file.file);
   ImportGuess guess;
-  guess.unit = likelyUnit(suffix, kind, largestSide(bounds));
-  const bool turned = zIsUp(scene, models, suffix, kind, bounds);
+  guess.unit = likelyUnit(file.file, kind, largestSide(bounds));
+  const bool turned = zIsUp(scene, models, extension, kind, bounds);
   if (turned) guess.upAxis = UpAxis::Z;
   if (guess.unit == LengthUnit::Metre && !turned) return std::nullopt;
   if (guess.unit != LengthUnit::Metre) guess.reason = "In metres it would be " + extentText(bounds);

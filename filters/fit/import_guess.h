@@ -9,14 +9,19 @@
 
 namespace boxprobe {
 
+/// How a file is likely meant.
 struct ImportGuess {
   LengthUnit unit = LengthUnit::Metre;
   UpAxis upAxis = UpAxis::Y;
-  std::string reason;  ///< a clause or two: "it would be 940 m wide"
+  std::string reason;  ///< a clause or two: "In metres it would be 940 m wide, and it seems to lie on its side"
 };
 
-/// Nothing where size and stand are plausible, or where the scene already says how the file is to be read. `bounds`:
-/// of everything, in the world, as the file was read. Only the first model is asked about.
+/// The unit that makes `largest`, the longest side in metres as the file was read, plausible for what a model of this
+/// kind shows; `file`'s extension says who writes such files.
+LengthUnit likelyUnit(const std::string& file, ModelKind kind, double largest);
+
+/// Nothing where the model is not too large and stands as it should, or where the scene already says how the file is to
+/// be read. `bounds`: of everything, in the world, as the file was read. Only the first model is asked about.
 std::optional<ImportGuess> guessImport(const Scene& scene, const TriangleRays::Models& models, ModelKind kind,
                                        const Box& bounds);
 

@@ -5,6 +5,7 @@
 #include <vtkShaderProgram.h>
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <vector>
 
@@ -36,17 +37,17 @@ std::size_t ProgramShelf::trim(vtkOpenGLRenderWindow* window, std::size_t most) 
   // A frame that draws nothing anew says nothing of what the picture needs.
   if (uses_ == since) return 0;
   usesTrimmed_ = uses_;
-  if (kept_.size() <= most) return 0;
+  const auto rests = [since](const auto& each) { return each.second.used <= since; };
+  // Asked first: most frames give nothing back.
+  if (static_cast<std::size_t>(std::count_if(kept_.begin(), kept_.end(), rests)) <= most) return 0;
   std::vector<std::pair<const vtkShaderProgram*, Kept>> old;
-  for (const auto& each : kept_) {
-    if (each.second.used <= since) old.push_back(each);
-  }
+  std::copy_if(kept_.begin(), kept_.end(), std::back_inserter(old), rests);
   std::sort(old.begin(), old.end(), [](const auto& a, const auto& b) {
     return std::make_tuple(!a.second.constants, a.second.used) < std::make_tuple(!b.second.constants, b.second.used);
   });
-  old.resize(old.size() - std::min(old.size(), most));
+  old.resize(old.size() - most);
   // Giving back unbinds whatever is bound, and the cache is to know it.
-  if (!old.empty()) window->GetShaderCache()->ReleaseCurrentShader();
+  window->GetShaderCache()->ReleaseCurrentShader();
   for (const auto& [address, kept] : old) {
     if (kept.program) giveBack(kept.program, window);
     kept_.erase(address);

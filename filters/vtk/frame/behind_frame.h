@@ -19,7 +19,9 @@ class BehindFrame {
   /// Copies what `frame` holds, its samples resolved: premultiplied by coverage, so that levels mix nothing in where
   /// nothing was drawn. Throws WorkError if the driver refuses.
   BehindPicture take(vtkOpenGLRenderWindow* window, const FrameTarget& frame);
+  /// The copy's memory; the next take() has it again. The context must be current.
   void releaseTextures();
+  /// And the program, before the context goes.
   void release();
 
  private:
