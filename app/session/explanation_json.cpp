@@ -163,6 +163,7 @@ std::string explanationJson(const Explanation& e, const std::optional<Verdict>& 
   json["diffuse"] = vector(e.diffuse);
   json["specular"] = vector(e.specular);
   json["coat"] = vector(e.coat);
+  json["sheen"] = vector(e.sheen);
   json["glass"] = e.glass ? glassJson(*e.glass) : none;
   json["sky"] = {{"weight", number(e.skyWeight)}, {"level", number(e.skyLevel)}, {"value", vector(e.skyValue)}};
   json["mirror"] = e.mirror ? Json{{"light", vector(e.mirror->light)}, {"coverage", number(e.mirror->coverage)},

@@ -5,10 +5,12 @@
 #include <glm/geometric.hpp>
 
 #include "filters/core/surface/direct_light.h"
+#include "filters/core/surface/surface_fresnel.h"
 #include "filters/explain/explain_shadow.h"
 #include "filters/explain/explanation_notes.h"
 #include "filters/explain/gather_light.h"
 #include "filters/math/sampling/brdf_table.h"
+#include "filters/math/shared/finish_math.h"
 
 namespace boxprobe {
 
@@ -29,7 +31,7 @@ float throughCoat(const SurfacePoint& s) {
 
 /// Of the base's reflection, beside the split sum: further reflections between its microfacets, and the coat's share.
 glm::vec3 baseFactor(const Explanation& e, const ExplainInput& in) {
-  return throughCoat(in.surface) * scattered(in, e.f0, e.brdf);
+  return throughCoat(in.surface) * passesSheen(in.surface, e.nDotV) * scattered(in, e.f0, e.brdf);
 }
 
 /// What glass reflects is less by what passes it, and what passes is looked up along the bent view.
@@ -62,6 +64,25 @@ void addCoat(Explanation& e, const ExplainInput& in) {
   e.brightestTexel = std::max(e.brightestTexel, coat.brightestTexel);
 }
 
+/// What probes and sky bring to a brushed surface: one lookup along the normal that stands for its streak.
+GatheredLight gatherForBase(const Explanation& e, const ExplainInput& in, const glm::vec3& edge) {
+  const SurfacePoint& s = in.surface;
+  const float fresnel = shading::meanFresnel(e.f0, edge, e.nDotV);
+  GatheredLight light = gatherLight(in, e.lookupNormal, s.roughness, fresnel);
+  if (e.lookupNormal != s.normalWorld) {
+    light.irradiance = gatherLight(in, s.normalWorld, s.roughness, fresnel).irradiance;
+  }
+  return light;
+}
+
+/// Light from all around the normal, for what is broad: the base's diffuse light, and cloth's sheen over it.
+void addDiffuse(Explanation& e, const SurfacePoint& s, const glm::vec3& irradiance) {
+  const float under = passesSheen(s, e.nDotV), passes = s.occlusion * throughCoat(s);
+  e.diffuse = passes * under * (1.0f - e.f0) * (1.0f - s.metallic) * irradiance * s.albedo;
+  if (under == 1.0f) return;
+  e.sheen = passes * s.finish->sheenColor * shading::sheenAlbedo(e.nDotV, s.finish->sheenRoughness) * irradiance;
+}
+
 /// The position of the probe with the largest weight; -1 where none has any.
 int dominantProbe(const std::vector<ProbeExplanation>& probes) {
   int dominant = -1;
@@ -82,10 +103,10 @@ void lightByProbes(Explanation& e, const ExplainInput& in, const glm::vec3& edge
   GatheredLight light = through && through->followed
                             ? gatherAlong(in, s.eyeWorld + glm::dvec3(through->mirrored.position),
                                           through->mirrored.direction, std::sqrt(through->mirrored.alpha))
-                            : gatherLight(in, s.normalWorld, s.roughness, shading::meanFresnel(e.f0, edge, e.nDotV));
+                            : gatherForBase(e, in, edge);
   e.specularFactor = s.occlusion * (e.f0 * e.brdf.x + edge * e.brdf.y) * baseFactor(e, in);
   e.specular = light.specular * e.specularFactor;
-  e.diffuse = s.occlusion * (1.0f - e.f0) * (1.0f - s.metallic) * light.irradiance * s.albedo * throughCoat(s);
+  addDiffuse(e, s, light.irradiance);
   if (through) addGlass(e, in, *through, light.specular, edge);
   e.probes = std::move(light.probes);
   e.skyWeight = light.skyWeight;
@@ -121,7 +142,12 @@ Explanation explainPixel(const ExplainInput& in) {
     e.notes.emplace_back("The surface has no normal here, so there is no reflected ray to project.");
     return e;
   }
-  e.reflectionWorld = shading::reflectedView(s.normalWorld, s.viewWorld);
+  e.lookupNormal = s.normalWorld;
+  if (s.finish && s.finish->anisotropy > 0.0f) {
+    e.lookupNormal = shading::anisotropicNormal(s.normalWorld, s.viewWorld, s.finish->acrossWorld, s.roughness,
+                                                s.finish->anisotropy);
+  }
+  e.reflectionWorld = shading::reflectedView(e.lookupNormal, s.viewWorld);
   const float facing = glm::dot(s.normalWorld, s.viewWorld);
   if (facing <= 0.0f) {
     e.notes.emplace_back(
@@ -129,9 +155,9 @@ Explanation explainPixel(const ExplainInput& in) {
         "goes straight on.");
   }
   e.nDotV = std::clamp(facing, 1.0e-5f, 1.0f);
-  e.f0 = glm::mix(glm::vec3(s.baseF0), s.albedo, s.metallic);
-  const float f90 = std::clamp(glm::dot(e.f0, glm::vec3(50.0f * 0.33f)), 0.0f, 1.0f);
-  const glm::vec3 edge = glm::mix(glm::vec3(f90), glm::vec3(1.0f), s.metallic);
+  const SurfaceFresnel ends = surfaceFresnel(s, e.nDotV);
+  e.f0 = ends.f0;
+  const glm::vec3 edge = ends.f90;
   std::vector<glm::vec3> arrives(in.lights.size(), glm::vec3(1.0f));
   if (in.lighting == ExplainInput::Lighting::Probes) e.shadows = explainShadows(in);
   for (const LightShadow& shadow : e.shadows) arrives[static_cast<std::size_t>(shadow.light)] = shadow.through;
@@ -144,7 +170,7 @@ Explanation explainPixel(const ExplainInput& in) {
   e.direct = directLight(s, e.f0, edge, in.lights, &arrives, scattering);
 
   if (in.lighting == ExplainInput::Lighting::Probes) lightByProbes(e, in, edge);
-  e.color = e.direct + e.diffuse + e.specular + e.coat + e.emissive;
+  e.color = e.direct + e.diffuse + e.sheen + e.specular + e.coat + e.emissive;
   if (e.glass) e.color += e.glass->light();
   return e;
 }

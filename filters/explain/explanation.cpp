@@ -10,7 +10,7 @@ LitPoint litPoint(const Explanation& e) {
   point.surface = e.surface;
   point.direct = e.direct;
   point.emissive = e.emissive;
-  point.diffuse = e.diffuse;
+  point.diffuse = e.diffuse + e.sheen;
   point.color = e.color;
   point.nDotV = e.nDotV;
   point.skyWeight = e.skyWeight;

@@ -90,6 +90,7 @@ struct Explanation {
   int x = 0, y = 0;  ///< pixel, from the top left
   bool hit = false;  ///< false: the pixel shows the background; only `color` and `notes` are meaningful
   SurfacePoint surface;
+  glm::vec3 lookupNormal{0.0f};  ///< the shading normal; of a brushed surface, what stands for its streak
   glm::vec3 reflectionWorld{0.0f};
   float nDotV = 0.0f;
   glm::vec3 f0{0.0f};
@@ -97,6 +98,7 @@ struct Explanation {
   glm::vec3 direct{0.0f};  ///< light sources, both lobes
   glm::vec3 emissive{0.0f};
   glm::vec3 diffuse{0.0f};         ///< of probes and sky, with albedo
+  glm::vec3 sheen{0.0f};           ///< of cloth, of the same light; 0 without one
   glm::vec3 specularFactor{0.0f};  ///< of what probes and sky send: split sum, occlusion, what the coat lets through
   glm::vec3 specular{0.0f};        ///< of probes and sky, with that factor
   std::optional<GlassExplanation> glass;  ///< of a material that transmits light; its light is part of `color`

@@ -117,6 +117,8 @@ ExplanationSection sumSection(const Explanation& e) {
             (e.glass ? "reflected light times F (A + B); A = " : "reflected light times F_0 A + F_90 B; A = ") +
                 fixedText(e.brdf.x) + ", B = " + fixedText(e.brdf.y) + " of the split sum"));
   if (e.glass) rows.push_back(light("glass", e.glass->light(), "what is looked through: passes times L_T"));
+  if (e.sheen != glm::vec3(0.0f))
+    rows.push_back(light("sheen", e.sheen, "the same light, sent back by cloth's fibres"));
   if (e.coat != glm::vec3(0.0f)) rows.push_back(light("coat", e.coat, "what the clear coat changes"));
   rows.push_back(light("color", e.color, "computed: linear light before exposure"));
   rows.back().sum = true;

@@ -41,7 +41,7 @@ BpGlass bpLookThrough(vec3 positionView, vec3 normalView, vec3 viewView, float r
   object.ior = bpGlassIor;
   object.form = BP_GLASS_FORM;
   object.sheet = BP_GLASS_SHEET != 0;
-  object.thickness = bpGlassThickness;
+  object.thickness = bpGlassThickness BP_THICKNESS_FACTOR;
   object.center = bpGlassCenter;
   object.radius = bpGlassRadius;
   BpGlass glass;

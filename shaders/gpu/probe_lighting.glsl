@@ -11,6 +11,7 @@
 //   BP_DEBUG     1 in the debug view's programs, which note what the lookups were
 //   BP_SAMPLED   1 if what techniques sample is kept apart, to be smoothed
 //   BP_MIRROR    defined if the surface is a planar mirror with a picture of what moves
+//   BP_ANISOTROPIC defined if the surface is brushed: light from all around is that of bpUnbentNormal, not of the lookup's normal
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
@@ -56,6 +57,12 @@ uniform float bpDistanceFaceSize[BP_SLOTS]; // 0: no distances
 #endif
 #endif
 
+#ifdef BP_ANISOTROPIC
+#define BP_FACING bpFacing
+#else
+#define BP_FACING normal
+#endif
+
 struct BpLight
 {
   vec3 specular;
@@ -81,6 +88,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   vec3 normal = directionOr(bpViewToWorld * normalView, view);
   vec3 reflection = reflectedView(normal, view);
   roughness = roughnessWithin(roughness);
+#ifdef BP_ANISOTROPIC
+  bpFacing = directionOr(bpViewToWorld * bpUnbentNormal, normal);
+#endif
 
   BpLight light;
   light.specular = vec3(0.0f);
@@ -108,7 +118,7 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 #endif
     light.specular += sky * textureLod(bpSkyMap, reflection, levelForRoughness(roughness, bpSkyMaxLevel)).rgb;
 #if BP_DIFFUSE
-    light.irradiance += sky * shIrradiance(normal, bpSkySh[0], bpSkySh[1], bpSkySh[2], bpSkySh[3], bpSkySh[4],
+    light.irradiance += sky * shIrradiance(BP_FACING, bpSkySh[0], bpSkySh[1], bpSkySh[2], bpSkySh[3], bpSkySh[4],
                                            bpSkySh[5], bpSkySh[6], bpSkySh[7], bpSkySh[8]);
 #endif
   }

@@ -11,7 +11,18 @@
   gl_FragData[5] = vec4(0.0);
   gl_FragData[6] = vec4(baseF0Uniform, opacity, 0.0, 0.0);
 #endif
+#if defined(BP_FINISH) && !defined(BP_GLASS)
+  // A pass of its own has what few materials have.
+  if (bpFinishShown != 0)
+  {
+    gl_FragData[1] = vec4(bpFinish.f0, bpFinish.edge);
+    gl_FragData[2] = vec4(bpFinish.sheenColor, bpFinish.sheenRoughness);
+    gl_FragData[3] = vec4(bpViewToWorld * bpFinish.across, bpFinish.anisotropy);
+    gl_FragData[4] = vec4(bpFinish.film, bpFinish.thickness, 0.0, 0.0);
+  }
+#endif
 #ifdef BP_GLASS
+  if (bpFinishShown != 0) { gl_FragData[1] = vec4(1.0f BP_THICKNESS_FACTOR, 1.0f BP_TRANSMISSION_FACTOR, 0.0, 0.0); }
   // Whose faces bend light by the side that is seen.
   gl_FragData[6].y = gl_FrontFacing ? 1.0 : -1.0;
 #endif

@@ -3,6 +3,7 @@
 uniform vec2 bpViewRange;      // of scalars
 uniform sampler2D bpViewColors; // colour map, 256 x 1
 uniform vec3 bpFaceColors[6];
+uniform int bpFinishShown;     // 1: the surface's finish, in the place of what every surface has
 uniform float bpObject;        // index of the object + 1, for picking
 
 const vec3 kUndefined = vec3(-1.0f);

@@ -6,9 +6,22 @@
 
 namespace boxprobe {
 
+bool MaterialFinish::tintsSpecular() const {
+  return specularTint != glm::vec3(1.0f) || specularEdge != 1.0f || specularTexture.image || specularColorTexture.image;
+}
+
+std::vector<TextureUse*> MaterialFinish::textures() {
+  return {&specularTexture,   &specularColorTexture, &sheenColorTexture,   &sheenRoughnessTexture,
+          &anisotropyTexture, &iridescenceTexture,   &filmThicknessTexture};
+}
+
 std::vector<TextureUse*> Material::textures() {
-  return {&baseColorTexture, &metallicRoughnessTexture, &normalTexture,     &occlusionTexture,   &emissiveTexture,
-          &coatTexture,      &coatRoughnessTexture,     &coatNormalTexture, &transmissionTexture};
+  std::vector<TextureUse*> uses = {&baseColorTexture,  &metallicRoughnessTexture, &normalTexture,
+                                   &occlusionTexture,  &emissiveTexture,          &coatTexture,
+                                   &coatRoughnessTexture, &coatNormalTexture,     &transmissionTexture,
+                                   &thicknessTexture};
+  for (TextureUse* use : finish.textures()) uses.push_back(use);
+  return uses;
 }
 
 std::vector<const TextureUse*> Material::textures() const {

@@ -49,6 +49,32 @@ enum class AlphaMode {
   Blend,   ///< covers by that much
 };
 
+/// What few materials have on top of metalness and roughness; the defaults change nothing. Colours linear, their
+/// textures sRGB; a texture multiplies its factor by the channels named. Not drawn on what transmits light.
+struct MaterialFinish {
+  glm::vec3 specularTint{1.0f};  ///< of what a non-metal reflects straight on: KHR_materials_specular
+  float specularEdge = 1.0f;     ///< what a non-metal reflects at a flat angle
+  glm::vec3 sheenColor{0.0f};    ///< KHR_materials_sheen
+  float sheenRoughness = 0.0f;
+  float anisotropy = 0.0f;          ///< strength, 0 to 1: KHR_materials_anisotropy
+  float anisotropyRotation = 0.0f;  ///< of the direction from the tangent, radians, towards the bitangent
+  float iridescence = 0.0f;         ///< KHR_materials_iridescence
+  float filmIor = 1.3f;
+  float filmThicknessMin = 100.0f, filmThicknessMax = 400.0f;  ///< nanometres, over the texture's range
+  TextureUse specularTexture, specularColorTexture;            ///< A, RGB
+  TextureUse sheenColorTexture, sheenRoughnessTexture;         ///< RGB, A
+  TextureUse anisotropyTexture;                                ///< RG: direction, 0.5 is none; B: strength
+  TextureUse iridescenceTexture, filmThicknessTexture;         ///< R, G
+
+  bool tintsSpecular() const;
+  bool hasSheen() const { return sheenColor != glm::vec3(0.0f); }
+  bool hasFilm() const { return iridescence > 0.0f; }
+  bool isAnisotropic() const { return anisotropy > 0.0f; }
+  bool any() const { return tintsSpecular() || hasSheen() || hasFilm() || isAnisotropic(); }
+  /// All of them, those without an image too.
+  std::vector<TextureUse*> textures();
+};
+
 /// glTF metallic-roughness. Colours linear; baseColor and emissive textures sRGB; metallicRoughness as glTF packs it
 /// (G roughness, B metallic).
 struct Material {
@@ -66,7 +92,8 @@ struct Material {
   float ior = 1.5f;
   float specular = 1.0f;             ///< times the reflectance that `ior` gives (KHR_materials_specular); may exceed 1
   bool thin = true;                  ///< a sheet that bends nothing (KHR_materials_volume: thickness 0), not a solid
-  float thickness = 0.0f;            ///< of a solid, where its true one is not known: scene units
+  float thickness = 0.0f;            ///< of a solid, where its true one is not known: scene units, mean of its texture
+  float thicknessMean = 1.0f;        ///< of the texture, which says `thickness` times G over this
   float attenuationDistance = 0.0f;  ///< white light has attenuationColor left after it; 0: nothing is absorbed
   glm::vec3 attenuationColor{1.0f};
   GlassForm glass = GlassForm::Automatic;
@@ -76,7 +103,8 @@ struct Material {
   float alphaCutoff = 0.5f;  ///< of AlphaMode::Mask
   TextureUse baseColorTexture, metallicRoughnessTexture, normalTexture, occlusionTexture, emissiveTexture;
   TextureUse coatTexture, coatRoughnessTexture, coatNormalTexture;  ///< R, G, a tangent-space normal
-  TextureUse transmissionTexture;                                   ///< R
+  TextureUse transmissionTexture, thicknessTexture;                 ///< R, G
+  MaterialFinish finish;
 
   /// Shows what lies behind it, bent.
   bool transmits() const { return transmission > 0.0f && !unlit; }

@@ -7,7 +7,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "filters/math/shared/shared_math.h"
+#include "filters/core/surface/surface_fresnel.h"
+#include "filters/math/shared/finish_math.h"
 
 namespace boxprobe {
 
@@ -35,13 +36,30 @@ Lobe isotropicLobe(float nDotH, float nDotV, float nDotL, float hDotL, float rou
   return {distribution * masking * fresnel, fresnel};
 }
 
+/// The base's, of brushed surfaces (shaders/gpu/finish.glsl).
+Lobe baseLobe(const SurfacePoint& s, const glm::vec3& h, const glm::vec3& l, const Lobe& isotropic) {
+  if (!s.finish || s.finish->anisotropy <= 0.0f) return isotropic;
+  const glm::vec3 &n = s.normalWorld, &across = s.finish->acrossWorld, along = glm::cross(across, n);
+  const auto within = [&](const glm::vec3& d) {
+    return glm::vec3(glm::dot(along, d), glm::dot(across, d), clampedCosine(n, d));
+  };
+  const glm::vec2 alpha = shading::anisotropicAlpha(s.roughness * s.roughness, s.finish->anisotropy);
+  return {shading::anisotropicLobe(within(s.viewWorld), within(l), within(h), alpha) * isotropic.fresnel,
+          isotropic.fresnel};
+}
+
+glm::vec3 sheenLobe(const SurfacePoint& s, float nDotH, float nDotV, float nDotL) {
+  if (!s.finish || s.finish->sheenColor == glm::vec3(0.0f)) return glm::vec3(0.0f);
+  return s.finish->sheenColor * shading::sheenLobe(nDotH, nDotV, nDotL, s.finish->sheenRoughness);
+}
+
 }  // namespace
 
 glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec3& f90,
                       const std::vector<Light>& lights, const std::vector<glm::vec3>* through,
                       const Scattering& scattering) {
   const glm::vec3 n = s.normalWorld, v = s.viewWorld;
-  const float nDotV = clampedCosine(n, v);
+  const float nDotV = clampedCosine(n, v), underSheen = passesSheen(s, nDotV);
   glm::vec3 sum(0.0f);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i];
@@ -63,8 +81,10 @@ glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec
     }
     const glm::vec3 h = glm::normalize(v + l);
     const float hDotL = clampedCosine(h, l), nDotL = clampedCosine(n, l), nDotH = clampedCosine(n, h);
-    Lobe base = isotropicLobe(nDotH, nDotV, nDotL, hDotL, s.roughness, f0, f90);
+    Lobe base = baseLobe(s, h, l, isotropicLobe(nDotH, nDotV, nDotL, hDotL, s.roughness, f0, f90));
     glm::vec3 diffuse = (1.0f - s.metallic) * (1.0f - base.fresnel) * s.albedo * kReciprocalPi;
+    diffuse = diffuse * underSheen + sheenLobe(s, nDotH, nDotV, nDotL);
+    base.specular *= underSheen;
     if (s.coatStrength > 0.0f) {
       const glm::vec3 coatN = s.coatNormalWorld;
       const float coatNDotL = clampedCosine(coatN, l);

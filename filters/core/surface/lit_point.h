@@ -29,7 +29,7 @@ struct LitPoint {
   SurfacePoint surface;
   glm::vec3 direct{0.0f};  ///< light sources, both lobes
   glm::vec3 emissive{0.0f};
-  glm::vec3 diffuse{0.0f};  ///< of probes and sky, with albedo
+  glm::vec3 diffuse{0.0f};  ///< of probes and sky, with albedo, and cloth's sheen
   glm::vec3 color{0.0f};    ///< of all, as drawn
   float nDotV = 0.0f;       ///< cosine between shading normal and view, within 1e-5..1
   float skyWeight = 0.0f;

@@ -4,9 +4,23 @@
 
 #include <glm/ext/vector_int2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 
 namespace boxprobe {
+
+/// A material's finish (MaterialFinish) at one point.
+struct PointFinish {
+  glm::vec3 f0{0.04f};  ///< of the non-metal
+  float edge = 1.0f;    ///< what the non-metal reflects at a flat angle
+  bool tinted = false;  ///< `edge` is the material's own, and does not follow from `f0`
+  glm::vec3 sheenColor{0.0f};
+  float sheenRoughness = 0.0f;
+  glm::vec3 acrossWorld{0.0f};  ///< unit: the surface's direction across which the microfacets lean least
+  float anisotropy = 0.0f;
+  float iridescence = 0.0f, filmIor = 1.3f;
+  float filmThickness = 0.0f;  ///< nanometres
+};
 
 /// What the surface is where a pixel's ray meets it: read from the shader itself, so textures and normal maps count.
 struct SurfacePoint {
@@ -27,9 +41,10 @@ struct SurfacePoint {
   float coatRoughness = 0.0f;
   float coatF0 = 0.04f;
   glm::vec3 coatNormalWorld{0.0f};
-  bool backSide = false;  ///< of glass: the eye sees the inside of the surface
-  glm::ivec2 pixel{0};    ///< of the picture, from its lower left: techniques that sample draw their rays by it
-  int frame = 0;          ///< of those that are averaged
+  std::optional<PointFinish> finish;  ///< of materials that have one
+  bool backSide = false;              ///< of glass: the eye sees the inside of the surface
+  glm::ivec2 pixel{0};  ///< of the picture, from its lower left: techniques that sample draw their rays by it
+  int frame = 0;        ///< of those that are averaged
 };
 
 }  // namespace boxprobe

@@ -56,7 +56,6 @@ class MaterialReader {
     specularFactor_ = 1.0f;
     specularColor_ = glm::vec3(1.0f);
     fullFresnel_ = false;
-    thicknessTexture_ = {};
     glossiness_.reset();
     readExtensions(source, material);
     applySpecular(material);
@@ -65,7 +64,6 @@ class MaterialReader {
   }
 
   /// What is left to do for the material that was read last, once pictures are there.
-  const TextureUse& thicknessTexture() const { return thicknessTexture_; }
   const std::optional<GltfSpecularGlossiness>& glossiness() const { return glossiness_; }
 
  private:
@@ -107,7 +105,13 @@ class MaterialReader {
         fullFresnel_ = ior == 0.0;
         material.ior = fullFresnel_ ? static_cast<float>(kDefaultIor) : bounded(std::max(ior, 1.0));
       } else if (name == "KHR_materials_specular") {
-        readSpecular(extension);
+        readSpecular(extension, material.finish);
+      } else if (name == "KHR_materials_sheen") {
+        readSheen(extension, material.finish);
+      } else if (name == "KHR_materials_anisotropy") {
+        readAnisotropy(extension, material.finish);
+      } else if (name == "KHR_materials_iridescence") {
+        readIridescence(extension, material.finish);
       } else if (name == "KHR_materials_pbrSpecularGlossiness") {
         readSpecularGlossiness(extension, material);
       } else if (name == "KHR_materials_clearcoat") {
@@ -125,7 +129,7 @@ class MaterialReader {
       } else if (name == "KHR_materials_volume") {
         material.thickness = bounded(std::max(extensionNumber(extension, "thicknessFactor", 0.0), 0.0));
         material.thin = material.thickness == 0.0f;
-        thicknessTexture_ = extensionTexture(extension, "thicknessTexture");
+        material.thicknessTexture = extensionTexture(extension, "thicknessTexture");
         // Its default is infinite.
         material.attenuationDistance = bounded(std::max(extensionNumber(extension, "attenuationDistance", 0.0), 0.0));
         material.attenuationColor = glm::min(colorOf(extension, "attenuationColor"), 1.0f);
@@ -133,23 +137,47 @@ class MaterialReader {
     }
   }
 
-  void readSpecular(const tinygltf::Value& extension) {
+  void readSpecular(const tinygltf::Value& extension, MaterialFinish& finish) {
     specularFactor_ = unit(extensionNumber(extension, "specularFactor", 1.0));
     specularColor_ = colorOf(extension, "specularColorFactor");
-    for (const char* slot : {"specularTexture", "specularColorTexture"}) {
-      if (extension.IsObject() && extension.Has(slot)) {
-        file_.warn(std::string("has materials with a ") + slot + ", which is left out; its factor is used");
-      }
-    }
+    finish.specularTexture = extensionTexture(extension, "specularTexture");
+    finish.specularColorTexture = extensionTexture(extension, "specularColorTexture");
   }
 
-  /// The model has one reflectance for all colours: a colour counts by its brightness.
+  void readSheen(const tinygltf::Value& extension, MaterialFinish& finish) {
+    if (!extension.IsObject() || !extension.Has("sheenColorFactor")) return;  // black
+    finish.sheenColor = glm::min(colorOf(extension, "sheenColorFactor"), 1.0f);
+    finish.sheenRoughness = unit(extensionNumber(extension, "sheenRoughnessFactor", 0.0));
+    finish.sheenColorTexture = extensionTexture(extension, "sheenColorTexture");
+    finish.sheenRoughnessTexture = extensionTexture(extension, "sheenRoughnessTexture");
+  }
+
+  void readAnisotropy(const tinygltf::Value& extension, MaterialFinish& finish) {
+    finish.anisotropy = unit(extensionNumber(extension, "anisotropyStrength", 0.0));
+    finish.anisotropyRotation = bounded(extensionNumber(extension, "anisotropyRotation", 0.0));
+    finish.anisotropyTexture = extensionTexture(extension, "anisotropyTexture");
+  }
+
+  void readIridescence(const tinygltf::Value& extension, MaterialFinish& finish) {
+    const auto atLeast = [&](const char* key, double standard, double least) {
+      return bounded(std::max(extensionNumber(extension, key, standard), least));
+    };
+    finish.iridescence = unit(extensionNumber(extension, "iridescenceFactor", 0.0));
+    finish.filmIor = atLeast("iridescenceIor", 1.3, 1.0);
+    finish.filmThicknessMin = atLeast("iridescenceThicknessMinimum", 100.0, 0.0);
+    finish.filmThicknessMax = atLeast("iridescenceThicknessMaximum", 400.0, 0.0);
+    finish.iridescenceTexture = extensionTexture(extension, "iridescenceTexture");
+    finish.filmThicknessTexture = extensionTexture(extension, "iridescenceThicknessTexture");
+  }
+
+  /// `specular` has the factors' brightness, the finish the colour that is left.
   void applySpecular(Material& material) {
-    constexpr float kSameColor = 0.02f;
     const float brightness = glm::dot(specularColor_, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    material.finish.specularEdge = specularFactor_;
+    // Grey but for rounding is grey: it needs no program of its own.
     const glm::vec3 away = glm::abs(specularColor_ - brightness);
-    if (std::max({away.r, away.g, away.b}) > kSameColor) {
-      file_.warn("has materials with coloured specular reflection, which is drawn grey");
+    if (brightness > 0.0f && std::max({away.r, away.g, away.b}) > 1.0e-5f * brightness) {
+      material.finish.specularTint = specularColor_ / brightness;
     }
     if (!fullFresnel_) {
       material.specular = specularFactor_ * brightness;
@@ -288,15 +316,18 @@ class MaterialReader {
   float specularFactor_ = 1.0f;
   glm::vec3 specularColor_{1.0f};
   bool fullFresnel_ = false;
-  TextureUse thicknessTexture_;
   std::optional<GltfSpecularGlossiness> glossiness_;
 };
 
-/// The picture's green channel, on the whole.
-float meanGreen(const ImageRgba8& image) {
+/// One thickness an object is what most of refraction knows: the factor times the picture's green channel on the whole.
+void takeMeanThickness(Material& material) {
+  const std::shared_ptr<const ImageRgba8> image = material.thicknessTexture.image;
+  if (!image || image->pixels.empty()) return;
   double sum = 0.0;
-  for (std::size_t i = 1; i < image.pixels.size(); i += 4) sum += image.pixels[i];
-  return image.pixels.empty() ? 1.0f : static_cast<float>(sum * 4.0 / 255.0 / static_cast<double>(image.pixels.size()));
+  for (std::size_t i = 1; i < image->pixels.size(); i += 4) sum += image->pixels[i];
+  material.thicknessMean = static_cast<float>(sum * 4.0 / 255.0 / static_cast<double>(image->pixels.size()));
+  material.thickness *= material.thicknessMean;
+  if (material.thicknessMean == 0.0f) material.thicknessTexture = {};
 }
 
 }  // namespace
@@ -314,11 +345,9 @@ int extensionWhole(const tinygltf::Value& extension, const char* key, int standa
 std::vector<Material> readMaterials(GltfFile& file, const std::function<void(double)>& progress) {
   MaterialReader reader(file);
   std::vector<Material> materials;
-  std::vector<TextureUse> thickness;  // by material
   std::vector<std::optional<GltfSpecularGlossiness>> glossiness;
   for (std::size_t i = 0; i < file.gltf.materials.size(); ++i) {
     materials.push_back(reader.read(file.gltf.materials[i], i));
-    thickness.push_back(reader.thicknessTexture());
     glossiness.push_back(reader.glossiness());
   }
   const auto waits = [](const TextureUse& use) { return use.image && use.image->width < 0; };
@@ -328,7 +357,6 @@ std::vector<Material> readMaterials(GltfFile& file, const std::function<void(dou
       for (TextureUse* use : materials[i].textures()) {
         if (waits(*use)) work(*use);
       }
-      if (waits(thickness[i])) work(thickness[i]);
     }
   };
   std::set<int> used;
@@ -336,9 +364,7 @@ std::vector<Material> readMaterials(GltfFile& file, const std::function<void(dou
   const auto images = decodeImages(file, used, progress);
   forEach([&](TextureUse& use) { use.image = images.at(wanted(use)); });
   for (std::size_t i = 0; i < materials.size(); ++i) {
-    // One thickness an object is what refraction knows.
-    if (thickness[i].image && thickness[i].image != missingPicture())
-      materials[i].thickness *= meanGreen(*thickness[i].image);
+    takeMeanThickness(materials[i]);
     if (glossiness[i]) convertSpecularGlossiness(materials[i], *glossiness[i]);
   }
   return materials;

@@ -113,12 +113,13 @@ std::vector<glm::vec4> readColors(const GltfFile& file, const tinygltf::Primitiv
   return colors;
 }
 
-/// Normal maps of a material that need tangents: the set of texture coordinates they lie on; -1: none does.
-int normalMapSet(const Mesh& mesh, const Material& material) {
-  for (const TextureUse* use : {&material.normalTexture, &material.coatNormalTexture}) {
+/// Normal maps and brushed directions need tangents: the set of texture coordinates they lie on; -1: nothing does.
+int tangentSet(const Mesh& mesh, const Material& material) {
+  const TextureUse& direction = material.finish.anisotropyTexture;
+  for (const TextureUse* use : {&material.normalTexture, &material.coatNormalTexture, &direction}) {
     if (use->image && !(use->uvSet == 1 ? mesh.uv1 : mesh.uv).empty()) return use->uvSet;
   }
-  return -1;
+  return material.finish.isAnisotropic() && !mesh.uv.empty() ? 0 : -1;
 }
 
 Mesh readPrimitive(const GltfMeshReading& reading, const tinygltf::Primitive& primitive, int mode,
@@ -173,8 +174,12 @@ Mesh readPrimitive(const GltfMeshReading& reading, const tinygltf::Primitive& pr
     makeUnit(file, mesh.normals);
   }
   if (mesh.material >= 0 && mesh.tangents.empty()) {
-    const int set = normalMapSet(mesh, reading.materials[static_cast<std::size_t>(mesh.material)]);
+    const Material& drawn = reading.materials[static_cast<std::size_t>(mesh.material)];
+    const int set = tangentSet(mesh, drawn);
     if (set >= 0) addTangents(mesh, set);
+    if (set < 0 && drawn.finish.isAnisotropic()) {
+      file.warn("has anisotropic surfaces without tangents or texture coordinates, which are drawn isotropic");
+    }
   }
   warnOfTheRest(file, primitive);
   return mesh;

@@ -106,8 +106,7 @@ TruthColors sceneTruth(const std::vector<BenchPixel>& pixels, const TruthColors&
     const glm::dvec3 away = scene.tracer().awayFrom(*hit);
     const BoxSurroundings surroundings(e, maps);
     for (const ReflectingLayer& layer : reflectingLayers(e.surface, scene.light().energy())) {
-      const VisibleNormalLobe lobe(layer.normalWorld, glm::normalize(glm::dvec3(e.surface.viewWorld)),
-                                   layer.roughness * layer.roughness);
+      const VisibleNormalLobe lobe = layer.lobe(glm::normalize(glm::dvec3(e.surface.viewWorld)));
       *exact = *exact && lobe.mirror();
       const auto difference = [&](const glm::dvec3& l) {
         // Largest about the outlines of lamps, which the capture holds by its texels: found by rays towards them.

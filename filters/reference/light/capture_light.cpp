@@ -5,8 +5,10 @@
 #include <glm/matrix.hpp>
 
 #include "filters/core/surface/direct_light.h"
+#include "filters/core/surface/surface_fresnel.h"
 #include "filters/reference/light/lobe_albedo.h"
 #include "filters/reference/light/reflecting_layers.h"
+#include "filters/reference/light/sheen_light.h"
 
 namespace boxprobe {
 
@@ -81,11 +83,14 @@ Scattering CaptureLight::scattering(const SurfacePoint& s, const FresnelEnds& en
 
 glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through) const {
   if (unlit) return s.emissive;
-  const FresnelEnds ends = fresnelEnds(s);
+  // The shader's own, with a film's colour at the eye: light sources are not what a reference judges.
+  const SurfaceFresnel lit = surfaceFresnel(s, std::clamp(glm::dot(s.normalWorld, s.viewWorld), 1.0e-5f, 1.0f));
+  const FresnelEnds ends{lit.f0, lit.f90};
   glm::vec3 sum = s.emissive;
   if (!lights_.empty()) sum += directLight(s, ends.f0, ends.f90, lights_, through, scattering(s, ends));
   if (s.metallic < 1.0f) {
-    sum += s.occlusion * shares(s.positionWorld).diffuse * (1.0f - ends.f0) * (1.0f - s.metallic) * s.albedo *
+    const float under = s.occlusion * static_cast<float>(sheenPasses(s));
+    sum += under * shares(s.positionWorld).diffuse * (1.0f - ends.f0) * (1.0f - s.metallic) * s.albedo *
            sky_.irradiance(s.normalWorld);
   }
   return sum;
@@ -94,6 +99,11 @@ glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std
 glm::vec3 CaptureLight::captured(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through) const {
   glm::vec3 sum = unreflected(s, unlit, through);
   if (unlit) return sum;
+  if (s.finish && s.finish->sheenColor != glm::vec3(0.0f)) {
+    const double nDotV = std::max(static_cast<double>(glm::dot(s.normalWorld, s.viewWorld)), 0.0);
+    const auto sent = static_cast<float>(sheenShare(nDotV, static_cast<double>(s.finish->sheenRoughness)));
+    sum += s.occlusion * sent * s.finish->sheenColor * shares(s.positionWorld).diffuse * sky_.irradiance(s.normalWorld);
+  }
   const float share = shares(s.positionWorld).sky;
   if (share <= 1.0e-5f) return sum;
   for (const ReflectingLayer& layer : reflectingLayers(s, energy_)) {

@@ -216,8 +216,7 @@ glm::dvec3 referenceBoxColor(const LitPoint& pixel, const ReferenceBoxMaps& maps
   glm::dvec3 color(pixel.direct + pixel.emissive + pixel.diffuse);
   if (surroundings.empty()) return color;
   for (const ReflectingLayer& layer : reflectingLayers(pixel.surface, maps.energy)) {
-    const VisibleNormalLobe lobe(layer.normalWorld, glm::normalize(glm::dvec3(pixel.surface.viewWorld)),
-                                 layer.roughness * layer.roughness);
+    const VisibleNormalLobe lobe = layer.lobe(glm::normalize(glm::dvec3(pixel.surface.viewWorld)));
     if (exact != nullptr) *exact = *exact && lobe.mirror();
     color += surroundings.reflected(lobe, layer, rays, seed);
     seed = stirred(seed);

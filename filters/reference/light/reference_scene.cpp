@@ -1,8 +1,10 @@
 #include "filters/reference/light/reference_scene.h"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "filters/reference/light/reflecting_layers.h"
+#include "filters/reference/light/sheen_light.h"
 #include "filters/reference/trace/picture_rays.h"
 #include "filters/reference/trace/refraction_tracer.h"
 #include "filters/reference/trace/shadow_light.h"
@@ -14,7 +16,7 @@ namespace {
 
 bool mirrorsOnly(const std::vector<ReflectingLayer>& layers, const SurfacePoint& s) {
   for (const ReflectingLayer& layer : layers) {
-    if (!VisibleNormalLobe(layer.normalWorld, s.viewWorld, layer.roughness * layer.roughness).mirror()) return false;
+    if (!layer.lobe(glm::normalize(glm::dvec3(s.viewWorld))).mirror()) return false;
   }
   return true;
 }
@@ -74,14 +76,35 @@ glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm:
     sum += reflected(layer, glm::normalize(glm::dvec3(surface.viewWorld)), away, sees, rays, seed);
     seed = stirred(seed);
   }
+  if (surface.finish && surface.finish->sheenColor != glm::vec3(0.0f)) {
+    sum += static_cast<double>(surface.occlusion) * sheenReflected(surface, away, sees, rays, seed);
+  }
   return sum;
+}
+
+// Rays by the cosine: the lobe is broad.
+glm::dvec3 ReferenceScene::sheenReflected(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,
+                                          std::uint64_t seed) const {
+  constexpr double kPi = 3.14159265358979323846;
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(surface.normalWorld));
+  const glm::dvec3 axis = std::abs(normal.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  const glm::dvec3 t = glm::normalize(glm::cross(normal, axis)), b = glm::cross(normal, t);
+  const ShiftedPoints points(seed);
+  glm::dvec3 sum(0.0);
+  for (int i = 0; i < rays; ++i) {
+    const glm::dvec2 u = points[i];
+    const double radius = std::sqrt(u.x), z = std::sqrt(1.0 - u.x), turn = 2.0 * kPi * u.y;
+    const glm::dvec3 l = radius * std::cos(turn) * t + radius * std::sin(turn) * b + z * normal;
+    if (z > 1.0e-6) sum += sheenSent(surface, l) * (kPi / z) * seenFrom(away, l, sees);
+  }
+  return sum / static_cast<double>(rays);
 }
 
 // Half of the rays go by the lobe and half towards what shines, lamps and bright sky; what several can meet counts by
 // how likely all together were to draw it (the balance heuristic, Veach and Guibas 1995).
 glm::dvec3 ReferenceScene::reflected(const ReflectingLayer& layer, const glm::dvec3& view, const glm::dvec3& away,
                                      RaySees sees, int rays, std::uint64_t seed) const {
-  const VisibleNormalLobe lobe(layer.normalWorld, view, layer.roughness * layer.roughness);
+  const VisibleNormalLobe lobe = layer.lobe(view);
   const auto reflectance = [&](double hDotV) { return layer.reflectance(hDotV); };
   const int aims = (lamps_.empty() ? 0 : 1) + (brightSky_->empty() ? 0 : 1);
   if (aims == 0 || lobe.mirror() || rays < 2 * aims) {

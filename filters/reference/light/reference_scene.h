@@ -66,6 +66,8 @@ class ReferenceScene {
   glm::dvec3 sent(const TracedHit& hit, const glm::dvec3& originWorld, RaySees sees) const;
   glm::dvec3 reflected(const ReflectingLayer& layer, const glm::dvec3& view, const glm::dvec3& away, RaySees sees,
                        int rays, std::uint64_t seed) const;
+  glm::dvec3 sheenReflected(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,
+                            std::uint64_t seed) const;
   std::vector<glm::vec3> throughTo(const TracedHit& hit, RaySees sees, int side) const;
 
   SceneTracer tracer_;

@@ -5,7 +5,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "filters/math/shared/finish_math.h"
 #include "filters/reference/light/lobe_albedo.h"
+#include "filters/reference/light/sheen_light.h"
 
 namespace boxprobe {
 
@@ -28,21 +30,38 @@ glm::dvec3 scattered(const ReflectingLayer& layer, const glm::vec3& view, Energy
 
 }  // namespace
 
+VisibleNormalLobe ReflectingLayer::lobe(const glm::dvec3& view) const {
+  const double alpha = roughness * roughness;
+  if (anisotropy <= 0.0) return {normalWorld, view, alpha};
+  const double along = glm::mix(alpha, 1.0, anisotropy * anisotropy);
+  return {normalWorld, glm::normalize(acrossWorld), view, along, alpha};
+}
+
+glm::dvec3 ReflectingLayer::normalReflectance(double cosine) const {
+  const glm::vec3& f0 = fresnel.f0;
+  if (film <= 0.0) return glm::dvec3(f0);
+  const auto c = static_cast<float>(std::clamp(cosine, 0.0, 1.0));
+  const glm::vec3 colored = shading::filmNormalReflectance(
+      shading::filmReflectance(f0, static_cast<float>(filmIor), static_cast<float>(filmThickness), c), c);
+  return glm::mix(glm::dvec3(f0), glm::dvec3(colored), film);
+}
+
 glm::dvec3 ReflectingLayer::reflectance(double hDotV) const {
   const double edge = grazing(hDotV);
   const double passes = 1.0 - coatStrength * (coatF0 + (1.0 - coatF0) * edge);
-  return factor * passes * glm::mix(glm::dvec3(fresnel.f0), glm::dvec3(fresnel.f90), edge);
+  return factor * passes * glm::mix(normalReflectance(hDotV), glm::dvec3(fresnel.f90), edge);
 }
 
 glm::dvec3 ReflectingLayer::albedo(double nDotV) const {
   const glm::dvec2 of = lobeAlbedo(nDotV, roughness);
   const double passes = 1.0 - coatStrength * (coatF0 + (1.0 - coatF0) * grazing(nDotV));
-  return factor * passes * (of.x * glm::dvec3(fresnel.f0) + of.y * glm::dvec3(fresnel.f90));
+  return factor * passes * (of.x * normalReflectance(nDotV) + of.y * glm::dvec3(fresnel.f90));
 }
 
 FresnelEnds fresnelEnds(const SurfacePoint& s) {
-  const glm::vec3 f0 = glm::mix(glm::vec3(s.baseF0), s.albedo, s.metallic);
-  const float edge = std::clamp(glm::dot(f0, glm::vec3(50.0f * 0.33f)), 0.0f, 1.0f);
+  const glm::vec3 f0 = glm::mix(s.finish ? s.finish->f0 : glm::vec3(s.baseF0), s.albedo, s.metallic);
+  const float own = std::clamp(glm::dot(f0, glm::vec3(50.0f * 0.33f)), 0.0f, 1.0f);
+  const float edge = s.finish && s.finish->tinted ? s.finish->edge : own;
   return {f0, glm::mix(glm::vec3(edge), glm::vec3(1.0f), s.metallic)};
 }
 
@@ -53,7 +72,14 @@ std::vector<ReflectingLayer> reflectingLayers(const SurfacePoint& s, Energy ener
   ReflectingLayer base{glm::normalize(glm::dvec3(s.normalWorld)), s.roughness, fresnelEnds(s)};
   const glm::vec3 most = glm::max(base.fresnel.f0, base.fresnel.f90);
   if (s.occlusion * std::max({most.x, most.y, most.z}) > 0.0f) {
-    base.factor = static_cast<double>(s.occlusion) * scattered(base, s.viewWorld, energy);
+    base.factor = static_cast<double>(s.occlusion) * sheenPasses(s) * scattered(base, s.viewWorld, energy);
+    if (s.finish) {
+      base.film = s.finish->iridescence;
+      base.filmIor = s.finish->filmIor;
+      base.filmThickness = s.finish->filmThickness;
+      base.anisotropy = s.finish->anisotropy;
+      base.acrossWorld = s.finish->acrossWorld;
+    }
     if (coated) {
       base.coatStrength = s.coatStrength;
       base.coatF0 = s.coatF0;

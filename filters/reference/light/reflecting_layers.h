@@ -8,6 +8,7 @@
 
 #include "filters/core/scene/scene.h"
 #include "filters/core/surface/surface_point.h"
+#include "filters/reference/trace/visible_normal_lobe.h"
 
 namespace boxprobe {
 
@@ -19,13 +20,20 @@ FresnelEnds fresnelEnds(const SurfacePoint& surface);
 
 struct ReflectingLayer {
   glm::dvec3 normalWorld{0.0};
-  double roughness = 0.0;  ///< perceptual
-  FresnelEnds fresnel;
-  glm::dvec3 factor{1.0};                   ///< ambient occlusion, the coat's strength, multiple scattering
+  double roughness = 0.0;                   ///< perceptual
+  FresnelEnds fresnel;                      ///< without a film
+  double film = 0.0, filmIor = 1.3;         ///< of a thin film on it: its share
+  double filmThickness = 0.0;               ///< nanometres
+  double anisotropy = 0.0;                  ///< 0: as rough along every direction
+  glm::dvec3 acrossWorld{0.0};              ///< unit, where it is brushed
+  glm::dvec3 factor{1.0};                   ///< occlusion, the coat's strength, what sheen leaves, multiple scattering
   double coatStrength = 0.0, coatF0 = 0.0;  ///< of the coat above it, which leaves the rest to it
 
+  /// Its half vectors seen from `view` (unit).
+  VisibleNormalLobe lobe(const glm::dvec3& view) const;
   /// Of a microfacet that the view meets at this cosine: Schlick's Fresnel, times all that comes on top.
   glm::dvec3 reflectance(double hDotV) const;
+  glm::dvec3 normalReflectance(double cosine) const;
   /// Of even light, seen at `nDotV`: what the mean of all microfacets' reflectances is.
   glm::dvec3 albedo(double nDotV) const;
 };

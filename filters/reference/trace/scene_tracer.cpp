@@ -62,8 +62,47 @@ class Attributes {
     if (!object_.colors.empty()) base *= interpolated(object_.colors, corners_, barycentric_);
     return base;
   }
+  /// As shaders/gpu/finish.glsl has it.
+  PointFinish finish(const SurfacePoint& s, bool backSide) const {
+    const MaterialFinish& f = object_.material.finish;
+    PointFinish point;
+    const float strength = sampled(f.specularTexture, false).a;
+    point.tinted = f.tintsSpecular();
+    point.edge = f.specularEdge * strength;
+    point.f0 = strength * glm::min(s.baseF0 * f.specularTint * glm::vec3(sampled(f.specularColorTexture, true)),
+                                   glm::vec3(f.specularEdge));
+    if (!point.tinted) point.f0 = glm::vec3(s.baseF0);
+    point.sheenColor = f.sheenColor * glm::vec3(sampled(f.sheenColorTexture, true));
+    point.sheenRoughness = f.sheenRoughness * sampled(f.sheenRoughnessTexture, false).a;
+    point.iridescence = f.iridescence * sampled(f.iridescenceTexture, false).r;
+    point.filmIor = f.filmIor;
+    const float thick = mapsTo(f.filmThicknessTexture) ? sampled(f.filmThicknessTexture, false).g : 1.0f;
+    point.filmThickness = glm::mix(f.filmThicknessMin, f.filmThicknessMax, thick);
+    if (f.isAnisotropic() && !object_.tangents.empty()) brush(point, s.normalWorld, backSide);
+    return point;
+  }
 
  private:
+  bool mapsTo(const TextureUse& use) const { return use.image && !(use.uvSet == 1 ? object_.uv1 : object_.uv).empty(); }
+  void brush(PointFinish& point, const glm::vec3& normal, bool backSide) const {
+    const MaterialFinish& f = object_.material.finish;
+    const glm::vec4 given = interpolated(object_.tangents, corners_, barycentric_);
+    const glm::vec3 along(given), flat = along - glm::dot(along, normal) * normal;
+    if (!(glm::length(flat) > 0.0f)) return;
+    const glm::vec3 tangent = glm::normalize(flat);
+    const float side = (given.w < 0.0f) != backSide ? -1.0f : 1.0f;
+    const glm::vec3 bitangent = side * glm::cross(normal, tangent);
+    float angle = f.anisotropyRotation;
+    point.anisotropy = f.anisotropy;
+    if (mapsTo(f.anisotropyTexture)) {
+      const glm::vec4 texel = sampled(f.anisotropyTexture, false);
+      const glm::vec2 own = 2.0f * glm::vec2(texel) - 1.0f;
+      if (own != glm::vec2(0.0f)) angle += std::atan2(own.y, own.x);
+      point.anisotropy *= texel.b;
+    }
+    point.acrossWorld = std::cos(angle) * bitangent - std::sin(angle) * tangent;
+  }
+
   const TracedObject& object_;
   const std::uint32_t* corners_;
   glm::dvec2 barycentric_;
@@ -219,6 +258,7 @@ SurfacePoint SceneTracer::surface(const TracedHit& hit, const glm::dvec3& eye) c
   s.coatStrength = m.coat * at.sampled(m.coatTexture, false).r;
   s.coatRoughness = m.coatRoughness * at.sampled(m.coatRoughnessTexture, false).g;
   s.coatF0 = reflectanceOf(kCoatIor, 1.0f);
+  if (m.finish.any() && !m.transmits()) s.finish = at.finish(s, hit.backSide);
   return s;
 }
 

@@ -62,6 +62,7 @@ VisibleNormalLobe::VisibleNormalLobe(const glm::dvec3& normal, const glm::dvec3&
 }
 
 VisibleNormalLobe::Sample VisibleNormalLobe::sample(const glm::dvec2& u) const {
+  if (alphaAlong_ > 0.0) return sampleBrushed(u);
   if (mirror()) return {mirrored_, 1.0, cosine_};
   // A point of the projected hemisphere of visible microfacets. Axes: y, (-z, 0, x) of the stretched view, the view.
   const double radius = std::sqrt(u.x), phi = kTwoPi * u.y;
@@ -80,10 +81,15 @@ VisibleNormalLobe::Sample VisibleNormalLobe::sample(const glm::dvec2& u) const {
 }
 
 VisibleNormalLobe VisibleNormalLobe::widened(double alpha) const {
+  if (alphaAlong_ > 0.0) {
+    const glm::dvec3 view = view_.x * tangent_ + view_.y * bitangent_ + view_.z * normal_;
+    return {normal_, bitangent_, view, std::max(alphaAlong_, alpha), std::max(alpha_, alpha)};
+  }
   return {normal_, sine_ * tangent_ + cosine_ * normal_, std::max(alpha_, alpha)};
 }
 
 VisibleNormalLobe::Density VisibleNormalLobe::at(const glm::dvec3& direction) const {
+  if (alphaAlong_ > 0.0) return brushedAt(direction);
   const glm::dvec3 l(glm::dot(direction, tangent_), glm::dot(direction, bitangent_), glm::dot(direction, normal_));
   const glm::dvec3 v(sine_, 0.0, cosine_), sum = l + v;
   const double length = glm::length(sum);

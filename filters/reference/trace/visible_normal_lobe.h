@@ -31,6 +31,11 @@ class VisibleNormalLobe {
   /// the surface, which interpolated normals produce, is taken as from its edge.
   VisibleNormalLobe(const glm::dvec3& normal, const glm::dvec3& view, double alpha);
 
+  /// Of a brushed surface, rougher along one direction than across it: `across` a unit vector perpendicular to
+  /// `normal`; alphas of at least 1e-4.
+  VisibleNormalLobe(const glm::dvec3& normal, const glm::dvec3& across, const glm::dvec3& view, double alphaAlong,
+                    double alphaAcross);
+
   struct Sample {
     glm::dvec3 direction;  ///< unit, away from the surface
     double weight;         ///< G2 / G1: f cos / probability density, without the Fresnel factor; 0 below the surface
@@ -55,10 +60,16 @@ class VisibleNormalLobe {
   bool mirror() const { return alpha_ < 1.0e-6; }
 
  private:
-  glm::dvec3 normal_, tangent_, bitangent_;
+  Sample sampleBrushed(const glm::dvec2& u) const;
+  Density brushedAt(const glm::dvec3& direction) const;
+  double brushedRoot(const glm::dvec3& direction) const;
+
+  glm::dvec3 normal_, tangent_, bitangent_;  ///< of a brushed one along it and across
   glm::dvec3 mirrored_;
   double alpha_, sine_, cosine_;
   double stretchedX_, stretchedZ_;  ///< the view where the microfacets are a hemisphere
+  double alphaAlong_ = 0.0;         ///< of a brushed one, whose alpha_ is that across; else 0
+  glm::dvec3 view_{0.0};            ///< of a brushed one, in its axes
   double viewRoot_;                 ///< sqrt(alpha² + (1 - alpha²) cos²) of the view
 };
 

@@ -14,7 +14,10 @@ constexpr float kLinearOutput = -1.0f;
 struct DebugView {
   int view = 0;  ///< row of surfaceViews()
   float low = 0.0f, high = 1.0f;
-  bool operator==(const DebugView& o) const { return view == o.view && low == o.low && high == o.high; }
+  bool finish = false;  ///< the surfaces' finish is captured, not what every surface has
+  bool operator==(const DebugView& o) const {
+    return view == o.view && low == o.low && high == o.high && finish == o.finish;
+  }
 };
 
 /// The opaque part of the frame that is being drawn, for glass to be looked through at; without a texture there is

@@ -50,7 +50,9 @@ SurfaceFacts surfaceFacts(const SurfaceMaterial& surface, vtkProperty* property)
   const bool textured = slots[kRoughMetalSlot].texture != nullptr;
   if (property->GetMetallic() <= 0.0) facts |= kNoMetal;
   if (property->GetMetallic() >= 1.0 && !textured) facts |= kAllMetal;
-  if (property->GetRoughness() <= 0.0 && property->GetCoatStrength() <= 0.0) facts |= kSmooth;
+  if (property->GetRoughness() <= 0.0 && property->GetCoatStrength() <= 0.0 && !surface.finished()) {
+    facts |= kSmooth;
+  }
   const double* emission = property->GetEmissiveFactor();
   if (emission[0] == 0.0 && emission[1] == 0.0 && emission[2] == 0.0) {
     facts |= kNoEmission;

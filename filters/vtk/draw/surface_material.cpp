@@ -14,9 +14,10 @@ GLint wrapMode(Wrap wrap) {
 }  // namespace
 
 const std::array<const char*, kSurfaceSlots>& surfaceSlotNames() {
-  static const std::array<const char*, kSurfaceSlots> names = {"BaseColor",     "RoughMetal", "Normal",
-                                                               "Occlusion",     "Emissive",   "Coat",
-                                                               "CoatRoughness", "CoatNormal", "Transmission"};
+  static const std::array<const char*, kSurfaceSlots> names = {
+      "BaseColor",     "RoughMetal",     "Normal",       "Occlusion",   "Emissive",     "Coat",
+      "CoatRoughness", "CoatNormal",     "Transmission", "Thickness",   "Specular",     "SpecularColor",
+      "SheenColor",    "SheenRoughness", "Anisotropy",   "Iridescence", "FilmThickness"};
   return names;
 }
 
@@ -53,7 +54,9 @@ void SurfaceTexture::release() const {
 std::string SurfaceMaterial::programKey() const {
   std::string key;
   for (const SurfaceSlot& slot : slots) key += slot.texture ? static_cast<char>('0' + slot.uvSet) : '-';
-  for (const bool set : {uv[0], uv[1], colors, tangents, unlit}) key += set ? '1' : '0';
+  for (const bool set : {uv[0], uv[1], colors, tangents, unlit, finish.tintsSpecular(), finish.hasSheen(),
+                         finish.hasFilm(), finish.isAnisotropic()})
+    key += set ? '1' : '0';
   return key + static_cast<char>('0' + static_cast<int>(alphaMode)) + std::to_string(glass.drawn ? glass.variant() : 0);
 }
 

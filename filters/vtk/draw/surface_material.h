@@ -55,6 +55,14 @@ enum SurfaceSlotIndex {
   kCoatRoughnessSlot,
   kCoatNormalSlot,
   kTransmissionSlot,
+  kThicknessSlot,
+  kSpecularSlot,
+  kSpecularColorSlot,
+  kSheenColorSlot,
+  kSheenRoughnessSlot,
+  kAnisotropySlot,
+  kIridescenceSlot,
+  kFilmThicknessSlot,
   kSurfaceSlots
 };
 /// As they are called in shaders.
@@ -71,7 +79,13 @@ struct SurfaceMaterial {
   float alphaCutoff = 0.5f;
   float normalScale = 1.0f;
   float coatNormalScale = 1.0f;
+  float thicknessScale = 1.0f;  ///< 1 / mean of the thickness texture
   GlassSurface glass;
+  MaterialFinish finish;
+
+  /// Does its program draw a finish? What transmits light has none.
+  bool finished() const { return finish.any() && !unlit && !glass.drawn; }
+  bool brushed() const { return finished() && finish.isAnisotropic() && tangents; }
 
   /// What its program is written for, facts apart: equal texts share one.
   std::string programKey() const;

@@ -48,9 +48,36 @@ void SurfaceCapture::allocate(int width, int height) {
   });
 }
 
+void SurfaceCapture::draw(vtkCamera* camera, int height, const PixelRect& rect, bool finish) {
+  const PassScope scope(*state_, renderer_, camera, [&](PassSettings& settings) {
+    settings.debug.view = 0;
+    settings.debug.finish = finish;
+    settings.exposure = kLinearOutput;
+    settings.countDraws = false;
+    settings.pixelOrigin = glm::ivec2(rect.x, height - rect.y - rect.height);
+  });
+  window_->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  renderer_->Render();
+}
+
+SurfaceCapture::Values SurfaceCapture::readBack(const PixelRect& rect) {
+  const auto count = static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
+  Values values;
+  const PassState saved(window_);
+  window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.handle());
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i].resize(count);
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+    glReadPixels(0, 0, rect.width, rect.height, GL_RGBA, GL_FLOAT, &values[i][0].x);
+  }
+  glReadBuffer(GL_COLOR_ATTACHMENT0);
+  return values;
+}
+
 std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, int height, const PixelRect& rect,
                                                   const std::vector<vtkProp*>& props,
-                                                  const std::vector<vtkLight*>& lights) {
+                                                  const std::vector<vtkLight*>& lights, bool finish) {
   allocate(rect.width, rect.height);
   vtkNew<vtkCamera> shaped;
   shaped->DeepCopy(camera);
@@ -67,29 +94,13 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
   renderer_->SetRenderWindow(window_);
   renderer_->RemoveAllLights();
   for (vtkLight* light : lights) renderer_->AddLight(light);
-  {
-    const PassScope scope(*state_, renderer_, shaped, [&](PassSettings& settings) {
-      settings.debug.view = 0;
-      settings.exposure = kLinearOutput;
-      settings.countDraws = false;
-      settings.pixelOrigin = glm::ivec2(rect.x, height - rect.y - rect.height);
-    });
-    window_->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-    renderer_->Render();
-  }
-
+  draw(shaped, height, rect, false);
   const auto count = static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
-  std::array<std::vector<glm::vec4>, kAttachments> values;
-  {
-    const PassState saved(window_);
-    window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.handle());
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i].resize(count);
-      glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
-      glReadPixels(0, 0, rect.width, rect.height, GL_RGBA, GL_FLOAT, &values[i][0].x);
-    }
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
+  const Values values = readBack(rect);
+  Values finishes;
+  if (finish) {
+    draw(shaped, height, rect, true);
+    finishes = readBack(rect);
   }
 
   glm::dvec3 eye;
@@ -123,6 +134,8 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
       p.backSide = values[6][from].y < 0.0f;
       p.coatStrength = values[6][from].z;
       p.coatF0 = values[6][from].w;
+      if (!finish) continue;
+      for (std::size_t i = 0; i < pixel.finish.size(); ++i) pixel.finish[i] = finishes[i + 1][from];
     }
   }
   return pixels;

@@ -30,7 +30,8 @@ struct PixelRect {
 struct SurfacePixel {
   int object = 0;  ///< number the mapper was given; 0: background
   SurfacePoint point;
-  glm::vec3 color{0.0f};  ///< linear, as drawn
+  glm::vec3 color{0.0f};              ///< linear, as drawn
+  std::array<glm::vec4, 4> finish{};  ///< if asked for: what gpu/surface_output.glsl writes of it; else 0
 };
 
 class SurfaceCapture {
@@ -40,14 +41,19 @@ class SurfaceCapture {
   SurfaceCapture(const SurfaceCapture&) = delete;
   SurfaceCapture& operator=(const SurfaceCapture&) = delete;
 
-  /// Rows from the top of the picture down. The context must be current; `props` must draw the debug program.
+  /// Rows from the top of the picture down. The context must be current; `props` must draw the debug program. `finish`:
+  /// draws them once more for what few materials have.
   std::vector<SurfacePixel> capture(vtkCamera* camera, int width, int height, const PixelRect& rect,
-                                    const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights);
+                                    const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights,
+                                    bool finish = false);
   void release();
 
  private:
   static constexpr int kAttachments = 7;  ///< shaders/gpu/surface_output.glsl, and the colour
+  using Values = std::array<std::vector<glm::vec4>, kAttachments>;
   void allocate(int width, int height);
+  void draw(vtkCamera* camera, int height, const PixelRect& rect, bool finish);
+  Values readBack(const PixelRect& rect);
 
   vtkOpenGLRenderWindow* window_;
   std::shared_ptr<DrawState> state_;

@@ -70,6 +70,15 @@ std::vector<vtkProp*> SurfaceInspector::twinsAt(vtkCamera* camera, double aspect
   return result;
 }
 
+// In a pass of its own: few scenes have such surfaces.
+bool SurfaceInspector::needsFinish() const {
+  return std::any_of(content_->objects.begin(), content_->objects.end(), [](const DrawnObject& object) {
+    const SurfaceMaterial& surface = *object.surface;
+    const bool glass = surface.slots[kThicknessSlot].texture || surface.slots[kTransmissionSlot].texture;
+    return surface.finished() || (surface.glass.drawn && glass);
+  });
+}
+
 std::shared_ptr<const BakedMaps> SurfaceInspector::onCpu(const std::shared_ptr<const ProbeMaps>& maps) {
   if (!maps) return nullptr;
   copies_.erase(std::remove_if(copies_.begin(), copies_.end(), [](const Copy& c) { return c.of.expired(); }),
@@ -97,13 +106,13 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
     const glm::dvec2 halfSize(1.0 / width, 1.0 / height);
     const glm::dvec2 center((2.0 * pixels[0].x + 1.0) / width - 1.0, 1.0 - (2.0 * pixels[0].y + 1.0) / height);
     const auto props = twinsAt(camera, static_cast<double>(width) / height, center, halfSize);
-    surfaces = capture_.capture(camera, width, height, rect, props, lights);
+    surfaces = capture_.capture(camera, width, height, rect, props, lights, needsFinish());
   } else {
     std::vector<vtkProp*> props;
     for (std::size_t i = 0; i < content_->objects.size(); ++i) {
       if (content_->objects[i].settings.visible) props.push_back(twinOf(i));
     }
-    surfaces = capture_.capture(camera, width, height, rect, props, lights);
+    surfaces = capture_.capture(camera, width, height, rect, props, lights, needsFinish());
   }
   const auto at = [&](const glm::ivec2& p) {
     return single ? std::size_t{0} : static_cast<std::size_t>(p.y * width + p.x);
@@ -146,6 +155,25 @@ void SurfaceInspector::readMovingMaps() {
   }
 }
 
+namespace {
+
+PointFinish pointFinish(const SurfacePixel& pixel, const SurfaceMaterial& surface) {
+  PointFinish finish;
+  finish.f0 = glm::vec3(pixel.finish[0]);
+  finish.edge = pixel.finish[0].w;
+  finish.tinted = surface.finish.tintsSpecular();
+  finish.sheenColor = glm::vec3(pixel.finish[1]);
+  finish.sheenRoughness = pixel.finish[1].w;
+  finish.acrossWorld = glm::vec3(pixel.finish[2]);
+  finish.anisotropy = pixel.finish[2].w;
+  finish.iridescence = pixel.finish[3].x;
+  finish.filmThickness = pixel.finish[3].y;
+  finish.filmIor = surface.finish.filmIor;
+  return finish;
+}
+
+}  // namespace
+
 Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   const DrawnObject& object = content_->objects[static_cast<std::size_t>(pixel.object - 1)];
   const ProbeBinding& binding = *object.mapper->GetBinding();
@@ -154,6 +182,8 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.surface.object = object.node;
   in.surface.material = object.materialName;
   in.surface.frame = state_->pass().frame;
+  if (object.surface->finished() && !object.mapper->DrawsGlass())
+    in.surface.finish = pointFinish(pixel, *object.surface);
   in.lighting = binding.lighting == Lighting::Probes  ? ExplainInput::Lighting::Probes
                 : binding.lighting == Lighting::Unlit ? ExplainInput::Lighting::Unlit
                                                       : ExplainInput::Lighting::Plain;
@@ -188,6 +218,8 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
       if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
     }
     in.glass = object.surface->glass.explained(in.surface.eyeWorld, faceSize);
+    if (object.surface->slots[kThicknessSlot].texture) in.glass->object.thickness *= pixel.finish[0].x;
+    if (object.surface->slots[kTransmissionSlot].texture) in.glass->transmission *= pixel.finish[0].y;
   }
   shading::MirrorLook look{};
   const auto mirror = object.mapper->GetMirror();

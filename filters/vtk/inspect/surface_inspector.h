@@ -35,6 +35,7 @@ class SurfaceInspector {
   void release();
 
  private:
+  bool needsFinish() const;
   struct Twin {
     vtkSmartPointer<vtkActor> actor;
     vtkSmartPointer<vtkProbePolyDataMapper> mapper;

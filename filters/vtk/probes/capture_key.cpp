@@ -37,6 +37,14 @@ std::string meshKey(const Mesh& mesh) {
   return hash.text();
 }
 
+// One without keeps the key it had before any was drawn.
+void addFinish(ContentHash& hash, MaterialFinish finish, std::map<const void*, std::string>& images) {
+  hash.add("finish").addVector(finish.specularTint).add(finish.specularEdge).addVector(finish.sheenColor);
+  hash.add(finish.sheenRoughness).add(finish.anisotropy).add(finish.anisotropyRotation).add(finish.iridescence);
+  hash.add(finish.filmIor).add(finish.filmThicknessMin).add(finish.filmThicknessMax);
+  for (const TextureUse* use : finish.textures()) hash.add(imageKey(*use, images));
+}
+
 std::string materialKey(const Material& m, std::map<const void*, std::string>& images) {
   ContentHash hash;
   hash.add(m.name).addVector(m.baseColor).add(m.baseColor.a).add(m.metallic).add(m.roughness).addVector(m.emissive);
@@ -49,7 +57,13 @@ std::string materialKey(const Material& m, std::map<const void*, std::string>& i
     hash.addVector(m.attenuationColor);
   }
   hash.add(m.coatNormalScale).add(static_cast<double>(m.alphaMode)).add(m.alphaCutoff);
-  for (const TextureUse* use : m.textures()) hash.add(imageKey(*use, images));
+  for (const TextureUse* use :
+       {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture,
+        &m.coatTexture, &m.coatRoughnessTexture, &m.coatNormalTexture, &m.transmissionTexture}) {
+    hash.add(imageKey(*use, images));
+  }
+  if (m.thicknessTexture.image) hash.add("thickness").add(imageKey(m.thicknessTexture, images));
+  if (m.finish.any()) addFinish(hash, m.finish, images);
   return hash.text();
 }
 

@@ -81,6 +81,25 @@ class TextureCache {
   std::map<std::tuple<const ImageRgba8*, bool, Wrap, Wrap, bool>, std::shared_ptr<const SurfaceTexture>> textures_;
 };
 
+/// `fill`: gives a slot its texture.
+template <typename Fill>
+void fillFinish(SurfaceMaterial& surface, const MaterialFinish& finish, const Fill& fill) {
+  surface.finish = finish;
+  if (finish.tintsSpecular()) {
+    fill(kSpecularSlot, finish.specularTexture, false);
+    fill(kSpecularColorSlot, finish.specularColorTexture, true);
+  }
+  if (finish.hasSheen()) {
+    fill(kSheenColorSlot, finish.sheenColorTexture, true);
+    fill(kSheenRoughnessSlot, finish.sheenRoughnessTexture, false);
+  }
+  if (finish.isAnisotropic()) fill(kAnisotropySlot, finish.anisotropyTexture, false);
+  if (finish.hasFilm()) {
+    fill(kIridescenceSlot, finish.iridescenceTexture, false);
+    fill(kFilmThicknessSlot, finish.filmThicknessTexture, false);
+  }
+}
+
 std::shared_ptr<SurfaceMaterial> makeSurface(const Material& material, const Mesh& mesh, TextureCache& cache) {
   auto surface = std::make_shared<SurfaceMaterial>();
   surface->unlit = material.unlit;
@@ -102,11 +121,17 @@ std::shared_ptr<SurfaceMaterial> makeSurface(const Material& material, const Mes
   fill(kEmissiveSlot, material.emissiveTexture, true);
   fill(kCoatSlot, material.coatTexture, false);
   fill(kCoatRoughnessSlot, material.coatRoughnessTexture, false);
-  if (material.transmits()) fill(kTransmissionSlot, material.transmissionTexture, false);
+  if (material.transmits()) {
+    fill(kTransmissionSlot, material.transmissionTexture, false);
+    fill(kThicknessSlot, material.thicknessTexture, false);
+    surface->thicknessScale = 1.0f / std::max(material.thicknessMean, 1.0e-6f);
+  }
+  fillFinish(*surface, material.finish, fill);
   if (mesh.tangents.empty()) return surface;
   fill(kNormalSlot, material.normalTexture, false);
   fill(kCoatNormalSlot, material.coatNormalTexture, false);
-  surface->tangents = surface->slots[kNormalSlot].texture || surface->slots[kCoatNormalSlot].texture;
+  surface->tangents =
+      surface->slots[kNormalSlot].texture || surface->slots[kCoatNormalSlot].texture || surface->finish.isAnisotropic();
   return surface;
 }
 
@@ -178,7 +203,9 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
   object.settings = it != scene.objects.end() ? it->second : ObjectOverride{};
   setWorldFromModel(object, movedInstance(object.placed, object.settings));
 
-  object.allMetal = material.metallic == 1.0f && !material.metallicRoughnessTexture.image;
+  // Cloth scatters light from all around, whatever lies under it.
+  object.allMetal =
+      material.metallic == 1.0f && !material.metallicRoughnessTexture.image && !material.finish.hasSheen();
 
   vtkProperty* property = object.actor->GetProperty();
   const glm::dvec3 base(material.baseColor);

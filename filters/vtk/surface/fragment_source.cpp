@@ -3,6 +3,7 @@
 #include "filters/math/sampling/brdf_table.h"
 #include "filters/math/shared/shader_source.h"
 #include "filters/vtk/gl/full_screen_pass.h"
+#include "filters/vtk/surface/finish_source.h"
 #include "filters/vtk/surface/material_source.h"
 #include "filters/vtk/surface/probe_source.h"
 
@@ -17,6 +18,7 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
     if ((program.facts & kSmooth) != 0) text += "#define BP_SMOOTH\n";
     text += joinShaderSources({"shared/fresnel.glsl", "shared/split_sum.glsl", "gpu/fetch_split_sum.glsl"});
   }
+  if (program.surface != nullptr) text += finishSwitches(*program.surface);
   text += probes ? probeDeclarations(program.binding, program.output, program.mirror)
                  : std::string(shaderSource("gpu/output_uniforms.glsl"));
   if (probes) text += coverageDeclarations(program.binding);
@@ -24,7 +26,9 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
   const bool quick = (program.facts & kQuickOutput) != 0 && program.form != LightForm::Vtk;
   if (quick && program.binding.lighting != Lighting::Plain) text += "#define BP_QUICK_OUTPUT\n";
   text += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
-  if (program.surface != nullptr) text += materialDeclarations(*program.surface, program.facts);
+  if (program.surface != nullptr) {
+    text += materialDeclarations(*program.surface, program.facts) + finishDeclarations(*program.surface);
+  }
   if (program.glass()) text += glassDeclarations(program.surface->glass);
   if (program.output == SurfaceOutput::Heights) text += "uniform vec4 bpHeightPlane;\n";
   if (program.debug()) {

@@ -72,6 +72,8 @@ std::string materialDeclarations(const SurfaceMaterial& surface, SurfaceFacts fa
   factor("BP_OCCLUSION_FACTOR", kOcclusionSlot, "bpSampleOcclusion().r");
   factor("BP_COAT_FACTOR", kCoatSlot, "bpSampleCoat().r");
   factor("BP_COAT_ROUGH_FACTOR", kCoatRoughnessSlot, "bpSampleCoatRoughness().g");
+  factor("BP_THICKNESS_FACTOR", kThicknessSlot, "bpThicknessScale * bpSampleThickness().g");
+  if (surface.slots[kThicknessSlot].texture) text += "uniform float bpThicknessScale;\n";
   factor("BP_TRANSMISSION_FACTOR", kTransmissionSlot, "bpSampleTransmission().r");
   text += std::string("#define BP_ALPHA ") + (surface.alphaMode == AlphaMode::Blend ? "bpBase.a" : "1.0f") + "\n";
   text += std::string("#define BP_MASKED ") +

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -14,11 +15,31 @@
 
 namespace boxprobe {
 
+namespace {
+
+void uploadFinish(const UniformUpload& to, const MaterialFinish& finish) {
+  to.program->SetUniform3f("bpSpecularTint", &finish.specularTint.x);
+  to.program->SetUniformf("bpSpecularEdge", finish.specularEdge);
+  to.program->SetUniform3f("bpSheenColor", &finish.sheenColor.x);
+  to.program->SetUniformf("bpSheenRoughness", finish.sheenRoughness);
+  const float turn = finish.anisotropyRotation;
+  const glm::vec3 anisotropy(std::cos(turn), std::sin(turn), finish.anisotropy);
+  to.program->SetUniform3f("bpAnisotropy", &anisotropy.x);
+  const glm::vec4 film(finish.iridescence, finish.filmIor, finish.filmThicknessMin, finish.filmThicknessMax);
+  to.program->SetUniform4f("bpFilm", &film.x);
+}
+
+}  // namespace
+
 void uploadMaterial(const UniformUpload& to, const SurfaceMaterial& surface) {
   to.program->SetUniformf("bpAlpha", surface.alpha);
   to.program->SetUniformf("bpAlphaCutoff", surface.alphaCutoff);
   to.program->SetUniformf("bpNormalScale", surface.normalScale);
   to.program->SetUniformf("bpCoatNormalScale", surface.coatNormalScale);
+  if (surface.slots[kThicknessSlot].texture && to.used("bpThicknessScale")) {
+    to.program->SetUniformf("bpThicknessScale", surface.thicknessScale);
+  }
+  if (surface.finished()) uploadFinish(to, surface.finish);
   for (std::size_t i = 0; i < surface.slots.size(); ++i) {
     const SurfaceSlot& slot = surface.slots[i];
     if (!slot.texture) continue;

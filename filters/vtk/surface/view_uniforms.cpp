@@ -12,6 +12,7 @@ namespace boxprobe {
 void uploadView(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, int object) {
   const DebugView& debug = state.pass().debug;
   to.program->SetUniformi("bpView", debug.view);
+  to.program->SetUniformi("bpFinishShown", debug.finish ? 1 : 0);
   const float range[2] = {debug.low, debug.high};
   to.program->SetUniform2f("bpViewRange", range);
   if (state.resources.viewColors != 0) to.texture2d("bpViewColors", state.resources.viewColors);

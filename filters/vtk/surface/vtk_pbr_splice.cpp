@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "filters/math/shared/shader_source.h"
+#include "filters/vtk/surface/finish_source.h"
 #include "filters/vtk/surface/material_source.h"
 #include "filters/vtk/surface/pbr_anchors.h"
 #include "filters/vtk/surface/vtk_text_forms.h"
@@ -142,6 +143,10 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
   if (program.probes()) {
     applyCoverage(text, program.binding, lights.positional, edits);
     applyAnchors(text, lightingAnchors(), coat, edits);
+  }
+  if (program.surface != nullptr) {
+    const bool underCoat = coat && program.probes() && program.form != LightForm::Vtk;
+    spliceFinish(text, *program.surface, lights.count, program.probes(), underCoat, edits);
   }
   if (program.table()) applyAnchors(text, tableAnchors(), coat, edits);
   if (program.glass()) applyAnchors(text, glassAnchors(), coat, edits);
