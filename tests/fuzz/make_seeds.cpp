@@ -217,7 +217,13 @@ void makeModels() {
            {{"clearcoatFactor", 1},
             {"clearcoatTexture", moved},
             {"clearcoatNormalTexture", {{"index", 0}, {"scale", 2}}}}},
-          {"KHR_materials_transmission", {{"transmissionFactor", 0.5}, {"transmissionTexture", moved}}}}}}});
+          {"KHR_materials_transmission", {{"transmissionFactor", 0.5}, {"transmissionTexture", moved}}},
+          {"KHR_materials_volume", {{"thicknessFactor", 0.5}, {"thicknessTexture", moved}}}}}},
+       {{"extensions",
+         {{"KHR_materials_specular", {{"specularColorFactor", {1, 0.5, 2}}, {"specularTexture", moved}}},
+          {"KHR_materials_sheen", {{"sheenColorFactor", {1, 0.5, 0}}, {"sheenRoughnessTexture", moved}}},
+          {"KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}, {"anisotropyTexture", moved}}},
+          {"KHR_materials_iridescence", {{"iridescenceFactor", 1}, {"iridescenceThicknessTexture", moved}}}}}}});
   const Json corners = {{"POSITION", features.floats("VEC3", 3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0})},
                         {"NORMAL", features.floats("VEC3", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1})},
                         {"TEXCOORD_0", features.floats("VEC2", 2, {0, 0, 1, 0, 0, 1, 0, 0})},

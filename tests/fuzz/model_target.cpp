@@ -35,6 +35,12 @@ void checkMaterial(const Material& material) {
         material.alphaCutoff, material.coatNormalScale, material.transmission}) {
     promise(std::isfinite(value), "a material's number is not finite");
   }
+  const MaterialFinish& finish = material.finish;
+  promise(finite(finish.specularTint) && finite(finish.sheenColor), "a finish's colour is not finite");
+  for (const float value : {finish.specularEdge, finish.sheenRoughness, finish.anisotropy, finish.anisotropyRotation,
+                            finish.iridescence, finish.filmIor, finish.filmThicknessMin, finish.filmThicknessMax}) {
+    promise(std::isfinite(value), "a finish's number is not finite");
+  }
   for (const TextureUse* use : material.textures()) {
     if (!use->image) continue;
     promise(use->uvSet == 0 || use->uvSet == 1, "a texture lies on a third set of coordinates");

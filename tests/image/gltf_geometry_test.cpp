@@ -226,12 +226,12 @@ TEST_F(GltfPicture, OrthographicCamerasAreHalfAsHighAsYmagSays) {
 }
 
 TEST_F(GltfPicture, WhatIsNotSupportedIsNamedOnceAndTheRestShows) {
-  glb.json["extensionsUsed"] = {"KHR_materials_sheen", "KHR_materials_unlit", "EXT_made_up"};
+  glb.json["extensionsUsed"] = {"KHR_materials_dispersion", "KHR_materials_unlit", "EXT_made_up"};
   show(square(), unlit());
-  show(square({0, 1, 1, 1, 1, 0, 0, 0}, -1.0f), {{"extensions", {{"KHR_materials_sheen", Json::object()}}}});
+  show(square({0, 1, 1, 1, 1, 0, 0, 0}, -1.0f), {{"extensions", {{"KHR_materials_dispersion", Json::object()}}}});
   draw();
   expectPixel(32, 32, {1, 1, 1});
-  for (const char* name : {"KHR_materials_sheen", "EXT_made_up"}) {
+  for (const char* name : {"KHR_materials_dispersion", "EXT_made_up"}) {
     EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
                             [&](const std::string& w) { return w.find(name) != std::string::npos; }),
               1)

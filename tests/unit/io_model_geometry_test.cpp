@@ -258,7 +258,7 @@ TEST_F(ModelGeometry, WhatIsNotSupportedIsNamedOnce) {
                                     {{"attributes", attributes}},
                                     {{"attributes", {{"POSITION", positions}}}, {"mode", 1}}})}}});
   glb.json["skins"] = Json::array({{{"joints", {0}}}});
-  glb.json["extensionsUsed"] = {"KHR_materials_sheen", "KHR_materials_unlit", "KHR_xmp"};
+  glb.json["extensionsUsed"] = {"KHR_materials_dispersion", "KHR_materials_unlit", "KHR_xmp"};
   glb.node({{"mesh", 0}, {"skin", 0}});
   const int times = glb.floats("SCALAR", 1, {0, 1});
   const int moves = glb.floats("VEC3", 3, {0, 0, 0, 1, 0, 0});
@@ -270,7 +270,7 @@ TEST_F(ModelGeometry, WhatIsNotSupportedIsNamedOnce) {
   std::string all;
   for (const std::string& warning : model.warnings) all += warning + "\n";
   EXPECT_EQ(model.warnings.size(), 4u) << all;
-  for (const char* word : {"KHR_materials_sheen", "KHR_xmp", "COLOR_1", "lines"}) {
+  for (const char* word : {"KHR_materials_dispersion", "KHR_xmp", "COLOR_1", "lines"}) {
     EXPECT_NE(all.find(word), std::string::npos) << word;
   }
 }

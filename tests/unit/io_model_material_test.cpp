@@ -120,9 +120,37 @@ TEST_F(ModelMaterial, SpecularReflectanceIsThatOfItsFactors) {
   EXPECT_NEAR(reflectance(of({{"KHR_materials_ior", {{"ior", 0}}}})), 1.0f, 1e-5f) << "an index of 0 means a mirror";
   const Json grey = {{"specularColorFactor", {0.25, 0.25, 0.25}}};
   EXPECT_NEAR(reflectance(of({{"KHR_materials_ior", {{"ior", 0}}}, {"KHR_materials_specular", grey}})), 0.25f, 1e-5f);
+  EXPECT_FALSE(of({{"KHR_materials_specular", grey}}).finish.any()) << "a grey needs no program of its own";
   EXPECT_TRUE(load().warnings.empty());
-  of({{"KHR_materials_specular", {{"specularColorFactor", {1, 0, 0}}}}});
-  EXPECT_NE(load().warnings.at(0).find("coloured specular reflection"), std::string::npos);
+  const Material red = of({{"KHR_materials_specular", {{"specularColorFactor", {1, 0, 0}}}}});
+  EXPECT_TRUE(load().warnings.empty());
+  EXPECT_NEAR(0.04f * red.specular * red.finish.specularTint.r, 0.04f, 1e-5f);
+  EXPECT_EQ(red.finish.specularTint.g, 0.0f);
+}
+
+// Out of range is brought into it, whole extensions of nothing change nothing.
+TEST_F(ModelMaterial, AFinishKeepsToItsRanges) {
+  const auto of = [&](const Json& extensions) { return material({{"extensions", extensions}}).finish; };
+  EXPECT_FALSE(of({{"KHR_materials_sheen", Json::object()},
+                   {"KHR_materials_anisotropy", Json::object()},
+                   {"KHR_materials_iridescence", Json::object()},
+                   {"KHR_materials_specular", Json::object()}})
+                   .any());
+  const MaterialFinish wild =
+      of({{"KHR_materials_sheen", {{"sheenColorFactor", {-1, 2, 0.5}}, {"sheenRoughnessFactor", 7}}},
+          {"KHR_materials_anisotropy", {{"anisotropyStrength", -3}, {"anisotropyRotation", 1e30}}},
+          {"KHR_materials_iridescence",
+           {{"iridescenceFactor", 2}, {"iridescenceIor", -1}, {"iridescenceThicknessMaximum", -5}}}});
+  EXPECT_EQ(wild.sheenColor, glm::vec3(0.0f, 1.0f, 0.5f));
+  EXPECT_EQ(wild.sheenRoughness, 1.0f);
+  EXPECT_FALSE(wild.isAnisotropic());
+  EXPECT_TRUE(std::isfinite(wild.anisotropyRotation));
+  EXPECT_EQ(wild.iridescence, 1.0f);
+  EXPECT_EQ(wild.filmIor, 1.0f);
+  EXPECT_EQ(wild.filmThicknessMax, 0.0f);
+  of({{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+      {"KHR_materials_sheen", {{"sheenColorFactor", {1, 1, 1}}}}});
+  EXPECT_NE(load().warnings.at(0).find("glass with"), std::string::npos);
 }
 
 // Plastic stays what it is, a mirror of gold becomes a metal of its colour (the values follow from the extension's

@@ -82,7 +82,8 @@ glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec
     const glm::vec3 h = glm::normalize(v + l);
     const float hDotL = clampedCosine(h, l), nDotL = clampedCosine(n, l), nDotH = clampedCosine(n, h);
     Lobe base = baseLobe(s, h, l, isotropicLobe(nDotH, nDotV, nDotL, hDotL, s.roughness, f0, f90));
-    glm::vec3 diffuse = (1.0f - s.metallic) * (1.0f - base.fresnel) * s.albedo * kReciprocalPi;
+    glm::vec3 diffuse =
+        (1.0f - s.transmission) * (1.0f - s.metallic) * (1.0f - base.fresnel) * s.albedo * kReciprocalPi;
     diffuse = diffuse * underSheen + sheenLobe(s, nDotH, nDotV, nDotL);
     base.specular *= underSheen;
     if (s.coatStrength > 0.0f) {

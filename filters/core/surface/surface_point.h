@@ -42,6 +42,7 @@ struct SurfacePoint {
   float coatF0 = 0.04f;
   glm::vec3 coatNormalWorld{0.0f};
   std::optional<PointFinish> finish;  ///< of materials that have one
+  float transmission = 0.0f;          ///< of glass: share of the light that passes instead of being scattered
   bool backSide = false;              ///< of glass: the eye sees the inside of the surface
   glm::ivec2 pixel{0};  ///< of the picture, from its lower left: techniques that sample draw their rays by it
   int frame = 0;        ///< of those that are averaged

@@ -60,6 +60,9 @@ class MaterialReader {
     readExtensions(source, material);
     applySpecular(material);
     leaveOutMissing(material);
+    if (material.transmits() && material.finish.any()) {
+      file_.warn("has glass with sheen, anisotropy, iridescence or a tinted reflection, which is left out of glass");
+    }
     return material;
   }
 

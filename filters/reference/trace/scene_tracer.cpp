@@ -77,7 +77,7 @@ class Attributes {
     point.iridescence = f.iridescence * sampled(f.iridescenceTexture, false).r;
     point.filmIor = f.filmIor;
     const float thick = mapsTo(f.filmThicknessTexture) ? sampled(f.filmThicknessTexture, false).g : 1.0f;
-    point.filmThickness = glm::mix(f.filmThicknessMin, f.filmThicknessMax, thick);
+    if (f.hasFilm()) point.filmThickness = glm::mix(f.filmThicknessMin, f.filmThicknessMax, thick);
     if (f.isAnisotropic() && !object_.tangents.empty()) brush(point, s.normalWorld, backSide);
     return point;
   }

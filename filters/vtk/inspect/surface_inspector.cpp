@@ -220,6 +220,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     in.glass = object.surface->glass.explained(in.surface.eyeWorld, faceSize);
     if (object.surface->slots[kThicknessSlot].texture) in.glass->object.thickness *= pixel.finish[0].x;
     if (object.surface->slots[kTransmissionSlot].texture) in.glass->transmission *= pixel.finish[0].y;
+    in.surface.transmission = in.glass->transmission;
   }
   shading::MirrorLook look{};
   const auto mirror = object.mapper->GetMirror();

@@ -5,6 +5,13 @@
 
 namespace boxprobe {
 
+namespace {
+
+constexpr const char* kLamp = "specular = SpecularIsotropic(NdH, NdV, NdL, HdL, roughness, F0, F90, F);";
+constexpr const char* kHeadlight = "specular = SpecularIsotropic(NdV, NdV, NdV, 1.0, roughness, F0, F90, F);";
+
+}  // namespace
+
 std::string finishSwitches(const SurfaceMaterial& surface) {
   if (!surface.finished()) return {};
   std::string text = "#define BP_FINISH\n";
@@ -41,6 +48,8 @@ std::string finishDeclarations(const SurfaceMaterial& surface) {
 void spliceFinish(std::string& text, const SurfaceMaterial& surface, int lamps, bool probes, bool underCoat,
                   AnchorEdits& edits) {
   if (!surface.finished()) return;
+  // A light at the eye is one without directions of its own; scenes without lights have a black one.
+  const bool headlight = text.find(kHeadlight) != std::string::npos;
   constexpr const char* kView = "float NdV = clamp(dot(N, V), 1e-5, 1.0);";
   edits.replace(text, "finish", {{kView, std::string(kView) + "\n  BpFinish bpFinish = bpFinishAt(N, NdV);"}});
   edits.replace(text, "reflectance of the finish",
@@ -56,22 +65,20 @@ void spliceFinish(std::string& text, const SurfaceMaterial& surface, int lamps, 
                       "bpUnbentNormal = N;\n  BpLight bpLight = bpGatherLight(vertexVC.xyz, "
                       "anisotropicNormal(N, V, bpFinish.across, roughness, bpFinish.anisotropy), V, roughness,"}});
     }
-    if (lamps > 0) {
-      edits.replace(text, "lamps on a brushed surface",
-                    {{"specular = SpecularIsotropic(NdH, NdV, NdL, HdL, roughness, F0, F90, F);",
-                      "specular = bpBrushedLobe(bpFinish, N, V, L, H, HdL, roughness, F0, F90, F);"}},
-                    lamps);
-    }
+    const std::string own = "specular = bpBrushedLobe(bpFinish, N, V, ";
+    edits.replace(
+        text, "lamps on a brushed surface",
+        {{kLamp, own + "L, H, HdL, roughness, F0, F90, F);"}, {kHeadlight, own + "V, V, 1.0, roughness, F0, F90, F);"}},
+        lamps);
   }
   if (!surface.finish.hasSheen()) return;
   constexpr const char* kDiffuse = "diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);";
-  if (lamps > 0) {
-    edits.replace(text, "lamps on cloth",
-                  {{kDiffuse, std::string(kDiffuse) +
-                                  "\n  diffuse = diffuse * bpFinish.under + bpFinish.sheenColor * sheenLobe(NdH, NdV, "
-                                  "NdL, bpFinish.sheenRoughness);\n  specular *= bpFinish.under;"}},
-                  lamps);
-  }
+  edits.replace(
+      text, "lamps on cloth",
+      {{kDiffuse, std::string(kDiffuse) + "\n  diffuse = diffuse * bpFinish.under + bpFinish.sheenColor * sheenLobe(" +
+                      (headlight ? "NdV, NdV, NdV" : "NdH, NdV, NdL") +
+                      ", bpFinish.sheenRoughness);\n  specular *= bpFinish.under;"}},
+      lamps);
   constexpr const char* kReflected = "vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;";
   edits.replace(text, "reflection under sheen",
                 {{kReflected, std::string("specularBrdf *= bpFinish.under;\n  ") + kReflected}});

@@ -149,7 +149,15 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
     spliceFinish(text, *program.surface, lights.count, program.probes(), underCoat, edits);
   }
   if (program.table()) applyAnchors(text, tableAnchors(), coat, edits);
-  if (program.glass()) applyAnchors(text, glassAnchors(), coat, edits);
+  if (program.glass()) {
+    applyAnchors(text, glassAnchors(), coat, edits);
+    // What passes is not scattered, of lamps' light as of surroundings'.
+    constexpr const char* kDiffuse = "diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);";
+    edits.replace(
+        text, "lamps on glass",
+        {{kDiffuse, std::string(kDiffuse) + "\n  diffuse *= 1.0 - bpGlassTransmission BP_TRANSMISSION_FACTOR;"}},
+        lights.count);
+  }
   if (program.form != LightForm::Vtk) {
     applyAnchors(text, maskingAnchors(), coat, edits);
     if (program.probes()) applyAnchors(text, coatAnchors(), coat, edits);
