@@ -28,6 +28,7 @@
 #include "app/gui/widgets/tool_icons.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/about_dialog.h"
+#include "app/gui/window/animation_tools.h"
 #include "app/gui/window/autosave.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/lesson_dock.h"
@@ -104,6 +105,12 @@ MainWindow::MainWindow()
           new ModelFitter({document_, *editor_, *renderer_, [this]() -> const TriangleRays::Models& { return models_; },
                            [this] { return pictureAspect(); }, viewport_},
                           this)),
+      animation_(new AnimationTools({document_, *editor_, [this]() -> const AnimationTools::Models& { return models_; },
+                                     [this](const AnimationTools::Models& models) {
+                                       takeModels(models);
+                                       views_.updateAll();
+                                     }},
+                                    this)),
       panels_(new PanelDocks(this, {*editor_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); },
                        [this](const Ray& ray) { return surfaces_->meet(ray); }, [this] { return renderer_->bounds(); });
@@ -170,6 +177,7 @@ void MainWindow::connectDocument() {
   views_.add("title", {&Changes::file, &Changes::models}, [this](const Changes&) { updateTitle(); });
   views_.add("invitation", {&Changes::models}, [this](const Changes&) { updateInvitation(); });
   views_.add("unit", {&Changes::models}, [this](const Changes&) { fitter_->modelsChanged(); });
+  views_.add("animation", {&Changes::models}, [this](const Changes&) { animation_->modelsChanged(); });
   views_.add("work", ChangeKinds::all(), [this](const Changes&) { scheduler().sceneChanged(); });
   connect(editor_.get(), &Editor::failed, status_, &StatusLine::showError);
   connect(editor_.get(), &Editor::settled, this, [this] {
@@ -298,6 +306,8 @@ void MainWindow::connectFitter() {
   connect(fitter_, &ModelFitter::pictureWanted, &scheduler(), &RenderScheduler::requestRender);
   connect(&scheduler(), &RenderScheduler::rendered, fitter_, &ModelFitter::pictureDrawn);
   connect(lessons_, &LessonView::openChanged, fitter_, &ModelFitter::setBorrowed);
+  connect(lessons_, &LessonView::openChanged, animation_, &AnimationTools::setBorrowed);
+  connect(animation_, &AnimationTools::failed, status_, &StatusLine::showError);
 }
 
 double MainWindow::pictureAspect() const {
@@ -342,19 +352,25 @@ void MainWindow::showScene(LoadedScene loaded) {
   const auto& files = loaded.scene.models;
   menu_->showVariants(variants, files.empty() ? QString() : QString::fromStdString(files.front().variant));
   document_.open(loaded.scene, loaded.path, loaded.unsaved);
+  animation_->opened();
   fitter_->opened(loaded);
   work_->resetCamera();
   document_.selectProbe(probeNearest(document_.scene().probes, renderer_->currentCamera().position));
 }
 
 void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path) {
+  animation_->forget();
+  takeModels(models);
+  panels_->bakePanel().sceneOpened(path);
+}
+
+void MainWindow::takeModels(const std::vector<std::shared_ptr<const Model>>& models) {
   probeWidget_->cancel();
   models_ = models;
   surfaces_->setModels(models);
   renderer_->setModels(models);
   panels_->setModels(models);
   debugView_->setModels(models);
-  panels_->bakePanel().sceneOpened(path);
   if (tools_ != nullptr) tools_->modelsReplaced();
 }
 

@@ -21,6 +21,7 @@ class FileCommands;
 class LessonDock;
 class LessonView;
 class MenuBar;
+class AnimationTools;
 class ModelFitter;
 class MotionPreview;
 class PanelDocks;
@@ -93,6 +94,8 @@ class MainWindow : public QMainWindow {
   void connectLessons();
   void connectFitter();
   void showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path);
+  /// The same scene in other models.
+  void takeModels(const std::vector<std::shared_ptr<const Model>>& models);
   void escape();
   void updateTitle();
   void updateInvitation();
@@ -115,6 +118,7 @@ class MainWindow : public QMainWindow {
   LessonView* lessons_;
   StatusLine* status_;
   ModelFitter* fitter_;
+  AnimationTools* animation_;
   PanelDocks* panels_;
   ViewTools* tools_ = nullptr;
   LessonDock* lessonDock_;

@@ -1,0 +1,73 @@
+// The time at which a model's animations are shown: a bar over the picture with a slider, there only for models that
+// have some. The model is read again beside the window's work, at the time that was asked for last. Called by the main
+// window.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/gui/edit/background_work.h"
+#include "filters/core/scene/document.h"
+#include "filters/core/scene/model.h"
+
+class QLabel;
+class QMainWindow;
+class QSlider;
+class QToolBar;
+class QToolButton;
+
+namespace boxprobe {
+
+class Editor;
+
+class AnimationTools : public QObject {
+  Q_OBJECT
+
+ public:
+  using Models = std::vector<std::shared_ptr<const Model>>;
+  struct Parts {
+    Document& document;
+    Editor& editor;
+    std::function<const Models&()> models;    ///< on show
+    std::function<void(const Models&)> show;  ///< in their place; the document stays
+  };
+  AnimationTools(Parts parts, QMainWindow* window);
+
+  /// Other models are on show than before, and the document speaks of them.
+  void opened();
+  /// What is on show is not the document's until opened() says so.
+  void forget();
+  /// The document's entries of models changed, by an edit or its undo.
+  void modelsChanged();
+  /// A lesson's scene takes the place of the document's for a while.
+  void setBorrowed(bool borrowed);
+
+ signals:
+  void failed(const QString& line);
+
+ private:
+  using Time = std::optional<double>;
+  Time wanted() const;
+  double length() const;
+  void drag(int position);
+  void ask(const Time& time, bool last);
+  void read();
+  void update();
+
+  Parts parts_;
+  QToolBar* bar_;
+  QSlider* slider_;
+  QLabel* text_;
+  QToolButton* rest_;
+  BackgroundWork work_;
+  std::optional<std::size_t> index_;  ///< of the model that moves
+  Time shown_;                        ///< of that on show
+  Time failed_;                       ///< could not be read: not tried again
+  bool hasFailed_ = false;
+  bool taking_ = false;  ///< the model read here is put on show
+};
+
+}  // namespace boxprobe
