@@ -74,6 +74,7 @@ bool drawsFloats() {
 
 vtkSmartPointer<vtkOpenGLRenderWindow> openOffscreenWindow(const OffscreenSettings& settings) {
   installVtkMessages(settings.quiet, settings.printErrors);
+  if (settings.fewFrames) setenv("GALLIVM_PERF", "nopt", 0);
   vtkSmartPointer<vtkOpenGLRenderWindow> window = windowFor(settings);
   window->SetOffScreenRendering(1);  // draws into a framebuffer of its own, and shows nothing
   window->SetMultiSamples(0);

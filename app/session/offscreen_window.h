@@ -18,6 +18,9 @@ struct OffscreenSettings {
   bool quiet = false;        ///< VTK's warnings are not printed
   bool printErrors = false;  ///< VTK's errors are printed as they come, for a program that goes on
   Offscreen offscreen = Offscreen::Automatic;
+  /// What is drawn does not pay for well compiled shaders: Mesa's software renderers are told to compile them as they
+  /// stand, which gives the same pixels, unless GALLIVM_PERF tells them something else.
+  bool fewFrames = false;
 };
 
 /// Takes over VTK's messages, then makes the window: initialised, its context current. Throws InputError where there is

@@ -64,7 +64,7 @@ void runExplain(const ExplainOptions& options) {
   interrupt.check();
 
   OffscreenScene shown(
-      {"boxprobe explain", size.width, size.height, 1, options.report.quiet, false, options.report.offscreen});
+      {"boxprobe explain", size.width, size.height, 1, options.report.quiet, false, options.report.offscreen, true});
   ShownSettings settings{camera};
   settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
   shown.show(loaded.scene, loaded.models, settings);

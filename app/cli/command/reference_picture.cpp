@@ -66,7 +66,7 @@ ReferencePicture boxPicture(const LoadedScene& loaded, const Camera& camera, con
                             const InterruptGuard& interrupt, const ReferenceProgress& progress) {
   const FrameSize size = parseFrameSize(options.size);
   OffscreenScene shown(
-      {"boxprobe render", size.width, size.height, 1, options.report.quiet, false, options.report.offscreen});
+      {"boxprobe render", size.width, size.height, 1, options.report.quiet, false, options.report.offscreen, true});
   ShownSettings settings{camera};
   settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
   shown.show(loaded.scene, loaded.models, settings);
