@@ -296,10 +296,7 @@ class Writer {
     };
     leftOut(m.transmits(), "glass");
     leftOut(m.coat > 0.0f, "clear coat");
-    leftOut(m.finish.tintsSpecular(), "tinted reflection of a non-metal");
-    leftOut(m.finish.hasSheen(), "sheen");
-    leftOut(m.finish.isAnisotropic(), "anisotropy");
-    leftOut(m.finish.hasFilm(), "iridescence");
+    leftOut(m.finish.any(), "sheen, anisotropy, iridescence or tint of a reflection");
     leftOut(m.normalTexture.image != nullptr && m.normalScale != 0.0f, "normal map");
     leftOut(m.occlusionTexture.image != nullptr, "occlusion texture");
     leftOut(m.alphaMode == AlphaMode::Blend, "blending");

@@ -20,7 +20,7 @@
 #include <glm/geometric.hpp>
 
 #include "filters/math/shared/shared_math.h"
-#include "filters/vtk/surface/plain_surface.h"
+#include "filters/vtk/draw/plain_surface.h"
 #include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 
 namespace boxprobe::bench {

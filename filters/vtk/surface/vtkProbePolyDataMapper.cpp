@@ -15,11 +15,11 @@
 #include <vtkShaderProgram.h>
 #include <vtkSmartPointer.h>
 
+#include "filters/vtk/draw/plain_surface.h"
 #include "filters/vtk/gl/broken_shader.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/surface/glass_draw.h"
-#include "filters/vtk/surface/plain_surface.h"
 #include "filters/vtk/surface/probe_uniforms.h"
 #include "filters/vtk/surface/resting_uniforms.h"
 #include "filters/vtk/surface/surface_uniforms.h"

@@ -1,5 +1,5 @@
 // See animation_tools.h.
-#include "app/gui/window/animation_tools.h"
+#include "app/gui/view/animation_tools.h"
 
 #include <QLabel>
 #include <QMainWindow>

@@ -1,4 +1,4 @@
-#include "filters/vtk/surface/plain_surface.h"
+#include "filters/vtk/draw/plain_surface.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
