@@ -52,8 +52,8 @@ CapturedProbes captureProbes(const LoadedScene& loaded, const CaptureWishes& wis
   }
   std::unique_ptr<OffscreenScene> shown;
   if (!targets.empty()) {
-    shown = std::make_unique<OffscreenScene>(
-        OffscreenSettings{"boxprobe export", 16, 16, 1, wishes.quiet, false, wishes.offscreen, true});
+    shown = std::make_unique<OffscreenScene>(OffscreenSettings{"boxprobe export", 16, 16, 1, wishes.quiet, false,
+                                                               wishes.offscreen, drawsLittle(1, targets.size())});
     ShownSettings settings;
     settings.bakedFolder = wishes.bakedFolder;
     settings.bakeTargets = targets;

@@ -25,6 +25,7 @@ SceneRenderer::~SceneRenderer() = default;
 
 void SceneRenderer::setModels(std::vector<std::shared_ptr<const Model>> models) {
   impl_->content.given = std::move(models);
+  impl_->givenAnew = true;
 }
 
 void SceneRenderer::sync(const Scene& scene, const Changes& changes) {

@@ -112,8 +112,10 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
     state->resources.lightForm = scene.energy == Energy::Multiple ? LightForm::Multiple : LightForm::Single;
   }
   const bool anyProbe = changes.probeList || changes.probeShape;
-  // Not while a box is dragged: cutting makes geometry again.
-  const bool divided = (changes.models || anyProbe) && !interactive && content.divideModels();
+  // Not while a box is dragged: cutting makes geometry again. Other models than before are shown all the same.
+  const bool anew = changes.models && givenAnew;
+  if (anew) givenAnew = false;
+  const bool divided = (anew || ((changes.models || anyProbe) && !interactive)) && content.divideModels();
   const bool models = changes.models || divided;
   const bool objects = models || changes.materials || changes.objects;
   const bool lit = models || anyProbe || changes.probeTechnique || changes.probeCapture || objects || changes.lights;

@@ -47,6 +47,7 @@ struct SceneParts {
   MovingShadows shadows;
   ShownView view;
   bool interactive = false;
+  bool givenAnew = false;  ///< content.given was replaced since it was last taken
 
   /// The SceneRenderer's functions of these names.
   void sync(const Scene& scene, const Changes& changes);

@@ -70,6 +70,17 @@ TEST_F(AnimationTest, TheSliderMovesWhatMoves) {
   EXPECT_EQ(document().undoLabel(), "Animation time");
   EXPECT_EQ(window_->renderer().currentCamera().position, eye) << "the view stays";
   const double seconds = *time();
+  // While the handle is held the picture follows.
+  slider()->setSliderDown(true);
+  slider()->setSliderPosition(250);
+  EXPECT_TRUE(widthBecomes(still + 2.0)) << width();
+  EXPECT_EQ(document().stepLabels().size(), 1u);
+  slider()->setSliderPosition(slider()->maximum() / 2);
+  slider()->setSliderDown(false);
+  EXPECT_TRUE(waitFor([&] { return document().stepLabels().size() == 2u; }));
+  EXPECT_TRUE(widthBecomes(still + 4.0)) << width();
+  key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(widthBecomes(still + 2.0 * seconds));
   window_->findChild<QToolButton*>("animationRest")->click();
   EXPECT_TRUE(widthBecomes(still));
   EXPECT_FALSE(time().has_value());

@@ -43,7 +43,25 @@ std::vector<NamedProgram> programsFor(int lights) {
   glass.name = "glass";
   glass.surface.glass.drawn = true;
   glass.surface.glass.form = GlassForm::OnePass;
-  return {plain, sky, probe, debug, multiple, stock, glass};
+
+  NamedProgram finish = multiple;
+  finish.name = "every finish";
+  finish.surface.tangents = true;
+  finish.surface.finish.specularEdge = 0.5f;
+  finish.surface.finish.sheenColor = glm::vec3(1.0f);
+  finish.surface.finish.anisotropy = 0.5f;
+  finish.surface.finish.iridescence = 1.0f;
+
+  NamedProgram finishDebug = finish;
+  finishDebug.name = "every finish, debug view";
+  finishDebug.form = LightForm::Single;
+  finishDebug.output = SurfaceOutput::Debug;
+
+  NamedProgram finishStock = finish;
+  finishStock.name = "every finish, VTK's lamps";
+  finishStock.form = LightForm::Vtk;
+  finishStock.output = SurfaceOutput::Picture;
+  return {plain, sky, probe, debug, multiple, stock, glass, finish, finishDebug, finishStock};
 }
 
 }  // namespace boxprobe::test

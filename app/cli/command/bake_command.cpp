@@ -31,9 +31,6 @@ namespace boxprobe {
 
 namespace {
 
-/// Whose captures do not pay for well compiled shaders: two probes take a fifth less CPU time without.
-constexpr std::size_t kFewProbes = 8;
-
 const char* const kProgram = "Boxprobe " BOXPROBE_VERSION;
 
 struct BakeOptions {
@@ -195,8 +192,8 @@ void runBake(const BakeOptions& options) {
   if (!options.script.empty()) return printDocument(scriptOf(options, chosen, folder));  // tabs and all
   interrupt.check();
 
-  OffscreenScene shown(
-      {"boxprobe bake", 16, 16, 1, options.report.quiet, false, options.report.offscreen, chosen.size() <= kFewProbes});
+  OffscreenScene shown({"boxprobe bake", 16, 16, 1, options.report.quiet, false, options.report.offscreen,
+                        drawsLittle(1, chosen.size())});
   ShownSettings settings;
   settings.bakedFolder = folder;
   settings.bakeTargets = namesOf(chosen);

@@ -63,8 +63,8 @@ void runExplain(const ExplainOptions& options) {
   if (!options.report.quiet) printWarnings(loaded.warnings);
   interrupt.check();
 
-  OffscreenScene shown(
-      {"boxprobe explain", size.width, size.height, 1, options.report.quiet, false, options.report.offscreen, true});
+  OffscreenScene shown({"boxprobe explain", size.width, size.height, 1, options.report.quiet, false,
+                        options.report.offscreen, drawsLittle(1, loaded.scene.probes.size())});
   ShownSettings settings{camera};
   settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
   shown.show(loaded.scene, loaded.models, settings);

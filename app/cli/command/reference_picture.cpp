@@ -65,8 +65,8 @@ ReferenceBoxMaps readMaps(SceneRenderer& renderer, const Scene& scene, bool quie
 ReferencePicture boxPicture(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
                             const InterruptGuard& interrupt, const ReferenceProgress& progress) {
   const FrameSize size = parseFrameSize(options.size);
-  OffscreenScene shown(
-      {"boxprobe render", size.width, size.height, 1, options.report.quiet, false, options.report.offscreen, true});
+  OffscreenScene shown({"boxprobe render", size.width, size.height, 1, options.report.quiet, false,
+                        options.report.offscreen, drawsLittle(1, loaded.scene.probes.size())});
   ShownSettings settings{camera};
   settings.bakedFolder = BakeFolder::besideScene(options.scenePath);
   shown.show(loaded.scene, loaded.models, settings);

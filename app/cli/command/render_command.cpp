@@ -31,10 +31,6 @@ void warnOfSamples(const OffscreenScene& shown, int wanted) {
                  " samples per pixel; the picture is drawn with that many"});
 }
 
-// A frame of `building` with eight lookups takes 0.74 s of CPU time or, with shaders compiled in a hurry, 0.95 s; to
-// compile them well takes 1.4 s more.
-constexpr int kFewFrames = 6;
-
 void runRender(const RenderOptions& options) {
   const bool linear = requireExtension("-o", options.outputPath, {".png", ".exr"}) == ".exr";
   const FrameSize size = parseFrameSize(options.size);
@@ -62,7 +58,7 @@ void runRender(const RenderOptions& options) {
   interrupt.check();
 
   OffscreenScene shown({"boxprobe render", size.width, size.height, options.samples, options.report.quiet, false,
-                        options.report.offscreen, options.frames <= kFewFrames});
+                        options.report.offscreen, drawsLittle(options.frames, loaded.scene.probes.size())});
   if (!linear && !options.report.quiet) warnOfSamples(shown, options.samples);
   const ShownSettings settings{camera, options.probes == "on", BakeFolder::besideScene(options.scenePath), {}, view};
   shown.show(loaded.scene, loaded.models, settings);

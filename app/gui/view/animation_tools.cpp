@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "app/gui/edit/editor.h"
 #include "app/gui/widgets/quiet_slider.h"
+#include "filters/core/base/at_end.h"
 #include "filters/vtk/import/model_reader.h"
 
 namespace boxprobe {
@@ -55,29 +57,34 @@ AnimationTools::AnimationTools(Parts parts, QMainWindow* window)
   bar_->hide();
   bar_->toggleViewAction()->setVisible(false);
   connect(slider_, &QSlider::valueChanged, this, &AnimationTools::drag);
-  connect(slider_, &QSlider::sliderReleased, this, [this] { drag(slider_->value()); });
+  connect(slider_, &QSlider::sliderReleased, this, [this] { parts_.editor.finish(); });
   connect(rest_, &QToolButton::clicked, this,
           [this](bool rest) { ask(rest ? Time() : Time(length() * slider_->value() / kSteps), true); });
   connect(&work_, &BackgroundWork::ended, this, [this](bool, const QString& error) {
-    if (!error.isEmpty()) {
-      hasFailed_ = true;
-      failed_ = wanted();
+    if (!error.isEmpty() && index_ && reading_.model == shown_.model) {
+      failed_ = reading_;
       emit failed(error);
     }
     read();
   });
+  // A layout that is restored knows nothing of the model; with the tools hidden the picture stands alone.
+  for (QToolBar* bar : {bar_, window->findChild<QToolBar*>("tools")}) {
+    if (bar != nullptr) connect(bar, &QToolBar::visibilityChanged, this, &AnimationTools::update, Qt::QueuedConnection);
+  }
 }
 
 void AnimationTools::opened() {
   const Models& models = parts_.models();
   const std::size_t count = std::min(models.size(), parts_.document.scene().models.size());
   index_.reset();
-  hasFailed_ = false;
   for (std::size_t i = 0; i < count && !index_; ++i) {
     if (models[i] && models[i]->animationSeconds > 0.0) index_ = i;
   }
-  shown_ = wanted();
+  // A lesson that stood in its place gives the same model back, read when it was.
+  if (index_ && models[*index_] != shown_.model) shown_ = {models[*index_], wanted()};
+  failed_ = {};
   update();
+  read();
 }
 
 void AnimationTools::forget() {
@@ -98,11 +105,12 @@ void AnimationTools::modelsChanged() {
 }
 
 AnimationTools::Time AnimationTools::wanted() const {
-  return index_ ? parts_.document.scene().models[*index_].time : Time();
+  const auto& files = parts_.document.scene().models;
+  return index_ && *index_ < files.size() ? files[*index_].time : Time();
 }
 
 double AnimationTools::length() const {
-  return index_ ? parts_.models()[*index_]->animationSeconds : 0.0;
+  return index_ && shown_.model ? shown_.model->animationSeconds : 0.0;
 }
 
 void AnimationTools::drag(int position) {
@@ -123,28 +131,40 @@ void AnimationTools::ask(const Time& time, bool last) {
 }
 
 void AnimationTools::read() {
-  if (!index_ || work_.running() || wanted() == shown_ || (hasFailed_ && wanted() == failed_)) return;
-  const std::size_t index = *index_;
-  const ModelFile file = parts_.document.scene().models[index];
-  const std::shared_ptr<const Model> before = parts_.models()[index];
-  work_.start([this, file, index, before](const BackgroundWork::Progress& progress) -> BackgroundWork::Finish {
-    auto model = std::make_shared<const Model>(readModel(file.file, progress, {file.variant, file.time}));
-    return [this, model, file, index, before] {
-      Models models = parts_.models();
-      // Another scene was opened meanwhile.
-      if (index_ != index || models[index] != before) return;
-      models[index] = model;
-      shown_ = file.time;
-      taking_ = true;
-      parts_.show(models);
-      taking_ = false;
-      update();
-    };
+  if (!index_ || *index_ >= parts_.models().size() || work_.running() || wanted() == shown_.time) return;
+  const Pose before = shown_;
+  if (failed_.model == before.model && failed_.time == wanted()) return;
+  const ModelFile file = parts_.document.scene().models[*index_];
+  reading_ = {before.model, file.time};
+  work_.start([this, file, before](const BackgroundWork::Progress& progress) -> BackgroundWork::Finish {
+    const Pose pose{std::make_shared<const Model>(readModel(file.file, progress, {file.variant, file.time})),
+                    file.time};
+    return [this, pose, before] { take(pose, before); };
   });
 }
 
+void AnimationTools::take(const Pose& pose, const Pose& before) {
+  Models models = parts_.models();
+  // Another scene was opened meanwhile, or a lesson stands there.
+  if (!index_ || *index_ >= models.size() || models[*index_] != before.model) return;
+  if (parts_.busy()) {
+    constexpr int kAgain = 100;  // milliseconds
+    QTimer::singleShot(kAgain, this, [this, pose, before] { take(pose, before); });
+    return;
+  }
+  models[*index_] = pose.model;
+  taking_ = true;
+  const AtEnd taken([this] { taking_ = false; });
+  shown_ = pose;
+  failed_ = {};
+  parts_.show(models);
+  update();
+}
+
 void AnimationTools::update() {
-  bar_->setVisible(index_.has_value());
+  const auto* tools = bar_->parentWidget()->findChild<QToolBar*>("tools");
+  const bool wantedHere = index_ && (tools == nullptr || !tools->isHidden());
+  if (bar_->isHidden() == wantedHere) bar_->setVisible(wantedHere);
   if (!index_) return;
   const Time time = wanted();
   const QSignalBlocker slider(slider_), rest(rest_);

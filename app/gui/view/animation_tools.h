@@ -33,6 +33,7 @@ class AnimationTools : public QObject {
     Editor& editor;
     std::function<const Models&()> models;    ///< on show
     std::function<void(const Models&)> show;  ///< in their place; the document stays
+    std::function<bool()> busy;               ///< a handle is dragged: nothing is put on show meanwhile
   };
   AnimationTools(Parts parts, QMainWindow* window);
 
@@ -63,10 +64,17 @@ class AnimationTools : public QObject {
   QLabel* text_;
   QToolButton* rest_;
   BackgroundWork work_;
+  /// A model and the time it was read at.
+  struct Pose {
+    std::shared_ptr<const Model> model;
+    Time time;
+  };
+  void take(const Pose& pose, const Pose& before);
+
   std::optional<std::size_t> index_;  ///< of the model that moves
-  Time shown_;                        ///< of that on show
-  Time failed_;                       ///< could not be read: not tried again
-  bool hasFailed_ = false;
+  Pose shown_;
+  Pose reading_;         ///< what is on show instead of the model being read, and the time that is read
+  Pose failed_;          ///< likewise: could not be read, and is not tried again
   bool taking_ = false;  ///< the model read here is put on show
 };
 

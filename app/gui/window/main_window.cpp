@@ -107,9 +107,10 @@ MainWindow::MainWindow()
                           this)),
       animation_(new AnimationTools({document_, *editor_, [this]() -> const AnimationTools::Models& { return models_; },
                                      [this](const AnimationTools::Models& models) {
-                                       takeModels(models);
+                                       takePose(models);
                                        views_.updateAll();
-                                     }},
+                                     },
+                                     [this] { return probeWidget_->dragging(); }},
                                     this)),
       panels_(new PanelDocks(this, {*editor_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); },
@@ -360,16 +361,16 @@ void MainWindow::showScene(LoadedScene loaded) {
 
 void MainWindow::showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path) {
   animation_->forget();
-  takeModels(models);
+  probeWidget_->cancel();
+  panels_->setModels(models);
+  takePose(models);
   panels_->bakePanel().sceneOpened(path);
 }
 
-void MainWindow::takeModels(const std::vector<std::shared_ptr<const Model>>& models) {
-  probeWidget_->cancel();
+void MainWindow::takePose(const std::vector<std::shared_ptr<const Model>>& models) {
   models_ = models;
   surfaces_->setModels(models);
   renderer_->setModels(models);
-  panels_->setModels(models);
   debugView_->setModels(models);
   if (tools_ != nullptr) tools_->modelsReplaced();
 }

@@ -94,8 +94,8 @@ class MainWindow : public QMainWindow {
   void connectLessons();
   void connectFitter();
   void showModels(const std::vector<std::shared_ptr<const Model>>& models, const std::string& path);
-  /// The same scene in other models.
-  void takeModels(const std::vector<std::shared_ptr<const Model>>& models);
+  /// The same models in another pose.
+  void takePose(const std::vector<std::shared_ptr<const Model>>& models);
   void escape();
   void updateTitle();
   void updateInvitation();

@@ -60,9 +60,7 @@ class MaterialReader {
     readExtensions(source, material);
     applySpecular(material);
     leaveOutMissing(material);
-    if (material.transmits() && material.finish.any()) {
-      file_.warn("has glass with sheen, anisotropy, iridescence or a tinted reflection, which is left out of glass");
-    }
+    if (material.transmits()) warnOfGlass(material.finish);
     return material;
   }
 
@@ -70,6 +68,16 @@ class MaterialReader {
   const std::optional<GltfSpecularGlossiness>& glossiness() const { return glossiness_; }
 
  private:
+  void warnOfGlass(const MaterialFinish& finish) {
+    const auto leftOut = [this](bool there, const char* what) {
+      if (there) file_.warn(std::string("has glass with ") + what + ", which is left out of glass");
+    };
+    leftOut(finish.hasSheen(), "sheen");
+    leftOut(finish.isAnisotropic(), "anisotropy");
+    leftOut(finish.hasFilm(), "iridescence");
+    leftOut(finish.tintsSpecular(), "another specular factor than 1");
+  }
+
   /// Grey is right for a colour alone: other pictures that do not exist are as if the file did not name them.
   static void leaveOutMissing(Material& material) {
     if (material.emissiveTexture.image == missingPicture()) material.emissive = glm::vec3(0.0f);

@@ -54,7 +54,7 @@ std::string materialKey(const Material& m, std::map<const void*, std::string>& i
   // One that is opaque keeps the key it had before glass was drawn.
   if (m.transmits()) {
     hash.add("glass").add(m.transmission).add(m.thin ? 1 : 0).add(m.thickness).add(m.attenuationDistance);
-    hash.addVector(m.attenuationColor);
+    hash.addVector(m.attenuationColor).add("lamps pass");  // those of before were scattered, too
   }
   hash.add(m.coatNormalScale).add(static_cast<double>(m.alphaMode)).add(m.alphaCutoff);
   for (const TextureUse* use :

@@ -58,6 +58,14 @@ void spliceFinish(std::string& text, const SurfaceMaterial& surface, int lamps, 
   edits.replace(text, "edge of the finish",
                 {{"float f90 = clamp(dot(F0, vec3(50.0 * 0.33)), 0.0, 1.0);",
                   "float f90 = bpFinishEdge(bpFinish, albedo, metallic);"}});
+  if (probes) {
+    edits.replace(text, "reflectance of the finish, for techniques",
+                  {{"vec3 bpF0 = mix(vec3(baseF0Uniform), albedo, metallic);",
+                    "vec3 bpF0 = bpFinishF0(bpFinish, albedo, metallic, NdV);"}});
+    edits.replace(text, "edge of the finish, for techniques",
+                  {{"mix(vec3(clamp(dot(bpF0, vec3(50.0 * 0.33)), 0.0, 1.0)), edgeTintUniform, metallic);",
+                    "mix(vec3(bpFinishEdge(bpFinish, albedo, metallic)), edgeTintUniform, metallic);"}});
+  }
   if (surface.brushed()) {
     if (probes) {
       edits.replace(text, "lookup of a brushed surface",
