@@ -1,7 +1,8 @@
 #!/bin/sh
 # All fuzzers, and a table: inputs tried, findings, peak memory, the slowest input.
-#   [AT_ONCE=1] [SEED=0] tests/fuzz/all.sh MINUTES [build/release/fuzz/tests/fuzz] [FOLDER with further inputs, one folder a kind]
-# One after the other, or AT_ONCE of them at a time. SEED starts libFuzzer's random numbers; 0 takes the clock.
+#   [AT_ONCE=1] [NICE=10] [SEED=0] tests/fuzz/all.sh MINUTES [build/release/fuzz/tests/fuzz] [FOLDER with further inputs, one folder a kind]
+# One after the other, or AT_ONCE of them at a time. An input may take ten seconds of the clock: give each a core.
+# SEED starts libFuzzer's random numbers; 0 takes the clock.
 # HDR, EXR and baked files have one fuzzer, run three times, each from its own inputs. What is found lies in ./found.
 set -eu
 minutes=${1:?MINUTES}
@@ -29,7 +30,7 @@ run() {
     done
   done
   status=0
-  TMPDIR=$2 nice -n 19 "$programs/fuzz_$kind" -max_total_time=$((minutes * 60)) -timeout=10 -rss_limit_mb=2048 -max_len=16384 \
+  TMPDIR=$2 nice -n "${NICE:-10}" "$programs/fuzz_$kind" -max_total_time=$((minutes * 60)) -timeout=10 -rss_limit_mb=2048 -max_len=16384 \
     -seed="${SEED:-0}" -print_final_stats=1 -dict="$source/$kind.dict" -artifact_prefix="found/$name-" "$2/new" "$2/start" \
     >"$2/log" 2>&1 || status=$?
   stat() { sed -n "s/^stat::$1: *//p" "$2/log"; }

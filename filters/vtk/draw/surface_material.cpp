@@ -1,6 +1,5 @@
 #include "filters/vtk/draw/surface_material.h"
 
-#include "filters/vtk/draw/mip_levels.h"
 #include "filters/vtk/gl/software_driver.h"
 
 namespace boxprobe {
@@ -34,20 +33,9 @@ GLuint SurfaceTexture::handle() const {
   glBindTexture(GL_TEXTURE_2D, handle_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   // Rows as the file has them, from the top: v = 0 is then the first row, as in glTF.
-  const auto upload = [this](int level, int width, int height, const std::vector<std::uint8_t>& pixels) {
-    glTexImage2D(GL_TEXTURE_2D, level, srgb_ ? GL_SRGB8_ALPHA8 : GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 pixels.data());
-  };
-  upload(0, image_->width, image_->height, image_->pixels);
-  if (drawsOnCpu()) {
-    MipLevel level{image_->width, image_->height, {}};
-    for (int i = 1; level.width > 1 || level.height > 1; ++i) {
-      level = nextMipLevel(level.width, level.height, i == 1 ? image_->pixels : level.pixels, srgb_);
-      upload(i, level.width, level.height, level.pixels);
-    }
-  } else {
-    glGenerateMipmap(GL_TEXTURE_2D);
-  }
+  glTexImage2D(GL_TEXTURE_2D, 0, srgb_ ? GL_SRGB8_ALPHA8 : GL_RGBA8, image_->width, image_->height, 0, GL_RGBA,
+               GL_UNSIGNED_BYTE, image_->pixels.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, nearest_ ? 1.0f : textureAnisotropy());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, nearest_ ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest_ ? GL_NEAREST : GL_LINEAR);
