@@ -105,7 +105,8 @@ glm::dvec3 matching(double w) {
           1.217 * bump(w, 437.0, 11.8, 36.0) + 0.681 * bump(w, 459.0, 26.0, 13.8)};
 }
 
-// The published form cuts the series after two and takes Schlick's curve for Fresnel's. The convention is its own: the mean over all phases is white, what swings about it is weighed by the eye's curves.
+// The published form cuts the series after two and takes Schlick's curve for Fresnel's. The convention is its own: the
+// mean over all phases is white, what swings about it is weighed by the eye's curves.
 glm::dvec3 filmByWaves(double base, double film, double thickness, double cosine) {
   const double within = std::sqrt(1.0 - (1.0 - cosine * cosine) / (film * film));
   const auto reflectance = [&](double phase) {

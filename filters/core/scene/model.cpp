@@ -16,10 +16,9 @@ std::vector<TextureUse*> MaterialFinish::textures() {
 }
 
 std::vector<TextureUse*> Material::textures() {
-  std::vector<TextureUse*> uses = {&baseColorTexture,  &metallicRoughnessTexture, &normalTexture,
-                                   &occlusionTexture,  &emissiveTexture,          &coatTexture,
-                                   &coatRoughnessTexture, &coatNormalTexture,     &transmissionTexture,
-                                   &thicknessTexture};
+  std::vector<TextureUse*> uses = {
+      &baseColorTexture, &metallicRoughnessTexture, &normalTexture,     &occlusionTexture,    &emissiveTexture,
+      &coatTexture,      &coatRoughnessTexture,     &coatNormalTexture, &transmissionTexture, &thicknessTexture};
   for (TextureUse* use : finish.textures()) uses.push_back(use);
   return uses;
 }
