@@ -79,7 +79,7 @@ GatheredLight gatherForBase(const Explanation& e, const ExplainInput& in, const 
 void addDiffuse(Explanation& e, const SurfacePoint& s, const glm::vec3& irradiance) {
   const float under = passesSheen(s, e.nDotV), passes = s.occlusion * throughCoat(s);
   e.diffuse = passes * under * (1.0f - e.f0) * (1.0f - s.metallic) * irradiance * s.albedo;
-  if (under == 1.0f) return;
+  if (!s.finish || !s.finish->hasSheen()) return;
   e.sheen = passes * s.finish->sheenColor * shading::sheenAlbedo(e.nDotV, s.finish->sheenRoughness) * irradiance;
 }
 

@@ -26,6 +26,9 @@ ExplanationSection surfaceSection(const Explanation& e) {
   }
   rows.push_back(vector("V", s.viewWorld, "", "towards the eye, unit"));
   if (normal) {
+    if (e.lookupNormal != glm::vec3(0.0f) && e.lookupNormal != s.normalWorld) {
+      rows.push_back(vector("N_b", e.lookupNormal, "", "N bent towards the eye across the brushing; R is about it"));
+    }
     rows.push_back(vector("R", e.reflectionWorld, "", "reflected direction, 2 max(N.V, 0) N - V"));
     rows.push_back(scalar("N.V", e.nDotV, "", "cosine of the view angle"));
   }

@@ -65,6 +65,7 @@ AnimationTools::AnimationTools(Parts parts, QMainWindow* window)
       failed_ = reading_;
       emit failed(error);
     }
+    reading_ = {};
     read();
   });
   // A layout that is restored knows nothing of the model; with the tools hidden the picture stands alone.
@@ -81,6 +82,7 @@ void AnimationTools::opened() {
     if (models[i] && models[i]->animationSeconds > 0.0) index_ = i;
   }
   // A lesson that stood in its place gives the same model back, read when it was.
+  if (!index_) shown_ = {};
   if (index_ && models[*index_] != shown_.model) shown_ = {models[*index_], wanted()};
   failed_ = {};
   update();

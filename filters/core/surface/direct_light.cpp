@@ -49,7 +49,7 @@ Lobe baseLobe(const SurfacePoint& s, const glm::vec3& h, const glm::vec3& l, con
 }
 
 glm::vec3 sheenLobe(const SurfacePoint& s, float nDotH, float nDotV, float nDotL) {
-  if (!s.finish || s.finish->sheenColor == glm::vec3(0.0f)) return glm::vec3(0.0f);
+  if (!s.finish || !s.finish->hasSheen()) return glm::vec3(0.0f);
   return s.finish->sheenColor * shading::sheenLobe(nDotH, nDotV, nDotL, s.finish->sheenRoughness);
 }
 

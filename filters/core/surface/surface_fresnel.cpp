@@ -7,6 +7,9 @@
 
 namespace boxprobe {
 
+namespace {
+
+/// The ends without a film.
 SurfaceFresnel plainFresnel(const SurfacePoint& s) {
   const glm::vec3 dielectric = s.finish ? s.finish->f0 : glm::vec3(s.baseF0);
   const glm::vec3 f0 = glm::mix(dielectric, s.albedo, s.metallic);
@@ -14,6 +17,8 @@ SurfaceFresnel plainFresnel(const SurfacePoint& s) {
       s.finish && s.finish->tinted ? s.finish->edge : glm::clamp(glm::dot(f0, glm::vec3(50.0f * 0.33f)), 0.0f, 1.0f);
   return {f0, glm::mix(glm::vec3(edge), glm::vec3(1.0f), s.metallic)};
 }
+
+}  // namespace
 
 SurfaceFresnel surfaceFresnel(const SurfacePoint& s, float nDotV) {
   SurfaceFresnel ends = plainFresnel(s);
@@ -25,7 +30,7 @@ SurfaceFresnel surfaceFresnel(const SurfacePoint& s, float nDotV) {
 }
 
 float passesSheen(const SurfacePoint& s, float nDotV) {
-  if (!s.finish || s.finish->sheenColor == glm::vec3(0.0f)) return 1.0f;
+  if (!s.finish || !s.finish->hasSheen()) return 1.0f;
   return shading::underSheen(s.finish->sheenColor, nDotV, s.finish->sheenRoughness);
 }
 

@@ -16,9 +16,6 @@ struct SurfaceFresnel {
 /// `nDotV`: cosine between normal and view, at which a thin film has its colour.
 SurfaceFresnel surfaceFresnel(const SurfacePoint& surface, float nDotV);
 
-/// The ends without a film.
-SurfaceFresnel plainFresnel(const SurfacePoint& surface);
-
 /// What of the light the sheen leaves to what lies under it: 1 without one.
 float passesSheen(const SurfacePoint& surface, float nDotV);
 

@@ -20,6 +20,8 @@ struct PointFinish {
   float anisotropy = 0.0f;
   float iridescence = 0.0f, filmIor = 1.3f;
   float filmThickness = 0.0f;  ///< nanometres
+
+  bool hasSheen() const { return sheenColor != glm::vec3(0.0f); }
 };
 
 /// What the surface is where a pixel's ray meets it: read from the shader itself, so textures and normal maps count.

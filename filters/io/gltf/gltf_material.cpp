@@ -70,12 +70,12 @@ class MaterialReader {
  private:
   void warnOfGlass(const MaterialFinish& finish) {
     const auto leftOut = [this](bool there, const char* what) {
-      if (there) file_.warn(std::string("has glass with ") + what + ", which is left out of glass");
+      if (there) file_.warn(std::string("has glass with ") + what + ", which is left out");
     };
     leftOut(finish.hasSheen(), "sheen");
     leftOut(finish.isAnisotropic(), "anisotropy");
     leftOut(finish.hasFilm(), "iridescence");
-    leftOut(finish.tintsSpecular(), "another specular factor than 1");
+    leftOut(finish.tintsSpecular(), "a specular reflection of its own");
   }
 
   /// Grey is right for a colour alone: other pictures that do not exist are as if the file did not name them.

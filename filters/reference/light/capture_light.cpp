@@ -99,7 +99,7 @@ glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std
 glm::vec3 CaptureLight::captured(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through) const {
   glm::vec3 sum = unreflected(s, unlit, through);
   if (unlit) return sum;
-  if (s.finish && s.finish->sheenColor != glm::vec3(0.0f)) {
+  if (s.finish && s.finish->hasSheen()) {
     const double nDotV = std::max(static_cast<double>(glm::dot(s.normalWorld, s.viewWorld)), 0.0);
     const auto sent = static_cast<float>(sheenShare(nDotV, static_cast<double>(s.finish->sheenRoughness)));
     sum += s.occlusion * sent * s.finish->sheenColor * shares(s.positionWorld).diffuse * sky_.irradiance(s.normalWorld);

@@ -76,7 +76,7 @@ glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm:
     sum += reflected(layer, glm::normalize(glm::dvec3(surface.viewWorld)), away, sees, rays, seed);
     seed = stirred(seed);
   }
-  if (surface.finish && surface.finish->sheenColor != glm::vec3(0.0f)) {
+  if (surface.finish && surface.finish->hasSheen()) {
     sum += static_cast<double>(surface.occlusion) * sheenReflected(surface, away, sees, rays, seed);
   }
   return sum;

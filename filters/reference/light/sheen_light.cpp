@@ -15,7 +15,7 @@ constexpr int kSheenCells = 32, kSheenSteps = 96;
 constexpr double kPi = 3.14159265358979323846;
 
 bool hasSheen(const SurfacePoint& s) {
-  return s.finish && s.finish->sheenColor != glm::vec3(0.0f);
+  return s.finish && s.finish->hasSheen();
 }
 
 double lobe(const glm::dvec3& light, double sine, double cosine, double roughness) {
