@@ -1,8 +1,10 @@
-// PNG of every kind: the same texels as from stb, which read them before and stands for any other decoder.
+// PNG and JPEG of every kind: the same texels as from stb, which read them before and stands for any other decoder.
 #include <gtest/gtest.h>
 #include <png.h>
 #include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
 
+#include <cmath>
 #include <memory>
 #include <random>
 
@@ -96,6 +98,41 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(PngDecoder, WhatEndsEarlyIsDamaged) {
   const std::string whole = randomPng({PNG_COLOR_TYPE_RGBA, 8, false, false});
   for (std::size_t length = 34; length + 30 < whole.size(); length += 7) {
+    EXPECT_THROW(decoded(whole.substr(0, length)), InputError) << length;
+  }
+}
+
+std::string jpeg(int components) {
+  std::string bytes;
+  std::vector<unsigned char> texels;
+  for (int i = 0; i < 64 * 48 * components; ++i)
+    texels.push_back(static_cast<unsigned char>(128 + 100 * std::sin(0.01 * i)));
+  stbi_write_jpg_to_func(
+      [](void* target, void* data, int size) {
+        static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+      },
+      &bytes, 64, 48, components, texels.data(), 90);
+  return bytes;
+}
+
+// The standard leaves rounding to the decoder.
+TEST(JpegDecoder, ReadsAsStbToAFewSteps) {
+  for (const int components : {1, 3}) {
+    const std::string bytes = jpeg(components);
+    int channels = 0;
+    const std::vector<std::uint8_t> wanted = byStb(bytes, channels);
+    bool alpha = true;
+    const ImageRgba8 read = decoded(bytes, &alpha);
+    ASSERT_EQ(read.pixels.size(), wanted.size());
+    EXPECT_FALSE(alpha);
+    for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_NEAR(read.pixels[i], wanted[i], 4) << i;
+  }
+}
+
+TEST(JpegDecoder, WhatEndsEarlyIsDamaged) {
+  const std::string whole = jpeg(3);
+  EXPECT_NO_THROW(decoded(whole));
+  for (const std::size_t length : {whole.size() / 2, whole.size() * 3 / 4}) {
     EXPECT_THROW(decoded(whole.substr(0, length)), InputError) << length;
   }
 }

@@ -1,5 +1,5 @@
-// Which decoder a picture gets; see the header. JPEG and Radiance HDR go through stb, PNG through png_image.cpp, WebP through
-// webp_image.cpp, OpenEXR through exr_file.cpp.
+// Which decoder a picture gets; see the header. Radiance HDR and JPEG of four colours go through stb, PNG through
+// png_image.cpp, other JPEG through jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp.
 #include "filters/io/image/image_file.h"
 
 #include <stb/stb_image.h>
@@ -16,6 +16,7 @@
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/image/image_detail.h"
+#include "filters/io/image/jpeg_image.h"
 #include "filters/io/image/png_image.h"
 #include "filters/io/image/radiance_check.h"
 #include "filters/io/image/webp_image.h"
@@ -107,10 +108,11 @@ ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std:
   const bool png = isPng(bytes, size);
   constexpr long long kPngPixelsAByte = 8 * 1032, kJpegPixelsAByte = 8 * 64;
   checkEncodedSize(name, image.width, image.height, size, png ? kPngPixelsAByte : kJpegPixelsAByte);
-  if (png) {
+  if (png || isJpeg(bytes, size, channels)) {
     image.pixels.resize(std::size_t(4) * image.width * image.height);
     bool alpha = false;
-    const std::string why = decodePng(bytes, size, image.width, image.height, image.pixels.data(), alpha);
+    const std::string why = png ? decodePng(bytes, size, image.width, image.height, image.pixels.data(), alpha)
+                                : decodeJpeg(bytes, size, image.width, image.height, image.pixels.data());
     channels = alpha ? 4 : 3;
     if (!why.empty()) throw damaged(name, why);
   } else {
