@@ -17,6 +17,7 @@
 #include "app/cli/command/info_command.h"
 #include "app/cli/command/place_command.h"
 #include "app/cli/command/render_command.h"
+#include "app/cli/command/short_run.h"
 #include "app/cli/command/stress_command.h"
 #include "app/cli/options/help_text.h"
 #include "app/gui/window/lessons_command.h"
@@ -25,7 +26,6 @@
 #include "app/session/interrupt.h"
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
-#include "app/session/short_run.h"
 #include "filters/core/base/errors.h"
 
 namespace {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "app/cli/command/short_run.h"
 #include "app/cli/farm/bake_listing.h"
 #include "app/cli/farm/bake_merge.h"
 #include "app/cli/farm/bake_share.h"
@@ -21,7 +22,6 @@
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
-#include "app/session/short_run.h"
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/nearest_name.h"

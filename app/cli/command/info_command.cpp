@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/command/short_run.h"
 #include "app/cli/options/render_options.h"
 #include "app/cli/report/frame_info.h"
 #include "app/cli/report/report_text.h"
@@ -13,7 +14,6 @@
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
-#include "app/session/short_run.h"
 #include "app/session/stats_json.h"
 #include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"

@@ -6,6 +6,7 @@
 
 #include "app/cli/command/drawn_picture.h"
 #include "app/cli/command/reference_picture.h"
+#include "app/cli/command/short_run.h"
 #include "app/cli/options/render_options.h"
 #include "app/session/automatic_exposure.h"
 #include "app/session/interrupt.h"
@@ -14,7 +15,6 @@
 #include "app/session/offscreen_scene.h"
 #include "app/session/output_check.h"
 #include "app/session/scene_work.h"
-#include "app/session/short_run.h"
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"

@@ -9,11 +9,11 @@ namespace boxprobe {
 enum class JobKind {
   SkyMap,    ///< the sky's own map, captured
   File,      ///< of a probe or the sky, read from the folder of baked files
-  Levels,    ///< of the sky, read from the file beside its picture
   Picture,   ///< filtered from a picture of the user's
   Drag,      ///< a first bounce for the time of a drag
   Bounce,    ///< a bounce of a baked probe
   Realtime,  ///< a further round of a probe that follows what it shows
+  Levels,    ///< of the sky, read from the file beside its picture
 };
 
 struct ProbeJob {

@@ -1,4 +1,4 @@
-#include "app/session/short_run.h"
+#include "app/cli/command/short_run.h"
 
 #include <cstdio>
 #include <cstdlib>
