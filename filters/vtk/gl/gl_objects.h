@@ -36,6 +36,8 @@ class CubeTexture {
 
   /// Texels of one face and level as RGBA float, rows along t.
   std::vector<float> readFace(int face, int level) const;
+  /// The same into memory of the caller's, 4 floats a texel.
+  void readFace(int face, int level, float* rgba) const;
   void writeFace(int face, int level, const std::vector<float>& rgba);
 
  private:
