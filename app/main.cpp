@@ -25,6 +25,7 @@
 #include "app/session/interrupt.h"
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
+#include "app/session/short_run.h"
 #include "filters/core/base/errors.h"
 
 namespace {
@@ -98,14 +99,14 @@ int run(int& argc, char** argv) {
 int main(int argc, char** argv) {
   boxprobe::answerWriteSignals();
   try {
-    return run(argc, argv);
+    return boxprobe::endQuickly(run(argc, argv));
   } catch (const boxprobe::Error& error) {
     printError(error.what());
-    return error.exitStatus();
+    return boxprobe::endQuickly(error.exitStatus());
   } catch (const std::bad_alloc&) {
     printError("out of memory");
   } catch (const std::exception& error) {
     printError(error.what());
   }
-  return 1;
+  return boxprobe::endQuickly(1);
 }

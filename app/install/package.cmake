@@ -57,7 +57,7 @@ projection in physically based shading, and explains any reflected pixel.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libboxprobe-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libvtk9-dev, libglm-dev, libtbb-dev, libopenexr-dev, nlohmann-json3-dev,
- libdraco-dev, libmeshoptimizer-dev, libwebp-dev, libtinygltf-dev, libstb-dev, libxxhash-dev, libexpat1-dev, zlib1g-dev,
+ libdraco-dev, libmeshoptimizer-dev, libwebp-dev, libpng-dev, libjpeg-dev, libtinygltf-dev, libstb-dev, libxxhash-dev, libexpat1-dev, zlib1g-dev,
  liblz4-dev, liblzma-dev")
 string(REPLACE "\n" "" CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS}")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "reflection probes for VTK programs: libraries and headers

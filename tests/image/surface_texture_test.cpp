@@ -17,7 +17,7 @@ float anisotropyOf(bool nearest) {
   image->pixels.assign(16, 255);
   use.image = image;
   use.nearest = nearest;
-  const SurfaceTexture texture(use, false);
+  const SurfaceTexture texture(use, false, std::make_shared<MipLevels>());
   GLfloat value = 0.0f;
   glBindTexture(GL_TEXTURE_2D, texture.handle());
   glGetTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, &value);

@@ -21,6 +21,7 @@
 #include "app/session/output_check.h"
 #include "app/session/progress_line.h"
 #include "app/session/scene_work.h"
+#include "app/session/short_run.h"
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/base/nearest_name.h"
@@ -181,6 +182,7 @@ std::string scriptOf(const BakeOptions& options, const std::vector<Probe>& probe
 }
 
 void runBake(const BakeOptions& options) {
+  useLargePages();
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
   const std::optional<BakeShare> share =
       options.shard.empty() ? mpiShare() : std::optional(parseBakeShare(options.shard));

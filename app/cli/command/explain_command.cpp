@@ -14,6 +14,7 @@
 #include "app/session/offscreen_scene.h"
 #include "app/session/output_check.h"
 #include "app/session/scene_work.h"
+#include "app/session/short_run.h"
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/explain/explanation_text.h"
@@ -51,6 +52,7 @@ glm::ivec2 parsePixel(const std::string& text, const FrameSize& size) {
 }
 
 void runExplain(const ExplainOptions& options) {
+  useLargePages();
   const FrameSize size = parseFrameSize(options.size);
   const glm::ivec2 pixel = parsePixel(options.pixel, size);
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);

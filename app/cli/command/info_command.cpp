@@ -13,6 +13,7 @@
 #include "app/session/load_scene.h"
 #include "app/session/messages.h"
 #include "app/session/output_check.h"
+#include "app/session/short_run.h"
 #include "app/session/stats_json.h"
 #include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
@@ -33,6 +34,7 @@ struct InfoOptions {
 };
 
 void runInfo(const InfoOptions& options) {
+  useLargePages();
   if (options.fields) {
     const std::string reference = options.report.json ? sceneReferenceJson() : sceneReferenceMarkdown();
     printDocument(reference);

@@ -14,6 +14,7 @@
 #include "app/session/offscreen_scene.h"
 #include "app/session/output_check.h"
 #include "app/session/scene_work.h"
+#include "app/session/short_run.h"
 #include "app/session/stats_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"
@@ -32,6 +33,7 @@ void warnOfSamples(const OffscreenScene& shown, int wanted) {
 }
 
 void runRender(const RenderOptions& options) {
+  useLargePages();
   const bool linear = requireExtension("-o", options.outputPath, {".png", ".exr"}) == ".exr";
   const FrameSize size = parseFrameSize(options.size);
   if (linear && options.view == kAllViews) {
@@ -57,8 +59,11 @@ void runRender(const RenderOptions& options) {
   if (!options.report.quiet) printWarnings(loaded.warnings);
   interrupt.check();
 
-  OffscreenScene shown({"boxprobe render", size.width, size.height, options.samples, options.report.quiet, false,
+  const auto kept = std::make_shared<OffscreenScene>(
+      OffscreenSettings{"boxprobe render", size.width, size.height, options.samples, options.report.quiet, false,
                         options.report.offscreen, drawsLittle(options.frames, loaded.scene.probes.size())});
+  keepToTheEnd(kept);
+  OffscreenScene& shown = *kept;
   if (!linear && !options.report.quiet) warnOfSamples(shown, options.samples);
   const ShownSettings settings{camera, options.probes == "on", BakeFolder::besideScene(options.scenePath), {}, view};
   shown.show(loaded.scene, loaded.models, settings);

@@ -1,4 +1,5 @@
-// PNG, JPEG and Radiance HDR through stb; see the header. OpenEXR is in exr_file.cpp, WebP in webp_image.cpp.
+// Which decoder a picture gets; see the header. Radiance HDR and JPEG of four colours go through stb, PNG through
+// png_image.cpp, other JPEG through jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp.
 #include "filters/io/image/image_file.h"
 
 #include <stb/stb_image.h>
@@ -15,6 +16,8 @@
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/image/image_detail.h"
+#include "filters/io/image/jpeg_image.h"
+#include "filters/io/image/png_image.h"
 #include "filters/io/image/radiance_check.h"
 #include "filters/io/image/webp_image.h"
 
@@ -31,8 +34,8 @@ const unsigned char* asBytes(const std::string& text) {
 }
 
 // The decoder's reason may quote the file: the name of a chunk is any four bytes.
-InputError damaged(const std::string& name) {
-  return InputError(oneLine(name + ": is damaged (" + stbi_failure_reason() + "); save it again"));
+InputError damaged(const std::string& name, const std::string& why = stbi_failure_reason()) {
+  return InputError(oneLine(name + ": is damaged (" + why + "); save it again"));
 }
 
 void appendBytes(void* target, void* data, int size) {
@@ -102,14 +105,22 @@ ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std:
   }
   checkImageSize(name, image.width, image.height);
   // PNG: deflate makes 1032 bytes of one, each of 8 pixels at the lowest depth. JPEG: a bit for a block of 64 pixels.
-  const bool png = size >= 4 && std::equal(bytes, bytes + 4, "\x89PNG",
-                                           [](unsigned char a, char b) { return a == static_cast<unsigned char>(b); });
+  const bool png = isPng(bytes, size);
   constexpr long long kPngPixelsAByte = 8 * 1032, kJpegPixelsAByte = 8 * 64;
   checkEncodedSize(name, image.width, image.height, size, png ? kPngPixelsAByte : kJpegPixelsAByte);
-  const std::unique_ptr<unsigned char, StbFree> pixels(
-      stbi_load_from_memory(bytes, length, &image.width, &image.height, &channels, 4));
-  if (!pixels) throw damaged(name);
-  image.pixels.assign(pixels.get(), pixels.get() + std::size_t(4) * image.width * image.height);
+  if (png || isJpeg(bytes, size, channels)) {
+    image.pixels.resize(std::size_t(4) * image.width * image.height);
+    bool alpha = false;
+    const std::string why = png ? decodePng(bytes, size, image.width, image.height, image.pixels.data(), alpha)
+                                : decodeJpeg(bytes, size, image.width, image.height, image.pixels.data());
+    channels = alpha ? 4 : 3;
+    if (!why.empty()) throw damaged(name, why);
+  } else {
+    const std::unique_ptr<unsigned char, StbFree> pixels(
+        stbi_load_from_memory(bytes, length, &image.width, &image.height, &channels, 4));
+    if (!pixels) throw damaged(name);
+    image.pixels.assign(pixels.get(), pixels.get() + std::size_t(4) * image.width * image.height);
+  }
   if (hasAlpha != nullptr) *hasAlpha = channels == 2 || channels == 4;
   return image;
 }
@@ -121,14 +132,9 @@ ImageRgba8 loadImage8(const std::string& path, bool* hasAlpha) {
 
 std::string encodePng(const std::string& path, const ImageRgba8& image) {
   checkPixelCount(path, image.width, image.height, image.pixels.size());
-  if (std::size_t(4) * image.width * image.height + image.height > kLargestEncodedImage) {
-    throw WorkError(path + ": " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                    " pixels are more than the PNG encoder takes; write a smaller picture or an EXR");
-  }
   // Through memory: the encoder's own file output does not notice a full disk.
-  std::string encoded;
-  if (stbi_write_png_to_func(appendBytes, &encoded, image.width, image.height, 4, image.pixels.data(),
-                             image.width * 4) == 0) {
+  std::string encoded = encodedPng(image.pixels.data(), image.width, image.height);
+  if (encoded.empty()) {
     throw WorkError(path + ": the picture could not be encoded; is there memory left?");
   }
   return encoded;

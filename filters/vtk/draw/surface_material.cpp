@@ -1,5 +1,7 @@
 #include "filters/vtk/draw/surface_material.h"
 
+#include <utility>
+
 #include "filters/vtk/gl/software_driver.h"
 
 namespace boxprobe {
@@ -21,8 +23,13 @@ const std::array<const char*, kSurfaceSlots>& surfaceSlotNames() {
   return names;
 }
 
-SurfaceTexture::SurfaceTexture(const TextureUse& use, bool srgb)
-    : image_(use.image), wrapS_(use.wrapS), wrapT_(use.wrapT), srgb_(srgb), nearest_(use.nearest) {}
+SurfaceTexture::SurfaceTexture(const TextureUse& use, bool srgb, std::shared_ptr<MipLevels> mips)
+    : image_(use.image),
+      mips_(std::move(mips)),
+      wrapS_(use.wrapS),
+      wrapT_(use.wrapT),
+      srgb_(srgb),
+      nearest_(use.nearest) {}
 
 GLuint SurfaceTexture::handle() const {
   if (handle_ != 0) return handle_;
@@ -33,9 +40,10 @@ GLuint SurfaceTexture::handle() const {
   glBindTexture(GL_TEXTURE_2D, handle_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   // Rows as the file has them, from the top: v = 0 is then the first row, as in glTF.
-  glTexImage2D(GL_TEXTURE_2D, 0, srgb_ ? GL_SRGB8_ALPHA8 : GL_RGBA8, image_->width, image_->height, 0, GL_RGBA,
+  const GLenum format = srgb_ ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), image_->width, image_->height, 0, GL_RGBA,
                GL_UNSIGNED_BYTE, image_->pixels.data());
-  glGenerateMipmap(GL_TEXTURE_2D);
+  mips_->make(handle_, format, image_->width, image_->height);
   glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, nearest_ ? 1.0f : textureAnisotropy());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, nearest_ ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, nearest_ ? GL_NEAREST : GL_LINEAR);
@@ -47,8 +55,10 @@ GLuint SurfaceTexture::handle() const {
 }
 
 void SurfaceTexture::release() const {
-  if (handle_ != 0) glDeleteTextures(1, &handle_);
+  if (handle_ == 0) return;
+  glDeleteTextures(1, &handle_);
   handle_ = 0;
+  mips_->release();
 }
 
 std::string SurfaceMaterial::programKey() const {

@@ -9,6 +9,7 @@
 
 #include "filters/core/scene/model.h"
 #include "filters/vtk/draw/glass_surface.h"
+#include "filters/vtk/gl/mip_levels.h"
 #include "filters/vtk/gl/opengl.h"
 
 namespace boxprobe {
@@ -17,7 +18,8 @@ namespace boxprobe {
 /// alike and keep a second copy of the pixels.
 class SurfaceTexture {
  public:
-  SurfaceTexture(const TextureUse& use, bool srgb);
+  /// `mips` draws the levels; textures share one.
+  SurfaceTexture(const TextureUse& use, bool srgb, std::shared_ptr<MipLevels> mips);
   ~SurfaceTexture() { release(); }
   SurfaceTexture(const SurfaceTexture&) = delete;
   SurfaceTexture& operator=(const SurfaceTexture&) = delete;
@@ -34,6 +36,7 @@ class SurfaceTexture {
 
  private:
   std::shared_ptr<const ImageRgba8> image_;
+  std::shared_ptr<MipLevels> mips_;
   Wrap wrapS_, wrapT_;
   bool srgb_, nearest_;
   mutable GLuint handle_ = 0;

@@ -114,6 +114,12 @@ void CubeTexture::writeFace(int face, int level, const std::vector<float>& rgba)
                   rgba.data());
 }
 
+void CubeTexture::writeHalves(int face, int level, const std::uint16_t* rgba) {
+  const CubeBinding binding(handle_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage2D(faceTarget(face), level, 0, 0, faceSize_ >> level, faceSize_ >> level, GL_RGBA, GL_HALF_FLOAT, rgba);
+}
+
 void FloatTarget::allocate(int width, int height) {
   if (framebuffer_.made() && width == width_ && height == height_) return;
   release();

@@ -2,6 +2,7 @@
 // Every function needs the window's context current. Knows nothing of scenes or probes.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ class CubeTexture {
   /// The same into memory of the caller's, 4 floats a texel.
   void readFace(int face, int level, float* rgba) const;
   void writeFace(int face, int level, const std::vector<float>& rgba);
+  /// RGBA half floats, as many as the level has: the bits of an RGBA16F cube as they are.
+  void writeHalves(int face, int level, const std::uint16_t* rgba);
 
  private:
   GLuint handle_ = 0;

@@ -67,6 +67,18 @@ std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps) {
   return result;
 }
 
+std::shared_ptr<const ProbeMaps> upload(const SkyLevels& levels) {
+  auto result = std::make_shared<ProbeMaps>();
+  result->radiance.allocate(levels.faceSize, levels.levels, GL_RGBA16F);
+  for (int level = 0; level < levels.levels; ++level) {
+    for (int face = 0; face < 6; ++face) {
+      result->radiance.writeHalves(face, level, levels.texels.data() + levels.offset(level, face));
+    }
+  }
+  result->irradiance = levels.irradiance;
+  return result;
+}
+
 void uploadLevel0(const CubeMap& cube, CubeTexture& texture) {
   write(cube, 0, texture);
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "filters/core/picture/baked_probe.h"
+#include "filters/io/cube/sky_levels.h"
 #include "filters/vtk/maps/probe_maps.h"
 
 namespace boxprobe {
@@ -25,6 +26,9 @@ void readLevel0(const CubeTexture& texture, CubeMap& cube);
 
 /// The other way. Maps without distances stay without.
 std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps);
+
+/// Of a sky.
+std::shared_ptr<const ProbeMaps> upload(const SkyLevels& levels);
 
 /// Level 0 of `cube` into level 0 of `texture`, allocated at the same face size.
 void uploadLevel0(const CubeMap& cube, CubeTexture& texture);

@@ -9,6 +9,7 @@ namespace boxprobe {
 enum class JobKind {
   SkyMap,    ///< the sky's own map, captured
   File,      ///< of a probe or the sky, read from the folder of baked files
+  Levels,    ///< of the sky, read from the file beside its picture
   Picture,   ///< filtered from a picture of the user's
   Drag,      ///< a first bounce for the time of a drag
   Bounce,    ///< a bounce of a baked probe

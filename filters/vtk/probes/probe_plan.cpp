@@ -60,8 +60,15 @@ void ProbePlan::make() {
 void ProbePlan::planSky() {
   const bool asked = targets_.empty() ? entries_->anyLit() : !jobs_.empty();
   if (!asked || skyWanted_.empty() || !skyStale()) return;
-  const JobKind kind = sources_->folder.has(skyWanted_) ? JobKind::File : JobKind::SkyMap;
-  jobs_.insert(jobs_.begin(), {kind, {}, 1, skyWanted_, skyFaceSize(skyImageColumns_)});
+  const int faceSize = skyFaceSize(skyImageColumns_);
+  JobKind kind = JobKind::SkyMap;
+  if (sources_->folder.has(skyWanted_)) {
+    kind = JobKind::File;
+  } else if (targets_.empty() && !sources_->skyLevels.empty() &&
+             holdsSkyLevels(sources_->skyLevels, skyWanted_, faceSize)) {
+    kind = JobKind::Levels;  // not for a bake, whose files tell what captured them
+  }
+  jobs_.insert(jobs_.begin(), {kind, {}, 1, skyWanted_, faceSize});
 }
 
 void ProbePlan::planBounces() {
@@ -112,7 +119,9 @@ bool ProbePlan::keepsCurrent() const {
 }
 
 bool ProbePlan::capturesLast() const {
-  const auto lasts = [](const ProbeJob& job) { return job.kind != JobKind::Drag && job.kind != JobKind::File; };
+  const auto lasts = [](const ProbeJob& job) {
+    return job.kind != JobKind::Drag && job.kind != JobKind::File && job.kind != JobKind::Levels;
+  };
   return std::any_of(jobs_.begin(), jobs_.end(), lasts) || (current_ && lasts(*current_));
 }
 

@@ -10,7 +10,7 @@ ProbeSet::ProbeSet(vtkOpenGLRenderWindow* window, const std::shared_ptr<DrawStat
                    SceneContent* content, Times* times)
     : content_(content),
       state_(state),
-      sources_{[this](const std::string& key) { return cache_.find(key) != nullptr; }, {}, {}},
+      sources_{[this](const std::string& key) { return cache_.find(key) != nullptr; }, {}, {}, {}},
       entries_(&content->scene),
       keys_(&entries_, &sources_),
       plan_(&entries_, &keys_, &sources_),
@@ -39,6 +39,7 @@ void ProbeSet::updateCaptures() {
   keys_.setWorld(inputs_.world(*content_, entries_.places()));
   sources_.pictures.update(content_->scene);
   updateKeys();
+  sources_.skyLevels = content_->skyImage ? skyLevelsFile(content_->skyImageFile()) : std::string();
   plan_.wantSky(keys_.world().sky, content_->skyImage ? content_->skyImage->width : 0);
   work_.replan();
 }

@@ -26,6 +26,10 @@ bool ProbeWork::step() {
       loadFile(job);
       return true;
     }
+    if (job.kind == JobKind::Levels) {
+      loadLevels(job);
+      return true;
+    }
     begin(job);
   }
   if (!runner_->pending()) return false;
@@ -75,6 +79,20 @@ void ProbeWork::loadFile(const ProbeJob& job) {
   finish(std::move(made));
 }
 
+// The same for levels: the sky is captured then.
+void ProbeWork::loadLevels(const ProbeJob& job) {
+  ++unitsDone_;
+  MadeMaps made{job, {}, nullptr, true};
+  try {
+    made.maps = upload(loadSkyLevels(sources_->skyLevels));
+  } catch (const InputError&) {
+    sources_->skyLevels.clear();
+    return replan();
+  }
+  ++state_->counts.counters.mapsLoaded;
+  finish(std::move(made));
+}
+
 void ProbeWork::finish(MadeMaps made) {
   plan_->end();
   publisher_->publish(std::move(made));
@@ -85,7 +103,8 @@ int ProbeWork::unitsLeft() const {
   if (!pending()) return 0;
   int left = -runner_->unitsDone();
   for (const ProbeJob& job : plan_->jobs()) {
-    left += job.kind == JobKind::File ? 1 : BakeRunner::units(job.faceSize, job.kind == JobKind::Realtime);
+    const bool read = job.kind == JobKind::File || job.kind == JobKind::Levels;
+    left += read ? 1 : BakeRunner::units(job.faceSize, job.kind == JobKind::Realtime);
   }
   return std::max(left, 0);
 }

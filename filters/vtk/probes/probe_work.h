@@ -47,6 +47,7 @@ class ProbeWork {
   void begin(const ProbeJob& job);
   bool manyDark() const;
   void loadFile(const ProbeJob& job);
+  void loadLevels(const ProbeJob& job);
   void finish(MadeMaps made);
 
   BakeRunner* runner_;

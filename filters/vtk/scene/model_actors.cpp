@@ -73,12 +73,13 @@ class TextureCache {
  public:
   std::shared_ptr<const SurfaceTexture> get(const TextureUse& use, bool srgb) {
     auto& texture = textures_[std::make_tuple(use.image.get(), srgb, use.wrapS, use.wrapT, use.nearest)];
-    if (texture == nullptr) texture = std::make_shared<const SurfaceTexture>(use, srgb);
+    if (texture == nullptr) texture = std::make_shared<const SurfaceTexture>(use, srgb, mips_);
     return texture;
   }
 
  private:
   std::map<std::tuple<const ImageRgba8*, bool, Wrap, Wrap, bool>, std::shared_ptr<const SurfaceTexture>> textures_;
+  std::shared_ptr<MipLevels> mips_ = std::make_shared<MipLevels>();
 };
 
 /// `fill`: gives a slot its texture.

@@ -52,6 +52,7 @@ struct SceneContent {
   void rebuildLights(vtkRenderer* renderer);
   /// Reads the sky's image if it has one and it is not the one at hand. Throws InputError.
   void rebuildSky();
+  const std::string& skyImageFile() const { return skyImageFile_; }
 
  private:
   bool placeObjects();

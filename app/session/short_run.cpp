@@ -1,0 +1,53 @@
+#include "app/session/short_run.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <climits>
+#include <cstdint>
+#endif
+
+namespace boxprobe {
+
+void useLargePages() {
+#ifdef __GLIBC__
+  // Addresses, not memory: pages are there once they are written to. Two megabytes are a large page of x86 and ARM.
+  constexpr int kReserved = 256 << 20, kLargePage = 2 << 20;
+  mallopt(M_ARENA_MAX, 1);  // threads' own would grow in small pages
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  mallopt(M_TOP_PAD, kReserved);
+  const auto before = reinterpret_cast<std::uintptr_t>(sbrk(0));
+  void* volatile grows = std::malloc(kLargePage);  // volatile, or compilers leave both calls out
+  std::free(grows);
+  const auto after = reinterpret_cast<std::uintptr_t>(sbrk(0));
+  mallopt(M_TOP_PAD, kLargePage);
+  const std::uintptr_t begin = (before + kLargePage - 1) / kLargePage * kLargePage;
+  if (after > begin) madvise(reinterpret_cast<void*>(begin), after - begin, MADV_HUGEPAGE);
+#endif
+}
+
+void keepToTheEnd(std::shared_ptr<void> object) {
+  static auto* const kept = new std::vector<std::shared_ptr<void>>;  // never destroyed
+  kept->push_back(std::move(object));
+}
+
+int endQuickly(int status) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+  std::_Exit(status);
+#endif
+  return status;
+}
+
+}  // namespace boxprobe

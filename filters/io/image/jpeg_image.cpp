@@ -1,0 +1,83 @@
+#include "filters/io/image/jpeg_image.h"
+
+#include <csetjmp>
+#include <cstdio>
+// The header needs <cstdio>'s FILE before it.
+#include <jerror.h>
+#include <jpeglib.h>
+
+namespace boxprobe {
+
+namespace {
+
+// The library's errors jump over what lies between, so the function that calls it holds plain values alone.
+struct JpegFailure {
+  jpeg_error_mgr manager;  // first: the library knows its address alone
+  std::jmp_buf jump;
+  char text[JMSG_LENGTH_MAX];
+};
+
+void fail(j_common_ptr common) {
+  auto* failure = reinterpret_cast<JpegFailure*>(common->err);
+  common->err->format_message(common, failure->text);
+  std::longjmp(failure->jump, 1);
+}
+
+// The library would go on with grey.
+void warn(j_common_ptr common, int level) {
+  const int code = common->err->msg_code;
+  if (level < 0 && (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER || code == JWRN_HUFF_BAD_CODE)) fail(common);
+}
+
+// A few bytes can promise a scan over the whole picture, as often as they like.
+void limitScans(j_common_ptr common) {
+  constexpr int kMostScans = 500;
+  if (reinterpret_cast<j_decompress_ptr>(common)->input_scan_number > kMostScans) {
+    ERREXIT(common, JERR_BAD_PROGRESSION);
+  }
+}
+
+bool read(const unsigned char* bytes, std::size_t size, int width, int height, unsigned char* rgba,
+          JpegFailure& failure) {
+  jpeg_decompress_struct jpeg;
+  jpeg_progress_mgr progress = {};
+  jpeg.err = jpeg_std_error(&failure.manager);
+  failure.manager.error_exit = fail;
+  failure.manager.emit_message = warn;
+  jpeg_create_decompress(&jpeg);
+  if (setjmp(failure.jump) != 0) {
+    jpeg_destroy_decompress(&jpeg);
+    return false;
+  }
+  progress.progress_monitor = limitScans;
+  jpeg.progress = &progress;
+  jpeg_mem_src(&jpeg, bytes, static_cast<unsigned long>(size));
+  jpeg_read_header(&jpeg, TRUE);
+  jpeg.out_color_space = JCS_EXT_RGBA;
+  jpeg_start_decompress(&jpeg);
+  if (jpeg.output_width != static_cast<JDIMENSION>(width) || jpeg.output_height != static_cast<JDIMENSION>(height)) {
+    ERREXIT(&jpeg, JERR_BAD_STATE);
+  }
+  const std::size_t row = std::size_t(4) * static_cast<std::size_t>(width);
+  while (jpeg.output_scanline < jpeg.output_height) {
+    JSAMPROW to = rgba + row * jpeg.output_scanline;
+    jpeg_read_scanlines(&jpeg, &to, 1);
+  }
+  jpeg_destroy_decompress(&jpeg);  // what follows the picture is not asked for
+  return true;
+}
+
+}  // namespace
+
+bool isJpeg(const unsigned char* bytes, std::size_t size, int channels) {
+  return size >= 2 && bytes[0] == 0xff && bytes[1] == 0xd8 && (channels == 1 || channels == 3);
+}
+
+std::string decodeJpeg(const unsigned char* bytes, std::size_t size, int width, int height, unsigned char* rgba) {
+  JpegFailure failure;
+  failure.text[0] = '\0';
+  if (read(bytes, size, width, height, rgba, failure)) return {};
+  return failure.text[0] != '\0' ? failure.text : "no picture";
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,9 @@
+// A quad that covers the viewport, as a fan; texCoord runs from 0 to 1 across it. Not the one triangle of full_screen_vertex: with
+// these corners Mesa's coordinates, and so its texels, are those of its own mip levels.
+out vec2 texCoord;
+
+void main()
+{
+  texCoord = vec2(gl_VertexID == 1 || gl_VertexID == 2 ? 1.0f : 0.0f, gl_VertexID >= 2 ? 1.0f : 0.0f);
+  gl_Position = vec4(2.0f * texCoord - 1.0f, 0.0f, 1.0f);
+}
