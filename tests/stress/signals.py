@@ -24,6 +24,7 @@ import tempfile
 import threading
 import time
 
+sys.dont_write_bytecode = True
 from signal_commands import commands, prepare
 
 SIGNALS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
