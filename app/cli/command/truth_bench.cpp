@@ -71,7 +71,6 @@ void runTruthBench(const BenchOptions& options) {
   if (!options.assignments.empty())
     throw InputError("--set is not for --truth: the truth pictures are of scenes as they are");
   InterruptGuard interrupt;
-  interrupt.waitForPartialResults();
   const TruthIndex index =
       loadTruthIndex(options.truthPath == kOwnTruth ? dataFile("truth/truth.json") : options.truthPath);
   const std::vector<const TruthPicture*> pictures = chosenPictures(index, options);
@@ -104,6 +103,7 @@ void runTruthBench(const BenchOptions& options) {
         complete = false;
         break;
       }
+      interrupt.waitForPartialResults();
       for (const BenchTechnique& technique : techniques) rows.push_back(stage->techniqueRow(*picture, technique));
     }
   }
