@@ -46,7 +46,7 @@ def start(program, arguments, folder):
 
 def wait_for_end(process, seconds):
     """Until it has ended, killed after so long; it stays to be asked about. False: it was killed."""
-    killer = threading.Timer(seconds, process.kill)
+    killer = threading.Timer(seconds, os.kill, [process.pid, signal.SIGKILL])
     killer.start()
     os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
     in_time = killer.is_alive()
@@ -73,7 +73,7 @@ def queued(process):
 def stand_still(process):
     """Stops the process; False if it has ended instead. Standing still it cannot end by itself just before the signal, which would look
     like one that was lost."""
-    process.send_signal(signal.SIGSTOP)
+    os.kill(process.pid, signal.SIGSTOP)
     while not ended(process):
         if state_and_cpu(process)[0] == "T":
             return True
@@ -136,8 +136,8 @@ def interrupt(process, number, row, options):
         return None
     cpu, waited = state_and_cpu(process)[1], queued(process)
     begun = time.monotonic()
-    process.send_signal(number)
-    process.send_signal(signal.SIGCONT)
+    os.kill(process.pid, number)
+    os.kill(process.pid, signal.SIGCONT)
     in_time = wait_for_end(process, 60)
     wait = time.monotonic() - begun
     unhindered = max(wait - (queued(process) - waited), 0.0)
