@@ -51,10 +51,10 @@ class Application : public QApplication {
 void warnOfNoFonts() {
   // What Qt offers by itself stands for a font, and is there without any.
   const QStringList alone = {"Monospace", "Sans Serif", "Serif"};
-#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
-  const QStringList families = QFontDatabase().families();
-#else
+#if QT_VERSION_MAJOR >= 6
   const QStringList families = QFontDatabase::families();
+#else
+  const QStringList families = QFontDatabase().families();
 #endif
   const auto stands = [&](const QString& family) { return alone.contains(family); };
   if (std::all_of(families.begin(), families.end(), stands)) {
