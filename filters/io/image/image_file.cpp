@@ -35,14 +35,9 @@ const unsigned char* asBytes(const std::string& text) {
 }
 
 // The decoder's reason may quote the file: the name of a chunk is any four bytes.
-<<<<<<< HEAD
 InputError damaged(const std::string& name, const std::string& why = stbi_failure_reason()) {
+  if (why == "outofmem") throw std::bad_alloc();
   return InputError(oneLine(name + ": is damaged (" + why + "); save it again"));
-=======
-InputError damaged(const std::string& name) {
-  if (std::string(stbi_failure_reason()) == "outofmem") throw std::bad_alloc();
-  return InputError(oneLine(name + ": is damaged (" + stbi_failure_reason() + "); save it again"));
->>>>>>> h24
 }
 
 void appendBytes(void* target, void* data, int size) {
