@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/cli/command/bake_command.h"
@@ -105,6 +106,12 @@ int main(int argc, char** argv) {
     return boxprobe::endQuickly(error.exitStatus());
   } catch (const std::bad_alloc&) {
     printError("out of memory");
+  } catch (const std::system_error& error) {
+    const bool limited = error.code() == std::errc::resource_unavailable_try_again;  // what starting a thread says
+    printError(
+        limited
+            ? "the system gives no more threads or memory; close other programs, or raise the limits (ulimit -u, -v)"
+            : error.what());
   } catch (const std::exception& error) {
     printError(error.what());
   }

@@ -110,7 +110,7 @@ void stopWaiting(int) {
   if (signalArrived == 0) return;
   const long used = processorMilliseconds() - usedAtSignal;
   const bool starved = used >= kLeastMilliseconds && used < kMostMilliseconds;
-  if (stopSeen || patient != 0 || !starved || waitsSince >= kMostWaits) endNow(signalArrived);
+  if (patient != 0 || !starved || waitsSince >= kMostWaits) endNow(signalArrived);
   waitsSince = waitsSince + 1;
   endWithin(kMoreMilliseconds);
 }
@@ -156,12 +156,14 @@ InterruptGuard::~InterruptGuard() {
 }
 
 void InterruptGuard::waitForPartialResults() {
+  if (patient != 0) return;
   patient = 1;
+  if (signalArrived != 0) endWithin(kMillisecondsToFinish);
 }
 
 bool InterruptGuard::interrupted() const {
   if (signalArrived == 0) return false;
-  if (!stopSeen.exchange(true)) endWithin(kMillisecondsToFinish);
+  stopSeen = true;
   return true;
 }
 

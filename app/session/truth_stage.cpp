@@ -34,6 +34,7 @@ const Camera& TruthStage::camera(const std::string& name) const {
 TruthRow TruthStage::sceneRow(const TruthPicture& picture, const TruthEffort& effort) const {
   const Camera& from = camera(picture.camera);
   const ReferencePicture traced = traceTruth(*reference_, index_, picture, from, effort, progress_);
+  if (!traced.complete) throw Stopped();
   return compareWithTruth(index_, picture, from, "reference-scene", traced.color, &traced.standardError);
 }
 
@@ -47,6 +48,7 @@ TruthRow TruthStage::boxRow(const TruthPicture& picture, const TruthEffort& effo
     return integrateTruth(*reference_, loaded_.scene.probes.at(0), maps, index_, picture, from, effort, progress_);
   };
   const ReferencePicture made = integrated(maps_), coarser = integrated(coarseMaps_);
+  if (!made.complete || !coarser.complete) throw Stopped();
   TruthRow row = compareWithTruth(index_, picture, from, "reference-box", made.color, &made.standardError);
   row.texelCost = texelCost(made, coarser, loadTruthPicture(index_, picture));
   return row;
@@ -55,11 +57,17 @@ TruthRow TruthStage::boxRow(const TruthPicture& picture, const TruthEffort& effo
 TruthRow TruthStage::techniqueRow(const TruthPicture& picture, const BenchTechnique& technique) {
   const Camera& from = camera(picture.camera);
   shown_.show(withTechnique(scene_, technique), models_, {from});
-  shown_.capture();
+  captureShown();
   const ImageRgbaF fine =
       shown_.renderer().renderLinear(kTruthFineness * index_.width, kTruthFineness * index_.height, 4);
   shown_.requireHealthy();
   return compareWithTruth(index_, picture, from, technique.label(), boxAveraged(fine, kTruthFineness));
+}
+
+void TruthStage::captureShown() {
+  bool going = true;
+  shown_.capture([&](double share) { return going = !progress_ || progress_(share); });
+  if (!going) throw Stopped();
 }
 
 ReferenceBoxMaps TruthStage::captured(int faceSize) {
@@ -70,7 +78,7 @@ ReferenceBoxMaps TruthStage::captured(int faceSize) {
     probe.filterSamples = 8;  // rough levels are not read
   }
   shown_.show(scene, loaded_.models);
-  shown_.capture();
+  captureShown();
   shown_.requireHealthy();
   return boxMaps(shown_.renderer(), scene);
 }

@@ -18,8 +18,10 @@ inline constexpr int kBoxFaceSize = 512;
 
 class TruthStage {
  public:
-  /// `index` and `shown` must outlive this. `progress` is asked
-  /// whether to go on; rows made after it said no are unfinished. Throws as loadScene() does.
+  struct Stopped {};
+
+  /// `index` and `shown` must outlive this. `progress` is asked whether to go on; once it said no, rows throw Stopped.
+  /// Throws as loadScene() does.
   TruthStage(const TruthIndex& index, const std::string& scene, OffscreenScene& shown, ReferenceProgress progress = {});
 
   /// Of the picture and of all those after it.
@@ -37,6 +39,7 @@ class TruthStage {
   const Camera& camera(const std::string& name) const;
 
  private:
+  void captureShown();
   ReferenceBoxMaps captured(int faceSize);
 
   const TruthIndex& index_;

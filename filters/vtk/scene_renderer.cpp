@@ -3,6 +3,7 @@
 #include <vtkOpenGLRenderWindow.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "filters/core/base/at_end.h"
 #include "filters/vtk/gl/software_driver.h"
@@ -215,12 +216,12 @@ std::string SceneRenderer::rendererName() const {
 std::string SceneRenderer::saveBaked(const std::string& probeName, const std::string& folder,
                                      const std::string& program, int earlierBounce) const {
   const auto record = impl_->probes.record(probeName);
-  const auto maps = record ? readMaps(probeName) : std::nullopt;
+  auto maps = record ? readMaps(probeName) : std::nullopt;
   if (!maps) return {};
   Probe probe;
   probe.name.clear();
   if (const auto index = findProbe(impl_->content.scene, probeName)) probe = impl_->content.scene.probes[*index];
-  return BakeFolder::save(folder, probe, *record, *maps, {program, rendererName()}, earlierBounce);
+  return BakeFolder::save(folder, probe, *record, std::move(*maps), {program, rendererName()}, earlierBounce);
 }
 
 bool SceneRenderer::filterMissingLevel(const std::string& probeName) {

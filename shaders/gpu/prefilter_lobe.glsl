@@ -5,7 +5,9 @@
 uniform samplerCube bpSource;
 uniform int bpFace;
 uniform float bpFaceSize; // texels of the level written
-uniform float bpFixupWidth; // texels; 0: none
+#ifdef BP_EDGE_FIXUP // a program of its own: software renderers do not skip branches
+uniform float bpFixupWidth; // texels
+#endif
 uniform int bpTapCount;
 uniform vec4 bpTaps[768]; // xy: direction in the lobe's frame; z: level of the source; w: weight, all sum to 1
 
@@ -28,23 +30,24 @@ void main()
   vec2 st = 2.0f * gl_FragCoord.xy / bpFaceSize - 1.0f;
   vec4 value = lobeMean(normalize(cubeDirection(bpFace, st.x, st.y)));
 
+#ifdef BP_EDGE_FIXUP
   float last = 1.0f - 1.0f / bpFaceSize; // of the texels at the edge
   float shareS = edgeFixupShare((last - abs(st.x)) * 0.5f * bpFaceSize, bpFixupWidth);
   float shareT = edgeFixupShare((last - abs(st.y)) * 0.5f * bpFaceSize, bpFixupWidth);
-  vec4 change = vec4(0.0f);
   if (shareS > 0.0f)
   {
     float side = sign(st.x);
-    change += edgeFixupPull(shareS, shareT) *
+    value += edgeFixupPull(shareS, shareT) *
       (lobeMean(normalize(directionAcrossEdge(bpFace, side, st.y, false, bpFaceSize))) -
         lobeMean(normalize(cubeDirection(bpFace, side * last, st.y))));
   }
   if (shareT > 0.0f)
   {
     float side = sign(st.y);
-    change += edgeFixupPull(shareT, shareS) *
+    value += edgeFixupPull(shareT, shareS) *
       (lobeMean(normalize(directionAcrossEdge(bpFace, side, st.x, true, bpFaceSize))) -
         lobeMean(normalize(cubeDirection(bpFace, st.x, side * last))));
   }
-  gl_FragData[0] = nearestHalf(max(value + change, vec4(0.0f)));
+#endif
+  gl_FragData[0] = nearestHalf(max(value, vec4(0.0f)));
 }

@@ -69,6 +69,24 @@ TEST(Bake, ASecondRunDoesNothingAndRenderCapturesNothing) {
   EXPECT_GT(one["facesCaptured"], 0);
 }
 
+TEST(Bake, ADamagedFileIsMadeAgainTheSkysAlone) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("room.boxprobe.json", twoProbeRoom().dump());
+  EXPECT_EQ(runProgram({"bake", path, "--quiet"}).exitStatus, 0);
+  for (const char* name : {"second.exr", "_sky.exr"}) {
+    const std::string file = folder.path(std::string("room.probes/") + name), before = readFile(file);
+    std::filesystem::resize_file(file, 1000);
+    const Outcome again = runProgram({"bake", path});
+    EXPECT_EQ(again.exitStatus, 0) << again.err;
+    EXPECT_THAT(again.err, HasSubstr(std::string(name) + ": is "));
+    EXPECT_THAT(again.out, HasSubstr(" 1 file(s) written")) << name;
+    EXPECT_EQ(readFile(file), before) << name;
+  }
+  const Outcome idle = runProgram({"bake", path});
+  EXPECT_THAT(idle.errLines(), IsEmpty()) << idle.err;
+  EXPECT_THAT(idle.out, HasSubstr(" 0 file(s) written"));
+}
+
 TEST(Bake, StoppedWorkLeavesWholeFilesAndGoesOn) {
   const TemporaryFolder folder;
   const std::string out = folder.path("probes");

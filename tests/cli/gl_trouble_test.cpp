@@ -148,5 +148,14 @@ TEST_F(GlTrouble, OnWaylandAWindowTakesXOrSaysWhatToInstall) {
   EXPECT_EQ(window.finish().exitStatus, 128 + SIGTERM);
 }
 
+TEST_F(GlTrouble, AWindowWithoutFontsSaysWhatToInstall) {
+  const std::string none = folder.write("fonts.conf", "<?xml version=\"1.0\"?>\n<fontconfig/>\n");
+  const Setting fonts("FONTCONFIG_FILE", none.c_str());
+  RunningProgram window({demoScene("room")});
+  ASSERT_TRUE(window.waitUntilHandling(SIGTERM));
+  ASSERT_TRUE(window.sendAtWork(SIGTERM));
+  EXPECT_THAT(window.finish().err, HasSubstr("no fonts are installed"));
+}
+
 }  // namespace
 }  // namespace boxprobe::test

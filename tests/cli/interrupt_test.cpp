@@ -82,8 +82,8 @@ bool stopAfter(int milliseconds, const std::vector<std::string>& command, int si
   std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
   Farewell farewell(program);
   if (!program.sendAtWork(signal)) return false;
-  // A second as a rule; bench writes what it has first, and the machine may be busy.
-  EXPECT_LT(farewell.secondsUntilEnd(outcome), 7.0);
+  // A second as a rule, three on a busy machine; bench writes what it has first.
+  EXPECT_LT(farewell.secondsUntilEnd(outcome), command[0] == "bench" ? 7.0 : 4.0) << command[0];
   // What arrives with the last of the work is told of, and the work is whole.
   const bool whole =
       outcome.exitStatus == 1 && outcome.err.find("what was asked for was done by then") != outcome.err.npos;
@@ -97,7 +97,8 @@ TEST(Interrupt, EveryCommandEndsSoonAndNeverWithZero) {
                                                  {"lessons", "--check", "--quiet"},
                                                  {"info", demoScene("building"), "--frame", "--quiet"},
                                                  {"stress", "--count", "1e9", "--quiet", "-o", folder.path("s.json")},
-                                                 {"bench", demoScene("room"), "-o", folder.path("bench"), "--quiet"}};
+                                                 {"bench", demoScene("room"), "-o", folder.path("bench"), "--quiet"},
+                                                 {"bench", "--truth", "--quiet", "-o", folder.path("truth")}};
   };
   const std::size_t count = commands(TemporaryFolder()).size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -113,7 +114,7 @@ TEST(Interrupt, EveryCommandEndsSoonAndNeverWithZero) {
         if (!caught) continue;
         EXPECT_THAT(outcome.exitStatus, AnyOf(1, 128 + signal)) << outcome.err;
         EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
-        for (const std::string& name : folder.names()) EXPECT_EQ(name, "bench");
+        for (const std::string& name : folder.names()) EXPECT_THAT(name, AnyOf("bench", "truth"));
       }
       delay = 800;
     }
@@ -126,7 +127,7 @@ TEST(Interrupt, AWindowEndsWithTheSignalsStatus) {
   Outcome outcome;
   Farewell farewell(program);
   ASSERT_TRUE(program.sendAtWork(SIGTERM));
-  EXPECT_LT(farewell.secondsUntilEnd(outcome), 7.0);
+  EXPECT_LT(farewell.secondsUntilEnd(outcome), 4.0);
   EXPECT_EQ(outcome.exitStatus, 128 + SIGTERM) << outcome.err;
 }
 

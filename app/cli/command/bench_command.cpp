@@ -118,7 +118,6 @@ void runBench(const BenchOptions& options) {
     declareOutput("-o", options.folder + "/" + name);
   }
   InterruptGuard interrupt;
-  interrupt.waitForPartialResults();
   const std::string scenePath =
       options.scenePath.empty() ? dataFile("scenes/gallery.boxprobe.json") : options.scenePath;
   const LoadedScene loaded = loadScene(scenePath, options.assignments);
@@ -136,6 +135,7 @@ void runBench(const BenchOptions& options) {
     ProgressLine line("measuring", !options.report.quiet);
     const auto progress = [&](double done) {
       line.show(done);
+      if (done > 0.0) interrupt.waitForPartialResults();
       return !interrupt.interrupted();
     };
     return runBenchmark(plan, loaded.scene, loaded.models, host, progress,

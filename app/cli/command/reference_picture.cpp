@@ -199,7 +199,6 @@ void renderReference(const RenderOptions& options, bool linear) {
   const std::optional<BakeShare> share = pictureShare(options);
 
   InterruptGuard interrupt;
-  interrupt.waitForPartialResults();
   const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
   const Camera camera = chooseCamera(loaded.scene, options.camera);
   if (!options.report.quiet) printWarnings(loaded.warnings);
@@ -210,6 +209,7 @@ void renderReference(const RenderOptions& options, bool linear) {
     ProgressLine line(options.technique, !options.report.quiet);  // wiped before anything else is printed
     const auto progress = [&](double done) {
       line.show(done);
+      interrupt.waitForPartialResults();
       return !interrupt.interrupted();
     };
     return box ? boxPicture(loaded, camera, options, interrupt, progress)

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <tuple>
+#include <utility>
 
 #include "app/session/interrupt.h"
 #include "app/session/offscreen_scene.h"
@@ -71,7 +72,6 @@ void runTruthBench(const BenchOptions& options) {
   if (!options.assignments.empty())
     throw InputError("--set is not for --truth: the truth pictures are of scenes as they are");
   InterruptGuard interrupt;
-  interrupt.waitForPartialResults();
   const TruthIndex index =
       loadTruthIndex(options.truthPath == kOwnTruth ? dataFile("truth/truth.json") : options.truthPath);
   const std::vector<const TruthPicture*> pictures = chosenPictures(index, options);
@@ -82,13 +82,18 @@ void runTruthBench(const BenchOptions& options) {
   const TruthEffort effort{options.quick ? 256 : 512, options.quick ? 4 : 1};
   std::vector<TruthRow> rows;
   bool complete = true;
-  {
+  try {
     ProgressLine line("comparing", !options.report.quiet);
     const ReferenceProgress going = [&](double) { return !interrupt.interrupted(); };
     std::unique_ptr<TruthStage> stage;
+    const auto add = [&](TruthRow row) {
+      rows.push_back(std::move(row));
+      interrupt.waitForPartialResults();
+      line.show(static_cast<double>(rows.size()) / static_cast<double>(pictures.size() * (techniques.size() + 1)));
+      if (interrupt.interrupted()) throw TruthStage::Stopped();
+    };
     const TruthPicture* last = nullptr;
     for (const TruthPicture* picture : pictures) {
-      line.show(static_cast<double>(rows.size()) / static_cast<double>(pictures.size() * (techniques.size() + 1)));
       if (last == nullptr || last->scene != picture->scene) {
         stage = std::make_unique<TruthStage>(index, picture->scene, shown, going);
       }
@@ -97,15 +102,12 @@ void runTruthBench(const BenchOptions& options) {
         stage->setFloor(*picture);
       }
       last = picture;
-      rows.push_back(stage->sceneRow(*picture, effort));
-      if (index.isBox(picture->scene)) rows.push_back(stage->boxRow(*picture, effort));
-      if (interrupt.interrupted()) {
-        while (!rows.empty() && rows.back().reference()) rows.pop_back();  // some may be unfinished
-        complete = false;
-        break;
-      }
-      for (const BenchTechnique& technique : techniques) rows.push_back(stage->techniqueRow(*picture, technique));
+      add(stage->sceneRow(*picture, effort));
+      if (index.isBox(picture->scene)) add(stage->boxRow(*picture, effort));
+      for (const BenchTechnique& technique : techniques) add(stage->techniqueRow(*picture, technique));
     }
+  } catch (const TruthStage::Stopped&) {
+    complete = false;
   }
   std::stable_sort(rows.begin(), rows.end(), [](const TruthRow& a, const TruthRow& b) {
     return std::make_tuple(!a.reference(), a.scene) < std::make_tuple(!b.reference(), b.scene);

@@ -17,7 +17,6 @@ void BackgroundWork::start(Work work) {
   if (thread_.joinable()) thread_.join();
   stop_ = false;
   percent_ = 0;
-  running_ = true;
   thread_ = std::thread([this, work = std::move(work)] {
     Finish finish;
     QString error;
@@ -41,6 +40,7 @@ void BackgroundWork::start(Work work) {
         },
         Qt::QueuedConnection);
   });
+  running_ = true;  // not if no thread could be started; what the thread hands over comes later, from the event loop
 }
 
 }  // namespace boxprobe

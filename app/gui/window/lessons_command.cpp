@@ -333,6 +333,7 @@ void runLessons(const LessonsOptions& options, int& argc, char** argv) {
   });
   const QGuiApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's
+  if (!options.report.quiet) warnOfNoFonts();
   if (loops) return makeLoops(list, options);
   if (!output.page && !output.path.empty() && !options.report.quiet) warnOfMissingFont(lessons);
   produce(lessons, options, output, widgets);

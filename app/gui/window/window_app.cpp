@@ -5,7 +5,9 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QFontDatabase>
 #include <QTimer>
+#include <algorithm>
 #include <clocale>
 #include <exception>
 #include <optional>
@@ -46,6 +48,20 @@ class Application : public QApplication {
 
 }  // namespace
 
+void warnOfNoFonts() {
+  // What Qt offers by itself stands for a font, and is there without any.
+  const QStringList alone = {"Monospace", "Sans Serif", "Serif"};
+#if QT_VERSION_MAJOR >= 6
+  const QStringList families = QFontDatabase::families();
+#else
+  const QStringList families = QFontDatabase().families();
+#endif
+  const auto stands = [&](const QString& family) { return alone.contains(family); };
+  if (std::all_of(families.begin(), families.end(), stands)) {
+    printWarnings({"no fonts are installed, letters are drawn as boxes; install fonts-dejavu-core"});
+  }
+}
+
 int runWindow(int& argc, char** argv, const std::string& scenePath, const WindowOptions& options) {
   LoadedScene loaded;
   FitWishes wishes;
@@ -59,6 +75,7 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   QCoreApplication::setApplicationName("Boxprobe");
   Application application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt has taken the user's, and with it commas into every file's numbers
+  warnOfNoFonts();
   const int theme = chosenTheme().value_or(static_cast<int>(Theme::System));
   applyWindowStyle(application, static_cast<Theme>(theme));
 

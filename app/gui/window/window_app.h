@@ -16,4 +16,7 @@ struct WindowOptions {
 /// cannot be read, WorkError if the statistics cannot be written or the picture could not be drawn.
 int runWindow(int& argc, char** argv, const std::string& scenePath, const WindowOptions& options);
 
+/// Warns if no font is installed: all letters would be boxes. Needs a QGuiApplication.
+void warnOfNoFonts();
+
 }  // namespace boxprobe

@@ -48,10 +48,12 @@ void WindowSignals::keepUnsaved() {
 
 void WindowSignals::end() {
   notifier_->setEnabled(false);
-  (void)guard_->interrupted();  // from here on it takes no longer than it must
+  (void)guard_->interrupted();  // seen
   try {
     const std::string path = window_.files().saveRecovery();
     if (!path.empty()) printNote("unsaved changes are in " + path);
+    timer_->stop();
+    keepForSignals({}, {});  // done: not once more if it takes long to close
   } catch (const std::exception& error) {
     window_.autosave().write();
     window_.autosave().keep();  // offered at the next start

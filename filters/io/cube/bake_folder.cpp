@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include "filters/core/base/errors.h"
 
@@ -96,14 +97,14 @@ void BakeFolder::forget(const std::string& key, const std::string& damage) {
   if (!damage.empty()) damaged_.push_back(damage);
 }
 
-std::string BakeFolder::save(const std::string& folder, const Probe& probe, const BakeRecord& record,
-                             const BakedMaps& maps, const BakeMaker& maker, int earlierBounce) {
+std::string BakeFolder::save(const std::string& folder, const Probe& probe, const BakeRecord& record, BakedMaps maps,
+                             const BakeMaker& maker, int earlierBounce) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw WorkError(folder + ": cannot create this folder: " + error.message());
   const std::string path = (fs::path(folder) / fileName(probe.name, earlierBounce)).string();
   BakedProbeFile file;
-  file.maps = maps;
+  file.maps = std::move(maps);
   file.info.probe = probe;
   if (probe.name.empty()) file.info.probe.name = "sky";  // a probe without a name is no valid one to read back
   file.info.inputHash = record.text();

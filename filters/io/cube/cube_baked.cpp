@@ -186,6 +186,8 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
                     std::to_string(radiance.levels()) + " levels are no probe's; use a power of two");
   }
   std::vector<ExrPart> parts;
+  parts.reserve(static_cast<std::size_t>(radiance.levels()) +
+                2);  // a vector that grows copies OpenEXR's headers, and pictures with them
   const bool turned = file.maps.capturedRotation != glm::dvec3(0.0);
   const glm::dmat3 mapFromWorld = turned ? glm::transpose(rotationMatrix(file.maps.capturedRotation)) : glm::dmat3(1.0);
   parts.push_back(environmentPart(radiance, mapFromWorld, precision));

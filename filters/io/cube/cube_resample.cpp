@@ -4,7 +4,8 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <thread>
+
+#include "filters/core/base/helper_threads.h"
 
 namespace boxprobe {
 
@@ -13,17 +14,13 @@ namespace {
 // Rows are independent, and there is a transcendental function or two in every sample.
 void forEachRow(int rows, const std::function<void(int row)>& work) {
   // Starting a thread costs as much as some dozens of short rows.
-  constexpr unsigned kRowsWorthAThread = 48;
-  const unsigned most = std::max(1u, static_cast<unsigned>(rows) / kRowsWorthAThread);
-  const unsigned count = std::min(std::max(1u, std::thread::hardware_concurrency()), most);
+  constexpr std::size_t kRowsWorthAThread = 48;
   std::atomic<int> next{0};
   const auto run = [&] {
     for (int row = next++; row < rows; row = next++) work(row);
   };
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < count; ++i) others.emplace_back(run);
+  const HelperThreads others(threadsFor(static_cast<std::size_t>(rows) / kRowsWorthAThread) - 1, run);
   run();
-  for (std::thread& other : others) other.join();
 }
 
 // The middle of sample i of n across a texel, relative to the texel's own place.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <new>
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/file_extension.h"
@@ -35,6 +36,7 @@ const unsigned char* asBytes(const std::string& text) {
 
 // The decoder's reason may quote the file: the name of a chunk is any four bytes.
 InputError damaged(const std::string& name, const std::string& why = stbi_failure_reason()) {
+  if (why == "outofmem") throw std::bad_alloc();
   return InputError(oneLine(name + ": is damaged (" + why + "); save it again"));
 }
 

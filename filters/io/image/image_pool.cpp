@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <thread>
 
+#include "filters/core/base/helper_threads.h"
 #include "filters/io/image/image_detail.h"
 
 namespace boxprobe {
@@ -64,14 +64,10 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
     ++done;
     return true;
   };
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::thread> helpers;
-  for (std::size_t i = 1; i < std::min(cores, missing.size()); ++i) {
-    helpers.emplace_back([&] {
-      while (decodeNext()) {
-      }
-    });
-  }
+  HelperThreads helpers(threadsFor(missing.size()) - 1, [&] {
+    while (decodeNext()) {
+    }
+  });
   // The caller's thread decodes, too, and reports between two pictures.
   std::exception_ptr cancelled;
   while (decodeNext()) {
@@ -82,7 +78,7 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
       stopped = true;
     }
   }
-  for (std::thread& helper : helpers) helper.join();
+  helpers.join();
   if (cancelled) std::rethrow_exception(cancelled);
   for (const std::exception_ptr& problem : problems) {
     if (problem) std::rethrow_exception(problem);

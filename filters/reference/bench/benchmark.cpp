@@ -177,8 +177,10 @@ void Run::measureTechnique(std::size_t index, const Camera& camera, double rough
   const BenchTechnique& technique = plan_.techniques[index];
   const Scene scene = withTechnique(base, technique);
   ImageRgbaF picture = host_.picture(scene, camera, plan_.width, plan_.height);
+  check();
   const double lookups = host_.lookups(scene, camera, plan_.width, plan_.height, lookupPlaces());
   for (const Truth truth : kTruths) {
+    check();
     // Equal everywhere else, so that no filter of the metrics carries anything in from there.
     ImageRgbaF right = picture;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
@@ -259,6 +261,7 @@ void Run::timeFrames(double roughness) {
 void Run::timePairs(bench::Samples& cpu, bench::Samples& gpu) {
   double spent = 0.0;
   for (int pair = 0; pair < plan_.mostPairs && (pair < plan_.leastPairs || spent < plan_.pairSeconds); ++pair) {
+    check();
     FrameSeconds of[2];
     for (const bool technique : {pair % 2 == 0, pair % 2 != 0}) of[technique ? 0 : 1] = host_.frame(technique);
     cpu.a.push_back(of[0].cpu);

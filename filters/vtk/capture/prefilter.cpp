@@ -15,9 +15,13 @@ Prefilter::Prefilter(vtkOpenGLRenderWindow* window, Counters* counters)
       sourcePass_(
           {"shared/cube.glsl", "shared/source_level.glsl", "gpu/nearest_half.glsl", "gpu/prefilter_source.glsl"},
           counters),
-      lobePass_({"shared/cube.glsl", "shared/lobe_frame.glsl", "shared/edge_fixup.glsl", "gpu/nearest_half.glsl",
-                 "gpu/prefilter_lobe.glsl"},
-                counters) {}
+      lobePass_({"shared/cube.glsl", "shared/lobe_frame.glsl", "gpu/nearest_half.glsl", "gpu/prefilter_lobe.glsl"},
+                counters),
+      fixupPass_("gpu/prefilter_lobe.glsl with edge fix-up",
+                 "#define BP_EDGE_FIXUP\n" +
+                     joinShaderSources({"shared/cube.glsl", "shared/lobe_frame.glsl", "shared/edge_fixup.glsl",
+                                        "gpu/nearest_half.glsl", "gpu/prefilter_lobe.glsl"}),
+                 counters) {}
 
 void Prefilter::makeSourceLevels(const CubeTexture& source) {
   const PassState saved(window_);
@@ -90,11 +94,14 @@ void Prefilter::filterWith(const CubeTexture& source, const CubeTexture& chain, 
   const BoundTexture bound(window_, GL_TEXTURE_CUBE_MAP, source.handle());
   for (int face = 0; face < 6; ++face) {
     to_.bind(window_, chain, face, level);
-    lobePass_.draw(window_, [&](vtkShaderProgram* program) {
+    FullScreenPass& pass = edgeFixupWidth > 0 ? fixupPass_ : lobePass_;
+    pass.draw(window_, [&](vtkShaderProgram* program) {
       program->SetUniformi("bpSource", bound.unit());
       program->SetUniformi("bpFace", face);
       program->SetUniformf("bpFaceSize", static_cast<float>(size));
-      program->SetUniformf("bpFixupWidth", static_cast<float>(std::min(edgeFixupWidth, size / 2)));
+      if (edgeFixupWidth > 0) {
+        program->SetUniformf("bpFixupWidth", static_cast<float>(std::min(edgeFixupWidth, size / 2)));
+      }
       program->SetUniformi("bpTapCount", count);
       program->SetUniform4fv("bpTaps", count, reinterpret_cast<const float(*)[4]>(packed.data()));
     });
@@ -115,6 +122,7 @@ void Prefilter::release() {
   to_.release();
   sourcePass_.release();
   lobePass_.release();
+  fixupPass_.release();
 }
 
 }  // namespace boxprobe

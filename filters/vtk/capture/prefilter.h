@@ -42,7 +42,7 @@ class Prefilter {
   const std::vector<LobeTap>& tapsOf(const FilterLobe& lobe, int samples, int faceSize);
 
   CubeFramebuffer from_, to_;
-  FullScreenPass sourcePass_, lobePass_;
+  FullScreenPass sourcePass_, lobePass_, fixupPass_;
   struct Taps {
     FilterLobe lobe;
     int samples = 0, faceSize = 0;

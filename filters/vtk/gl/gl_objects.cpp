@@ -97,10 +97,14 @@ std::size_t CubeTexture::bytes() const {
 std::vector<float> CubeTexture::readFace(int face, int level) const {
   const auto size = static_cast<std::size_t>(faceSize_ >> level);
   std::vector<float> rgba(size * size * 4);
+  readFace(face, level, rgba.data());
+  return rgba;
+}
+
+void CubeTexture::readFace(int face, int level, float* rgba) const {
   const CubeBinding binding(handle_);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glGetTexImage(faceTarget(face), level, GL_RGBA, GL_FLOAT, rgba.data());
-  return rgba;
+  glGetTexImage(faceTarget(face), level, GL_RGBA, GL_FLOAT, rgba);
 }
 
 void CubeTexture::writeFace(int face, int level, const std::vector<float>& rgba) {

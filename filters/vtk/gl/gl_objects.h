@@ -37,6 +37,8 @@ class CubeTexture {
 
   /// Texels of one face and level as RGBA float, rows along t.
   std::vector<float> readFace(int face, int level) const;
+  /// The same into memory of the caller's, 4 floats a texel.
+  void readFace(int face, int level, float* rgba) const;
   void writeFace(int face, int level, const std::vector<float>& rgba);
   /// RGBA half floats, as many as the level has: the bits of an RGBA16F cube as they are.
   void writeHalves(int face, int level, const std::uint16_t* rgba);

@@ -1,7 +1,5 @@
 #include "filters/vtk/maps/cube_transfer.h"
 
-#include <algorithm>
-
 namespace boxprobe {
 
 namespace {
@@ -11,8 +9,7 @@ CubeMap read(const CubeTexture& texture) {
   CubeMap cube(texture.faceSize(), texture.levels());
   for (int level = 0; level < texture.levels(); ++level) {
     for (int face = 0; face < 6; ++face) {
-      const std::vector<float> rgba = texture.readFace(face, level);
-      std::copy(rgba.begin(), rgba.end(), cube.face(level, face));
+      texture.readFace(face, level, cube.face(level, face));
     }
   }
   return cube;
@@ -56,8 +53,7 @@ CubeMap readRadiance(const ProbeMaps& maps) {
 
 void readLevel0(const CubeTexture& texture, CubeMap& cube) {
   for (int face = 0; face < 6; ++face) {
-    const std::vector<float> rgba = texture.readFace(face, 0);
-    std::copy(rgba.begin(), rgba.end(), cube.face(0, face));
+    texture.readFace(face, 0, cube.face(0, face));
   }
 }
 

@@ -57,9 +57,19 @@ void ProbePlan::make() {
   planSky();
 }
 
+bool ProbePlan::bakesAny() const {
+  for (std::size_t i = 0; i < entries_->size(); ++i) {
+    if (targets_.count((*entries_)[i].name) != 0 && entries_->baked(i)) return true;
+  }
+  return false;
+}
+
 void ProbePlan::planSky() {
-  const bool asked = targets_.empty() ? entries_->anyLit() : !jobs_.empty();
-  if (!asked || skyWanted_.empty() || !skyStale()) return;
+  if (skyWanted_.empty() || !skyStale()) return;
+  // With baked probes goes the sky's file, which may be gone or damaged by itself.
+  const bool asked =
+      targets_.empty() ? entries_->anyLit() : !jobs_.empty() || (bakesAny() && !sources_->folder.has(skyWanted_));
+  if (!asked) return;
   const int faceSize = skyFaceSize(skyImageColumns_);
   JobKind kind = JobKind::SkyMap;
   if (sources_->folder.has(skyWanted_)) {

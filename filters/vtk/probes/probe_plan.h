@@ -73,6 +73,7 @@ class ProbePlan {
 
  private:
   void planSky();
+  bool bakesAny() const;  ///< of the targets
   void planBounces();
   void planBounce(std::size_t index, int bounce);
 
