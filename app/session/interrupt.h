@@ -12,8 +12,8 @@ namespace boxprobe {
 /// busy the machine is, or is sent a second one, ends there: temporary files are removed, one line is printed, and the
 /// signal's own end follows (status 128 + its number). So does what has seen the flag and takes long to clear up:
 /// nothing is lost by that, as files are renamed when they are whole.
-/// A signal that nobody has asked for when the last of these goes ends the program there, in the same way. A SIGHUP that
-/// the parent ignores (nohup) stays ignored.
+/// A signal that nobody has asked for when the last of these goes ends the program there, in the same way. A SIGHUP
+/// that the parent ignores (nohup) stays ignored.
 class InterruptGuard {
  public:
   InterruptGuard();
