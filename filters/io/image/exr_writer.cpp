@@ -72,15 +72,11 @@ void writePart(Imf::MultiPartOutputFile& file, int index, const ExrPart& part) {
 }
 
 /// Bands of rows spread over the height, one in the middle of each face of a cube: as high as the blocks of either
-/// compression, and little to compress. Of colours green stands for all.
+/// compression, and little to compress.
 ExrLevel sampleRows(const ExrLevel& level) {
   constexpr int kBands = 6, kBandRows = 32;
   if (level.height <= kBands * kBandRows) return level;
   ExrLevel sample{level.width, kBands * kBandRows, {}};
-  const auto green = std::find_if(level.planes.begin(), level.planes.end(),
-                                  [](const ExrPlane& plane) { return plane.channel == "G"; });
-  const std::size_t first = green == level.planes.end() ? 0 : static_cast<std::size_t>(green - level.planes.begin());
-  const std::size_t last = green == level.planes.end() ? level.planes.size() : first + 1;
   const auto width = static_cast<std::ptrdiff_t>(level.width);
   const auto bands = [&](const auto& from, auto& to) {
     if (from.empty()) return;
@@ -89,8 +85,7 @@ ExrLevel sampleRows(const ExrLevel& level) {
       to.insert(to.end(), from.begin() + row * width, from.begin() + (row + kBandRows) * width);
     }
   };
-  for (std::size_t i = first; i < last; ++i) {
-    const ExrPlane& plane = level.planes[i];
+  for (const ExrPlane& plane : level.planes) {
     sample.planes.push_back({plane.channel, {}, {}});
     bands(plane.halves, sample.planes.back().halves);
     bands(plane.floats, sample.planes.back().floats);
