@@ -18,16 +18,11 @@ namespace {
 
 constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
 constexpr long kMillisecondsToStop = 700, kMillisecondsToFinish = 5000;
-// A machine that has much else to do lets work step more slowly: more time for one that gets some of a processor, but
-// less than kMostMilliseconds of it.
-constexpr long kMoreMilliseconds = 300, kLeastMilliseconds = 20, kMostMilliseconds = 500;
-constexpr int kMostWaits = 8;
 
 // A signal handler can reach nothing but globals.
 volatile sig_atomic_t signalArrived = 0;
 std::atomic<bool> stopSeen{false};
-volatile long usedAtSignal = 0;
-volatile sig_atomic_t waitsSince = 0, patient = 0;
+volatile sig_atomic_t patient = 0;
 timer_t stopTimer;
 bool haveTimer = false;
 int guards = 0;
@@ -89,17 +84,9 @@ void writeKeptText() {
   _exit(128 + number);
 }
 
-long processorMilliseconds() {
-  timespec used = {};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
-  return static_cast<long>(used.tv_sec) * 1000 + used.tv_nsec / 1000000;
-}
-
 void noteSignal(int number) {
   if (signalArrived != 0) endNow(number);
   signalArrived = number;
-  usedAtSignal = processorMilliseconds();
-  waitsSince = 0;
   const int wake = wakeDescriptor;
   endWithin(patient != 0 ? kMillisecondsToFinish : kMillisecondsToStop);
   const char byte = 0;
@@ -107,12 +94,7 @@ void noteSignal(int number) {
 }
 
 void stopWaiting(int) {
-  if (signalArrived == 0) return;
-  const long used = processorMilliseconds() - usedAtSignal;
-  const bool starved = used >= kLeastMilliseconds && used < kMostMilliseconds;
-  if (patient != 0 || !starved || waitsSince >= kMostWaits) endNow(signalArrived);
-  waitsSince = waitsSince + 1;
-  endWithin(kMoreMilliseconds);
+  if (signalArrived != 0) endNow(signalArrived);
 }
 
 void take(int number, void (*handler)(int), struct sigaction* before) {

@@ -8,12 +8,12 @@
 namespace boxprobe {
 
 /// From the first of these on, for as long as it lives, SIGINT, SIGTERM and SIGHUP set a flag that work asks for; a
-/// signal that arrives late is still told of by the last check(). What has not ended within 0.7 s of a signal (three
-/// where the machine is busy with other work), or is sent a second one, ends there: temporary files are removed, one
-/// line is printed, and the signal's own end follows (status 128 + its number). So does what has seen the flag and
-/// takes long to clear up: nothing is lost by that, as files are renamed when they are whole. A signal that nobody has
-/// asked for when the last of these goes ends the program there, in the same way. A SIGHUP that the parent ignores
-/// (nohup) stays ignored.
+/// signal that arrives late is still told of by the last check(). What has not ended within 0.7 s of a signal, however
+/// busy the machine is, or is sent a second one, ends there: temporary files are removed, one line is printed, and the
+/// signal's own end follows (status 128 + its number). So does what has seen the flag and takes long to clear up:
+/// nothing is lost by that, as files are renamed when they are whole.
+/// A signal that nobody has asked for when the last of these goes ends the program there, in the same way. A SIGHUP
+/// that the parent ignores (nohup) stays ignored.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -111,8 +111,9 @@ TEST_P(Lamp, ShinesAsItsCaptureDoes) {
     print(id, share);
     return share;
   };
-  const glm::dvec3 rays =
-      technique("raytraced", {{"samples", 64.0}, {"filtered", true}, {"pattern", std::string("deterministic")}});
+  // By the default pattern: one that is the same in every pixel leaves ghosts of the lamp, which are off by a few more
+  // in a hundred.
+  const glm::dvec3 rays = technique("raytraced", {{"samples", 64.0}, {"filtered", true}});
   const glm::dvec3 pieces = technique("footprint8", {});
 
   // The lobe's integral over what the probe captured: no technique stands between.
@@ -135,8 +136,9 @@ TEST_P(Lamp, ShinesAsItsCaptureDoes) {
   print("reference-box", share);
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(share[c], 1.0, 0.02);
-    // Rougher surfaces show how a technique's few lookups weigh one small lamp: printed above.
-    if (roughness > 0.2f) continue;
+    // Rougher surfaces show how a technique's few lookups weigh one small lamp, and how far filtered rays smear it:
+    // printed above.
+    if (roughness > 0.35f) continue;
     EXPECT_NEAR(rays[c], 1.0, 0.02);
     EXPECT_NEAR(pieces[c], 1.0, 0.02);
   }
