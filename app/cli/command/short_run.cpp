@@ -9,6 +9,7 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <climits>
@@ -17,8 +18,21 @@
 
 namespace boxprobe {
 
+#ifdef __GLIBC__
+namespace {
+
+/// Is there a limit on addresses? They are then for what is needed.
+bool limited(decltype(RLIMIT_AS) resource) {
+  rlimit limit = {};
+  return getrlimit(resource, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
+}
+
+}  // namespace
+#endif
+
 void useLargePages() {
 #ifdef __GLIBC__
+  if (limited(RLIMIT_AS) || limited(RLIMIT_DATA)) return;
   // Addresses, not memory: pages are there once they are written to. Two megabytes are a large page of x86 and ARM.
   constexpr int kReserved = 256 << 20, kLargePage = 2 << 20;
   mallopt(M_ARENA_MAX, 1);  // threads' own would grow in small pages
