@@ -55,8 +55,8 @@ class BakeFolder {
 
   /// Writes `folder`/fileName(name), creating the folder. `earlierBounce`: of a bounce before the last, which others
   /// need for theirs; its file stands beside the final one. Throws WorkError.
-  static std::string save(const std::string& folder, const Probe& probe, const BakeRecord& record,
-                          BakedMaps maps, const BakeMaker& maker, int earlierBounce = 0);
+  static std::string save(const std::string& folder, const Probe& probe, const BakeRecord& record, BakedMaps maps,
+                          const BakeMaker& maker, int earlierBounce = 0);
   /// A probe's name as a file name: what is special to any file system or shell is written %XX. The empty name is the
   /// sky.
   static std::string fileName(const std::string& probeName, int earlierBounce = 0);

@@ -1,5 +1,5 @@
-// Races on purpose, so that a test can ask whether ThreadSanitizer still tells them with what is suppressed in tests/tsan.supp: in a
-// parallel loop, and in a thread. Argument: loop or thread.
+// Races on purpose, so that a test can ask whether ThreadSanitizer still tells them with what is suppressed in
+// tests/tsan.supp: in a parallel loop, and in a thread. Argument: loop or thread.
 #include <tbb/parallel_for.h>
 
 #include <cstdio>
