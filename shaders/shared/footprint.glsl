@@ -21,7 +21,8 @@ vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
   float largest = max(max(a.x, a.y), a.z);
   // In units of t: no square under- or overflows. At the wall itself (t = 0) the patch is a point; the least t keeps 1 / t finite.
   float t = max(hit.distance, max(1.0e-9f * largest, 1.0e-37f));
-  vec3 d = hit.direction / t;
+  float perT = 1.0f / t;  // one division, as many as it saves cost more than what they divide
+  vec3 d = hit.direction * perT;
   float distanceC = 0.0f;  // of C from the wall's plane, in units of t
   float cosineP = 1.0f;
   if (hit.face >= 0)
@@ -41,12 +42,12 @@ vec3 footprintCosines(ProbeShape probe, ProbeHit hit, vec3 direction)
                    direction.z < 0.0f ? -hit.direction.z : hit.direction.z) +
               (min(hit.slabFactors, vec3(1.0e30f)) - vec3(hit.distance)) * abs(direction);
     }
-    distanceC = dot(w, min(plane / t, vec3(1.0e9f)));
+    distanceC = dot(w, min(plane * perT, vec3(1.0e9f)));
     cosineP = dot(w, abs(direction));
   }
   else
   {
-    vec3 outwards = d - (0.5f * probe.boxMin + 0.5f * probe.boxMax) / t;
+    vec3 outwards = d - (0.5f * probe.boxMin + 0.5f * probe.boxMax) * perT;
     float size = max(length(outwards), 1.0e-9f);
     distanceC = dot(outwards, d) / size;
     cosineP = dot(outwards, direction) / size;
@@ -114,12 +115,15 @@ FootprintRay footprintRay(ShadingPoint point, FootprintLobe lobe, float pointU, 
   vec3 h = vec3(a * (lobe.stretched.x * t3 - lobe.stretched.z * t2), a * u,
                 max(lobe.stretched.x * t2 + lobe.stretched.z * t3, 0.0f));
   FootprintRay ray;
-  ray.halfSquared = max(dot(h, h), 1.0e-18f);
-  vec3 l = 2.0f * dot(lobe.view, h) / ray.halfSquared * h - lobe.view;
+  ray.cover = 1.0f / max(dot(h, h), 1.0e-18f);
+  vec3 l = 2.0f * dot(lobe.view, h) * ray.cover * h - lobe.view;
   // Below the surface a piece has no light: next to no weight along the horizon, so that the weights never sum to 0. Only there is
   // the direction not of unit length.
   float lz = max(l.z, 1.0e-3f);
-  ray.direction = point.normal * lz + lobe.tangent * l.x + lobe.bitangent * l.y;
+  vec3 upright = point.normal * lz + lobe.tangent * l.x;
+  vec3 aside = lobe.bitangent * l.y;
+  ray.direction = upright + aside;
+  ray.mirrored = upright - aside;
   float maskLight = sqrt(a * a + (1.0f - a * a) * lz * lz);
   ray.share = lz * (lobe.view.z + lobe.maskView) / (lobe.view.z * maskLight + lz * lobe.maskView);
   return ray;
@@ -134,14 +138,13 @@ FootprintSum footprintStart()
 }
 
 // A piece around one ray, looked up. `size`: its part of the lobe's.
-FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
-                          float v, float weight, float size)
+FootprintSum footprintAddRay(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum,
+                             FootprintRay ray, float weight, float size)
 {
-  FootprintRay ray = footprintRay(point, lobe, u, v);
   ProbeHit hit = projectRay(probe, point.position, point.normal, ray.direction);
   vec3 c = footprintCosines(probe, hit, ray.direction);
-  float along = c.x / (c.z * ray.halfSquared);  // the longer axis, in units of the piece's width
-  float area = lobe.size * size * along * c.x * c.y / ray.halfSquared;
+  float along = c.x * ray.cover / c.z;  // the longer axis, in units of the piece's width
+  float area = lobe.size * size * along * c.x * c.y * ray.cover;
   FootprintSum result;
   float level = footprintEasedLevel(probe, area * sqrt(along), lobe.bias);
   result.value = sum.value + weight * ray.share * fetchProbe(map, probe, hit.direction, level);
@@ -149,12 +152,20 @@ FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, F
   return result;
 }
 
-// Two pieces, mirrored in the plane of N and V.
+FootprintSum footprintAdd(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
+                          float v, float weight, float size)
+{
+  return footprintAddRay(map, probe, point, lobe, sum, footprintRay(point, lobe, u, v), weight, size);
+}
+
+// Two pieces, mirrored in the plane of N and V: one ray's arithmetic serves both.
 FootprintSum footprintAddPair(PROBE_MAP map, ProbeShape probe, ShadingPoint point, FootprintLobe lobe, FootprintSum sum, float u,
                               float v, float weight, float size)
 {
-  FootprintSum one = footprintAdd(map, probe, point, lobe, sum, u, v, weight, size);
-  return footprintAdd(map, probe, point, lobe, one, -u, v, weight, size);
+  FootprintRay ray = footprintRay(point, lobe, u, v);
+  FootprintSum one = footprintAddRay(map, probe, point, lobe, sum, ray, weight, size);
+  ray.direction = ray.mirrored;
+  return footprintAddRay(map, probe, point, lobe, one, ray, weight, size);
 }
 
 // A ray's hit, seen from C.

@@ -78,9 +78,10 @@ struct FootprintLobe
 // A ray of a lobe.
 struct FootprintRay
 {
-  vec3 direction;     // probe frame
-  float halfSquared;  // the half vector's square before it is normalised: a piece covers 1 / its square of what it would along N
-  float share;        // of the light, G2 / G1
+  vec3 direction;  // probe frame
+  vec3 mirrored;   // that of the point (-u, v): on the other side of the plane of N and V
+  float cover;     // 1 / the half vector's square before it is normalised; a piece covers its square of what it would along N
+  float share;     // of the light, G2 / G1
 };
 
 // The lookups so far.
