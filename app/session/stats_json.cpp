@@ -76,6 +76,8 @@ std::string statsJson(const RunStats& stats) {
                       {"texelsClamped", c.texelsClamped},
                       {"errorsMeasured", c.errorsMeasured},
                       {"reliefsBounded", c.reliefsBounded},
+                      {"mapsFlattened", c.mapsFlattened},
+                      {"mapsFlattened", c.mapsFlattened},
                       {"texelsNotFinite", c.texelsNotFinite},
                       {"uniformUpdates", c.uniformUpdates}};
   const MirrorCounters& m = c.mirrors;

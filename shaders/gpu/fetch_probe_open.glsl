@@ -6,15 +6,15 @@ vec3 bpOpenFrom;           // P - C, probe frame
 float bpOpenAlpha;         // of the surface
 bool bpOpenHere = false;
 
-vec4 fetchProbe(samplerCube map, ProbeShape probe, vec3 direction, float level)
+vec4 fetchProbe(PROBE_MAP map, ProbeShape probe, vec3 direction, float level)
 {
 #if BP_DEBUG
   bpTraceFetch(level, probe.maxLevel);
 #endif
 #if BP_ROTATED
-  vec4 value = textureLod(map, bpMapFromProbe[probe.slot] * lookupDirection(direction), level);
+  vec4 value = BP_SLOT_LOOKUP(map, probe.slot, bpMapFromProbe[probe.slot] * lookupDirection(direction), level);
 #else
-  vec4 value = textureLod(map, lookupDirection(direction), level);
+  vec4 value = BP_SLOT_LOOKUP(map, probe.slot, lookupDirection(direction), level);
 #endif
   float open = clamp(1.0f - value.a, 0.0f, 1.0f) * bpSkyIntensity;
   if (!bpOpenHere || open <= 0.0f) { return value; }
@@ -27,6 +27,6 @@ vec4 fetchProbe(samplerCube map, ProbeShape probe, vec3 direction, float level)
 #if BP_DEBUG
   bpLookups += 1.0f;
 #endif
-  value.rgb += open * textureLod(bpSkyMap, along, levelForRoughness(sky.w, bpSkyMaxLevel)).rgb;
+  value.rgb += open * BP_SKY_LOOKUP(along, levelForRoughness(sky.w, bpSkyMaxLevel)).rgb;
   return value;
 }

@@ -12,6 +12,7 @@
 //   BP_SAMPLED   1 if what techniques sample is kept apart, to be smoothed
 //   BP_MIRROR    defined if the surface is a planar mirror with a picture of what moves
 //   BP_ANISOTROPIC defined if the surface is brushed: light from all around is that of bpUnbentNormal, not of the lookup's normal
+//   BP_FLAT_MAPS defined if maps are flat pictures (gpu/flat_lookup.glsl), else they are cubemaps
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
@@ -21,7 +22,17 @@ uniform ivec2 bpPixelOrigin;    // where in the picture the framebuffer's lower 
 uniform int bpFrame;            // of those that are averaged, from 0
 uniform float bpParallel;       // 1 under parallel projection
 uniform float bpExposure;       // negative: linear output; else display colours at this exposure
-uniform samplerCube bpSkyMap;   // prefiltered sky
+#ifdef BP_FLAT_MAPS
+#define PROBE_MAP sampler2D
+#define BP_SKY_LOOKUP(direction, level) bpFlatLookup(bpSkyMap, direction, level, bpSkyMapSize, bpSkyMaxLevel)
+#define BP_SLOT_LOOKUP(map, slot, direction, level) bpFlatLookup(map, direction, level, bpMapSize[slot], bpMaxLevel[slot])
+uniform float bpSkyMapSize;     // texels along a face
+#else
+#define PROBE_MAP samplerCube
+#define BP_SKY_LOOKUP(direction, level) textureLod(bpSkyMap, direction, level)
+#define BP_SLOT_LOOKUP(map, slot, direction, level) textureLod(map, direction, level)
+#endif
+uniform PROBE_MAP bpSkyMap;     // prefiltered sky
 uniform float bpSkyMaxLevel;
 uniform float bpSkyIntensity;   // 0: the sky gives nothing
 uniform vec3 bpSkySh[9];
@@ -36,6 +47,9 @@ uniform vec3 bpRateMin[BP_SLOTS];        // 1 / blend distance
 uniform vec3 bpRateMax[BP_SLOTS];
 uniform float bpIntensity[BP_SLOTS];
 uniform float bpMaxLevel[BP_SLOTS];
+#ifdef BP_FLAT_MAPS
+uniform float bpMapSize[BP_SLOTS];
+#endif
 uniform vec3 bpSh[9 * BP_SLOTS];
 #ifdef BP_BEVEL
 uniform vec2 bpBevel[BP_SLOTS];          // radius of the box's edges, scene units: x + y * roughness
@@ -116,7 +130,7 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
     bpLookups += 1.0f;
     bpWeightColor += bpCoat ? vec3(0.0f) : sky * bpSkyColor;
 #endif
-    light.specular += sky * textureLod(bpSkyMap, reflection, levelForRoughness(roughness, bpSkyMaxLevel)).rgb;
+    light.specular += sky * BP_SKY_LOOKUP(reflection, levelForRoughness(roughness, bpSkyMaxLevel)).rgb;
 #if BP_DIFFUSE
     light.irradiance += sky * shIrradiance(BP_FACING, bpSkySh[0], bpSkySh[1], bpSkySh[2], bpSkySh[3], bpSkySh[4],
                                            bpSkySh[5], bpSkySh[6], bpSkySh[7], bpSkySh[8]);

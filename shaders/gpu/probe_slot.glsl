@@ -1,4 +1,4 @@
-uniform samplerCube bpMap@SLOT@;
+uniform PROBE_MAP bpMap@SLOT@;
 
 void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 normal, vec3 view, vec3 reflection, float roughness,
                        float fresnel)

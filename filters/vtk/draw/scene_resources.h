@@ -31,7 +31,10 @@ struct SceneResources {
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
   LightForm lightForm = LightForm::Single;
-  bool general = false;                   ///< programs take nothing for granted (surface_facts.h), to compare with
+  bool general = false;  ///< programs take nothing for granted (surface_facts.h), to compare with
+  /// Resting programs look maps up in flat pictures of them (flat_texture.h): on software renderers.
+  bool flatMaps = false;
+  std::shared_ptr<std::size_t> flatBytes = std::make_shared<std::size_t>(0);  ///< of all such pictures
   GLuint blueNoise = 0;                   ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
   GLuint blackCube = 0;                   ///< stands in for maps not captured yet
   GLuint viewColors = 0;                  ///< 256 x 1, of the debug view; made when that is first shown

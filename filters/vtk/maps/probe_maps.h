@@ -11,6 +11,7 @@
 #include "filters/math/technique/levels_read.h"
 #include "filters/vtk/gl/gl_objects.h"
 #include "filters/vtk/maps/coverage_texture.h"
+#include "filters/vtk/maps/flat_texture.h"
 #include "filters/vtk/maps/light_texture.h"
 #include "filters/vtk/maps/relief_texture.h"
 
@@ -41,8 +42,12 @@ struct ProbeMaps {
   void need(LevelMask levels) const {
     const LevelMask wanted = missing(levels);
     if (wanted == 0 || !filterLevels) return;
-    if (filterLevels(*this, wanted)) filtered |= wanted;
+    if (!filterLevels(*this, wanted)) return;
+    filtered |= wanted;
+    flat.release();
   }
+  /// Made when a program that looks it up is first drawn with (flat_texture.h).
+  mutable FlatTexture flat;
   /// Made when a draw first aims rays at what is bright (light_texture.h).
   mutable LightTexture light;
   /// Made when a draw first follows rays by the distances (relief_texture.h).
@@ -53,7 +58,7 @@ struct ProbeMaps {
   mutable CoverageTexture coverage;
   mutable std::shared_ptr<const CubeMap> tint;  ///< of the glass it shows (glass_tint.h); null: there is none
   std::size_t bytes() const {
-    return radiance.bytes() + distance.bytes() + light.bytes() + relief.bytes() + coverage.bytes();
+    return radiance.bytes() + distance.bytes() + flat.bytes() + light.bytes() + relief.bytes() + coverage.bytes();
   }
 };
 

@@ -19,7 +19,7 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
     text += joinShaderSources({"shared/fresnel.glsl", "shared/split_sum.glsl", "gpu/fetch_split_sum.glsl"});
   }
   if (program.surface != nullptr) text += finishSwitches(*program.surface);
-  text += probes ? probeDeclarations(program.binding, program.output, program.mirror)
+  text += probes ? probeDeclarations(program.binding, program.output, program.mirror, program.flatMaps)
                  : std::string(shaderSource("gpu/output_uniforms.glsl"));
   if (probes) text += coverageDeclarations(program.binding);
   // What has no probes is compared with VTK's own pictures, to the bit.

@@ -22,6 +22,8 @@ struct SurfaceProgram {
   SurfaceFacts facts = 0;  ///< what the program leaves out; needs `surface`
   /// Somebody else's actor: falloffs of lamps mean what they mean in VTK.
   bool foreign = false;
+  /// Probes and sky are looked up in flat pictures of their maps (flat_texture.h).
+  bool flatMaps = false;
   /// Emissive factors show without an emissive texture.
   bool emission = true;
 

@@ -105,8 +105,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          joinShaderSources(projectionFiles) +
          "ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflection)\n{\n" + dispatch +
          "  return " + std::string(first.function) +
-         "(probe, position, normal, reflection);\n}\n#define PROBE_MAP samplerCube\n#define DISTANCE_MAP "
-         "samplerCube\n" +
+         "(probe, position, normal, reflection);\n}\n#define DISTANCE_MAP samplerCube\n" +
          (debug ? joinShaderSources({"gpu/debug_distance.glsl", "shared/true_hit.glsl"}) : std::string()) +
          (openByLookup ? joinShaderSources({"shared/open_lookup.glsl", "gpu/fetch_probe_open.glsl"})
                        : joinShaderSources({"gpu/fetch_probe.glsl"})) +
@@ -130,7 +129,7 @@ std::string parameterUniform(const ParameterRow& row) {
   return "bp_" + std::string(row.name);
 }
 
-std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output, bool mirror) {
+std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output, bool mirror, bool flatMaps) {
   const bool debug = output == SurfaceOutput::Debug;
   const std::vector<int> groups = binding.groups();
   std::string lighting(shaderSource("gpu/probe_lighting.glsl"));
@@ -170,6 +169,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          std::to_string(marchForms(binding)) + "\n" +
          joinShaderSources({"shared/types.glsl", "shared/finite.glsl", "shared/slab.glsl", "shared/roughness.glsl",
                             "shared/weights.glsl", "shared/sh.glsl"}) +
+         (flatMaps ? "#define BP_FLAT_MAPS\n" + joinShaderSources({"gpu/flat_lookup.glsl"}) : std::string()) +
          (debug ? joinShaderSources({"shared/cube.glsl", "gpu/debug_trace.glsl"}) : std::string()) + lighting;
 }
 

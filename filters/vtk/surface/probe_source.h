@@ -10,8 +10,8 @@
 namespace boxprobe {
 
 /// shaders/gpu/probe_lighting.glsl with the techniques that the binding uses, and no other; `mirror`: a planar mirror's
-/// picture is looked up, too.
-std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output, bool mirror);
+/// picture is looked up, too; `flatMaps`: maps are flat pictures.
+std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output, bool mirror, bool flatMaps);
 
 /// What asks how much of a light comes through a probe's coverage; empty where no light asks.
 std::string coverageDeclarations(const ProbeBinding& binding);

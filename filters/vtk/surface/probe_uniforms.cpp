@@ -24,15 +24,27 @@ const ProbeMaps* mapsOf(const DrawState& state, const DrawnProbe& probe) {
   return state.pass().firstBounce ? nullptr : probe.maps.get();
 }
 
-void uploadSky(const UniformUpload& to, const SceneResources& resources) {
+void uploadFlat(const UniformUpload& to, const std::string& name, DrawState& state, const ProbeMaps& maps) {
+  if (maps.flat.make(maps.radiance, state.resources.flatBytes)) ++state.counts.counters.mapsFlattened;
+  to.texture2d(name, maps.flat.handle());
+}
+
+void uploadSky(const UniformUpload& to, DrawState& state, bool flatMaps) {
+  const SceneResources& resources = state.resources;
+  if (flatMaps) return uploadFlat(to, "bpSkyMap", state, *resources.sky);
   to.cube("bpSkyMap", resources.sky ? resources.sky->radiance.handle() : resources.blackCube);
 }
 
 // The captured light of each slot.
-void uploadLight(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding) {
+void uploadLight(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool flatMaps) {
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
     const ProbeMaps* maps = mapsOf(state, *binding.probes[i]);
-    to.cube("bpMap" + std::to_string(i), maps != nullptr ? maps->radiance.handle() : state.resources.blackCube);
+    const std::string name = "bpMap" + std::to_string(i);
+    if (flatMaps) {
+      uploadFlat(to, name, state, *maps);
+      continue;
+    }
+    to.cube(name, maps != nullptr ? maps->radiance.handle() : state.resources.blackCube);
   }
 }
 
@@ -104,14 +116,29 @@ void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
 
 }  // namespace
 
+// What is not captured yet has no picture, and what of the sky no draw of the binding looks up needs none.
+bool flatMapsFit(const DrawState& state, const ProbeBinding& binding) {
+  if (!state.resources.flatMaps || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
+  std::size_t bytes = 0;
+  const auto fits = [&bytes](const ProbeMaps* maps) {
+    if (maps == nullptr || !FlatTexture::fits(maps->radiance)) return false;
+    bytes += maps->flat.bytesToMake(maps->radiance);
+    return true;
+  };
+  if ((binding.sky || binding.open()) && !fits(state.resources.sky.get())) return false;
+  return std::all_of(binding.probes.begin(), binding.probes.end(),
+                     [&](const auto& probe) { return fits(probe->maps.get()); }) &&
+         (bytes == 0 || *state.resources.flatBytes + bytes <= FlatTexture::kMostBytes);
+}
+
 void uploadSplitSum(const UniformUpload& to, const SceneResources& resources) {
   to.texture2d("bpBrdf", resources.brdfTable);
 }
 
-void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding) {
+void uploadSurroundings(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool flatMaps) {
   to.program->SetUniformMatrix3x3("bpViewToWorld", viewToWorldRotation(to.camera()).data());
-  uploadSplitSum(to, resources);
-  if (binding.sky || binding.open()) uploadSky(to, resources);
+  uploadSplitSum(to, state.resources);
+  if (binding.sky || binding.open()) uploadSky(to, state, flatMaps);
 }
 
 void uploadOutput(const UniformUpload& to, const PassSettings& pass) {
@@ -120,16 +147,16 @@ void uploadOutput(const UniformUpload& to, const PassSettings& pass) {
 }
 
 void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
-                    const RestingValues& resting, const RestingValues* constants) {
+                    const RestingValues& resting, const RestingValues* constants, bool flatMaps) {
   ++state.counts.counters.uniformUpdates;
-  uploadSurroundings(to, state.resources, binding);
+  uploadSurroundings(to, state, binding, flatMaps);
   uploadResting(to, resting, constants);
-  if (!binding.probes.empty()) uploadSlots(to, state, binding, debug);
+  if (!binding.probes.empty()) uploadSlots(to, state, binding, debug, flatMaps);
   if (!binding.shadowLights.empty()) uploadCoverage(to, state, binding);
 }
 
-void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug) {
-  uploadLight(to, state, binding);
+void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug, bool flatMaps) {
+  uploadLight(to, state, binding, flatMaps);
   if (debug) uploadDistances(to, state.resources, binding);
   if (binding.distances() && !binding.dark) uploadRelief(to, state, binding);
   if (!binding.dark) uploadSampling(to, state, binding);

@@ -11,17 +11,22 @@ namespace boxprobe {
 
 void uploadSplitSum(const UniformUpload& to, const SceneResources& resources);
 /// That, the camera's axes, and the sky where the binding looks it up.
-void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding);
+void uploadSurroundings(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool flatMaps = false);
 
 /// Exposure and projection: what every spliced program reads.
 void uploadOutput(const UniformUpload& to, const PassSettings& pass);
 
 /// The slots' maps and origins; `debug`: the debug view's own maps, too. Makes the blue-noise mask
 /// if a technique wants it.
-void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug);
+void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
+                 bool flatMaps = false);
 /// All that a program with probes reads of its lighting: surroundings, slots, coverage. Counted. `resting`: that
-/// binding's lightingValues(), at least those that the program has not as `constants` (null: none).
+/// binding's lightingValues(), at least those that the program has not as `constants` (null: none). `flatMaps`: flat
+/// pictures of the maps, which are made where they are not yet.
 void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
-                    const RestingValues& resting, const RestingValues* constants = nullptr);
+                    const RestingValues& resting, const RestingValues* constants = nullptr, bool flatMaps = false);
+
+/// Can this binding be drawn by flat pictures of its maps as they are now?
+bool flatMapsFit(const DrawState& state, const ProbeBinding& binding);
 
 }  // namespace boxprobe

@@ -195,8 +195,9 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
                                : !this->SeparateSpecular ? SurfaceOutput::Picture
                                : samples                 ? SurfaceOutput::SpecularSeparate
                                                          : SurfaceOutput::SpecularSeparateNone;
-  const boxprobe::SurfaceProgram program{this->Made(), this->Surface.get(), output, this->Mirror != nullptr,
-                                         this->Form,   this->Facts};
+  boxprobe::SurfaceProgram program{this->Made(), this->Surface.get(), output, this->Mirror != nullptr,
+                                   this->Form,   this->Facts};
+  program.flatMaps = this->Constants && this->FlatMaps;
   const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, this->LitPhysically(actor));
   this->State->counts.fail(report.failure);
   boxprobe::breakShaderIfAsked(sources.fragment, "surface");
@@ -257,6 +258,11 @@ void vtkProbePolyDataMapper::ChooseConstants(vtkActor* actor) {
       ++this->State->counts.counters.constantsLeft;
     }
     this->Constants = std::move(constants);
+    this->Modified();
+  }
+  const bool flat = this->Constants && boxprobe::flatMapsFit(*this->State, *this->Drawn);
+  if (flat != this->FlatMaps) {
+    this->FlatMaps = flat;
     this->Modified();
   }
 }
@@ -349,7 +355,7 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
 void vtkProbePolyDataMapper::UploadLighting(const boxprobe::UniformUpload& to) {
   boxprobe::DrawState& state = *this->State;
   boxprobe::uploadLighting(to, state, this->Made(), this->Debug, boxprobe::lightingValues(state, this->Made()),
-                           this->Constants ? &this->Constants->values : nullptr);
+                           this->Constants ? &this->Constants->values : nullptr, this->Constants && this->FlatMaps);
   if (this->Mirror) {
     boxprobe::uploadMirror(to, *this->Mirror, state.resources);
   }

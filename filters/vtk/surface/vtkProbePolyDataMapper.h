@@ -119,6 +119,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<const boxprobe::ConstantsPlan> Plan;       // may be drawn with
   std::shared_ptr<const boxprobe::ConstantsPlan> Constants;  // the program's
   bool ConstantsRefused = false;
+  bool FlatMaps = false;  // the program's: with constants alone
   boxprobe::FrameParts LeftOut = 0;
   unsigned ProgramNumber = 0;
   bool Again = false;  // a further pass of the same piece
