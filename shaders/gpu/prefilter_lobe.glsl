@@ -1,8 +1,14 @@
 // One face of one prefiltered level: a lobe around each texel's direction over the captured radiance. The lookups are the
 // same for every texel, so the host computes them once a level (filters/math/sampling/filter_lobe.h); filters/math/cube/cube_filter.cpp
 // is this file's twin on the CPU. Needs shared/cube.glsl, shared/lobe_frame.glsl, shared/edge_fixup.glsl,
-// gpu/nearest_half.glsl.
+// gpu/nearest_half.glsl; with BP_FLAT_SOURCE gpu/flat_lookup.glsl.
+#ifdef BP_FLAT_SOURCE
+uniform sampler2D bpSource;
+uniform float bpSourceSize; // texels of its level 0
+uniform float bpSourceMaxLevel;
+#else
 uniform samplerCube bpSource;
+#endif
 uniform int bpFace;
 uniform float bpFaceSize; // texels of the level written
 #ifdef BP_EDGE_FIXUP // a program of its own: software renderers do not skip branches
@@ -20,7 +26,12 @@ vec4 lobeMean(vec3 n)
   {
     vec4 tap = bpTaps[i];
     float z = sqrt(max(1.0f - tap.x * tap.x - tap.y * tap.y, 0.0f));
-    sum += tap.w * textureLod(bpSource, tap.x * t + tap.y * b + z * n, tap.z);
+    vec3 d = tap.x * t + tap.y * b + z * n;
+#ifdef BP_FLAT_SOURCE
+    sum += tap.w * bpFlatLookup(bpSource, d, tap.z, bpSourceSize, bpSourceMaxLevel);
+#else
+    sum += tap.w * textureLod(bpSource, d, tap.z);
+#endif
   }
   return sum;
 }

@@ -31,7 +31,8 @@ std::vector<glm::vec4> paddedFace(const CubeMap& cube, int level, int face) {
     return texels[static_cast<std::size_t>((row + 1) * padded + column + 1)];
   };
   for (int i = 0; i < size; ++i) {
-    for (int column = 0; column < size; ++column) at(column, i) = cube.texel(level, face, column, i);
+    const float* own = cube.face(level, face) + 4 * static_cast<std::size_t>(i) * static_cast<std::size_t>(size);
+    std::copy_n(own, 4 * static_cast<std::size_t>(size), &at(0, i).x);
     at(-1, i) = beyondEdge(cube, level, face, -1, i);
     at(size, i) = beyondEdge(cube, level, face, size, i);
     at(i, -1) = beyondEdge(cube, level, face, i, -1);

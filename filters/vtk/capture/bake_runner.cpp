@@ -58,6 +58,7 @@ void BakeRunner::abort() {
   item_.reset();
   maps_.reset();
   face_ = unit_ = level_ = 0;
+  prefilter_.forgetSource();
 }
 
 void BakeRunner::step() {

@@ -19,6 +19,7 @@ void LevelFilter::make(const CubeTexture& chain, LevelMask levels, const Prefilt
     prefilter_.filterLevel(source_, chain, level, settings);
     ++counters_->levelsMadeLater;
   }
+  prefilter_.forgetSource();
   source_.release();
 }
 

@@ -7,6 +7,8 @@
 #include <array>
 #include <glm/vec4.hpp>
 
+#include "filters/vtk/gl/software_driver.h"
+
 namespace boxprobe {
 
 Prefilter::Prefilter(vtkOpenGLRenderWindow* window, Counters* counters)
@@ -16,6 +18,11 @@ Prefilter::Prefilter(vtkOpenGLRenderWindow* window, Counters* counters)
           {"shared/cube.glsl", "shared/source_level.glsl", "gpu/nearest_half.glsl", "gpu/prefilter_source.glsl"},
           counters),
       lobePass_({"shared/cube.glsl", "shared/lobe_frame.glsl", "gpu/nearest_half.glsl", "gpu/prefilter_lobe.glsl"},
+                counters),
+      flatPass_("gpu/prefilter_lobe.glsl from a flat picture",
+                "#define BP_FLAT_SOURCE\n" +
+                    joinShaderSources({"shared/cube.glsl", "shared/lobe_frame.glsl", "gpu/nearest_half.glsl",
+                                       "gpu/flat_lookup.glsl", "gpu/prefilter_lobe.glsl"}),
                 counters),
       fixupPass_("gpu/prefilter_lobe.glsl with edge fix-up",
                  "#define BP_EDGE_FIXUP\n" +
@@ -42,6 +49,25 @@ void Prefilter::makeSourceLevels(const CubeTexture& source) {
   }
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BASE_LEVEL, 0);
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, source.levels() - 1);
+  forgetSource();
+}
+
+// To make the picture takes as long as it spares on some eight lookups for each of the source's texels: fine levels
+// have as many. Each level goes one way or the other whatever else is filtered, so that its texels are always the same
+// to the bit.
+bool Prefilter::flattened(const CubeTexture& source, std::size_t lookups) {
+  const auto size = static_cast<std::size_t>(source.faceSize());
+  if (!drawsOnCpu() || !FlatTexture::fits(source) || lookups < 8 * 6 * size * size) return false;
+  if (flatOf_ == source.handle()) return true;
+  flat_.release();
+  flat_.make(source, flatBytes_);
+  flatOf_ = source.handle();
+  return true;
+}
+
+void Prefilter::forgetSource() {
+  flat_.release();
+  flatOf_ = 0;
 }
 
 void Prefilter::begin(const CubeTexture& source, const CubeTexture& chain, const PrefilterSettings& settings) {
@@ -91,15 +117,22 @@ void Prefilter::filterWith(const CubeTexture& source, const CubeTexture& chain, 
   const int count = std::min(static_cast<int>(taps.size()), kMaxSamples);
   std::vector<std::array<float, 4>> packed;
   for (const LobeTap& tap : taps) packed.push_back({tap.direction.x, tap.direction.y, tap.level, tap.weight});
-  const BoundTexture bound(window_, GL_TEXTURE_CUBE_MAP, source.handle());
+  const std::size_t lookups = 6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size) * taps.size();
+  const bool fixup = edgeFixupWidth > 0, flat = !fixup && flattened(source, lookups);
+  const BoundTexture bound(window_, flat ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP,
+                           flat ? flat_.handle() : source.handle());
+  FullScreenPass& pass = fixup ? fixupPass_ : flat ? flatPass_ : lobePass_;
   for (int face = 0; face < 6; ++face) {
     to_.bind(window_, chain, face, level);
-    FullScreenPass& pass = edgeFixupWidth > 0 ? fixupPass_ : lobePass_;
     pass.draw(window_, [&](vtkShaderProgram* program) {
       program->SetUniformi("bpSource", bound.unit());
       program->SetUniformi("bpFace", face);
       program->SetUniformf("bpFaceSize", static_cast<float>(size));
-      if (edgeFixupWidth > 0) {
+      if (flat) {
+        program->SetUniformf("bpSourceSize", static_cast<float>(source.faceSize()));
+        program->SetUniformf("bpSourceMaxLevel", static_cast<float>(source.levels() - 1));
+      }
+      if (fixup) {
         program->SetUniformf("bpFixupWidth", static_cast<float>(std::min(edgeFixupWidth, size / 2)));
       }
       program->SetUniformi("bpTapCount", count);
@@ -122,6 +155,8 @@ void Prefilter::release() {
   to_.release();
   sourcePass_.release();
   lobePass_.release();
+  flatPass_.release();
+  forgetSource();
   fixupPass_.release();
 }
 

@@ -9,6 +9,7 @@
 #include "filters/math/technique/levels_read.h"
 #include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/full_screen_pass.h"
+#include "filters/vtk/maps/flat_texture.h"
 
 class vtkOpenGLRenderWindow;
 
@@ -34,15 +35,22 @@ class Prefilter {
   /// Diffuse irradiance, by world normals, from a small level of the source.
   static ShCoefficients irradiance(const CubeTexture& source, const glm::dmat3& worldFromMap = glm::dmat3(1.0));
 
+  /// No more levels of this source: gives back what was made of it.
+  void forgetSource();
   void release();
 
  private:
   vtkOpenGLRenderWindow* window_;
   Counters* counters_;
+  /// Looks `source` up in a flat picture of it, which is made here?
+  bool flattened(const CubeTexture& source, std::size_t lookups);
   const std::vector<LobeTap>& tapsOf(const FilterLobe& lobe, int samples, int faceSize);
 
   CubeFramebuffer from_, to_;
-  FullScreenPass sourcePass_, lobePass_, fixupPass_;
+  FullScreenPass sourcePass_, lobePass_, flatPass_, fixupPass_;
+  FlatTexture flat_;   ///< of the source that was filtered last, where that is quicker
+  GLuint flatOf_ = 0;  ///< that source; 0: none
+  std::shared_ptr<std::size_t> flatBytes_ = std::make_shared<std::size_t>(0);
   struct Taps {
     FilterLobe lobe;
     int samples = 0, faceSize = 0;
