@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/core/base/number_text.h"
 #include "filters/io/gltf/gltf_parts.h"
 
 namespace boxprobe {
@@ -70,9 +71,8 @@ glm::dmat4 skinOf(const GltfFile& file, const std::vector<Influences>& sets, std
       if (weight == 0.0) continue;
       const float joint = set.joints[k];
       if (!(joint >= 0.0f && joint < static_cast<float>(joints.size()))) {
-        file.fail(place, "vertex " + std::to_string(vertex) + " hangs on joint " +
-                             std::to_string(static_cast<long long>(joint)) + ", but the skin has " +
-                             std::to_string(joints.size()) + "; the file is damaged");
+        file.fail(place, "vertex " + std::to_string(vertex) + " hangs on joint " + numberText(joint) +
+                             ", but the skin has " + std::to_string(joints.size()) + "; the file is damaged");
       }
       skin += weight * joints[static_cast<std::size_t>(joint)];
       sum += weight;
