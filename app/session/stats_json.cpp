@@ -77,7 +77,6 @@ std::string statsJson(const RunStats& stats) {
                       {"errorsMeasured", c.errorsMeasured},
                       {"reliefsBounded", c.reliefsBounded},
                       {"mapsFlattened", c.mapsFlattened},
-                      {"mapsFlattened", c.mapsFlattened},
                       {"texelsNotFinite", c.texelsNotFinite},
                       {"uniformUpdates", c.uniformUpdates}};
   const MirrorCounters& m = c.mirrors;

@@ -1,5 +1,5 @@
-// A prefiltered map looked up in its flat picture (filters/math/cube/flat_cube.h) in place of the cubemap: the same value, in three
-// fifths of the time on llvmpipe. `size`: texels along a face of level 0, a power of two.
+// A prefiltered map looked up in its flat picture (filters/math/cube/flat_cube.h) in place of the cubemap: the same value, in two
+// thirds of the time on llvmpipe. `size`: texels along a face of level 0, a power of two.
 vec4 bpFlatLookup(sampler2D map, vec3 direction, float level, float size, float maxLevel)
 {
   vec3 a = abs(direction);
@@ -10,7 +10,7 @@ vec4 bpFlatLookup(sampler2D map, vec3 direction, float level, float size, float 
   float t = alongY ? (direction.y < 0.0f ? -direction.z : direction.z) : -direction.y;
   float along = alongX ? direction.x : (alongY ? direction.y : direction.z);
   float face = (alongX ? 0.0f : (alongY ? 2.0f : 4.0f)) + (along < 0.0f ? 1.0f : 0.0f);
-  vec2 st = vec2(s, t) * (0.5f / largest) + 0.5f;
+  vec2 st = 0.5f * (vec2(s, t) / largest) + 0.5f;
 
   float l = clamp(level, 0.0f, maxLevel);
   float lower = floor(l);
