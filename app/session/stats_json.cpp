@@ -76,6 +76,7 @@ std::string statsJson(const RunStats& stats) {
                       {"texelsClamped", c.texelsClamped},
                       {"errorsMeasured", c.errorsMeasured},
                       {"reliefsBounded", c.reliefsBounded},
+                      {"sourcesFlattened", c.sourcesFlattened},
                       {"mapsFlattened", c.mapsFlattened},
                       {"texelsNotFinite", c.texelsNotFinite},
                       {"uniformUpdates", c.uniformUpdates}};

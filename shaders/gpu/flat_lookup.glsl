@@ -10,7 +10,7 @@ vec4 bpFlatLookup(sampler2D map, vec3 direction, float level, float size, float 
   float t = alongY ? (direction.y < 0.0f ? -direction.z : direction.z) : -direction.y;
   float along = alongX ? direction.x : (alongY ? direction.y : direction.z);
   float face = (alongX ? 0.0f : (alongY ? 2.0f : 4.0f)) + (along < 0.0f ? 1.0f : 0.0f);
-  vec2 st = 0.5f * (vec2(s, t) / largest) + 0.5f;
+  vec2 st = vec2(s, t) * (0.5f / largest) + 0.5f;
 
   float l = clamp(level, 0.0f, maxLevel);
   float lower = floor(l);

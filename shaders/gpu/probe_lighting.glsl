@@ -24,9 +24,9 @@ uniform float bpParallel;       // 1 under parallel projection
 uniform float bpExposure;       // negative: linear output; else display colours at this exposure
 #ifdef BP_FLAT_MAPS
 #define PROBE_MAP sampler2D
-#define BP_SKY_LOOKUP(direction, level) bpFlatLookup(bpSkyMap, direction, level, bpSkyMapSize, bpSkyMaxLevel)
-#define BP_SLOT_LOOKUP(map, slot, direction, level) bpFlatLookup(map, direction, level, bpMapSize[slot], bpMaxLevel[slot])
-uniform float bpSkyMapSize;     // texels along a face
+// The last level of a chain has 4 texels along a face.
+#define BP_SKY_LOOKUP(direction, level) bpFlatLookup(bpSkyMap, direction, level, 4.0f * exp2(bpSkyMaxLevel), bpSkyMaxLevel)
+#define BP_SLOT_LOOKUP(map, slot, direction, level) bpFlatLookup(map, direction, level, 4.0f * exp2(bpMaxLevel[slot]), bpMaxLevel[slot])
 #else
 #define PROBE_MAP samplerCube
 #define BP_SKY_LOOKUP(direction, level) textureLod(bpSkyMap, direction, level)
@@ -47,9 +47,6 @@ uniform vec3 bpRateMin[BP_SLOTS];        // 1 / blend distance
 uniform vec3 bpRateMax[BP_SLOTS];
 uniform float bpIntensity[BP_SLOTS];
 uniform float bpMaxLevel[BP_SLOTS];
-#ifdef BP_FLAT_MAPS
-uniform float bpMapSize[BP_SLOTS];
-#endif
 uniform vec3 bpSh[9 * BP_SLOTS];
 #ifdef BP_BEVEL
 uniform vec2 bpBevel[BP_SLOTS];          // radius of the box's edges, scene units: x + y * roughness

@@ -21,7 +21,7 @@ using namespace boxprobe::test;
 constexpr int kSide = 256;
 
 // Directions all over, every fourth within a hundredth of an edge or corner; levels from below the first to beyond the
-// last, every third a whole one. Writes both values' distance, and how far along the first is.
+// last, every third a whole one. Writes both values' distance, and the red of each.
 constexpr const char* kMain = R"(
 uniform samplerCube cube;
 uniform sampler2D flatPicture;
@@ -44,7 +44,9 @@ void main()
   float level = mix(-1.0, maxLevel + 1.0, u.w);
   if (kind / 8u % 3u == 0u) { level = floor(level); }
   vec4 a = textureLod(cube, d, level);
-  vec4 b = bpFlatLookup(flatPicture, d, level, size, maxLevel);
+  // Directions need not be unit. Beyond this some reciprocal or component is below the least normal number, which is 0 here.
+  float reach = (kind & 0xe0u) == 0u ? 1.0e-30 : (kind & 0xe0u) == 0x20u ? 3.0e37 : 1.0;
+  vec4 b = bpFlatLookup(flatPicture, reach * d, level, size, maxLevel);
   gl_FragData[0] = vec4(max(max(abs(a.r - b.r), abs(a.g - b.g)), max(abs(a.b - b.b), abs(a.a - b.a))), a.r, b.r, 1.0);
 }
 )";
@@ -71,7 +73,9 @@ TEST(FlatLookup, IsTheCubemaps) {
     ASSERT_TRUE(FlatTexture::fits(chain));
     const std::size_t expected = flat.bytesToMake(chain);
     ASSERT_TRUE(flat.make(chain, total));
-    EXPECT_FALSE(flat.make(chain, total)) << "it is made once";
+    const GLuint first = flat.handle();
+    ASSERT_TRUE(flat.make(chain, total));
+    EXPECT_EQ(flat.handle(), first) << "it is made once";
     EXPECT_LE(flat.bytes(), expected);
     EXPECT_EQ(*total, flat.bytes());
     FloatTarget target;
@@ -108,6 +112,20 @@ TEST(FlatLookup, IsTheCubemaps) {
     flat.release();
     EXPECT_EQ(*total, 0u);
   }
+}
+
+// Sizes that do not halve down to the last level have no such picture, nor have those that would take too much memory.
+TEST(FlatLookup, IsNotMadeOfEverySize) {
+  const auto window = makeWindow();
+  const auto fits = [](int faceSize, int levels) {
+    CubeTexture chain;
+    chain.allocate(faceSize, levels, GL_RGBA16F);
+    return FlatTexture::fits(chain);
+  };
+  EXPECT_TRUE(fits(64, 5));
+  EXPECT_FALSE(fits(48, 4));
+  EXPECT_FALSE(fits(1024, 1));
+  EXPECT_FALSE(FlatTexture::fits(CubeTexture()));
 }
 
 // What is drawn flat is laid out once, again after a level is filtered later, and nothing is while numbers are

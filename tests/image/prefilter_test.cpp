@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "filters/math/cube/cube_filter.h"
+#include "filters/vtk/gl/software_driver.h"
 #include "filters/vtk/maps/cube_transfer.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"
@@ -38,6 +39,17 @@ class GpuPrefilter : public ::testing::Test {
   Counters counters;
   Prefilter prefilter{window, &counters};
 };
+
+// A flat picture of the source is made where a level has lookups enough to be worth it, once, and by processors alone.
+TEST_F(GpuPrefilter, LaysTheSourceOutFlatForFineLevelsAlone) {
+  PrefilterSettings few;
+  few.samples = 8;
+  const CubeMap capture = skyWithLamp(64, 0.97f, 0.3f);
+  filter(capture, few);
+  EXPECT_EQ(counters.sourcesFlattened, 0u);
+  filter(capture, {});
+  EXPECT_EQ(counters.sourcesFlattened, drawsOnCpu() ? 1u : 0u);
+}
 
 // The GPU's chain is of half floats, source levels included: each rounding is 2^-11 of a texel's own value, which for
 // the sum stays below 1e-3 of it; the CPU's is of floats.

@@ -32,6 +32,7 @@ struct Counters {
   std::uint64_t errorsMeasured = 0;  ///< probes whose own errors `auto` goes by, each time their box or picture changed
   std::uint64_t reliefsBounded =
       0;  ///< probes whose distances' least and greatest were made, for rays that are followed
+  std::uint64_t sourcesFlattened = 0;   ///< captures laid out flat to filter fine levels of them, on software renderers
   std::uint64_t mapsFlattened = 0;      ///< filtered chains laid out flat, for programs of software renderers at rest
   std::uint64_t programsCompiled = 0;   ///< GL programs this program caused; again, if one had been given back
   std::uint64_t programsGivenBack = 0;  ///< of surfaces: not drawn with for long

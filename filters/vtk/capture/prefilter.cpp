@@ -60,7 +60,8 @@ bool Prefilter::flattened(const CubeTexture& source, std::size_t lookups) {
   if (!drawsOnCpu() || !FlatTexture::fits(source) || lookups < 8 * 6 * size * size) return false;
   if (flatOf_ == source.handle()) return true;
   flat_.release();
-  flat_.make(source, flatBytes_);
+  if (!flat_.make(source, flatBytes_)) return false;
+  ++counters_->sourcesFlattened;
   flatOf_ = source.handle();
   return true;
 }

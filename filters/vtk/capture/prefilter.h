@@ -42,7 +42,7 @@ class Prefilter {
  private:
   vtkOpenGLRenderWindow* window_;
   Counters* counters_;
-  /// Looks `source` up in a flat picture of it, which is made here?
+  /// Is `source` looked up in a flat picture of it? That is made here.
   bool flattened(const CubeTexture& source, std::size_t lookups);
   const std::vector<LobeTap>& tapsOf(const FilterLobe& lobe, int samples, int faceSize);
 

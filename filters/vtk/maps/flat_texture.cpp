@@ -1,5 +1,7 @@
 #include "filters/vtk/maps/flat_texture.h"
 
+#include <new>
+
 #include "filters/math/cube/flat_cube.h"
 #include "filters/vtk/gl/gl_objects.h"
 
@@ -32,7 +34,20 @@ std::size_t FlatTexture::bytesToMake(const CubeTexture& radiance) const {
 }
 
 bool FlatTexture::make(const CubeTexture& radiance, const std::shared_ptr<std::size_t>& total) {
-  if (handle_ != 0) return false;
+  if (handle_ != 0) return true;
+  if (refused_) return false;
+  try {
+    upload(radiance);
+  } catch (const std::bad_alloc&) {  // must not pass through a draw
+    refused_ = true;
+  }
+  if (refused_) return false;
+  total_ = total;
+  *total_ += bytes_;
+  return true;
+}
+
+void FlatTexture::upload(const CubeTexture& radiance) {
   CubeMap cube(radiance.faceSize(), radiance.levels());
   for (int level = 0; level < cube.levels(); ++level) {
     for (int face = 0; face < 6; ++face) radiance.readFace(face, level, cube.face(level, face));
@@ -41,11 +56,14 @@ bool FlatTexture::make(const CubeTexture& radiance, const std::shared_ptr<std::s
   const std::size_t each = texelBytes(radiance.faceSize());
   GLint previous = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &previous);
+  while (glGetError() != GL_NO_ERROR) {  // errors of others are not this allocation's
+  }
   glGenTextures(1, &handle_);
   glBindTexture(GL_TEXTURE_2D, handle_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexImage2D(GL_TEXTURE_2D, 0, each == 16 ? GL_RGBA32F : GL_RGBA16F, flat.width, flat.height, 0, GL_RGBA, GL_FLOAT,
                flat.rgba.data());
+  refused_ = glGetError() != GL_NO_ERROR;
   for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_2D, name, GL_LINEAR);
   for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
@@ -53,12 +71,14 @@ bool FlatTexture::make(const CubeTexture& radiance, const std::shared_ptr<std::s
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(previous));
   bytes_ = flat.rgba.size() / 4 * each;
-  total_ = total;
-  *total_ += bytes_;
-  return true;
+  if (!refused_) return;
+  glDeleteTextures(1, &handle_);
+  handle_ = 0;
+  bytes_ = 0;
 }
 
 void FlatTexture::release() {
+  refused_ = false;
   if (handle_ == 0) return;
   glDeleteTextures(1, &handle_);
   *total_ -= bytes_;

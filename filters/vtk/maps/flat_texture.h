@@ -27,8 +27,8 @@ class FlatTexture {
   /// That it would take if it were made now: 0 if it is there.
   std::size_t bytesToMake(const CubeTexture& radiance) const;
 
-  /// Reads the chain back once; `total`, which counts the bytes of all, grows until it is released. False: it was
-  /// there.
+  /// Reads the chain back, unless it is there; `total`, which counts the bytes of all, grows until it is released.
+  /// False: there is no memory for it, which is not tried again before it is released.
   bool make(const CubeTexture& radiance, const std::shared_ptr<std::size_t>& total);
   /// The chain has changed, or is gone.
   void release();
@@ -37,7 +37,10 @@ class FlatTexture {
   std::size_t bytes() const { return bytes_; }
 
  private:
+  void upload(const CubeTexture& radiance);
+
   GLuint handle_ = 0;
+  bool refused_ = false;
   std::size_t bytes_ = 0;
   std::shared_ptr<std::size_t> total_;
 };

@@ -24,24 +24,23 @@ const ProbeMaps* mapsOf(const DrawState& state, const DrawnProbe& probe) {
   return state.pass().firstBounce ? nullptr : probe.maps.get();
 }
 
-void uploadFlat(const UniformUpload& to, const std::string& name, DrawState& state, const ProbeMaps& maps) {
-  if (maps.flat.make(maps.radiance, state.resources.flatBytes)) ++state.counts.counters.mapsFlattened;
-  to.texture2d(name, maps.flat.handle());
+// The last level of a filtered chain has 4 texels along a face, as gpu/probe_lighting.glsl takes it.
+bool endsAtFour(const CubeTexture& chain) {
+  return chain.faceSize() >> (chain.levels() - 1) == 4;
 }
 
-void uploadSky(const UniformUpload& to, DrawState& state, bool flatMaps) {
-  const SceneResources& resources = state.resources;
-  if (flatMaps) return uploadFlat(to, "bpSkyMap", state, *resources.sky);
+void uploadSky(const UniformUpload& to, const SceneResources& resources, bool flatMaps) {
+  if (flatMaps) return to.texture2d("bpSkyMap", resources.sky->flat.handle());
   to.cube("bpSkyMap", resources.sky ? resources.sky->radiance.handle() : resources.blackCube);
 }
 
 // The captured light of each slot.
-void uploadLight(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool flatMaps) {
+void uploadLight(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, bool flatMaps) {
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
     const ProbeMaps* maps = mapsOf(state, *binding.probes[i]);
     const std::string name = "bpMap" + std::to_string(i);
     if (flatMaps) {
-      uploadFlat(to, name, state, *maps);
+      to.texture2d(name, maps->flat.handle());
       continue;
     }
     to.cube(name, maps != nullptr ? maps->radiance.handle() : state.resources.blackCube);
@@ -117,28 +116,34 @@ void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
 }  // namespace
 
 // What is not captured yet has no picture, and what of the sky no draw of the binding looks up needs none.
-bool flatMapsFit(const DrawState& state, const ProbeBinding& binding) {
+bool makeFlatMaps(DrawState& state, const ProbeBinding& binding) {
   if (!state.resources.flatMaps || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
-  std::size_t bytes = 0;
-  const auto fits = [&bytes](const ProbeMaps* maps) {
-    if (maps == nullptr || !FlatTexture::fits(maps->radiance)) return false;
-    bytes += maps->flat.bytesToMake(maps->radiance);
-    return true;
-  };
-  if ((binding.sky || binding.open()) && !fits(state.resources.sky.get())) return false;
-  return std::all_of(binding.probes.begin(), binding.probes.end(),
-                     [&](const auto& probe) { return fits(probe->maps.get()); }) &&
-         (bytes == 0 || *state.resources.flatBytes + bytes <= FlatTexture::kMostBytes);
+  std::vector<const ProbeMaps*> all;
+  if (binding.sky || binding.open()) all.push_back(state.resources.sky.get());
+  for (const auto& probe : binding.probes) all.push_back(probe->maps.get());
+  std::size_t more = 0;
+  for (const ProbeMaps* maps : all) {
+    if (maps == nullptr || !FlatTexture::fits(maps->radiance) || !endsAtFour(maps->radiance)) return false;
+    more += maps->flat.bytesToMake(maps->radiance);
+  }
+  if (more > 0 && *state.resources.flatBytes + more > FlatTexture::kMostBytes) return false;
+  return std::all_of(all.begin(), all.end(), [&state](const ProbeMaps* maps) {
+    const bool before = maps->flat.handle() != 0;
+    const bool there = maps->flat.make(maps->radiance, state.resources.flatBytes);
+    if (there && !before) ++state.counts.counters.mapsFlattened;
+    return there;
+  });
 }
 
 void uploadSplitSum(const UniformUpload& to, const SceneResources& resources) {
   to.texture2d("bpBrdf", resources.brdfTable);
 }
 
-void uploadSurroundings(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool flatMaps) {
+void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding,
+                        bool flatMaps) {
   to.program->SetUniformMatrix3x3("bpViewToWorld", viewToWorldRotation(to.camera()).data());
-  uploadSplitSum(to, state.resources);
-  if (binding.sky || binding.open()) uploadSky(to, state, flatMaps);
+  uploadSplitSum(to, resources);
+  if (binding.sky || binding.open()) uploadSky(to, resources, flatMaps);
 }
 
 void uploadOutput(const UniformUpload& to, const PassSettings& pass) {
@@ -149,7 +154,7 @@ void uploadOutput(const UniformUpload& to, const PassSettings& pass) {
 void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
                     const RestingValues& resting, const RestingValues* constants, bool flatMaps) {
   ++state.counts.counters.uniformUpdates;
-  uploadSurroundings(to, state, binding, flatMaps);
+  uploadSurroundings(to, state.resources, binding, flatMaps);
   uploadResting(to, resting, constants);
   if (!binding.probes.empty()) uploadSlots(to, state, binding, debug, flatMaps);
   if (!binding.shadowLights.empty()) uploadCoverage(to, state, binding);

@@ -11,7 +11,8 @@ namespace boxprobe {
 
 void uploadSplitSum(const UniformUpload& to, const SceneResources& resources);
 /// That, the camera's axes, and the sky where the binding looks it up.
-void uploadSurroundings(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool flatMaps = false);
+void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding,
+                        bool flatMaps = false);
 
 /// Exposure and projection: what every spliced program reads.
 void uploadOutput(const UniformUpload& to, const PassSettings& pass);
@@ -22,11 +23,12 @@ void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& 
                  bool flatMaps = false);
 /// All that a program with probes reads of its lighting: surroundings, slots, coverage. Counted. `resting`: that
 /// binding's lightingValues(), at least those that the program has not as `constants` (null: none). `flatMaps`: flat
-/// pictures of the maps, which are made where they are not yet.
+/// pictures of the maps, as makeFlatMaps() has made them.
 void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
                     const RestingValues& resting, const RestingValues* constants = nullptr, bool flatMaps = false);
 
-/// Can this binding be drawn by flat pictures of its maps as they are now?
-bool flatMapsFit(const DrawState& state, const ProbeBinding& binding);
+/// Flat pictures of what the binding looks up, those that are there apart, each counted. False: it is to be drawn by
+/// cubemaps, since one of them has no such picture, or there is no memory for it.
+bool makeFlatMaps(DrawState& state, const ProbeBinding& binding);
 
 }  // namespace boxprobe

@@ -29,7 +29,6 @@ void add(RestingValues& to, const char* name, std::size_t count, const SlotValue
 void addSky(RestingValues& to, const SceneResources& resources) {
   const auto& sky = resources.sky;
   to.add("bpSkyMaxLevel", sky ? sky->maxLevel() : 0.0f);
-  if (resources.flatMaps) to.add("bpSkyMapSize", sky ? static_cast<float>(sky->radiance.faceSize()) : 1.0f);
   to.add("bpSkyIntensity", sky ? 1.0f : 0.0f);
   ShCoefficients sh{};
   if (sky) sh = sky->irradiance;
@@ -39,7 +38,7 @@ void addSky(RestingValues& to, const SceneResources& resources) {
 // The captured light of each slot: its levels, and its diffuse light as spherical harmonics.
 void addLight(RestingValues& to, const DrawState& state, const ProbeBinding& binding) {
   const std::size_t count = binding.probes.size();
-  SlotValues<float> intensity{}, maxLevel{}, mapSize{};
+  SlotValues<float> intensity{}, maxLevel{};
   std::array<glm::vec3, 9 * kMostSlots> sh{};
   for (std::size_t i = 0; i < count; ++i) {
     const DrawnProbe& probe = *binding.probes[i];
@@ -48,7 +47,6 @@ void addLight(RestingValues& to, const DrawState& state, const ProbeBinding& bin
     const ProbeMaps* diffuse = maps != nullptr ? maps : state.resources.sky.get();
     intensity[i] = probe.geometry.intensity;
     maxLevel[i] = maps != nullptr ? maps->maxLevel() : 0.0f;
-    mapSize[i] = maps != nullptr ? static_cast<float>(maps->radiance.faceSize()) : 1.0f;
     if (diffuse != nullptr) {
       std::copy(diffuse->irradiance.begin(), diffuse->irradiance.end(), sh.begin() + static_cast<long>(9 * i));
     }
@@ -59,7 +57,6 @@ void addLight(RestingValues& to, const DrawState& state, const ProbeBinding& bin
   }
   add(to, "bpIntensity", count, intensity);
   add(to, "bpMaxLevel", count, maxLevel);
-  if (state.resources.flatMaps) add(to, "bpMapSize", count, mapSize);
   to.add("bpSh", 3, &sh[0].x, 9 * count);
 }
 

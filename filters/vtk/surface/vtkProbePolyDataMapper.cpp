@@ -197,7 +197,7 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
                                                          : SurfaceOutput::SpecularSeparateNone;
   boxprobe::SurfaceProgram program{this->Made(), this->Surface.get(), output, this->Mirror != nullptr,
                                    this->Form,   this->Facts};
-  program.flatMaps = this->Constants && this->FlatMaps;
+  program.flatMaps = this->DrawsFlat();
   const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, this->LitPhysically(actor));
   this->State->counts.fail(report.failure);
   boxprobe::breakShaderIfAsked(sources.fragment, "surface");
@@ -260,7 +260,7 @@ void vtkProbePolyDataMapper::ChooseConstants(vtkActor* actor) {
     this->Constants = std::move(constants);
     this->Modified();
   }
-  const bool flat = this->Constants && boxprobe::flatMapsFit(*this->State, *this->Drawn);
+  const bool flat = this->Constants && boxprobe::makeFlatMaps(*this->State, *this->Drawn);
   if (flat != this->FlatMaps) {
     this->FlatMaps = flat;
     this->Modified();
@@ -355,7 +355,7 @@ void vtkProbePolyDataMapper::SetCameraShaderParameters(vtkOpenGLHelper& cellBO, 
 void vtkProbePolyDataMapper::UploadLighting(const boxprobe::UniformUpload& to) {
   boxprobe::DrawState& state = *this->State;
   boxprobe::uploadLighting(to, state, this->Made(), this->Debug, boxprobe::lightingValues(state, this->Made()),
-                           this->Constants ? &this->Constants->values : nullptr, this->Constants && this->FlatMaps);
+                           this->Constants ? &this->Constants->values : nullptr, this->DrawsFlat());
   if (this->Mirror) {
     boxprobe::uploadMirror(to, *this->Mirror, state.resources);
   }

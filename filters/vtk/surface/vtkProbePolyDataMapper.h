@@ -96,6 +96,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void UploadLighting(const boxprobe::UniformUpload& to);
   void ChooseConstants(vtkActor* actor);
   void ChooseDark();
+  /** Does its program look maps up in flat pictures? One with constants may. */
+  bool DrawsFlat() const { return this->Constants && this->FlatMaps; }
   /** What the program and its uniforms are made for now. */
   const boxprobe::ProbeBinding& Made() const { return this->Dark ? *this->Dark : *this->Drawn; }
 
@@ -119,7 +121,7 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   std::shared_ptr<const boxprobe::ConstantsPlan> Plan;       // may be drawn with
   std::shared_ptr<const boxprobe::ConstantsPlan> Constants;  // the program's
   bool ConstantsRefused = false;
-  bool FlatMaps = false;  // the program's: with constants alone
+  bool FlatMaps = false;  // of the last draw
   boxprobe::FrameParts LeftOut = 0;
   unsigned ProgramNumber = 0;
   bool Again = false;  // a further pass of the same piece
