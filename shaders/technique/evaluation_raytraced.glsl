@@ -4,7 +4,8 @@
 //   level 0           as published: what the capture shows there, and nothing of what lies between two samples
 //   levelOffset       a level that grows with the distance d of the hit as HDRP's form has it: that of a lobe of d / |H - C| times
 //                     the share of alpha that falls to one sample
-//   filtered          the level of the patch of wall that the sample stands for, by its own solid angle
+//   filtered          the level of the patch of wall that the sample stands for, by its own solid angle; each sample blurs, so the
+//                     rays are drawn from a narrower lobe, and both together are as wide as the surface's
 // With sampling `luminance` half of the rays are drawn from the lobe and half from the probe's brightness; each counts by how likely
 // both ways together were to draw it (the balance heuristic, Veach and Guibas 1995). At level 0 only: a blurred sample finds lamps
 // beside it by itself, and would count their light a second time.
@@ -14,6 +15,13 @@
 const float kMirrorRoughness = 1.0e-3f;
 // From here on the samples' own weights are their norm. Fewer scatter too much for that, and with one the weight would cancel.
 const int kFewSamples = 8;
+
+// Roughness of the lobe whose `number` blurred samples are together as wide as the lobe of `roughness`. A sample's blur has its share
+// of alpha² = roughness⁴, 1 / number times a factor, fitted to random rooms; of one or two samples more must be left than that.
+float narrowedRoughness(float roughness, float number)
+{
+  return roughness * max(1.0f - 0.56f / number, 0.775f);
+}
 
 // `solidAngle`: what one sample stands for.
 float sampleLevel(ProbeShape probe, ProbeHit hit, vec3 direction, float alphaEach, float solidAngle)
@@ -44,7 +52,9 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   if (probe.parameters.sampling == 1 && sharp && lightAimable(probe, point, mirrored)) { lightSize = probeLightSize(probe); }
   int count = int(clamp(probe.parameters.samples, lightSize > 0 ? 2.0f : 1.0f, 256.0f));  // at least one ray each way
   float number = float(count);
-  FootprintLobe lobe = footprintLobe(point, 1.0f);
+  ShadingPoint drawn = point;
+  if (probe.parameters.filtered == 1) { drawn.roughness = narrowedRoughness(point.roughness, number); }
+  FootprintLobe lobe = footprintLobe(drawn, 1.0f);
   float alphaEach = min(1.6f * lobe.alpha / sqrt(number), 1.0f);
 
   // Of an odd number of rays the last goes one way or the other; on average each way has half.
