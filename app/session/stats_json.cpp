@@ -68,6 +68,8 @@ std::string statsJson(const RunStats& stats) {
                       {"constantsLeft", c.constantsLeft},
                       {"renders", c.renders},
                       {"drawsByProbeCount", c.drawsByProbeCount},
+                      {"drawsLeftOut", c.drawsLeftOut},
+                      {"skyLeftOut", c.skyLeftOut},
                       {"drawsWithOpenSky", c.drawsWithOpenSky},
                       {"drawsWithCoverage", c.drawsWithCoverage},
                       {"shadowMapsDrawn", c.shadowMapsDrawn},

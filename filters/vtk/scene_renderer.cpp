@@ -66,6 +66,7 @@ void SceneRenderer::lightAsVtk(int columns, int rows, const std::vector<glm::vec
 
 void SceneRenderer::drawGenerally(bool generally) {
   impl_->state->resources.general = generally;
+  impl_->renderer->SetLeavingOut(!generally);
 }
 
 void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& objects, bool sky) {
@@ -75,6 +76,11 @@ void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& o
     all[i].mapper->SetLeftOut(meant ? parts : 0);
   }
   impl_->content.sky->SetVisibility(sky ? 0 : 1);
+  impl_->renderer->ForgetHidden();
+}
+
+void SceneRenderer::drawHidden(bool hidden) {
+  impl_->renderer->SetLeavingOut(!hidden);
 }
 
 void SceneRenderer::keepDepth(bool keep) {

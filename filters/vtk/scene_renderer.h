@@ -95,6 +95,8 @@ class SceneRenderer {
   /// To find what they cost, frames are drawn without `parts` of these objects (their places, see drawnPrograms();
   /// none: of all) and without the sky. The pictures are wrong until it is called with nothing left out.
   void leaveOut(FrameParts parts, const std::vector<std::size_t>& objects = {}, bool sky = false);
+  /// true: frames draw what they know to be hidden, too; false, the default: frames of a view that rests leave it out.
+  void drawHidden(bool hidden);
   /// true: the next frames keep the depth of the one before, so that only what is seen in the end is worked out.
   void keepDepth(bool keep);
   /// The programs of the last frame's objects, in the order of their first object.

@@ -97,6 +97,9 @@ void SceneParts::beginFrame() {
 void SceneParts::endFrame() {
   ++state->counts.counters.renders;
   mirrors.hide();
+  const bool culls = renderer->GetPass() == nullptr;  // a pass draws what it is given
+  state->counts.counters.drawsLeftOut = culls ? renderer->GetLeftOut() : 0;
+  state->counts.counters.skyLeftOut = culls && renderer->GetBackdropLeftOut();
   state->counts.counters.programsGivenBack += state->programs.trim(window);
   if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
   seen = renderer->GetDrawnGeneration();
@@ -128,6 +131,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   if (objects) {
     for (DrawnObject& object : content.objects) applyOverrides(object, scene);
     content.showObjects(renderer);
+    renderer->ForgetHidden();
   }
   // Of many objects none has been seen yet: the first frame will tell.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);

@@ -122,6 +122,9 @@ std::string joined(const std::vector<std::string>& names) {
 
 FrameCosts measureFrameCosts(SceneRenderer& renderer, int rounds, const std::function<double()>& timedFrame,
                              const std::function<bool(double)>& progress) {
+  // Of frames that draw everything, as those of a view that has just changed do.
+  renderer.drawHidden(true);
+  const AtEnd leftOutAgain([&renderer] { renderer.drawHidden(false); });
   timedFrame();
   const std::vector<DrawnProgram> programs = renderer.drawnPrograms();
   std::vector<DrawnProgram::Object> objects;

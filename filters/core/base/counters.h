@@ -42,6 +42,8 @@ struct Counters {
   std::uint64_t constantsLeft = 0;      ///< of them, those drawn without again because a number had changed
   std::uint64_t renders = 0;
   std::array<std::uint64_t, 5> drawsByProbeCount{};  ///< of the last frame: draws that use 0, 1, 2, 3, 4 probes
+  std::uint64_t drawsLeftOut = 0;       ///< of the last frame: nothing of them shows, as a frame of that view had shown
+  bool skyLeftOut = false;              ///< was the sky one of those?
   std::uint64_t drawsWithOpenSky = 0;   ///< of the last frame: those that look up the sky through a probe's openings
   std::uint64_t drawsWithCoverage = 0;  ///< of the last frame: those that look up what lets a light through
   std::uint64_t shadowMapsDrawn = 0;    ///< of moving objects, since the start

@@ -50,6 +50,7 @@ struct FrameReport {
   std::vector<ProbeUse> probes;
   std::vector<MirrorUse> mirrors;
   std::array<std::size_t, 5> drawsByProbeCount{};
+  bool skyLeftOut = false;      ///< the view rests, and objects cover all of it
   std::size_t variants = 0;     ///< among the objects that are drawn
   std::size_t mirrorBytes = 0;  ///< of the planar mirrors' pictures, not in `bytes`
   std::size_t bytes = 0;        ///< of all maps, those kept for undo included

@@ -33,9 +33,63 @@ glm::dmat4 clipFromEye(vtkCamera* camera, double aspect, const glm::dvec3& eye) 
   return glm::translate(clipFromWorld, eye);
 }
 
+// Draws test depth and change nothing, for the life of this object.
+class DepthTestAlone {
+ public:
+  explicit DepthTestAlone(vtkOpenGLState* state)
+      : test_(state, GL_DEPTH_TEST),
+        cull_(state, GL_CULL_FACE),
+        blend_(state, GL_BLEND),
+        depthMask_(state),
+        function_(state),
+        colorMask_(state) {
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDisable(GL_CULL_FACE);
+    state->vtkglDisable(GL_BLEND);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  }
+
+ private:
+  vtkOpenGLState::ScopedglEnableDisable test_, cull_, blend_;
+  vtkOpenGLState::ScopedglDepthMask depthMask_;
+  vtkOpenGLState::ScopedglDepthFunc function_;
+  vtkOpenGLState::ScopedglColorMask colorMask_;
+};
+
+const char* const kNoColor = "void main()\n{\n  gl_FragData[0] = vec4(0.0);\n}\n";
+
+bool passed(GLuint query) {
+  GLuint any = 0;
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, &any);
+  return any != 0;
+}
+
 }  // namespace
 
+OcclusionQuery::OcclusionQuery() : farthest_("occlusion query", kNoColor) {}
+
 OcclusionQuery::~OcclusionQuery() = default;
+
+void OcclusionQuery::haveQueries(std::size_t count) {
+  if (queries_.size() >= count) return;
+  const std::size_t had = queries_.size();
+  queries_.resize(count);
+  glGenQueries(static_cast<GLsizei>(count - had), &queries_[had]);
+}
+
+bool OcclusionQuery::farthestVisible(vtkRenderer* renderer) {
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const DepthTestAlone alone(window->GetState());
+  haveQueries(1);
+  glDepthRange(1.0, 1.0);  // the triangle lies in the middle of the range
+  glBeginQuery(GL_ANY_SAMPLES_PASSED, queries_[0]);
+  farthest_.draw(window, [](vtkShaderProgram*) {});
+  glEndQuery(GL_ANY_SAMPLES_PASSED);
+  glDepthRange(0.0, 1.0);
+  return passed(queries_[0]);
+}
 
 std::vector<bool> OcclusionQuery::visible(vtkRenderer* renderer, const std::vector<Box>& boxes) {
   std::vector<bool> result(boxes.size(), true);
@@ -44,8 +98,7 @@ std::vector<bool> OcclusionQuery::visible(vtkRenderer* renderer, const std::vect
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   if (program_ == nullptr) {
     const std::string vertex = "//VTK::System::Dec\n" + std::string(shaderSource("gpu/box_vertex.glsl"));
-    const std::string fragment =
-        "//VTK::System::Dec\n//VTK::Output::Dec\nvoid main()\n{\n  gl_FragData[0] = vec4(0.0);\n}\n";
+    const std::string fragment = "//VTK::System::Dec\n//VTK::Output::Dec\n" + std::string(kNoColor);
     program_ = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
     glGenVertexArrays(1, &vertexArray_);
   } else {
@@ -53,24 +106,8 @@ std::vector<bool> OcclusionQuery::visible(vtkRenderer* renderer, const std::vect
   }
   if (program_ == nullptr || !program_->GetCompiled()) throw WorkError("the shader box_vertex does not compile");
 
-  vtkOpenGLState* state = window->GetState();
-  const vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST), cull(state, GL_CULL_FACE),
-      blend(state, GL_BLEND);
-  const vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  const vtkOpenGLState::ScopedglDepthFunc function(state);
-  const vtkOpenGLState::ScopedglColorMask colorMask(state);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDepthMask(GL_FALSE);
-  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-
-  if (queries_.size() < boxes.size()) {
-    const std::size_t had = queries_.size();
-    queries_.resize(boxes.size());
-    glGenQueries(static_cast<GLsizei>(boxes.size() - had), &queries_[had]);
-  }
+  const DepthTestAlone alone(window->GetState());
+  haveQueries(boxes.size());
   vtkCamera* camera = renderer->GetActiveCamera();
   glm::dvec3 eye;
   camera->GetPosition(&eye.x);
@@ -95,10 +132,7 @@ std::vector<bool> OcclusionQuery::visible(vtkRenderer* renderer, const std::vect
   }
   glBindVertexArray(0);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (!asked[i]) continue;
-    GLuint passed = 0;
-    glGetQueryObjectuiv(queries_[i], GL_QUERY_RESULT, &passed);
-    result[i] = passed != 0;
+    if (asked[i]) result[i] = passed(queries_[i]);
   }
   return result;
 }
@@ -109,6 +143,7 @@ void OcclusionQuery::release() {
   if (vertexArray_ != 0) glDeleteVertexArrays(1, &vertexArray_);
   vertexArray_ = 0;
   program_ = nullptr;
+  farthest_.release();
 }
 
 }  // namespace boxprobe

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/opengl.h"
 
 class vtkOpenGLRenderWindow;
@@ -16,17 +17,22 @@ namespace boxprobe {
 
 class OcclusionQuery {
  public:
-  OcclusionQuery() = default;
+  OcclusionQuery();
   ~OcclusionQuery();
   OcclusionQuery(const OcclusionQuery&) = delete;
   OcclusionQuery& operator=(const OcclusionQuery&) = delete;
 
   /// For each box: could something in it be seen past what has been drawn so far? A box about the eye always could.
   std::vector<bool> visible(vtkRenderer* renderer, const std::vector<Box>& boxes);
+  /// Does the farthest depth there is, that of a cleared buffer, show past what has been drawn so far?
+  bool farthestVisible(vtkRenderer* renderer);
   void release();
 
  private:
+  void haveQueries(std::size_t count);
+
   vtkShaderProgram* program_ = nullptr;
+  FullScreenPass farthest_;
   GLuint vertexArray_ = 0;
   std::vector<GLuint> queries_;
 };

@@ -141,6 +141,7 @@ void SceneContent::rebuildObjects(vtkCulledRenderer* renderer, const std::shared
   // Drawn last: it only fills what nothing else covered.
   renderer->RemoveViewProp(sky);
   renderer->AddViewProp(sky);
+  renderer->SetBackdrop(sky);
 }
 
 void SceneContent::rebuildLights(vtkRenderer* renderer) {

@@ -45,6 +45,16 @@ void vtkCulledRenderer::SetCulling(bool culling) {
   this->DrawnHolds = false;
 }
 
+void vtkCulledRenderer::SetBackdrop(vtkProp* backdrop) {
+  this->Backdrop = backdrop;
+  this->Still.forget();
+}
+
+void vtkCulledRenderer::SetLeavingOut(bool leavingOut) {
+  this->LeavingOut = leavingOut;
+  this->Still.forget();
+}
+
 void vtkCulledRenderer::SetDrawn(std::vector<std::size_t> items) {
   std::sort(items.begin(), items.end());
   if (items == this->Drawn) {
@@ -95,12 +105,11 @@ int vtkCulledRenderer::UpdateGeometry(vtkFrameBufferObjectBase* fbo) {
 
 // By the farthest point of their bounds: a room that holds the eye and all the rest then comes last. Only for this
 // pass, because translucent props are blended in their own order.
-void vtkCulledRenderer::DrawOpaqueActors(vtkFrameBufferObjectBase* fbo) {
-  vtkProp** given = this->PropArray;
+std::vector<vtkProp*> vtkCulledRenderer::Ordered(const std::vector<vtkProp*>& given) {
   double eye[3];
   this->GetActiveCamera()->GetPosition(eye);
   std::vector<std::pair<double, vtkProp*>> actors;
-  for (int i = 0; i < this->PropArrayCount && mayBeReordered(given[i]); ++i) {
+  for (std::size_t i = 0; this->NearestFirst && i < given.size() && mayBeReordered(given[i]); ++i) {
     const double* b = given[i]->GetBounds();
     double squared = 0.0;
     for (int axis = 0; b != nullptr && axis < 3; ++axis) {
@@ -110,52 +119,127 @@ void vtkCulledRenderer::DrawOpaqueActors(vtkFrameBufferObjectBase* fbo) {
     actors.emplace_back(squared, given[i]);
   }
   std::stable_sort(actors.begin(), actors.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<vtkProp*> ordered(given, given + this->PropArrayCount);
+  std::vector<vtkProp*> ordered = given;
   for (std::size_t i = 0; i < actors.size(); ++i) {
     ordered[i] = actors[i].second;
   }
-  this->PropArray = ordered.data();
-  this->Superclass::DeviceRenderOpaqueGeometry(fbo);
-  this->PropArray = given;
+  return ordered;
 }
 
-void vtkCulledRenderer::DrawOpaque(const std::vector<std::size_t>& items) {
-  this->Array.clear();
-  for (const std::size_t item : items) {
-    this->Array.push_back(this->Culled[item]);
+void vtkCulledRenderer::Draw(std::vector<vtkProp*> props, vtkFrameBufferObjectBase* fbo) {
+  vtkProp** given = this->PropArray;
+  const int count = this->PropArrayCount;
+  this->PropArray = props.data();
+  this->PropArrayCount = static_cast<int>(props.size());
+  this->Superclass::DeviceRenderOpaqueGeometry(fbo);
+  this->PropArray = given;
+  this->PropArrayCount = count;
+}
+
+std::vector<vtkProp*> vtkCulledRenderer::Showing(const std::vector<vtkProp*>& props) {
+  std::vector<vtkProp*> showing;
+  for (vtkProp* prop : props) {
+    if (!this->Still.hides(prop)) {
+      showing.push_back(prop);
+      continue;
+    }
+    ++this->LeftOut;
+    this->BackdropLeftOut = this->BackdropLeftOut || prop == this->Backdrop;
   }
-  this->PropArray = this->Array.data();
-  this->PropArrayCount = static_cast<int>(this->Array.size());
-  this->NearestFirst ? this->DrawOpaqueActors(nullptr) : this->Superclass::DeviceRenderOpaqueGeometry();
+  return showing;
+}
+
+// Past what the surfaces left in the depth buffer. Asked for their boxes, not while they are drawn: software renderers
+// compile every program again for a draw that counts its samples.
+void vtkCulledRenderer::FindHidden(const std::vector<vtkProp*>& surfaces, bool backdrop) {
+  std::vector<boxprobe::Box> boxes;
+  std::vector<vtkProp*> asked;
+  for (vtkProp* prop : surfaces) {
+    const double* b = prop->GetBounds();
+    if (b == nullptr || b[0] > b[1]) {
+      continue;
+    }
+    asked.push_back(prop);
+    boxes.push_back({{b[0], b[2], b[4]}, {b[1], b[3], b[5]}});
+  }
+  const std::vector<bool> visible = this->Test.visible(this, boxes);
+  std::unordered_set<vtkProp*> hidden;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (!visible[i]) {
+      hidden.insert(asked[i]);
+    }
+  }
+  if (backdrop && !this->Test.farthestVisible(this)) {
+    hidden.insert(this->Backdrop);
+  }
+  this->Still.set(std::move(hidden));
+}
+
+// Only surfaces hide anything: of what else there is, what it covers may change without a word.
+void vtkCulledRenderer::DrawStill(const std::vector<vtkProp*>& surfaces, const std::vector<vtkProp*>& others,
+                                  vtkFrameBufferObjectBase* fbo) {
+  const bool backdrop = std::find(others.begin(), others.end(), this->Backdrop) != others.end();
+  bool asks = false;
+  if (this->LeavingOut && this->PreserveDepthBuffer == 0) {
+    std::vector<vtkProp*> concerned = surfaces;
+    if (backdrop) {
+      concerned.push_back(this->Backdrop);
+    }
+    asks = this->Still.begin(this, concerned);
+  } else {
+    this->Still.forget();
+  }
+  this->Draw(this->Showing(surfaces), fbo);
+  if (asks) {
+    this->FindHidden(surfaces, backdrop);
+  }
+  this->Draw(asks ? others : this->Showing(others), fbo);
+}
+
+std::vector<vtkProp*> vtkCulledRenderer::PropsOf(const std::vector<std::size_t>& items) const {
+  std::vector<vtkProp*> props;
+  props.reserve(items.size());
+  for (const std::size_t item : items) {
+    props.push_back(this->Culled[item]);
+  }
+  return props;
 }
 
 void vtkCulledRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo) {
+  this->LeftOut = 0;
+  this->BackdropLeftOut = false;
   if (this->Culled.empty()) {
-    this->NearestFirst ? this->DrawOpaqueActors(fbo) : this->Superclass::DeviceRenderOpaqueGeometry(fbo);
+    const std::vector<vtkProp*> given(this->PropArray, this->PropArray + this->PropArrayCount);
+    const std::vector<vtkProp*> ordered = this->Ordered(given);
+    // Passes of VTK's own that the superclass runs want all props at once.
+    if (this->UseHiddenLineRemoval != 0 || this->UseSSAO) {
+      this->Still.forget();
+      this->Draw(ordered, fbo);
+      return;
+    }
+    const auto other = std::find_if_not(ordered.begin(), ordered.end(), mayBeReordered);
+    this->DrawStill({ordered.begin(), other}, {other, ordered.end()}, fbo);
     return;
   }
   const View view = this->CurrentView();
   if (!this->Culling) {
     std::vector<std::size_t> all(this->Culled.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    this->DrawOpaque(all);
+    this->Still.forget();
+    this->Draw(this->Ordered(this->PropsOf(all)));
     this->SetDrawn(std::move(all));
+    this->Draw(this->Others, fbo);
   } else if (this->DrawnHolds && view == this->DrawnView) {
-    this->DrawOpaque(this->Drawn);
+    this->DrawStill(this->Ordered(this->PropsOf(this->Drawn)), this->Others, fbo);
   } else {
+    this->Still.forget();
     this->FindVisible();
     this->DrawnView = view;
     this->DrawnHolds = true;
+    this->Draw(this->Others, fbo);
   }
-  this->Array = this->Others;
-  this->PropArray = this->Array.data();
-  this->PropArrayCount = static_cast<int>(this->Array.size());
-  this->Superclass::DeviceRenderOpaqueGeometry(fbo);
   // For what comes after the opaque: the translucent and the overlays.
-  this->Array.clear();
-  for (const std::size_t item : this->Drawn) {
-    this->Array.push_back(this->Culled[item]);
-  }
+  this->Array = this->PropsOf(this->Drawn);
   this->Array.insert(this->Array.end(), this->Others.begin(), this->Others.end());
   this->PropArray = this->Array.data();
   this->PropArrayCount = static_cast<int>(this->Array.size());
@@ -243,7 +327,7 @@ void vtkCulledRenderer::FindVisible() {
     for (const std::size_t item : batch) {
       drawn[item] = 1;
     }
-    this->DrawOpaque(batch);
+    this->Draw(this->Ordered(this->PropsOf(batch)));
     all.insert(all.end(), batch.begin(), batch.end());
     batch = this->Unhidden(drawn);
     nearestFirst(batch);
@@ -268,6 +352,7 @@ void vtkCulledRenderer::FindVisible() {
 
 void vtkCulledRenderer::ReleaseGraphicsResources(vtkWindow* window) {
   this->Test.release();
+  this->Still.forget();
   this->DrawnHolds = false;
   this->Superclass::ReleaseGraphicsResources(window);
 }

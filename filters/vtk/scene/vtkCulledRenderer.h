@@ -17,6 +17,7 @@
 
 #include "filters/core/geometry/box_tree.h"
 #include "filters/vtk/gl/occlusion_query.h"
+#include "filters/vtk/scene/still_view.h"
 
 class vtkCulledRenderer : public vtkOpenGLRenderer {
  public:
@@ -39,6 +40,15 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
    * out: the default. false: in the order they were added in. */
   void SetNearestFirst(bool nearestFirst) { this->NearestFirst = nearestFirst; }
   std::uint64_t GetBoxesAsked() const { return this->BoxesAsked; }
+  /** The prop that fills what no other covers: the sky; null: there is none. */
+  void SetBackdrop(vtkProp* backdrop);
+  /** While the view rests, what nothing shows of is not drawn again, of the surfaces and the backdrop: the default. */
+  void SetLeavingOut(bool leavingOut);
+  /** What was found hidden may show from now on, for a reason that no prop's redraw time tells of. */
+  void ForgetHidden() { this->Still.forget(); }
+  /** How many props the last frame left out because nothing of them shows; and was the backdrop one of them? */
+  std::size_t GetLeftOut() const { return this->LeftOut; }
+  bool GetBackdropLeftOut() const { return this->BackdropLeftOut; }
 
   int UpdateGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
   void DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
@@ -54,8 +64,13 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
 
   using View = std::array<double, 14>;
   View CurrentView();
-  void DrawOpaque(const std::vector<std::size_t>& items);
-  void DrawOpaqueActors(vtkFrameBufferObjectBase* fbo);
+  std::vector<vtkProp*> PropsOf(const std::vector<std::size_t>& items) const;
+  std::vector<vtkProp*> Ordered(const std::vector<vtkProp*>& given);
+  void Draw(std::vector<vtkProp*> props, vtkFrameBufferObjectBase* fbo = nullptr);
+  void DrawStill(const std::vector<vtkProp*>& surfaces, const std::vector<vtkProp*>& others,
+                 vtkFrameBufferObjectBase* fbo);
+  std::vector<vtkProp*> Showing(const std::vector<vtkProp*>& props);
+  void FindHidden(const std::vector<vtkProp*>& surfaces, bool backdrop);
   void FindVisible();
   std::vector<std::size_t> Unhidden(const std::vector<char>& drawn);
   void SetDrawn(std::vector<std::size_t> items);
@@ -70,5 +85,10 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   bool DrawnHolds = false;  // for that view
   bool Culling = true;
   bool NearestFirst = true;
+  bool LeavingOut = true;
+  boxprobe::StillView Still;
+  vtkProp* Backdrop = nullptr;
+  std::size_t LeftOut = 0;
+  bool BackdropLeftOut = false;
   std::vector<vtkProp*> Others, Array;
 };
