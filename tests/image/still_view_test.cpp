@@ -35,7 +35,7 @@ class StillViewTest : public TemporaryFolder {
   vtkCulledRenderer* renderer() { return vtkCulledRenderer::SafeDownCast(picture->renderer->renderer()); }
   /// The picture as it is, and that it is the one with everything drawn.
   ImageRgba8 checked(const std::string& what) {
-    const ImageRgba8 image = picture->display();
+    ImageRgba8 image = picture->display();
     const std::uint64_t out = leftOut();
     renderer()->SetLeavingOut(false);
     const ImageRgba8 whole = picture->display();

@@ -33,7 +33,7 @@ void vtkCulledRenderer::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "Culled: " << this->Drawn.size() << " of " << this->Culled.size() << " drawn\n";
 }
 
-void vtkCulledRenderer::SetCulledProps(std::vector<vtkProp*> props, std::vector<boxprobe::Box> bounds) {
+void vtkCulledRenderer::SetCulledProps(std::vector<vtkProp*> props, const std::vector<boxprobe::Box>& bounds) {
   this->Culled = std::move(props);
   this->Tree = boxprobe::BoxTree(bounds);
   this->SetDrawn({});
@@ -112,7 +112,7 @@ std::vector<vtkProp*> vtkCulledRenderer::Ordered(const std::vector<vtkProp*>& gi
   for (std::size_t i = 0; this->NearestFirst && i < given.size() && mayBeReordered(given[i]); ++i) {
     const double* b = given[i]->GetBounds();
     double squared = 0.0;
-    for (int axis = 0; b != nullptr && axis < 3; ++axis) {
+    for (std::size_t axis = 0; b != nullptr && axis < 3; ++axis) {
       const double away = std::max(std::abs(b[2 * axis] - eye[axis]), std::abs(b[2 * axis + 1] - eye[axis]));
       squared += away * away;
     }
@@ -336,6 +336,7 @@ void vtkCulledRenderer::FindVisible() {
   }
   // Drawn before what hides it was: not the next time.
   std::vector<boxprobe::Box> boxes;
+  boxes.reserve(all.size());
   for (const std::size_t item : all) {
     boxes.push_back(this->Tree.box(item));
   }

@@ -25,7 +25,7 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   vtkTypeMacro(vtkCulledRenderer, vtkOpenGLRenderer) void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Replaces the props that are culled; `bounds` are theirs in the world, none of an empty list. */
-  void SetCulledProps(std::vector<vtkProp*> props, std::vector<boxprobe::Box> bounds);
+  void SetCulledProps(std::vector<vtkProp*> props, const std::vector<boxprobe::Box>& bounds);
   /** Indices of those the last frame drew, ascending; more than can be seen, never less. */
   const std::vector<std::size_t>& GetDrawn() const { return this->Drawn; }
   /** Counts changes of GetDrawn(). */
