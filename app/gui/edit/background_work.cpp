@@ -1,11 +1,27 @@
 // See background_work.h.
 #include "app/gui/edit/background_work.h"
 
-#include <QMetaObject>
+#include <QCoreApplication>
+#include <QEvent>
 #include <exception>
 #include <utility>
 
 namespace boxprobe {
+
+namespace {
+
+// Plain events and not queued calls of lambdas: Qt destroys those in whichever thread lets go of them last.
+QEvent::Type progressedEvent() {
+  static const int type = QEvent::registerEventType();
+  return static_cast<QEvent::Type>(type);
+}
+
+QEvent::Type endedEvent() {
+  static const int type = QEvent::registerEventType();
+  return static_cast<QEvent::Type>(type);
+}
+
+}  // namespace
 
 BackgroundWork::~BackgroundWork() {
   stop_ = true;
@@ -24,23 +40,46 @@ void BackgroundWork::start(Work work) {
       finish = work([this](double fraction) {
         const int percent = static_cast<int>(100.0 * fraction);
         if (percent_.exchange(percent) != percent) {
-          QMetaObject::invokeMethod(this, &BackgroundWork::progressed, Qt::QueuedConnection);
+          QCoreApplication::postEvent(this, new QEvent(progressedEvent()));
         }
         return !stop_;
       });
     } catch (const std::exception& caught) {
       error = QString::fromUtf8(caught.what());
     }
-    QMetaObject::invokeMethod(
-        this,
-        [this, finish, error] {
-          running_ = false;
-          if (finish) finish();
-          emit ended(!finish && error.isEmpty(), error);
-        },
-        Qt::QueuedConnection);
+    {
+      const std::lock_guard<std::mutex> lock(resultMutex_);
+      finish_ = std::move(finish);
+      error_ = std::move(error);
+    }
+    QCoreApplication::postEvent(this, new QEvent(endedEvent()));
   });
   running_ = true;  // not if no thread could be started; what the thread hands over comes later, from the event loop
+}
+
+bool BackgroundWork::event(QEvent* event) {
+  if (event->type() == progressedEvent()) {
+    emit progressed();
+    return true;
+  }
+  if (event->type() == endedEvent()) {
+    finishHere();
+    return true;
+  }
+  return QObject::event(event);
+}
+
+void BackgroundWork::finishHere() {
+  Finish finish;
+  QString error;
+  {
+    const std::lock_guard<std::mutex> lock(resultMutex_);
+    finish = std::exchange(finish_, {});
+    error = std::exchange(error_, {});
+  }
+  running_ = false;
+  if (finish) finish();
+  emit ended(!finish && error.isEmpty(), error);
 }
 
 }  // namespace boxprobe

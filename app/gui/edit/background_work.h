@@ -6,6 +6,7 @@
 #include <QString>
 #include <atomic>
 #include <functional>
+#include <mutex>
 #include <thread>
 
 namespace boxprobe {
@@ -37,8 +38,16 @@ class BackgroundWork : public QObject {
   /// After the Finish, if there was one. `error`: what was thrown.
   void ended(bool stopped, const QString& error);
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
+  void finishHere();
+
   std::thread thread_;
+  std::mutex resultMutex_;
+  Finish finish_;  ///< left by the thread, with its error; taken and destroyed in the window's thread
+  QString error_;
   std::atomic<bool> stop_{false};
   std::atomic<int> percent_{0};
   bool running_ = false;
