@@ -43,6 +43,7 @@ struct BenchOptions : bench::FrameOptions {
   std::string probes = "on";
   std::string against = "stock";
   bool noConstants = false;
+  bool drawHidden = false;
   int lamps = 0;
 };
 
@@ -148,6 +149,7 @@ void run(const CLI::App& program, const BenchOptions& options) {
   }
   if (sky == nullptr) throw InputError(options.scene + ": sky: this benchmark wants a gradient or a colour");
   OffscreenScene ours(windowSettings(program, options));
+  ours.renderer().drawHidden(options.drawHidden);
   bench::prepare(ours, loaded.scene, loaded.models);
   const auto stock = bench::makeStockRenderer(ours.renderer().renderer(), *sky);
   const bool off = options.probes == "off";
@@ -185,6 +187,7 @@ int main(int argc, char** argv) {
                   "surface lit, against the same scene as it is")
       ->check(CLI::IsMember({"stock", "general", "uniforms", "lit"}))
       ->capture_default_str();
+  program.add_flag("--draw-hidden", options.drawHidden, "Frames draw what nothing shows of, too, as after each move");
   program.add_flag("--no-constants", options.noConstants, "Numbers of probes and materials stay uniforms");
   program.add_option("--lamps", options.lamps, "That many point lights in place of the scene's lights");
   program.add_option("--pictures", options.pictures, "Folder for ours.png and stock.png, to look at");

@@ -99,7 +99,7 @@ void MovingShadows::drawMap(Map& map, const glm::dmat4& mapFromWorld) {
   if (program_ == nullptr) {
     const std::string vertex = "//VTK::System::Dec\n" + std::string(shaderSource("gpu/depth_vertex.glsl"));
     const std::string fragment =
-        "//VTK::System::Dec\n//VTK::Output::Dec\nvoid main()\n{\n  gl_FragData[0] = vec4(0.0);\n}\n";
+        "//VTK::System::Dec\n//VTK::Output::Dec\n" + std::string(shaderSource("gpu/no_color.glsl"));
     program_ = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
     ++state_->counts.counters.programsCompiled;
   } else {

@@ -58,8 +58,6 @@ class DepthTestAlone {
   vtkOpenGLState::ScopedglColorMask colorMask_;
 };
 
-const char* const kNoColor = "void main()\n{\n  gl_FragData[0] = vec4(0.0);\n}\n";
-
 bool passed(GLuint query) {
   GLuint any = 0;
   glGetQueryObjectuiv(query, GL_QUERY_RESULT, &any);
@@ -68,7 +66,7 @@ bool passed(GLuint query) {
 
 }  // namespace
 
-OcclusionQuery::OcclusionQuery() : farthest_("occlusion query", kNoColor) {}
+OcclusionQuery::OcclusionQuery() : farthest_({"gpu/no_color.glsl"}, nullptr) {}
 
 OcclusionQuery::~OcclusionQuery() = default;
 
@@ -98,7 +96,8 @@ std::vector<bool> OcclusionQuery::visible(vtkRenderer* renderer, const std::vect
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   if (program_ == nullptr) {
     const std::string vertex = "//VTK::System::Dec\n" + std::string(shaderSource("gpu/box_vertex.glsl"));
-    const std::string fragment = "//VTK::System::Dec\n//VTK::Output::Dec\n" + std::string(kNoColor);
+    const std::string fragment =
+        "//VTK::System::Dec\n//VTK::Output::Dec\n" + std::string(shaderSource("gpu/no_color.glsl"));
     program_ = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
     glGenVertexArrays(1, &vertexArray_);
   } else {

@@ -191,7 +191,8 @@ void vtkCulledRenderer::DrawStill(const std::vector<vtkProp*>& surfaces, const s
   }
   this->Draw(this->Showing(surfaces), fbo);
   if (asks) {
-    this->FindHidden(surfaces, backdrop);
+    // Those that are culled have been asked for already, when it was found out which of them are seen.
+    this->FindHidden(this->Culled.empty() ? surfaces : std::vector<vtkProp*>(), backdrop);
   }
   this->Draw(asks ? others : this->Showing(others), fbo);
 }
