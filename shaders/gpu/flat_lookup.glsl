@@ -15,14 +15,13 @@ vec4 bpFlatLookup(sampler2D map, vec3 direction, float level, float size, float 
   float l = clamp(level, 0.0f, maxLevel);
   float lower = floor(l);
   float fraction = l - lower;
-  float own = size * exp2(-lower);
+  float own = float(int(size) >> int(lower));
   // Rows above level l: size + 2, size / 2 + 2, ...
   float row = 2.0f * (size - own) + 2.0f * lower;
   float rows = 2.0f * size - size * exp2(-maxLevel) + 2.0f * (maxLevel + 1.0f);
   vec2 texel = 1.0f / vec2(6.0f * (size + 2.0f), rows);
   vec2 place = vec2(face * (own + 2.0f), row) + 1.0f + st * own;
   vec4 finer = textureLod(map, place * texel, 0.0f);
-  if (fraction <= 0.0f) { return finer; }
   vec2 next = vec2(face * (0.5f * own + 2.0f), row + own + 2.0f) + 1.0f + st * (0.5f * own);
   return mix(finer, textureLod(map, next * texel, 0.0f), fraction);
 }

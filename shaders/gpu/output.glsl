@@ -1,14 +1,14 @@
 // How a pixel leaves VTK's PBR shader: linear scene units into captures and EXR files, display colours on the screen.
-//   BP_QUICK_OUTPUT   defined if display colours may be off by a ninth of an 8-bit step
+//   BP_QUICK_OUTPUT   defined if display colours may be off by a fifteenth of an 8-bit step
 vec3 bpDisplayed(vec3 light)
 {
 #ifdef BP_QUICK_OUTPUT
-  // light^(1 / 2.2) on [0, 1] to 4.3e-4, the least sum of these powers: roots cost less than a logarithm and a power. Beyond 1 it stays
+  // light^(1 / 2.2) on [0, 1] to 2.6e-4, the least sum of these powers: roots cost less than a logarithm and a power. Beyond 1 it stays
   // beyond 1; what is infinite must not become infinity less infinity.
   vec3 x = min(light, vec3(16.0f));
   vec3 s = sqrt(x);
   vec3 q = sqrt(s);
-  return s * (1.24106f + 0.14120f * s - 0.41529f * q) + 0.03345f * q;
+  return s * (1.320449f + 0.461662f * s - q * (0.671564f + 0.136550f * s)) + 0.026003f * q;
 #else
   return pow(light, vec3(1.0f / 2.2f));
 #endif

@@ -226,7 +226,7 @@ TEST_F(DrawWays, ClearCoat) {
   open();
   look()->SetCoatStrength(1.0);
   look()->SetCoatRoughness(0.0);
-  // What was drawn lies up to half a step of 8 bits and a ninth above what the pixel says; a step is 1.1 % of the light
+  // What was drawn lies up to half a step of 8 bits and a fifteenth above what the pixel says; a step is 1.1 % of the light
   // here.
   constexpr float kAbove = (0.5f + 0.111f) / 255.0f;
   expectReflections([&](const glm::vec3& pixel, const Seen& seen) {

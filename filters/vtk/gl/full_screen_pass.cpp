@@ -20,10 +20,10 @@ std::string joinShaderSources(const std::vector<std::string>& files) {
 }
 
 FullScreenPass::FullScreenPass(const std::vector<std::string>& files, Counters* counters)
-    : name_(files.back()), source_(joinShaderSources(files)), counters_(counters) {}
+    : FullScreenPass(files.back(), joinShaderSources(files), counters) {}
 
-FullScreenPass::FullScreenPass(std::string name, std::string source, Counters* counters)
-    : name_(std::move(name)), source_(std::move(source)), counters_(counters) {}
+FullScreenPass::FullScreenPass(std::string name, std::string source, Counters* counters, std::string vertex)
+    : name_(std::move(name)), source_(std::move(source)), vertex_(std::move(vertex)), counters_(counters) {}
 
 FullScreenPass::~FullScreenPass() = default;
 
@@ -33,7 +33,7 @@ void FullScreenPass::draw(vtkOpenGLRenderWindow* window, const std::function<voi
     // VTK's own placeholders: the version line and the mapping of gl_FragData.
     std::string fragment = "//VTK::System::Dec\n//VTK::Output::Dec\n" + source_;
     breakShaderIfAsked(fragment, name_);
-    const std::string vertex = "//VTK::System::Dec\n" + std::string(shaderSource("gpu/full_screen_vertex.glsl"));
+    const std::string vertex = "//VTK::System::Dec\n" + std::string(shaderSource(vertex_));
     program_ = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
     if (counters_ != nullptr) ++counters_->programsCompiled;
     glGenVertexArrays(1, &vertexArray_);

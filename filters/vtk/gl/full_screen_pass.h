@@ -21,8 +21,9 @@ class FullScreenPass {
  public:
   /// `files` below shaders/, in order; the last one holds main(). `counters` (may be null) learns of the compilation.
   FullScreenPass(const std::vector<std::string>& files, Counters* counters);
-  /// A fragment shader as text; `name` stands for it in messages.
-  FullScreenPass(std::string name, std::string source, Counters* counters = nullptr);
+  /// A fragment shader as text; `name` stands for it in messages, `vertex` is the file of its vertex shader.
+  FullScreenPass(std::string name, std::string source, Counters* counters = nullptr,
+                 std::string vertex = "gpu/full_screen_vertex.glsl");
   ~FullScreenPass();
   FullScreenPass(const FullScreenPass&) = delete;
   FullScreenPass& operator=(const FullScreenPass&) = delete;
@@ -33,7 +34,7 @@ class FullScreenPass {
 
  private:
   std::string name_;
-  std::string source_;
+  std::string source_, vertex_;
   Counters* counters_ = nullptr;
   vtkShaderProgram* program_ = nullptr;  // the window's shader cache owns it
   unsigned int vertexArray_ = 0;

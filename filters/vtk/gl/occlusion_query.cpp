@@ -8,6 +8,7 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
 
+#include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -77,16 +78,39 @@ void OcclusionQuery::haveQueries(std::size_t count) {
   glGenQueries(static_cast<GLsizei>(count - had), &queries_[had]);
 }
 
-bool OcclusionQuery::farthestVisible(vtkRenderer* renderer) {
+OcclusionQuery::Rectangle OcclusionQuery::farthestShows(vtkRenderer* renderer) {
+  constexpr int kTiles = 12;  // along each side
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const DepthTestAlone alone(window->GetState());
-  haveQueries(1);
+  vtkOpenGLState* state = window->GetState();
+  const DepthTestAlone alone(state);
+  const vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglScissor box(state);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  GLint view[4];
+  glGetIntegerv(GL_VIEWPORT, view);
+  const auto column = [&](int i) { return view[0] + view[2] * i / kTiles; };
+  const auto row = [&](int i) { return view[1] + view[3] * i / kTiles; };
+  haveQueries(kTiles * kTiles);
   glDepthRange(1.0, 1.0);  // the triangle lies in the middle of the range
-  glBeginQuery(GL_ANY_SAMPLES_PASSED, queries_[0]);
-  farthest_.draw(window, [](vtkShaderProgram*) {});
-  glEndQuery(GL_ANY_SAMPLES_PASSED);
+  for (int i = 0; i < kTiles * kTiles; ++i) {
+    const int x = i % kTiles, y = i / kTiles;
+    state->vtkglScissor(column(x), row(y), column(x + 1) - column(x), row(y + 1) - row(y));
+    const GLuint query = queries_[static_cast<std::size_t>(i)];
+    glBeginQuery(GL_ANY_SAMPLES_PASSED, query);
+    farthest_.draw(window, [](vtkShaderProgram*) {});
+    glEndQuery(GL_ANY_SAMPLES_PASSED);
+  }
   glDepthRange(0.0, 1.0);
-  return passed(queries_[0]);
+  int left = kTiles, right = 0, bottom = kTiles, top = 0;
+  for (int i = 0; i < kTiles * kTiles; ++i) {
+    if (!passed(queries_[static_cast<std::size_t>(i)])) continue;
+    left = std::min(left, i % kTiles);
+    right = std::max(right, i % kTiles + 1);
+    bottom = std::min(bottom, i / kTiles);
+    top = std::max(top, i / kTiles + 1);
+  }
+  if (right == 0) return {};
+  return {column(left), row(bottom), column(right) - column(left), row(top) - row(bottom)};
 }
 
 std::vector<bool> OcclusionQuery::visible(vtkRenderer* renderer, const std::vector<Box>& boxes) {

@@ -24,8 +24,13 @@ class OcclusionQuery {
 
   /// For each box: could something in it be seen past what has been drawn so far? A box about the eye always could.
   std::vector<bool> visible(vtkRenderer* renderer, const std::vector<Box>& boxes);
-  /// Does the farthest depth there is, that of a cleared buffer, show past what has been drawn so far?
-  bool farthestVisible(vtkRenderer* renderer);
+  /// Pixels of the framebuffer from the lower left corner.
+  struct Rectangle {
+    int x = 0, y = 0, width = 0, height = 0;
+  };
+  /// Where the farthest depth there is, that of a cleared buffer, shows past what has been drawn so far: a rectangle
+  /// around all such places, of whole tiles of a grid; empty if there are none.
+  Rectangle farthestShows(vtkRenderer* renderer);
   void release();
 
  private:

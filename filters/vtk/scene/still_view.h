@@ -28,7 +28,9 @@ class StillView {
   bool begin(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
   /// What nothing shows of, past the others of this frame's props.
   void set(std::unordered_set<vtkProp*> hidden);
-  bool hides(vtkProp* prop) const { return stage_ == Stage::Known && hidden_.count(prop) != 0; }
+  /// Is it known what this frame's view hides?
+  bool known() const { return stage_ == Stage::Known; }
+  bool hides(vtkProp* prop) const { return known() && hidden_.count(prop) != 0; }
   /// The next frame draws everything.
   void forget() { stage_ = Stage::Unknown; }
 

@@ -3,13 +3,15 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkObjectFactory.h>
-#include <vtkRenderWindow.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "filters/vtk/scene/view_frustum.h"
+#include "filters/vtk/gl/opengl.h"
+#include "filters/vtk/scene/visible_search.h"
 #include "filters/vtk/surface/vtkProbePolyDataMapper.h"
 
 vtkStandardNewMacro(vtkCulledRenderer);
@@ -80,12 +82,7 @@ vtkCulledRenderer::View vtkCulledRenderer::CurrentView() {
 }
 
 std::vector<std::size_t> vtkCulledRenderer::InView() {
-  const boxprobe::ViewFrustum frustum(this->GetActiveCamera(), this->GetTiledAspectRatio());
-  std::vector<std::size_t> items;
-  this->Tree.search([&](const boxprobe::Box& box) { return frustum.meets(box); },
-                    [&](std::size_t item) { items.push_back(item); });
-  std::sort(items.begin(), items.end());
-  return items;
+  return boxprobe::VisibleSearch(this, this->Tree, this->Test, this->BoxesAsked).inView();
 }
 
 // The superclass draws the opaque ones by way of DeviceRenderOpaqueGeometry below, which finds out which those are;
@@ -136,6 +133,40 @@ void vtkCulledRenderer::Draw(std::vector<vtkProp*> props, vtkFrameBufferObjectBa
   this->PropArrayCount = count;
 }
 
+// VTK mixes all it draws with what is there. What is opaque needs no mixing, which is a tenth of an unlit frame where
+// the processor draws.
+void vtkCulledRenderer::DrawSurfaces(const std::vector<vtkProp*>& props, vtkFrameBufferObjectBase* fbo) {
+  const auto other = std::find_if_not(props.begin(), props.end(), mayBeReordered);
+  {
+    vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(this->RenderWindow)->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    state->vtkglDisable(GL_BLEND);
+    this->Draw({props.begin(), other}, fbo);
+  }
+  if (other != props.end()) {
+    this->Draw({other, props.end()}, fbo);
+  }
+}
+
+// The backdrop no farther than it shows: with several samples a pixel software renderers work out what is hidden, too.
+void vtkCulledRenderer::DrawOthers(const std::vector<vtkProp*>& props, vtkFrameBufferObjectBase* fbo) {
+  const auto backdrop = std::find(props.begin(), props.end(), this->Backdrop);
+  this->Draw({props.begin(), backdrop}, fbo);
+  if (backdrop == props.end()) {
+    return;
+  }
+  {
+    vtkOpenGLState* state = vtkOpenGLRenderWindow::SafeDownCast(this->RenderWindow)->GetState();
+    const vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
+    const vtkOpenGLState::ScopedglScissor box(state);
+    const boxprobe::OcclusionQuery::Rectangle& shows = this->BackdropShows;
+    state->vtkglEnable(GL_SCISSOR_TEST);
+    state->vtkglScissor(shows.x, shows.y, shows.width, shows.height);
+    this->Draw({backdrop, backdrop + 1}, fbo);
+  }
+  this->Draw({backdrop + 1, props.end()}, fbo);
+}
+
 std::vector<vtkProp*> vtkCulledRenderer::Showing(const std::vector<vtkProp*>& props) {
   std::vector<vtkProp*> showing;
   for (vtkProp* prop : props) {
@@ -169,8 +200,11 @@ void vtkCulledRenderer::FindHidden(const std::vector<vtkProp*>& surfaces, bool b
       hidden.insert(asked[i]);
     }
   }
-  if (backdrop && !this->Test.farthestVisible(this)) {
-    hidden.insert(this->Backdrop);
+  if (backdrop) {
+    this->BackdropShows = this->Test.farthestShows(this);
+    if (this->BackdropShows.width == 0) {
+      hidden.insert(this->Backdrop);
+    }
   }
   this->Still.set(std::move(hidden));
 }
@@ -189,12 +223,16 @@ void vtkCulledRenderer::DrawStill(const std::vector<vtkProp*>& surfaces, const s
   } else {
     this->Still.forget();
   }
-  this->Draw(this->Showing(surfaces), fbo);
+  this->DrawSurfaces(this->Showing(surfaces), fbo);
   if (asks) {
     // Those that are culled have been asked for already, when it was found out which of them are seen.
     this->FindHidden(this->Culled.empty() ? surfaces : std::vector<vtkProp*>(), backdrop);
   }
-  this->Draw(asks ? others : this->Showing(others), fbo);
+  if (asks || !this->Still.known()) {
+    this->Draw(others, fbo);
+  } else {
+    this->DrawOthers(this->Showing(others), fbo);
+  }
 }
 
 std::vector<vtkProp*> vtkCulledRenderer::PropsOf(const std::vector<std::size_t>& items) const {
@@ -227,14 +265,17 @@ void vtkCulledRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo
     std::vector<std::size_t> all(this->Culled.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     this->Still.forget();
-    this->Draw(this->Ordered(this->PropsOf(all)));
+    this->DrawSurfaces(this->Ordered(this->PropsOf(all)));
     this->SetDrawn(std::move(all));
     this->Draw(this->Others, fbo);
   } else if (this->DrawnHolds && view == this->DrawnView) {
     this->DrawStill(this->Ordered(this->PropsOf(this->Drawn)), this->Others, fbo);
   } else {
     this->Still.forget();
-    this->FindVisible();
+    boxprobe::VisibleSearch search(this, this->Tree, this->Test, this->BoxesAsked);
+    this->SetDrawn(search.run(this->Drawn, [this](const std::vector<std::size_t>& items) {
+      this->DrawSurfaces(this->Ordered(this->PropsOf(items)));
+    }));
     this->DrawnView = view;
     this->DrawnHolds = true;
     this->Draw(this->Others, fbo);
@@ -244,112 +285,6 @@ void vtkCulledRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo
   this->Array.insert(this->Array.end(), this->Others.begin(), this->Others.end());
   this->PropArray = this->Array.data();
   this->PropArrayCount = static_cast<int>(this->Array.size());
-}
-
-// Those not drawn yet that are in the view and not hidden by what has been drawn: branches of the tree are asked for
-// level by level, all of a level at once.
-std::vector<std::size_t> vtkCulledRenderer::Unhidden(const std::vector<char>& drawn) {
-  const boxprobe::ViewFrustum frustum(this->GetActiveCamera(), this->GetTiledAspectRatio());
-  std::vector<std::size_t> found;
-  std::vector<int> open = {0};
-  while (!open.empty()) {
-    std::vector<int> inView;
-    std::vector<boxprobe::Box> boxes;
-    for (const int index : open) {
-      const auto& node = this->Tree.nodes()[static_cast<std::size_t>(index)];
-      if (frustum.meets(node.bounds)) {
-        inView.push_back(index);
-        boxes.push_back(node.bounds);
-      }
-    }
-    const std::vector<bool> visible = this->Test.visible(this, boxes);
-    this->BoxesAsked += boxes.size();
-    open.clear();
-    std::vector<std::size_t> items;
-    std::vector<boxprobe::Box> itemBoxes;
-    for (std::size_t i = 0; i < inView.size(); ++i) {
-      if (!visible[i]) {
-        continue;
-      }
-      const auto& node = this->Tree.nodes()[static_cast<std::size_t>(inView[i])];
-      if (node.left >= 0) {
-        open.push_back(node.left);
-        open.push_back(node.right);
-        continue;
-      }
-      for (int k = node.first; k < node.first + node.count; ++k) {
-        const std::size_t item = this->Tree.items()[static_cast<std::size_t>(k)];
-        if (drawn[item] == 0 && frustum.meets(this->Tree.box(item))) {
-          items.push_back(item);
-          itemBoxes.push_back(this->Tree.box(item));
-        }
-      }
-    }
-    const std::vector<bool> seen = this->Test.visible(this, itemBoxes);
-    this->BoxesAsked += itemBoxes.size();
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      if (seen[i]) {
-        found.push_back(items[i]);
-      }
-    }
-  }
-  return found;
-}
-
-void vtkCulledRenderer::FindVisible() {
-  double eye[3];
-  this->GetActiveCamera()->GetPosition(eye);
-  const glm::dvec3 position(eye[0], eye[1], eye[2]);
-  const auto nearestFirst = [&](std::vector<std::size_t>& items) {
-    const auto distance = [&](std::size_t item) {
-      const boxprobe::Box& box = this->Tree.box(item);
-      const glm::dvec3 away = glm::max(glm::max(box.min - position, position - box.max), glm::dvec3(0.0));
-      return glm::dot(away, away);
-    };
-    std::stable_sort(items.begin(), items.end(),
-                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
-  };
-  std::vector<char> drawn(this->Culled.size(), 0);
-  const boxprobe::ViewFrustum frustum(this->GetActiveCamera(), this->GetTiledAspectRatio());
-  // What the last frame showed is most of what this one shows.
-  std::vector<std::size_t> batch, all;
-  for (const std::size_t item : this->Drawn) {
-    if (frustum.meets(this->Tree.box(item))) {
-      batch.push_back(item);
-    }
-  }
-  std::size_t most = 16;  // nearest first, few at a time: what is near hides most; the more the later, so that it ends
-  if (batch.empty()) {
-    batch = this->InView();
-    nearestFirst(batch);
-    batch.resize(std::min(batch.size(), most));
-  }
-  while (!batch.empty()) {
-    for (const std::size_t item : batch) {
-      drawn[item] = 1;
-    }
-    this->Draw(this->Ordered(this->PropsOf(batch)));
-    all.insert(all.end(), batch.begin(), batch.end());
-    batch = this->Unhidden(drawn);
-    nearestFirst(batch);
-    batch.resize(std::min(batch.size(), most));
-    most *= 2;
-  }
-  // Drawn before what hides it was: not the next time.
-  std::vector<boxprobe::Box> boxes;
-  boxes.reserve(all.size());
-  for (const std::size_t item : all) {
-    boxes.push_back(this->Tree.box(item));
-  }
-  const std::vector<bool> seen = this->Test.visible(this, boxes);
-  this->BoxesAsked += boxes.size();
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (seen[i]) {
-      kept.push_back(all[i]);
-    }
-  }
-  this->SetDrawn(std::move(kept));
 }
 
 void vtkCulledRenderer::ReleaseGraphicsResources(vtkWindow* window) {

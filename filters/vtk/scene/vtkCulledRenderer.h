@@ -67,12 +67,12 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   std::vector<vtkProp*> PropsOf(const std::vector<std::size_t>& items) const;
   std::vector<vtkProp*> Ordered(const std::vector<vtkProp*>& given);
   void Draw(std::vector<vtkProp*> props, vtkFrameBufferObjectBase* fbo = nullptr);
+  void DrawSurfaces(const std::vector<vtkProp*>& props, vtkFrameBufferObjectBase* fbo = nullptr);
   void DrawStill(const std::vector<vtkProp*>& surfaces, const std::vector<vtkProp*>& others,
                  vtkFrameBufferObjectBase* fbo);
+  void DrawOthers(const std::vector<vtkProp*>& props, vtkFrameBufferObjectBase* fbo);
   std::vector<vtkProp*> Showing(const std::vector<vtkProp*>& props);
   void FindHidden(const std::vector<vtkProp*>& surfaces, bool backdrop);
-  void FindVisible();
-  std::vector<std::size_t> Unhidden(const std::vector<char>& drawn);
   void SetDrawn(std::vector<std::size_t> items);
 
   std::vector<vtkProp*> Culled;
@@ -88,6 +88,7 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   bool LeavingOut = true;
   boxprobe::StillView Still;
   vtkProp* Backdrop = nullptr;
+  boxprobe::OcclusionQuery::Rectangle BackdropShows;  // while it is known what the view hides
   std::size_t LeftOut = 0;
   bool BackdropLeftOut = false;
   std::vector<vtkProp*> Others, Array;

@@ -8,6 +8,8 @@
 #include <vtkShaderProgram.h>
 
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "filters/vtk/surface/camera_uniforms.h"
 
@@ -21,8 +23,26 @@ vtkSkyProp::~vtkSkyProp() = default;
 
 void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
   this->State = std::move(state);
-  this->Pass = std::make_unique<boxprobe::FullScreenPass>(std::vector<std::string>{"shared/sky.glsl", "gpu/sky.glsl"},
-                                                          &this->State->counts.counters);
+  this->Passes.clear();
+}
+
+// A program for what the sky is: software renderers work out both sides of a branch.
+boxprobe::FullScreenPass& vtkSkyProp::ChosenPass() {
+  const boxprobe::SceneResources& resources = this->State->resources;
+  std::string switches = this->Image ? "#define BP_SKY_IMAGE\n" : "";
+  if (!resources.general && resources.lightForm != boxprobe::LightForm::Vtk) {
+    switches += "#define BP_QUICK_OUTPUT\n";
+  }
+  const auto found = this->Passes.find(switches);
+  if (found != this->Passes.end()) {
+    return found->second;
+  }
+  const std::string source = switches + boxprobe::joinShaderSources({"shared/sky.glsl", "gpu/output_uniforms.glsl",
+                                                                     "gpu/output.glsl", "gpu/sky.glsl"});
+  return this->Passes
+      .emplace(std::piecewise_construct, std::forward_as_tuple(switches),
+               std::forward_as_tuple("gpu/sky.glsl", source, &this->State->counts.counters, "gpu/sky_vertex.glsl"))
+      .first->second;
 }
 
 void vtkSkyProp::SetSky(const boxprobe::Sky& sky, double rotationDegrees,
@@ -62,7 +82,8 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
   vtkCamera* camera = renderer->GetActiveCamera();
   const double aspect =
       camera->GetUseExplicitAspectRatio() ? camera->GetExplicitAspectRatio() : renderer->GetTiledAspectRatio();
-  const double vertical = std::tan(0.5 * camera->GetViewAngle() * 3.14159265358979323846 / 180.0);
+  const double vertical =
+      camera->GetParallelProjection() ? 0.0 : std::tan(0.5 * camera->GetViewAngle() * 3.14159265358979323846 / 180.0);
   const float tangents[2] = {static_cast<float>(vertical * aspect), static_cast<float>(vertical)};
 
   // Behind everything already drawn: passes only where depth is still that of the cleared buffer.
@@ -83,14 +104,12 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
   if (this->Image) {
     image = std::make_unique<boxprobe::BoundTexture>(window, GL_TEXTURE_2D, this->ImageTexture);
   }
-  this->Pass->draw(window, [&](vtkShaderProgram* program) {
-    program->SetUniformi("bpSkyKind", this->Image ? 1 : 0);
+  this->ChosenPass().draw(window, [&](vtkShaderProgram* program) {
     program->SetUniform3f("bpSkyTop", &this->Gradient.top.x);
     program->SetUniform3f("bpSkyHorizon", &this->Gradient.horizon.x);
     program->SetUniform3f("bpSkyGround", &this->Gradient.ground.x);
-    program->SetUniformMatrix3x3("bpViewToWorld", boxprobe::viewToTurnedRotation(camera, this->RotationDegrees).data());
+    program->SetUniformMatrix3x3("bpSkyFromView", boxprobe::viewToTurnedRotation(camera, this->RotationDegrees).data());
     program->SetUniform2f("bpTangents", tangents);
-    program->SetUniformf("bpParallel", camera->GetParallelProjection() ? 1.0f : 0.0f);
     program->SetUniformf("bpExposure", this->State->pass().exposure);
     if (image) {
       program->SetUniformi("bpSkyImage", image->unit());
@@ -106,7 +125,9 @@ void vtkSkyProp::ReleaseGraphicsResources(vtkWindow* window) {
     this->ImageTexture = 0;
     this->ImageChanged = true;
   }
-  if (window != nullptr && this->Pass) {
-    this->Pass->release();
+  for (auto& [switches, pass] : this->Passes) {
+    if (window != nullptr) {
+      pass.release();
+    }
   }
 }

@@ -9,7 +9,9 @@
 
 #include <vtkProp.h>
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
@@ -38,11 +40,13 @@ class vtkSkyProp : public vtkProp {
   vtkSkyProp(const vtkSkyProp&) = delete;
   void operator=(const vtkSkyProp&) = delete;
 
+  boxprobe::FullScreenPass& ChosenPass();
+
   std::shared_ptr<boxprobe::DrawState> State;
   boxprobe::SkyGradient Gradient;
   double RotationDegrees = 0.0;
   std::shared_ptr<const boxprobe::ImageRgbaF> Image;
   unsigned int ImageTexture = 0;
   bool ImageChanged = false;
-  std::unique_ptr<boxprobe::FullScreenPass> Pass;
+  std::map<std::string, boxprobe::FullScreenPass> Passes;  // by the switches of their programs
 };
