@@ -3,25 +3,24 @@
 vec4 bpFlatLookup(sampler2D map, vec3 direction, float level, float size, float maxLevel)
 {
   vec3 a = abs(direction);
+  bvec3 back = lessThan(direction, vec3(0.0f));
   bool alongX = a.x >= a.y && a.x >= a.z;
   bool alongY = !alongX && a.y >= a.z;
   float largest = max(max(a.x, a.y), a.z);
-  float s = alongX ? (direction.x < 0.0f ? direction.z : -direction.z) : (!alongY && direction.z < 0.0f ? -direction.x : direction.x);
-  float t = alongY ? (direction.y < 0.0f ? -direction.z : direction.z) : -direction.y;
-  float along = alongX ? direction.x : (alongY ? direction.y : direction.z);
-  float face = (alongX ? 0.0f : (alongY ? 2.0f : 4.0f)) + (along < 0.0f ? 1.0f : 0.0f);
+  float s = alongX ? (back.x ? direction.z : -direction.z) : (!alongY && back.z ? -direction.x : direction.x);
+  float t = alongY ? (back.y ? -direction.z : direction.z) : -direction.y;
+  float face = alongX ? (back.x ? 1.0f : 0.0f) : (alongY ? (back.y ? 3.0f : 2.0f) : (back.z ? 5.0f : 4.0f));
   vec2 st = vec2(s, t) * (0.5f / largest) + 0.5f;
 
   float l = clamp(level, 0.0f, maxLevel);
   float lower = floor(l);
-  float fraction = l - lower;
   float own = float(int(size) >> int(lower));
   // Rows above level l: size + 2, size / 2 + 2, ...
-  float row = 2.0f * (size - own) + 2.0f * lower;
   float rows = 2.0f * size - size * exp2(-maxLevel) + 2.0f * (maxLevel + 1.0f);
   vec2 texel = 1.0f / vec2(6.0f * (size + 2.0f), rows);
-  vec2 place = vec2(face * (own + 2.0f), row) + 1.0f + st * own;
-  vec4 finer = textureLod(map, place * texel, 0.0f);
-  vec2 next = vec2(face * (0.5f * own + 2.0f), row + own + 2.0f) + 1.0f + st * (0.5f * own);
-  return mix(finer, textureLod(map, next * texel, 0.0f), fraction);
+  vec2 inner = vec2(face + st.x, st.y) * own;  // without borders; of the next level half
+  vec2 border = vec2(2.0f * face, 2.0f * (size - own) + 2.0f * lower) + 1.0f;
+  vec4 finer = textureLod(map, (inner + border) * texel, 0.0f);
+  vec4 coarser = textureLod(map, (0.5f * inner + border + vec2(0.0f, own + 2.0f)) * texel, 0.0f);
+  return mix(finer, coarser, l - lower);  // beyond the last level whatever is there counts for nothing
 }
