@@ -14,7 +14,7 @@ vec4 bpFlatLookup(sampler2D map, vec3 direction, float level, float size, float 
 
   float l = clamp(level, 0.0f, maxLevel);
   float lower = floor(l);
-  float own = float(int(size) >> int(lower));
+  float own = float(int(size + 0.5f) >> int(lower));  // a power by exp2 may be a hair less than whole
   // Rows above level l: size + 2, size / 2 + 2, ...
   float rows = 2.0f * size - size * exp2(-maxLevel) + 2.0f * (maxLevel + 1.0f);
   vec2 texel = 1.0f / vec2(6.0f * (size + 2.0f), rows);

@@ -1,14 +1,14 @@
 // How a pixel leaves VTK's PBR shader: linear scene units into captures and EXR files, display colours on the screen.
-//   BP_QUICK_OUTPUT   defined if display colours may be off by a fifteenth of an 8-bit step
+//   BP_QUICK_OUTPUT   defined if display colours may be off by a twentieth of an 8-bit step
 vec3 bpDisplayed(vec3 light)
 {
 #ifdef BP_QUICK_OUTPUT
-  // light^(1 / 2.2) on [0, 1] to 2.6e-4, the least sum of these powers: roots cost less than a logarithm and a power. Beyond 1 it stays
-  // beyond 1; what is infinite must not become infinity less infinity.
+  // light^(1 / 2.2) on [0, 1] to 2.0e-4, by the sum of these powers whose greatest error is least: roots cost less than a logarithm and
+  // a power. Beyond 1 it stays beyond 1; what is infinite must not become infinity less infinity.
   vec3 x = min(light, vec3(16.0f));
   vec3 s = sqrt(x);
   vec3 q = sqrt(s);
-  return s * (1.320449f + 0.461662f * s - q * (0.671564f + 0.136550f * s)) + 0.026003f * q;
+  return s * (1.3511403f + 0.5856131f * s - q * (0.7718407f + 0.1882785f * s)) + 0.0233659f * q;
 #else
   return pow(light, vec3(1.0f / 2.2f));
 #endif

@@ -205,7 +205,7 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
   if (!file.maps.distance.empty()) {
     ExrPart part = stackPart("distance", file.maps.distance.faceSize(), displayWindow);
     addPlane(part.levels.front(), "distance", file.maps.distance.face(0, 0), 4, ExrPrecision::Float);
-    part.header.compression() = Imf::PIZ_COMPRESSION;  // of every scene tried it makes the smaller file
+    part.header.compression() = Imf::PIZ_COMPRESSION;  // smaller than ZIP in every scene tried
     parts.push_back(std::move(part));
   }
 

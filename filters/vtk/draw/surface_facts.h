@@ -22,7 +22,7 @@ enum SurfaceFact : unsigned {
   kEmissionIsBase = 32u,  ///< one texture for base colour and emission, looked up once
   kOcclusionInRoughMetal = 64u,  ///< likewise for occlusion, roughness and metalness
   kPlainUv = 128u,               ///< no texture has a transform of its coordinates
-  kQuickOutput = 256u,  ///< display colours may be a fifteenth of a step off: always, but for comparisons with VTK's
+  kQuickOutput = 256u,  ///< display colours may be a twentieth of a step off: always, but for comparisons with VTK's
 };
 using SurfaceFacts = unsigned;  ///< of SurfaceFact
 constexpr SurfaceFacts kAnyFact = ~0u;

@@ -110,11 +110,7 @@ void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*
     pass.exposure = boxprobe::kLinearOutput;
     pass.frame = this->Average->frames();
   });
-  if (!apart && !this->Behind) {
-    this->DrawProps(renderer, props, true, true);
-  } else {
-    this->DrawInOrder(renderer, props);
-  }
+  this->DrawInOrder(renderer, props);
   this->Frame.resolve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
 }
 

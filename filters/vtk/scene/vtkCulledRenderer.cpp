@@ -133,8 +133,8 @@ void vtkCulledRenderer::Draw(std::vector<vtkProp*> props, vtkFrameBufferObjectBa
   this->PropArrayCount = count;
 }
 
-// VTK mixes all it draws with what is there. What is opaque needs no mixing, which is a tenth of an unlit frame where
-// the processor draws.
+// VTK mixes all it draws with what is there. What is opaque needs no mixing, which costs much where the processor
+// draws.
 void vtkCulledRenderer::DrawSurfaces(const std::vector<vtkProp*>& props, vtkFrameBufferObjectBase* fbo) {
   const auto other = std::find_if_not(props.begin(), props.end(), mayBeReordered);
   {
