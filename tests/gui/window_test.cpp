@@ -75,12 +75,6 @@ void WindowTest::SetUp() {
   activate(window_);
   window_->viewport().setFocus();
   waitUntilIdle();
-  // The X server may tell only now that the dialog of the test before has lost the focus.
-  QCoreApplication::processEvents();
-  if (QApplication::activeWindow() == nullptr) {
-    activate(window_);
-    window_->viewport().setFocus();
-  }
 }
 
 void WindowTest::waitUntilIdle() {

@@ -79,7 +79,7 @@ void OcclusionQuery::haveQueries(std::size_t count) {
 }
 
 OcclusionQuery::Rectangle OcclusionQuery::farthestShows(vtkRenderer* renderer) {
-  constexpr int kTiles = 12;  // along each side
+  constexpr int kTiles = 12, kAll = kTiles * kTiles;  // along each side, and of the grid
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   const DepthTestAlone alone(state);
@@ -90,9 +90,9 @@ OcclusionQuery::Rectangle OcclusionQuery::farthestShows(vtkRenderer* renderer) {
   glGetIntegerv(GL_VIEWPORT, view);
   const auto column = [&](int i) { return view[0] + view[2] * i / kTiles; };
   const auto row = [&](int i) { return view[1] + view[3] * i / kTiles; };
-  haveQueries(kTiles * kTiles);
+  haveQueries(kAll);
   glDepthRange(1.0, 1.0);  // the triangle lies in the middle of the range
-  for (int i = 0; i < kTiles * kTiles; ++i) {
+  for (int i = 0; i < kAll; ++i) {
     const int x = i % kTiles, y = i / kTiles;
     state->vtkglScissor(column(x), row(y), column(x + 1) - column(x), row(y + 1) - row(y));
     const GLuint query = queries_[static_cast<std::size_t>(i)];
@@ -102,7 +102,7 @@ OcclusionQuery::Rectangle OcclusionQuery::farthestShows(vtkRenderer* renderer) {
   }
   glDepthRange(0.0, 1.0);
   int left = kTiles, right = 0, bottom = kTiles, top = 0;
-  for (int i = 0; i < kTiles * kTiles; ++i) {
+  for (int i = 0; i < kAll; ++i) {
     if (!passed(queries_[static_cast<std::size_t>(i)])) continue;
     left = std::min(left, i % kTiles);
     right = std::max(right, i % kTiles + 1);
