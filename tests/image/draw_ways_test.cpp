@@ -226,8 +226,8 @@ TEST_F(DrawWays, ClearCoat) {
   open();
   look()->SetCoatStrength(1.0);
   look()->SetCoatRoughness(0.0);
-  // What was drawn lies up to half a step of 8 bits and a twentieth above what the pixel says; a step is 1.1 % of the light
-  // here.
+  // What was drawn lies up to half a step of 8 bits and a twentieth above what the pixel says; a step is 1.1 % of the
+  // light here.
   constexpr float kAbove = (0.5f + 0.05f) / 255.0f;
   expectReflections([&](const glm::vec3& pixel, const Seen& seen) {
     const auto gainOf = [&](const glm::vec3& light) {

@@ -70,6 +70,16 @@ TEST_F(StillViewTest, AClosedRoomIsDrawnWithoutItsSky) {
   }
 }
 
+TEST_F(StillViewTest, TheSkyIsDrawnAroundWhereItShows) {
+  openFile("building", 4);
+  rest();
+  const OcclusionQuery::Rectangle shows = renderer()->GetBackdropShows();
+  EXPECT_GT(shows.width, 0);
+  EXPECT_LT(shows.height, kHeight * 3 / 4) << "it lies above the horizon";
+  EXPECT_EQ(shows.y + shows.height, kHeight) << "and reaches the upper edge";
+  checked("sky");
+}
+
 TEST_F(StillViewTest, EverySceneIsTheSameWithoutWhatIsHidden) {
   for (const char* name :
        {"room", "building", "gallery", "six-faces", "furnished", "glass", "mirror-hall", "windows"}) {

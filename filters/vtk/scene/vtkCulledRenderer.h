@@ -49,6 +49,8 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   /** How many props the last frame left out because nothing of them shows; and was the backdrop one of them? */
   std::size_t GetLeftOut() const { return this->LeftOut; }
   bool GetBackdropLeftOut() const { return this->BackdropLeftOut; }
+  /** Pixels around all places where the backdrop shows, which it is drawn within, if what the view hides is known. */
+  boxprobe::OcclusionQuery::Rectangle GetBackdropShows() const { return this->BackdropShows; }
 
   int UpdateGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
   void DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;

@@ -125,9 +125,10 @@ void vtkSkyProp::ReleaseGraphicsResources(vtkWindow* window) {
     this->ImageTexture = 0;
     this->ImageChanged = true;
   }
+  if (window == nullptr) {
+    return;
+  }
   for (auto& [switches, pass] : this->Passes) {
-    if (window != nullptr) {
-      pass.release();
-    }
+    pass.release();
   }
 }
