@@ -11,11 +11,15 @@
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/mirror_plane.h"
 #include "filters/core/geometry/model_placement.h"
+#include "filters/core/geometry/world_extent.h"
 #include "filters/io/cube/sky_picture.h"
+#include "filters/io/files/absolute_path.h"
 #include "filters/io/files/data_folder.h"
+#include "filters/io/files/read_file.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/import/model_reader.h"
+#include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
 
@@ -86,6 +90,7 @@ LoadedScene loadBareModel(const std::string& path, const std::vector<std::string
   for (const std::string& assignment : assignments) (changesModel(assignment) ? first : then).push_back(assignment);
   setSceneFields(loaded.scene, first);
   loaded.models = loadModels(loaded.scene, progress);
+  checkExtent(loaded.scene, loaded.models);
   if (wishes.studio.empty()) wishes.studio = studioFile();
   loaded.fit = fitModel(loaded.scene, loaded.models, wishes);
   adoptFromModels(loaded);
@@ -100,6 +105,14 @@ LoadedScene loadBareModel(const std::string& path, const std::vector<std::string
 
 std::string studioFile() {
   return dataFile("environments/studio.hdr");
+}
+
+std::string fileDigest(const std::string& path) {
+  try {
+    return ContentHash().add(readWholeFile(path)).text();
+  } catch (const Error&) {
+    return {};
+  }
 }
 
 bool isModelPath(const std::string& path) {
@@ -148,10 +161,12 @@ LoadedScene loadScene(const std::string& path, const std::vector<std::string>& a
     loaded = loadBareModel(path, assignments, progress, std::move(wishes));
     requireMirrors(loaded, path);
   } else if (endsWith(path, ".json")) {
+    loaded.fileDigest = fileDigest(path);  // before it is read: whoever writes it meanwhile is noticed on saving
     loaded.scene = loadSceneFile(path);
-    loaded.path = path;
+    loaded.path = absolutePath(path);
     setSceneFields(loaded.scene, assignments);
     loaded.models = loadModels(loaded.scene, progress);
+    checkExtent(loaded.scene, loaded.models);
     adoptFromModels(loaded);
     requireMirrors(loaded, path);
   } else {

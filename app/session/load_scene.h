@@ -17,7 +17,8 @@ namespace boxprobe {
 struct LoadedScene {
   Scene scene;
   std::vector<std::shared_ptr<const Model>> models;  ///< in the order of scene.models
-  std::string path;                                  ///< the scene file; empty for a bare model: never saved
+  std::string path;                                  ///< the scene file, absolute; empty for a bare model: never saved
+  std::string fileDigest;                            ///< fileDigest() of it as it was read
   std::vector<std::string> warnings;                 ///< sceneWarnings() of it
   std::optional<ModelFit> fit;                       ///< of a bare model
   bool unsaved = false;                              ///< recovered: not what `path` holds
@@ -43,6 +44,9 @@ std::shared_ptr<const ImageRgbaF> loadSkyImage(const Scene& scene);
 /// What will not show as the files ask, one sentence each: what the model files hold and the program does not support,
 /// features of the scene that are accepted but not used yet, overrides and hides that name nothing in the models.
 std::vector<std::string> sceneWarnings(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
+
+/// A fingerprint of what the file holds now; empty if there is none or it cannot be read.
+std::string fileDigest(const std::string& path);
 
 /// True for the extensions of model files, which can be opened without a scene, in any case.
 bool isModelPath(const std::string& path);

@@ -20,15 +20,63 @@ TEST_F(AtomicFile, ReplacesTheOldFileAndKeepsItsPermissions) {
   writeAtomically(file("a.txt"), [&](const std::string& name) {
     temporary = name;
     EXPECT_EQ(read("a.txt"), "old");  // until the very end
+    struct stat status = {};
+    ASSERT_EQ(::stat(std::filesystem::path(name).parent_path().c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, 0700u) << "nobody else reads what may be private";
     std::ofstream(name) << "new";
   });
   EXPECT_EQ(read("a.txt"), "new");
-  EXPECT_EQ(std::filesystem::path(temporary).parent_path(), folder_);
-  EXPECT_EQ(std::filesystem::path(temporary).extension(), ".txt");
+  EXPECT_EQ(std::filesystem::path(temporary).parent_path().parent_path(), folder_);
+  EXPECT_EQ(std::filesystem::path(temporary).filename(), "a.txt") << "writers look at extensions";
   EXPECT_EQ(entryCount(), 1u);
   struct stat status = {};
   ASSERT_EQ(::stat(file("a.txt").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640u);
+}
+
+TEST_F(AtomicFile, FilesOfTheUsersStayWhateverTheirNames) {
+  for (const char* name : {".o.2024-11.png", ".o.7-1.png", ".boxprobe-unfinished-file"}) write(name, "mine");
+  const auto makeFolder = [&](const char* name) { std::filesystem::create_directory(folder_ / name); };
+  makeFolder(".boxprobe-unfinished-unclaimed");
+  write(".boxprobe-unfinished-unclaimed/o.png", "mine");
+  makeFolder(".boxprobe-unfinished-other");
+  write(".boxprobe-unfinished-other/claim", "what I claim");
+  write(".boxprobe-unfinished-other/o.png", "mine");
+  // One that leads elsewhere.
+  write("kept.png", "mine");
+  makeFolder(".boxprobe-unfinished-sly");
+  std::filesystem::create_symlink("boxprobe-unfinished:../kept.png", folder_ / ".boxprobe-unfinished-sly/claim");
+  writeTextAtomically(file("o.png"), "new");
+  for (const char* name : {".o.2024-11.png", ".o.7-1.png", ".boxprobe-unfinished-file",
+                           ".boxprobe-unfinished-unclaimed/o.png", ".boxprobe-unfinished-other/o.png", "kept.png"}) {
+    EXPECT_EQ(read(name), "mine") << name;
+  }
+}
+
+TEST_F(AtomicFile, WhatAKilledProcessLeftGoesWithTheNextWrite) {
+  for (const char* name : {".boxprobe-unfinished-link", ".boxprobe-unfinished-file", ".boxprobe-unfinished-empty"}) {
+    std::filesystem::create_directory(folder_ / name);
+  }
+  write(".boxprobe-unfinished-link/b.exr", "half");
+  std::filesystem::create_symlink("boxprobe-unfinished:b.exr", folder_ / ".boxprobe-unfinished-link/claim");
+  write(".boxprobe-unfinished-file/b.exr", "half");
+  write(".boxprobe-unfinished-file/claim", "boxprobe-unfinished:b.exr");  // where there are no links
+  write(".boxprobe-unfinished-file/mine.txt", "mine");
+  writeTextAtomically(file("o.png"), "new");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / ".boxprobe-unfinished-link"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / ".boxprobe-unfinished-empty"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / ".boxprobe-unfinished-file/b.exr"));
+  EXPECT_EQ(read(".boxprobe-unfinished-file/mine.txt"), "mine") << "no claim names it";
+}
+
+TEST_F(AtomicFile, AWriteUnderWayIsLeftAlone) {
+  writeAtomically(file("a.txt"), [&](const std::string& name) {
+    std::ofstream(name) << "a";
+    writeTextAtomically(file("b.txt"), "b");
+    EXPECT_TRUE(std::filesystem::exists(name));
+  });
+  EXPECT_EQ(read("a.txt") + read("b.txt"), "ab");
+  EXPECT_EQ(entryCount(), 2u);
 }
 
 TEST_F(AtomicFile, AWriterThatThrowsLeavesTheOldFileAlone) {

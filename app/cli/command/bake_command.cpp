@@ -171,10 +171,13 @@ std::string scriptOf(const BakeOptions& options, const std::vector<Probe>& probe
   bake.program = none ? "boxprobe" : program.string();
   bake.scene = fs::absolute(options.scenePath).string();
   bake.folder = fs::absolute(folder).string();
-  for (const std::string& pattern : options.patterns) bake.options += " --only " + shellWord(pattern);
-  for (const std::string& name : options.probes) bake.options += " --probe " + shellWord(name);
-  for (const std::string& assignment : options.assignments) bake.options += " --set " + shellWord(assignment);
-  if (options.mixed) bake.options += " --mixed";
+  const auto pass = [&bake](const char* option, const std::vector<std::string>& values) {
+    for (const std::string& value : values) bake.options.insert(bake.options.end(), {option, value});
+  };
+  pass("--only", options.patterns);
+  pass("--probe", options.probes);
+  pass("--set", options.assignments);
+  if (options.mixed) bake.options.emplace_back("--mixed");
   for (const Probe& probe : probes) bake.bounces = std::max(bake.bounces, probe.bounces);
   bake.shares = options.shards > 0 ? options.shards : static_cast<int>(std::min(probes.size(), kMostShards));
   bake.shares = std::max(bake.shares, 1);

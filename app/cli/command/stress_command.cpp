@@ -3,12 +3,14 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
 
+#include "app/cli/command/extreme_scenes.h"
 #include "app/cli/report/stress_report.h"
 #include "app/session/interrupt.h"
 #include "app/session/messages.h"
@@ -32,8 +34,9 @@ struct StressOptions {
   double count = 1.0e6;
   std::uint64_t seed = 1;
   std::string device = "cpu";
-  std::vector<std::string> classes, subjects;
+  std::vector<std::string> classes, subjects;  ///< kExtremeScenes may be among the classes
   std::string replay;
+  std::uint64_t firstScene = 0;
   bool published = false;
   std::string outputPath;
   ReportOptions report;
@@ -45,6 +48,7 @@ const StressClass& classOf(const char* option, const std::string& id) {
     if (c.id == id) return c;
     known += (known.empty() ? "" : ", ") + std::string(c.id);
   }
+  known += std::string(", ") + kExtremeScenes;
   throw InputError(std::string(option) + " " + id + ": there is no such class; there are: " + known);
 }
 
@@ -64,7 +68,9 @@ StressPlan planOf(const StressOptions& options) {
   StressPlan plan;
   plan.count = static_cast<std::uint64_t>(options.count);
   plan.seed = options.seed;
-  for (const std::string& id : options.classes) plan.classes.push_back(&classOf("--class", id));
+  for (const std::string& id : options.classes) {
+    if (id != kExtremeScenes) plan.classes.push_back(&classOf("--class", id));
+  }
   if (options.classes.empty()) {
     for (const StressClass& c : stressClasses()) plan.classes.push_back(&c);
   }
@@ -106,9 +112,21 @@ void replay(const std::string& text) {
   }
 }
 
-void report(const StressOptions& options, const StressPlan& plan, const std::vector<StressCell>& cells) {
+/// How many scenes are put together: all inputs where nothing else is asked for, else one beside 200 others, since one
+/// takes as long as thousands of them. None beside chosen classes, techniques or published forms, nor on a card.
+std::uint64_t scenesOf(const StressOptions& options) {
+  const bool asked = std::find(options.classes.begin(), options.classes.end(), kExtremeScenes) != options.classes.end();
+  if (asked && options.classes.size() == 1) return static_cast<std::uint64_t>(options.count);
+  const bool all = options.classes.empty() && options.subjects.empty() && !options.published;
+  if (!asked && (!all || options.device == "gpu")) return 0;
+  return static_cast<std::uint64_t>(options.count / 200.0);
+}
+
+void report(const StressOptions& options, const StressPlan& plan, const std::vector<StressCell>& cells,
+            const ExtremeScenesResult& scenes) {
   std::string lines;
   for (const StressCell& cell : cells) lines += validJson(stressLine(cell, plan.seed, options.device), -1);
+  if (scenes.count > 0) lines += validJson(extremeScenesLine(scenes, plan.seed), -1);
   const bool toFile = !options.outputPath.empty();
   if (toFile) {
     writeTextAtomically(options.outputPath, lines);
@@ -116,13 +134,18 @@ void report(const StressOptions& options, const StressPlan& plan, const std::vec
     std::fputs(lines.c_str(), stdout);
   }
   if (!options.report.quiet && !options.report.json) {
-    const std::string table = stressTable(cells, options.device) + publishedTable(cells);
+    std::string table = cells.empty() ? std::string() : stressTable(cells, options.device) + publishedTable(cells);
+    if (scenes.count > 0) table += extremeScenesText(scenes);
     std::fputs(table.c_str(), toFile ? stdout : stderr);
   }
 }
 
 /// Throws if an input breaks what is promised; published forms promise nothing.
-void requirePromise(const StressPlan& plan, const std::vector<StressCell>& cells) {
+void requirePromise(const StressPlan& plan, const std::vector<StressCell>& cells, const ExtremeScenesResult& scenes) {
+  if (scenes.nonFinite > 0) {
+    throw WorkError(std::to_string(scenes.nonFinite) + " of " + std::to_string(scenes.count) +
+                    " extreme scenes give what is no number; the first is " + scenes.worst);
+  }
   std::size_t broken = 0;
   const StressCell* first = nullptr;
   for (const StressCell& cell : cells) {
@@ -156,12 +179,21 @@ void runStressCommand(const StressOptions& options) {
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
   const StressPlan plan = planOf(options);
   const InterruptGuard interrupt;
-  const std::vector<StressCell> cells = results(options, plan, interrupt);
+  std::vector<StressCell> cells;
+  if (!plan.classes.empty()) cells = results(options, plan, interrupt);
+  ExtremeScenesResult scenes;
+  if (const std::uint64_t count = scenesOf(options); count > 0) {
+    ProgressLine line("scenes", !options.report.quiet);
+    scenes = runExtremeScenes(options.firstScene, count, options.seed, [&](double fraction) {
+      line.show(fraction);
+      return !interrupt.interrupted();
+    });
+  }
   interrupt.check();
-  report(options, plan, cells);
+  report(options, plan, cells, scenes);
   // Nothing is drawn or captured here, and the counters say so.
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, statsJson(RunStats{}));
-  requirePromise(plan, cells);
+  requirePromise(plan, cells, scenes);
 }
 
 }  // namespace
@@ -189,6 +221,8 @@ Subcommand addStressCommand(CLI::App& program) {
                    "Only this technique, term:NAME or published:NAME (repeatable; default: every technique and term)")
       ->type_name("ID")
       ->allow_extra_args(false);
+  command->add_option("--first", options->firstScene, "Begin the class extreme-scenes with this scene (default 0)")
+      ->type_name("N");
   command->add_flag("--published", options->published,
                     "The forms published elsewhere, beside what this program does instead");
   command

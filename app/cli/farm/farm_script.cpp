@@ -1,11 +1,18 @@
 #include "app/cli/farm/farm_script.h"
 
+#include <algorithm>
+
+#include "filters/core/base/errors.h"
+#include "filters/core/base/printable_text.h"
+
 namespace boxprobe {
 
 namespace {
 
 std::string command(const FarmBake& bake) {
-  return shellWord(bake.program) + " bake " + shellWord(bake.scene) + " -o " + shellWord(bake.folder) + bake.options;
+  std::string text = shellWord(bake.program) + " bake " + shellWord(bake.scene) + " -o " + shellWord(bake.folder);
+  for (const std::string& option : bake.options) text += " " + shellWord(option);
+  return text;
 }
 
 /// Of one bounce, as far as its --shard. A single bounce needs no word about it.
@@ -33,14 +40,23 @@ std::string slurm(const FarmBake& bake) {
          shellWord(command(bake) + " --merge") + "\n";
 }
 
+/// GNU parallel fills in whatever looks like {}, {.}, {1} or {=perl=} before its shell sees the command. A brace never
+/// stands outside of quotes here (see shellWord); closing and opening them after each leaves nothing to fill in.
+std::string unfilled(const std::string& shellText) {
+  std::string result;
+  for (const char c : shellText) result += c == '{' ? "{''" : std::string(1, c);
+  return result;
+}
+
 std::string parallel(const FarmBake& bake) {
   const std::string count = std::to_string(bake.shares);
   std::string text =
       "#!/bin/sh\n"
       "# Bakes by GNU parallel. Further options for it (-j N, --sshloginfile FILE): $PARALLEL.\n"
-      "set -eu\n";
+      "set -eu\n"
+      "export PARALLEL_SHELL=/bin/sh\n";
   for (int bounce = 1; bounce <= bake.bounces; ++bounce) {
-    text += "seq " + count + " | parallel " + shellWord(shareCommand(bake, bounce) + "{}/" + count) + "\n";
+    text += "seq " + count + " | parallel " + shellWord(unfilled(shareCommand(bake, bounce)) + "{}/" + count) + "\n";
   }
   return text + command(bake) + " --merge\n";
 }
@@ -85,6 +101,13 @@ std::string shellWord(const std::string& text) {
 }
 
 std::string farmScript(const std::string& kind, const FarmBake& bake) {
+  std::vector<std::string> words = {bake.program, bake.scene, bake.folder};
+  words.insert(words.end(), bake.options.begin(), bake.options.end());
+  for (const std::string& word : words) {
+    if (std::none_of(word.begin(), word.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; })) continue;
+    throw InputError("--emit " + kind + ": \"" + printable(word) +
+                     "\" has a control character in it, such as a line break; a script cannot carry it, rename it");
+  }
   return kind == "slurm" ? slurm(bake) : kind == "parallel" ? parallel(bake) : make(bake);
 }
 

@@ -1,7 +1,6 @@
 // See lesson_progress.h.
 #include "app/gui/lessons/lesson_progress.h"
 
-#include <QSettings>
 #include <QStringList>
 
 #include "app/gui/widgets/preferences.h"
@@ -28,33 +27,33 @@ QString solvedTask(std::size_t step) {
 }
 
 LessonProgress lessonProgress(const QString& lesson) {
-  const QSettings settings(preferencesFile(), QSettings::IniFormat);
+  const auto settings = preferences();
   LessonProgress progress;
-  progress.furthest = settings.value(key(lesson, "furthest"), -1).toInt();
-  progress.done = settings.value(key(lesson, "done"), false).toBool();
-  for (const QString& solved : settings.value(key(lesson, "solved")).toStringList()) progress.solved.insert(solved);
+  progress.furthest = settings->value(key(lesson, "furthest"), -1).toInt();
+  progress.done = settings->value(key(lesson, "done"), false).toBool();
+  for (const QString& solved : settings->value(key(lesson, "solved")).toStringList()) progress.solved.insert(solved);
   return progress;
 }
 
 void keepLessonProgress(const QString& lesson, const LessonProgress& progress) {
-  QSettings settings(preferencesFile(), QSettings::IniFormat);
-  settings.setValue(key(lesson, "furthest"), progress.furthest);
-  settings.setValue(key(lesson, "done"), progress.done);
+  const auto settings = preferences();
+  settings->setValue(key(lesson, "furthest"), progress.furthest);
+  settings->setValue(key(lesson, "done"), progress.done);
   QStringList solved = progress.solved.values();
   solved.sort();
-  settings.setValue(key(lesson, "solved"), solved);
+  settings->setValue(key(lesson, "solved"), solved);
 }
 
 QString lastLesson() {
-  return QSettings(preferencesFile(), QSettings::IniFormat).value(kLast).toString();
+  return preferences()->value(kLast).toString();
 }
 
 void keepLastLesson(const QString& lesson) {
-  QSettings(preferencesFile(), QSettings::IniFormat).setValue(kLast, lesson);
+  preferences()->setValue(kLast, lesson);
 }
 
 void forgetLessons() {
-  QSettings(preferencesFile(), QSettings::IniFormat).remove(kGroup);
+  preferences()->remove(kGroup);
 }
 
 }  // namespace boxprobe

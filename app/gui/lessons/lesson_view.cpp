@@ -10,7 +10,6 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QTabBar>
 #include <QTextEdit>
 #include <algorithm>
@@ -22,6 +21,7 @@
 #include "app/gui/lessons/lesson_progress.h"
 #include "app/gui/lessons/lesson_step_page.h"
 #include "app/gui/view/viewport.h"
+#include "app/gui/widgets/message_box.h"
 #include "app/lessons/lesson_language.h"
 #include "app/lessons/lesson_measure.h"
 #include "filters/io/gltf/model_file.h"
@@ -99,9 +99,9 @@ void LessonView::connectPanel() {
     updateKeys();
   });
   connect(panel_->list(), &LessonListPage::forgetRequested, this, [this] {
-    const auto answer = QMessageBox::question(panel_, tr("Forget progress"),
-                                              tr("Mark all lessons as not started? This cannot be undone."),
-                                              QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel);
+    const auto answer =
+        askUser(panel_, tr("Forget progress"), tr("Mark all lessons as not started? This cannot be undone."),
+                QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel);
     if (answer != QMessageBox::Yes) return;
     forgetLessons();
     showProgress();

@@ -7,7 +7,6 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
@@ -15,6 +14,7 @@
 #include <exception>
 
 #include "app/gui/view/render_scheduler.h"
+#include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "filters/io/cube/bake_folder.h"
 
@@ -154,9 +154,9 @@ QString BakePanel::chooseFolder() {
   const QString start = scene.empty() ? QString() : QFileInfo(QString::fromStdString(scene)).absolutePath();
   if (!scene.empty()) {
     const QString beside = QString::fromStdString(BakeFolder::besideScene(scene));
-    QMessageBox box(QMessageBox::Question, tr("Save baked probes"),
-                    tr("Save the baked probes to %1, where the scene finds them?").arg(beside),
-                    QMessageBox::Save | QMessageBox::Cancel, window());
+    PlainQuestion box(window(), tr("Save baked probes"),
+                      tr("Save the baked probes to %1, where the scene finds them?").arg(beside),
+                      QMessageBox::Save | QMessageBox::Cancel);
     const auto* other = box.addButton(tr("Another folder..."), QMessageBox::ActionRole);
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();

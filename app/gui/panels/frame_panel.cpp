@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "app/gui/edit/field_form.h"
+#include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_combo.h"
 
@@ -36,7 +37,7 @@ QString percent(double share) {
 void addRowTo(QTreeWidgetItem* parent, const QString& name, const QString& value, const QString& toolTip = {}) {
   auto* row = new QTreeWidgetItem(parent, {name, value});
   if (value.isEmpty()) row->setFirstColumnSpanned(true);
-  row->setToolTip(0, toolTip.isEmpty() ? name : toolTip);
+  row->setToolTip(0, plainToolTip(toolTip.isEmpty() ? name : toolTip));
 }
 
 }  // namespace

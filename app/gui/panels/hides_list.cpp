@@ -6,6 +6,8 @@
 #include <QWidgetAction>
 #include <algorithm>
 
+#include "app/gui/widgets/message_box.h"
+
 namespace boxprobe {
 
 HidesList::HidesList(QWidget* parent) : QToolButton(parent), menu_(new QMenu(this)) {
@@ -33,7 +35,7 @@ void HidesList::show(const std::vector<std::string>& hidden) {
           : names.size() <= 2 ? names.join(", ")
                               : tr("%1 and %2 more").arg(names.front()).arg(names.size() - 1));
   setToolTip(names.isEmpty() ? tr("Objects this probe does not see, such as one at its origin. Default: none")
-                             : tr("Not seen by this probe: %1").arg(names.join(", ")));
+                             : plainToolTip(tr("Not seen by this probe: %1").arg(names.join(", "))));
 }
 
 void HidesList::fillMenu() {

@@ -7,12 +7,12 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QToolButton>
 #include <exception>
 
 #include "app/gui/edit/field_form.h"
 #include "app/gui/edit/probe_fields.h"
+#include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/value_field.h"
 #include "filters/core/base/file_extension.h"
@@ -51,6 +51,7 @@ void ImageFields::addFile() {
   auto* row = new QHBoxLayout(row_);
   row->setContentsMargins(0, 0, 0, 0);
   name_ = new QLabel(row_);
+  name_->setTextFormat(Qt::PlainText);
   name_->setObjectName("image");
   name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* choose = new QToolButton(row_);
@@ -127,8 +128,7 @@ void ImageFields::choose() {
         edited.decode = code.decode;
       });
     } catch (const std::exception& error) {
-      QMessageBox::warning(form_->parentWidget()->window(), tr("Cannot use this image"),
-                           QString::fromUtf8(error.what()));
+      warnUser(form_->parentWidget()->window(), tr("Cannot use this image"), QString::fromUtf8(error.what()));
     }
   }
   emit answered();
@@ -147,7 +147,7 @@ void ImageFields::update(const Probe& probe) {
   showRow(exponent_, encoded && probe.encoding != ImageEncoding::Dldr);
   const QString path = QString::fromStdString(probe.image);
   name_->setText(QFileInfo(path).fileName());
-  name_->setToolTip(path);
+  name_->setToolTip(plainToolTip(path));
   showChoice(layout_, static_cast<int>(probe.imageLayout));
   showChoice(encoding_, static_cast<int>(probe.encoding));
   const glm::dvec2 decode = decodeOf(probe);

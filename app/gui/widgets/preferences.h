@@ -2,13 +2,15 @@
 #pragma once
 
 #include <QByteArray>
+#include <QSettings>
 #include <QString>
+#include <memory>
 #include <optional>
 
 namespace boxprobe {
 
-/// Where they are kept.
-QString preferencesFile();
+/// All of them; see settings_file.h.
+std::unique_ptr<QSettings> preferences();
 
 /// Cheaper techniques while the camera or a handle moves; nothing until the user has chosen.
 std::optional<bool> cheaperWhileMoving();

@@ -2,8 +2,8 @@
 #include "app/gui/widgets/recent_files.h"
 
 #include <QFileInfo>
-#include <QSettings>
-#include <QStandardPaths>
+
+#include "app/gui/widgets/settings_file.h"
 
 namespace boxprobe {
 
@@ -12,16 +12,13 @@ namespace {
 constexpr int kMost = 9;  ///< as many as there are digits for their keys
 constexpr const char* kKey = "recentFiles";
 
-/// By QStandardPaths, not QSettings' own place: tests redirect the former.
-QString settingsFile() {
-  return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/recent.ini";
-}
+constexpr const char* kFile = "recent.ini";
 
 }  // namespace
 
 QStringList recentFiles() {
   QStringList present;
-  for (const QString& path : QSettings(settingsFile(), QSettings::IniFormat).value(kKey).toStringList()) {
+  for (const QString& path : openSettings(kFile)->value(kKey).toStringList()) {
     if (QFileInfo::exists(path)) present.push_back(path);
   }
   return present;
@@ -33,7 +30,7 @@ void rememberFile(const QString& path) {
   files.removeAll(absolute);
   files.push_front(absolute);
   while (files.size() > kMost) files.pop_back();
-  QSettings(settingsFile(), QSettings::IniFormat).setValue(kKey, files);
+  openSettings(kFile)->setValue(kKey, files);
 }
 
 }  // namespace boxprobe

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "filters/core/base/errors.h"
+#include "filters/io/files/absolute_path.h"
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/files/read_file.h"
 #include "filters/io/json/json_text.h"
@@ -42,8 +43,17 @@ std::optional<Autosave::Kept> keptIn(const QString& folder) {
   if (!QFileInfo(scene).isFile() || !QFileInfo(about).isFile()) return std::nullopt;
   try {
     const Json json = parseJsonText(readWholeFile(about.toStdString(), 1 << 20), about.toStdString()).root;
-    const auto text = [&json](const char* key) { return QString::fromStdString(json.at(key).get<std::string>()); };
-    return Autosave::Kept{folder, scene, text("original"), text("name"), QFileInfo(scene).lastModified()};
+    const auto text = [&json](const char* key) { return QString::fromStdString(json.value(key, std::string())); };
+    QString original = text("original");
+    // A name that is relative to a folder nobody knows any more could be another file's.
+    if (QDir::isRelativePath(original)) original.clear();
+    return Autosave::Kept{folder,
+                          scene,
+                          original,
+                          json.value("originalDigest", std::string()),
+                          text("name"),
+                          text("folder"),
+                          QFileInfo(scene).lastModified()};
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -51,9 +61,9 @@ std::optional<Autosave::Kept> keptIn(const QString& folder) {
 
 }  // namespace
 
-Autosave::Autosave(const Document& document, std::function<bool()> ownSceneShown, std::function<QString()> name,
+Autosave::Autosave(const Document& document, std::function<bool()> ownSceneShown, std::function<About()> about,
                    QObject* parent)
-    : QObject(parent), document_(document), ownSceneShown_(std::move(ownSceneShown)), name_(std::move(name)) {
+    : QObject(parent), document_(document), ownSceneShown_(std::move(ownSceneShown)), about_(std::move(about)) {
   constexpr int kSoonMilliseconds = 2000;  // several edits in a row are one file
   soon_.setSingleShot(true);
   soon_.setInterval(kSoonMilliseconds);
@@ -90,7 +100,11 @@ bool Autosave::write() {
       if (!lock_->tryLock(0)) throw InputError(folder.toStdString() + ": cannot be locked");
       folder_ = folder;
     }
-    const Json about = {{"original", document_.path()}, {"name", name_().toStdString()}};
+    const About said = about_();
+    const Json about = {{"original", absolutePath(document_.path())},
+                        {"originalDigest", said.originalDigest},
+                        {"name", said.name.toStdString()},
+                        {"folder", said.folderShown.toStdString()}};
     writeTextAtomically(QDir(folder_).filePath(kAbout).toStdString(), formatJson(about) + "\n");
     writeTextAtomically(QDir(folder_).filePath(kScene).toStdString(),
                         sceneText(document_.scene(), folder_.toStdString()));

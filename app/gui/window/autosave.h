@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "filters/core/scene/document.h"
@@ -22,15 +23,22 @@ class Autosave : public QObject {
  public:
   /// What a process that ended left behind.
   struct Kept {
-    QString folder;    ///< of its files
-    QString scene;     ///< a scene file, with paths relative to `folder`
-    QString original;  ///< the file it was opened from or last saved to; empty: never saved
-    QString name;      ///< as the window called it
-    QDateTime time;    ///< of the last change kept
+    QString folder;              ///< of its files
+    QString scene;               ///< a scene file, with paths relative to `folder`
+    QString original;            ///< absolute: the file it was opened from or last saved to; empty: never saved
+    std::string originalDigest;  ///< fileDigest() of that file as it was opened or saved; empty: not known
+    QString name;                ///< as the window called it
+    QString folderShown;         ///< of the original, or of the model of a scene never saved; may be empty
+    QDateTime time;              ///< of the last change kept
   };
 
-  /// `ownSceneShown`: false while a lesson stands in the document's place. `name`: what the window calls the scene.
-  Autosave(const Document& document, std::function<bool()> ownSceneShown, std::function<QString()> name,
+  /// What about the scene on show is kept beside it.
+  struct About {
+    QString name, folderShown;
+    std::string originalDigest;
+  };
+  /// `ownSceneShown`: false while a lesson stands in the document's place.
+  Autosave(const Document& document, std::function<bool()> ownSceneShown, std::function<About()> about,
            QObject* parent);
   /// The process ends as it should: what was kept goes, unless keep() was called.
   ~Autosave() override;
@@ -55,7 +63,7 @@ class Autosave : public QObject {
 
   const Document& document_;
   std::function<bool()> ownSceneShown_;
-  std::function<QString()> name_;
+  std::function<About()> about_;
   QTimer soon_;
   QString folder_;                   ///< made with the first change
   std::unique_ptr<QLockFile> lock_;  ///< held while `folder_` is there

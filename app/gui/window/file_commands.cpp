@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QStandardPaths>
 #include <QUrl>
@@ -14,6 +13,7 @@
 
 #include "app/gui/edit/editor.h"
 #include "app/gui/edit/work_beside.h"
+#include "app/gui/widgets/message_box.h"
 #include "app/gui/widgets/recent_files.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/scene/scene_fields.h"
@@ -57,6 +57,15 @@ QString FileCommands::displayName() const {
   return tr("%1 (not saved)").arg(QFileInfo(QString::fromStdString(models.front().file)).fileName());
 }
 
+QString FileCommands::folderShown() const {
+  return hooks_.borrowedName().isEmpty() ? QDir::toNativeSeparators(folder()) : QString();
+}
+
+QString FileCommands::nameInFolder() const {
+  const QString folder = folderShown();
+  return folder.isEmpty() ? displayName() : tr("%1 in %2").arg(displayName(), folder);
+}
+
 QString FileCommands::folder() const {
   if (!document_.path().empty()) return QFileInfo(QString::fromStdString(document_.path())).absolutePath();
   const auto& models = document_.scene().models;
@@ -64,18 +73,18 @@ QString FileCommands::folder() const {
 }
 
 void FileCommands::showError(const QString& title, const QString& line) {
-  QMessageBox::warning(window_, title, line);
+  warnUser(window_, title, line);
 }
 
 bool FileCommands::confirmLeaving() {
   hooks_.showOwnScene();
   editor_.finish();
   if (!document_.modified()) return true;
-  const auto answer = QMessageBox::question(
-      window_, tr("Unsaved changes"),
-      document_.path().empty() && document_.scene().models.empty() ? tr("Save the changes?")
-                                                                   : tr("Save the changes to %1?").arg(displayName()),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  const auto answer = askUser(window_, tr("Unsaved changes"),
+                              document_.path().empty() && document_.scene().models.empty()
+                                  ? tr("Save the changes?")
+                                  : tr("Save the changes to %1?").arg(nameInFolder()),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }
@@ -134,10 +143,11 @@ bool FileCommands::openWith(const QString& path, const std::vector<std::string>&
     if (!confirmLeaving()) return false;
     const QString warning = loaded.warnings.empty() ? QString() : QString::fromStdString(loaded.warnings.front());
     const std::size_t more = loaded.warnings.empty() ? 0 : loaded.warnings.size() - 1;
+    const std::string digest = loaded.fileDigest;
     const QString decided = loaded.fit ? QString::fromStdString(loaded.fit->decided) : QString();
     hooks_.show(std::move(loaded));
     assignments_ = assignments;
-    remember(path);
+    remember(path, digest);
     emit message(warning.isEmpty() ? (decided.isEmpty() ? tr("Opened %1").arg(path) : decided)
                  : more == 0       ? warning
                                    : tr("%1 (and %2 more; see `boxprobe info`)").arg(warning).arg(more));
@@ -188,7 +198,6 @@ void FileCommands::watchFiles() {
   if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
   if (!files.isEmpty()) watcher_.addPaths(files);
   known_ = newest(files);
-  outdated_ = false;
 }
 
 void FileCommands::changedOnDisk() {
@@ -200,7 +209,6 @@ void FileCommands::changedOnDisk() {
   // What could be redone are changes, too.
   if (!document_.modified() && !document_.canUndo() && !document_.canRedo()) return reload();
   watchFiles();
-  outdated_ = true;
   emit message(tr("%1 changed on disk. Your changes stay; File > Reload takes the file instead").arg(displayName()));
 }
 
@@ -213,12 +221,13 @@ void FileCommands::reload() {
   editor_.finish();
   // Not "Save?": that would write over what the file has become.
   if (document_.modified() &&
-      QMessageBox::question(window_, tr("Reload"), tr("Discard your changes and read %1 again?").arg(displayName()),
-                            QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel) != QMessageBox::Discard) {
+      askUser(window_, tr("Reload"), tr("Discard your changes and read %1 again?").arg(nameInFolder()),
+              QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel) != QMessageBox::Discard) {
     return;
   }
   try {
     LoadedScene loaded = load(QString::fromStdString(path), assignments_);
+    digestAsRead_ = loaded.fileDigest;
     hooks_.showAgain(std::move(loaded));
     emit message(tr("Read %1 again").arg(QString::fromStdString(path)));
     return watchFiles();
@@ -227,12 +236,11 @@ void FileCommands::reload() {
   } catch (const std::exception& error) {
     emit message(tr("Not read again: %1").arg(QString::fromUtf8(error.what())));
   }
-  // What is on disk is still another: saving asks.
   watchFiles();
-  outdated_ = true;
 }
 
-void FileCommands::remember(const QString& path) {
+void FileCommands::remember(const QString& path, const std::string& digest) {
+  digestAsRead_ = digest;
   rememberFile(path);
   watchFiles();
   emit recentChanged(recentFiles());
@@ -249,12 +257,21 @@ bool FileCommands::saveAs() {
     path += kSceneSuffix;
     // The dialog asked about the name as typed, not about this one.
     if (QFileInfo::exists(path) &&
-        QMessageBox::question(window_, tr("Save as"), tr("%1 already exists. Replace it?").arg(path)) !=
-            QMessageBox::Yes) {
+        askUser(window_, tr("Save as"), tr("%1 already exists. Replace it?").arg(path)) != QMessageBox::Yes) {
       return false;
     }
   }
   return saveTo(path);
+}
+
+// Whatever stands there and is not what was read or saved is somebody else's.
+bool FileCommands::mayReplace(const QString& path) {
+  const std::string digest = fileDigest(path.toStdString());
+  if (digest == digestAsRead_ || !QFileInfo::exists(path)) return true;
+  const QString question =
+      digestAsRead_.empty() ? tr("%1 already exists, and is not the file that these changes were made to. Replace it?")
+                            : tr("%1 changed on disk. Replace it by yours?");
+  return askUser(window_, tr("Save"), question.arg(path)) == QMessageBox::Yes;
 }
 
 bool FileCommands::saveTo(const QString& path) {
@@ -262,14 +279,10 @@ bool FileCommands::saveTo(const QString& path) {
   try {
     if (!hooks_.mayWrite(path))
       throw InputError(path.toStdString() + ": the lesson stands on this file; choose another name");
-    if (outdated_ && path.toStdString() == document_.path() &&
-        QMessageBox::question(window_, tr("Save"), tr("%1 changed on disk. Replace it by yours?").arg(path)) !=
-            QMessageBox::Yes) {
-      return false;
-    }
+    if (path.toStdString() == document_.path() && !mayReplace(path)) return false;
     saveSceneFile(document_.scene(), path.toStdString());
     document_.markSaved(path.toStdString());
-    remember(path);
+    remember(path, fileDigest(path.toStdString()));
     emit message(tr("Saved %1").arg(path));
     return true;
   } catch (const std::exception& error) {
@@ -283,27 +296,32 @@ std::optional<FileCommands::Recovery> FileCommands::recovery() const {
   const auto& models = document_.scene().models;
   const std::string& origin = document_.path().empty() && !models.empty() ? models.front().file : document_.path();
   const QFileInfo file(QString::fromStdString(origin));
-  const QString name = file.fileName().section('.', 0, 0) + ".recovered" + kSceneSuffix;
+  const QString stem = file.fileName().section('.', 0, 0) + ".recovered";
   QString folder = file.absolutePath();
   if (!QFileInfo(folder).isWritable()) {
     folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     QDir(folder).mkpath(".");
   }
-  return Recovery{QDir(folder).filePath(name).toStdString(), sceneText(document_.scene(), folder.toStdString())};
+  QString path = QDir(folder).filePath(stem + kSceneSuffix);
+  // One from before is the user's by now.
+  for (int copy = 2; QFileInfo::exists(path); ++copy) {
+    path = QDir(folder).filePath(stem + "-" + QString::number(copy) + kSceneSuffix);
+  }
+  return Recovery{path.toStdString(), sceneText(document_.scene(), folder.toStdString())};
 }
 
-bool FileCommands::recover(const QString& kept, const QString& original, const QDateTime& keptAt) {
+bool FileCommands::recover(const Autosave::Kept& kept) {
   try {
-    LoadedScene loaded = loadScene(kept.toStdString());
+    LoadedScene loaded = loadScene(kept.scene.toStdString());
     requireSky(loaded.scene);
     if (!confirmLeaving()) return false;
-    loaded.path = original.toStdString();
+    loaded.path = kept.original.toStdString();
     loaded.unsaved = true;
     hooks_.show(std::move(loaded));
     assignments_.clear();
+    digestAsRead_ = kept.originalDigest;
     watchFiles();
-    outdated_ = !original.isEmpty() && keptAt.isValid() && QFileInfo(original).lastModified() > keptAt;
-    emit message(tr("Recovered %1; save it to keep it").arg(displayName()));
+    emit message(tr("Recovered %1; save it to keep it").arg(nameInFolder()));
     return true;
   } catch (const std::exception& error) {
     showError(tr("Cannot recover"), QString::fromUtf8(error.what()));

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "app/gui/window/autosave.h"
 #include "app/session/load_scene.h"
 #include "filters/core/scene/document.h"
 
@@ -50,10 +51,10 @@ class FileCommands : public QObject {
   /// that cannot be written into the user's folder for data. Returns the path, empty if nothing is unsaved. Throws
   /// Error.
   std::string saveRecovery();
-  /// The scene kept of a process that ended, in place of `original`, which may be empty. It counts as changed: nothing
-  /// is written until the user saves, who is asked first where `original` has changed since `keptAt`. False if the user
-  /// kept the scene on show or the file could not be read.
-  bool recover(const QString& kept, const QString& original, const QDateTime& keptAt = {});
+  /// The scene kept of a process that ended, in place of its original file. It counts as changed: nothing is written
+  /// until the user saves, who is asked first unless the file is still the one that process had opened or saved. False
+  /// if the user kept the scene on show or the file could not be read.
+  bool recover(const Autosave::Kept& kept);
   struct Recovery {
     std::string path, text;
   };
@@ -75,9 +76,13 @@ class FileCommands : public QObject {
   static QString droppedFile(const QMimeData* data);
   /// Name of what is open, for the title: the file's, or the model's of a scene never saved.
   QString displayName() const;
+  /// Of the scene's file, or of the model of a scene never saved; empty where neither is, or a lesson is on show.
+  QString folderShown() const;
+  /// fileDigest() of the scene's file as it was read or saved.
+  const std::string& digestAsRead() const { return digestAsRead_; }
 
-  /// `path` was opened or saved: it leads the list of recent files.
-  void remember(const QString& path);
+  /// `path`, opened or saved, leads the list of recent files; the scene's file had this fileDigest().
+  void remember(const QString& path, const std::string& digest);
 
  signals:
   void message(const QString& text);
@@ -93,6 +98,8 @@ class FileCommands : public QObject {
   LoadedScene load(const QString& path, const std::vector<std::string>& assignments);
   bool saveTo(const QString& path);
   QString folder() const;
+  QString nameInFolder() const;
+  bool mayReplace(const QString& path);
   void showError(const QString& title, const QString& line);
 
   Document& document_;
@@ -102,7 +109,7 @@ class FileCommands : public QObject {
   QFileSystemWatcher watcher_;
   QTimer settle_;                         ///< a file is written in several steps
   QDateTime known_;                       ///< of the watched files as they were read or saved
-  bool outdated_ = false;                 ///< one of them is newer than what is on show
+  std::string digestAsRead_;              ///< of the document's file; empty: there was none, or it is not known
   std::vector<std::string> assignments_;  ///< with which the scene on show was opened
 };
 

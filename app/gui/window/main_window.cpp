@@ -83,7 +83,10 @@ MainWindow::MainWindow()
            }},
           this)),
       autosave_(new Autosave(
-          document_, [this] { return lessons_->sceneName().isEmpty(); }, [this] { return files_->displayName(); },
+          document_, [this] { return lessons_->sceneName().isEmpty(); },
+          [this] {
+            return Autosave::About{files_->displayName(), files_->folderShown(), files_->digestAsRead()};
+          },
           this)),
       exporter_(new ProbeExporter(document_, *renderer_, this)),
       debugView_(std::make_unique<DebugView>(*renderer_, *viewport_, document_)),
@@ -332,7 +335,10 @@ void MainWindow::escape() {
 }
 
 void MainWindow::updateTitle() {
-  setWindowTitle(files_->displayName() + "[*] - Boxprobe");
+  const QString folder = files_->folderShown();
+  // "[*]" is where Qt marks changes; in a name it is written twice.
+  setWindowTitle(files_->displayName().replace("[*]", "[*][*]") + "[*] - " +
+                 (folder.isEmpty() ? QString() : QString(folder).replace("[*]", "[*][*]") + " - ") + "Boxprobe");
   setWindowModified(document_.modified());
 }
 

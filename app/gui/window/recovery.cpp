@@ -3,9 +3,9 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QMessageBox>
 #include <QPushButton>
 
+#include "app/gui/widgets/message_box.h"
 #include "app/gui/window/autosave.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/main_window.h"
@@ -23,9 +23,9 @@ QString tr(const char* text) {
 void offerRecovery(MainWindow& window) {
   for (const Autosave::Kept& kept : Autosave::leftBehind()) {
     const QString time = QLocale().toString(kept.time, QLocale::ShortFormat);
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
-                    tr("Boxprobe ended without saving %1. Its changes up to %2 can be recovered.").arg(kept.name, time),
-                    QMessageBox::NoButton, &window);
+    const QString scene = kept.folderShown.isEmpty() ? kept.name : tr("%1 in %2").arg(kept.name, kept.folderShown);
+    PlainQuestion box(&window, tr("Unsaved changes"),
+                      tr("Boxprobe ended without saving %1. Its changes up to %2 can be recovered.").arg(scene, time));
     box.setInformativeText(tr("Nothing is written to the file itself until you save."));
     const QPushButton* recover = box.addButton(tr("&Recover"), QMessageBox::AcceptRole);
     const QPushButton* discard = box.addButton(tr("&Discard them"), QMessageBox::DestructiveRole);
@@ -34,8 +34,8 @@ void offerRecovery(MainWindow& window) {
     box.exec();
     if (box.clickedButton() == discard) Autosave::discard(kept);
     if (box.clickedButton() != recover) continue;
-    if (!window.files().recover(kept.scene, kept.original, kept.time)) return;  // it stays for the next start
-    if (window.autosave().write()) Autosave::discard(kept);                     // from here on this process keeps them
+    if (!window.files().recover(kept)) return;               // it stays for the next start
+    if (window.autosave().write()) Autosave::discard(kept);  // from here on this process keeps them
     return;
   }
 }

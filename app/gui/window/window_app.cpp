@@ -15,6 +15,7 @@
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/preferences.h"
+#include "app/gui/widgets/settings_file.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/file_commands.h"
 #include "app/gui/window/main_window.h"
@@ -90,8 +91,9 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
     pictureError = window.renderer().error();
   });
   if (!scenePath.empty()) {
+    const std::string digest = loaded.fileDigest;
     window.showScene(std::move(loaded));
-    window.files().remember(QString::fromStdString(scenePath));
+    window.files().remember(QString::fromStdString(scenePath), digest);
   }
   window.lessons().setLanguage(options.language);
   if (const WindowLayout kept = windowLayout(); !kept.geometry.isEmpty()) {
@@ -102,7 +104,13 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   window.show();
   if (!options.lesson.empty()) window.openLesson(QString::fromStdString(options.lesson));
   const WindowSignals ended(window);
-  QTimer::singleShot(0, &window, [&window] { offerRecovery(window); });
+  QTimer::singleShot(0, &window, [&window] {
+    for (const QString& line : takeSettingsRemarks()) {
+      printWarnings({line.toStdString()});
+      emit window.files().message(line);
+    }
+    offerRecovery(window);
+  });
   QApplication::exec();
 
   stats.startToFirstFrameCpuSeconds = startToFirstFrame;

@@ -7,9 +7,24 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <cmath>
+#include <initializer_list>
+
 namespace boxprobe {
 
+/// Embree ends the program at a ray with a coordinate beyond this (its FLT_LARGE), or with one that is no number.
+constexpr float kLargestRayCoordinate = 1.8e18f;
+
+inline bool canBeTraced(const RTCRay& ray) {
+  for (const float x : {ray.org_x, ray.org_y, ray.org_z, ray.dir_x, ray.dir_y, ray.dir_z}) {
+    if (!(std::fabs(x) <= kLargestRayCoordinate)) return false;
+  }
+  return true;
+}
+
+/// A ray that cannot be traced meets nothing.
 inline void intersectOne(RTCScene scene, RTCRayHit* query) {
+  if (!canBeTraced(query->ray)) return;
 #if RTC_VERSION_MAJOR >= 4
   rtcIntersect1(scene, query);
 #else

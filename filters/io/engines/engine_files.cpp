@@ -1,6 +1,8 @@
 #include "filters/io/engines/engine_files.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -34,7 +36,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string filledIn(std::string text, const ExportedProbe& exported) {
+std::string filledIn(const std::string& text, const ExportedProbe& exported) {
   const Probe& probe = exported.probe;
   const glm::dmat3 turn = rotationMatrix(probe.rotationDegrees);
   const auto rows = [](const glm::dmat3& m) {
@@ -57,13 +59,20 @@ std::string filledIn(std::string text, const ExportedProbe& exported) {
       {"@INTENSITY@", numberText(probe.intensity)},
       {"@LATLONG_SHIFT@", exported.ladder->latLongCentre.x > 0.5f ? "0.25" : "0.0"},
   };
-  for (const auto& [field, value] : fields) {
-    const std::string_view name(field);
-    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += value.size()) {
-      text.replace(at, name.size(), value);
+  // In one pass: a probe may be called "@FILE@", and what is filled in is no template.
+  std::string filled;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto found = std::find_if(std::begin(fields), std::end(fields), [&](const auto& field) {
+      return text.compare(at, std::string_view(field.first).size(), field.first) == 0;
+    });
+    if (found == std::end(fields)) {
+      filled += text[at++];
+      continue;
     }
+    filled += found->second;
+    at += std::string_view(found->first).size();
   }
-  return text;
+  return filled;
 }
 
 }  // namespace

@@ -6,11 +6,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include "filters/core/base/errors.h"
 #include "filters/io/files/temporary_file.h"
@@ -23,62 +24,107 @@ namespace {
   throw WorkError(path + ": " + what + ": " + std::strerror(errno));
 }
 
-/// Beside the target, so that the rename stays on one file system; it keeps the extension, which writers may look at.
-std::string temporaryName(const std::filesystem::path& target) {
-  static std::atomic<unsigned> next{0};
-  const std::string unique = std::to_string(::getpid()) + "-" + std::to_string(next++);
-  return (target.parent_path() / ("." + target.stem().string() + "." + unique + target.extension().string())).string();
-}
+constexpr const char* kFolderStart = ".boxprobe-unfinished-";
+constexpr const char* kClaim = "claim";
+constexpr const char* kClaimStart = "boxprobe-unfinished:";
 
-/// One that a process which was killed left behind for the same target? (".room.1234-0.exr" for "room.exr")
-bool isTemporaryOf(const std::filesystem::path& target, const std::string& name) {
-  const std::string start = "." + target.stem().string() + ".", end = target.extension().string();
-  if (name.size() <= start.size() + end.size() || name.compare(0, start.size(), start) != 0) return false;
-  if (name.compare(name.size() - end.size(), end.size(), end) != 0) return false;
-  const std::string unique = name.substr(start.size(), name.size() - start.size() - end.size());
-  const std::size_t dash = unique.find('-');
-  return dash != std::string::npos && dash > 0 && dash + 1 < unique.size() &&
-         unique.find_first_not_of("0123456789-") == std::string::npos &&
-         unique.find('-', dash + 1) == std::string::npos;
-}
-
-/// Whoever writes one holds a lock on it, which ends with its process: one that can be locked has no writer any more.
-void removeLeftovers(const std::filesystem::path& target, const std::filesystem::path& folder) {
-  std::error_code error;
-  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    if (!isTemporaryOf(target, it->path().filename().string())) continue;
-    const int descriptor = ::open(it->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
-    if (descriptor < 0) continue;
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) ::unlink(it->path().c_str());
-    ::close(descriptor);
-  }
-}
-
-/// Owns the name, and a lock on the file, until the rename: removes the file if that never happens.
-class Temporary {
+/// A folder that ends with the object. Held open, with a lock that ends with its process.
+class OpenFolder {
  public:
-  explicit Temporary(const std::string& name) : name_(name) {}
-  ~Temporary() {
+  explicit OpenFolder(const std::string& name)
+      : descriptor_(::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC)) {}
+  ~OpenFolder() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  /// Exclusively; false if that is not possible here.
-  bool create() {
-    descriptor_ = ::open(name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) {
-      name_.release();  // it is not ours to remove
-      return false;
-    }
-    ::flock(descriptor_, LOCK_EX | LOCK_NB);  // a file system without locks has no leftovers removed, that is all
-    return true;
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  const std::string& name() const { return name_.name(); }
-  void release() { name_.release(); }
+  OpenFolder(const OpenFolder&) = delete;
+  OpenFolder& operator=(const OpenFolder&) = delete;
+  bool isOpen() const { return descriptor_ >= 0; }
+  bool lock() const { return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0; }
 
  private:
-  TemporaryName name_;
-  int descriptor_ = -1;
+  int descriptor_;
+};
+
+/// Says in one step, so that no half of it can be left, whose file of the folder is unfinished: a symbolic link, or a
+/// file where there are no links.
+bool writeClaim(const std::string& claim, const std::string& name) {
+  const std::string text = kClaimStart + name;
+  if (::symlink(text.c_str(), claim.c_str()) == 0) return true;
+  if (errno == ENOENT || errno == EEXIST) return false;
+  const int descriptor = ::open(claim.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (descriptor < 0) return false;
+  const bool written = ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  ::close(descriptor);
+  return written;
+}
+
+/// The name in a claim; empty if there is none of this program's.
+std::string claimedName(const std::string& claim) {
+  char text[1024];
+  ssize_t size = ::readlink(claim.c_str(), text, sizeof text);
+  if (size < 0) {
+    const int descriptor = ::open(claim.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor >= 0) {
+      size = ::read(descriptor, text, sizeof text);
+      ::close(descriptor);
+    }
+  }
+  const std::string said(text, static_cast<std::size_t>(size > 0 ? size : 0)), start = kClaimStart;
+  const std::string name = said.compare(0, start.size(), start) == 0 ? said.substr(start.size()) : std::string();
+  return name.find('/') == std::string::npos && name != "." && name != ".." ? name : std::string();
+}
+
+/// What killed processes left in `folder`: of their folders the claim and the file that it names, nothing else.
+void removeLeftovers(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().filename().string().rfind(kFolderStart, 0) != 0) continue;
+    const OpenFolder left(it->path().string());
+    if (!left.isOpen() || !left.lock()) continue;  // no folder, or its process lives
+    const std::string name = claimedName((it->path() / kClaim).string());
+    if (!name.empty()) {
+      ::unlink((it->path() / name).c_str());
+      ::unlink((it->path() / kClaim).c_str());
+    }
+    ::rmdir(it->path().c_str());  // only if it is empty; who has just made it makes another
+  }
+}
+
+/// A file of the target's name in a folder of its own beside the target, so that the rename stays on one file system.
+/// Nobody else looks into the folder while the file is written. All of it goes unless the file is renamed.
+class Unfinished {
+ public:
+  /// False, with errno, if that is not possible here.
+  bool create(const std::filesystem::path& folder, const std::filesystem::path& name) {
+    constexpr int kTries = 100;  // another process may take an empty folder for a leftover
+    for (int i = 0; i < kTries; ++i) {
+      std::string made = (folder / kFolderStart).string() + "XXXXXX";
+      if (::mkdtemp(made.data()) == nullptr) return false;
+      folder_.emplace(made);
+      lock_.emplace(made);
+      if (lock_->isOpen()) {
+        lock_->lock();  // a file system without locks has leftovers of living processes removed: they fail, and say so
+        claim_.emplace((std::filesystem::path(made) / kClaim).string());
+        if (writeClaim(claim_->name(), name.string())) {
+          file_.emplace((std::filesystem::path(made) / name).string());
+          const int descriptor = ::open(file_->name().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+          if (descriptor < 0) return false;
+          ::close(descriptor);
+          return true;
+        }
+      }
+      if (errno != ENOENT) return false;
+    }
+    return false;
+  }
+  const std::string& name() const { return file_->name(); }
+  void release() { file_->release(); }
+
+ private:
+  // Gone in the opposite order: the file, its claim, the folder.
+  std::optional<TemporaryName> folder_;
+  std::optional<OpenFolder> lock_;
+  std::optional<TemporaryName> claim_, file_;
 };
 
 void flush(const std::string& file, int flags, const std::string& path) {
@@ -121,10 +167,10 @@ void writeAtomically(const std::string& path, const std::function<void(const std
     throw WorkError(path + ": the folder " + folder.string() + " does not exist; make it first");
   }
 
-  removeLeftovers(target, folder);
-  Temporary temporary(temporaryName(target));
+  removeLeftovers(folder);
+  Unfinished temporary;
   // Made here, exclusively, so that a folder one may not write to is named as such, not by whatever library writes.
-  if (!temporary.create()) failed(path, "cannot write in its folder");
+  if (!temporary.create(folder, target.filename())) failed(path, "cannot write in its folder");
   write(temporary.name());
 
   struct stat old = {};

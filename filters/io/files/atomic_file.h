@@ -9,10 +9,11 @@ namespace boxprobe {
 /// Where writing to `path` ends: through symbolic links, which stay links, also if nothing is there yet.
 std::string writtenPath(const std::string& path);
 
-/// Calls `write` with the name of a temporary file in the folder of `path`, then flushes that file to disk and renames
-/// it to `path`. If `write` throws or the flush or rename fails the temporary file is removed and `path` is untouched;
-/// failures of the file system are WorkError naming `path` and the system's reason. A process that is killed meanwhile
-/// leaves the old file and its temporary one, which removeTemporaryFiles() or the next write to `path` removes.
+/// Calls `write` with the name of a file of that name in a new folder beside `path`, which only this user may enter.
+/// Then flushes that file to disk and renames it to `path`. If `write` throws or the flush or rename fails, the folder
+/// goes and `path` is untouched; failures of the file system are WorkError naming `path` and the system's reason. A
+/// process that is killed meanwhile leaves the old file and that folder, which removeTemporaryFiles() or the next write
+/// into the same folder removes: its claim says which file is this program's. No other file is ever removed.
 void writeAtomically(const std::string& path, const std::function<void(const std::string& temporary)>& write);
 
 /// The common case: bytes that are in memory, text or not.

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cerrno>
 #include <climits>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <random>
@@ -24,7 +25,7 @@ struct NameSlot {
   char name[PATH_MAX] = {};
 };
 
-NameSlot nameSlots[32];
+NameSlot nameSlots[96];
 
 /// -1 if all are taken or the name is too long: such a file is left behind if a signal ends the process.
 int keepName(const std::string& name) {
@@ -51,7 +52,7 @@ TemporaryName::TemporaryName(std::string name) : name_(std::move(name)), slot_(k
 
 TemporaryName::~TemporaryName() {
   if (name_.empty()) return;
-  ::unlink(name_.c_str());
+  std::remove(name_.c_str());
   release();
 }
 
@@ -89,6 +90,9 @@ void TemporaryFile::write(const std::string& text) {
 void removeTemporaryFiles() noexcept {
   for (NameSlot& slot : nameSlots) {
     if (slot.state.load() == kLive) ::unlink(slot.name);
+  }
+  for (NameSlot& slot : nameSlots) {
+    if (slot.state.load() == kLive) ::rmdir(slot.name);
   }
 }
 

@@ -6,8 +6,8 @@
 
 namespace boxprobe {
 
-/// Owns the name of a file that is removed at the end, or by removeTemporaryFiles(). The file itself is its user's to
-/// create and to close.
+/// Owns the name of a file, or of a folder that is empty by then, which is removed at the end or by
+/// removeTemporaryFiles(). Its user creates and closes it.
 class TemporaryName {
  public:
   explicit TemporaryName(std::string name);
@@ -42,7 +42,7 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
-/// Of all that live now. For signal handlers that end the process: calls nothing but unlink().
+/// Of all that live now. For signal handlers that end the process: calls nothing but unlink() and rmdir().
 void removeTemporaryFiles() noexcept;
 
 }  // namespace boxprobe
