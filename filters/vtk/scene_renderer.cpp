@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "filters/core/base/at_end.h"
+#include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/gl/software_driver.h"
 #include "filters/vtk/gl/window_pixels.h"
 #include "filters/vtk/inspect/frame_recorder.h"
@@ -294,7 +295,11 @@ std::size_t SceneRenderer::probeMemoryBytes() const {
 }
 
 std::string SceneRenderer::error() const {
-  return impl_->state->counts.error.empty() ? impl_->probes.memoryError() : impl_->state->counts.error;
+  if (!impl_->state->counts.error.empty()) return impl_->state->counts.error;
+  const auto& objects = impl_->content.objects;
+  const bool refused = std::any_of(objects.begin(), objects.end(),
+                                   [](const DrawnObject& object) { return object.mapper->GetDebugRefused(); });
+  return refused ? kViewRefused : impl_->probes.memoryError();
 }
 
 void SceneRenderer::releaseGraphics() {

@@ -202,6 +202,57 @@ TEST_F(BakeFarm, ScriptsBakeWhatOneProcessDoes) {
                               HasSubstr("--bounce 2 --shard 1/2\n")));
 }
 
+// Run by stand-ins for GNU parallel, which fills in what looks like {} and would run {=...=}, and for this program,
+// which writes down its arguments.
+TEST_F(BakeFarm, NoWordOfAFileIsTakenForTheLanguageOfAScript) {
+  const std::string sly =
+      "{=system(q(touch parallel-ran))=} {} {.} {#} $(touch shell-ran) `touch tick-ran` $USER #!'\"";
+  writeScene(1);
+  fs::rename(folder_.path("room.boxprobe.json"), folder_.path(sly + ".boxprobe.json"));
+  writeStandIns(folder_);
+  // What stands in braces is filled in before the command goes to a shell; code would run.
+  const std::string filled =
+      folder_.write("parallel",
+                    "#!/bin/sh\nset -eu\n"
+                    "while read -r n; do\n"
+                    "  printf '%s\\n' \"$1\" | grep -q '{=' && touch parallel-ran\n"
+                    "  sh -c \"$(printf '%s\\n' \"$1\" | sed -e \"s/{}/$n/g\" -e 's/{[.#]}/X/g')\"\n"
+                    "done\n");
+  ::chmod(filled.c_str(), 0755);
+  const std::string recorder =
+      folder_.write("record", "#!/bin/sh\nfor a in \"$@\"; do printf '%s\\n' \"$a\"; done >>said\n");
+  ::chmod(recorder.c_str(), 0755);
+  const Variable path("PATH", folder_.path("") + ":/usr/bin:/bin");
+  for (const std::string kind : {"parallel", "make", "slurm"}) {
+    SCOPED_TRACE(kind);
+    const Outcome script = runProgram({"bake", folder_.path(sly + ".boxprobe.json"), "-o", folder_.path(sly), "--emit",
+                                       kind, "--shards", "2", "--set", "probes.a.name=x" + sly});
+    ASSERT_EQ(script.exitStatus, 0) << script.err;
+    std::string text = script.out;
+    const std::string program = fs::canonical(BOXPROBE_PROGRAM).string();
+    for (std::size_t at = 0; (at = text.find(program, at)) != std::string::npos; at += recorder.size()) {
+      text.replace(at, program.size(), recorder);
+    }
+    const std::string file = folder_.write("script", text);
+    const std::string run = kind == "make" ? "make -s -f script" : "sh ./script";
+    ASSERT_EQ(std::system(("cd '" + folder_.path("") + "' && rm -f said && " + run + " >/dev/null").c_str()), 0)
+        << text;
+    const std::string said = readFile(folder_.path("said"));
+    EXPECT_THAT(said, AllOf(HasSubstr(folder_.path(sly + ".boxprobe.json") + "\n-o\n" + folder_.path(sly) + "\n"),
+                            HasSubstr("\n--set\nprobes.a.name=x" + sly + "\n")));
+    for (const char* ran : {"parallel-ran", "shell-ran", "tick-ran"}) {
+      EXPECT_FALSE(fs::exists(folder_.path(ran))) << ran;
+    }
+  }
+  for (const std::string kind : {"parallel", "make", "slurm"}) {
+    const Outcome refused = runProgram({"bake", folder_.path(sly + ".boxprobe.json"), "-o", folder_.path("out"),
+                                        "--emit", kind, "--quiet", "--set", "probes.a.image=a\nX!=touch make-ran"});
+    EXPECT_EQ(refused.exitStatus, 2) << refused.err;
+    EXPECT_EQ(refused.errLines().size(), 1u) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("X!=touch make-ran"));
+  }
+}
+
 TEST_F(BakeFarm, BadInputIsOneLine) {
   writeScene(1);
   const auto line = [&](const std::vector<std::string>& more, const std::string& text) {

@@ -14,10 +14,12 @@
 namespace boxprobe::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
+using ::testing::UnorderedElementsAre;
 
 /// A shell command line, `boxprobe` being the program; what it prints on stderr is in `out`, too, if it says 2>&1.
 Outcome shell(const std::string& line) {
@@ -164,6 +166,43 @@ TEST_F(Faults, TooManyOfAnythingIsSaidAtOnce) {
 }
 
 // The surroundings change no number: a decimal comma, another time zone, a folder whose name is not UTF-8.
+TEST_F(Faults, ExtentsAreCheckedAfterAllTransforms) {
+  folder.write("far.obj", "v 0 0 0\nv 1e18 0 0\nv 0 1e18 0\nv 0 0 1e18\nf 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 3 4\n");
+  const std::string room = std::string(BOXPROBE_DATA_DIR) + "/scenes/room.glb";
+  const std::string start = R"({"format": "boxprobe-scene", "version": 1, "cameras": {"m": {}}, )";
+  folder.write("scaled.boxprobe.json", start + R"("model": {"file": ")" + room + R"(", "scale": 9.9e17}})");
+  folder.write("moved.boxprobe.json",
+               start + R"("model": ")" + room + R"(", "objects": {"sphere 1": {"translation": [3, -7e17, 11]}}})");
+  const std::pair<const char*, const char*> cases[] = {{"far.obj", "reaches to 1e+18"},
+                                                       {"scaled.boxprobe.json", "reaches to 3.96e+18"},
+                                                       {"moved.boxprobe.json", "reaches to 7e+17"}};
+  for (const auto& [file, reach] : cases) {
+    for (const std::string command : {"info", "fit", "place", "render"}) {
+      SCOPED_TRACE(command + " " + file);
+      std::vector<std::string> arguments = {command, folder.path(file)};
+      if (command == "render") arguments.insert(arguments.end(), {"-o", folder.path("o.png"), "--size", "16x9"});
+      const Outcome outcome = runProgram(arguments);
+      EXPECT_EQ(outcome.exitStatus, 2) << outcome.err;
+      EXPECT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+      EXPECT_THAT(outcome.err, AllOf(HasSubstr(reach), HasSubstr("1e+15")));
+    }
+  }
+}
+
+TEST_F(Faults, ExtremeScenesAreCarriedOrRefused) {
+  const Outcome outcome = runProgram({"stress", "--class", "extreme-scenes", "--count", "200", "--seed", "7"});
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr(R"("class":"extreme-scenes")"), HasSubstr(R"("count":200,)"),
+                                 HasSubstr(R"("nonFinite":0)")));
+}
+
+TEST_F(Faults, FilesBesideTheOutputStay) {
+  for (const char* name : {".o.2024-11.png", ".o.7-1.png"}) folder.write(name, "mine");
+  const Outcome outcome = runProgram({"render", demoScene("room"), "-o", folder.path("o.png"), "--size", "16x9"});
+  EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+  EXPECT_THAT(folder.names(), UnorderedElementsAre(".o.2024-11.png", ".o.7-1.png", "o.png"));
+}
+
 TEST_F(Faults, LocaleTimeZoneAndFolderChangeNothing) {
   const std::string odd = folder.path("caf\xe9 \xd7\x97\xd7\x93\xd7\xa8");
   std::filesystem::create_directories(odd);

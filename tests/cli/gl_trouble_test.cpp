@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 
+#include "filters/core/base/errors.h"
 #include "filters/math/sampling/filter_lobe.h"
 #include "filters/vtk/gl/gl_objects.h"
 #include "filters/vtk/gl/map_bytes.h"
@@ -15,6 +17,7 @@
 namespace boxprobe::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
@@ -110,6 +113,42 @@ TEST_F(GlTrouble, ASceneRendererWithABrokenSurfaceShaderDrawsWithoutReflections)
   EXPECT_GT(lit, litPlain / 2);
 }
 
+TEST_F(GlTrouble, ADebugProgramThatIsRefusedHarmsNoPicture) {
+  ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.show(cameraNamed(picture.scene, "main"));
+  const ImageRgba8 before = picture.display();
+  {
+    const Setting broken("BOXPROBE_BREAK_SHADER", "debug");
+    try {
+      picture.renderer->explain(32, 30, 64, 36);
+      ADD_FAILURE() << "explained by a program that writes no point";
+    } catch (const WorkError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("refuses the shader that explains this surface"));
+    }
+    EXPECT_EQ(picture.renderer->error(), "");
+    EXPECT_EQ(picture.display().pixels, before.pixels);
+    SurfaceViewSettings view;
+    view.view = 1;
+    picture.renderer->setView(view);
+    picture.display();
+    EXPECT_THAT(picture.renderer->error(), HasSubstr("refuses the shader of this debug view"));
+    picture.renderer->setView({});
+    EXPECT_EQ(picture.display().pixels, before.pixels);
+    EXPECT_EQ(picture.renderer->error(), "");
+    for (const char* command : {"explain", "render"}) {
+      std::vector<std::string> arguments = {command, demoScene("room"), "--size", "64x36"};
+      if (std::string(command) == "explain") {
+        arguments.insert(arguments.end(), {"--pixel", "32,30"});
+      } else {
+        arguments.insert(arguments.end(), {"--view", "level", "-o", folder.path("out.png")});
+      }
+      const Outcome outcome = runProgram(arguments);
+      EXPECT_EQ(outcome.exitStatus, 1) << outcome.err;
+      EXPECT_THAT(outcome.errLines(), SizeIs(1)) << outcome.err;
+    }
+  }
+}
+
 TEST_F(GlTrouble, ADriverThatIsTooOldIsAMessage) {
   const Setting old("MESA_GL_VERSION_OVERRIDE", "2.1");
   const Outcome outcome =
@@ -155,6 +194,22 @@ TEST_F(GlTrouble, AWindowWithoutFontsSaysWhatToInstall) {
   ASSERT_TRUE(window.waitUntilHandling(SIGTERM));
   ASSERT_TRUE(window.sendAtWork(SIGTERM));
   EXPECT_THAT(window.finish().err, HasSubstr("no fonts are installed"));
+}
+
+// A line that QSettings throws at.
+TEST_F(GlTrouble, ASettingsFileNeverKeepsTheWindowFromOpening) {
+  const std::string broken = "[General]\nwindowDocks=@Variant(\\0\\0\\0\\t\\x7f\\xff\\xff\\xff)\n";
+  std::filesystem::create_directories(folder.path("Boxprobe"));
+  folder.write("Boxprobe/preferences.ini", broken);
+  const Setting home("BOXPROBE_TEST_CONFIG_HOME", folder.path("").c_str());
+  RunningProgram window({demoScene("room")});
+  ASSERT_TRUE(window.waitUntilHandling(SIGTERM));
+  ASSERT_TRUE(window.sendAtWork(SIGTERM));
+  const Outcome outcome = window.finish();
+  EXPECT_EQ(outcome.exitStatus, 128 + SIGTERM) << outcome.err;
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("preferences.ini: cannot be read as settings"), HasSubstr("preferences.ini.unreadable")));
+  EXPECT_EQ(readFile(folder.path("Boxprobe/preferences.ini.unreadable")), broken);
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ fs::path newFolder() {
   };
   // Beside other tests that run: no preferences, no changes that a window offers to recover.
   for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) setenv(place, folder.c_str(), 1);
+  if (const char* config = std::getenv("BOXPROBE_TEST_CONFIG_HOME")) setenv("XDG_CONFIG_HOME", config, 1);
   setenv("BOXPROBE_PROGRESS", "lines", 1);
   redirect("out", STDOUT_FILENO);
   redirect("err", STDERR_FILENO);

@@ -48,6 +48,7 @@ std::shared_ptr<SeenDialog> answerMessageBox(QMessageBox::StandardButton button)
   auto seen = std::make_shared<SeenDialog>();
   whenShown<QMessageBox>([seen, button](QMessageBox* box) {
     seen->text = box->text();
+    seen->plain = box->textFormat() == Qt::PlainText;
     QTest::mouseClick(box->button(button), Qt::LeftButton);
   });
   return seen;
@@ -57,6 +58,7 @@ std::shared_ptr<SeenDialog> answerMessageBox(const QString& button) {
   auto seen = std::make_shared<SeenDialog>();
   whenShown<QMessageBox>([seen, button](QMessageBox* box) {
     seen->text = box->text();
+    seen->plain = box->textFormat() == Qt::PlainText;
     for (QAbstractButton* each : box->buttons()) {
       if (QString(each->text()).remove('&').startsWith(button)) return QTest::mouseClick(each, Qt::LeftButton);
     }

@@ -11,6 +11,7 @@ namespace boxprobe {
 /// What was seen; `text` stays empty if no dialog came.
 struct SeenDialog {
   QString text;
+  bool plain = false;  ///< of a message box: no part of the text is taken for HTML
 };
 
 /// For the next message box: presses `button`.

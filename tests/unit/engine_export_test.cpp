@@ -106,6 +106,18 @@ TEST_F(EngineExport, LatLongPicturesAreReadBackAndGodotsSceneIsFilledIn) {
   EXPECT_EQ(scene.find('@'), std::string::npos);
 }
 
+// Names are neither templates nor code of Godot's.
+TEST_F(EngineExport, AnEnginesFileHasNamesAsTheyAre) {
+  auto named = capture();
+  named.probe.name = "@FILE@ @SIZE@ \"] \\";
+  exportProbes({named}, settings("hdr", "own"), folder_.string());
+  std::string scene;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    if (entry.path().extension() == ".tscn") scene = read(entry.path().filename().string());
+  }
+  EXPECT_THAT(scene, HasSubstr(R"([node name="@FILE@ @SIZE@ \"] \\" type="Node3D"])"));
+}
+
 TEST_F(EngineExport, AnUnturnedPictureIsTurnedToItsBox) {
   ProbeCapture picture = capture();
   picture.capturedRotation = glm::dvec3(0.0);  // a custom probe's, along the world's axes

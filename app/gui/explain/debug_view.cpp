@@ -22,6 +22,7 @@
 #include "app/gui/explain/surface_view_panel.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/panel_layout.h"
+#include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -140,7 +141,13 @@ Explanation DebugView::explain(const QPointF& position) const {
   const auto device = [this](double logical, int limit) {
     return std::clamp(static_cast<int>(std::floor(logical * pixelScale())), 0, limit - 1);
   };
-  return renderer_.explain(device(position.x(), size[0]), device(position.y(), size[1]), size[0], size[1]);
+  try {
+    return renderer_.explain(device(position.x(), size[0]), device(position.y(), size[1]), size[0], size[1]);
+  } catch (const Error& error) {
+    Explanation unknown;
+    unknown.notes.emplace_back(error.what());
+    return unknown;
+  }
 }
 
 vtkCamera* DebugView::seenFrom() const {

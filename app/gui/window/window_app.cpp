@@ -103,12 +103,11 @@ int runWindow(int& argc, char** argv, const std::string& scenePath, const Window
   }
   window.show();
   if (!options.lesson.empty()) window.openLesson(QString::fromStdString(options.lesson));
+  const QStringList remarks = takeSettingsRemarks();
+  for (const QString& line : remarks) printWarnings({line.toStdString()});
   const WindowSignals ended(window);
-  QTimer::singleShot(0, &window, [&window] {
-    for (const QString& line : takeSettingsRemarks()) {
-      printWarnings({line.toStdString()});
-      emit window.files().message(line);
-    }
+  QTimer::singleShot(0, &window, [&window, remarks] {
+    for (const QString& line : remarks) emit window.files().message(line);
     offerRecovery(window);
   });
   QApplication::exec();

@@ -1,6 +1,7 @@
 // What happens on a driver that refuses a shader, made testable on one that does not: the environment variable
 // BOXPROBE_BREAK_SHADER holds the name of one, whose text is then spoilt: "surface" (the physically based one with
-// probes), or a file of shaders/gpu that is a pass of its own.
+// probes), "debug" (the same as debug views and explanations draw it), or a file of shaders/gpu that is a pass of its
+// own.
 #pragma once
 
 #include <cstdlib>

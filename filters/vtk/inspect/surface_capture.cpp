@@ -17,6 +17,16 @@
 
 namespace boxprobe {
 
+namespace {
+
+/// -1 for what no program of this one's has written.
+int objectNumber(float written) {
+  constexpr float kMost = 16777216.0f;  // the last whole number before a float leaves some out
+  return written >= 0.0f && written <= kMost ? static_cast<int>(written + 0.5f) : -1;
+}
+
+}  // namespace
+
 SurfaceCapture::SurfaceCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state)
     : window_(window), state_(std::move(state)), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
   renderer_->GetCullers()->RemoveAllItems();
@@ -114,8 +124,8 @@ std::vector<SurfacePixel> SurfaceCapture::capture(vtkCamera* camera, int width, 
       SurfacePixel& pixel = pixels[static_cast<std::size_t>(row * rect.width + column)];
       const glm::vec4 place = values[1][from];
       pixel.color = glm::vec3(values[0][from]);
-      pixel.object = static_cast<int>(place.w + 0.5f);
-      if (pixel.object == 0) continue;
+      pixel.object = objectNumber(place.w);
+      if (pixel.object <= 0) continue;
       SurfacePoint& p = pixel.point;
       p.pixel = glm::ivec2(rect.x + column, height - 1 - (rect.y + row));
       p.eyeWorld = eye;

@@ -9,7 +9,9 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "filters/core/base/errors.h"
 #include "filters/math/technique/automatic.h"
+#include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/maps/cube_transfer.h"
 
 namespace boxprobe {
@@ -101,19 +103,19 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
   PixelRect rect{0, 0, width, height};
   if (single) rect = {pixels[0].x, pixels[0].y, 1, 1};
   std::vector<SurfacePixel> surfaces;
+  std::vector<vtkProp*> props;
   const std::vector<vtkLight*> lights = content_->lightPointers();
   if (single) {
     const glm::dvec2 halfSize(1.0 / width, 1.0 / height);
     const glm::dvec2 center((2.0 * pixels[0].x + 1.0) / width - 1.0, 1.0 - (2.0 * pixels[0].y + 1.0) / height);
-    const auto props = twinsAt(camera, static_cast<double>(width) / height, center, halfSize);
-    surfaces = capture_.capture(camera, width, height, rect, props, lights, needsFinish());
+    props = twinsAt(camera, static_cast<double>(width) / height, center, halfSize);
   } else {
-    std::vector<vtkProp*> props;
     for (std::size_t i = 0; i < content_->objects.size(); ++i) {
       if (content_->objects[i].settings.visible) props.push_back(twinOf(i));
     }
-    surfaces = capture_.capture(camera, width, height, rect, props, lights, needsFinish());
   }
+  surfaces = capture_.capture(camera, width, height, rect, props, lights, needsFinish());
+  requireTold(props, surfaces);
   const auto at = [&](const glm::ivec2& p) {
     return single ? std::size_t{0} : static_cast<std::size_t>(p.y * width + p.x);
   };
@@ -141,6 +143,18 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
     result.push_back(std::move(e));
   }
   return result;
+}
+
+// Where a program that writes the first attachment alone was drawn, the others hold anything.
+void SurfaceInspector::requireTold(const std::vector<vtkProp*>& props, const std::vector<SurfacePixel>& pixels) const {
+  const bool refused = std::any_of(twins_.begin(), twins_.end(), [&](const auto& entry) {
+    const Twin& twin = entry.second;
+    return twin.mapper->GetDebugRefused() && std::find(props.begin(), props.end(), twin.actor.Get()) != props.end();
+  });
+  const int count = static_cast<int>(content_->objects.size());
+  const bool wrong = std::any_of(pixels.begin(), pixels.end(),
+                                 [&](const SurfacePixel& pixel) { return pixel.object < 0 || pixel.object > count; });
+  if (refused || wrong) throw WorkError(kExplainRefused);
 }
 
 void SurfaceInspector::readMovingMaps() {

@@ -28,6 +28,7 @@ class SurfaceInspector {
   /// The maps read back, once as long as they live and have no further level filtered; null for null. What the scene's
   /// materials sample is filtered, or is shown so unfiltered, too; nothing is filtered for this. The context must be
   /// current.
+  void requireTold(const std::vector<vtkProp*>& props, const std::vector<SurfacePixel>& pixels) const;
   std::shared_ptr<const BakedMaps> onCpu(const std::shared_ptr<const ProbeMaps>& maps);
 
   /// The objects were replaced.

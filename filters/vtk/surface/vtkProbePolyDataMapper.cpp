@@ -160,9 +160,12 @@ void vtkProbePolyDataMapper::BuildShaders(std::map<vtkShader::Type, vtkShader*> 
       return;
     }
   }
-  this->State->counts.fail(boxprobe::kSurfaceRefused);
   this->Refused = true;
   this->Superclass::BuildShaders(shaders, renderer, actor);
+  if (this->Debug) {
+    return;  // whoever asked for the view is told by GetDebugRefused(); the picture's own program is another one
+  }
+  this->State->counts.fail(boxprobe::kSurfaceRefused);
   if (this->Surface) {
     // From the next frame on: this one's program has been chosen.
     boxprobe::givePlainSurface(*this->Surface, actor->GetProperty(), this->CurrentInput);
@@ -200,7 +203,7 @@ void vtkProbePolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkSh
   program.flatMaps = this->DrawsFlat();
   const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, this->LitPhysically(actor));
   this->State->counts.fail(report.failure);
-  boxprobe::breakShaderIfAsked(sources.fragment, "surface");
+  boxprobe::breakShaderIfAsked(sources.fragment, this->Debug ? "debug" : "surface");
   if (this->Constants) {
     boxprobe::foldConstants(sources.fragment, this->Constants->values);
     boxprobe::breakShaderIfAsked(sources.fragment, "constants");

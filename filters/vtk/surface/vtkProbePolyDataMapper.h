@@ -62,6 +62,8 @@ class vtkProbePolyDataMapper : public vtkOpenGLPolyDataMapper {
   void SetConstants(std::shared_ptr<const boxprobe::ConstantsPlan> plan);
   /** Did the driver, or the memory, refuse the program with the constants set last? It is drawn without them. */
   bool GetConstantsRefused() const { return this->ConstantsRefused; }
+  /** The driver refused the debug program, and VTK's own was drawn: it writes the first attachment alone. */
+  bool GetDebugRefused() const { return this->Debug && this->Refused; }
   /** To find what they cost: the picture is drawn without these parts, which makes it a wrong one (frame_parts.h). */
   void SetLeftOut(boxprobe::FrameParts parts);
   /** The OpenGL program it was drawn with last, as a number; 0: none. Equal numbers share one. */
