@@ -71,9 +71,8 @@ std::vector<SourceFile> sourceFiles(const std::string& root) {
   static const std::regex system(R"rx(^\s*#include <([^>]+)>.*)rx");
   std::vector<SourceFile> files;
   for (const std::string& path : paths(root)) {
-    SourceFile file{path, 0, {}};
+    SourceFile file{path, {}};
     for (const std::string& line : readLines(fs::path(root) / path)) {
-      ++file.lines;
       std::smatch match;
       if (std::regex_match(line, match, system)) file.systemIncludes.push_back(match[1]);
     }

@@ -17,7 +17,6 @@ struct IncludeLine {
 
 struct SourceFile {
   std::string path;  ///< relative to the root
-  int lines = 0;
   std::vector<std::string> systemIncludes;  ///< names between < and >
 };
 
