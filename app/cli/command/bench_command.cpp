@@ -9,6 +9,7 @@
 
 #include "app/cli/command/bench_host.h"
 #include "app/cli/command/truth_bench.h"
+#include "app/cli/command/whole_bench.h"
 #include "app/cli/options/bench_options.h"
 #include "app/cli/report/contact_sheet.h"
 #include "app/session/interrupt.h"
@@ -177,7 +178,13 @@ Subcommand addBenchCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("bench", "Measure every technique's run time and error");
   const auto options = std::make_shared<BenchOptions>();
   addBenchOptions(*command, *options);
-  return {command, [options] { options->truthPath.empty() ? runBench(*options) : runTruthBench(*options); }};
+  return {command, [options] {
+            if (options->whole && !options->truthPath.empty()) {
+              throw InputError("--whole is not for --truth: leave one of them out");
+            }
+            //WHOLE
+            options->truthPath.empty() ? runBench(*options) : runTruthBench(*options);
+          }};
 }
 
 }  // namespace boxprobe

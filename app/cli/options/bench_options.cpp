@@ -93,6 +93,9 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
   command.add_flag(std::string("--truth{") + kOwnTruth + "}", options.truthPath,
                    "Compare references and techniques with pictures of an independent path tracer instead; writes "
                    "truth.json (--truth=FILE: another file of such pictures)");
+  command.add_flag("--whole", options.whole,
+                   "Compare whole pictures, diffuse light and all, with the path tracer's instead; without SCENE of "
+                   "every scene that comes with the program; writes whole.json");
   command.add_option("--seed", options.seed, "Seed of the references' rays")->capture_default_str();
   command.add_option("--set", options.assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")

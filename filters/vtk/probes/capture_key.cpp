@@ -51,8 +51,9 @@ std::string materialKey(const Material& m, std::map<const void*, std::string>& i
   hash.add(m.normalScale).add(m.occlusionStrength).add(m.coat).add(m.coatRoughness).add(m.ior);
   if (m.specular != 1.0f) hash.add("specular").add(m.specular);
   hash.add(m.unlit ? 1 : 0).add(m.doubleSided ? 1 : 0);
-  // One that is opaque keeps the key it had before glass was drawn.
-  if (m.transmits()) {
+  // An opaque one keeps the key it had before glass was drawn, unless it says what it would be as glass: an override
+  // of its transmission makes it so.
+  if (m.transmits() || !m.thin || m.thickness != 0.0f || m.attenuationDistance != 0.0f) {
     hash.add("glass").add(m.transmission).add(m.thin ? 1 : 0).add(m.thickness).add(m.attenuationDistance);
     hash.addVector(m.attenuationColor).add("lamps pass");  // those of before were scattered, too
   }
@@ -75,9 +76,8 @@ void addOverride(ContentHash& hash, const MaterialOverride& m) {
   for (const auto& value : {m.metallic, m.roughness, m.normalScale, m.coat, m.ior, m.transmission}) {
     hash.add(value ? 1 : 0).add(value ? static_cast<double>(*value) : 0.0);
   }
-  for (const auto& value : {m.thickness, m.attenuationDistance}) {
-    if (value) hash.add("glass").add(static_cast<double>(*value));
-  }
+  if (m.thickness) hash.add("thickness").add(static_cast<double>(*m.thickness));
+  if (m.attenuationDistance) hash.add("attenuation distance").add(static_cast<double>(*m.attenuationDistance));
   if (m.attenuationColor) hash.add("attenuation").addVector(*m.attenuationColor);
   if (m.thin) hash.add("thin").add(*m.thin ? 1 : 0);
   if (m.glass) hash.add("form").add(static_cast<int>(*m.glass));
@@ -173,7 +173,10 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& o
     lights.add(light.innerConeDegrees).add(light.outerConeDegrees).add(light.range);
     // The second bounce shows what the first one's coverage leaves of it, and the glass in it is looked for at a
     // capture.
-    if (light.shadows != LightShadows::None) lights.add(static_cast<double>(light.shadows));
+    if (light.shadows != LightShadows::None) {
+      lights.add(static_cast<double>(light.shadows)).add(light.angleDegrees).add(light.radius);
+      lights.add(static_cast<double>(light.shadowLevel)).add(light.levelsPerUnit);
+    }
   }
   if (scene.energy == Energy::Multiple) lights.add("multiple");
   world.lights = lights.text();
@@ -188,6 +191,12 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& o
     hash.add(placed.contentKey).addBytes(&placed.worldFromModel, sizeof placed.worldFromModel);
     if (const auto it = scene.materials.find(placed.materialName); it != scene.materials.end()) {
       addOverride(hash, it->second);
+    }
+    // Which of probes and sky light it, captures included.
+    if (const auto it = scene.objects.find(placed.node); it != scene.objects.end()) {
+      const ObjectOverride& settings = it->second;
+      if (settings.probeUsage != ProbeUsage::BlendAndSky) hash.add("usage").add(static_cast<int>(settings.probeUsage));
+      if (settings.weights != WeightMode::Pixel) hash.add("weights").add(static_cast<int>(settings.weights));
     }
     object.key = hash.text();
     if (!placed.unlit) object.probes = probes.meeting(object.boundsWorld);

@@ -57,9 +57,10 @@ std::string CustomPictures::key(const Probe& probe) const {
   const auto it = pictures_.find(probe.name);
   if (it == pictures_.end() || !it->second.cube) return {};
   Picture& picture = it->second;
-  if (picture.key.empty() || picture.keyFilter != probe.filter) {
+  if (picture.key.empty() || picture.keyFilter != probe.filter || picture.keySamples != probe.filterSamples) {
     picture.key = importKey(probe, *picture.cube);
     picture.keyFilter = probe.filter;
+    picture.keySamples = probe.filterSamples;
   }
   return picture.key;
 }

@@ -38,7 +38,8 @@ class CustomPictures {
     std::string error;
     std::size_t notFinite = 0, clamped = 0;  ///< texels
     std::string key;
-    FilterKind keyFilter = FilterKind::Ggx;
+    FilterKind keyFilter = FilterKind::Ggx;  ///< that `key` is of
+    int keySamples = 0;                      ///< likewise
 
     bool isOf(const Probe& probe) const {
       return file == probe.image && layout == probe.imageLayout && code == PictureCode{probe.encoding, probe.decode};

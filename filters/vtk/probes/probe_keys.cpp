@@ -114,7 +114,7 @@ std::string ProbeKeys::realtimeFace(const Probe& probe, int face) const {
 
 std::string ProbeKeys::realtime(const Probe& probe, const FaceKeys& faces) {
   ContentHash hash;
-  hash.add("realtime").add(static_cast<double>(probe.filter));
+  hash.add("realtime").add(static_cast<double>(probe.filter)).add(probe.filterSamples);
   for (const std::string& face : faces) hash.add(face);
   return hash.text();
 }
