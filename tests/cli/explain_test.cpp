@@ -72,6 +72,7 @@ TEST(ExplainCommand, RefusesInOneLine) {
       {{"render", scene, "-o", folder.path("a.png"), "--view", "heat"}, "there are: all, picture, hit-distance"},
       {{"render", scene, "-o", folder.path("a.png"), "--view", "face", "--range", "0,1"}, "only a view of a number"},
       {{"render", scene, "-o", folder.path("a.png"), "--view", "level", "--range", "3,1"}, "the lower first"},
+      {{"render", scene, "-o", folder.path("a.png"), "--view", "level", "--range", "3,3"}, "the lower first"},
       {{"render", scene, "-o", folder.path("a.exr"), "--view", "all"}, "a sheet of all views must be a .png"},
   };
   for (const auto& c : cases) {

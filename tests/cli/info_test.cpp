@@ -132,7 +132,12 @@ TEST(Info, AFrameTellsWhatItDrawsWithWhichProbes) {
   EXPECT_EQ(frame["lookupsPerPixelMax"], 1.0);
   EXPECT_GT(frame["lookupsPerPixelMean"], 0.0);
   ASSERT_EQ(frame["probes"].size(), 1u);
-  EXPECT_GT(frame["probes"][0]["memoryBytes"], 0);
+  const std::size_t bytes = frame["probes"][0]["memoryBytes"];
+  EXPECT_GT(bytes, 0u);
+  const Outcome text = runProgram({"info", "--frame", "--size", "64x48", "--set", "probes.room.faceSize=16", scene});
+  char expected[64];
+  std::snprintf(expected, sizeof expected, "\n  room: %.2f MiB, ", static_cast<double>(bytes) / (1024.0 * 1024.0));
+  EXPECT_NE(text.out.find(expected), std::string::npos) << expected << text.out;
   for (const json& object : frame["objects"]) {
     if (object["name"] == "floor") {
       EXPECT_EQ(object["probes"]["room"], 1.0);

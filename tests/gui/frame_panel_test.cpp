@@ -75,7 +75,12 @@ TEST_F(FramePanelTest, CountsAreThePictures) {
   const auto& counted = counters().drawsByProbeCount;
   EXPECT_EQ(find(draws, "with 0 probes")->text(1), QString::number(counted[0]));
   EXPECT_EQ(find(draws, "with 1 probe")->text(1), QString::number(counted[1]));
-  EXPECT_NE(find(section("Memory by probe"), "room"), nullptr);
+  QTreeWidgetItem* memory = find(section("Memory by probe"), "room");
+  ASSERT_NE(memory, nullptr);
+  std::size_t bytes = 0;
+  for (const auto& held : window_->renderer().frameReport().probes) bytes += held.name == "room" ? held.bytes : 0;
+  EXPECT_GT(bytes, 0u);
+  EXPECT_EQ(memory->text(1), QString::number(static_cast<double>(bytes) / (1 << 20), 'f', 2) + " MiB");
   QTreeWidgetItem* ball = find(section("Objects and their probes"), "sphere 9");
   ASSERT_NE(ball, nullptr);
   EXPECT_NE(find(ball, "room"), nullptr);

@@ -228,6 +228,11 @@ TEST(HandleDrag, BlendAndInfluenceGoFaceByFace) {
   EXPECT_EQ(wider.influence->min, probe.box.min);
   EXPECT_EQ(wider.box, probe.box) << "the projection box stays";
   EXPECT_NEAR(pulled(HandleKind::Influence, 1.0, true).influence->min.x, -3.0, 1e-9);
+  // Pushed beyond the middle: both faces stop beside it, each half of what is left.
+  const Probe thin = pulled(HandleKind::Influence, -7.0, true);
+  EXPECT_NEAR(thin.influence->max.x, 0.5 * kMinimumThickness, 1e-9);
+  EXPECT_NEAR(thin.influence->min.x, -0.5 * kMinimumThickness, 1e-9);
+  EXPECT_NEAR(pulled(HandleKind::Influence, -7.0).influence->max.x, -2.0 + kMinimumThickness, 1e-9);
 }
 
 }  // namespace

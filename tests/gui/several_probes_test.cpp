@@ -221,6 +221,26 @@ TEST_F(SeveralProbesTest, ThePanelShowsWhatTheyShareAndADashWhereTheyDiffer) {
   EXPECT_FALSE(technique->differs());
 }
 
+// Six distances, one of which differs: the dash stands at that face and at no other.
+TEST_F(SeveralProbesTest, ABlendDistanceThatDiffersIsMarkedAtItsFace) {
+  for (int face = 0; face < 6; ++face) {
+    SCOPED_TRACE(face);
+    window_->editor().commit("Differ", [face](Scene& scene) {
+      for (Probe& probe : scene.probes) probe.blendDistance = {{0.11, 0.22, 0.33}, {0.44, 0.55, 0.66}};
+      BlendDistance& blend = scene.probes[2].blendDistance;
+      (face % 2 == 1 ? blend.max : blend.min)[face / 2] = 0.77;
+    });
+    selectAll();
+    EXPECT_TRUE(field<QWidget>("blendDistance")->findChild<ValueField*>()->differs()) << "of all";
+    for (int other = 0; other < 6; ++other) {
+      const QWidget* row = field<QWidget>(other % 2 == 1 ? "blendPlusFaces" : "blendMinusFaces");
+      const QList<ValueField*> xyz = row->findChildren<ValueField*>();
+      ASSERT_EQ(xyz.size(), 3);
+      EXPECT_EQ(xyz[other / 2]->differs(), other == face) << other;
+    }
+  }
+}
+
 TEST_F(SeveralProbesTest, WhatIsSetInThePanelIsSetForAllAsOneStep) {
   window_->editor().commit("Differ", [](Scene& scene) {
     scene.probes[1].intensity = 2.0;

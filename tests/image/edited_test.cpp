@@ -323,6 +323,36 @@ TEST(Edited, EveryOtherFieldShowsWhatAFreshStartShows) {
   EXPECT_GE(found.recaptured, 25);
 }
 
+// Filtered with other samples: each level of the chain, whichever way the probe comes to its maps.
+TEST(Edited, FilterSamplesCountInEveryMode) {
+  for (const ProbeMode mode : {ProbeMode::Baked, ProbeMode::Realtime, ProbeMode::Custom}) {
+    SCOPED_TRACE(static_cast<int>(mode));
+    OddRoom room = oddRoom();
+    room.scene.probes[0].mode = mode;
+    if (mode == ProbeMode::Custom) room.scene.probes[0].image = BOXPROBE_DATA_DIR "/environments/studio.hdr";
+    Shown edited(room), fresh(room);
+    Scene more = room.scene;
+    more.probes[0].filterSamples = 96;
+    edited.edit(more);
+    fresh.startAgain(more);
+    const auto maps = edited.maps("a"), expected = fresh.maps("a");
+    ASSERT_TRUE(maps && expected);
+    const CubeMap& a = maps->radiance;
+    const CubeMap& b = expected->radiance;
+    ASSERT_EQ(a.levels(), b.levels());
+    double most = 0.0;
+    for (int level = 1; level < a.levels(); ++level) {
+      const int size = a.levelSize(level);
+      for (int texel = 0; texel < 6 * size * size; ++texel) {
+        const int face = texel / (size * size), row = texel / size % size, column = texel % size;
+        const glm::dvec4 d(a.texel(level, face, column, row) - b.texel(level, face, column, row));
+        most = std::max({most, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+      }
+    }
+    EXPECT_LE(most, 1e-6);
+  }
+}
+
 TEST(Edited, OneOverrideIsNotTakenForAnother) {
   const OddRoom room = oddRoom();
   std::vector<std::pair<Step, Step>> pairs;

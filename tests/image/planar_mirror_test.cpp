@@ -158,6 +158,58 @@ TEST(PlanarMirror, AgainstTheMirroredCameraThatSeesEverything) {
   }
 }
 
+/// Sum of squared differences of neighbours where both pixels count: falls where edges are blurred.
+double sharpness(const ImageRgbaF& image, const std::vector<bool>& mask) {
+  double sum = 0.0;
+  for (int y = 0; y + 1 < kHeight; ++y) {
+    for (int x = 0; x + 1 < kWidth; ++x) {
+      const auto at = static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x);
+      for (const std::size_t other : {at + 1, at + static_cast<std::size_t>(kWidth)}) {
+        if (!mask[at] || !mask[other]) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double d = image.pixels[4 * at + c] - image.pixels[4 * other + c];
+          sum += d * d;
+        }
+      }
+    }
+  }
+  return sum;
+}
+
+// What moves has edges as sharp in a smooth mirror as straight on: the mirrored camera's, one sample per pixel each.
+TEST(PlanarMirror, EdgesOfWhatMovesAreAsSharpAsInTheMirroredCamera) {
+  Scene scene = hall(128);
+  leaveOneMirror(scene, "wall mirror");
+  scene.materials["wall mirror"].roughness = 0.0f;
+  ScenePicture picture(scene, kWidth, kHeight);
+  const Camera camera = cameraNamed(picture.scene, "near");
+  picture.scene.objects["figure"].translation = {-0.4, 0, -1.5};
+  picture.scene.objects["crate"].translation = {-0.6, 0.3, 0.4};
+  const std::vector<bool> mask = pixelsOf(picture, camera, "wall mirror");
+  const auto truthOf = [&](ScenePicture& of) {
+    const Scene kept = of.scene;
+    for (const char* node : {"wall mirror", "wall north"}) {
+      of.scene.objects[node].visible = false;
+      of.scene.objects[node].seenByProbes = true;
+    }
+    of.show(behindTheWall(camera));
+    ImageRgbaF image = flippedLeftToRight(of.linear(1));
+    of.scene = kept;
+    return image;
+  };
+  const ImageRgbaF truth = truthOf(picture);
+  picture.show(camera);
+  const ImageRgbaF planar = picture.linear(1);
+  picture.scene.mirrors["wall mirror"].enabled = false;
+  picture.show(camera);
+  const std::vector<bool> moving = where(mask, planar, picture.linear(1));
+  ASSERT_GT(countOf(moving), 800u);
+  const double ratio = sharpness(planar, moving) / sharpness(truth, moving);
+  std::printf("  squared steps over the mirrored camera's: %.3f\n", ratio);
+  EXPECT_GE(ratio, 0.75);
+  EXPECT_LE(ratio, 1.25);
+}
+
 /// What is lit as the ray tracer has it: lights and its own glow, no light from around.
 void lightAsTraced(Scene& scene) {
   for (const char* node : {"figure", "crate", "golden ball"}) scene.objects[node].probeUsage = ProbeUsage::Off;

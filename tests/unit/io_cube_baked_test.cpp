@@ -1,7 +1,9 @@
 // A baked probe's file: exact for us, whole or refused, and its metadata.
 #include <OpenEXR/ImfEnvmap.h>
+#include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfTiledInputPart.h>
 #include <OpenEXR/ImfVecAttribute.h>
 #include <gtest/gtest.h>
 
@@ -112,6 +114,42 @@ TEST_F(CubeBaked, OtherProgramsSeeAnEnvironmentMapFirst) {
   const auto* origin = header.findTypedAttribute<Imf::V3dAttribute>("probe.origin");
   ASSERT_NE(origin, nullptr);
   EXPECT_EQ(origin->value(), Imath::V3d(0.1, 1e6 + 1e-7, -3.0));
+}
+
+// Each level of what other programs read is made from that level, and not from the one before.
+TEST_F(CubeBaked, OtherProgramsSeeEachLevelAsItIs) {
+  constexpr int kSize = 32, kLevels = 6;
+  const auto radianceOf = [](int level) { return 0.25f * static_cast<float>(level * level) + 0.5f; };
+  BakedProbeFile probe;
+  probe.maps.radiance = CubeMap(kSize, kLevels);
+  for (int level = 0; level < kLevels; ++level) {
+    const int size = kSize >> level;
+    for (int texel = 0; texel < 6 * size * size; ++texel) {
+      const float x = radianceOf(level);
+      probe.maps.radiance.setTexel(level, texel / (size * size), texel % size, texel / size % size,
+                                   {x, 2.0f * x, 4.0f * x, 1.0f});
+    }
+  }
+  saveBakedProbe(file("a.exr"), probe);
+  Imf::MultiPartInputFile exr(file("a.exr").c_str());
+  Imf::TiledInputPart part(exr, 0);
+  for (int level = 0; level < kLevels; ++level) {
+    const Imath::Box2i window = part.dataWindowForLevel(level);
+    const auto width = static_cast<std::size_t>(window.max.x + 1), height = static_cast<std::size_t>(window.max.y + 1);
+    ASSERT_EQ(width, static_cast<std::size_t>(kSize >> level));
+    std::vector<float> red(width * height), blue(width * height);
+    Imf::FrameBuffer frame;
+    for (const auto& [name, values] : {std::pair{"R", &red}, std::pair{"B", &blue}}) {
+      frame.insert(
+          name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values->data()), sizeof(float), sizeof(float) * width));
+    }
+    part.setFrameBuffer(frame);
+    part.readTiles(0, part.numXTiles(level) - 1, 0, part.numYTiles(level) - 1, level);
+    for (std::size_t i = 0; i < red.size(); ++i) {
+      ASSERT_NEAR(red[i], radianceOf(level), 0.002f * radianceOf(level)) << "level " << level;
+      ASSERT_NEAR(blue[i], 4.0f * radianceOf(level), 0.008f * radianceOf(level)) << "level " << level;
+    }
+  }
 }
 
 // A map along a turned box's axes is to others what the same along the world's is.

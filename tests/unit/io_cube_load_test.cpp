@@ -209,6 +209,19 @@ TEST_F(CubeFile, ValuesThatAreNoRadianceAreReplacedAndCounted) {
   }
 }
 
+TEST_F(CubeFile, WhatIsNoRadianceIsCountedInEachOfSixFiles) {
+  const char* const names[6] = {"px", "nx", "py", "ny", "pz", "nz"};
+  for (std::size_t face = 0; face < 6; ++face) {
+    ImageRgbaF image = blank(16, 16, 1.0f);
+    for (std::size_t i = 0; i <= face; ++i) image.pixels[4 * (7 * i + 3)] = 1e9f;  // 1 to 6 of them
+    if (face == 2 || face == 5) image.pixels[4 * (face + 100) + 1] = std::numeric_limits<float>::quiet_NaN();
+    saveExr(file(std::string(names[face]) + ".exr"), image);
+  }
+  const LoadedCube loaded = loadCube(file("px.exr"));
+  EXPECT_EQ(loaded.texelsClamped, 21u);
+  EXPECT_EQ(loaded.texelsNotFinite, 2u);
+}
+
 TEST_F(CubeFile, SixFilesUnderEveryCommonName) {
   const CubeMap cube = colouredFaces(16);
   saveCubePicture(file("t_%s.exr"), cube, CubeLayout::SixFiles);

@@ -104,7 +104,16 @@ TEST_F(PictureCodeFile, DoubleLdrNeedsNoAlphaAndHeedsNone) {
 TEST_F(PictureCodeFile, WhatIsBeyondHalfFloatIsBroughtDownAndCounted) {
   const std::string strip = rgbmStrip("a.png", brightCube(), {34.493242f, 2.2f, true});
   const LoadedCube loaded = loadCube(strip, CubeLayout::Automatic, 0, {ImageEncoding::Rgbm, {{1e18, 2.2}}});
-  EXPECT_GT(loaded.texelsClamped, 0u);
+  // 1e18 M^2.2 c is beyond a half float for any bytes but 0.
+  const ImageRgba8 picture = loadImage8(strip);
+  std::size_t bright = 0;
+  for (std::size_t i = 0; i < picture.pixels.size(); i += 4) {
+    const bool light = picture.pixels[i] > 0 || picture.pixels[i + 1] > 0 || picture.pixels[i + 2] > 0;
+    bright += light && picture.pixels[i + 3] > 0 ? 1 : 0;
+  }
+  EXPECT_GT(bright, 0u);
+  EXPECT_EQ(loaded.texelsClamped, bright);
+  EXPECT_EQ(loaded.texelsNotFinite, 0u);
   for (int i = 0; i < 6 * 4 * 32 * 32; ++i) EXPECT_LE(loaded.radiance.face(0, 0)[i], 65504.0f);
 }
 

@@ -133,6 +133,15 @@ TEST(PlaceProbes, ALongRoomGetsMoreWhereTheyGain) {
   ASSERT_TRUE(single);
   ASSERT_EQ(single->probes.size(), 1u);
   EXPECT_LT(placement->after.meanDegrees, 0.9 * single->after.meanDegrees);
+  // Where the influences of two overlap, the one that is better there comes before the room's.
+  const Probe& room = placement->probes.front().probe;
+  for (std::size_t i = 1; i < placement->probes.size(); ++i) {
+    const Probe& part = placement->probes[i].probe;
+    EXPECT_GT(part.importance, room.importance) << part.name;
+    const Box& smaller = part.influenceBox();
+    const Box& larger = room.influenceBox();
+    EXPECT_LT(smaller.size().x, 0.8 * larger.size().x) << part.name;
+  }
 }
 
 TEST(PlaceProbes, SaysWhatStandsInTheWay) {

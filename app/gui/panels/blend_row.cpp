@@ -38,6 +38,8 @@ BlendRow::BlendRow(QWidget* parent)
   const auto& max = fieldNamed(blendDistanceFields(), "max");
   min_ = new VectorRow(format(min), fieldTip(min), faces_);
   max_ = new VectorRow(format(max), fieldTip(max), faces_);
+  min_->setObjectName("blendMinusFaces");
+  max_->setObjectName("blendPlusFaces");
   form->addRow(tr("- faces"), min_);
   form->addRow(tr("+ faces"), max_);
 

@@ -1,0 +1,437 @@
+#!/usr/bin/env python3
+"""Plants small faults, one at a time, and says which of them the tests of their subject notice.
+
+README.md beside this file says how to use it. Only the standard library; run from anywhere in a clean checkout.
+"""
+
+import argparse
+import fcntl
+import json
+import os
+import random
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+BUILD = os.path.join(ROOT, "build", "mutants")
+STATE = os.path.join(BUILD, "planted")  # the original of what is planted, and where it belongs
+
+# What a developer of a folder runs: ninja targets, and programs with the filter of their tests, the quickest first.
+# The first row that a path begins with counts. A program is looked for below build/mutants/tests.
+UNIT = ["core_test", "io_test", "fit_test", "technique_test"]
+SUBJECTS = [
+    ("shaders/technique/", ["technique_test", "parity_test", "footprint_picture_test", "explain_test"]),
+    ("shaders/shared/", ["technique_test", "brdf_table_test", "parity_test", "edited_test:OddRoom*", "stress_test",
+                         "glass_test", "gltf_picture_test", "explain_test", "shadow_test", "planar_mirror_test"]),
+    ("shaders/gpu/", ["edited_test", "splice_test", "stock_test", "explain_test", "gltf_picture_test",
+                      "planar_mirror_test", "prefilter_test", "frame_average_test", "bake_test"]),
+    ("filters/math/", ["technique_test", "brdf_table_test", "prefilter_unit_test", "relief_test", "parity_test",
+                       "stress_test", "explain_test"]),
+    ("filters/core/", ["core_test", "io_test", "probe_plan_test", "edited_test", "cli_test:Info*:Render*"]),
+    ("filters/io/engines/", ["engine_test", "rgbm_test"]),
+    ("filters/io/", ["io_test", "files_test", "cube_file_test", "lesson_file_test", "model_reader_test",
+                     "cli_test:Bad*"]),
+    ("filters/fit/", ["fit_test", "cli_test:Fit*:Place*"]),
+    ("filters/explain/", ["explanation_text_test", "explanation_json_test", "explain_test", "edited_test:OddRoom*"]),
+    ("filters/reference/", ["reference_test", "bench_test", "lamp_test", "reference_picture_test"]),
+    ("filters/stress/", ["stress_test"]),
+    ("filters/vtk/import/", ["model_reader_test", "cli_test:BadModel*"]),
+    ("filters/vtk/rays/", ["projection_rays_test", "ray_layer_test"]),
+    ("filters/vtk/probes/", ["probe_plan_test", "edited_test", "bake_test", "many_probes_test"]),
+    ("filters/vtk/capture/", ["prefilter_test", "bake_test", "capture_test", "edited_test"]),
+    ("filters/vtk/", ["edited_test", "still_view_test", "capture_test", "draw_ways_test", "planar_mirror_test",
+                      "blending_test", "folded_test", "skipped_test", "explain_test", "glass_test", "shadow_test"]),
+    ("app/cli/", ["cli_test", "faults_test", "bake_farm_test"]),
+    ("app/session/", ["cli_test", "faults_test", "offscreen_scene_test"]),
+    ("app/gui/handles/", ["gui_geometry_test", "gui_test:Drag*:Handle*:Probe*:Several*"]),
+    ("app/gui/lessons/", ["gui_test:Lesson*"]),
+    ("app/gui/panels/", ["gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*"]),
+    ("app/gui/window/", ["gui_test:File*:Recovery*:LeftBehind*:Window*:Picture*"]),
+    ("app/gui/", ["gui_geometry_test", "schematic_test", "gui_test"]),
+    ("app/", ["cli_test", "lessons_test"]),
+]
+FOLDERS = ["shaders", "filters/math", "filters/core", "filters/fit", "filters/io", "filters/explain",
+           "filters/reference", "filters/vtk", "app"]
+
+CONFIGURE = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DBOXPROBE_UNITY_FILES=3",
+             "-DBOXPROBE_ONLY_TESTS=house;unit;vtk;parity;image;cli;gui;stress"]
+
+
+# ------------------------------------------------------------------------------------------------ what is changed
+
+
+def swap(pattern, replacement):
+    return re.compile(pattern), replacement
+
+
+# Each kind: its name, where it applies in a line of code, and what it makes of the match.
+KINDS = [
+    ("sign", *swap(r"(?<=[\w\)\]] )\+(?= [\w\(])", "-")),
+    ("sign", *swap(r"(?<=[\w\)\]] )-(?= [\w\(])", "+")),
+    ("factor", *swap(r"(?<=[\w\)\]] )\*(?= [\w\(])", "/")),
+    ("extreme", *swap(r"\bmin\(", "max(")),
+    ("extreme", *swap(r"\bmax\(", "min(")),
+    ("comparison", *swap(r"(?<= )<(?= [\w\(-])", "<=")),
+    ("comparison", *swap(r"(?<= )>(?= [\w\(-])", ">=")),
+    ("comparison", *swap(r"(?<= )<=(?= )", "<")),
+    ("comparison", *swap(r"(?<= )>=(?= )", ">")),
+    ("comparison", *swap(r"(?<= )==(?= )", "!=")),
+    ("comparison", *swap(r"(?<= )!=(?= )", "==")),
+    ("logic", *swap(r"(?<= )&&(?= )", "||")),
+    ("logic", *swap(r"(?<= )\|\|(?= )", "&&")),
+    ("logic", *swap(r"(?<=[\(= ])!(?=[a-z_]\w*)", "")),
+    ("component", *swap(r"(?<=[\w\)\]])\.x\b", ".y")),
+    ("component", *swap(r"(?<=[\w\)\]])\.y\b", ".z")),
+    ("component", *swap(r"(?<=[\w\)\]])\.z\b", ".x")),
+    ("index", *swap(r"\[0\]", "[1]")),
+    ("index", *swap(r"\[1\]", "[0]")),
+    ("end", *swap(r"\b(\w*)Min\b(?=\.)", r"\1Max")),
+    ("end", *swap(r"\b(\w+)\.min\b(?!\()", r"\1.max")),
+    ("end", *swap(r"\b(\w+)\.max\b(?!\()", r"\1.min")),
+    ("constant", re.compile(r"(?<![\w.\"'-])(\d+\.\d+)(f?)(?![\w.])"),
+     lambda m: repr(float(m.group(1)) * 1.1 if float(m.group(1)) else 0.1) + m.group(2)),
+    ("constant", re.compile(r"(?<![\w.\[\"'<-])([2-9]|[1-9]\d{1,3})(?![\w.\]\"'>])"), lambda m: str(int(m.group(1)) + 1)),
+    ("flag", *swap(r"\btrue\b", "false")),
+    ("flag", *swap(r"\bfalse\b", "true")),
+    ("term dropped", *swap(r" [+-] [\w.\[\]]+(?=[;,\)])", "")),
+    ("factor dropped", *swap(r" \* [\w.\[\]]+(?=[;,\) ])", "")),
+    ("arguments swapped", *swap(r"\((\w[\w.\[\]]*), (\w[\w.\[\]]*)\)", r"(\2, \1)")),
+    ("assignment dropped", re.compile(r"^(\s+)[a-z][\w.\[\]>-]* [*+|-]?= [^;{]+;$"), r"\1;"),
+]
+
+SKIPPED = re.compile(r"^\s*(//|/\*|\*|#|namespace|using|template|static_assert|class |struct |enum |case .*:$|public:|private:|"
+                     r"protected:|Q_OBJECT|vtk\w*Macro|EXPECT|ASSERT|assert|throw|\"|return \"|friend|typedef|extern|layout|"
+                     r"uniform |in |out |\}|\{)")
+# Words for people: messages, help, tool tips. A test of every word would be a second copy of it.
+WORDS = re.compile(r"(tr\(|Error\(|InputError|WorkError|FieldError|->setToolTip|setText|printf|printError|printWarnings|"
+                   r"printResult|->footer|add_option|add_flag|add_subcommand|field<&|emplace_back\(\"|os <<|indent)")
+
+
+def strings_blanked(line):
+    """The line with what stands in quotes, and comments behind it, replaced by spaces of the same length."""
+    line = re.sub(r'"(?:[^"\\]|\\.)*"', lambda m: " " * len(m.group()), line)
+    line = re.sub(r"'(?:[^'\\]|\\.)*'", lambda m: " " * len(m.group()), line)
+    return re.sub(r"//.*", lambda m: " " * len(m.group()), line)
+
+
+def source_files(prefix):
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", prefix], capture_output=True, text=True, check=True).stdout
+    return [f for f in listed.split() if f.endswith((".cpp", ".h", ".glsl"))
+            and not f.startswith(("app/web", "app/site", "app/install", "shaders/web"))]
+
+
+def mutants_of(path):
+    """(line number, kind, old text, new text) of every change there could be in a file."""
+    with open(os.path.join(ROOT, path), encoding="utf-8") as stream:
+        lines = stream.read().split("\n")
+    found = []
+    for number, line in enumerate(lines):
+        blank = strings_blanked(line)
+        # A line that goes on from the one before, or into the next, may be half of a declaration.
+        if SKIPPED.match(line) or WORDS.search(line) or not blank.strip() or "operator" in line:
+            continue
+        if "constexpr" in line and "=" not in line:
+            continue
+        for kind, pattern, replacement in KINDS:
+            for match in pattern.finditer(blank):
+                made = match.expand(replacement) if isinstance(replacement, str) else replacement(match)
+                new = line[:match.start()] + made + line[match.end():]
+                if new != line:
+                    found.append((number, kind, line, new))
+    return found
+
+
+def drawn(prefix, count, chance):
+    """`count` mutants below a folder: a file by its length in changes, then a change of a kind that is drawn first, so that
+    frequent kinds do not crowd out the others."""
+    pool = {f: mutants_of(f) for f in source_files(prefix)}
+    files = [f for f, changes in pool.items() if changes]
+    picked = []
+    while files and len(picked) < count:
+        path = chance.choices(files, [len(pool[f]) for f in files])[0]
+        kind = chance.choice(sorted({c[1] for c in pool[path]}))
+        change = chance.choice([c for c in pool[path] if c[1] == kind])
+        picked.append((path, *change))
+    return picked
+
+
+# --------------------------------------------------------------------------------------------- planting and putting back
+
+
+class Planted:
+    """One change in a file. The original is kept aside first, so that whatever ends this program, the next start puts it
+    back."""
+
+    def __init__(self, path, old, new, line=None):
+        self.path, self.whole = path, os.path.join(ROOT, path)
+        with open(self.whole, encoding="utf-8") as stream:
+            text = stream.read()
+        if line is None:
+            if text.count(old) != 1:
+                raise ValueError(f"{path}: {text.count(old)} times {old!r}")
+            changed = text.replace(old, new)
+        else:
+            lines = text.split("\n")
+            assert lines[line] == old
+            lines[line] = new
+            changed = "\n".join(lines)
+        os.makedirs(STATE, exist_ok=True)
+        shutil.copy2(self.whole, os.path.join(STATE, "original"))
+        with open(os.path.join(STATE, "path.new"), "w", encoding="utf-8") as stream:
+            stream.write(path)
+        os.replace(os.path.join(STATE, "path.new"), os.path.join(STATE, "path"))
+        with open(self.whole, "w", encoding="utf-8") as stream:
+            stream.write(changed)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        put_back()
+
+
+def put_back():
+    """Puts a planted file back, if there is one."""
+    note = os.path.join(STATE, "path")
+    if not os.path.exists(note):
+        return None
+    with open(note, encoding="utf-8") as stream:
+        path = stream.read()
+    # Beside it first: a full disk must not cut the file.
+    beside = os.path.join(ROOT, path) + ".put-back"
+    shutil.copyfile(os.path.join(STATE, "original"), beside)
+    shutil.copymode(os.path.join(ROOT, path), beside)
+    os.replace(beside, os.path.join(ROOT, path))
+    os.utime(os.path.join(ROOT, path))  # newer than what was built from the fault
+    os.remove(note)
+    return path
+
+
+# ------------------------------------------------------------------------------------------------------ building, running
+
+
+def limits():
+    gigabyte = 1 << 30
+    resource.setrlimit(resource.RLIMIT_FSIZE, (gigabyte, gigabyte))
+    resource.setrlimit(resource.RLIMIT_AS, (16 * gigabyte, 16 * gigabyte))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def run(command, seconds, cwd=ROOT):
+    """(what happened, seconds): "ok", "failed", "hung", "crashed"; the whole group of processes ends with it."""
+    start = time.time()
+    environment = dict(os.environ, GALLIVM_PERF="nopt", GTEST_FAIL_FAST="1")
+    with open(os.path.join(BUILD, "last-output.txt"), "w", encoding="utf-8") as output:
+        process = subprocess.Popen(command, cwd=cwd, stdout=output, stderr=subprocess.STDOUT, env=environment,
+                                   start_new_session=True, preexec_fn=limits)
+        try:
+            status = process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            status = None
+        finally:
+            try:
+                os.killpg(process.pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+            process.wait()
+    what = "hung" if status is None else "ok" if status == 0 else "crashed" if status < 0 or status > 128 else "failed"
+    return what, time.time() - start
+
+
+def build(targets):
+    what, _ = run(["ninja", "-C", BUILD, *targets], 1800)
+    return what == "ok"
+
+
+def configure():
+    os.makedirs(BUILD, exist_ok=True)
+    options = list(CONFIGURE)
+    if shutil.which("ccache"):
+        options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+    if not os.path.exists(os.path.join(BUILD, "build.ninja")):
+        subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", *options], check=True,
+                       stdout=subprocess.DEVNULL)
+
+
+def program(name):
+    for folder, _, files in os.walk(os.path.join(BUILD, "tests")):
+        if name in files and os.access(os.path.join(folder, name), os.X_OK):
+            return os.path.join(folder, name)
+    return None
+
+
+def command_of(test):
+    name, _, chosen = test.partition(":")
+    path = program(name)
+    if path is None:
+        return None
+    command = [path] + ([f"--gtest_filter={chosen}"] if chosen else [])
+    # As CTest runs it: with a display of its own, whether it needs one or not.
+    return ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24 -noreset", *command]
+
+
+def tests_of(path):
+    for prefix, tests in SUBJECTS:
+        if path.startswith(prefix):
+            return tests
+    return UNIT
+
+
+class Tests:
+    """The tests of subjects, timed once unchanged: the quickest first, and none gets longer than ten times its own."""
+
+    def __init__(self):
+        self.seconds = {}
+
+    def prepare(self, tests):
+        unknown = [t for t in tests if t not in self.seconds]
+        if not unknown:
+            return
+        build(sorted({t.partition(":")[0] for t in unknown}))
+        for test in unknown:
+            command = command_of(test)
+            if command is None:
+                self.seconds[test] = None
+                print(f"  {test}: is not built; left out", flush=True)
+                continue
+            what, seconds = run(command, 1800)
+            if what != "ok":
+                sys.exit(f"{test} {what} without any fault planted; see {BUILD}/last-output.txt")
+            self.seconds[test] = seconds
+
+    def notice(self, tests):
+        """(who noticed and how, or None; seconds)."""
+        start = time.time()
+        known = sorted((t for t in tests if self.seconds.get(t) is not None), key=lambda t: self.seconds[t])
+        for test in known:
+            if not build([test.partition(":")[0]]):
+                return "does not compile", time.time() - start
+            what, _ = run(command_of(test), max(60.0, 10.0 * self.seconds[test]))
+            if what != "ok":
+                return f"{test} {what}", time.time() - start
+        return None, time.time() - start
+
+
+# ------------------------------------------------------------------------------------------------------------------ main
+
+
+def invisible():
+    """Changes that nobody can see, with the reason: lines of invisible.txt."""
+    known = {}
+    try:
+        with open(os.path.join(HERE, "invisible.txt"), encoding="utf-8") as stream:
+            for line in stream:
+                if line.strip() and not line.startswith("#"):
+                    entry = json.loads(line)
+                    known[(entry["file"], entry["old"].strip(), entry["new"].strip())] = entry["why"]
+    except FileNotFoundError:
+        pass
+    return known
+
+
+def campaign(arguments, tests, log):
+    chance = random.Random(arguments.seed)
+    prefixes = arguments.only or FOLDERS
+    share = -(-arguments.count // len(prefixes))
+    known = invisible()
+    order = []
+    for prefix in prefixes:
+        order.append(drawn(prefix, 4 * share, chance))
+    counts = {p: {"noticed": 0, "survived": 0, "invisible": 0, "does not compile": 0} for p in prefixes}
+    done = 0
+    for turn in range(4 * share):
+        for prefix, changes in zip(prefixes, order):
+            if turn >= len(changes) or done >= arguments.count or counts[prefix]["noticed"] + counts[prefix]["survived"] >= share:
+                continue
+            path, number, kind, old, new = changes[turn]
+            entry = {"file": path, "line": number + 1, "kind": kind, "old": old.strip(), "new": new.strip()}
+            if arguments.list:
+                print(f"{path}:{number + 1} {kind}: {old.strip()}  ->  {new.strip()}")
+                done += 1
+                continue
+            why = known.get((path, old.strip(), new.strip()))
+            if why:
+                counts[prefix]["invisible"] += 1
+                continue
+            tests.prepare(tests_of(path))
+            with Planted(path, old, new, number):
+                found, seconds = tests.notice(tests_of(path))
+            verdict = "survived" if found is None else found if found == "does not compile" else "noticed"
+            counts[prefix][verdict] += 1
+            entry.update(verdict=verdict, by=found, seconds=round(seconds, 1))
+            log.write(json.dumps(entry) + "\n")
+            log.flush()
+            print(f"{verdict:17} {path}:{number + 1} {kind}: {old.strip()}  ->  {new.strip()}"
+                  f"{'  [' + found + ']' if verdict == 'noticed' else ''} {seconds:.0f} s", flush=True)
+            if verdict != "does not compile":
+                done += 1
+    if arguments.list:
+        return 0
+    print(f"\n{'folder':20} noticed survived invisible  not compiled")
+    for prefix, c in counts.items():
+        print(f"{prefix:20} {c['noticed']:7} {c['survived']:8} {c['invisible']:9} {c['does not compile']:13}")
+    noticed = sum(c["noticed"] for c in counts.values())
+    print(f"{'all':20} {noticed:7} {done - noticed:8}: {100.0 * noticed / max(done, 1):.0f} % noticed")
+    return 0
+
+
+def replay(path, tests, log):
+    """Faults of a list, one JSON object a line: file, old, new, tests. Status 1 if one is not noticed."""
+    missed = 0
+    with open(path, encoding="utf-8") as stream:
+        faults = [json.loads(line) for line in stream if line.strip() and not line.startswith("#")]
+    for fault in faults:
+        chosen = fault["tests"]
+        tests.prepare(chosen)
+        with Planted(fault["file"], fault["old"], fault["new"]):
+            found, seconds = tests.notice(chosen)
+        missed += found is None or found == "does not compile"
+        log.write(json.dumps(dict(fault, by=found, seconds=round(seconds, 1))) + "\n")
+        print(f"{'NOT NOTICED' if found is None else found:45} {fault['what']} {seconds:.0f} s", flush=True)
+    print(f"{len(faults) - missed} of {len(faults)} noticed")
+    return 1 if missed else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--seed", type=int, default=1, help="other mutants; the same ones for the same seed and tree")
+    parser.add_argument("--count", type=int, default=20, help="how many that compile")
+    parser.add_argument("--only", action="append", help="only below this folder (repeatable)")
+    parser.add_argument("--list", action="store_true", help="print what would be planted, and nothing more")
+    parser.add_argument("--replay", metavar="FILE", help="plant the faults of this list in place of random ones")
+    arguments = parser.parse_args()
+
+    os.makedirs(BUILD, exist_ok=True)
+    lock = open(os.path.join(BUILD, "lock"), "w", encoding="utf-8")
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        sys.exit("another run works in this checkout")
+    if path := put_back():
+        print(f"put back {path}, which an earlier run had left changed", flush=True)
+    dirty = subprocess.run(["git", "-C", ROOT, "status", "--porcelain", "--untracked-files=no", "filters", "shaders", "app"],
+                           capture_output=True, text=True, check=True).stdout
+    if dirty and not arguments.list:
+        sys.exit("commit or stash first: these files differ from the last commit\n" + dirty)
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, lambda *_: sys.exit(1))  # by way of every `with`
+    if not arguments.list:
+        configure()
+    tests = Tests()
+    with open(os.path.join(BUILD, "log.jsonl"), "a", encoding="utf-8") as log:
+        try:
+            return replay(arguments.replay, tests, log) if arguments.replay else campaign(arguments, tests, log)
+        except KeyboardInterrupt:
+            return 130
+        finally:
+            put_back()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
