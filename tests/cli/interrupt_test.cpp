@@ -57,41 +57,22 @@ TEST(Interrupt, LeavesTheFileThatWasThere) {
   EXPECT_EQ(readFile(folder.path("out.png")), "an older picture");
 }
 
-/// From a signal to the end, without what the main thread waited for a processor: other programs have those as well.
-class Farewell {
- public:
-  explicit Farewell(RunningProgram& program) : program_(program) {}
-  double secondsUntilEnd(Outcome& outcome) {
-    const double waited = program_.secondsWithoutProcessor();
-    program_.waitForEnd();
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begun_;
-    const double hindered = program_.secondsWithoutProcessor() - waited;
-    outcome = program_.finish();
-    return passed.count() - hindered;
-  }
-
- private:
-  RunningProgram& program_;
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-};
-
 /// False: the command was done before the signal.
 bool stopAfter(int milliseconds, const std::vector<std::string>& command, int signal, Outcome& outcome) {
   RunningProgram program(command);
   if (!program.waitUntilHandling(signal)) return false;
   std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-  Farewell farewell(program);
   if (!program.sendAtWork(signal)) return false;
-  // A second as a rule, three on a busy machine; bench writes what it has first.
-  EXPECT_LT(farewell.secondsUntilEnd(outcome), command[0] == "bench" ? 7.0 : 4.0) << command[0];
+  outcome = program.finish();
   // What arrives with the last of the work is told of, and the work is whole.
   const bool whole =
       outcome.exitStatus == 1 && outcome.err.find("what was asked for was done by then") != outcome.err.npos;
   return !whole;
 }
 
-// Where nothing asks: reading a model, an integral of a lesson, a stress run's report.
-TEST(Interrupt, EveryCommandEndsSoonAndNeverWithZero) {
+// Where nothing asks: reading a model, an integral of a lesson, a stress run's report. Each has work for many times the
+// delay, and would end with 0. How soon each ends is measured by tests/stress/signals.py.
+TEST(Interrupt, EveryCommandEndsByTheSignalAndNeverWithZero) {
   const auto commands = [](const TemporaryFolder& folder) {
     return std::vector<std::vector<std::string>>{{"lessons", "floor-mirror", "-o", folder.path("l.png")},
                                                  {"lessons", "--check", "--quiet"},
@@ -124,10 +105,8 @@ TEST(Interrupt, EveryCommandEndsSoonAndNeverWithZero) {
 TEST(Interrupt, AWindowEndsWithTheSignalsStatus) {
   RunningProgram program({demoScene("room")});
   ASSERT_TRUE(program.waitUntilHandling(SIGTERM));
-  Outcome outcome;
-  Farewell farewell(program);
   ASSERT_TRUE(program.sendAtWork(SIGTERM));
-  EXPECT_LT(farewell.secondsUntilEnd(outcome), 4.0);
+  const Outcome outcome = program.finish();
   EXPECT_EQ(outcome.exitStatus, 128 + SIGTERM) << outcome.err;
 }
 

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -127,27 +126,12 @@ bool RunningProgram::sendAtWork(int signal) const {
   return atWork;
 }
 
-void RunningProgram::waitForEnd() const {
-  siginfo_t info = {};
-  waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT);
-}
-
-double RunningProgram::secondsWithoutProcessor() const {
-  std::ifstream file("/proc/" + std::to_string(pid_) + "/schedstat");
-  double ran = 0.0, waited = 0.0;  // nanoseconds
-  return file >> ran >> waited ? 1e-9 * waited : 0.0;
-}
-
 Outcome RunningProgram::finish() {
   int status = 0;
-  rusage used = {};
-  wait4(pid_, &status, 0, &used);
+  waitpid(pid_, &status, 0);
   pid_ = -1;
   Outcome outcome;
   outcome.exitStatus = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  for (const timeval& part : {used.ru_utime, used.ru_stime}) {
-    outcome.cpuSeconds += static_cast<double>(part.tv_sec) + 1e-6 * static_cast<double>(part.tv_usec);
-  }
   outcome.out = readFile((folder_ / "out").string());
   std::istringstream said(readFile((folder_ / "err").string()));
   for (std::string line; std::getline(said, line);) {

@@ -10,8 +10,7 @@
 namespace boxprobe::test {
 
 struct Outcome {
-  int exitStatus = -1;      ///< 128 + the signal's number if one ended it
-  double cpuSeconds = 0.0;  ///< of all its threads
+  int exitStatus = -1;  ///< 128 + the signal's number if one ended it
   std::string out;
   std::string err;
 
@@ -41,10 +40,6 @@ class RunningProgram {
   /// Sends `signal` while the program stands still and handles it: the handler is the first of it that runs then.
   /// False, and nothing is sent, if it has ended or is past its work.
   bool sendAtWork(int signal) const;
-  void waitForEnd() const;
-  /// How long its main thread has been ready and had to wait for a processor, until the end and after it. 0 where the
-  /// system does not tell.
-  double secondsWithoutProcessor() const;
   /// Waits for the end. What it said of its progress is left out of `err`.
   Outcome finish();
 

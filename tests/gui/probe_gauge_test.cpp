@@ -86,27 +86,17 @@ TEST_F(ProbeGaugeTest, FollowsADragWithoutRaysOfItsOwn) {
   EXPECT_NEAR(mean(), before, 1e-9);
 }
 
-/// Milliseconds of this thread alone: other threads and other programs do not count.
-double threadMilliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
 TEST_F(ProbeGaugeTest, MeasuresElsewhereAndTheNewestOnly) {
   const ProbeGauge::Counts counts = gauge().counts();
   const EditToken token{&counts};
   constexpr int kMoves = 40;
-  double spent = 0.0;
   for (int i = 1; i <= kMoves; ++i) {
     window_->editor().previewProbe(token, "Set box",
                                    [&](Probe& probe) { probe.box.max.x = right_.box.max.x + 0.02 * i; });
     EXPECT_FALSE(gauge().current());
-    const double begun = threadMilliseconds();
     gauge().update();
-    spent += threadMilliseconds() - begun;
+    EXPECT_FALSE(gauge().current()) << "measured in the window's thread";
   }
-  EXPECT_LT(spent / kMoves, 1.0) << "milliseconds of the window's thread for a move";
   ASSERT_TRUE(measured());
   EXPECT_LE(gauge().counts().boxes, counts.boxes + 2)
       << "what was passed over while the window was busy is not measured";

@@ -142,6 +142,10 @@ TEST(PlaceProbes, ALongRoomGetsMoreWhereTheyGain) {
     const Box& larger = room.influenceBox();
     EXPECT_LT(smaller.size().x, 0.8 * larger.size().x) << part.name;
   }
+  // What it was chosen for is what it brings: candidates are judged with the importance that they get.
+  double gains = 0.0;
+  for (std::size_t i = 1; i < placement->probes.size(); ++i) gains += placement->probes[i].gainDegrees;
+  EXPECT_NEAR(gains, single->after.meanDegrees - placement->after.meanDegrees, 1e-6);
 }
 
 TEST(PlaceProbes, SaysWhatStandsInTheWay) {

@@ -44,23 +44,13 @@ TEST(SmoothNormals, AFanOfThousandsIsAsSmoothAsOneOfFew) {
   }
 }
 
-/// Of a processor, for this thread: other threads and other programs do not count.
-double threadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-TEST(SmoothNormals, TheTimeIsLinear) {
-  const auto seconds = [](int triangles) {
-    Mesh mesh = cone(triangles, 1.0f);
-    const double begun = threadSeconds();
-    computeNormals(mesh);
-    return threadSeconds() - begun;
-  };
-  seconds(1000);
-  // Quadratic: 100 times as long. The bound is wide for a machine whose caches others use as well.
-  EXPECT_LT(seconds(200000), 40.0 * seconds(20000) + 0.5);
+// All meet in the tip. Pairs of them would be 40,000 million: the test would be ended before that is done.
+TEST(SmoothNormals, ManyTrianglesMayMeetInOnePoint) {
+  constexpr int kTriangles = 200000;
+  Mesh mesh = cone(kTriangles, 1.0f);
+  computeNormals(mesh);
+  ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+  for (const glm::vec3& normal : mesh.normals) ASSERT_NEAR(glm::length(normal), 1.0f, 1e-4f);
 }
 
 }  // namespace
