@@ -61,7 +61,7 @@ ImageRgbaF loadLitPicture(const LitIndex& index, const LitPicture& picture) {
   const std::string path = LitIndex::folder() + "/pictures/" + picture.file;
   if (!std::filesystem::exists(path))
     throw InputError(path + ": there is no such picture; make it with tests/truth/make.sh lit");
-  ImageRgbaF image = loadExr(path);
+  ImageRgbaF image = loadHdrImage(path);
   if (image.width != index.width || image.height != index.height)
     throw InputError(path + ": has another size than lit.json says");
   return image;

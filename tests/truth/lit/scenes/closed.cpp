@@ -30,8 +30,7 @@ Model litClosed() {
                   1.3,
                   1.1});
   addBox(scene, "panel", {0.4, 2.5, -0.9}, {1.5, 2.54, -0.2}, scene.material(glow("panel", {7.0f, 6.4f, 5.6f})));
-  addBox(scene, "sconce", {-2.29, 1.55, 0.7}, {-2.21, 1.83, 0.86},
-         scene.material(glow("sconce", {34.0f, 19.0f, 9.0f})));
+  addBox(scene, "sconce", {-2.29, 1.52, 0.6}, {-2.21, 1.9, 0.95}, scene.material(glow("sconce", {11.0f, 6.5f, 3.2f})));
   scene.place("globe", scene.mesh(sphere(0.15, 32), "globe", scene.material(glow("globe", {5.0f, 7.5f, 10.0f}))),
               {2.2, 0.47, 1.7});
   MeshBuilder chest, stool;
