@@ -1,8 +1,11 @@
 #include "tests/truth/lit/lit_pictures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "filters/core/base/errors.h"
 #include "filters/io/files/read_file.h"
@@ -26,6 +29,31 @@ std::vector<double> blockMeans(const ImageRgbaF& picture, int block) {
   for (double& mean : means) mean /= block * block;
   return means;
 }
+
+/// Numbers of the blocks, the darkest first.
+std::vector<std::size_t> byBrightness(const std::vector<double>& means) {
+  std::vector<std::size_t> blocks(means.size() / 3);
+  std::iota(blocks.begin(), blocks.end(), std::size_t{0});
+  const auto light = [&means](std::size_t block) {
+    return means[3 * block] + means[3 * block + 1] + means[3 * block + 2];
+  };
+  std::sort(blocks.begin(), blocks.end(), [&](std::size_t a, std::size_t b) { return light(a) < light(b); });
+  return blocks;
+}
+
+constexpr double kBlack = 1e-3;  // share of a picture's light that its darker half has at least, or it is black
+
+struct Sums {
+  std::size_t blocks = 0;
+  double light = 0.0, lightTruth = 0.0, squares = 0.0, differences = 0.0, noise = 0.0;
+  void add(double mean, double half, double truth) {
+    light += mean;
+    lightTruth += truth;
+    squares += truth * truth;
+    differences += (mean - truth) * (mean - truth);
+    noise += half * half;
+  }
+};
 
 }  // namespace
 
@@ -71,22 +99,24 @@ LitError litError(const LitIndex& index, const LitPicture& picture, const ImageR
                   const ImageRgbaF& second) {
   const std::vector<double> t = blockMeans(truth, index.block), a = blockMeans(first, index.block),
                             b = blockMeans(second, index.block);
-  double light = 0.0, lightTruth = 0.0, squares = 0.0, differences = 0.0, noise = 0.0;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    const double mean = 0.5 * (a.at(i) + b.at(i)), half = 0.5 * (a[i] - b[i]);
-    light += mean;
-    lightTruth += t[i];
-    squares += t[i] * t[i];
-    differences += (mean - t[i]) * (mean - t[i]);
-    noise += half * half;
+  Sums all, dim;
+  for (const std::size_t block : byBrightness(t)) {
+    if (all.blocks++ == t.size() / 6) dim = all;
+    for (std::size_t i = 3 * block; i < 3 * block + 3; ++i) all.add(0.5 * (a[i] + b[i]), 0.5 * (a[i] - b[i]), t[i]);
   }
-  const double ofTruth = picture.noise * picture.noise;
+  const double ofTruth = picture.noise * picture.noise * all.squares;
   LitError error;
-  error.meanLight = light / lightTruth;
-  // The channels of a block have the same noise: three times the squares of what is independent.
-  error.lightNoise = std::sqrt(3.0 * (noise + ofTruth * squares)) / lightTruth;
-  error.noise = std::sqrt(noise / squares);
-  error.relativeRmse = std::sqrt(std::max(differences / squares - noise / squares - ofTruth, 0.0));
+  error.meanLight = all.light / all.lightTruth;
+  // The channels of a block share their noise: three times the squares of what is independent.
+  error.lightNoise = std::sqrt(3.0 * (all.noise + ofTruth)) / all.lightTruth;
+  error.noise = std::sqrt(all.noise / all.squares);
+  error.relativeRmse = std::sqrt(std::max(all.differences - all.noise - ofTruth, 0.0) / all.squares);
+  if (dim.lightTruth > kBlack * all.lightTruth) {
+    error.dimLight = dim.light / dim.lightTruth;
+    error.dimNoise = std::sqrt(3.0 * (dim.noise + ofTruth)) / dim.lightTruth;
+  } else if (dim.light > kBlack * all.lightTruth) {
+    error.dimLight = std::numeric_limits<double>::infinity();
+  }
   return error;
 }
 

@@ -40,6 +40,10 @@ struct LitError {
   double lightNoise = 0.0;    ///< standard error of meanLight
   double relativeRmse = 0.0;  ///< over blocks, what the noise of both makes of it taken off
   double noise = 0.0;         ///< relative RMS of the given picture's own, over blocks
+  /// Light of the darker half of the blocks over the truth's there: a patch of sun outshines a room that is lit
+  /// wrongly. 1 for black on black, infinite for other light on black.
+  double dimLight = 1.0;
+  double dimNoise = 0.0;  ///< standard error of dimLight at most: as if the truth's noise were all in that half
 };
 
 /// `first`, `second`: the same estimate with independent noise; their mean is judged. Root of the sum of squared

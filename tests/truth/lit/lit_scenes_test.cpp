@@ -112,6 +112,7 @@ TEST(LitScenes, TheMeasureTellsPicturesApart) {
   for (const LitPicture& picture : index.pictures) {
     const ImageRgbaF truth = loadLitPicture(index, picture), mirrored = leftToRight(truth);
     EXPECT_EQ(litError(index, picture, truth, truth, truth).relativeRmse, 0.0) << picture.file;
+    EXPECT_EQ(litError(index, picture, truth, truth, truth).dimLight, 1.0) << picture.file;
     EXPECT_GT(litError(index, picture, truth, mirrored, mirrored).relativeRmse, 0.1) << picture.file;
     for (const LitPicture& other : index.pictures) {
       if (other.scene != picture.scene || other.camera != picture.camera) continue;
@@ -120,6 +121,7 @@ TEST(LitScenes, TheMeasureTellsPicturesApart) {
       const ImageRgbaF less = loadLitPicture(index, other);
       const LitError error = litError(index, picture, truth, less, less);
       EXPECT_LT(error.meanLight, 1.0) << picture.file << ": a bounce more is more light";
+      EXPECT_LT(error.dimLight, 1.0) << picture.file << ": most of all where it is dark";
       // Under an open sky what comes after the first bounce is a hundredth.
       const double least = picture.scene == "object" && rank(picture) > 1 ? 0.0 : 0.02;
       EXPECT_GT(error.relativeRmse, least) << picture.file;
