@@ -3,8 +3,6 @@
 // "3d/physical_light_camera_units/living_room.glb" of github.com/godotengine/godot-demo-projects, MIT licence,
 // copyright 2014-present Godot Engine contributors, 2007-2014 Juan Linietsky, Ariel Manzur.
 #include <array>
-#include <glm/geometric.hpp>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -20,14 +18,6 @@ void addQuads(Composer& scene, const std::string& node, const std::vector<Quad>&
   MeshBuilder mesh;
   for (const Quad& q : quads) mesh.quadrilateral(q[0], q[1], q[2], q[3]);
   scene.add(node, std::move(mesh), scene.material(material));
-}
-
-/// Readers make normals unit, which may change the last digit to and fro: the same one of both, whichever is given.
-glm::vec3 settled(glm::vec3 normal) {
-  const auto unit = [](const glm::vec3& n) { return glm::vec3(glm::dvec3(n) / glm::length(glm::dvec3(n))); };
-  for (int i = 0; i < 100; ++i) normal = unit(normal);
-  const glm::vec3 other = unit(normal);
-  return std::make_tuple(other.x, other.y, other.z) < std::make_tuple(normal.x, normal.y, normal.z) ? other : normal;
 }
 
 /// A block: the corners of its top, and down to the floor from each edge.
@@ -72,24 +62,6 @@ Model litCornell() {
   addQuads(scene, "light", {{{{-0.24, 1.98, 0.16}, {-0.24, 1.98, -0.22}, {0.23, 1.98, -0.22}, {0.23, 1.98, 0.16}}}},
            light);
   return std::move(scene).finish();
-}
-
-Model litLivingRoom(const Model& livingRoom) {
-  Model model;
-  for (const Material& source : livingRoom.materials) {
-    model.materials.push_back(lambert(source.name, glm::vec3(source.baseColor)));
-    model.materials.back().doubleSided = source.doubleSided;
-  }
-  for (Mesh mesh : livingRoom.meshes) {
-    if (mesh.uv.empty()) mesh.uv.assign(mesh.positions.size(), glm::vec2(0.0f));
-    for (glm::vec3& normal : mesh.normals) normal = settled(normal);
-    mesh.uv1.clear();
-    mesh.tangents.clear();
-    mesh.colors.clear();
-    model.meshes.push_back(std::move(mesh));
-  }
-  model.instances = livingRoom.instances;
-  return model;
 }
 
 }  // namespace boxprobe::scenes
