@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -94,6 +96,32 @@ TEST(LitScenes, EveryPictureOfThePlanIsThereAndQuiet) {
   }
   EXPECT_EQ(made.size(), wanted);
   std::printf("  %zu pictures, relative noise %.4f at most\n", made.size(), loudest);
+}
+
+// By hand, so that units are right on both sides: where the camera `lit` looks at the white wall between the rooms, no
+// bounce, light by the square of the distance and both cosines.
+TEST(LitScenes, APointLightGivesWhatItsIntensitySays) {
+  const LitIndex index = loadLitIndex();
+  const auto middle = std::find_if(index.pictures.begin(), index.pictures.end(), [](const LitPicture& p) {
+    return p.scene == "doorway" && p.camera == "lit" && p.bounces == 0;
+  });
+  ASSERT_NE(middle, index.pictures.end());
+  const ImageRgbaF picture = loadLitPicture(index, *middle);
+  const glm::dvec3 eye(4.0, 1.5, 2.2), target(0.3, 0.7, 0.1), light(2.6, 1.75, 0.35), color(1.0, 0.86, 0.66);
+  const glm::dvec3 albedo(0.74, 0.75, 0.77);
+  const double wall = 0.05, intensity = 7.0;
+  const glm::dvec3 point = eye + (target - eye) * ((wall - eye.x) / (target.x - eye.x)), to = light - point;
+  const double irradiance = intensity * to.x / std::pow(glm::length(to), 3.0);
+  for (int channel = 0; channel < 3; ++channel) {
+    double seen = 0.0;
+    for (int y : {index.height / 2 - 1, index.height / 2}) {
+      for (int x : {index.width / 2 - 1, index.width / 2}) {
+        seen += 0.25 * picture.pixels.at(static_cast<std::size_t>(4 * (y * index.width + x) + channel));
+      }
+    }
+    const double expected = irradiance * color[channel] * albedo[channel] / 3.141592653589793;
+    EXPECT_NEAR(seen, expected, 0.005 * expected) << channel;
+  }
 }
 
 ImageRgbaF leftToRight(ImageRgbaF image) {
