@@ -26,7 +26,8 @@ class PanelSectionTest : public WindowTest {
 TEST_F(PanelSectionTest, AClickOnTheTitleFoldsAndTheNextRunRemembers) {
   PanelSection* influence = section("Influence");
   ASSERT_TRUE(influence != nullptr && influence->isVisible());
-  QCoreApplication::processEvents();  // the scene that was on show before had other rows
+  waitUntilIdle();  // the scene that was on show before had other rows
+  QTest::qWait(50);
   const int height = influence->height();
   QTest::mouseClick(influence, Qt::LeftButton, {}, QPoint(30, 8));
   QCoreApplication::processEvents();
