@@ -15,9 +15,10 @@ class PathRandom {
   /// Both in [0, 1); the next pair of dimensions.
   glm::dvec2 pair() {
     const std::uint32_t dimension = hashed(seed_ + 0x9e3779b9u * ++dimensions_);
-    const std::uint32_t index = scrambled(reversed(sample_), dimension);  // another order for each pair
+    const std::uint32_t index = reversed(scrambled(reversed(sample_), dimension));  // another order for each pair
+    // The first dimension's bits in reverse order are the index itself.
     const std::uint32_t x = scrambled(index, hashed(dimension ^ 0xa511e9b3u));
-    const std::uint32_t y = scrambled(sobol(reversed(index)), hashed(dimension ^ 0x63d83595u));
+    const std::uint32_t y = scrambled(sobol(index), hashed(dimension ^ 0x63d83595u));
     return {unit(x), unit(y)};
   }
   double one() { return pair().x; }
