@@ -208,6 +208,7 @@ std::optional<PathLights::Aim> PathLights::aimLamp(const glm::dvec3& from, doubl
   Aim aim;
   aim.direction = to / distance;
   aim.distance = distance;
+  aim.object = lamp.object;
   const double cosine = -glm::dot(lamp.normal, aim.direction);
   if (cosine <= 0.0 && !lamp.both) return std::nullopt;
   PathHit hit;

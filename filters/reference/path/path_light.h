@@ -62,6 +62,7 @@ class PathLights {
     double distance = 0.0;      ///< to it; infinite for the sky and the sun
     glm::dvec3 radiance{0.0};   ///< over `density`
     double density = 0.0;       ///< over directions; 0: a light without a size, which no ray meets by chance
+    int object = -1;            ///< of a shining triangle
   };
   /// Light for a point, relative to the anchor. `which` chooses the light. Nothing: what was drawn is no light here.
   std::optional<Aim> aim(const glm::dvec3& from, double which, const glm::dvec2& u) const;

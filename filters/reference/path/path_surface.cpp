@@ -206,17 +206,21 @@ std::optional<PathHit> PathScene::first(const glm::dvec3& origin, const glm::dve
   return hit;
 }
 
-double PathScene::passes(const glm::dvec3& from, const glm::dvec3& direction, double distance) const {
+double PathScene::passes(const PathHit& from, const glm::dvec3& direction, double distance, int object) const {
   constexpr int kMostBlended = 64;
-  constexpr double kShort = 1.0e-5;  // of the way: the light's own surface is not in its way
-  glm::dvec3 origin = from;
-  double left = distance * (1.0 - kShort), share = 1.0;
+  // Of the way. The light's own surface is met by a rounding sooner or later, which at a flat angle is a long way.
+  constexpr double kShort = 1.0e-5, kOwn = 1.0e-2;
+  glm::dvec3 origin = away(from, direction);
+  // The start is off the surface, which counts where a lamp is a few millimetres away.
+  const double step = glm::length(origin - from.position);
+  double left = distance * (1.0 - kShort) - glm::dot(origin - from.position, direction) - step, share = 1.0;
   for (int i = 0; i < kMostBlended; ++i) {
     const auto hit = first(origin, direction, false);
     if (!hit || hit->distance >= left) return share;
-    const TracedObject& object = scene_.objects[static_cast<std::size_t>(hit->object)];
-    if (object.material.alphaMode != AlphaMode::Blend) return 0.0;
-    share *= 1.0 - std::clamp(Textured(object, hit->triangle, hit->barycentric).base().w, 0.0, 1.0);
+    if (hit->object == object && hit->distance >= left - kOwn * distance) return share;
+    const TracedObject& before = scene_.objects[static_cast<std::size_t>(hit->object)];
+    if (before.material.alphaMode != AlphaMode::Blend) return 0.0;
+    share *= 1.0 - std::clamp(Textured(before, hit->triangle, hit->barycentric).base().w, 0.0, 1.0);
     if (share <= 0.0) return 0.0;
     const glm::dvec3 next = away(*hit, direction);
     left -= glm::dot(next - origin, direction);

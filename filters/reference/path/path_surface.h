@@ -70,8 +70,10 @@ class PathScene {
   /// single-sided surface is not there; to every other ray it is, unless it shines. What a material masks out is never
   /// there. `direction` is unit; both relative to the anchor.
   std::optional<PathHit> first(const glm::dvec3& origin, const glm::dvec3& direction, bool eye) const;
-  /// Share of light that passes between two points: 0 behind anything opaque, what blended surfaces leave.
-  double passes(const glm::dvec3& from, const glm::dvec3& direction, double distance) const;
+  /// Share of light that passes from a hit to what lies `distance` from it: 0 behind anything opaque, else what blended
+  /// surfaces leave.
+  /// `object`: the one that the light comes from, whose own surface is not in the way; -1: none.
+  double passes(const PathHit& from, const glm::dvec3& direction, double distance, int object) const;
 
   PathSurface surface(const PathHit& hit, const glm::dvec3& direction) const;
   /// A start for rays on the side of `side` (a direction): single precision puts the point on either side of its

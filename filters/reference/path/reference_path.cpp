@@ -53,7 +53,7 @@ glm::dvec3 ReferencePath::Parts::aimed(const PathHit& hit, const PathLobes& lobe
   const glm::dvec3 value = lobes.value(aim->direction);
   if (largestOf(value) <= 0.0 || largestOf(aim->radiance) <= 0.0) return glm::dvec3(0.0);
   const double weight = aim->density > 0.0 ? weighed(aim->density, lobes.density(aim->direction)) : 1.0;
-  const double share = triangles.passes(triangles.away(hit, aim->direction), aim->direction, aim->distance);
+  const double share = triangles.passes(hit, aim->direction, aim->distance, aim->object);
   return share * weight * value * aim->radiance;
 }
 
