@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -273,6 +275,33 @@ TEST_F(BakeFarm, BadInputIsOneLine) {
   line({"--shard", "auto"}, "task 7 of the array job");
 }
 
+/// A binary glTF file whose first node with a mesh stands 0.4 further along x.
+std::string withNodeMoved(const std::string& glb) {
+  const auto number = [&glb](std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, glb.data() + at, sizeof value);
+    return value;
+  };
+  const std::size_t length = number(12);
+  Json gltf = Json::parse(glb.substr(20, length));
+  for (Json& node : gltf["nodes"]) {
+    if (!node.contains("mesh")) continue;
+    Json place = node.value("translation", Json::array({0.0, 0.0, 0.0}));
+    place[0] = place[0].get<double>() + 0.4;
+    node["translation"] = place;
+    break;
+  }
+  std::string text = gltf.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::string rest = glb.substr(20 + length);
+  const auto bytes = [](std::size_t value) {
+    const auto small = static_cast<std::uint32_t>(value);
+    return std::string(reinterpret_cast<const char*>(&small), sizeof small);
+  };
+  return glb.substr(0, 8) + bytes(20 + text.size() + rest.size()) + bytes(text.size()) + glb.substr(16, 4) + text +
+         rest;
+}
+
 Outcome trace(const std::string& output, const std::vector<std::string>& more) {
   std::vector<std::string> arguments = {
       "render", demoScene("room"), "--technique", "reference-scene", "--size", "48x27", "--rays", "8", "-o", output};
@@ -295,6 +324,25 @@ TEST(RenderFarm, SharesOfAReferenceAreThePictureOfOneProcess) {
     EXPECT_TRUE(readFile(whole) == readFile(shared));
   }
   EXPECT_EQ(folder.names().size(), 4u) << "no band is left";
+}
+
+// The same meshes and materials, one node elsewhere: another picture.
+TEST(RenderFarm, BandsOfAModelWhoseNodeMovedAreNotTaken) {
+  const TemporaryFolder folder;
+  Json scene = Json::parse(readFile(demoScene("room")));
+  scene["model"] = "room.glb";
+  const std::string path = folder.write("room.boxprobe.json", scene.dump());
+  const std::string glb = readFile(BOXPROBE_DATA_DIR "/scenes/room.glb");
+  folder.write("room.glb", glb);
+  const auto share = [&](const char* shard) {
+    return runProgram({"render", path, "--technique", "reference-scene", "--size", "24x14", "--rays", "2", "--shard",
+                       shard, "-o", folder.path("picture.exr")},
+                      DisplayKind::Unset);
+  };
+  ASSERT_EQ(share("1/2").exitStatus, 0);
+  folder.write("room.glb", withNodeMoved(glb));
+  EXPECT_THAT(share("2/2").out, HasSubstr("1 of 2 shares are missing"));
+  EXPECT_FALSE(fs::exists(folder.path("picture.exr"))) << "put together from two models";
 }
 
 TEST(RenderFarm, BandsOfAnotherPictureAreNotTakenAndDamagedOnesAreNamed) {

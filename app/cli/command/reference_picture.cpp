@@ -183,6 +183,12 @@ std::string pictureKey(const LoadedScene& loaded, const Camera& camera, const Re
   hash.add(options.samples).add(options.rays).add(options.full ? 1.0 : 0.0);
   if (options.technique == kPath) hash.add(kPath).add(bouncesText(bouncesOf(options, loaded.scene)));
   for (const std::string& object : objectContentKeys(loaded.models, loaded.models.size())) hash.add(object);
+  // Where they stand, and what the scene's overrides call them.
+  for (const auto& model : loaded.models) {
+    for (const Instance& instance : model->instances) {
+      hash.add(instance.node).addBytes(&instance.worldFromModel, sizeof instance.worldFromModel);
+    }
+  }
   if (const auto sky = loadSkyImage(loaded.scene)) hash.add(imageContentKey(*sky));
   return hash.text().substr(0, 16);
 }

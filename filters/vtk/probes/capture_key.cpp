@@ -53,7 +53,9 @@ std::string materialKey(const Material& m, std::map<const void*, std::string>& i
   hash.add(m.unlit ? 1 : 0).add(m.doubleSided ? 1 : 0);
   // An opaque one keeps the key it had before glass was drawn, unless it says what it would be as glass: an override
   // of its transmission makes it so.
-  if (m.transmits() || !m.thin || m.thickness != 0.0f || m.attenuationDistance != 0.0f) {
+  const bool asGlass =
+      !m.thin || m.thickness != 0.0f || m.attenuationDistance != 0.0f || m.attenuationColor != glm::vec3(1.0f);
+  if (m.transmits() || asGlass) {
     hash.add("glass").add(m.transmission).add(m.thin ? 1 : 0).add(m.thickness).add(m.attenuationDistance);
     hash.addVector(m.attenuationColor).add("lamps pass");  // those of before were scattered, too
   }

@@ -1,8 +1,9 @@
 // What a capture depends on, as fingerprints of contents: equal keys, equal pictures, in this run and the next. Decides
 // what is captured again after an edit, which faces can be kept, and whether a file on disk still holds. Called by the
 // probe set. Of a box its rotation alone counts, which turns the cube's axes. Its extent, blend distances, techniques,
-// importance and intensity never do: what they change inside of a reflection's reflection, and of the sky's light where
-// probes leave it a share, stays as baked. Neither VTK nor OpenGL.
+// importance and intensity never do: what they change inside of a reflection's reflection stays as baked, and so does
+// what they leave a share of in a first capture: the sky's light, and that of outside lights that ask for coverage.
+// Neither VTK nor OpenGL.
 #pragma once
 
 #include <cstddef>

@@ -172,7 +172,7 @@ void ProbePrograms::updateStandIns() {
   const bool show = moving_ && !plan_->capturesLast();
   for (DrawnObject& object : content_->objects) {
     const auto cheap = show && object.mapper->GetBinding() ? object.mapper->GetBinding()->standIn() : nullptr;
-    object.mapper->SetStandIn(cheap && prepared_.count(cheap->variantKey() + object.materialName) > 0);
+    object.mapper->SetStandIn(cheap && prepared_.count(cheap->variantKey() + "/" + object.materialName) > 0);
   }
 }
 
@@ -182,7 +182,7 @@ void ProbePrograms::prepareOne() {
   auto [index, general] = std::move(toPrepare_.back());
   toPrepare_.pop_back();
   DrawnObject& object = content_->objects[index];
-  if (!object.settings.visible || !prepared_.insert(general->variantKey() + object.materialName).second) return;
+  if (!object.settings.visible || !prepared_.insert(general->variantKey() + "/" + object.materialName).second) return;
   const auto binding = object.mapper->GetSharedBinding();
   variantsUsed_.insert(general->variantKey());
   const bool apart = object.mapper->GetSeparateSpecular();
