@@ -112,6 +112,49 @@ TEST(Bake, StoppedWorkLeavesWholeFilesAndGoesOn) {
   EXPECT_EQ(again["facesCaptured"], 0);
 }
 
+// What is left to do after an edit is what a fresh start would make otherwise.
+TEST(Bake, CheckAfterAnEditSaysWhatAFreshBakeWouldChange) {
+  const TemporaryFolder folder;
+  Json scene = twoProbeRoom();
+  scene["objects"]["sphere 1"]["seenByProbes"] = true;
+  scene["materials"]["sphere"] = {{"transmission", 0.8}, {"thin", false}};
+  scene["lights"] = {{{"type", "point"}, {"position", {0.4, 2.2, -0.9}}, {"intensity", 1.9}, {"range", 5.5}}};
+  scene["probes"].erase(1);
+  scene["probes"][0]["bounces"] = 1;
+  scene["probes"][0]["faceSize"] = 16;
+  scene["probes"][0]["samplesPerPixel"] = 1;
+  const std::string path = folder.write("room.boxprobe.json", scene.dump());
+  const auto bake = [&](const std::vector<std::string>& sets, const std::string& out, bool check) {
+    std::vector<std::string> arguments = {"bake", path, "-o", folder.path(out), "--quiet"};
+    if (check) arguments.emplace_back("--check");
+    for (const std::string& set : sets) arguments.insert(arguments.end(), {"--set", set});
+    return runProgram(arguments).exitStatus;
+  };
+  ASSERT_EQ(bake({}, "first", false), 0);
+  const std::vector<std::string> inputs = {
+      "lights.0.range=2.5",
+      "materials.sphere.thickness=0.5",
+      "materials.sphere.attenuationDistance=0.5",
+      "probes.room.rotationDegrees=[0,20,0]",
+      "probes.room.hides=[\"lamp\"]",
+      "objects.lamp.translation=[0.3,0,0]",
+      "energy=multiple",
+  };
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    SCOPED_TRACE(inputs[i]);
+    EXPECT_EQ(bake({inputs[i]}, "first", true), 3);
+    const std::string out = "of" + std::to_string(i);
+    ASSERT_EQ(bake({inputs[i]}, out, false), 0);
+    // Nor does any other edit's bake pass for it.
+    EXPECT_EQ(bake({inputs[(i + 1) % inputs.size()]}, out, true), 3);
+  }
+  const std::vector<std::string> others = {"exposure=2", "probes.room.intensity=0.5", "probes.room.technique=sphere",
+                                           "probes.room.blendDistance=0.7", "probes.room.importance=3"};
+  EXPECT_EQ(bake(others, "first", true), 0);
+  ASSERT_EQ(bake(others, "others", false), 0);
+  EXPECT_EQ(bake({}, "others", true), 0);
+}
+
 TEST(Bake, BadInputIsOneLine) {
   const TemporaryFolder folder;
   const auto line = [](const std::vector<std::string>& arguments, int status, const std::string& text,
