@@ -125,7 +125,7 @@ TEST(Info, DemoScenesHaveNothingToSkip) {
 TEST(Info, AFrameTellsWhatItDrawsWithWhichProbes) {
   const std::string scene = std::string(BOXPROBE_DATA_DIR) + "/scenes/room.boxprobe.json";
   const Outcome outcome =
-      runProgram({"info", "--json", "--frame", "--size", "64x48", "--set", "probes.room.faceSize=16", scene});
+      runProgram({"info", "--json", "--frame", "--size", "64x48", "--set", "probes.room.faceSize=64", scene});
   ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
   const json frame = json::parse(outcome.out)["frame"];
   EXPECT_GE(frame["drawsByProbeCount"][1], 1);
@@ -134,9 +134,11 @@ TEST(Info, AFrameTellsWhatItDrawsWithWhichProbes) {
   ASSERT_EQ(frame["probes"].size(), 1u);
   const std::size_t bytes = frame["probes"][0]["memoryBytes"];
   EXPECT_GT(bytes, 0u);
-  const Outcome text = runProgram({"info", "--frame", "--size", "64x48", "--set", "probes.room.faceSize=16", scene});
-  char expected[64];
+  const Outcome text = runProgram({"info", "--frame", "--size", "64x48", "--set", "probes.room.faceSize=64", scene});
+  char expected[64], decimal[64];
   std::snprintf(expected, sizeof expected, "\n  room: %.2f MiB, ", static_cast<double>(bytes) / (1024.0 * 1024.0));
+  std::snprintf(decimal, sizeof decimal, "\n  room: %.2f MiB, ", static_cast<double>(bytes) / 1.0e6);
+  ASSERT_STRNE(expected, decimal) << "too few bytes to tell MiB from MB";
   EXPECT_NE(text.out.find(expected), std::string::npos) << expected << text.out;
   for (const json& object : frame["objects"]) {
     if (object["name"] == "floor") {

@@ -369,5 +369,36 @@ TEST(Edited, EveryPartOfAMeshAndItsMaterialChangesTheKey) {
   std::printf("%zu changes of a mesh, %zu keys\n", changes.size(), changeOf.size());
 }
 
+// With coverage for shadows, which is when a light's size counts: a further bounce shows what the first left of it.
+TEST(Edited, EveryFieldOfALightChangesTheKey) {
+  OddRoom room = oddRoom();
+  for (Probe& probe : room.scene.probes) probe.bounces = 2;
+  for (Light& light : room.scene.lights) light.shadows = LightShadows::CoverageAndMap;
+  ScenePicture picture(room.scene, 16, 16);
+  picture.renderer->setModels({room.model});
+  const auto keyOf = [&picture](const Scene& scene) {
+    picture.renderer->sync(scene, Changes::all());
+    const auto keys = picture.renderer->bakeKeys("a");
+    return keys.empty() ? std::string() : keys.back();
+  };
+  std::map<std::string, std::string> changeOf{{keyOf(room.scene), "nothing"}};
+  EXPECT_NE(changeOf.begin()->first, "");
+  int changes = 0;
+  for (std::size_t i = 0; i < room.scene.lights.size(); ++i) {
+    for (const FieldRow<Light>& row : lightFields()) {
+      if (row.get == nullptr || row.key == "type" || !hasField(room.scene.lights[i].type, row)) continue;
+      Scene scene = room.scene;
+      const auto other = otherValue(row, row.get(scene.lights[i]), valueOfKind(row.kind));
+      ASSERT_TRUE(other) << row.key;
+      row.set(scene.lights[i], *other);
+      const std::string name = std::to_string(i) + "." + std::string(row.key);
+      const auto [at, added] = changeOf.emplace(keyOf(scene), name);
+      EXPECT_TRUE(added) << name << " has the key of " << at->second;
+      ++changes;
+    }
+  }
+  EXPECT_GE(changes, 20);
+}
+
 }  // namespace
 }  // namespace boxprobe::test
