@@ -411,6 +411,17 @@ TEST(Path, ASceneWithoutLightIsBlackAndSaysSo) {
   EXPECT_THAT(path.remarks(), ElementsAre(HasSubstr("nothing in the scene sends light")));
 }
 
+// No ray is aimed at an unlit surface; those that meet it bring light.
+TEST(Path, AnUnlitSurfaceIsLight) {
+  World world;
+  Material shining = lambert(glm::vec3(0.25f));
+  shining.unlit = true;
+  addBox(world.model, "room", {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, true, shining);
+  EXPECT_NEAR(world.color({0, 0, 0}, {0.5, 0.1, 0.2}, 16, std::nullopt).g, 0.25, 1e-6);
+  const ReferencePath path(world.scene, {std::make_shared<const Model>(world.model)}, nullptr);
+  EXPECT_THAT(path.remarks(), IsEmpty());
+}
+
 TEST(Path, InputThatBreaksTracersGivesFinitePictures) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const std::vector<std::pair<const char*, std::function<void(World&)>>> cases = {
