@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/session/interrupt.h"
+#include "app/session/messages.h"
 #include "app/session/offscreen_scene.h"
 #include "app/session/progress_line.h"
 #include "app/session/truth_stage.h"
