@@ -24,17 +24,17 @@ double median(std::vector<double> values) {
 }
 
 /// Largest resident set of this process so far.
-std::uint64_t peakResidentBytes() {
-  rusage used{};
-  getrusage(RUSAGE_SELF, &used);                             // cannot fail with these arguments
-  return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;  // Linux counts KiB
-}
-
 Json orNull(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
 }  // namespace
+
+std::uint64_t peakResidentBytes() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);                             // cannot fail with these arguments
+  return static_cast<std::uint64_t>(used.ru_maxrss) * 1024;  // Linux counts KiB
+}
 
 RunStats collectStats(const SceneRenderer& renderer, vtkOpenGLRenderWindow* window) {
   RunStats stats;

@@ -55,7 +55,7 @@ class Writer {
     for (const Instance& instance : model_.instances) addNode(instance);
     for (const Mesh& mesh : model_.meshes) addMesh(mesh);
     for (const Material& material : model_.materials) addMaterial(material);
-    for (const char* extension : {"KHR_materials_unlit", "KHR_materials_emissive_strength",
+    for (const char* extension : {"KHR_materials_unlit", "KHR_materials_emissive_strength", "KHR_materials_specular",
                                   "KHR_materials_transmission", "KHR_materials_ior", "KHR_materials_volume"})
       if (extensions_.count(extension)) gltf_["extensionsUsed"].push_back(extension);
     gltf_["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
@@ -123,6 +123,10 @@ class Writer {
       extensions_.insert("KHR_materials_emissive_strength");
     } else if (brightest > 0.0f) {
       json["emissiveFactor"] = jsonArray(material.emissive);
+    }
+    if (material.finish.specularEdge != 1.0f) {
+      json["extensions"]["KHR_materials_specular"] = {{"specularFactor", material.finish.specularEdge}};
+      extensions_.insert("KHR_materials_specular");
     }
     if (material.transmission > 0.0f) {
       const auto add = [&](const char* name, const Json& extension) {

@@ -26,6 +26,7 @@ class PanelSectionTest : public WindowTest {
 TEST_F(PanelSectionTest, AClickOnTheTitleFoldsAndTheNextRunRemembers) {
   PanelSection* influence = section("Influence");
   ASSERT_TRUE(influence != nullptr && influence->isVisible());
+  QCoreApplication::processEvents();  // the scene that was on show before had other rows
   const int height = influence->height();
   QTest::mouseClick(influence, Qt::LeftButton, {}, QPoint(30, 8));
   QCoreApplication::processEvents();

@@ -304,7 +304,8 @@ class Tests:
                 continue
             what, seconds = run(command, 1800)
             if what != "ok":
-                sys.exit(f"{test} {what} without any fault planted; see {BUILD}/last-output.txt")
+                print(f"  {test}: {what} without any fault planted; left out", flush=True)
+                seconds = None
             self.seconds[test] = seconds
 
     def notice(self, tests):

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Renders the truth pictures again: make.sh [SCENE...]. Needs `blender` 4.1 or later on the PATH, with numpy for its Python.
+# Renders the truth pictures again: make.sh [SCENE...], or those of all light: make.sh lit [SCENE...]. Needs `blender` 4.1 or later on the PATH, with numpy for its Python.
 # Writes into this folder alone; pictures that are there are left alone, so that it goes on where it was stopped.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
+if [[ ${1:-} == lit ]]; then here+=/lit; shift; fi
 fail() { echo "make.sh: $*" >&2; exit 2; }
 command -v blender >/dev/null || fail "blender is not on the PATH; install 4.1 or later (Debian 13: apt-get install blender)"
 version=$(blender --version 2>/dev/null | sed -n 's/^Blender \([0-9]*\.[0-9]*\).*/\1/p' | head -1)

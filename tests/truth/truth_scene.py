@@ -202,14 +202,14 @@ def render(samples, seed, path):
     return pixels.reshape(height, width, 4).astype(numpy.float64)
 
 
-def write_half(pixels, path):
+def write_half(pixels, path, channels="RGBA"):
     scene = bpy.context.scene
     height, width = pixels.shape[:2]
     image = bpy.data.images.new("mean", width, height, alpha=True, float_buffer=True, is_data=True)
     image.alpha_mode = "PREMUL"
     image.pixels.foreach_set(pixels.astype(numpy.float32).reshape(-1))
     settings = scene.render.image_settings
-    settings.file_format, settings.color_mode, settings.color_depth = "OPEN_EXR", "RGBA", "16"
+    settings.file_format, settings.color_mode, settings.color_depth = "OPEN_EXR", channels, "16"
     settings.exr_codec = "ZIP"
     image.save_render(path, scene=scene)
     bpy.data.images.remove(image)

@@ -182,7 +182,7 @@ Subcommand addBenchCommand(CLI::App& program) {
             if (options->whole && !options->truthPath.empty()) {
               throw InputError("--whole is not for --truth: leave one of them out");
             }
-            //WHOLE
+            if (options->whole) return runWholeBench(*options);
             options->truthPath.empty() ? runBench(*options) : runTruthBench(*options);
           }};
 }

@@ -19,6 +19,7 @@
 #include "app/session/progress_line.h"
 #include "app/session/reference_box_picture.h"
 #include "app/session/scene_work.h"
+#include "app/session/stats_json.h"
 #include "app/session/valid_json.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/cube/bake_folder.h"
@@ -26,6 +27,7 @@
 #include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/reference/light/reference_scene.h"
+#include "filters/reference/path/reference_path.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "filters/vtk/maps/content_hash.h"
 #include "filters/vtk/probes/capture_key.h"
@@ -36,6 +38,43 @@ namespace {
 
 constexpr const char* kBox = "reference-box";
 constexpr const char* kScene = "reference-scene";
+constexpr const char* kPath = "reference-path";
+
+/// Nothing: all. Throws InputError.
+std::optional<int> bouncesOf(const RenderOptions& options, const Scene& scene) {
+  if (options.bounces == "all") return std::nullopt;
+  if (options.bounces.empty()) {
+    if (scene.probes.empty()) return std::nullopt;
+    int most = 1;
+    for (const Probe& probe : scene.probes) most = std::max(most, probe.bounces);
+    return most;
+  }
+  constexpr int kMost = 1000;
+  int bounces = 0;
+  char rest = 0;
+  if (std::sscanf(options.bounces.c_str(), "%d%c", &bounces, &rest) != 1 || bounces < 0 || bounces > kMost) {
+    throw InputError("--bounces " + options.bounces + ": expected a whole number from 0 to 1000, or all");
+  }
+  return bounces;
+}
+
+std::string bouncesText(const std::optional<int>& bounces) {
+  return bounces ? std::to_string(*bounces) : "all";
+}
+
+ReferencePicture tracePaths(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
+                            const PicturePart& part, const ReferenceProgress& progress) {
+  const FrameSize size = parseFrameSize(options.size);
+  PathSettings settings;
+  settings.width = size.width;
+  settings.height = size.height;
+  settings.raysPerPixel = options.rays;
+  settings.bounces = bouncesOf(options, loaded.scene);
+  settings.part = part;
+  const ReferencePath path(loaded.scene, loaded.models, loadSkyImage(loaded.scene));
+  if (!options.report.quiet) printWarnings(path.remarks());
+  return path.render(camera, settings, progress);
+}
 
 ReferencePicture traceScene(const LoadedScene& loaded, const Camera& camera, const RenderOptions& options,
                             const PicturePart& part, const ReferenceProgress& progress) {
@@ -115,15 +154,25 @@ ErrorSummary summary(const ReferencePicture& picture) {
   return result;
 }
 
-std::string referenceJson(const RenderOptions& options, const ErrorSummary& error, double cpuSeconds) {
-  const nlohmann::ordered_json json = {{"reference",
-                                        {{"technique", options.technique},
-                                         {"raysPerPixel", options.rays},
-                                         {"samplesPerPixel", options.samples},
-                                         {"full", options.full},
-                                         {"standardErrorRms", error.rootMeanSquare},
-                                         {"standardErrorMax", error.largest}}},
-                                       {"times", {{"referenceCpuSeconds", cpuSeconds}}}};
+std::string referenceJson(const RenderOptions& options, const Scene& scene, const ErrorSummary& error,
+                          double cpuSeconds) {
+  nlohmann::ordered_json json = {{"reference",
+                                  {{"technique", options.technique},
+                                   {"raysPerPixel", options.rays},
+                                   {"samplesPerPixel", options.samples},
+                                   {"full", options.full},
+                                   {"standardErrorRms", error.rootMeanSquare},
+                                   {"standardErrorMax", error.largest}}},
+                                 {"times", {{"referenceCpuSeconds", cpuSeconds}}}};
+  if (options.technique == kPath) {
+    const FrameSize size = parseFrameSize(options.size);
+    const double paths = 1.0e-6 * size.width * size.height * options.rays;
+    json["reference"].erase("full");
+    json["reference"].erase("samplesPerPixel");
+    json["reference"]["bounces"] = bouncesText(bouncesOf(options, scene));
+    json["times"]["cpuSecondsPerMegapixelAndRay"] = cpuSeconds / paths;
+    json["memoryBytes"]["peakResident"] = peakResidentBytes();
+  }
   return validJson(json);
 }
 
@@ -132,6 +181,7 @@ std::string pictureKey(const LoadedScene& loaded, const Camera& camera, const Re
   ContentHash hash;
   hash.add(BOXPROBE_VERSION).add(sceneText(loaded.scene, "/")).add(camera.name).add(options.size);
   hash.add(options.samples).add(options.rays).add(options.full ? 1.0 : 0.0);
+  if (options.technique == kPath) hash.add(kPath).add(bouncesText(bouncesOf(options, loaded.scene)));
   for (const std::string& object : objectContentKeys(loaded.models, loaded.models.size())) hash.add(object);
   if (const auto sky = loadSkyImage(loaded.scene)) hash.add(imageContentKey(*sky));
   return hash.text().substr(0, 16);
@@ -140,7 +190,7 @@ std::string pictureKey(const LoadedScene& loaded, const Camera& camera, const Re
 /// The share this process has of the picture, if it is not alone.
 std::optional<BakeShare> pictureShare(const RenderOptions& options) {
   if (!options.shard.empty()) return parseBakeShare(options.shard);
-  return options.technique == kScene ? mpiShare() : std::nullopt;
+  return options.technique == kBox ? std::nullopt : mpiShare();
 }
 
 /// Traces this share's rows unless they are there; the whole picture once all are, else nothing.
@@ -179,13 +229,14 @@ void refuse(const std::string& option, const RenderOptions& options) {
 }  // namespace
 
 bool isReference(const std::string& technique) {
-  return technique == kBox || technique == kScene;
+  return technique == kBox || technique == kScene || technique == kPath;
 }
 
 void refuseReferenceOptions(const RenderOptions& options) {
-  const std::string advice = " is for --technique reference-scene or reference-box alone";
-  if (options.full) throw InputError("--full" + advice);
-  if (!options.shard.empty()) throw InputError("--shard is for --technique reference-scene alone");
+  const std::string advice = " is for --technique reference-scene, reference-path or reference-box alone";
+  if (options.full) throw InputError("--full is for --technique reference-scene alone");
+  if (!options.bounces.empty()) throw InputError("--bounces is for --technique reference-path alone");
+  if (!options.shard.empty()) throw InputError("--shard is for --technique reference-scene or reference-path alone");
   if (options.rays != kDefaultReferenceRays) throw InputError("--rays " + std::to_string(options.rays) + advice);
 }
 
@@ -193,14 +244,16 @@ void renderReference(const RenderOptions& options, bool linear) {
   if (!options.view.empty()) refuse("--view " + options.view, options);
   if (options.frames > 0) refuse("--frames " + std::to_string(options.frames), options);
   if (options.probes != "on") refuse("--probes " + options.probes, options);
-  const bool box = options.technique == kBox;
-  if (box && options.full) refuse("--full", options);
+  const bool box = options.technique == kBox, path = options.technique == kPath;
+  if (options.technique != kScene && options.full) refuse("--full", options);
+  if (!path && !options.bounces.empty()) refuse("--bounces " + options.bounces, options);
   if (box && !options.shard.empty()) refuse("--shard", options);
   const std::optional<BakeShare> share = pictureShare(options);
 
   InterruptGuard interrupt;
   const LoadedScene loaded = loadScene(options.scenePath, options.assignments);
   const Camera camera = chooseCamera(loaded.scene, options.camera);
+  if (path) (void)bouncesOf(options, loaded.scene);  // refused before anything is traced
   if (!options.report.quiet) printWarnings(loaded.warnings);
   interrupt.check();
 
@@ -212,6 +265,7 @@ void renderReference(const RenderOptions& options, bool linear) {
       interrupt.waitForPartialResults();
       return !interrupt.interrupted();
     };
+    if (path) return tracePaths(loaded, camera, options, part, progress);
     return box ? boxPicture(loaded, camera, options, interrupt, progress)
                : traceScene(loaded, camera, options, part, progress);
   };
@@ -227,7 +281,7 @@ void renderReference(const RenderOptions& options, bool linear) {
   savePicture(options.outputPath, picture, linear, loaded.scene.exposure);
   if (share) removeBands(options.outputPath, share->count, key);
   const ErrorSummary error = summary(picture);
-  const std::string json = referenceJson(options, error, processCpuSeconds() - start);
+  const std::string json = referenceJson(options, loaded.scene, error, processCpuSeconds() - start);
   if (!options.report.statsPath.empty()) writeTextAtomically(options.report.statsPath, json);
   if (options.report.json) {
     printDocument(json);

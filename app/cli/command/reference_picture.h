@@ -1,5 +1,5 @@
-// `render --technique reference-box|reference-scene`: the truth, in place of a technique's picture. Called by `render`
-// once the options that both have in common are checked.
+// `render --technique reference-box|reference-scene|reference-path`: the truth, in place of a technique's picture.
+// Called by `render` once the options that both have in common are checked.
 #pragma once
 
 #include <string>

@@ -91,8 +91,8 @@ void runWholeBench(const BenchOptions& options) {
       const std::vector<SeenPoint> seen = seenPoints(loaded.scene, tracer, cameras[c], size.width, size.height);
       for (const auto& technique : techniques) {
         const Scene drawn = technique ? withTechnique(loaded.scene, *technique) : loaded.scene;
-        ShownSettings settings{cameras[c]};
-        shown.show(drawn, loaded.models, settings);
+        const ShownSettings view{cameras[c]};
+        shown.show(drawn, loaded.models, view);
         complete = complete && shown.capture([&](double) { return !interrupt.interrupted(); });
         if (!complete) break;
         constexpr int kSamplesPerPixel = 16;

@@ -64,18 +64,28 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       .add_option("--technique", options.technique,
                   "Technique of every probe (default: the scene's): " + techniqueIdList() +
                       "; or a reference: reference-box (the lobe integrated over the capture at exact box hits), "
-                      "reference-scene (ray traced, one reflection; needs no display)")
+                      "reference-scene (one reflection, ray traced; its diffuse light is the sky's without shadows), "
+                      "reference-path (all light, path traced); the last two need no display")
       ->type_name("ID");
   command.add_option("--samples", options.samples, "Samples per pixel: 1, 4 or 16 (default 4)")
       ->check(CLI::IsMember({1, 4, 16}).description(""))
       ->type_name("N");
-  command.add_option("--rays", options.rays, "Reflection rays per pixel of a reference (default 256)")
+  command
+      .add_option("--rays", options.rays,
+                  "Reflection rays per pixel of a reference, paths per pixel of reference-path (default 256)")
       ->check(CLI::Range(1, 65536).description(""))
       ->type_name("N");
   command.add_flag("--full", options.full, "reference-scene: reflections also show what the probes do not see");
   command
+      .add_option(
+          "--bounces", options.bounces,
+          "reference-path: how often light goes from surface to surface: 0 to 1000, or all (default: the most of "
+          "the scene's probes; without probes all)")
+      ->type_name("N|all");
+  command
       .add_option("--shard", options.shard,
-                  "reference-scene: trace share I of N alone into a file beside the picture; who finds all of them "
+                  "reference-scene, reference-path: trace share I of N alone into a file beside the picture; who finds "
+                  "all of them "
                   "there makes the picture. auto: the place in Slurm's array job or among mpiexec's processes")
       ->type_name("I/N|auto");
   command.add_option("--probes", options.probes, "off: no reflections from probes or sky, VTK's plain shader")
@@ -106,7 +116,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       "  boxprobe render data/scenes/building.boxprobe.json -o building.png --size 1920x1080\n"
       "  boxprobe render data/scenes/room.boxprobe.json -o room.exr --technique infinite --set "
       "materials.floor.roughness=0.25\n"
-      "  boxprobe render data/scenes/room.boxprobe.json -o truth.exr --technique reference-scene --rays 1024");
+      "  boxprobe render data/scenes/room.boxprobe.json -o truth.exr --technique reference-scene --rays 1024\n"
+      "  boxprobe render data/scenes/furnished.boxprobe.json -o light.png --technique reference-path --bounces all");
 }
 
 FrameSize parseFrameSize(const std::string& text) {

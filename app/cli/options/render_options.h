@@ -38,9 +38,10 @@ struct RenderOptions {
   int frames = 0;
   int rays = kDefaultReferenceRays;  ///< of a reference: reflection rays per pixel
   bool full = false;                 ///< of reference-scene: reflection rays see what the picture shows
-  std::string shard;                 ///< of reference-scene: I/N or auto; empty: alone, or as mpiexec says
-  std::string view;                  ///< id of a row of surfaceViews(); empty: the picture
-  std::string range;                 ///< LOW,HIGH; empty: the view's own
+  std::string bounces;               ///< of reference-path: a number or "all"; empty: the scene's
+  std::string shard;  ///< of reference-scene and reference-path: I/N or auto; empty: alone, or as mpiexec says
+  std::string view;   ///< id of a row of surfaceViews(); empty: the picture
+  std::string range;  ///< LOW,HIGH; empty: the view's own
   std::vector<std::string> assignments;
   FitOptions fit;
   ReportOptions report;

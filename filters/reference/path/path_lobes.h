@@ -1,0 +1,67 @@
+// How a surface scatters light, as glTF 2.0 (appendix B) and its extensions layer it: Lambert below a dielectric or a
+// metal of GGX microfacets, cloth, a clear coat, sheets and solids of glass. Written from the literature: Walter et al.
+// 2007 (microfacets, refraction), Heitz 2014 (masking) and 2018 (visible normals), Estevez and Kulla 2017 (cloth).
+//
+// Left out, and treated as if the material did not say it: thin films.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "filters/reference/path/path_surface.h"
+
+namespace boxprobe {
+
+class PathLobes {
+ public:
+  /// `view`: unit, towards where the path came from.
+  PathLobes(const PathSurface& surface, const glm::dvec3& view);
+
+  /// What of light from `light` (unit) goes towards the view, with the cosine; nothing of what only sample() finds:
+  /// mirrors, and what passes through.
+  glm::dvec3 value(const glm::dvec3& light) const;
+  /// Density of sample() over directions, of what value() holds.
+  double density(const glm::dvec3& light) const;
+
+  struct Sample {
+    glm::dvec3 direction{0.0};  ///< unit
+    glm::dvec3 weight{0.0};     ///< value over density
+    double density = 0.0;       ///< 0: no light source could be aimed at with this; see value()
+    bool through = false;       ///< on the other side of the surface
+  };
+  /// `which` chooses among the lobes. Nothing: the path ends.
+  std::optional<Sample> sample(double which, const glm::dvec2& u) const;
+  /// Has it anything that value() holds?
+  bool scatters() const { return diffuse_ > 0.0 || base_.rough || coat_.rough || sheen_ > 0.0; }
+
+ private:
+  struct Facets {
+    glm::dmat3 worldFromLocal{1.0};
+    glm::dvec3 view{0.0, 0.0, 1.0};  ///< local
+    glm::dvec2 alpha{0.0};
+    double chance = 0.0;  ///< of being sampled
+    bool rough = false;   ///< else a mirror
+  };
+  static Facets facets(const glm::dvec3& normal, const glm::dvec3& tangent, double roughness, double anisotropy,
+                       const glm::dvec3& view);
+  static double facetValue(const Facets& f, const glm::dvec3& lightLocal);  ///< D G2 / (4 nv), cosine in it
+  static double facetDensity(const Facets& f, const glm::dvec3& lightLocal);
+  static glm::dvec3 visibleNormal(const Facets& f, const glm::dvec2& u);
+
+  glm::dvec3 baseFresnel(double vDotH) const;
+  glm::dvec3 belowBase(double vDotH) const;  ///< of the dielectric's share: what goes on to Lambert's law or through
+  Sample mirrored(const Facets& f, const glm::dvec3& fresnel, double chance) const;
+  std::optional<Sample> throughSheet(const glm::dvec2& u, double chance) const;
+  std::optional<Sample> throughSolid(double which, const glm::dvec2& u, double chance) const;
+
+  const PathSurface& s_;
+  glm::dvec3 view_;
+  Facets base_, coat_;
+  double diffuse_ = 0.0, sheen_ = 0.0, through_ = 0.0;  ///< chances of being sampled
+  double belowCoat_ = 1.0, belowSheen_ = 1.0;
+  double metal_ = 0.0, glass_ = 0.0;  ///< shares of the base; the rest is an opaque dielectric
+};
+
+}  // namespace boxprobe

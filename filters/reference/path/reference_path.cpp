@@ -1,0 +1,166 @@
+#include "filters/reference/path/reference_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+#include <utility>
+
+#include "filters/reference/path/path_light.h"
+#include "filters/reference/path/path_lobes.h"
+#include "filters/reference/path/path_random.h"
+#include "filters/reference/path/path_surface.h"
+#include "filters/reference/trace/picture_rays.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kMostScatterings = 1000;  // of a path that nothing ends
+constexpr int kMostStraight = 64;       // blended surfaces that a ray goes through in a row
+constexpr int kCertainScatterings = 4;  // before a path may end by chance
+
+/// Veach's power heuristic.
+double weighed(double own, double other) {
+  return own * own / std::max(own * own + other * other, 1e-300);
+}
+
+bool finite(const glm::dvec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace
+
+struct ReferencePath::Parts {
+  Parts(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
+        std::shared_ptr<const ImageRgbaF> skyImage)
+      : triangles(makeTriangleScene(scene, models)), lights(scene, triangles, std::move(skyImage)) {}
+
+  glm::dvec3 radiance(glm::dvec3 origin, glm::dvec3 direction, int bounces, PathRandom& random) const;
+  glm::dvec3 aimed(const PathHit& hit, const PathLobes& lobes, PathRandom& random) const;
+
+  PathScene triangles;
+  PathLights lights;
+};
+
+/// Light of one source that the surface sends to its view.
+glm::dvec3 ReferencePath::Parts::aimed(const PathHit& hit, const PathLobes& lobes, PathRandom& random) const {
+  const double which = random.one();
+  const auto aim = lights.aim(hit.position, which, random.pair());
+  if (!aim || !lobes.scatters()) return glm::dvec3(0.0);
+  const glm::dvec3 value = lobes.value(aim->direction);
+  if (largestOf(value) <= 0.0 || largestOf(aim->radiance) <= 0.0) return glm::dvec3(0.0);
+  const double weight = aim->density > 0.0 ? weighed(aim->density, lobes.density(aim->direction)) : 1.0;
+  const double share = triangles.passes(triangles.away(hit, aim->direction), aim->direction, aim->distance);
+  return share * weight * value * aim->radiance;
+}
+
+glm::dvec3 ReferencePath::Parts::radiance(glm::dvec3 origin, glm::dvec3 direction, int bounces,
+                                          PathRandom& random) const {
+  glm::dvec3 sum(0.0), through(1.0);
+  double density = 0.0;  // of the direction, where a light could have been aimed at in its place
+  int straight = 0;
+  std::vector<PathLights::Met> met;
+  for (int scattered = 0; scattered < kMostScatterings;) {
+    const bool eye = scattered == 0;
+    const auto hit = triangles.first(origin, direction, eye);
+    if (!eye) {
+      lights.meet(origin, direction, hit ? hit->distance : kPathInfinity, met);
+      for (const PathLights::Met& one : met) {
+        sum += through * one.radiance * (density > 0.0 ? weighed(density, one.density) : 1.0);
+      }
+    }
+    if (!hit) {
+      const glm::dvec3 sky = lights.sky().radiance(direction);
+      return sum + through * sky * (density > 0.0 ? weighed(density, lights.skyDensity(direction)) : 1.0);
+    }
+    const PathSurface surface = triangles.surface(*hit, direction);
+    if (surface.opacity < 1.0 && random.one() >= surface.opacity) {
+      if (++straight > kMostStraight) return sum;
+      origin = triangles.away(*hit, direction);
+      continue;
+    }
+    straight = 0;
+    for (int c = 0; c < 3; ++c) {
+      if (surface.absorption[c] > 0.0) through[c] *= std::exp(-surface.absorption[c] * std::max(hit->distance, 0.0));
+    }
+    if (largestOf(surface.emission) > 0.0) {
+      const double other = lights.lampDensity(*hit, direction);
+      sum += through * surface.emission * (density > 0.0 && other > 0.0 ? weighed(density, other) : 1.0);
+    }
+    if (scattered > bounces) return sum;
+    const PathLobes lobes(surface, -direction);
+    sum += through * aimed(*hit, lobes, random);
+    const double which = random.one();
+    const auto sample = lobes.sample(which, random.pair());
+    if (!sample || !finite(sample->weight)) return sum;
+    through *= sample->weight;
+    if (++scattered >= kCertainScatterings) {
+      const double stays = std::min(largestOf(through), 0.97);
+      if (random.one() >= stays) return sum;
+      through /= stays;
+    }
+    density = sample->density;
+    direction = sample->direction;
+    origin = triangles.away(*hit, direction);
+  }
+  return sum;
+}
+
+ReferencePath::ReferencePath(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
+                             std::shared_ptr<const ImageRgbaF> skyImage)
+    : parts_(std::make_unique<const Parts>(scene, models, std::move(skyImage))) {}
+
+ReferencePath::~ReferencePath() = default;
+
+ReferencePicture ReferencePath::render(const Camera& camera, const PathSettings& settings,
+                                       const ReferenceProgress& progress) const {
+  const Parts& parts = *parts_;
+  const PictureRays rays(camera, settings.width, settings.height);
+  const RayPlan plan = planRays(settings.raysPerPixel, 1);
+  const int bounces = settings.bounces.value_or(kMostScatterings);
+  const glm::dvec3 anchor = parts.triangles.scene().anchorWorld;
+  ProgressivePicture picture(settings.width, settings.height);
+  const auto seed = PathRandom::hashed(static_cast<std::uint32_t>(settings.seed) ^
+                                       PathRandom::hashed(static_cast<std::uint32_t>(settings.seed >> 32)));
+  picture.run(
+      settings.part.within(settings.width, settings.height), plan.passes,
+      [&](int x, int y, int pass) {
+        ProgressivePicture::Pixel pixel;
+        // Each pass by a sequence of its own: their spread says how far the mean is off.
+        const std::uint32_t place =
+            PathRandom::hashed(static_cast<std::uint32_t>(x) + 0x10001u * static_cast<std::uint32_t>(y));
+        const std::uint32_t pixelSeed =
+            PathRandom::hashed(seed + place + 0x85ebca6bu * static_cast<std::uint32_t>(pass));
+        for (int i = 0; i < plan.raysPerPass; ++i) {
+          PathRandom random(pixelSeed, static_cast<std::uint32_t>(i));
+          const glm::dvec2 within = random.pair();
+          const glm::dvec3 direction = glm::normalize(rays.direction(x + within.x, y + within.y));
+          const glm::dvec3 light =
+              parts.radiance(rays.origin(x + within.x, y + within.y) - anchor, direction, bounces, random);
+          if (finite(light)) pixel.color += light / static_cast<double>(plan.raysPerPass);
+        }
+        const glm::dvec3 middle = glm::normalize(rays.direction(x + 0.5, y + 0.5));
+        pixel.alpha = parts.triangles.first(rays.origin(x + 0.5, y + 0.5) - anchor, middle, true) ? 1.0 : 0.0;
+        return pixel;
+      },
+      progress);
+  return picture.picture();
+}
+
+std::vector<std::string> ReferencePath::remarks() const {
+  std::vector<std::string> lines;
+  if (parts_->lights.dark()) lines.emplace_back("nothing in the scene sends light: the picture is black");
+  bool film = false, occluded = false;
+  for (const TracedObject& object : parts_->triangles.scene().objects) {
+    film = film || object.material.finish.hasFilm();
+    occluded = occluded || object.material.occlusionTexture.image != nullptr;
+  }
+  if (film) lines.emplace_back("thin films are not traced");
+  if (occluded) lines.emplace_back("occlusion textures are not used: what they stand for is traced");
+  return lines;
+}
+
+}  // namespace boxprobe
