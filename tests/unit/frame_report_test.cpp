@@ -1,5 +1,6 @@
 // What a frame's report says of lookups, against a picture whose every value is another one.
 #include <gtest/gtest.h>
+#include <vtkRenderer.h>
 
 #include "filters/vtk/inspect/frame_recorder.h"
 
