@@ -33,6 +33,38 @@ std::string rowKey(const nlohmann::json& row) {
   return key.str();
 }
 
+TEST(Bench, WholePicturesAreJudgedByAllLight) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments = {"bench",        demoScene("room"),  "--whole", "--quick",
+                                        "--techniques", "infinite",         "--size",  "64x36",
+                                        "-o",           folder.path("out"), "--json"};
+  Outcome outcome = runProgram(arguments, DisplayKind::Unset);
+  ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json, parsed(folder.path("out/whole.json")));
+  EXPECT_EQ(json["complete"], true);
+  ASSERT_THAT(json["rows"], SizeIs(4));  // the two baselines with them
+  const auto partOf = [&json](std::size_t row, const std::string& name) {
+    for (const auto& part : json["rows"][row]["parts"]) {
+      if (part["part"] == name) return part;
+    }
+    return nlohmann::json();
+  };
+  EXPECT_EQ(json["rows"][0]["technique"], "as it is");
+  EXPECT_EQ(json["rows"][0]["bounces"], "all");
+  EXPECT_EQ(partOf(0, "all")["pixels"], 64 * 36);
+  // Without parallax correction the floor reflects the wrong places.
+  EXPECT_GT(partOf(1, "glossy")["relativeRmse"], 1.2 * partOf(0, "glossy")["relativeRmse"].get<double>());
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"--rooms", "3"}, {"--roughness", "0.5"}, {"--materials", "floor"}}) {
+    std::vector<std::string> refused = arguments;
+    refused.insert(refused.end(), more.begin(), more.end());
+    outcome = runProgram(refused, DisplayKind::Unset);
+    EXPECT_EQ(outcome.exitStatus, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(more[0] + " is not for --whole"));
+  }
+}
+
 TEST(Bench, FilesOfASmallRunAgreeWithEachOther) {
   const TemporaryFolder folder;
   const Outcome outcome = runProgram({"bench", demoScene("gallery"), "-o", folder.path("out"), "--quick",

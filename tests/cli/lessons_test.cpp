@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/cli/program.h"
 
@@ -26,6 +27,17 @@ TEST(LessonsCommand, ListsWithoutADisplay) {
   EXPECT_TRUE(list["textErrors"].empty()) << list["textErrors"];
   EXPECT_GE(list["lessons"].size(), 28u);
   EXPECT_TRUE(list["errors"].empty()) << list["errors"];
+  // Titles stand below each other.
+  std::set<std::size_t> columns;
+  for (const json& lesson : list["lessons"]) {
+    const std::string name = "\n  " + lesson["name"].get<std::string>() + " ";
+    const std::size_t line = text.out.find(name);
+    ASSERT_NE(line, std::string::npos) << name;
+    const std::size_t title = text.out.find(lesson["title"].get<std::string>(), line + name.size());
+    ASSERT_NE(title, std::string::npos) << name;
+    columns.insert(title - line);
+  }
+  EXPECT_EQ(columns.size(), 1u);
 }
 
 // In a locale with a decimal comma, if the system can make one: Qt takes it from the environment.

@@ -1,5 +1,5 @@
-// `render --technique reference-box|reference-scene`: two truths that agree in the room, what their files hold, what
-// they refuse, and what Ctrl-C leaves.
+// `render --technique reference-box|reference-scene|reference-path`: truths that agree in the room, what their files
+// hold, what they refuse, and what Ctrl-C leaves.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
@@ -78,6 +78,22 @@ TEST_F(Reference, FullShowsWhatProbesDoNotSee) {
   EXPECT_LT(pictureError(loadHdrImage(full), loadHdrImage(probes)).brightnessRatio, 0.995);
 }
 
+TEST_F(Reference, EveryBounceBringsLightAndAShareOfItIsTheSamePicture) {
+  const auto traced = [this](const std::string& output, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"--rays", "16"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return render("reference-path", output, DisplayKind::Unset, arguments);
+  };
+  const ImageRgbaF direct = loadHdrImage(traced("direct.exr", {"--bounces", "0"}));
+  const ImageRgbaF once = loadHdrImage(traced("once.exr", {"--bounces", "1"}));
+  const std::string all = traced("all.exr", {"--bounces", "all", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["reference"]["bounces"], "all");
+  EXPECT_LT(pictureError(direct, loadHdrImage(all)).brightnessRatio, 0.97);
+  EXPECT_LT(pictureError(direct, once).brightnessRatio, pictureError(once, loadHdrImage(all)).brightnessRatio);
+  for (const char* share : {"2/3", "3/3", "1/3"}) traced("bands.exr", {"--bounces", "all", "--shard", share});
+  EXPECT_EQ(readFile(folder.path("bands.exr")), readFile(all));
+}
+
 TEST_F(Reference, WritesDisplayColoursToPng) {
   const ImageRgba8 image = loadImage8(render("reference-scene", "out.png", DisplayKind::Unset, {"--rays", "16"}));
   EXPECT_EQ(image.width, 96);
@@ -94,6 +110,11 @@ TEST_F(Reference, RefusesWhatItHasNoUseFor) {
   expectRefused({"--technique", "reference-scene", "--view", "distance"}, "--view");
   expectRefused({"--technique", "reference-scene", "--probes", "off"}, "--probes");
   expectRefused({"--technique", "reference-scene", "--frames", "3"}, "--frames");
+  expectRefused({"--technique", "reference-scene", "--bounces", "2"}, "--bounces 2");
+  expectRefused({"--bounces", "2"}, "--bounces is for --technique reference-path");
+  for (const char* bounces : {"-1", "1.5", "1001", "many"}) {
+    expectRefused({"--technique", "reference-path", "--bounces", bounces}, "a whole number from 0 to 1000, or all");
+  }
 }
 
 // Before the first ray there is nothing to keep: not before some are followed.

@@ -38,7 +38,7 @@ bool helpNames(const std::string& help, const std::string& flag) {
 }
 
 bool isReference(const std::string& technique) {
-  return technique == "reference-box" || technique == "reference-scene";
+  return technique == "reference-box" || technique == "reference-scene" || technique == "reference-path";
 }
 
 /// Asked for once: there are many commands and few helps.

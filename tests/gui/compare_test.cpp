@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QStatusBar>
 #include <QTest>
 
 #include "app/gui/view/compare_wipe.h"
@@ -115,6 +116,27 @@ TEST_F(CompareTest, TheDifferenceIsAPictureOfFalseColoursWithAScale) {
   key(Qt::Key_D, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_FALSE(compare().difference());
   EXPECT_EQ(caption(), "Held");
+  wipe().setDivider(0.5);
+}
+
+// Each says what it is; with all light a mirror in a mirror is not black.
+TEST_F(CompareTest, AllLightOrOneReflectionIsTraced) {
+  const auto traced = [this](const char* name) {
+    return waitFor([&] { return caption() == name || caption().startsWith(QString(name) + ", "); });
+  };
+  compare().traceReference(TracedLight::OneReflection);
+  EXPECT_TRUE(traced("One reflection")) << caption().toStdString();
+  EXPECT_TRUE(window_->statusBar()->currentMessage().contains("without shadows"));
+  compare().traceReference(TracedLight::All);
+  EXPECT_TRUE(traced("Ray traced")) << caption().toStdString();
+  EXPECT_TRUE(window_->statusBar()->currentMessage().contains("All light"));
+  wipe().setDivider(0.0);
+  if (const char* folder = std::getenv("BOXPROBE_TEST_OUTPUT")) {
+    QTest::qWait(20000);
+    window_->grab().save(QString(folder) + "/all-light.png");
+  }
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(compare().tracing());
   wipe().setDivider(0.5);
 }
 

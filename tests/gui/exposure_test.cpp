@@ -53,6 +53,14 @@ TEST_F(ExposureTest, TheSliderInTheToolBarIsLiveAndOneStep) {
   EXPECT_NEAR(bar()->findChild<ValueField*>()->value(), before, 1e-3);
 }
 
+TEST_F(ExposureTest, TheSliderSpansSixStopsEitherWay) {
+  auto* slider = bar()->findChild<QSlider*>();
+  slider->setValue(1000);
+  EXPECT_NEAR(exposure(), 64.0, 1e-6);
+  slider->setValue(-1000);
+  EXPECT_NEAR(exposure(), 1.0 / 64.0, 1e-6);
+}
+
 TEST_F(ExposureTest, KeysChangeItByThirdsOfAStopAsOneStep) {
   window_->viewport().setFocus();
   const double before = exposure();

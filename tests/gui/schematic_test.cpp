@@ -48,6 +48,15 @@ TEST(SchematicPainter, ShowsEveryPartAndGetsFinerWithTheScreen) {
   }
 }
 
+TEST(SchematicPainter, AnEyeThatIsOutsideIsNamedWhereItsRayComesIn) {
+  const QColor label(150, 156, 165);
+  ExplainedRoom inside, outside;
+  outside.surface.eyeWorld =
+      outside.surface.positionWorld + 40.0 * (inside.surface.eyeWorld - inside.surface.positionWorld);
+  const int without = pixelsOf(painted(*schematic(inside.explain())), label);
+  EXPECT_GT(pixelsOf(painted(*schematic(outside.explain())), label), without + 60);
+}
+
 TEST(SchematicPainter, WithoutABoxNothingDecides) {
   ExplainedRoom room;
   room.probe.technique = "infinite";

@@ -16,7 +16,7 @@ struct IncludeLine {
 };
 
 struct SourceFile {
-  std::string path;  ///< relative to the root
+  std::string path;                         ///< relative to the root
   std::vector<std::string> systemIncludes;  ///< names between < and >
 };
 

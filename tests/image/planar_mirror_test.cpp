@@ -176,7 +176,8 @@ double sharpness(const ImageRgbaF& image, const std::vector<bool>& mask) {
   return sum;
 }
 
-// Where a mirror's lobe is narrower than a pixel, what moves has edges as sharp in it as in the mirrored camera's picture.
+// Where a mirror's lobe is narrower than a pixel, what moves has edges as sharp in it as in the mirrored camera's
+// picture.
 TEST(PlanarMirror, EdgesOfWhatMovesAreAsSharpAsInTheMirroredCamera) {
   Scene scene = hall(128);
   leaveOneMirror(scene, "wall mirror");

@@ -21,6 +21,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 BUILD = os.path.join(ROOT, "build", "mutants")
 STATE = os.path.join(BUILD, "planted")  # the original of what is planted, and where it belongs
+SCRATCH = os.path.join(BUILD, "scratch")  # what tests write
+LEAST_FREE = 2 << 30  # bytes of disk; a test that leaves less is ended
 
 # What a developer of a folder runs: ninja targets, and programs with the filter of their tests, the quickest first.
 # The first row that a path begins with counts. A program is looked for below build/mutants/tests.
@@ -30,6 +32,7 @@ SUBJECTS = [
     ("shaders/shared/", ["technique_test", "brdf_table_test", "parity_test", "edited_test:OddRoom*", "stress_test",
                          "glass_test", "gltf_picture_test", "explain_test", "shadow_test", "planar_mirror_test"]),
     ("shaders/published/", ["published_test", "technique_test", "stress_test"]),
+    ("shaders/stress/", ["stress_test", "stress_gpu_test"]),
     ("shaders/gpu/", ["edited_test", "splice_test", "stock_test", "explain_test", "gltf_picture_test",
                       "planar_mirror_test", "prefilter_test", "frame_average_test", "bake_test"]),
     ("filters/math/published/", ["published_test", "technique_test", "stress_test"]),
@@ -44,6 +47,9 @@ SUBJECTS = [
     ("filters/reference/", ["reference_test", "bench_test", "lamp_test", "reference_picture_test"]),
     ("filters/stress/", ["stress_test"]),
     ("filters/vtk/import/", ["model_reader_test", "cli_test:BadModel*"]),
+    ("filters/vtk/inspect/", ["frame_report_test", "gui_test:FramePanel*", "cli_test:Info*", "explain_test"]),
+    ("filters/vtk/actors/", ["actor_probes_test"]),
+    ("filters/vtk/surface/", ["vtk_text_test", "splice_test", "edited_test", "draw_ways_test", "glass_test", "explain_test"]),
     ("filters/vtk/rays/", ["projection_rays_test", "ray_layer_test"]),
     ("filters/vtk/probes/", ["probe_plan_test", "edited_test", "bake_test", "many_probes_test"]),
     ("filters/vtk/capture/", ["prefilter_test", "bake_test", "capture_test", "edited_test"]),
@@ -52,11 +58,18 @@ SUBJECTS = [
     ("app/cli/", ["cli_test", "faults_test", "bake_farm_test"]),
     ("app/session/", ["cli_test", "faults_test", "offscreen_scene_test"]),
     ("app/gui/handles/", ["gui_geometry_test", "gui_test:Drag*:Handle*:Probe*:Several*"]),
-    ("app/gui/lessons/", ["gui_test:Lesson*"]),
+    ("app/gui/explain/", ["schematic_test", "gui_test:Schematic*:ExplainCard*:DebugView*"]),
+    ("app/gui/edit/", ["editor_test", "gui_test:Several*:ValueField*:ProbePanel*"]),
+    ("app/gui/formula/", ["formula_test"]),
+    ("app/gui/view/", ["gui_test:Camera*:Animation*:Exposure*:*Compar*:*Preview*:Gestures*:SelectHere*"]),
+    ("app/gui/widgets/", ["gui_test:ValueField*:PanelSection*:ProbePanel*:ProbeGauge*"]),
+    ("app/gui/lessons/", ["gui_test:LessonList*", "cli_test:Lessons*", "lesson_test"]),
+    ("app/gui/window/lessons_command", ["cli_test:Lessons*"]),
     ("app/gui/panels/", ["gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*"]),
     ("app/gui/window/", ["gui_test:File*:Recovery*:LeftBehind*:Window*:Picture*"]),
     ("app/gui/", ["gui_geometry_test", "schematic_test", "gui_test"]),
-    ("app/", ["cli_test", "lessons_test"]),
+    ("app/lessons/", ["lesson_file_test", "cli_test:Lessons*", "lessons_test"]),
+    ("app/", ["cli_test"]),
 ]
 FOLDERS = ["shaders", "filters/math", "filters/core", "filters/fit", "filters/io", "filters/explain",
            "filters/reference", "filters/vtk", "app"]
@@ -103,8 +116,10 @@ KINDS = [
     ("flag", *swap(r"\bfalse\b", "true")),
     ("term dropped", *swap(r" [+-] [\w.\[\]]+(?=[;,\)])", "")),
     ("factor dropped", *swap(r" \* [\w.\[\]]+(?=[;,\) ])", "")),
-    ("arguments swapped", *swap(r"\((\w[\w.\[\]]*), (\w[\w.\[\]]*)\)", r"(\2, \1)")),
+    ("arguments swapped", *swap(r"(?<!\bmin)(?<!\bmax)(?<!\bdot)(?<!\bhypot)(?<!distance)\((\w[\w.\[\]]*), (\w[\w.\[\]]*)\)", r"(\2, \1)")),
     ("assignment dropped", re.compile(r"^(\s+)[a-z][\w.\[\]>-]* [*+|-]?= [^;{]+;$"), r"\1;"),
+    ("guard dropped", re.compile(r"^(\s+)if \(.*\) (?:return\b[^;{]*|continue|break);$"), r"\1;"),
+    ("call dropped", re.compile(r"^(\s+)[a-z][\w.>-]*\([^{]*\);$"), r"\1;"),
 ]
 
 SKIPPED = re.compile(r"^\s*(//|/\*|\*|#|namespace|using|template|static_assert|class |struct |enum |case .*:$|public:|private:|"
@@ -159,6 +174,9 @@ def drawn(prefix, count, chance):
         path = chance.choices(files, [len(pool[f]) for f in files])[0]
         kind = chance.choice(sorted({c[1] for c in pool[path]}))
         change = chance.choice([c for c in pool[path] if c[1] == kind])
+        pool[path].remove(change)  # each at most once
+        if not pool[path]:
+            files.remove(path)
         picked.append((path, *change))
     return picked
 
@@ -183,13 +201,15 @@ class Planted:
             assert lines[line] == old
             lines[line] = new
             changed = "\n".join(lines)
+        # All that needs room on the disk comes first; from there on names change, which needs none.
         os.makedirs(STATE, exist_ok=True)
         shutil.copy2(self.whole, os.path.join(STATE, "original"))
-        with open(os.path.join(STATE, "path.new"), "w", encoding="utf-8") as stream:
-            stream.write(path)
+        for name, content in (("path.new", path), ("changed", changed)):
+            with open(os.path.join(STATE, name), "w", encoding="utf-8") as stream:
+                stream.write(content)
+        shutil.copymode(self.whole, os.path.join(STATE, "changed"))
         os.replace(os.path.join(STATE, "path.new"), os.path.join(STATE, "path"))
-        with open(self.whole, "w", encoding="utf-8") as stream:
-            stream.write(changed)
+        os.replace(os.path.join(STATE, "changed"), self.whole)
 
     def __enter__(self):
         return self
@@ -205,12 +225,10 @@ def put_back():
         return None
     with open(note, encoding="utf-8") as stream:
         path = stream.read()
-    # Beside it first: a full disk must not cut the file.
-    beside = os.path.join(ROOT, path) + ".put-back"
-    shutil.copyfile(os.path.join(STATE, "original"), beside)
-    shutil.copymode(os.path.join(ROOT, path), beside)
-    os.replace(beside, os.path.join(ROOT, path))
-    os.utime(os.path.join(ROOT, path))  # newer than what was built from the fault
+    original = os.path.join(STATE, "original")
+    if os.path.exists(original):  # else an earlier call was ended between the next two lines
+        os.utime(original)  # newer than what was built from the fault
+        os.replace(original, os.path.join(ROOT, path))
     os.remove(note)
     return path
 
@@ -226,24 +244,34 @@ def limits():
 
 
 def run(command, seconds, cwd=ROOT):
-    """(what happened, seconds): "ok", "failed", "hung", "crashed"; the whole group of processes ends with it."""
+    """(what happened, seconds): "ok", "failed", "hung", "crashed", "filled the disk"; the whole group of processes ends with it."""
     start = time.time()
-    environment = dict(os.environ, GALLIVM_PERF="nopt", GTEST_FAIL_FAST="1")
+    shutil.rmtree(SCRATCH, ignore_errors=True)  # what an ended test left
+    os.makedirs(SCRATCH)
+    environment = dict(os.environ, GALLIVM_PERF="nopt", GTEST_FAIL_FAST="1", TMPDIR=SCRATCH,
+                       CCACHE_SLOPPINESS="pch_defines,time_macros")
+    status = "hung"
     with open(os.path.join(BUILD, "last-output.txt"), "w", encoding="utf-8") as output:
         process = subprocess.Popen(command, cwd=cwd, stdout=output, stderr=subprocess.STDOUT, env=environment,
                                    start_new_session=True, preexec_fn=limits)
         try:
-            status = process.wait(seconds)
-        except subprocess.TimeoutExpired:
-            status = None
+            while time.time() - start < seconds:
+                try:
+                    status = process.wait(1.0)
+                    break
+                except subprocess.TimeoutExpired:
+                    if shutil.disk_usage(SCRATCH).free < LEAST_FREE:
+                        status = "filled the disk"
+                        break
         finally:
             try:
                 os.killpg(process.pid, signal.SIGKILL)
             except ProcessLookupError:
                 pass
             process.wait()
-    what = "hung" if status is None else "ok" if status == 0 else "crashed" if status < 0 or status > 128 else "failed"
-    return what, time.time() - start
+    if not isinstance(status, str):
+        status = "ok" if status == 0 else "crashed" if status < 0 or status > 128 else "failed"
+    return status, time.time() - start
 
 
 def build(targets):
@@ -251,11 +279,18 @@ def build(targets):
     return what == "ok"
 
 
+def shader_refused():
+    """Whether the driver's compiler refused a shader in the last run: that is a fault which does not compile."""
+    with open(os.path.join(BUILD, "last-output.txt"), encoding="utf-8", errors="replace") as stream:
+        return any(re.search(r"\b\d+:\d+\(\d+\): error: ", line) for line in stream)
+
+
 def configure():
     os.makedirs(BUILD, exist_ok=True)
     options = list(CONFIGURE)
     if shutil.which("ccache"):
-        options.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+        options += ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache",
+                    "-DCMAKE_CXX_FLAGS=-fpch-preprocess"]  # else it keeps nothing that reads precompiled headers
     if not os.path.exists(os.path.join(BUILD, "build.ninja")):
         subprocess.run(["cmake", "-S", ROOT, "-B", BUILD, "-G", "Ninja", *options], check=True,
                        stdout=subprocess.DEVNULL)
@@ -295,7 +330,8 @@ class Tests:
         unknown = [t for t in tests if t not in self.seconds]
         if not unknown:
             return
-        build(sorted({t.partition(":")[0] for t in unknown}))
+        if not build(sorted({t.partition(":")[0] for t in unknown})):
+            sys.exit(f"{', '.join(unknown)}: not built without any fault planted; see {BUILD}/last-output.txt")
         for test in unknown:
             command = command_of(test)
             if command is None:
@@ -317,7 +353,8 @@ class Tests:
                 return "does not compile", time.time() - start
             what, _ = run(command_of(test), max(60.0, 10.0 * self.seconds[test]))
             if what != "ok":
-                return f"{test} {what}", time.time() - start
+                refused = what == "failed" and shader_refused()
+                return "does not compile" if refused else f"{test} {what}", time.time() - start
         return None, time.time() - start
 
 

@@ -300,6 +300,31 @@ TEST_F(CubeFile, ACroppedPictureIsFilledUpToItsDisplayWindow) {
   EXPECT_EQ(cube.texel(0, 4, 8, 15).x, 3.0f);
 }
 
+// A writer left out five black columns, and rendered more than is shown on the right and below.
+TEST_F(CubeFile, APictureBeyondItsDisplayWindowIsCutToIt) {
+  writeOther(file("a.exr"), Imath::Box2i({5, 0}, {100, 17}), Imath::Box2i({0, 0}, {95, 15}), Imf::HALF, {"R", "G", "B"},
+             false);
+  const CubeMap cube = loadCube(file("a.exr"), CubeLayout::Strip).radiance;
+  ImageRgbaF shown = blank(96, 16);
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 96; ++x) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        shown.pixels[4 * (static_cast<std::size_t>(y) * 96 + static_cast<std::size_t>(x)) + c] = x < 5 ? 0.0f : 3.0f;
+      }
+    }
+  }
+  saveExr(file("b.exr"), shown);
+  const CubeMap expected = loadCube(file("b.exr"), CubeLayout::Strip).radiance;
+  for (int face = 0; face < 6; ++face) {
+    for (int y = 0; y < 16; ++y) {
+      for (int x = 0; x < 16; ++x) {
+        ASSERT_EQ(glm::vec3(cube.texel(0, face, x, y)), glm::vec3(expected.texel(0, face, x, y)))
+            << face << " " << x << " " << y;
+      }
+    }
+  }
+}
+
 TEST_F(CubeFile, WhatIsNoCubeIsToldInOneLine) {
   saveExr(file("odd.exr"), blank(50, 37));
   EXPECT_EQ(errorText([&] { loadCube(file("odd.exr")); }),

@@ -16,6 +16,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -409,6 +410,17 @@ TEST(Path, ASceneWithoutLightIsBlackAndSaysSo) {
   EXPECT_EQ(world.color({0, 0, 0}, {0.5, 0.1, 0.2}, 16, std::nullopt), glm::dvec3(0.0));
   const ReferencePath path(world.scene, {std::make_shared<const Model>(world.model)}, nullptr);
   EXPECT_THAT(path.remarks(), ElementsAre(HasSubstr("nothing in the scene sends light")));
+}
+
+// No ray is aimed at an unlit surface; those that meet it bring light.
+TEST(Path, AnUnlitSurfaceIsLight) {
+  World world;
+  Material shining = lambert(glm::vec3(0.25f));
+  shining.unlit = true;
+  addBox(world.model, "room", {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, true, shining);
+  EXPECT_NEAR(world.color({0, 0, 0}, {0.5, 0.1, 0.2}, 16, std::nullopt).g, 0.25, 1e-6);
+  const ReferencePath path(world.scene, {std::make_shared<const Model>(world.model)}, nullptr);
+  EXPECT_THAT(path.remarks(), IsEmpty());
 }
 
 TEST(Path, InputThatBreaksTracersGivesFinitePictures) {

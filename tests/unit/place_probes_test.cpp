@@ -132,6 +132,7 @@ TEST(PlaceProbes, ALongRoomGetsMoreWhereTheyGain) {
   const std::optional<Placement> single = flat.place(one);
   ASSERT_TRUE(single);
   ASSERT_EQ(single->probes.size(), 1u);
+  EXPECT_NEAR(single->probes[0].gainDegrees, kHiddenDegrees - single->after.meanDegrees, 1e-6) << "all that it leaves";
   EXPECT_LT(placement->after.meanDegrees, 0.9 * single->after.meanDegrees);
   // Where the influences of two overlap, the one that is better there comes before the room's.
   const Probe& room = placement->probes.front().probe;

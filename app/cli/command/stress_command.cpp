@@ -64,9 +64,20 @@ const StressSubject& subjectOf(const char* option, const std::string& id) {
                    ": neither technique, term nor published form; there are: " + techniqueIdList() + known);
 }
 
+/// How many scenes are put together: all inputs where nothing else is asked for, else one beside 200 others and 2,000
+/// at most, since one takes as long as thousands of them. None beside chosen classes, techniques or published forms,
+/// nor on a card.
+std::uint64_t scenesOf(const StressOptions& options) {
+  const bool asked = std::find(options.classes.begin(), options.classes.end(), kExtremeScenes) != options.classes.end();
+  if (asked && options.classes.size() == 1) return static_cast<std::uint64_t>(options.count);
+  const bool all = options.classes.empty() && options.subjects.empty() && !options.published;
+  if (!asked && (!all || options.device == "gpu")) return 0;
+  return static_cast<std::uint64_t>(std::min(options.count / 200.0, 2000.0));
+}
+
 StressPlan planOf(const StressOptions& options) {
   StressPlan plan;
-  plan.count = static_cast<std::uint64_t>(options.count);
+  plan.count = static_cast<std::uint64_t>(options.count) - scenesOf(options);
   plan.seed = options.seed;
   for (const std::string& id : options.classes) {
     if (id != kExtremeScenes) plan.classes.push_back(&classOf("--class", id));
@@ -110,16 +121,6 @@ void replay(const std::string& text) {
   } catch (const std::invalid_argument& error) {
     throw InputError("--replay " + inputs + " " + subject + ": " + error.what());
   }
-}
-
-/// How many scenes are put together: all inputs where nothing else is asked for, else one beside 200 others, since one
-/// takes as long as thousands of them. None beside chosen classes, techniques or published forms, nor on a card.
-std::uint64_t scenesOf(const StressOptions& options) {
-  const bool asked = std::find(options.classes.begin(), options.classes.end(), kExtremeScenes) != options.classes.end();
-  if (asked && options.classes.size() == 1) return static_cast<std::uint64_t>(options.count);
-  const bool all = options.classes.empty() && options.subjects.empty() && !options.published;
-  if (!asked && (!all || options.device == "gpu")) return 0;
-  return static_cast<std::uint64_t>(options.count / 200.0);
 }
 
 void report(const StressOptions& options, const StressPlan& plan, const std::vector<StressCell>& cells,

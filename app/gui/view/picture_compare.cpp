@@ -43,13 +43,21 @@ void PictureCompare::hold() {
   rest_.start();
 }
 
-void PictureCompare::traceReference() {
+QString PictureCompare::referenceName() const {
+  return light_ == TracedLight::All ? tr("Ray traced") : tr("One reflection");
+}
+
+void PictureCompare::traceReference(TracedLight light) {
   source_ = Source::Reference;
+  light_ = light;
   start();
   if (!active()) return;
   emit activeChanged(true);
-  emit message(tr(
-      "Ray traced in the background, with one reflection: mirrors seen in mirrors stay black. V flips, Esc ends it"));
+  emit message(light == TracedLight::All
+                   ? tr("All light, path traced in the background, with as many bounces as the probes have. V flips, "
+                        "Esc ends it")
+                   : tr("One reflection, ray traced: mirrors in mirrors stay black, diffuse light is the sky's alone, "
+                        "without shadows. V flips, Esc ends it"));
 }
 
 void PictureCompare::start() {
@@ -60,17 +68,17 @@ void PictureCompare::start() {
   size_ = now.size();
   measured_ = outdated_ = traced_ = false;
   other_ = now;
-  name_ = tr("Ray traced: preparing");
+  name_ = tr("%1: preparing").arg(referenceName());
   showOther();
   wipe_.showNumbers({});
-  trace_.start(document_.scene(), hooks_.models(), camera_, size_);
+  trace_.start(document_.scene(), hooks_.models(), camera_, size_, light_);
 }
 
 void PictureCompare::referenceDone(const QImage& image, double share) {
   if (source_ != Source::Reference) return;
   other_ = image;
   traced_ = true;
-  name_ = share >= 1.0 ? tr("Ray traced") : tr("Ray traced, %1 %").arg(std::lround(100.0 * share));
+  name_ = share >= 1.0 ? referenceName() : tr("%1, %2 %").arg(referenceName()).arg(std::lround(100.0 * share));
   if (!difference_) showOther();  // else the picture on show is that of the last difference until the next one is made
   measured_ = false;
   rest_.start();
@@ -104,10 +112,10 @@ void PictureCompare::setDifference(bool on) {
 }
 
 void PictureCompare::traceError() {
-  if (source_ != Source::Reference) traceReference();
+  if (source_ != Source::Reference || light_ != TracedLight::All) traceReference(TracedLight::All);
   if (!active()) return;
   setDifference(true);
-  emit message(tr("The error against the ray-traced scene, finer as it is traced: V shows all of it, Esc ends it"));
+  emit message(tr("The error against all light, path traced: finer as it is traced: V shows all of it, Esc ends it"));
 }
 
 // The difference waits for the picture at rest; until then the other picture stands there.

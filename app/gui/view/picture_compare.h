@@ -33,9 +33,9 @@ class PictureCompare : public QObject {
 
   /// What is on show now stands on the right from now on.
   void hold();
-  /// The ray-traced reference of this view stands on the right; begun anew when the view changes.
-  void traceReference();
-  /// The same, shown as the difference of both pictures in false colours.
+  /// A ray-traced reference of this view stands on the right; begun anew when the view changes.
+  void traceReference(TracedLight light = TracedLight::All);
+  /// All light traced, shown as the difference of both pictures in false colours.
   void traceError();
   /// In place of the other picture its difference from the one on show, in false colours with a scale.
   void setDifference(bool on);
@@ -61,6 +61,7 @@ class PictureCompare : public QObject {
   void referenceDone(const QImage& image, double share);
   void measure();
   void showOther();
+  QString referenceName() const;
   bool sameView() const;
 
   const Document& document_;
@@ -74,7 +75,8 @@ class PictureCompare : public QObject {
   QSize size_;
   QTimer rest_;
   ReferenceTrace trace_;
-  bool traced_ = false;  ///< a first pass of the reference is there
+  TracedLight light_ = TracedLight::All;  ///< of the reference
+  bool traced_ = false;                   ///< a first pass of the reference is there
   bool measured_ = false;
   bool outdated_ = false;  ///< the scene was edited since the reference was begun
 };

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <functional>
 
 #include "app/session/load_scene.h"
 #include "filters/core/base/at_end.h"
 #include "filters/reference/light/reference_scene.h"
+#include "filters/reference/path/reference_path.h"
 
 namespace boxprobe {
 
@@ -20,6 +22,12 @@ struct TracePass {
   int rays;
 };
 constexpr TracePass kTracePasses[] = {{8, 8}, {4, 16}, {2, 32}, {1, 64}, {1, 256}};
+
+int bouncesOf(const Scene& scene) {
+  int most = 1;
+  for (const Probe& probe : scene.probes) most = std::max(most, probe.bounces);
+  return most;
+}
 
 QImage displayImage(const ImageRgbaF& linear, double exposure) {
   QImage image(linear.width, linear.height, QImage::Format_RGB32);
@@ -65,10 +73,10 @@ void ReferenceTrace::forgetEnded() {
 }
 
 void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
-                           const Camera& camera, const QSize& size) {
+                           const Camera& camera, const QSize& size, TracedLight light) {
   end();
   run_ = std::make_unique<Run>();
-  run_->thread = std::thread([this, run = run_.get(), number = number_, scene, models, camera, size] {
+  run_->thread = std::thread([this, run = run_.get(), number = number_, scene, models, camera, size, light] {
     const AtEnd left([run] { run->left = true; });
     const auto tell = [this, number](const QImage& image, double share, const QString& error) {
       QMetaObject::invokeMethod(
@@ -79,16 +87,34 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
       // leave.
       std::unique_lock<std::mutex> preparing(preparing_);
       if (run->stop) return;
-      const ReferenceScene reference(scene, models, loadSkyImage(scene));
+      const auto goesOn = [run](double) { return !run->stop; };
+      std::function<ReferencePicture(int, int, int)> render;
+      if (light == TracedLight::All) {
+        const auto path = std::make_shared<const ReferencePath>(scene, models, loadSkyImage(scene));
+        render = [path, &scene, &camera, goesOn](int width, int height, int rays) {
+          PathSettings settings;
+          settings.width = width;
+          settings.height = height;
+          settings.raysPerPixel = rays;
+          if (!scene.probes.empty()) settings.bounces = bouncesOf(scene);
+          return path->render(camera, settings, goesOn);
+        };
+      } else {
+        const auto reference = std::make_shared<const ReferenceScene>(scene, models, loadSkyImage(scene));
+        render = [reference, &camera, goesOn](int width, int height, int rays) {
+          ReferenceSettings settings;
+          settings.width = width;
+          settings.height = height;
+          settings.samplesPerPixel = 1;
+          settings.raysPerPixel = rays;
+          return reference->render(camera, settings, goesOn);
+        };
+      }
       preparing.unlock();
       std::size_t done = 0;
       for (const TracePass& pass : kTracePasses) {
-        ReferenceSettings settings;
-        settings.width = std::max(size.width() / pass.divisor, 1);
-        settings.height = std::max(size.height() / pass.divisor, 1);
-        settings.samplesPerPixel = 1;
-        settings.raysPerPixel = pass.rays;
-        const ReferencePicture picture = reference.render(camera, settings, [run](double) { return !run->stop; });
+        const ReferencePicture picture =
+            render(std::max(size.width() / pass.divisor, 1), std::max(size.height() / pass.divisor, 1), pass.rays);
         if (run->stop || !picture.complete) return;
         ++done;
         const QImage image = displayImage(picture.color, scene.exposure);

@@ -1,4 +1,4 @@
-// The ray-traced reference of a view, made in a thread of its own: coarse at once, finer with each pass. Called by the
+// A ray-traced reference of a view, made in a thread of its own: coarse at once, finer with each pass. Called by the
 // comparisons; draws nothing.
 #pragma once
 
@@ -16,6 +16,12 @@
 
 namespace boxprobe {
 
+/// What is traced.
+enum class TracedLight {
+  All,            ///< by reference-path: every bounce that the scene's probes have, shadows, all lights
+  OneReflection,  ///< by reference-scene: one reflection of surfaces that are lit as in a probe's first capture
+};
+
 class ReferenceTrace : public QObject {
   Q_OBJECT
 
@@ -26,7 +32,7 @@ class ReferenceTrace : public QObject {
 
   /// Begins anew; `models` in the order of scene.models, `size` in pixels.
   void start(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models, const Camera& camera,
-             const QSize& size);
+             const QSize& size, TracedLight light = TracedLight::All);
   /// Asks it to stop; what comes in until end() or start() is still told.
   void requestStop();
   /// Asks it to stop; nothing is told any more. Does not wait: the thread ends by itself.

@@ -38,8 +38,8 @@ std::vector<CompareViews::Choice> viewChoices() {
       {"", words("Nothing"), {}},
       {"now", words("As it is now"), words("The scene as it is edited")},
       {"traced", words("Ray traced"),
-       words("This is the true scene, traced in the background, with one reflection: mirrors seen in mirrors stay "
-             "black. The others are measured by it")},
+       words("All light of the scene, path traced in the background, with as many bounces as the probes have. The "
+             "others are measured by it")},
       {"before", words("Before"), words("The scene as it was when the views were opened")},
       {"baked", words("All probes baked"), words("Every realtime probe captured and filtered as a baked one")},
       {"live", words("All probes live"), words("Every baked probe captured as a realtime one")}};

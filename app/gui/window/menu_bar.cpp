@@ -118,8 +118,9 @@ void MenuBar::buildLook() {
 void MenuBar::buildCompare() {
   QMenu* compare = view_->addMenu(tr("C&ompare"));
   add(compare, tr("&Hold this picture"), QKeySequence("C"), &MenuBar::holdRequested);
-  add(compare, tr("With the &ray-traced reference"), QKeySequence("Shift+C"), &MenuBar::traceRequested);
-  add(compare, tr("&Error against the ray-traced scene"), QKeySequence("Shift+V"), &MenuBar::traceErrorRequested);
+  add(compare, tr("With all light, &ray traced"), QKeySequence("Shift+C"), &MenuBar::traceRequested);
+  add(compare, tr("With &one reflection, ray traced"), {}, &MenuBar::traceReflectionRequested);
+  add(compare, tr("&Error against all light, ray traced"), QKeySequence("Shift+V"), &MenuBar::traceErrorRequested);
   difference_ = addToggle(compare, tr("The &difference in false colours"), QKeySequence("Ctrl+Shift+D"),
                           &MenuBar::differenceSwitched);
   difference_->setChecked(false);

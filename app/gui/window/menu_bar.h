@@ -94,6 +94,7 @@ class MenuBar : public QObject {
   void keysSwitched(bool shown);
   void holdRequested();
   void traceRequested();
+  void traceReflectionRequested();
   void traceErrorRequested();
   void differenceSwitched(bool on);
   void flipSwitched(bool flipped);

@@ -110,7 +110,9 @@ void ViewTools::connectClicks(QMainWindow* window) {
 void ViewTools::connectCompare() {
   MenuBar* menu = &parts_.menu;
   connect(menu, &MenuBar::holdRequested, compare_, &PictureCompare::hold);
-  connect(menu, &MenuBar::traceRequested, compare_, &PictureCompare::traceReference);
+  connect(menu, &MenuBar::traceRequested, compare_, [this] { compare_->traceReference(TracedLight::All); });
+  connect(menu, &MenuBar::traceReflectionRequested, compare_,
+          [this] { compare_->traceReference(TracedLight::OneReflection); });
   connect(menu, &MenuBar::traceErrorRequested, compare_, &PictureCompare::traceError);
   connect(menu, &MenuBar::differenceSwitched, compare_, &PictureCompare::setDifference);
   connect(compare_, &PictureCompare::differenceChanged, menu, &MenuBar::showDifference);

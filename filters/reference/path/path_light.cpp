@@ -149,7 +149,9 @@ PathLights::PathLights(const Scene& scene, const PathScene& triangles, std::shar
   lampOf_.resize(all.objects.size());
   for (std::size_t o = 0; o < all.objects.size(); ++o) {
     const TracedObject& object = all.objects[o];
-    if (!object.inPicture || object.material.emissive == glm::vec3(0.0f) || object.material.unlit) continue;
+    if (!object.inPicture) continue;
+    if (object.material.unlit) unlit_ = unlit_ || glm::vec3(object.material.baseColor) != glm::vec3(0.0f);
+    if (object.material.emissive == glm::vec3(0.0f) || object.material.unlit) continue;
     const double shines = brightness(meanEmission(object.material));
     lampOf_[o].assign(object.indices.size() / 3, -1);
     for (std::size_t t = 0; 3 * t + 2 < object.indices.size(); ++t) {

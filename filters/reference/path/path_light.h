@@ -54,7 +54,7 @@ class PathLights {
   PathLights(const Scene& scene, const PathScene& triangles, std::shared_ptr<const ImageRgbaF> skyImage);
 
   /// Nothing sends light at all.
-  bool dark() const { return kinds_.empty(); }
+  bool dark() const { return kinds_.empty() && !unlit_; }
   const PathSky& sky() const { return sky_; }
 
   struct Aim {
@@ -106,6 +106,7 @@ class PathLights {
   Proportion byPower_;                    ///< lamps
   std::vector<std::vector<int>> lampOf_;  ///< of each object and triangle; -1: none
   Proportion kinds_;                      ///< lamps, sky, each source
+  bool unlit_ = false;                    ///< unlit surfaces shine: rays meet them by chance alone
 };
 
 }  // namespace boxprobe

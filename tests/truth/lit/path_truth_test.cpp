@@ -24,7 +24,7 @@ constexpr double kLargestLightError = 0.015, kLargestRmse = 0.02, kLargestDimErr
 /// leaves some .4 of it.
 double aimedNoise() {
   const char* given = std::getenv("BOXPROBE_LIT_NOISE");
-  return given != nullptr ? std::max(std::atof(given), 1e-4) : 0.025;
+  return given != nullptr ? std::max(std::atof(given), 1e-4) : 0.02;
 }
 
 const Camera& cameraOf(const Scene& scene, const std::string& name) {
