@@ -52,7 +52,7 @@ struct WholeRow {
 
 /// Light and relative RMSE of all, diffuse and glossy pixels, of those behind lamps and near walls; a line a picture.
 std::string wholeTable(const std::vector<WholeRow>& rows);
-/// {"renderer", "complete", "rows": [{"scene", "camera", "technique", "reference": "path", "bounces", "parts": [..]}]}
+/// {"complete", "rows": [{"scene", "camera", "technique", "reference": "path", "bounces", "parts": [..]}]}
 nlohmann::ordered_json wholeJson(const std::vector<WholeRow>& rows, bool complete);
 
 }  // namespace boxprobe
