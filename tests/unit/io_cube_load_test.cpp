@@ -304,7 +304,7 @@ TEST_F(CubeFile, ACroppedPictureIsFilledUpToItsDisplayWindow) {
 TEST_F(CubeFile, APictureBeyondItsDisplayWindowIsCutToIt) {
   writeOther(file("a.exr"), Imath::Box2i({5, 0}, {100, 17}), Imath::Box2i({0, 0}, {95, 15}), Imf::HALF, {"R", "G", "B"},
              false);
-  const CubeMap cube = loadCube(file("a.exr"), CubeLayout::Strip).radiance;
+  const CubeMap cube = loadCube(file("a.exr")).radiance;
   ImageRgbaF shown = blank(96, 16);
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 96; ++x) {

@@ -115,7 +115,7 @@ void PictureCompare::traceError() {
   if (source_ != Source::Reference || light_ != TracedLight::All) traceReference(TracedLight::All);
   if (!active()) return;
   setDifference(true);
-  emit message(tr("The error against all light, path traced: finer as it is traced: V shows all of it, Esc ends it"));
+  emit message(tr("The error against all light gets finer as more paths are traced; V shows all of it, Esc ends it"));
 }
 
 // The difference waits for the picture at rest; until then the other picture stands there.
