@@ -56,7 +56,7 @@ void addCoat(Explanation& e, const ExplainInput& in) {
   const SurfacePoint& s = in.surface;
   const float nDotV = coatNDotV(s);
   const GatheredLight coat = gatherLight(in, s.coatNormalWorld, s.coatRoughness,
-                                         shading::meanFresnel(glm::vec3(s.coatF0), glm::vec3(1.0f), nDotV));
+                                         {shading::meanFresnel(glm::vec3(s.coatF0), glm::vec3(1.0f), nDotV), s.coatF0});
   const glm::vec2 brdf = splitSum(nDotV, s.coatRoughness);
   e.coat = s.occlusion * coat.specular * (s.coatF0 * brdf.x + brdf.y) * s.coatStrength *
            scattered(in, glm::vec3(s.coatF0), brdf);
@@ -67,10 +67,10 @@ void addCoat(Explanation& e, const ExplainInput& in) {
 /// What probes and sky bring to a brushed surface: one lookup along the normal that stands for its streak.
 GatheredLight gatherForBase(const Explanation& e, const ExplainInput& in, const glm::vec3& edge) {
   const SurfacePoint& s = in.surface;
-  const float fresnel = shading::meanFresnel(e.f0, edge, e.nDotV);
-  GatheredLight light = gatherLight(in, e.lookupNormal, s.roughness, fresnel);
+  const Reflectance reflectance{shading::meanFresnel(e.f0, edge, e.nDotV), shading::relativeF0(e.f0, edge)};
+  GatheredLight light = gatherLight(in, e.lookupNormal, s.roughness, reflectance);
   if (e.lookupNormal != s.normalWorld) {
-    light.irradiance = gatherLight(in, s.normalWorld, s.roughness, fresnel).irradiance;
+    light.irradiance = gatherLight(in, s.normalWorld, s.roughness, reflectance).irradiance;
   }
   return light;
 }

@@ -66,7 +66,7 @@ glm::vec3 irradianceAt(const glm::vec3& n, const ShCoefficients& c) {
 }
 
 ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s, const glm::vec3& reflection,
-                              float roughness, float fresnel, const BakedMaps* sky) {
+                              float roughness, const Reflectance& reflectance, const BakedMaps* sky) {
   const ProbeGeometry& g = probe.geometry;
   ProbeExplanation e;
   e.name = probe.name;
@@ -111,8 +111,8 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   data.light = light.get();
   shape.slot = &data;
   const shading::ShadingPoint point{
-      e.positionProbe, turned(s.normalWorld), turned(s.viewWorld), e.reflectionProbe, roughness, s.pixel, s.frame,
-      fresnel};
+      e.positionProbe, turned(s.normalWorld), turned(s.viewWorld), e.reflectionProbe, roughness, s.pixel,
+      s.frame,         reflectance.fresnel,   reflectance.f0};
   const shading::ProbeHit hit = shading::projectRay(shape, point.position, point.normal, point.reflection);
   if (g.occluded) {
     e.occlusion = shading::boxOcclusion(hit.distance, g.occlusion.x, g.occlusion.y, g.occlusion.z);

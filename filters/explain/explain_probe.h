@@ -9,10 +9,16 @@
 
 namespace boxprobe {
 
-/// `surface` with the normal that is looked up for; `reflection` is the view mirrored in it, `fresnel` the surface's
-/// mean reflectance there. `sky`: what shows where an open probe saw nothing; null: none. The weight is left at 0.
+/// What techniques know of a surface's reflectance, as ShadingPoint has it.
+struct Reflectance {
+  float fresnel = 1.0f;
+  float f0 = 1.0f;
+};
+
+/// `surface` with the normal that is looked up for; `reflection` is the view mirrored in it, `reflectance` the
+/// surface's there. `sky`: what shows where an open probe saw nothing; null: none. The weight is left at 0.
 ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& surface, const glm::vec3& reflection,
-                              float roughness, float fresnel, const BakedMaps* sky);
+                              float roughness, const Reflectance& reflectance, const BakedMaps* sky);
 
 /// A map's light from all around `normal`, over pi.
 glm::vec3 irradianceAt(const glm::vec3& normal, const ShCoefficients& coefficients);

@@ -5,7 +5,6 @@
 
 #include "filters/core/base/fixed_text.h"
 #include "filters/core/geometry/probe_shares.h"
-#include "filters/explain/explain_probe.h"
 
 namespace boxprobe {
 
@@ -45,7 +44,8 @@ MirrorExplanation explainMirror(const shading::MirrorLook& look, const SurfacePo
 }  // namespace
 
 // The same order of steps as bpGatherLight in shaders/gpu/probe_lighting.glsl.
-GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float roughness, float fresnel) {
+GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float roughness,
+                          const Reflectance& reflectance) {
   SurfacePoint s = in.surface;
   s.normalWorld = normal;
   const glm::vec3 reflection = shading::reflectedView(normal, s.viewWorld);
@@ -53,7 +53,7 @@ GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float
   std::vector<float> influences;
   std::vector<int> groups;
   for (const ExplainedProbe& probe : in.probes) {
-    out.probes.push_back(explainProbe(probe, s, reflection, roughness, fresnel, in.skyMaps));
+    out.probes.push_back(explainProbe(probe, s, reflection, roughness, reflectance, in.skyMaps));
     influences.push_back(out.probes.back().influence);
     groups.push_back(probe.group);
   }
@@ -114,7 +114,7 @@ GatheredLight gatherAlong(const ExplainInput& in, const glm::dvec3& positionWorl
   ExplainInput moved = in;
   moved.surface.positionWorld = positionWorld;
   moved.surface.viewWorld = direction;
-  return gatherLight(moved, direction, roughness, 1.0f);
+  return gatherLight(moved, direction, roughness, {1.0f, 1.0f});
 }
 
 GatheredGlass gatherForGlass(const ExplainInput& in, const glm::dvec3& positionWorld, const glm::vec3& direction,

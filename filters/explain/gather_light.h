@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filters/explain/explain_input.h"
+#include "filters/explain/explain_probe.h"
 #include "filters/explain/explanation.h"
 
 namespace boxprobe {
@@ -21,8 +22,9 @@ struct GatheredLight {
   std::optional<MirrorExplanation> mirror;
 };
 
-/// For a normal and a perceptual roughness at the input's surface; `fresnel`: its mean reflectance there.
-GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float roughness, float fresnel);
+/// For a normal and a perceptual roughness at the input's surface; `reflectance`: its own there.
+GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float roughness,
+                          const Reflectance& reflectance);
 
 /// The same from another place, round about a direction: what glass is looked through, and mirrors within.
 GatheredLight gatherAlong(const ExplainInput& in, const glm::dvec3& positionWorld, const glm::vec3& direction,

@@ -66,7 +66,8 @@ LocalInput unguardedInput(const StressInput& in) {
                  in.roughness,
                  in.pixel,
                  in.frame,
-                 in.roughness};  // any number will do for the reflectance
+                 in.roughness,  // any number will do for the reflectances
+                 1.0f};
   if (in.turn != glm::vec3(0.0f)) {
     const glm::mat3 probeFromWorld = glm::transpose(worldFromProbe(in.turn));
     for (glm::vec3* v : {&local.point.position, &local.point.normal, &local.point.view, &local.point.reflection}) {
@@ -85,6 +86,7 @@ LocalInput localInput(const StressInput& in) {
   p.normal = shading::directionOr(p.normal, p.view);
   p.roughness = shading::roughnessWithin(p.roughness);
   p.fresnel = shading::roughnessWithin(p.fresnel);
+  p.f0 = std::max(p.roughness, 1.0e-3f);
   // Inputs name R itself, so that its components can be exactly what a class asks for; R is what N and V make of it as
   // soon as one of the three is broken.
   p.reflection = shading::directionOr(given, shading::reflectedView(p.normal, p.view));

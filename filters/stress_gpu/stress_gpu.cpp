@@ -47,8 +47,7 @@ void pack(const StressInput& input, const std::vector<const ParameterRow*>& para
   textures[5][at] = {in.probe.boxMax, static_cast<float>(p.pixel.y)};
   textures[6][at] = {lobeNumbers(input), blendRate(input), static_cast<float>(input.pixel.x & 1)};
   const shading::ShadingPoint guarded = localInput(input).point;
-  const glm::vec2 albedo = splitSum(shading::footprintLobe(guarded, 1.0f).view.z, guarded.roughness);
-  textures[7][at] = {blueNoiseAt(p.pixel), albedo.x + albedo.y, 0.0f};
+  textures[7][at] = {blueNoiseAt(p.pixel), splitSum(shading::footprintLobe(guarded, 1.0f).view.z, guarded.roughness)};
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const ParameterRow& row = *parameters[i];
     const float value = row.number != nullptr
@@ -81,9 +80,10 @@ std::string sourceOf(const StressProgram& program, const std::vector<const Param
       "  ShadingPoint point;\n  point.position = finiteOr(in0.xyz, vec3(0.0));\n"
       "  point.view = directionOr(in2.xyz, vec3(0.0, 0.0, 1.0));\n  point.normal = directionOr(in1.xyz, point.view);\n"
       "  point.reflection = directionOr(in3.xyz, reflectedView(point.normal, point.view));\n"
-      "  point.roughness = roughnessWithin(in0.w); point.fresnel = point.roughness;\n  point.pixel = ivec2(in4.w, "
+      "  point.roughness = roughnessWithin(in0.w); point.fresnel = point.roughness;\n  "
+      "point.f0 = max(point.roughness, 1.0e-3);\n  point.pixel = ivec2(in4.w, "
       "in5.w);\n"
-      "  point.frame = int(in2.w);\n  vec4 extra = in6;\n  stressBlueNoise = in7.xy;\n  stressAlbedo = in7.z;\n"
+      "  point.frame = int(in2.w);\n  vec4 extra = in6;\n  stressBlueNoise = in7.xy;\n  stressSplitSum = in7.zw;\n"
       "  vec4 out0 = vec4(0.0);\n  vec4 out1 = vec4(0.0);\n" +
       program.body + "  gl_FragData[0] = out0;\n  gl_FragData[1] = out1;\n}\n";
   return text;

@@ -21,9 +21,8 @@ vec2 bpSurfaceSum(float cosine, float roughness)
 #endif
 }
 
-// What a surface that reflects all keeps of white light after one reflection.
-float whiteAlbedo(float cosine, float roughness)
+// The name that techniques know it by.
+vec2 splitSumAt(float cosine, float roughness)
 {
-  vec2 sum = bpSplitSum(cosine, roughness);
-  return sum.x + sum.y;
+  return bpSplitSum(cosine, roughness);
 }

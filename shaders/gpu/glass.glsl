@@ -83,7 +83,7 @@ vec3 bpLookUpThrough(BpGlass glass)
   vec3 position = viewFromWorld * glass.seen.through.position;
   vec4 behind = bpLookBehind(position, direction, glass.seen.through.alpha);
   if (behind.w > 0.999f) { return behind.rgb; }
-  return behind.rgb + (1.0f - behind.w) * bpGatherLight(position, direction, direction, sqrt(glass.seen.through.alpha), 1.0f).specular;
+  return behind.rgb + (1.0f - behind.w) * bpGatherLight(position, direction, direction, sqrt(glass.seen.through.alpha), 1.0f, 1.0f).specular;
 }
 
 // Factor of the reflection. What a rough surface's facets lose between them (A + B of the split sum fall short of 1) passes, but

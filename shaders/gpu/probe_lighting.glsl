@@ -92,7 +92,8 @@ struct BpLight
 
 //BP::ShareOut
 
-BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness, float fresnel)
+BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness, float fresnel,
+                      float f0)
 {
   vec3 position = finiteOr(bpViewToWorld * positionView, vec3(0.0f));
   vec3 view = directionOr(bpViewToWorld * viewView, vec3(0.0f, 0.0f, 1.0f));

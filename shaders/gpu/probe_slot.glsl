@@ -1,7 +1,7 @@
 uniform PROBE_MAP bpMap@SLOT@;
 
 void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 normal, vec3 view, vec3 reflection, float roughness,
-                       float fresnel)
+                       float fresnel, float f0)
 {
   ProbeShape probe;
   probe.boxMin = bpBoxMin[@SLOT@];
@@ -20,6 +20,7 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   point.pixel = ivec2(gl_FragCoord.xy) + bpPixelOrigin;
   point.frame = bpFrame;
   point.fresnel = fresnel;
+  point.f0 = f0;
 #if BP_ROTATED
   mat3 probeFromWorld = transpose(bpWorldFromProbe[@SLOT@]);
   point.position = probeFromWorld * point.position;

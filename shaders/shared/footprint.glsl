@@ -103,6 +103,14 @@ FootprintLobe footprintLobe(ShadingPoint point, float points)
   return lobe;
 }
 
+// Schlick's reflectance of a microfacet seen at `cosine`, over that at the edge; `f0`: straight on (ShadingPoint::f0).
+float facetReflectance(float f0, float cosine)
+{
+  float c = clamp(1.0f - cosine, 0.0f, 1.0f);
+  float c2 = c * c;
+  return f0 + (1.0f - f0) * c2 * c2 * c;
+}
+
 // The ray that the point (u, v) of the disk stands for (Heitz 2018).
 FootprintRay footprintRay(ShadingPoint point, FootprintLobe lobe, float pointU, float pointV)
 {
@@ -125,7 +133,8 @@ FootprintRay footprintRay(ShadingPoint point, FootprintLobe lobe, float pointU, 
   ray.direction = upright + aside;
   ray.mirrored = upright - aside;
   float maskLight = sqrt(a * a + (1.0f - a * a) * lz * lz);
-  ray.share = lz * (lobe.view.z + lobe.maskView) / (lobe.view.z * maskLight + lz * lobe.maskView);
+  ray.share = facetReflectance(point.f0, dot(lobe.view, h) * sqrt(ray.cover)) * lz * (lobe.view.z + lobe.maskView) /
+              (lobe.view.z * maskLight + lz * lobe.maskView);
   return ray;
 }
 

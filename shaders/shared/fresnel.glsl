@@ -5,6 +5,13 @@ vec3 schlickFresnel(vec3 f0, vec3 f90, float cosine)
   return f0 + (f90 - f0) * pow(1.0f - cosine, 5.0f);
 }
 
+// Reflectance straight on over that at the edge, of the means of their colours: what the light of one microfacet weighs by. The bounds
+// keep a lobe's weights from summing to 0.
+float relativeF0(vec3 f0, vec3 f90)
+{
+  return clamp(dot(f0, vec3(1.0f)) / max(dot(f90, vec3(1.0f)), 1.0e-6f), 1.0e-3f, 1.0e3f);
+}
+
 // Mean over the three colours: what the smoothing of sampled reflections goes by.
 float meanFresnel(vec3 f0, vec3 f90, float cosine)
 {

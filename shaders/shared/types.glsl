@@ -56,6 +56,7 @@ struct ShadingPoint
   ivec2 pixel;      // of the picture, from its lower left
   int frame;        // of those that are averaged, from 0
   float fresnel;    // the surface's own reflectance at N.V, mean of its colours
+  float f0;         // reflectance straight on over that at the edge (relativeF0 in fresnel.glsl); 1: the same from everywhere
 };
 
 // A lobe in pieces (footprint.glsl): half vectors seen from V, as points (u, v) of the unit disk that the visible normals fill evenly.
@@ -81,7 +82,7 @@ struct FootprintRay
   vec3 direction;  // probe frame
   vec3 mirrored;   // that of the point (-u, v): on the other side of the plane of N and V
   float cover;     // 1 / the half vector's square before it is normalised; a piece covers its square of what it would along N
-  float share;     // of the light, G2 / G1
+  float share;     // of the light: G2 / G1 times the facet's reflectance
 };
 
 // The lookups so far.

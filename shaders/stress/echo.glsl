@@ -21,11 +21,11 @@ vec2 fetchBlueNoise(ivec2 pixel)
   return stressBlueNoise;
 }
 
-float stressAlbedo;  // of the input's surface, set by main()
+vec2 stressSplitSum;  // of the input's surface, set by main()
 
-float whiteAlbedo(float cosine, float roughness)
+vec2 splitSumAt(float cosine, float roughness)
 {
-  return stressAlbedo;
+  return stressSplitSum;
 }
 
 // Of the light table of filters/stress/stress_light.h; the box is not turned against the map.

@@ -1,5 +1,5 @@
 // The lobe by ray tracing against the projection: half vectors drawn as they are visible from the eye, each mirrored ray
-// projected and looked up, G2 / G1 its weight. What the other evaluations approximate; noisy or with ghosts of small lamps where
+// projected and looked up, G2 / G1 times its own microfacet's reflectance its weight. What the other evaluations approximate; noisy or with ghosts of small lamps where
 // the samples are too few. Each is looked up in
 //   level 0           as published: what the capture shows there, and nothing of what lies between two samples
 //   levelOffset       a level that grows with the distance d of the hit as HDRP's form has it: that of a lobe of d / |H - C| times
@@ -88,7 +88,8 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
       {
         // Rays expected per weight of the lobe's own density: of both ways.
         float expected = lobeNumber + lightNumber * density * s.solidAngle;
-        float share = s.weight / expected;
+        float facet = sqrt(max(0.5f + 0.5f * dot(point.view, s.direction), 0.0f));  // V.H
+        float share = s.weight * facetReflectance(point.f0, facet) / expected;
         float level = sharp ? 0.0f : sampleLevel(probe, hit, s.direction, alphaEach, s.solidAngle / expected);
         sum = sum + share * fetchProbe(map, probe, hit.direction, level);
         weights = weights + share;
@@ -97,7 +98,8 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   }
   if (count >= kFewSamples && weights > 0.0f) { return sum / weights; }
   // Divided by the mean of all weights there could be, so that frames average to the integral.
-  float albedo = whiteAlbedo(lobe.view.z, point.roughness);
+  vec2 all = splitSumAt(lobe.view.z, point.roughness);
+  float albedo = point.f0 * all.x + all.y;
   if (lightSize > 0) { return sum / albedo; }
   // What these samples' weights lack is made up for with the lobe's prefiltered mean, so that even light stays even; were it to be
   // more than all, their own weights are the norm.

@@ -169,7 +169,7 @@ void main()
   remaining = onlyProbesRemaining(remaining);
 #endif
 #define BP_ADD(slot, map) if (weight[slot] > 0.0f) \
-  { bpAdd(specular, irradiance, boxprobeReflection(map, bpProbe[slot], bpPosition, normal, view, roughness), skyLight, slot, \
+  { bpAdd(specular, irradiance, boxprobeReflectionOf(map, bpProbe[slot], bpPosition, normal, view, roughness, relativeF0(f0, f90)), skyLight, slot, \
           share[bpGroupOf[slot]] * weight[slot], normal); }
   BP_ADD(0, bpMap0)
 #if BP_SLOTS > 1

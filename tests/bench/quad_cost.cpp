@@ -49,7 +49,7 @@ std::string sourceOf(const StressProgram& program, const StressSubject& subject)
          "  point.position = vec3(texCoord - 0.5, 0.4 * cos(9.0 * turn));\n  point.normal = vec3(0.0, 1.0, 0.0);\n"
          "  point.view = normalize(vec3(cos(turn), texCoord.y + 0.05, sin(turn)));\n"
          "  point.reflection = reflectedView(point.normal, point.view);\n  point.roughness = texCoord.y;\n"
-         "  point.fresnel = 0.5;\n  point.pixel = ivec2(gl_FragCoord.xy);\n  point.frame = 0;\n"
+         "  point.fresnel = 0.5;  point.f0 = 0.5;\n  point.pixel = ivec2(gl_FragCoord.xy);\n  point.frame = 0;\n"
          "  vec4 extra = vec4(0.0);\n  stressBlueNoise = texCoord;\n  vec4 out0 = vec4(0.0);\n  vec4 out1 = "
          "vec4(0.0);\n" +
          program.body + "  gl_FragData[0] = out0 + out1;\n}\n";

@@ -54,7 +54,7 @@ std::string passSource(const Technique& technique, bool lookup) {
       "texCoord.y + "
       "0.1, sin(turn)));\n    point.view = directionOr(point.view, vec3(0.0, 0.0, 1.0));\n    point.position = "
       "finiteOr(point.position, vec3(0.0));\n    point.reflection = reflectedView(point.normal, point.view);\n"
-      "    point.roughness = roughnessWithin(texCoord.y);\n    vec4 value = " +
+      "    point.roughness = roughnessWithin(texCoord.y); point.f0 = 1.0;\n    vec4 value = " +
       std::string(evaluation.function) +
       "(0, probe, point);\n    sum += value.xyz + value.www;\n  }\n  gl_FragData[0] = vec4(sum, 1.0);\n}\n";
   return text;

@@ -160,6 +160,7 @@ void add(Tally& tally, const std::string& id, float steps, const ReferenceScene&
     point.view = s.surface.viewWorld;
     point.reflection = shading::reflectedView(point.normal, point.view);
     point.roughness = s.surface.roughness;
+    point.f0 = 1.0f;
     shading::projectRay(shape, point.position, point.normal, point.reflection);
     tally.fetches += counted.count;
     tally.most = std::max(tally.most, counted.count);

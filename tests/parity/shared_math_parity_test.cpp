@@ -232,7 +232,7 @@ std::string choicesText(const EvaluationRow& row, const shading::TechniqueParame
 TEST(Parity, EveryEvaluationLooksUpTheSame) {
   const auto window = test::makeWindow();
   const Inputs in = randomRays();
-  std::vector<vec4> view = in.normal, other = in.normal, albedo = in.normal;
+  std::vector<vec4> view = in.normal, other = in.normal, table = in.normal;
   std::mt19937 random(22);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
   for (std::size_t i = 0; i < kCount; ++i) {
@@ -240,9 +240,9 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
     const vec3 n(in.normal[i]), r(in.reflection[i]);
     view[i] = vec4(2.0f * glm::dot(n, r) * n - r, unit(random));
     other[i] = vec4(0.1f + 10.0f * unit(random), 1.0f + 5.0f * unit(random), blueNoiseAt(pixelOf(i)));
-    const shading::ShadingPoint point{vec3(0.0f), n, vec3(view[i]), r, view[i].w, {}, 0, 0.0f};
+    const shading::ShadingPoint point{vec3(0.0f), n, vec3(view[i]), r, view[i].w, {}, 0, 0.0f, 1.0f};
     const glm::vec2 split = splitSum(shading::footprintLobe(point, 1.0f).view.z, point.roughness);
-    albedo[i] = vec4(split.x + split.y);
+    table[i] = vec4(split, unit(random) < 0.3f ? 1.0f : unit(random) + 1.0e-3f, 0.0f);
   }
   const ProjectionRow& box = projectionRows()[static_cast<std::size_t>(parseTechnique("box")->projection)];
   const EchoMap map;
@@ -261,18 +261,18 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
               "(probe, p, n, r); }\n#define PROBE_MAP int\nvec4 fetchProbe(int map, ProbeShape probe, vec3 d, float "
               "level) { return vec4(d / max(max(abs(d.x), abs(d.y)), max(abs(d.z), 1e-37)), level); }\n"
               "vec2 mask;\nvec2 fetchBlueNoise(ivec2 pixel) { return mask; }\n"
-              "float albedo;\nfloat whiteAlbedo(float cosine, float roughness) { return albedo; }\n" +
+              "vec2 table;\nvec2 splitSumAt(float cosine, float roughness) { return table; }\n" +
               lightSources(light) + sources({"shared/level_curve.glsl"}) + shared + sources({row.shaderFile}),
           "  ProbeShape probe; probe.boxMin = in3.xyz; probe.boxMax = in4.xyz; probe.maxLevel = 6.0; probe.slot = "
           "0;\n" +
               assignments(parameters) +
-              "  probe.parameters.hardeningLength = in6.x; probe.parameters.power = in6.y; mask = in6.zw; albedo = "
-              "in7.x;\n"
+              "  probe.parameters.hardeningLength = in6.x; probe.parameters.power = in6.y; mask = in6.zw; table = "
+              "in7.xy;\n"
               "  ShadingPoint point; point.position = in0.xyz; point.normal = in1.xyz; point.view = in5.xyz; "
               "point.reflection = in2.xyz; point.roughness = in5.w; point.pixel = ivec2(gl_FragCoord.xy); "
-              "point.frame = 3; point.fresnel = 0.09 * in6.x;\n  out0 = " +
+              "point.frame = 3; point.fresnel = 0.09 * in6.x; point.f0 = in7.z;\n  out0 = " +
               std::string(row.function) + "(0, probe, point);\n",
-          {in.position, in.normal, in.reflection, in.boxMin, in.boxMax, view, other, albedo}, 1);
+          {in.position, in.normal, in.reflection, in.boxMin, in.boxMax, view, other, table}, 1);
       double worst = 0.0;
       std::size_t otherWall = 0;
       for (std::size_t i = 0; i < kCount; ++i) {
@@ -286,7 +286,8 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
         probe.parameters.hardeningLength = other[i].x;
         probe.parameters.power = other[i].y;
         const shading::ShadingPoint point{in.position[i], in.normal[i], view[i], in.reflection[i],
-                                          view[i].w,      pixelOf(i),   3,       0.09f * other[i].x};
+                                          view[i].w,      pixelOf(i),   3,       0.09f * other[i].x,
+                                          table[i].z};
         const vec4 cpu = row.evaluate(&map, probe, point);
         const vec4 d = glm::abs(gpu[0][i] - cpu);
         const double error = std::max({d.x, d.y, d.z, d.w});

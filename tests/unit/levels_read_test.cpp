@@ -54,6 +54,7 @@ class LevelsRead : public ::testing::Test {
       point.reflection = glm::reflect(-point.view, point.normal);
       point.roughness = i == 0 ? low : i == 1 ? high : low + (high - low) * unit();
       point.fresnel = unit();
+      point.f0 = 1.0e-3f + unit();
       evaluationRows()[static_cast<std::size_t>(technique.evaluation)].evaluate(&levels, probe, point);
     }
     return levels.read;

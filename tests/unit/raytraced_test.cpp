@@ -84,6 +84,7 @@ TEST(SamplePatterns, AreEvenButWhite) {
     for (int pixel = 0; pixel < 16; ++pixel) {
       std::vector<glm::vec2> points;
       shading::ShadingPoint at{};
+      at.f0 = 1.0f;
       at.pixel = {pixel, 3 * pixel};
       for (at.frame = 0; at.frame < frames; ++at.frame) {
         const shading::SamplePattern drawn = shading::samplePattern(at, pattern, samples);

@@ -49,6 +49,7 @@ class Inputs {
     if (glm::dot(in.point.normal, in.point.view) < 0.0f) in.point.view = -in.point.view;
     in.point.reflection = glm::reflect(-in.point.view, in.point.normal);
     in.point.roughness = static_cast<float>(unit());
+    in.point.f0 = 1.0f;
     return in;
   }
   double unit() { return unit_(random_); }

@@ -151,8 +151,9 @@ std::string entry(const Chosen& chosen, bool bevelled, bool occluded) {
              "view "
              "(towards the\n// eye) unit, roughness perceptual. The cubemap's levels and axes are those of `--ladder "
              "own`.\n"
-             "vec4 boxprobeReflection(PROBE_MAP map, BoxprobeProbe boxprobe, vec3 position, vec3 normal, vec3 view, "
-             "float roughness)\n{\n"
+             "// `f0`: the surface's reflectance straight on over that at the edge, which weighs the rays of a lobe.\n"
+             "vec4 boxprobeReflectionOf(PROBE_MAP map, BoxprobeProbe boxprobe, vec3 position, vec3 normal, vec3 view, "
+             "float roughness,\n                          float f0)\n{\n"
              "  ProbeShape shape = boxprobe.shape;\n"
              "  ShadingPoint point;\n"
              "  point.position = boxprobeTurned(boxprobe, position - boxprobe.origin);\n"
@@ -160,7 +161,8 @@ std::string entry(const Chosen& chosen, bool bevelled, bool occluded) {
              "  point.view = boxprobeTurned(boxprobe, view);\n"
              "  point.reflection = reflectedView(point.normal, point.view);\n"
              "  point.roughness = roughnessWithin(roughness);\n"
-             "  point.pixel = ivec2(0, 0);\n  point.frame = 0;\n  point.fresnel = 0.0f;\n") +
+             "  point.pixel = ivec2(0, 0);\n  point.frame = 0;\n  point.fresnel = 0.0f;\n  point.f0 = clamp(f0, "
+             "1.0e-3f, 1.0e3f);\n") +
          (bevelled ? "  shape.bevel = boxprobe.bevelAndIntensity.x + boxprobe.bevelAndIntensity.y * point.roughness;\n"
                    : "") +
          "  vec4 value = " + std::string(chosen.evaluation.function) + "(map, shape, point);\n" +
@@ -168,7 +170,11 @@ std::string entry(const Chosen& chosen, bool bevelled, bool occluded) {
                      "  value = value * vec4(vec3(boxOcclusion(reach, boxprobe.occlusion.x, boxprobe.occlusion.y, "
                      "boxprobe.occlusion.z)), 1.0f);\n"
                    : "") +
-         "  return value * vec4(vec3(boxprobe.bevelAndIntensity.z), 1.0f);\n}\n\n";
+         "  return value * vec4(vec3(boxprobe.bevelAndIntensity.z), 1.0f);\n}\n\n"
+         "// The same at a metal, or where no reflectance is known.\n"
+         "vec4 boxprobeReflection(PROBE_MAP map, BoxprobeProbe boxprobe, vec3 position, vec3 normal, vec3 view, "
+         "float roughness)\n{\n"
+         "  return boxprobeReflectionOf(map, boxprobe, position, normal, view, roughness, 1.0f);\n}\n\n";
 }
 
 std::string shapeFunction(const Probe& probe, const std::string& stem, const Chosen& chosen) {

@@ -89,6 +89,7 @@ float onlyProbesScale(float remaining);
 float onlyProbesRemaining(float remaining);
 vec3 schlickFresnel(vec3 f0, vec3 f90, float cosine);
 float meanFresnel(vec3 f0, vec3 f90, float cosine);
+float relativeF0(vec3 f0, vec3 f90);
 vec2 splitSumPlace(float cosine, float roughness, float size);
 vec3 multipleScattering(vec3 f0, vec2 splitSum);
 float coatPasses(float strength, float coatF0, float cosine);

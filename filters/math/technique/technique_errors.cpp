@@ -63,6 +63,7 @@ shading::ShadingPoint pointAt(const shading::ProbeShape& probe, int i, float rou
   point.reflection = shading::reflectedView(point.normal, point.view);
   point.roughness = roughness;
   point.fresnel = roughness;
+  point.f0 = (i / 16) % 2 == 0 ? 1.0f : 0.04f;  // a metal, a non-metal
   point.pixel = glm::ivec2(i % 16, i / 16);
   return point;
 }

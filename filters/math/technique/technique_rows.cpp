@@ -88,9 +88,8 @@ static vec3 probeFromMap(const ProbeShape& probe, vec3 direction) {
   return turn != nullptr ? glm::transpose(*turn) * direction : direction;
 }
 
-static float whiteAlbedo(float cosine, float roughness) {
-  const vec2 sum = splitSum(cosine, roughness);
-  return sum.x + sum.y;
+static vec2 splitSumAt(float cosine, float roughness) {
+  return splitSum(cosine, roughness);
 }
 
 static vec2 fetchBlueNoise(ivec2 pixel) {

@@ -97,6 +97,7 @@ shading::ShadingPoint randomPoint(const BoxRoom& room, float roughness, int inde
   point.view = vec3(glm::normalize(std::cos(angle) * n + std::sin(angle) * side));
   point.reflection = glm::reflect(-point.view, point.normal);
   point.roughness = roughness;
+  point.f0 = 1.0f;
   point.pixel = glm::ivec2(index % 64, index / 64);
   return point;
 }

@@ -37,10 +37,12 @@ bool outside(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high) {
   return glm::any(glm::lessThan(p, low - skin)) || glm::any(glm::greaterThan(p, high + skin));
 }
 
-/// Rays know no material: that of a non-metal of index 1.5, Schlick's F0 = 0.04.
+// Rays know no material: Schlick's F0 of a non-metal of index 1.5.
+constexpr float kRayF0 = 0.04f;
+
 float meanReflectance(const SurfaceRay& ray) {
   const double facing = std::clamp(glm::dot(ray.normalWorld, ray.viewWorld), 0.0, 1.0);
-  return static_cast<float>(0.04 + 0.96 * std::pow(1.0 - facing, 5.0));
+  return static_cast<float>(kRayF0 + (1.0 - kRayF0) * std::pow(1.0 - facing, 5.0));
 }
 
 glm::vec3 inProbeFrame(const ProbeGeometry& g, const glm::dvec3& positionWorld) {
@@ -91,6 +93,7 @@ ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
   point.reflection = glm::vec3(probeFromWorld * ray.reflectionWorld);
   point.roughness = ray.roughness;
   point.fresnel = meanReflectance(ray);
+  point.f0 = kRayF0;
 
   ProbeRay result;
   const shading::ProbeHit hit = shading::projectRay(shape, point.position, point.normal, point.reflection);

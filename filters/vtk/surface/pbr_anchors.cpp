@@ -81,8 +81,8 @@ const std::vector<Anchor>& lightingAnchors() {
         "vec3 irradiance = vec3(ComputeSH(rotN, shRed), ComputeSH(rotN, shGreen), ComputeSH(rotN, shBlue));"},
        {"vec3 bpF0 = mix(vec3(baseF0Uniform), albedo, metallic);\n"
         "  vec3 bpF90 = mix(vec3(clamp(dot(bpF0, vec3(50.0 * 0.33)), 0.0, 1.0)), edgeTintUniform, metallic);\n"
-        "  BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness, meanFresnel(bpF0, bpF90, NdV));\n  vec3 "
-        "irradiance = bpLight.irradiance;"},
+        "  BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness, meanFresnel(bpF0, bpF90, NdV),\n"
+        "    relativeF0(bpF0, bpF90));\n  vec3 irradiance = bpLight.irradiance;"},
        false},
       {"specular reflection",
        {"vec3 prefilteredSpecularColor = vec3(0.0);",
@@ -94,7 +94,7 @@ const std::vector<Anchor>& lightingAnchors() {
         "vec3 prefilteredSpecularCoatColor = textureLod(prefilterTex, coatWorldReflect, coatRoughness * "
         "prefilterMaxLevel).rgb;"},
        {"vec3 prefilteredSpecularCoatColor = bpGatherLight(vertexVC.xyz, coatN, V, coatRoughness,\n"
-        "    meanFresnel(vec3(coatF0Uniform), vec3(1.0), coatNdV)).specular;"},
+        "    meanFresnel(vec3(coatF0Uniform), vec3(1.0), coatNdV), coatF0Uniform).specular;"},
        true},
   };
   return anchors;
@@ -164,6 +164,10 @@ const std::vector<Anchor>& glassAnchors() {
        {"BpLight bpLight = bpGatherLight(vertexVC.xyz, N, V, roughness,"},
        {"BpGlass bpGlass = bpLookThrough(vertexVC.xyz, N, V, roughness);\n  BpLight bpLight = "
         "bpGatherLight(bpGlass.position, bpGlass.normal, bpGlass.view, bpGlass.roughness,"},
+       false},
+      {"glass: reflectance of its facets",
+       {"relativeF0(bpF0, bpF90)"},
+       {"bpGlass.seen.followed ? 1.0f : relativeF0(bpF0, bpF90)"},
        false},
       {"glass: reflectance",
        {kPbrMark},
