@@ -21,6 +21,7 @@ using namespace boxprobe;
 // The rooms of fit and judgement have different seeds; unit tests have others.
 constexpr unsigned kTrainingSeed = 1, kJudgementSeed = 77;
 constexpr int kRays = 4096;
+constexpr float kNonMetal = 0.04f;  // F0; half of the rooms have such surfaces, half such that reflect all
 
 // What the constants in shaders/technique were fitted with: each form has its own, since what its few numbers can do
 // about light, they take from the errors.
@@ -57,7 +58,7 @@ class Errors {
   std::vector<double> residuals(const Values& values) const {
     const double display = 1.0 / std::sqrt(displaySquares_), linear = std::sqrt(linearWeight_ / linearSquares_);
     std::vector<double> result;
-    std::array<double, study::kBuckets> light{};
+    std::array<double, 2 * study::kBuckets> light{};
     for (std::size_t i = 0; i < values.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
         result.push_back(display * (study::displayValue(values[i][c]) - display_[3 * i + static_cast<std::size_t>(c)]));
@@ -74,12 +75,13 @@ class Errors {
 
  private:
   static std::size_t bucketOf(const study::RoomPoint& p) {
-    return static_cast<std::size_t>(p.roughness * study::kAngles + p.angle);
+    const int kind = p.point.f0 < 0.5f ? study::kBuckets : 0;
+    return static_cast<std::size_t>(kind + p.roughness * study::kAngles + p.angle);
   }
   const std::vector<study::RoomPoint>& points_;
   double linearWeight_, lightWeight_;
   std::vector<double> display_;
-  std::array<double, study::kBuckets> light_{};
+  std::array<double, 2 * study::kBuckets> light_{};
   double displaySquares_ = 0.0, linearSquares_ = 0.0;
 };
 
@@ -92,13 +94,14 @@ void print(const std::string& name, const study::TechniqueTally& t, double hdrp)
   std::printf("\n");
 }
 
-void judge(int faceSize) {
-  const study::RoomPoints rooms = study::randomPoints(kJudgementSeed, 192, 16, faceSize, kRays);
+void judge(int faceSize, float f0) {
+  const study::RoomPoints rooms = study::randomPoints(kJudgementSeed, 192, 16, faceSize, kRays, {}, f0);
   const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
   std::printf(
-      "%zu points, faces of %d\n%-12s error   /hdrp  linear light | error by roughness | light by roughness: from "
+      "%zu points, faces of %d, F0 %g\n%-12s error   /hdrp  linear light | error by roughness | light by roughness: "
+      "from "
       "above, oblique, grazing\n",
-      rooms.points.size(), faceSize, "");
+      rooms.points.size(), faceSize, static_cast<double>(f0), "");
   for (const char* id : {"infinite+none", "none", "approximate", "godot", "hdrp", "footprint1", "footprint2",
                          "footprint4", "footprint8", "footprint16"}) {
     print(id, study::tally(study::valuesOf(study::techniqueOf(id), rooms.points), rooms.points), hdrp);
@@ -106,7 +109,11 @@ void judge(int faceSize) {
 }
 
 void fit(const Settings& s, int rounds, int restarts) {
-  const study::RoomPoints rooms = study::randomPoints(kTrainingSeed, s.rooms, s.pointsEach, 128, kRays);
+  study::RoomPoints rooms = study::randomPoints(kTrainingSeed, s.rooms / 2, s.pointsEach, 128, kRays);
+  study::RoomPoints nonMetals =
+      study::randomPoints(kTrainingSeed + 1, s.rooms / 2, s.pointsEach, 128, kRays, {}, kNonMetal);
+  std::move(nonMetals.chains.begin(), nonMetals.chains.end(), std::back_inserter(rooms.chains));
+  std::move(nonMetals.points.begin(), nonMetals.points.end(), std::back_inserter(rooms.points));
   const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
   const Errors errors(rooms.points, s);
   const bench::FootprintForm form = bench::footprintForm(s.lookups);
@@ -137,7 +144,7 @@ int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
   if (what == "judge") {
-    judge(number(2, 256));
+    for (const float f0 : {1.0f, kNonMetal}) judge(number(2, 256), f0);
     return 0;
   }
   for (const Settings& settings : kSettings) {

@@ -13,7 +13,8 @@ namespace boxprobe::study {
 using glm::dvec3;
 using glm::vec3;
 
-// Heitz 2018, weighted by G2 / G1; the weights normalised, as the split sum has it.
+// Heitz 2018, weighted by G2 / G1 and by Schlick's reflectance of each facet; the weights normalised, as the split sum
+// has it.
 dvec3 reflectedMean(const BoxRoom& room, const PaddedCube& chain, const shading::ShadingPoint& point, int rays) {
   const double a = std::max(static_cast<double>(point.roughness * point.roughness), 1e-4);
   const dvec3 n(point.normal), v(point.view), p(point.position);
@@ -36,7 +37,8 @@ dvec3 reflectedMean(const BoxRoom& room, const PaddedCube& chain, const shading:
     const dvec3 h = glm::normalize(dvec3(a * nh.x, a * nh.y, std::max(0.0, nh.z)));
     const dvec3 l = 2.0 * glm::dot(local, h) * h - local;
     if (l.z <= 0.0) continue;
-    const double w = l.z * (local.z + maskView) / (local.z * mask(l.z) + l.z * maskView);
+    const double facet = point.f0 + (1.0 - point.f0) * std::pow(1.0 - std::min(glm::dot(local, h), 1.0), 5.0);
+    const double w = facet * l.z * (local.z + maskView) / (local.z * mask(l.z) + l.z * maskView);
     const dvec3 d = l.x * x + l.y * y + l.z * n;
     double t = 1e30;
     for (int axis = 0; axis < 3; ++axis) {
@@ -97,7 +99,6 @@ shading::ShadingPoint randomPoint(const BoxRoom& room, float roughness, int inde
   point.view = vec3(glm::normalize(std::cos(angle) * n + std::sin(angle) * side));
   point.reflection = glm::reflect(-point.view, point.normal);
   point.roughness = roughness;
-  point.f0 = 1.0f;
   point.pixel = glm::ivec2(index % 64, index / 64);
   return point;
 }
@@ -105,7 +106,7 @@ shading::ShadingPoint randomPoint(const BoxRoom& room, float roughness, int inde
 }  // namespace
 
 RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, int rays,
-                        const std::function<bool(int)>& goOn) {
+                        const std::function<bool(int)>& goOn, float f0) {
   constexpr float kMiddles[kRoughnesses] = {0.07f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f};
   std::mt19937 random(seed);
   RoomPoints result;
@@ -125,6 +126,7 @@ RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, 
       for (int k = 0; k < pointsEach; ++k) {
         const float near = std::uniform_real_distribution<float>(-0.05f, 0.05f)(random);
         p.point = randomPoint(room, glm::clamp(kMiddles[p.roughness] + near, 0.05f, 1.0f), k, random);
+        p.point.f0 = f0;
         const float nv = glm::dot(p.point.normal, p.point.view);
         p.angle = nv > 0.7f ? 0 : nv > 0.35f ? 1 : 2;
         result.points.push_back(p);

@@ -66,8 +66,8 @@ struct RoomPoints {
 
 /// Floors and walls, smooth and tilted as by a normal map, and things in the room; seen from up to 85 degrees, and one
 /// in eight from 60 to 87 towards a lamp's mirror image.
-/// `goOn(rooms done)` returning false leaves out the rest.
+/// `goOn(rooms done)` returning false leaves out the rest. `f0`: ShadingPoint's, of all of them.
 RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, int rays,
-                        const std::function<bool(int)>& goOn = {});
+                        const std::function<bool(int)>& goOn = {}, float f0 = 1.0f);
 
 }  // namespace boxprobe::study
