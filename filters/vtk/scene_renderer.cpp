@@ -262,6 +262,10 @@ std::shared_ptr<const ProbeMaps> SceneRenderer::shownMaps(const std::string& pro
   return impl_->probes.maps(probeName);
 }
 
+std::optional<ShCoefficients> SceneRenderer::diffuseLight(const std::string& probeName) const {
+  return impl_->probes.diffuseLight(probeName);
+}
+
 void SceneRenderer::showPreviewSphere(const PreviewSphereSettings& settings) {
   impl_->sphere.show(settings);
 }

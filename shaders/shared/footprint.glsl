@@ -100,15 +100,16 @@ FootprintLobe footprintLobe(ShadingPoint point, float points)
   lobe.scaleU = 1.0f;
   lobe.scaleV = 1.0f;
   lobe.shift = 0.0f;
+  lobe.rise = 1.0f;
   return lobe;
 }
 
-// Schlick's reflectance of a microfacet seen at `cosine`, over that at the edge; `f0`: straight on (ShadingPoint::f0).
-float facetReflectance(float f0, float cosine)
+// Schlick's reflectance of a microfacet seen at `cosine`, over that at the edge; `f0`: straight on (ShadingPoint::f0). `rise`: a factor.
+float facetReflectance(float f0, float cosine, float rise)
 {
   float c = clamp(1.0f - cosine, 0.0f, 1.0f);
   float c2 = c * c;
-  return f0 + (1.0f - f0) * c2 * c2 * c;
+  return f0 + (1.0f - f0) * rise * c2 * c2 * c;
 }
 
 // The ray that the point (u, v) of the disk stands for (Heitz 2018).
@@ -133,7 +134,7 @@ FootprintRay footprintRay(ShadingPoint point, FootprintLobe lobe, float pointU, 
   ray.direction = upright + aside;
   ray.mirrored = upright - aside;
   float maskLight = sqrt(a * a + (1.0f - a * a) * lz * lz);
-  ray.share = facetReflectance(point.f0, dot(lobe.view, h) * sqrt(ray.cover)) * lz * (lobe.view.z + lobe.maskView) /
+  ray.share = facetReflectance(point.f0, dot(lobe.view, h) * sqrt(ray.cover), lobe.rise) * lz * (lobe.view.z + lobe.maskView) /
               (lobe.view.z * maskLight + lz * lobe.maskView);
   return ray;
 }

@@ -74,6 +74,7 @@ struct FootprintLobe
   float scaleU;    // of the points
   float scaleV;
   float shift;     // of the points, along v
+  float rise;      // of a piece's reflectance towards the edge, over a ray's
 };
 
 // A ray of a lobe.

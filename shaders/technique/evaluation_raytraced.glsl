@@ -89,7 +89,7 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
         // Rays expected per weight of the lobe's own density: of both ways.
         float expected = lobeNumber + lightNumber * density * s.solidAngle;
         float facet = sqrt(max(0.5f + 0.5f * dot(point.view, s.direction), 0.0f));  // V.H
-        float share = s.weight * facetReflectance(point.f0, facet) / expected;
+        float share = s.weight * facetReflectance(point.f0, facet, 1.0f) / expected;
         float level = sharp ? 0.0f : sampleLevel(probe, hit, s.direction, alphaEach, s.solidAngle / expected);
         sum = sum + share * fetchProbe(map, probe, hit.direction, level);
         weights = weights + share;

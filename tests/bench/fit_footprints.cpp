@@ -21,7 +21,7 @@ using namespace boxprobe;
 // The rooms of fit and judgement have different seeds; unit tests have others.
 constexpr unsigned kTrainingSeed = 1, kJudgementSeed = 77;
 constexpr int kRays = 4096;
-constexpr float kNonMetal = 0.04f;  // F0; half of the rooms have such surfaces, half such that reflect all
+constexpr float kNonMetal = 0.04f;  // F0
 
 // What the constants in shaders/technique were fitted with: each form has its own, since what its few numbers can do
 // about light, they take from the errors.
@@ -58,7 +58,7 @@ class Errors {
   std::vector<double> residuals(const Values& values) const {
     const double display = 1.0 / std::sqrt(displaySquares_), linear = std::sqrt(linearWeight_ / linearSquares_);
     std::vector<double> result;
-    std::array<double, 2 * study::kBuckets> light{};
+    std::array<double, study::kBuckets> light{};
     for (std::size_t i = 0; i < values.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
         result.push_back(display * (study::displayValue(values[i][c]) - display_[3 * i + static_cast<std::size_t>(c)]));
@@ -75,13 +75,12 @@ class Errors {
 
  private:
   static std::size_t bucketOf(const study::RoomPoint& p) {
-    const int kind = p.point.f0 < 0.5f ? study::kBuckets : 0;
-    return static_cast<std::size_t>(kind + p.roughness * study::kAngles + p.angle);
+    return static_cast<std::size_t>(p.roughness * study::kAngles + p.angle);
   }
   const std::vector<study::RoomPoint>& points_;
   double linearWeight_, lightWeight_;
   std::vector<double> display_;
-  std::array<double, 2 * study::kBuckets> light_{};
+  std::array<double, study::kBuckets> light_{};
   double displaySquares_ = 0.0, linearSquares_ = 0.0;
 };
 
@@ -108,20 +107,22 @@ void judge(int faceSize, float f0) {
   }
 }
 
+std::vector<double> joined(std::vector<double> a, const std::vector<double>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+// First of surfaces that reflect all, then what non-metals add.
 void fit(const Settings& s, int rounds, int restarts) {
-  study::RoomPoints rooms = study::randomPoints(kTrainingSeed, s.rooms / 2, s.pointsEach, 128, kRays);
-  study::RoomPoints nonMetals =
-      study::randomPoints(kTrainingSeed + 1, s.rooms / 2, s.pointsEach, 128, kRays, {}, kNonMetal);
-  std::move(nonMetals.chains.begin(), nonMetals.chains.end(), std::back_inserter(rooms.chains));
-  std::move(nonMetals.points.begin(), nonMetals.points.end(), std::back_inserter(rooms.points));
-  const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), rooms.points), rooms.points).rmse;
-  const Errors errors(rooms.points, s);
   const bench::FootprintForm form = bench::footprintForm(s.lookups);
+  const study::RoomPoints rooms = study::randomPoints(kTrainingSeed, s.rooms, s.pointsEach, 128, kRays);
+  const auto report = [&](const char* name, const std::vector<double>& c, const study::RoomPoints& of) {
+    const double hdrp = study::tally(study::valuesOf(study::techniqueOf("hdrp"), of.points), of.points).rmse;
+    print(name, study::tally(study::valuesOf(form.technique(c), of.points), of.points), hdrp);
+  };
+  const Errors errors(rooms.points, s);
   const bench::Residuals residuals = [&](const std::vector<double>& c) {
-    std::vector<double> all = errors.residuals(study::valuesOf(form.technique(c), rooms.points));
-    const std::vector<double> plain = form.plain(c);
-    all.insert(all.end(), plain.begin(), plain.end());
-    return all;
+    return joined(errors.residuals(study::valuesOf(form.technique(c), rooms.points)), form.plain(c));
   };
   std::vector<double> best = form.start;
   double least = bench::leastSquares(residuals, best, rounds);
@@ -134,7 +135,22 @@ void fit(const Settings& s, int rounds, int restarts) {
     std::fprintf(stderr, "restart %d: %.5f, least %.5f\n", i + 1, there, least);
     if (there < least) least = there, best = c;
   }
-  print("fitted", study::tally(study::valuesOf(form.technique(best), rooms.points), rooms.points), hdrp);
+  report("reflect all", best, rooms);
+  if (s.lookups > 1) {
+    const study::RoomPoints others =
+        study::randomPoints(kTrainingSeed + 1, s.rooms, s.pointsEach, 128, kRays, {}, kNonMetal);
+    const Errors otherErrors(others.points, s);
+    report("others before", best, others);
+    std::vector<double> edge(bench::kEdgeConstants, 0.0);
+    const bench::Residuals edgeResiduals = [&](const std::vector<double>& e) {
+      std::vector<double> plain = e;
+      for (double& x : plain) x *= 0.004;
+      return joined(otherErrors.residuals(study::valuesOf(form.technique(joined(best, e)), others.points)), plain);
+    };
+    bench::leastSquares(edgeResiduals, edge, 2 * rounds);
+    best = joined(best, edge);
+    report("others", best, others);
+  }
   std::printf("%s", form.shader(best).c_str());
 }
 

@@ -30,6 +30,40 @@ double d(float x) {
   return static_cast<double>(x);
 }
 
+// What the lobe of a surface that reflects all has added where straight on it reflects less, by g = 1 - F0 (of
+// ShadingPoint): its flat side counts more. Constants: shift 1 a n, scales of u and v by a and n, bias 1 a, and how
+// fast a piece's reflectance rises, a n.
+struct Edge {
+  float shift = 0, shiftA = 0, shiftN = 0, scaleUA = 0, scaleUN = 0, scaleVA = 0, scaleVN = 0, bias = 0, biasA = 0;
+  float riseA = 0, riseN = 0;
+
+  void set(shading::FootprintLobe& lobe, float f0) const {
+    const float a = lobe.alpha, n = lobe.view.z, g = 1.0f - std::min(f0, 1.0f);
+    lobe.bias += g * (bias + biasA * a);
+    lobe.scaleU += g * (scaleUA * a + scaleUN * n);
+    lobe.scaleV += g * (scaleVA * a + scaleVN * n);
+    lobe.shift += g * lobe.view.x * (shift + shiftA * a + shiftN * n);
+    lobe.rise = std::max(1.0f + riseA * a + riseN * n, 0.1f);
+  }
+  std::string shader() const {
+    return line("float g = 1.0f - min(point.f0, 1.0f);") +
+           line("lobe.bias = lobe.bias + g * (%.3ff + (%.3ff) * a);", d(bias), d(biasA)) +
+           line("lobe.scaleU = lobe.scaleU + g * (%.3ff * a + (%.3ff) * n);", d(scaleUA), d(scaleUN)) +
+           line("lobe.scaleV = lobe.scaleV + g * (%.3ff * a + (%.3ff) * n);", d(scaleVA), d(scaleVN)) +
+           line("lobe.shift = lobe.shift + g * lobe.view.x * (%.3ff + (%.3ff) * a + (%.3ff) * n);", d(shift), d(shiftA),
+                d(shiftN)) +
+           line("lobe.rise = max(1.0f + (%.3ff) * a + (%.3ff) * n, 0.1f);", d(riseA), d(riseN));
+  }
+};
+
+Edge edgeOf(const Constants& c, std::size_t base) {
+  Edge e;
+  float* const to[kEdgeConstants] = {&e.shift,   &e.shiftA, &e.shiftN, &e.scaleUA, &e.scaleUN, &e.scaleVA,
+                                     &e.scaleVN, &e.bias,   &e.biasA,  &e.riseA,   &e.riseN};
+  for (std::size_t i = 0; i < kEdgeConstants && base + i < c.size(); ++i) *to[i] = rounded(c[base + i]);
+  return e;
+}
+
 // What all forms share: bias, size and the disk's scales and shift, by roughness and view. a: alpha, n: N.V.
 struct Common {
   float size = 1.0f, sizeA = 0.0f, sizeN = 0.0f;  // alone; the pieces' are relative to it
@@ -113,6 +147,7 @@ struct Piece {
 
 struct ManyLookups {
   Common common;
+  Edge edge;
   std::vector<Piece> pieces;
   float centreA = 0.0f, centreA2 = 0.0f,
         weightA = 0.0f;  // the mean v, kept at 0: (centreA a + centreA2 a²) / (1 + weightA a)
@@ -133,6 +168,7 @@ struct ManyLookups {
     };
     for (int i = 0; i < layoutOf(lookups).single; ++i) add(false);
     for (int i = 0; i < layoutOf(lookups).pairs; ++i) add(true);
+    edge = edgeOf(c, static_cast<std::size_t>(p - c.data()));
     centre();
   }
   // Weights of sum 1 where a = 0, and points whose mean is 0 there.
@@ -154,6 +190,7 @@ struct ManyLookups {
   glm::dvec3 operator()(const study::RoomPoint& p) const {
     shading::FootprintLobe lobe = shading::footprintLobe(p.point, 1.0f);
     common.set(lobe);
+    edge.set(lobe, p.point.f0);
     const float a = lobe.alpha, n = lobe.view.z;
     lobe.shift -= lobe.scaleV * a * (centreA + centreA2 * a) / (1.0f + weightA * a);
     lobe.size *= common.size * std::max(1.0f + common.sizeA * a + common.sizeN * n, 0.1f);
@@ -165,7 +202,7 @@ struct ManyLookups {
     return glm::dvec3(sum.value / sum.weight);
   }
   std::string shader() const {
-    std::string text = common.shader();
+    std::string text = common.shader() + edge.shader();
     text += line("lobe.shift = lobe.shift - lobe.scaleV * a * (%.3ff + (%.3ff) * a) / (1.0f + (%.3ff) * a);",
                  d(centreA), d(centreA2), d(weightA));
     text += line("lobe.size = lobe.size * %.3ff * max(1.0f + (%.3ff) * a + (%.3ff) * n, 0.1f);", d(common.size),

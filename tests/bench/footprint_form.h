@@ -9,6 +9,10 @@
 
 namespace boxprobe::bench {
 
+/// What a form of two or more lookups has beside, for surfaces that reflect less straight on: the last of its
+/// constants, 0 at first.
+constexpr std::size_t kEdgeConstants = 11;
+
 struct FootprintForm {
   std::vector<double> start;
   std::function<study::Technique(const std::vector<double>& constants)> technique;

@@ -120,13 +120,13 @@ TEST_F(CompareTest, TheDifferenceIsAPictureOfFalseColoursWithAScale) {
 }
 
 // Each says what it is; with all light a mirror in a mirror is not black.
-TEST_F(CompareTest, AllLightOrOneReflectionIsTraced) {
+TEST_F(CompareTest, AllLightOrTheReflectionIsTraced) {
   const auto traced = [this](const char* name) {
     return waitFor([&] { return caption() == name || caption().startsWith(QString(name) + ", "); });
   };
-  compare().traceReference(TracedLight::OneReflection);
-  EXPECT_TRUE(traced("One reflection")) << caption().toStdString();
-  EXPECT_TRUE(window_->statusBar()->currentMessage().contains("without shadows"));
+  compare().traceReference(TracedLight::Reflection);
+  EXPECT_TRUE(traced("Reflection traced")) << caption().toStdString();
+  EXPECT_TRUE(window_->statusBar()->currentMessage().contains("reflection ray traced"));
   compare().traceReference(TracedLight::All);
   EXPECT_TRUE(traced("Ray traced")) << caption().toStdString();
   EXPECT_TRUE(window_->statusBar()->currentMessage().contains("All light"));

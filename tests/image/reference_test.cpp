@@ -103,8 +103,8 @@ TEST(Reference, WallsAndMirrorAreAsDrawn) {
   ReferenceSettings settings;
   settings.width = kWidth;
   settings.height = kHeight;
-  settings.samplesPerPixel = 16;
-  settings.raysPerPixel = 16;
+  settings.samplesPerPixel = 4;
+  settings.raysPerPixel = 4;
   for (const char* name : {"main", "A"}) {
     const Camera camera = cameraNamed(picture.scene, name);
     const ReferencePicture traced = reference.render(camera, settings);
@@ -112,11 +112,11 @@ TEST(Reference, WallsAndMirrorAreAsDrawn) {
         << "a mirror needs one ray";
 
     picture.show(camera);
-    const ImageRgbaF drawn = picture.linear(16);
+    const ImageRgbaF drawn = picture.linear(4);
     const Scene kept = picture.scene;
     picture.scene.objects["floor"].visible = false;
     picture.show(mirroredInFloor(camera, 0.0));
-    const ImageRgbaF mirrored = flippedTopToBottom(picture.linear(16));
+    const ImageRgbaF mirrored = flippedTopToBottom(picture.linear(4));
     picture.scene = kept;
     keepPicture(traced.color, std::string("reference_scene_") + name);
     keepPicture(drawn, std::string("reference_drawn_") + name);
@@ -223,6 +223,44 @@ struct Scores {
         100.0 * std::sqrt(3.0 * variance) / total);
   }
 };
+
+// Where nothing reflects, a picture whose reflection alone is traced is the picture; without the probes' diffuse light
+// it is not.
+TEST(Reference, WithTheProbesDiffuseLightTheReflectionAloneDiffers) {
+  constexpr int kSmall = 3;
+  ScenePicture picture =
+      ScenePicture::fromFile("../tests/truth/lit/scenes/doorway.boxprobe.json", kWidth / kSmall, kHeight / kSmall);
+  const ReferenceScene reference = referenceOf(picture.scene);
+  for (const Camera& camera : picture.scene.cameras) {
+    picture.show(camera);
+    const ImageRgbaF drawn = picture.linear(4);
+    auto diffuse = std::make_shared<ProbesDiffuse>();
+    for (const Probe& probe : picture.scene.probes) diffuse->push_back(picture.renderer->diffuseLight(probe.name));
+    ReferenceSettings settings;
+    settings.width = kWidth / kSmall;
+    settings.height = kHeight / kSmall;
+    settings.samplesPerPixel = 4;
+    settings.raysPerPixel = 4;
+    settings.diffuse = diffuse;
+    const ImageRgbaF own = reference.render(camera, settings).color;
+    settings.diffuse = nullptr;
+    const ImageRgbaF sky = reference.render(camera, settings).color;
+    std::vector<double> off, without;
+    for (std::size_t i = 0; i < drawn.pixels.size(); i += 4) {
+      const auto error = [&](const ImageRgbaF& image) {
+        const double d = image.pixels[i + 1] - drawn.pixels[i + 1];
+        return std::abs(d) / std::max(static_cast<double>(drawn.pixels[i + 1]), 1.0e-3);
+      };
+      off.push_back(error(own));
+      without.push_back(error(sky));
+    }
+    std::printf("  %s: median off by %.4f, 90 %% within %.4f; with the sky's diffuse light alone %.3f\n",
+                camera.name.c_str(), quantile(off, 0.5), quantile(off, 0.9), quantile(without, 0.5));
+    EXPECT_LT(quantile(off, 0.5), 0.004) << camera.name;
+    EXPECT_LT(quantile(off, 0.9), 0.03) << camera.name;
+    EXPECT_GT(quantile(without, 0.5), 0.1) << camera.name;
+  }
+}
 
 // In the empty room the walls stand on the box, so the two references are two ways to the same number: one looks a
 // capture up at box hits, the other traces triangles and textures. Rays that meet an edge of a picture or a lamp are

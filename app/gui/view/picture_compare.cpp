@@ -44,7 +44,7 @@ void PictureCompare::hold() {
 }
 
 QString PictureCompare::referenceName() const {
-  return light_ == TracedLight::All ? tr("Ray traced") : tr("One reflection");
+  return light_ == TracedLight::All ? tr("Ray traced") : tr("Reflection traced");
 }
 
 void PictureCompare::traceReference(TracedLight light) {
@@ -56,8 +56,8 @@ void PictureCompare::traceReference(TracedLight light) {
   emit message(light == TracedLight::All
                    ? tr("All light, path traced in the background, with as many bounces as the probes have. V flips, "
                         "Esc ends it")
-                   : tr("One reflection, ray traced: mirrors in mirrors stay black, diffuse light is the sky's alone, "
-                        "without shadows. V flips, Esc ends it"));
+                   : tr("The picture with its reflection ray traced: all other light is the picture's own. Mirrors in "
+                        "mirrors stay black. V flips, Esc ends it"));
 }
 
 void PictureCompare::start() {
@@ -71,7 +71,7 @@ void PictureCompare::start() {
   name_ = tr("%1: preparing").arg(referenceName());
   showOther();
   wipe_.showNumbers({});
-  trace_.start(document_.scene(), hooks_.models(), camera_, size_, light_);
+  trace_.start(document_.scene(), hooks_.models(), camera_, size_, light_, hooks_.diffuse());
 }
 
 void PictureCompare::referenceDone(const QImage& image, double share) {

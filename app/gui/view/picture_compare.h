@@ -27,6 +27,7 @@ class PictureCompare : public QObject {
     std::function<QImage()> picture;  ///< as it is now, without handles; draws, but tells nobody
     std::function<Camera()> camera;   ///< it is seen from
     std::function<std::vector<std::shared_ptr<const Model>>()> models;
+    std::function<ProbesDiffuse()> diffuse;  ///< of the probes as they are shown
   };
   /// `wipe` must outlive this.
   PictureCompare(const Document& document, CompareWipe& wipe, Hooks hooks, QObject* parent = nullptr);

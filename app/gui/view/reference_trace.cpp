@@ -73,10 +73,11 @@ void ReferenceTrace::forgetEnded() {
 }
 
 void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
-                           const Camera& camera, const QSize& size, TracedLight light) {
+                           const Camera& camera, const QSize& size, TracedLight light, ProbesDiffuse diffuse) {
   end();
   run_ = std::make_unique<Run>();
-  run_->thread = std::thread([this, run = run_.get(), number = number_, scene, models, camera, size, light] {
+  run_->thread = std::thread([this, run = run_.get(), number = number_, scene, models, camera, size, light,
+                              diffuse = std::make_shared<const ProbesDiffuse>(std::move(diffuse))] {
     const AtEnd left([run] { run->left = true; });
     const auto tell = [this, number](const QImage& image, double share, const QString& error) {
       QMetaObject::invokeMethod(
@@ -101,12 +102,13 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
         };
       } else {
         const auto reference = std::make_shared<const ReferenceScene>(scene, models, loadSkyImage(scene));
-        render = [reference, &camera, goesOn](int width, int height, int rays) {
+        render = [reference, &camera, &diffuse, goesOn](int width, int height, int rays) {
           ReferenceSettings settings;
           settings.width = width;
           settings.height = height;
           settings.samplesPerPixel = 1;
           settings.raysPerPixel = rays;
+          settings.diffuse = diffuse;
           return reference->render(camera, settings, goesOn);
         };
       }

@@ -13,13 +13,14 @@
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/reference/light/capture_light.h"
 
 namespace boxprobe {
 
 /// What is traced.
 enum class TracedLight {
-  All,            ///< by reference-path: every bounce that the scene's probes have, shadows, all lights
-  OneReflection,  ///< by reference-scene: one reflection of surfaces that are lit as in a probe's first capture
+  All,         ///< by reference-path: every bounce that the scene's probes have, shadows, all lights
+  Reflection,  ///< by reference-scene: the picture's own light, and the reflection alone traced
 };
 
 class ReferenceTrace : public QObject {
@@ -30,9 +31,10 @@ class ReferenceTrace : public QObject {
   /// Stops what is under way and waits for it.
   ~ReferenceTrace() override;
 
-  /// Begins anew; `models` in the order of scene.models, `size` in pixels.
+  /// Begins anew; `models` in the order of scene.models, `size` in pixels. `diffuse`: the picture's, for
+  /// TracedLight::Reflection.
   void start(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models, const Camera& camera,
-             const QSize& size, TracedLight light = TracedLight::All);
+             const QSize& size, TracedLight light = TracedLight::All, ProbesDiffuse diffuse = {});
   /// Asks it to stop; what comes in until end() or start() is still told.
   void requestStop();
   /// Asks it to stop; nothing is told any more. Does not wait: the thread ends by itself.

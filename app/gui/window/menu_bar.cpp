@@ -118,8 +118,8 @@ void MenuBar::buildLook() {
 void MenuBar::buildCompare() {
   QMenu* compare = view_->addMenu(tr("C&ompare"));
   add(compare, tr("&Hold this picture"), QKeySequence("C"), &MenuBar::holdRequested);
-  add(compare, tr("With all light, &ray traced"), QKeySequence("Shift+C"), &MenuBar::traceRequested);
-  add(compare, tr("With &one reflection, ray traced"), {}, &MenuBar::traceReflectionRequested);
+  add(compare, tr("With &all light, ray traced"), QKeySequence("Shift+C"), &MenuBar::traceRequested);
+  add(compare, tr("With the &reflection alone ray traced"), {}, &MenuBar::traceReflectionRequested);
   add(compare, tr("&Error against all light, ray traced"), QKeySequence("Shift+V"), &MenuBar::traceErrorRequested);
   difference_ = addToggle(compare, tr("The &difference in false colours"), QKeySequence("Ctrl+Shift+D"),
                           &MenuBar::differenceSwitched);

@@ -41,11 +41,11 @@ ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
       pictureMenu_(
           new PictureMenu({parts.editor, parts.viewport, parts.handles, parts.surfaces, *views_, parts.menu}, window)),
       wipe_(new CompareWipe(&parts.viewport)),
-      compare_(new PictureCompare(
-          parts.document, *wipe_,
-          {[this] { return parts_.scheduler.idle() && !parts_.renderer.workPending(); },
-           [this] { return barePicture(); }, [this] { return parts_.renderer.currentCamera(); }, parts.models},
-          this)),
+      compare_(new PictureCompare(parts.document, *wipe_,
+                                  {[this] { return parts_.scheduler.idle() && !parts_.renderer.workPending(); },
+                                   [this] { return barePicture(); }, [this] { return parts_.renderer.currentCamera(); },
+                                   parts.models, [this] { return shownDiffuse(); }},
+                                  this)),
       sideBySide_(new ViewComparison(
           parts.document, &parts.viewport,
           {[this] { return parts_.scheduler.idle() && !parts_.renderer.workPending(); },
@@ -112,7 +112,7 @@ void ViewTools::connectCompare() {
   connect(menu, &MenuBar::holdRequested, compare_, &PictureCompare::hold);
   connect(menu, &MenuBar::traceRequested, compare_, [this] { compare_->traceReference(TracedLight::All); });
   connect(menu, &MenuBar::traceReflectionRequested, compare_,
-          [this] { compare_->traceReference(TracedLight::OneReflection); });
+          [this] { compare_->traceReference(TracedLight::Reflection); });
   connect(menu, &MenuBar::traceErrorRequested, compare_, &PictureCompare::traceError);
   connect(menu, &MenuBar::differenceSwitched, compare_, &PictureCompare::setDifference);
   connect(compare_, &PictureCompare::differenceChanged, menu, &MenuBar::showDifference);
@@ -180,6 +180,14 @@ void ViewTools::modelsReplaced() {
   parts_.editor.selectAlone();
   views_->forgetView();
   tags_->showSpot({});
+}
+
+ProbesDiffuse ViewTools::shownDiffuse() const {
+  ProbesDiffuse diffuse;
+  for (const Probe& probe : parts_.document.scene().probes) {
+    diffuse.push_back(parts_.renderer.diffuseLight(probe.name));
+  }
+  return diffuse;
 }
 
 QImage ViewTools::barePicture() {

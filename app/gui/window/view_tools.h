@@ -74,6 +74,7 @@ class ViewTools : public QObject {
   void connectGauge();
   void showKeys(bool shown);
   QImage barePicture();
+  ProbesDiffuse shownDiffuse() const;
 
   Parts parts_;
   ViewCommands* views_;

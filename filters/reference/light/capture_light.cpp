@@ -15,7 +15,8 @@ namespace boxprobe {
 CaptureLight::CaptureLight(const Scene& scene, std::shared_ptr<const ImageRgbaF> skyImage)
     : sky_(scene.sky, std::move(skyImage), scene.skyRotationDegrees), energy_(scene.energy), lights_(scene.lights) {
   for (const Probe& probe : scene.probes) {
-    probes_.push_back({probeGeometry(probe, probe.origin), std::holds_alternative<ClearToOpen>(probe.clear)});
+    probes_.push_back(
+        {probeGeometry(probe, probe.origin), std::holds_alternative<ClearToOpen>(probe.clear), probes_.size()});
   }
   std::stable_sort(probes_.begin(), probes_.end(),
                    [](const auto& a, const auto& b) { return a.importance > b.importance; });
@@ -40,6 +41,30 @@ CaptureLight::Shares CaptureLight::shares(const glm::dvec3& position) const {
   }
   result.diffuse += result.sky;
   return result;
+}
+
+glm::vec3 CaptureLight::irradiance(const SurfacePoint& s, const ProbesDiffuse& diffuse) const {
+  glm::vec3 result(0.0f);
+  float left = 1.0f;
+  for (std::size_t first = 0; first < probes_.size();) {
+    std::size_t end = first;
+    float sum = 0.0f;
+    glm::vec3 lit(0.0f);
+    for (; end < probes_.size() && probes_[end].importance == probes_[first].importance; ++end) {
+      const LightingProbe& g = probes_[end];
+      if (g.index >= diffuse.size() || !diffuse[g.index]) continue;
+      const glm::vec3 p(glm::transpose(g.worldFromProbe) * (s.positionWorld - g.originWorld));
+      const float weight = shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
+      const ShCoefficients& c = *diffuse[g.index];
+      sum += weight;
+      lit += weight * g.intensity *
+             shading::shIrradiance(s.normalWorld, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]);
+    }
+    result += left * shading::groupScale(sum) * lit;
+    left = shading::remainingAfter(left, sum);
+    first = end;
+  }
+  return result + left * sky_.irradiance(s.normalWorld);
 }
 
 std::optional<glm::dvec3> CaptureLight::capturedFrom(const glm::dvec3& position) const {
@@ -81,7 +106,8 @@ Scattering CaptureLight::scattering(const SurfacePoint& s, const FresnelEnds& en
   return result;
 }
 
-glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through) const {
+glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through,
+                                    const ProbesDiffuse* diffuse) const {
   if (unlit) return s.emissive;
   // The shader's own, with a film's colour at the eye: light sources are not what a reference judges.
   const SurfaceFresnel lit = surfaceFresnel(s, std::clamp(glm::dot(s.normalWorld, s.viewWorld), 1.0e-5f, 1.0f));
@@ -90,8 +116,9 @@ glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std
   if (!lights_.empty()) sum += directLight(s, ends.f0, ends.f90, lights_, through, scattering(s, ends));
   if (s.metallic < 1.0f) {
     const float under = s.occlusion * static_cast<float>(sheenPasses(s));
-    sum += under * shares(s.positionWorld).diffuse * (1.0f - ends.f0) * (1.0f - s.metallic) * s.albedo *
-           sky_.irradiance(s.normalWorld);
+    const glm::vec3 light =
+        diffuse != nullptr ? irradiance(s, *diffuse) : shares(s.positionWorld).diffuse * sky_.irradiance(s.normalWorld);
+    sum += under * (1.0f - ends.f0) * (1.0f - s.metallic) * s.albedo * light;
   }
   return sum;
 }

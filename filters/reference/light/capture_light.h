@@ -11,10 +11,14 @@
 #include "filters/core/scene/scene.h"
 #include "filters/core/surface/direct_light.h"
 #include "filters/core/surface/surface_point.h"
+#include "filters/math/cube/spherical_harmonics.h"
 #include "filters/reference/light/reference_sky.h"
 #include "filters/reference/light/reflecting_layers.h"
 
 namespace boxprobe {
+
+/// Diffuse light of a scene's probes as its picture has it, in the scene's order; nothing for one without maps.
+using ProbesDiffuse = std::vector<std::optional<ShCoefficients>>;
 
 class CaptureLight {
  public:
@@ -26,7 +30,9 @@ class CaptureLight {
 
   const std::vector<Light>& lights() const { return lights_; }
   /// Emission, light sources and diffuse light. `through`: how much of each light arrives, null for all of it.
-  glm::vec3 unreflected(const SurfacePoint& surface, bool unlit, const std::vector<glm::vec3>* through = nullptr) const;
+  /// `diffuse`: of probes and sky as a picture has it; null: the sky's alone, as a first capture has it.
+  glm::vec3 unreflected(const SurfacePoint& surface, bool unlit, const std::vector<glm::vec3>* through = nullptr,
+                        const ProbesDiffuse* diffuse = nullptr) const;
   /// That and the sky's reflection: what a capture shows.
   glm::vec3 captured(const SurfacePoint& surface, bool unlit, const std::vector<glm::vec3>* through = nullptr) const;
 
@@ -40,13 +46,15 @@ class CaptureLight {
     float sky = 1.0f;      ///< what the probes leave
   };
   Shares shares(const glm::dvec3& positionWorld) const;
+  glm::vec3 irradiance(const SurfacePoint& surface, const ProbesDiffuse& diffuse) const;
   Scattering scattering(const SurfacePoint& surface, const FresnelEnds& ends) const;
 
   ReferenceSky sky_;
   Energy energy_;
   std::vector<Light> lights_;
   struct LightingProbe : ProbeGeometry {
-    bool open = false;  ///< its captures go without the sky's light
+    bool open = false;      ///< its captures go without the sky's light
+    std::size_t index = 0;  ///< in the scene
   };
   std::vector<LightingProbe> probes_;  ///< most important first
 };

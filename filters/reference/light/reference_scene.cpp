@@ -185,7 +185,8 @@ ReferencePicture ReferenceScene::render(const Camera& camera, const ReferenceSet
       constexpr int kShadowSide = 6;
       const std::vector<glm::vec3> through = throughTo(*hit, RaySees::Picture, kShadowSide);
       pixel.color +=
-          (1.0 - passes) * glm::dvec3(light_->unreflected(surface, unlit, through.empty() ? nullptr : &through));
+          (1.0 - passes) *
+          glm::dvec3(light_->unreflected(surface, unlit, through.empty() ? nullptr : &through, settings.diffuse.get()));
       if (unlit) continue;
       const std::uint64_t place =
           (static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(settings.width) + static_cast<std::uint64_t>(x)) *

@@ -5,7 +5,7 @@
 // - Surfaces are lit as by a probe's first capture (CaptureLight): emission, the scene's lights - without shadows, but
 //   for those that ask for them, which have a traced area light's (shadow_light.h) - the sky's diffuse light even
 //   indoors, though not where a probe is open to the sky. A technique's picture has its probes' diffuse light there, so
-//   errors are to be measured on metals, or on the reflection alone.
+//   errors are to be measured on metals, or on the reflection alone; or that light is given (ReferenceSettings).
 // - Reflections: GGX over visible normals, distribution, height-correlated masking and Fresnel's term evaluated for
 // each
 //   ray; no table and no mean weight stands between. What a reflection ray hits shows what the first capture shows: a
@@ -36,6 +36,9 @@ struct ReferenceSettings {
   int raysPerPixel = 256;   ///< over all positions; see planRays
   bool full = false;        ///< reflection rays see what the picture shows
   std::uint64_t seed = 1;
+  /// Of what the camera sees: diffuse light as the probes' picture has it, so that nothing but the reflection differs
+  /// from it. Null: the sky's alone.
+  std::shared_ptr<const ProbesDiffuse> diffuse;
   PicturePart part;  ///< what of the picture is wanted; the rest stays black
 };
 

@@ -175,6 +175,16 @@ std::shared_ptr<const ProbeMaps> ProbeSet::maps(const std::string& probeName) co
   return index ? maps(*index) : nullptr;
 }
 
+std::optional<ShCoefficients> ProbeSet::diffuseLight(const std::string& probeName) const {
+  const auto index = entries_.find(probeName);
+  if (!index || !maps(*index)) return std::nullopt;
+  const DrawnProbe& drawn = shown_.drawn(*index);
+  ShCoefficients sum = drawn.maps->irradiance;
+  if (!drawn.open) return sum;
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += drawn.openSky[i];
+  return sum;
+}
+
 std::size_t ProbeSet::memoryBytes() const {
   std::size_t bytes = cache_.bytes();
   for (std::size_t i = 0; i < shown_.size(); ++i) {

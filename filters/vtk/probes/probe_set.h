@@ -88,6 +88,7 @@ class ProbeSet {
 
   /// What a probe shows now; null while it has none, or if there is no such probe.
   std::shared_ptr<const ProbeMaps> maps(const std::string& probeName) const;
+  std::optional<ShCoefficients> diffuseLight(const std::string& probeName) const;
 
   std::shared_ptr<const ProbeMaps> maps(std::size_t index) const { return shown_.drawn(index).maps; }
 
