@@ -9,6 +9,12 @@ vec4 evaluateFootprint8(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   lobe.scaleU = 1.0f - 0.387f * a - 0.174f * n;
   lobe.scaleV = 1.0f + 0.030f * a + 0.062f * n;
   lobe.shift = lobe.view.x * (-0.065f + 0.263f * a + 0.074f * n);
+  float g = 1.0f - min(point.f0, 1.0f);
+  lobe.bias = lobe.bias + g * (-0.052f - 0.115f * a);
+  lobe.scaleU = lobe.scaleU + g * (-0.006f * a + 0.023f * n);
+  lobe.scaleV = lobe.scaleV + g * (-0.058f * a + 0.047f * n);
+  lobe.shift = lobe.shift + g * lobe.view.x * (0.067f + 0.213f * a - 0.142f * n);
+  lobe.rise = max(1.0f - 0.567f * a - 0.005f * n, 0.1f);
   lobe.shift = lobe.shift - lobe.scaleV * a * (0.798f + 8.285f * a) / (1.0f + 13.812f * a);
   lobe.size = lobe.size * 0.025f * max(1.0f + 4.261f * a + 1.459f * n, 0.1f);
   FootprintSum sum = footprintStart();
