@@ -1,6 +1,8 @@
 // Fits the constants of the footprint techniques to this project's prefilter and level mapping, and prints them as they
 // stand in shaders/technique; or judges the techniques as they are in rooms that the fit never saw:
-//   fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]]   (as many as the constants were fitted with, unless said)
+//   fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]]   (as many as the constants were fitted with, unless said; with 0
+//   rounds what
+//                                                   reflects all stays as it is)
 //   fit_footprints judge [FACE_SIZE]
 // What is minimised: the error of display values and that of linear light, each relative to the HDRP form's, and light
 // gained or lost at any roughness and view angle.
@@ -125,7 +127,7 @@ void fit(const Settings& s, int rounds, int restarts) {
     return joined(errors.residuals(study::valuesOf(form.technique(c), rooms.points)), form.plain(c));
   };
   std::vector<double> best = form.start;
-  double least = bench::leastSquares(residuals, best, rounds);
+  double least = rounds > 0 ? bench::leastSquares(residuals, best, rounds) : 0.0;
   std::mt19937 random(9);
   std::normal_distribution<double> gauss(0.0, 0.12);
   for (int i = 0; i < restarts; ++i) {  // out of a local minimum
@@ -147,7 +149,7 @@ void fit(const Settings& s, int rounds, int restarts) {
       for (double& x : plain) x *= 0.004;
       return joined(otherErrors.residuals(study::valuesOf(form.technique(joined(best, e)), others.points)), plain);
     };
-    bench::leastSquares(edgeResiduals, edge, 2 * rounds);
+    bench::leastSquares(edgeResiduals, edge, 2 * s.rounds);
     best = joined(best, edge);
     report("others", best, others);
   }

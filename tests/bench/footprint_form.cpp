@@ -1,9 +1,13 @@
 #include "tests/bench/footprint_form.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <sstream>
+
+#include "filters/math/shared/shader_source.h"
 
 namespace boxprobe::bench {
 
@@ -218,26 +222,46 @@ struct ManyLookups {
   }
 };
 
-// Where the fit starts: where an earlier one ended.
+// The numbers of a line of a shader, each with its sign.
+Constants numbersOf(const std::string& text) {
+  Constants numbers;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool starts = std::isdigit(static_cast<unsigned char>(text[at])) != 0 && at > 0 &&
+                        std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0;
+    if (!starts) continue;
+    std::size_t length = 0;
+    const double value = std::stod(text.substr(at), &length);
+    const std::size_t before = text.find_last_not_of(' ', at - 1);
+    numbers.push_back(text[before] == '-' ? -value : value);
+    at += length - 1;
+  }
+  return numbers;
+}
+
+// Where the fit starts: as the shader stands, but for what it has for non-metals.
 Constants startOf(int lookups) {
-  if (lookups == 2) {
-    return {-0.02, 0.20, -0.09, 0.00, 0.00,  -0.49, -0.11, 0.04, 0.48, 0.04, -0.93, 0.22,
-            0.10,  1.59, 0.28,  0.53, -0.05, -0.40, 2.50,  1.57, 1.50, 0.27, 0.37};
+  std::istringstream lines(
+      std::string(shaderSource("technique/evaluation_footprint" + std::to_string(lookups) + ".glsl")));
+  Constants start;
+  for (std::string text; std::getline(lines, text);) {
+    const auto starts = [&](const char* with) { return text.rfind(with, 0) == 0; };
+    const Constants n = numbersOf(text);
+    if (starts("  lobe.bias = ") && n.size() == 3 && text.find("g *") == std::string::npos) {
+      start.insert(start.end(), n.begin(), n.end());
+    } else if (starts("  lobe.scaleU = 1") || starts("  lobe.scaleV = 1")) {
+      start.insert(start.end(), {n.at(1), n.at(2)});
+    } else if (starts("  lobe.shift = lobe.view.x")) {
+      start.insert(start.end(), n.begin(), n.end());
+    } else if (starts("  lobe.size = ")) {
+      start.insert(start.end(), {std::log(n.at(0)), n.at(2), n.at(3)});
+    } else if (starts("  sum = footprintAdd")) {
+      const std::size_t first = starts("  sum = footprintAddPair") ? 0 : 1;  // the axis is at u = 0
+      if (first == 0) start.insert(start.end(), {n.at(0), n.at(1)});
+      const double* v = &n.at(first == 0 ? 2 : 1);
+      start.insert(start.end(), {v[0], v[1], std::log(v[2]), std::log(v[2] + v[3]), std::log(v[4])});
+    }
   }
-  if (lookups == 4) {
-    return {0.03, 0.01,  -0.15, -0.37, -0.35, -0.76, 0.11,  0.01, 0.06, 0.12, -2.02, -0.00, 0.67, 0.47, 0.92,
-            0.49, -0.03, -0.46, 1.64,  2.49,  1.31,  -0.48, 0.43, 0.39, 0.80, 1.01,  1.86,  0.61, 0.20, 0.04};
-  }
-  if (lookups == 8) {
-    return {0.04,  -0.45, -0.15, -0.52, -0.22, 0.04,  0.11,  -0.03, 0.24, 0.08, -3.69, 2.91,  4.14,  0.56, 0.57,
-            -2.02, 0.22,  -0.09, 1.39,  0.16,  -1.09, 0.38,  0.17,  0.42, 0.84, 0.93,  0.51,  -1.43, 0.47, 0.04,
-            0.49,  0.37,  0.31,  0.79,  -1.49, 0.02,  -0.19, 0.57,  0.49, 1.54, 0.35,  -2.55, 0.75,  0.09};
-  }
-  return {-0.24, -0.50, 0.13,  -0.29, -0.07, -0.13, -0.01, -0.02, 0.22,  0.02,  -3.83, 3.63,  1.10,  -0.29, -0.18,
-          0.48,  -0.04, 0.12,  1.11,  -0.31, 0.46,  -0.32, 0.03,  0.21,  0.05,  0.50,  -0.09, 0.21,  0.14,  0.12,
-          0.28,  -0.05, 0.03,  -0.04, 0.26,  0.21,  0.23,  0.44,  0.18,  0.80,  -0.17, 0.37,  0.20,  0.04,  0.73,
-          0.03,  0.33,  -0.25, 0.14,  0.50,  -0.02, 0.48,  -0.05, 1.22,  -0.26, -0.05, 0.18,  -0.14, 0.90,  0.24,
-          0.67,  -0.11, -1.03, 0.82,  -0.18, 0.75,  -0.34, -0.14, -0.31, -0.06, 0.05,  -0.20};
+  return start;
 }
 
 Constants plainOf(int lookups, const Constants& c) {
