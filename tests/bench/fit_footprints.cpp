@@ -77,7 +77,7 @@ class Errors {
 
  private:
   static std::size_t bucketOf(const study::RoomPoint& p) {
-    return static_cast<std::size_t>(p.roughness * study::kAngles + p.angle);
+    return static_cast<std::size_t>(p.roughness) * study::kAngles + static_cast<std::size_t>(p.angle);
   }
   const std::vector<study::RoomPoint>& points_;
   double linearWeight_, lightWeight_;

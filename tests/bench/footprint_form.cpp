@@ -25,7 +25,8 @@ std::string line(const char* format, ...) {
   char text[200];
   va_list values;
   va_start(values, format);
-  std::vsnprintf(text, sizeof text, format, values);
+  std::vsnprintf(text, sizeof text, format,
+                 values);  // NOLINT(clang-analyzer-valist.Uninitialized): it is started above
   va_end(values);
   return std::string("  ") + text + "\n";
 }
@@ -246,12 +247,12 @@ Constants startOf(int lookups) {
   for (std::string text; std::getline(lines, text);) {
     const auto starts = [&](const char* with) { return text.rfind(with, 0) == 0; };
     const Constants n = numbersOf(text);
-    if (starts("  lobe.bias = ") && n.size() == 3 && text.find("g *") == std::string::npos) {
+    const bool whole =
+        starts("  lobe.shift = lobe.view.x") || (starts("  lobe.bias = ") && text.find("g *") == std::string::npos);
+    if (whole) {
       start.insert(start.end(), n.begin(), n.end());
     } else if (starts("  lobe.scaleU = 1") || starts("  lobe.scaleV = 1")) {
       start.insert(start.end(), {n.at(1), n.at(2)});
-    } else if (starts("  lobe.shift = lobe.view.x")) {
-      start.insert(start.end(), n.begin(), n.end());
     } else if (starts("  lobe.size = ")) {
       start.insert(start.end(), {std::log(n.at(0)), n.at(2), n.at(3)});
     } else if (starts("  sum = footprintAdd")) {
