@@ -10,11 +10,11 @@ vec4 evaluateFootprint16(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   lobe.scaleV = 1.0f - 0.172f * a + 0.104f * n;
   lobe.shift = lobe.view.x * (-0.046f + 0.180f * a + 0.032f * n);
   float g = 1.0f - min(point.f0, 1.0f);
-  lobe.bias = lobe.bias + g * (0.010f - 0.029f * a);
-  lobe.scaleU = lobe.scaleU + g * (0.022f * a + 0.010f * n);
-  lobe.scaleV = lobe.scaleV + g * (0.029f * a - 0.005f * n);
-  lobe.shift = lobe.shift + g * lobe.view.x * (0.050f + 0.086f * a - 0.116f * n);
-  lobe.rise = max(1.0f + 0.050f * a - 0.329f * n, 0.1f);
+  lobe.bias = lobe.bias + g * (0.016f - 0.042f * a);
+  lobe.scaleU = lobe.scaleU + g * (0.019f * a - 0.004f * n);
+  lobe.scaleV = lobe.scaleV + g * (0.064f * a + 0.009f * n);
+  lobe.shift = lobe.shift + g * lobe.view.x * (-0.023f + 0.145f * a + 0.029f * n);
+  lobe.rise = max(1.0f + 0.043f * a - 0.719f * n, 0.1f);
   lobe.shift = lobe.shift - lobe.scaleV * a * (-0.117f + 0.003f * a) / (1.0f - 0.132f * a);
   lobe.size = lobe.size * 0.022f * max(1.0f + 7.835f * a - 0.456f * n, 0.1f);
   FootprintSum sum = footprintStart();

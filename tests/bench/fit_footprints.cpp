@@ -31,10 +31,11 @@ struct Settings {
   int lookups, rooms, pointsEach;
   double linearWeight, lightWeight;
   int rounds, restarts;
+  double edgeLightWeight;  // of what non-metals have beside
 };
 constexpr Settings kSettings[] = {
-    {1, 96, 32, 1.0, 14.0, 20, 3}, {2, 256, 12, 0.3, 5.0, 16, 0}, {4, 256, 12, 1.0, 14.0, 14, 0},
-    {8, 64, 32, 1.0, 6.0, 20, 3},  {16, 64, 32, 1.0, 6.0, 20, 3},
+    {1, 96, 32, 1.0, 14.0, 20, 3, 14.0}, {2, 256, 12, 0.3, 5.0, 16, 0, 14.0}, {4, 256, 12, 1.0, 14.0, 14, 0, 14.0},
+    {8, 64, 32, 1.0, 6.0, 20, 3, 6.0},   {16, 64, 32, 1.0, 6.0, 20, 3, 14.0},
 };
 constexpr double kLightFreely = 0.004;  // what the rays of the reference leave open
 
@@ -141,7 +142,9 @@ void fit(const Settings& s, int rounds, int restarts) {
   if (s.lookups > 1) {
     const study::RoomPoints others =
         study::randomPoints(kTrainingSeed + 1, s.rooms, s.pointsEach, 128, kRays, {}, kNonMetal);
-    const Errors otherErrors(others.points, s);
+    Settings weighted = s;
+    weighted.lightWeight = s.edgeLightWeight;
+    const Errors otherErrors(others.points, weighted);
     report("others before", best, others);
     std::vector<double> edge(bench::kEdgeConstants, 0.0);
     const bench::Residuals edgeResiduals = [&](const std::vector<double>& e) {
