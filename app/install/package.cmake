@@ -3,6 +3,10 @@
 # python3-boxprobe, too.
 set(packages boxprobe libboxprobe-dev)
 set(components Program Development)
+if(NOT BOXPROBE_APP)
+  set(packages libboxprobe-dev)
+  set(components Development)
+endif()
 if(BOXPROBE_PYTHON)
   list(APPEND packages python3-boxprobe)
   list(APPEND components Python)
