@@ -123,6 +123,22 @@ TEST_F(Installed, AnotherProgramLightsItsActors) {
   EXPECT_GT(psnr, 30.0);
 }
 
+TEST_F(Installed, TheLibrariesEnterASharedOne) {
+  const std::string build = path("shared");
+  ASSERT_TRUE(configure(BOXPROBE_SOURCE_DIR "/tests/install/shared", build)) << log_;
+  ASSERT_TRUE(run(BOXPROBE_CMAKE " --build '" + build + "'", "build")) << log_;
+  EXPECT_TRUE(run("'" + build + "/probes_host'", "host")) << log_;
+}
+
+// As after a build of the program alone, `./run`.
+TEST_F(Installed, ManualPagesThatWereNotWrittenAreWrittenThen) {
+  fs::remove_all(BOXPROBE_BUILD_DIR "/app/install/man1");
+  fs::remove(BOXPROBE_BUILD_DIR "/app/install/man1.stamp");
+  const std::string prefix = path("another prefix");
+  ASSERT_TRUE(run(BOXPROBE_CMAKE " --install " BOXPROBE_BUILD_DIR " --prefix '" + prefix + "'", "again")) << log_;
+  EXPECT_TRUE(fs::exists(prefix + "/share/man/man1/boxprobe.1.gz"));
+}
+
 TEST_F(Installed, TheMathematicsNeedNoVtk) {
   folder_->write("CMakeLists.txt",
                  "cmake_minimum_required(VERSION 3.25)\nproject(mathematics CXX)\n"
