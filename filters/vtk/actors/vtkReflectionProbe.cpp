@@ -61,6 +61,10 @@ void vtkReflectionProbe::SetOriginAtCenter(bool atCenter) {
   this->Modified();
 }
 
+void vtkReflectionProbe::SetBlendDistance(double distance) {
+  this->SetBlendDistances(distance, distance, distance, distance, distance, distance);
+}
+
 void vtkReflectionProbe::SetTechnique(const char* technique) {
   const std::string id = technique != nullptr ? technique : "";
   if (id == this->Chosen->id && this->Chosen->parameters.empty()) {
@@ -102,7 +106,8 @@ boxprobe::Probe vtkReflectionProbe::ToProbe(const std::string& name) const {
   if (this->UseInfluenceBounds) {
     probe.influence = box(this->InfluenceBounds);
   }
-  probe.blendDistance = {glm::dvec3(this->BlendDistance), glm::dvec3(this->BlendDistance)};
+  const boxprobe::Box blend = box(this->BlendDistances);
+  probe.blendDistance = {blend.min, blend.max};
   probe.importance = this->Importance;
   probe.intensity = this->Intensity;
   probe.technique = this->Chosen->id;
@@ -125,6 +130,45 @@ boxprobe::Probe vtkReflectionProbe::ToProbe(const std::string& name) const {
   return probe;
 }
 
+void vtkReflectionProbe::FromProbe(const boxprobe::Probe& probe) {
+  const auto put = [](const glm::dvec3& low, const glm::dvec3& high, double* to) {
+    for (int axis = 0; axis < 3; ++axis) {
+      to[2 * axis] = low[axis];
+      to[2 * axis + 1] = high[axis];
+    }
+  };
+  const boxprobe::Probe standard;
+  this->Name = probe.name;
+  put(probe.box.min, probe.box.max, this->Bounds);
+  put(probe.influenceBox().min, probe.influenceBox().max, this->InfluenceBounds);
+  put(probe.blendDistance.min, probe.blendDistance.max, this->BlendDistances);
+  this->UseInfluenceBounds = probe.influence.has_value();
+  this->OriginAtCenter = probe.origin == probe.box.center();
+  for (int axis = 0; axis < 3; ++axis) {
+    this->Origin[axis] = probe.origin[axis];
+    this->Orientation[axis] = probe.rotationDegrees[axis];
+  }
+  this->Importance = probe.importance;
+  this->Intensity = probe.intensity;
+  *this->Chosen = {probe.technique, probe.parameters};
+  this->FaceSize = probe.faceSize;
+  this->Bounces = probe.bounces;
+  this->SamplesPerPixel = probe.samplesPerPixel;
+  this->NearDistance = probe.nearDistance != standard.nearDistance ? probe.nearDistance : 0.0;
+  this->FarDistance = probe.farDistance != standard.farDistance ? probe.farDistance : 0.0;
+  this->Clear = SURROUNDINGS;
+  if (std::holds_alternative<boxprobe::ClearToOpen>(probe.clear)) {
+    this->Clear = OPEN;
+  } else if (!std::holds_alternative<boxprobe::ClearToSky>(probe.clear)) {
+    const auto* color = std::get_if<glm::vec3>(&probe.clear);
+    this->Clear = COLOR;
+    for (int i = 0; i < 3; ++i) {
+      this->ClearColor[i] = color != nullptr ? static_cast<double>((*color)[i]) : 0.0;
+    }
+  }
+  this->Modified();
+}
+
 void vtkReflectionProbe::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   const auto list = [&os, indent](const char* name, const double* values, int count) {
@@ -142,7 +186,7 @@ void vtkReflectionProbe::PrintSelf(ostream& os, vtkIndent indent) {
   list("Orientation", this->Orientation, 3);
   list("InfluenceBounds", this->InfluenceBounds, 6);
   os << indent << "UseInfluenceBounds: " << this->UseInfluenceBounds << "\n";
-  os << indent << "BlendDistance: " << this->BlendDistance << "\n";
+  list("BlendDistances", this->BlendDistances, 6);
   os << indent << "Importance: " << this->Importance << "\n";
   os << indent << "Intensity: " << this->Intensity << "\n";
   os << indent << "Technique: " << this->Chosen->id << " (" << this->Chosen->parameters.size() << " parameters set)\n";

@@ -79,9 +79,10 @@ class vtkReflectionProbe : public vtkObject {
   ///@}
   ///@{
   /** From each face of the influence box inwards, the weight rises from 0 to 1 over this distance. 0 by default: full
-   * weight up to the faces. */
-  vtkSetMacro(BlendDistance, double)
-  vtkGetMacro(BlendDistance, double)
+   * weight up to the faces. Six values are those of the faces at xmin, xmax, ymin, ...; one is that of all. */
+  void SetBlendDistance(double distance);
+  vtkSetVector6Macro(BlendDistances, double)
+  vtkGetVector6Macro(BlendDistances, double)
   ///@}
   ///@{
   /** Probes of equal importance share what more important ones leave. 1 by default. */
@@ -136,8 +137,12 @@ class vtkReflectionProbe : public vtkObject {
   ///@}
       // clang-format on
 
-      /** The same as the libraries' value, named `name`. Not checked. */
+      ///@{
+      /** The same as the libraries' value, named `name`; not checked. And from there: what this class does not have (a
+         bevel, occlusion, pictures in place of captures) is left out. */
       boxprobe::Probe ToProbe(const std::string& name) const;
+  void FromProbe(const boxprobe::Probe& probe);
+  ///@}
 
  protected:
   vtkReflectionProbe();
@@ -151,7 +156,7 @@ class vtkReflectionProbe : public vtkObject {
   double Orientation[3] = {0.0, 0.0, 0.0};
   double InfluenceBounds[6] = {-1.0, 1.0, -1.0, 1.0, -1.0, 1.0};
   bool UseInfluenceBounds = false;
-  double BlendDistance = 0.0;
+  double BlendDistances[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   double Importance = 1.0;
   double Intensity = 1.0;
   int FaceSize = 256;
