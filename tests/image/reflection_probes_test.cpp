@@ -81,6 +81,30 @@ TEST(ReflectionProbes, ARendererMayComeToItsWindowLater) {
   other->RemoveRenderer(room.renderer);
 }
 
+TEST(ReflectionProbes, AWindowMayHaveSeveralSamplesAndPeelLayers) {
+  LitRoom room;
+  auto window =
+      vtkSmartPointer<vtkOpenGLRenderWindow>::Take(vtkOpenGLRenderWindow::SafeDownCast(vtkRenderWindow::New()));
+  window->SetOffScreenRendering(true);
+  window->SetSize(160, 160);
+  window->SetMultiSamples(4);
+  window->SetAlphaBitPlanes(true);
+  room.window->RemoveRenderer(room.renderer);
+  window->AddRenderer(room.renderer);
+  room.renderer->UseDepthPeelingOn();
+  const auto veil = plane({-1, -0.5, 1}, {-0.5, -0.5, 1}, {-1, 0.5, 1});
+  veil->GetProperty()->SetInterpolationToPBR();
+  veil->GetProperty()->SetOpacity(0.3);
+  room.renderer->AddActor(veil);
+  for (int frame = 0; frame < 2; ++frame) {
+    window->Render();
+    expectNear(at(windowPixels(window), kMirroredX, kMirroredY), {128, 128, 128}, 2);
+  }
+  EXPECT_TRUE(room.listener.errors.empty()) << room.listener.errors.front();
+  room.probes->SetRenderer(nullptr);
+  window->RemoveRenderer(room.renderer);
+}
+
 TEST(ReflectionProbes, AtRestNothingIsCapturedAgain) {
   const LitRoom room;
   room.picture();

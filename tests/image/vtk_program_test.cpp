@@ -394,6 +394,9 @@ TEST(VtkProgram, ACaptureBeforeAWidgetIsShownIsSaid) {
   probes.addProbe(Probe{});
   EXPECT_FALSE(probes.capture());
   EXPECT_NE(probes.error().find("no OpenGL context yet"), std::string::npos) << probes.error();
+  window->SetReadyForRendering(true);  // says so, and still has none
+  EXPECT_FALSE(probes.capture());
+  EXPECT_NE(probes.error().find("no OpenGL context yet"), std::string::npos) << probes.error();
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST_F(Installed, AnotherProgramLightsItsActors) {
   const std::string scene = folder_->write("shining.boxprobe.json", R"({"format": "boxprobe-scene", "version": 1,
     "model": "shining.glb", "sky": {"color": [0, 0, 0]}, "objects": {"ball": {"seenByProbes": false}},
     "cameras": {"main": {"position": [0.9, 0.5, 1.8], "target": [0, 0, 0], "up": [0, 1, 0], "verticalFovDegrees": 30}},
-    "probes": [{"name": "cube", "origin": [0, 0, 0], "box": {"min": [-2, -2, -2], "max": [2, 2, 2]}}]})");
+    "probes": [{"name": "cube", "origin": [0, 0, 0], "box": {"min": [-2, -2, -2], "max": [2, 2, 2]}, "blendDistance": 0}]})");
   const std::string picture = path("theirs.png"), ours = path("ours.png");
   ASSERT_TRUE(run("'" + build + "/probe_in_renderer' '" + model + "' '" + picture + "'", "example")) << log_;
   ASSERT_TRUE(run(

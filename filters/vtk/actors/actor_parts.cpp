@@ -70,6 +70,22 @@ vtkSmartPointer<vtkLight> standing(vtkLight* light) {
   return copy;
 }
 
+bool waitsForContext(vtkRenderWindow* window) {
+  auto* foreign = vtkGenericOpenGLRenderWindow::SafeDownCast(window);
+  return foreign != nullptr && !foreign->GetReadyForRendering();
+}
+
+/// Null: nothing. A widget's window is begun here, since it may not have drawn yet. Throws WorkError without a context.
+void makeCurrent(vtkOpenGLRenderWindow* window, bool begun) {
+  if (window == nullptr) return;
+  if (waitsForContext(window)) throw WorkError(kNoContext);
+  const bool foreign = vtkGenericOpenGLRenderWindow::SafeDownCast(window) != nullptr;
+  if (!foreign) window->Initialize();
+  window->MakeCurrent();
+  if (!window->IsCurrent()) throw WorkError(kNoContext);
+  if (foreign && !begun) window->OpenGLInit();
+}
+
 void addNumbers(ContentHash& hash, const double* values, int count) {
   for (int i = 0; i < count; ++i) hash.add(values[i]);
 }
@@ -192,10 +208,7 @@ ActorParts::Graphics& ActorParts::ready() {
   if (window == nullptr) {
     throw InputError("probes need a renderer that belongs to a vtkOpenGLRenderWindow; call AddRenderer() first");
   }
-  const auto* foreign = vtkGenericOpenGLRenderWindow::SafeDownCast(window);
-  if (foreign != nullptr && !const_cast<vtkGenericOpenGLRenderWindow*>(foreign)->GetReadyForRendering()) {
-    throw WorkError(kNoContext);
-  }
+  if (waitsForContext(window)) throw WorkError(kNoContext);
   if (graphics && graphics->window != window) release();
   if (!graphics) graphics = std::make_unique<Graphics>(window, state);
   makeStaticTextures(window, state->resources, state->counts);
@@ -517,9 +530,7 @@ bool ActorParts::begin(bool all) {
   if (!all && !anyStale()) return false;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   try {
-    if (window != nullptr && window->IsA("vtkGenericOpenGLRenderWindow") == 0) window->Initialize();
-    if (window != nullptr) window->MakeCurrent();
-    if (window != nullptr && !window->IsCurrent()) throw WorkError(kNoContext);
+    makeCurrent(window, graphics != nullptr && graphics->window == window);
     ready();
   } catch (const WorkError& failure) {
     state->counts.fail(failure.what());
