@@ -2,6 +2,10 @@
 // what it does not, in steps and at once, what is said, and that nothing is left of them.
 #include <vtkAssembly.h>
 #include <vtkCallbackCommand.h>
+#include <vtkDataSetMapper.h>
+#include <vtkLODActor.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkSphereSource.h>
 
@@ -103,6 +107,20 @@ TEST(ReflectionProbes, AWindowMayHaveSeveralSamplesAndPeelLayers) {
   EXPECT_TRUE(room.listener.errors.empty()) << room.listener.errors.front();
   room.probes->SetRenderer(nullptr);
   window->RemoveRenderer(room.renderer);
+}
+
+// As a Qt widget does that gets another parent.
+TEST(ReflectionProbes, AWindowMayGetAnotherContext) {
+  const LitRoom room;
+  expectNear(room.mirrored(), {128, 128, 128}, 2);
+  room.window->Finalize();
+  EXPECT_TRUE(room.probes->GetStale());
+  for (int frame = 0; frame < 2; ++frame) expectNear(room.mirrored(), {128, 128, 128}, 2);
+  EXPECT_EQ(room.listener.starts, 2);
+  room.probes->ReleaseGraphicsResources();
+  expectNear(room.mirrored(), {128, 128, 128}, 2);
+  EXPECT_EQ(room.listener.starts, 3);
+  EXPECT_TRUE(room.listener.errors.empty()) << room.listener.errors.front();
 }
 
 TEST(ReflectionProbes, AtRestNothingIsCapturedAgain) {
@@ -311,6 +329,43 @@ TEST(ReflectionProbes, AProbeThatLightsNothingWarns) {
   room.picture();
   ASSERT_EQ(room.listener.warnings.size(), 1u);
   EXPECT_NE(room.listener.warnings[0].find("lights nothing"), std::string::npos) << room.listener.warnings[0];
+}
+
+TEST(ReflectionProbes, DataSetsAndLevelsOfDetailReflect) {
+  const LitRoom room;
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputConnection(room.floor->GetMapper()->GetInputConnection(0, 0));
+  room.floor->SetMapper(mapper);
+  expectNear(room.mirrored(), {128, 128, 128}, 2);
+  vtkNew<vtkLODActor> levels;
+  levels->SetMapper(plane({-2, -1, 2}, {2, -1, 2}, {-2, -1, -2})->GetMapper());
+  makeMirror(levels);
+  room.renderer->RemoveActor(room.floor);
+  room.renderer->AddActor(levels);
+  room.probes->SetSeenByProbes(levels, false);
+  for (int frame = 0; frame < 4; ++frame) expectNear(room.mirrored(), {128, 128, 128}, 2);
+  EXPECT_TRUE(room.listener.warnings.empty()) << room.listener.warnings.front();
+  EXPECT_TRUE(room.listener.errors.empty()) << room.listener.errors.front();
+}
+
+/// Draws nothing that VTK's render passes could edit.
+class SilentMapper : public vtkOpenGLPolyDataMapper {
+ public:
+  static SilentMapper* New() { VTK_STANDARD_NEW_BODY(SilentMapper); }
+  vtkTypeMacro(SilentMapper, vtkOpenGLPolyDataMapper) void RenderPiece(vtkRenderer*, vtkActor*) override {}
+};
+
+TEST(ReflectionProbes, AMapperThatAsksForNoPassIsSaid) {
+  const LitRoom room;
+  vtkNew<SilentMapper> silent;
+  vtkMapper* before = room.floor->GetMapper();
+  silent->SetInputConnection(before->GetInputConnection(0, 0));
+  room.floor->SetMapper(silent);
+  for (int frame = 0; frame < 6; ++frame) room.picture();
+  ASSERT_EQ(room.listener.warnings.size(), 1u);
+  EXPECT_NE(room.listener.warnings[0].find("SilentMapper reflects nothing"), std::string::npos)
+      << room.listener.warnings[0];
+  EXPECT_TRUE(room.listener.errors.empty());
 }
 
 TEST(ReflectionProbes, SeveralRenderersOfAWindowHaveTheirOwn) {

@@ -7,6 +7,7 @@
 #include <vtkLightCollection.h>
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
+#include <vtkObjectFactory.h>
 #include <vtkOpenGLState.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -32,6 +33,17 @@ namespace {
 constexpr int kSkyFaceSize = 256;
 constexpr const char* kNoContext =
     "the render window has no OpenGL context yet; show its widget first, or leave the capture to the first Render()";
+
+/// A texture without any memory: VTK's windows tell textures before the context goes, and nobody else.
+class ContextWatch : public vtkTextureObject {
+ public:
+  static ContextWatch* New() { VTK_STANDARD_NEW_BODY(ContextWatch); }
+  vtkTypeMacro(ContextWatch, vtkTextureObject) void ReleaseGraphicsResources(vtkWindow* window) override {
+    if (this->Lost) this->Lost();
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
+  std::function<void()> Lost;
+};
 
 bool shadedPhysically(vtkActor* actor) {
   return actor->GetProperty()->GetInterpolation() == VTK_PBR && actor->GetProperty()->GetLighting();
@@ -210,7 +222,13 @@ ActorParts::Graphics& ActorParts::ready() {
   }
   if (waitsForContext(window)) throw WorkError(kNoContext);
   if (graphics && graphics->window != window) release();
-  if (!graphics) graphics = std::make_unique<Graphics>(window, state);
+  if (!graphics) {
+    graphics = std::make_unique<Graphics>(window, state);
+    const auto watch = vtkSmartPointer<ContextWatch>::New();
+    watch->Lost = [this] { release(); };
+    watch->SetContext(window);
+    contextWatch = watch;
+  }
   makeStaticTextures(window, state->resources, state->counts);
   return *graphics;
 }
@@ -240,6 +258,7 @@ void ActorParts::beginFrame(vtkRenderer* drawn) {
 }
 
 void ActorParts::endFrame() {
+  if (draws->renderer == renderer) remarkUnasked();
   draws->bound.clear();
   if (!seamlessBefore && draws->renderer != nullptr && graphics)
     graphics->window->GetState()->vtkglDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
@@ -459,6 +478,22 @@ void ActorParts::remarkUnreached() {
   }
 }
 
+// An actor in view that is drawn without its pass: by a mapper that asks for none, or by other keys than its own.
+void ActorParts::remarkUnasked() {
+  constexpr int kPatience = 3;
+  for (LitActor& lit : actors) {
+    if (lit.pass->HasRun() || lit.framesWithout > kPatience || parts.count(lit.actor) != 0) continue;
+    const bool drawn = lit.actor->GetVisibility() != 0 && lit.actor->GetRenderTimeMultiplier() > 0.0 &&
+                       shadedPhysically(lit.actor) && renderer->HasViewProp(lit.actor) != 0;
+    if (!drawn) continue;
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(lit.actor->GetMapper());
+    if (mapper == nullptr || mapper->GetInput() == nullptr || mapper->GetInput()->GetNumberOfCells() == 0) continue;
+    if (++lit.framesWithout != kPatience) continue;
+    remarks.push_back(std::string("an actor under a ") + mapper->GetClassName() +
+                      " reflects nothing: nobody asks for the render passes among its property keys");
+  }
+}
+
 std::string ActorParts::contentKey() {
   ContentHash hash;
   hash.add(static_cast<double>(skyWanted)).add(draws->exposure).add(static_cast<double>(draws->emission));
@@ -659,6 +694,7 @@ void ActorParts::release() {
   for (CapturedFrom& from : captured) from = {};
   work.reset();
   if (!graphics) return;
+  static_cast<ContextWatch*>(contextWatch.Get())->Lost = nullptr;
   graphics->window->MakeCurrent();
   graphics->runner.release();
   graphics->capture.release();
@@ -666,6 +702,7 @@ void ActorParts::release() {
   lightSky->ReleaseGraphicsResources(graphics->window);
   releaseStaticTextures(state->resources);
   graphics.reset();
+  for (LitActor& lit : actors) lit.pass->Rebuild();
 }
 
 }  // namespace boxprobe

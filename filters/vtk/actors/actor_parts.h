@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTextureObject.h>
 #include <vtkWeakPointer.h>
 
 #include <algorithm>
@@ -45,6 +46,7 @@ struct LitActor {
   vtkSmartPointer<vtkActorProbesPass> pass;
   ActorState state;
   bool assigned = false;  ///< by `state` and the probes as they are
+  int framesWithout = 0;  ///< that should have drawn it, and in which nobody asked for its pass
 };
 
 /// Where another prop of the renderer draws an actor: an assembly its parts.
@@ -108,6 +110,7 @@ struct ActorParts {
   CaptureSettings clippedSettings(std::size_t index) const;
   bool reaches(std::size_t index) const;
   void remarkUnreached();
+  void remarkUnasked();
   bool skyStale() const { return skyShown != skyWanted; }
 
   /// Plans captures of all probes, or of the stale ones. False: there are none, or it failed; see the error.
@@ -144,6 +147,8 @@ struct ActorParts {
   std::unique_ptr<CaptureWork> work;
   std::vector<vtkSmartPointer<vtkLight>> captureLights;
   std::unique_ptr<Graphics> graphics;
+  /// Registered with the window, which tells its like before its context goes.
+  vtkSmartPointer<vtkTextureObject> contextWatch;
   RendererSurroundings surroundings;
   bool skyGiven = false;  ///< by setSky, in place of the renderer's surroundings
   vtkNew<vtkSkyProp> lightSky;

@@ -119,6 +119,7 @@ void vtkActorProbesPass::Attach(vtkActor* actor, vtkProp* owner) {
     return;
   }
   this->Detach();
+  this->Run = false;
   this->Actor = actor;
   this->Owner = owner;
   this->KeysMade = owner->GetPropertyKeys() == nullptr;
@@ -221,6 +222,7 @@ bool vtkActorProbesPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstr
   if (!this->Draws || !this->IsFor(prop)) {
     return true;
   }
+  this->Run = true;
   if (program->IsUniformUsed("bpLightOfDisplay")) {
     const bool capturing = this->Draws->state.pass().exposure == boxprobe::kLinearOutput;
     program->SetUniformf("bpLightOfDisplay", capturing ? static_cast<float>(1.0 / this->Draws->exposure) : 0.0f);

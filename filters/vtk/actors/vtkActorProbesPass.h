@@ -63,6 +63,8 @@ class vtkActorProbesPass : public vtkOpenGLRenderPass {
   void Attach(vtkActor* actor, vtkProp* owner);
   /** Takes it out and leaves the keys as they were found. */
   void Detach();
+  /** Has a mapper asked for it since it was attached? */
+  bool HasRun() const { return this->Run; }
   /** Does the actor draw with a pass of another object, added before? */
   static bool HasOther(vtkActor* actor, const vtkActorProbesPass* own);
 
@@ -95,4 +97,5 @@ class vtkActorProbesPass : public vtkOpenGLRenderPass {
   vtkTimeStamp Built;    // when the program last had to be another
   bool Refused = false;  // by the driver: VTK's own is drawn
   bool Plain = false;    // built while nothing of ours was to be drawn
+  bool Run = false;
 };
