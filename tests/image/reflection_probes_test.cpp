@@ -4,6 +4,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkDataSetMapper.h>
 #include <vtkLODActor.h>
+#include <vtkLightCollection.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLRenderer.h>
@@ -14,6 +15,7 @@
 #include <sstream>
 
 #include "filters/core/base/version.h"
+#include "filters/core/scene/scene.h"
 #include "filters/io/image/image_file.h"
 #include "filters/vtk/actors/vtkReflectionProbe.h"
 #include "filters/vtk/actors/vtkReflectionProbes.h"
@@ -130,6 +132,17 @@ TEST(ReflectionProbes, AtRestNothingIsCapturedAgain) {
     room.look(room.renderer, 0.1 * frame);
     room.picture();
   }
+  EXPECT_EQ(room.listener.starts, 1);
+}
+
+TEST(ReflectionProbes, ALightThatFollowsTheCameraMakesNothingStale) {
+  LitRoom room;
+  room.renderer->RemoveAllLights();  // VTK makes its own then, at the camera
+  for (int frame = 0; frame < 4; ++frame) {
+    room.look(room.renderer, 0.3 * frame);
+    room.picture();
+  }
+  EXPECT_EQ(room.renderer->GetLights()->GetNumberOfItems(), 1);
   EXPECT_EQ(room.listener.starts, 1);
 }
 
@@ -423,6 +436,50 @@ TEST(ReflectionProbes, UnusedPropsAreVtksOwn) {
   EXPECT_EQ(room.picture().pixels, stock.pixels);
   EXPECT_FALSE(probes->GetUsed(room.floor));
   EXPECT_TRUE(probes->GetUsed(room.others[0]));
+}
+
+TEST(ReflectionProbes, BakedFilesTakeThePlaceOfCaptures) {
+  ScenePicture baked = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  baked.show(baked.scene.cameras.front());
+  const std::string file = baked.renderer->saveBaked("room", testing::TempDir(), "a test");
+  const LitRoom room;
+  room.picture();
+  EXPECT_FALSE(room.probes->LoadMaps(room.probe, "missing.exr"));
+  const ImageRgba8 captured = room.picture();
+  ASSERT_TRUE(room.probes->LoadMaps(room.probe, file.c_str())) << room.probes->GetLastError();
+  EXPECT_GT(meanDifference(captured, room.picture()), 5.0);
+  room.others[2]->GetProperty()->SetColor(0, 1, 0);
+  EXPECT_FALSE(room.probes->GetStale());
+  room.others[2]->GetProperty()->SetColor(0.5, 0.5, 0.5);
+  room.probes->ForgetMaps(room.probe);
+  EXPECT_TRUE(room.probes->GetStale());
+  EXPECT_EQ(room.picture().pixels, captured.pixels);
+}
+
+TEST(ReflectionProbes, ValuesComeBackFromTheLibrariesOwn) {
+  vtkNew<vtkReflectionProbe> probe, same;
+  probe->SetBounds(0, 1, 2, 4, 5, 8);
+  probe->SetOrientation(10, 20, 30);
+  probe->SetInfluenceBounds(-1, 2, 1, 5, 4, 9);
+  probe->UseInfluenceBoundsOn();
+  probe->SetBlendDistances(0.1, 0.2, 0.3, 0.4, 0.5, 0.6);
+  probe->SetImportance(3);
+  probe->SetIntensity(0.5);
+  probe->SetTechnique("sphere");
+  probe->SetFaceSize(128);
+  probe->SetBounces(3);
+  probe->SetSamplesPerPixel(16);
+  probe->SetNearDistance(0.2);
+  probe->SetClear(vtkReflectionProbe::COLOR);
+  probe->SetClearColor(0.5, 0.25, 1.0);
+  same->FromProbe(probe->ToProbe("hall"));
+  EXPECT_EQ(same->ToProbe("hall"), probe->ToProbe("hall"));
+  EXPECT_STREQ(same->GetName(), "hall");
+  EXPECT_TRUE(same->GetOriginAtCenter());
+  probe->SetOrigin(0.5, 3, 6);
+  probe->SetClear(vtkReflectionProbe::OPEN);
+  same->FromProbe(probe->ToProbe("hall"));
+  EXPECT_EQ(same->ToProbe("hall"), probe->ToProbe("hall"));
 }
 
 TEST(ReflectionProbes, PrintThemselves) {
