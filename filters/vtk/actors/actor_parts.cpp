@@ -1,6 +1,7 @@
 #include "filters/vtk/actors/actor_parts.h"
 
 #include <vtkAssemblyPath.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkGenericOpenGLRenderWindow.h>
