@@ -266,6 +266,26 @@ TEST(ReflectionProbes, NothingIsLeftOfThem) {
   EXPECT_EQ(room.floor->GetPropertyKeys(), nullptr);
 }
 
+TEST(ReflectionProbes, TheSecondObjectOnARendererWaits) {
+  LitRoom room;
+  room.picture();
+  vtkNew<vtkReflectionProbe> probe;
+  probe->SetBounds(-2, 2, -1, 1, -2, 2);
+  probe->SetFaceSize(32);
+  vtkNew<vtkReflectionProbes> second;
+  const Listener listener(second);
+  second->SetRenderer(room.renderer);
+  second->AddProbe(probe);
+  second->SetSeenByProbes(room.floor, false);
+  for (int frame = 0; frame < 3; ++frame) expectNear(room.mirrored(), {128, 128, 128}, 2);
+  ASSERT_EQ(listener.errors.size(), 1u);
+  EXPECT_NE(listener.errors[0].find("another object"), std::string::npos) << listener.errors[0];
+  room.probes->SetRenderer(nullptr);
+  second->ClearError();
+  for (int frame = 0; frame < 2; ++frame) expectNear(room.mirrored(), {128, 128, 128}, 2);
+  EXPECT_STREQ(second->GetLastError(), "");
+}
+
 TEST(ReflectionProbes, ComeAndGo) {
   const LitRoom room;
   room.picture();

@@ -1,7 +1,6 @@
 #include "filters/vtk/actors/actor_parts.h"
 
 #include <vtkAssemblyPath.h>
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -211,6 +210,9 @@ void ActorParts::starts(vtkObject* caller) {
   if (drawn == nullptr || first) {
     observeWindow();
     if (beforeFrame) beforeFrame();
+    // A renderer that comes first may show the same actors.
+    place();
+    assign();
   }
   if (drawn != nullptr) beginFrame(drawn);
 }
@@ -251,10 +253,10 @@ void ActorParts::beginFrame(vtkRenderer* drawn) {
   refreshSky();
   // Seen at once where there is nothing to filter: no light at all.
   if (skyStale() && !work && !skyGiven && surroundings.light() == nullptr) captureSky(*graphics);
-  place();
-  assign();
-  // Uploaded by the camera only where it is newer than the program's last camera, which may be another renderer's.
-  if (drawn != renderer && drawn->IsActiveCameraCreated() != 0) drawn->GetActiveCamera()->Modified();
+  if (drawn == renderer) {
+    place();
+    assign();
+  }
   for (LitActor& lit : actors) lit.pass->RebuildIfPlain();
 }
 

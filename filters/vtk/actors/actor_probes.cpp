@@ -91,16 +91,20 @@ const std::vector<Probe>& ActorProbes::probes() const {
   return parts_->content.scene.probes;
 }
 
-void ActorProbes::addActor(vtkActor* actor, bool seenByProbes) {
-  if (actor == nullptr) return parts_->state->counts.fail("addActor: the actor is null");
+bool ActorProbes::addActor(vtkActor* actor, bool seenByProbes) {
+  if (actor == nullptr) {
+    parts_->state->counts.fail("addActor: the actor is null");
+    return false;
+  }
   const auto at = parts_->find(actor);
   if (at != parts_->actors.end()) {
     parts_->content.objects[static_cast<std::size_t>(at - parts_->actors.begin())].settings.seenByProbes = seenByProbes;
-    return;
+    return true;
   }
   if (vtkActorProbesPass::HasOther(actor, nullptr)) {
-    return parts_->state->counts.fail(
+    parts_->state->counts.fail(
         "addActor: another object lights this actor by its probes already; remove it there first");
+    return false;
   }
   LitActor lit;
   lit.actor = actor;
@@ -112,6 +116,7 @@ void ActorProbes::addActor(vtkActor* actor, bool seenByProbes) {
   object.actor = actor;
   object.settings.seenByProbes = seenByProbes;
   parts_->content.objects.push_back(std::move(object));
+  return true;
 }
 
 void ActorProbes::removeActor(vtkActor* actor) {

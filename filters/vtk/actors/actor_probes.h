@@ -53,8 +53,9 @@ class ActorProbes {
 
   /// Light it by the probes whose influence it meets, at most four, from the next frame on. `seenByProbes`: captures
   /// show it, too. An actor that was added before only takes over that. One that is not shaded physically (unlit,
-  /// Phong) reflects nothing and is captured as it looks. Null, or an actor that another object lights, is an error().
-  void addActor(vtkActor* actor, bool seenByProbes = true);
+  /// Phong) reflects nothing and is captured as it looks. Null, or an actor that another object lights, is an error()
+  /// and false.
+  bool addActor(vtkActor* actor, bool seenByProbes = true);
   /// VTK's own shading again.
   void removeActor(vtkActor* actor);
   void removeAllActors();

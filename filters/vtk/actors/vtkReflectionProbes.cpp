@@ -259,10 +259,13 @@ void vtkReflectionProbes::SyncActors() {
       in.actors->removeActor(actor);
     }
   }
+  // One that is refused is tried again: the object that has it may go.
+  in.shown.clear();
   for (const auto& [actor, seen] : now) {
-    in.actors->addActor(actor, seen);
+    if (in.actors->addActor(actor, seen)) {
+      in.shown.emplace_back(actor, seen);
+    }
   }
-  in.shown = std::move(now);
 }
 
 void vtkReflectionProbes::Sync() {
@@ -313,14 +316,13 @@ void vtkReflectionProbes::Report() {
 }
 
 // Ends what is between the two events.
-bool vtkReflectionProbes::Finish(bool done) {
+void vtkReflectionProbes::Finish(bool done) {
   Parts& in = *this->Inside;
   this->Report();
   if (done && in.capturing) {
     in.capturing = false;
     this->InvokeEvent(vtkCommand::EndEvent);
   }
-  return in.actors == nullptr || in.actors->error().empty();
 }
 
 bool vtkReflectionProbes::GetStale() {
@@ -349,7 +351,8 @@ bool vtkReflectionProbes::Update() {
     this->Fail(failure.what());
     done = false;
   }
-  return this->Finish(true) && done;
+  this->Finish(true);
+  return done;
 }
 
 bool vtkReflectionProbes::UpdateStep() {
@@ -392,7 +395,8 @@ bool vtkReflectionProbes::Capture() {
   } catch (const boxprobe::Error& failure) {
     this->Fail(failure.what());
   }
-  return this->Finish(true) && done;
+  this->Finish(true);
+  return done;
 }
 
 void vtkReflectionProbes::BeforeFrame() {

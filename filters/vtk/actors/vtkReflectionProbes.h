@@ -149,7 +149,7 @@ class vtkReflectionProbes : public vtkObject {
   void BeforeFrame();
   void Report();
   void Fail(const std::string& line);
-  bool Finish(bool done);
+  void Finish(bool done);
 
   struct Parts;
   std::unique_ptr<Parts> Inside;
