@@ -3,6 +3,8 @@
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkPBRPrefilterTexture.h>
 #include <vtkPointData.h>
 #include <vtkRenderer.h>
 #include <vtkTexture.h>
@@ -63,7 +65,22 @@ glm::vec3 Pixels::at(double u, double v, bool around) const {
          t * ((1.0f - s) * pick(left, low + 1) + s * pick(left + 1, low + 1));
 }
 
-std::optional<Pixels> pixelsOf(vtkTexture* texture, int port) {
+/// How a texture's values become linear light.
+enum class Encoding { Linear, Srgb, Gamma };
+
+/// SetEnvironmentTexture(texture, true) tells VTK's filters, and not the texture: a power of 2.2.
+Encoding encodingOf(vtkTexture* texture, vtkRenderer* renderer) {
+  auto* openGl = vtkOpenGLRenderer::SafeDownCast(renderer);
+  if (texture->GetUseSRGBColorSpace()) return Encoding::Srgb;
+  return openGl != nullptr && openGl->GetEnvMapPrefiltered()->GetConvertToLinear() ? Encoding::Gamma : Encoding::Linear;
+}
+
+float linearOf(float value, Encoding encoding) {
+  if (encoding == Encoding::Linear) return value;
+  return encoding == Encoding::Srgb ? linearOfSrgb(value) : std::pow(value, 2.2f);
+}
+
+std::optional<Pixels> pixelsOf(vtkTexture* texture, int port, Encoding encoding) {
   if (texture->GetNumberOfInputPorts() <= port || texture->GetNumberOfInputConnections(port) == 0) return {};
   vtkAlgorithm* source = texture->GetInputAlgorithm(port, 0);
   if (source == nullptr) return {};
@@ -79,13 +96,12 @@ std::optional<Pixels> pixelsOf(vtkTexture* texture, int port) {
   if (count == 0 || components < 1 || static_cast<std::size_t>(scalars->GetNumberOfTuples()) < count) return {};
   const int type = scalars->GetDataType();
   const double whole = type == VTK_UNSIGNED_CHAR ? 255.0 : type == VTK_UNSIGNED_SHORT ? 65535.0 : 1.0;
-  const bool encoded = texture->GetUseSRGBColorSpace();
   pixels.colors.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     for (int c = 0; c < 3; ++c) {
       const double value = scalars->GetComponent(static_cast<vtkIdType>(i), components >= 3 ? c : 0) / whole;
       const auto color = static_cast<float>(std::isfinite(value) ? std::max(value, 0.0) : 0.0);
-      pixels.colors[i][c] = encoded ? linearOfSrgb(color) : color;
+      pixels.colors[i][c] = linearOf(color, encoding);
     }
   }
   return pixels;
@@ -158,11 +174,11 @@ std::shared_ptr<const ImageRgbaF> unrolled(const std::array<Pixels, 6>& faces) {
 }
 
 /// Changes with what the texture shows.
-std::string keyOf(vtkTexture* texture) {
+std::string keyOf(vtkTexture* texture, vtkRenderer* renderer) {
   ContentHash hash;
   const vtkTexture* address = texture;
   hash.addBytes(&address, sizeof address).add(static_cast<double>(texture->GetMTime()));
-  hash.add(static_cast<double>(texture->GetUseSRGBColorSpace())).add(static_cast<double>(texture->GetCubeMap()));
+  hash.add(static_cast<double>(encodingOf(texture, renderer))).add(static_cast<double>(texture->GetCubeMap()));
   for (int port = 0; port < texture->GetNumberOfInputPorts(); ++port) {
     if (texture->GetNumberOfInputConnections(port) == 0) continue;
     if (vtkAlgorithm* source = texture->GetInputAlgorithm(port, 0)) source->Update();
@@ -173,12 +189,13 @@ std::string keyOf(vtkTexture* texture) {
 
 }  // namespace
 
-void RendererSurroundings::readTexture(vtkTexture* texture) {
+void RendererSurroundings::readTexture(vtkTexture* texture, vtkRenderer* renderer) {
+  const Encoding encoding = encodingOf(texture, renderer);
   light_ = {};
   if (texture->GetCubeMap()) {
     std::array<Pixels, 6> faces;
     for (int face = 0; face < 6; ++face) {
-      std::optional<Pixels> pixels = pixelsOf(texture, face);
+      std::optional<Pixels> pixels = pixelsOf(texture, face, encoding);
       if (!pixels) {
         problem_ = "the renderer's environment texture has no image for face " + std::to_string(face) +
                    " of its cube; set its six inputs";
@@ -188,7 +205,7 @@ void RendererSurroundings::readTexture(vtkTexture* texture) {
     }
     light_.image = unrolled(faces);
   } else {
-    const std::optional<Pixels> pixels = pixelsOf(texture, 0);
+    const std::optional<Pixels> pixels = pixelsOf(texture, 0, encoding);
     if (!pixels) {
       problem_ = "the renderer's environment texture has no image as input; set one with SetInputConnection()";
       return;
@@ -200,7 +217,7 @@ void RendererSurroundings::readTexture(vtkTexture* texture) {
 bool RendererSurroundings::read(vtkRenderer* renderer) {
   vtkTexture* texture = renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
   ContentHash hash;
-  const std::string textureKey = texture != nullptr ? keyOf(texture) : std::string();
+  const std::string textureKey = texture != nullptr ? keyOf(texture, renderer) : std::string();
   hash.add(textureKey);
   for (const double* axis : {renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight(), renderer->GetBackground(),
                              renderer->GetBackground2()}) {
@@ -215,7 +232,7 @@ bool RendererSurroundings::read(vtkRenderer* renderer) {
     textureKey_ = textureKey;
     problem_.clear();
     light_ = {};
-    if (texture != nullptr) readTexture(texture);
+    if (texture != nullptr) readTexture(texture, renderer);
   }
   lit_ = light_.image != nullptr;
   const glm::dmat3 axes = environmentFromWorld(renderer);

@@ -37,7 +37,7 @@ class RendererSurroundings {
   const std::string& problem() const { return problem_; }
 
  private:
-  void readTexture(vtkTexture* texture);
+  void readTexture(vtkTexture* texture, vtkRenderer* renderer);
 
   std::string key_;
   std::string textureKey_;

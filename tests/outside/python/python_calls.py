@@ -136,6 +136,12 @@ class Calls(unittest.TestCase):
         probes.capture()
         self.assertEqual(probes.error(), "")
 
+    def test_a_probe_that_lights_nothing_warns(self):
+        room = Room()
+        probes = room.probes(influence={"min": (50, 50, 50), "max": (51, 51, 51)})
+        with self.assertWarnsRegex(RuntimeWarning, "\"cube\" lights nothing"):
+            probes.capture()
+
     def test_techniques_and_taking_off(self):
         room = Room()
         stock = room.picture()

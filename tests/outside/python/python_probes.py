@@ -1,5 +1,6 @@
 """What the Python package does with a plain VTK program: properties, captures, fits, errors. python_probes.py"""
 import gc
+import importlib.metadata
 import unittest
 
 import boxprobe
@@ -169,6 +170,7 @@ class Calls(unittest.TestCase):
 
     def test_version(self):
         self.assertRegex(boxprobe.__version__, r"^\d+\.\d+\.\d+$")
+        self.assertEqual(importlib.metadata.version("boxprobe"), boxprobe.__version__)
 
 
 unittest.main(verbosity=1)

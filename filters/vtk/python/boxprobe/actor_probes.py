@@ -1,4 +1,4 @@
-"""Box-projected reflection probes for the actors of a VTK renderer, beside VTK's own Python modules.
+"""The object of before; new programs use boxprobe.attach().
 
     probes = boxprobe.ActorProbes(renderer)
     probes.add_probe("room", box={"min": (-2, 0, -2), "max": (2, 3, 2)}, origin=(0, 1.5, 0))
@@ -14,6 +14,7 @@ ValueError, a failure of the work itself a RuntimeError: one line each.
 import json
 import math
 import os
+import warnings
 
 try:
     from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
@@ -95,7 +96,7 @@ class ActorProbes:
 
     def set_sky(self, **fields):
         """What is reflected where no probe says otherwise: image="sky.hdr", color=(1, 1, 1), or top, horizon and ground.
-        Black unless set. The renderer's own background is not touched."""
+        Unless set, the renderer's environment texture while image-based lighting is on, else nothing."""
         self._probes.set_sky(_fields(fields))
 
     def set_exposure(self, exposure):
@@ -119,9 +120,12 @@ class ActorProbes:
 
     def capture(self):
         """Captures and filters all probes from the actors that were added, lit by the renderer's lights as they stand.
-        Draws off the screen. Raises ValueError while the renderer has no window, RuntimeError where it fails."""
+        Draws off the screen. Raises ValueError while the renderer has no window, RuntimeError where it fails; warns of
+        a probe that lights nothing."""
         if not self._probes.capture():
             raise RuntimeError(self._probes.error())
+        for remark in self._probes.remarks():  # such as a probe that lights nothing
+            warnings.warn(remark, RuntimeWarning, stacklevel=2)
 
     def set_maps(self, name, file):
         """A baked file (`boxprobe bake`) in place of a capture."""
