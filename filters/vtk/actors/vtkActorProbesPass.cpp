@@ -115,7 +115,8 @@ void vtkActorProbesPass::RebuildIfPlain() {
 }
 
 void vtkActorProbesPass::Attach(vtkActor* actor, vtkProp* owner) {
-  if (this->Actor == actor && this->Owner == owner && isIn(owner->GetPropertyKeys(), this)) {
+  if (this->Actor == actor && this->Owner == owner && this->Keys == owner->GetPropertyKeys() &&
+      isIn(this->Keys, this)) {
     return;
   }
   this->Detach();
@@ -127,24 +128,28 @@ void vtkActorProbesPass::Attach(vtkActor* actor, vtkProp* owner) {
     vtkNew<vtkInformation> keys;
     owner->SetPropertyKeys(keys);
   }
-  vtkOpenGLRenderPass::RenderPasses()->Append(owner->GetPropertyKeys(), this);
+  this->Keys = owner->GetPropertyKeys();
+  vtkOpenGLRenderPass::RenderPasses()->Append(this->Keys, this);
   this->Rebuild();
 }
 
 void vtkActorProbesPass::Detach() {
   vtkProp* owner = this->Owner;
+  const vtkSmartPointer<vtkInformation> keys = this->Keys;
   this->Actor = nullptr;
   this->Owner = nullptr;
-  vtkInformation* keys = owner != nullptr ? owner->GetPropertyKeys() : nullptr;
+  this->Keys = nullptr;
   if (keys == nullptr) {
     return;
   }
   auto* passes = vtkOpenGLRenderPass::RenderPasses();
-  passes->Remove(keys, this);
-  if (passes->Length(keys) == 0) {
+  if (isIn(keys, this)) {
+    passes->Remove(keys, this);
+  }
+  if (keys->Has(passes) != 0 && passes->Length(keys) == 0) {
     keys->Remove(passes);
   }
-  if (this->KeysMade && keys->GetNumberOfKeys() == 0) {
+  if (this->KeysMade && owner != nullptr && owner->GetPropertyKeys() == keys && keys->GetNumberOfKeys() == 0) {
     owner->SetPropertyKeys(nullptr);
   }
 }

@@ -15,7 +15,9 @@
  */
 #pragma once
 
+#include <vtkInformation.h>
 #include <vtkOpenGLRenderPass.h>
+#include <vtkSmartPointer.h>
 #include <vtkTimeStamp.h>
 #include <vtkWeakPointer.h>
 
@@ -92,7 +94,8 @@ class vtkActorProbesPass : public vtkOpenGLRenderPass {
   std::shared_ptr<const boxprobe::ProbeBinding> Binding;
   vtkWeakPointer<vtkActor> Actor;
   vtkWeakPointer<vtkProp> Owner;
-  bool KeysMade = false;  // the owner had none
+  vtkSmartPointer<vtkInformation> Keys;  // that it lies in: VTK 9.1 does not let go of it where they are thrown away
+  bool KeysMade = false;                 // the owner had none
   std::string VariantKey;
   vtkTimeStamp Built;    // when the program last had to be another
   bool Refused = false;  // by the driver: VTK's own is drawn
