@@ -3,11 +3,15 @@
 #include <vtkAssembly.h>
 #include <vtkCallbackCommand.h>
 #include <vtkDataSetMapper.h>
+#include <vtkHardwareSelector.h>
+#include <vtkInformation.h>
 #include <vtkLODActor.h>
 #include <vtkLightCollection.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLRenderer.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
 #include <vtkSphereSource.h>
 
 #include <cstdio>
@@ -109,6 +113,21 @@ TEST(ReflectionProbes, AWindowMayHaveSeveralSamplesAndPeelLayers) {
   EXPECT_TRUE(room.listener.errors.empty()) << room.listener.errors.front();
   room.probes->SetRenderer(nullptr);
   window->RemoveRenderer(room.renderer);
+}
+
+TEST(ReflectionProbes, PickingFindsTheActorsAndLeavesThePicture) {
+  const LitRoom room;
+  const ImageRgba8 before = room.picture();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(room.renderer);
+  selector->SetArea(kMirroredX, 159 - kMirroredY, kMirroredX, 159 - kMirroredY);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  ASSERT_EQ(selection->GetNumberOfNodes(), 1u);
+  vtkInformation* found = selection->GetNode(0)->GetProperties();
+  EXPECT_EQ(found->Get(vtkSelectionNode::PROP()), room.floor.Get());
+  EXPECT_EQ(room.picture().pixels, before.pixels);
+  EXPECT_EQ(room.listener.starts, 1);
+  EXPECT_TRUE(room.listener.errors.empty()) << room.listener.errors.front();
 }
 
 // As a Qt widget does that gets another parent.
