@@ -3,6 +3,10 @@
 # python3-boxprobe, too.
 set(packages boxprobe libboxprobe-dev)
 set(components Program Development)
+if(NOT BOXPROBE_APP)
+  set(packages libboxprobe-dev)
+  set(components Development)
+endif()
 if(BOXPROBE_PYTHON)
   list(APPEND packages python3-boxprobe)
   list(APPEND components Python)
@@ -60,6 +64,9 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libvtk9-dev, libglm-dev, libtbb-de
  libdraco-dev, libmeshoptimizer-dev, libwebp-dev, libpng-dev, libjpeg-dev, libtinygltf-dev, libstb-dev, libxxhash-dev, libexpat1-dev, zlib1g-dev,
  liblz4-dev, liblzma-dev")
 string(REPLACE "\n" "" CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS}")
+if(BOXPROBE_FIT)
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libembree-dev")
+endif()
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "reflection probes for VTK programs: libraries and headers
 Static libraries, headers, shaders and a CMake package, to light the actors
 of a VTK renderer by box-projected reflection probes.")

@@ -274,11 +274,6 @@ TEST_F(RoomOfOrdinaryActors, SayWhatIsMissing) {
   theirs();
   EXPECT_EQ(probes.error(), "");
 
-  actors_.front()->GetProperty()->SetInterpolationToPhong();
-  theirs();
-  EXPECT_NE(probes.error().find("SetInterpolationToPBR"), std::string::npos) << probes.error();
-  actors_.front()->GetProperty()->SetInterpolationToPBR();
-
   probes.removeAllActors();
   probes.clearError();
   setenv("BOXPROBE_BREAK_SHADER", "surface", 1);

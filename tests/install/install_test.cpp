@@ -103,7 +103,7 @@ TEST_F(Installed, AnotherProgramLightsItsActors) {
   const std::string scene = folder_->write("shining.boxprobe.json", R"({"format": "boxprobe-scene", "version": 1,
     "model": "shining.glb", "sky": {"color": [0, 0, 0]}, "objects": {"ball": {"seenByProbes": false}},
     "cameras": {"main": {"position": [0.9, 0.5, 1.8], "target": [0, 0, 0], "up": [0, 1, 0], "verticalFovDegrees": 30}},
-    "probes": [{"name": "cube", "origin": [0, 0, 0], "box": {"min": [-2, -2, -2], "max": [2, 2, 2]}}]})");
+    "probes": [{"name": "cube", "origin": [0, 0, 0], "box": {"min": [-2, -2, -2], "max": [2, 2, 2]}, "blendDistance": 0}]})");
   const std::string picture = path("theirs.png"), ours = path("ours.png");
   ASSERT_TRUE(run("'" + build + "/probe_in_renderer' '" + model + "' '" + picture + "'", "example")) << log_;
   ASSERT_TRUE(run(
@@ -121,6 +121,25 @@ TEST_F(Installed, AnotherProgramLightsItsActors) {
   std::printf("the example's picture against the program's: %.1f dB\n", psnr);
   // What is left is how two importers read a material; the light itself is compared by actor_probes_test.
   EXPECT_GT(psnr, 30.0);
+}
+
+TEST_F(Installed, TheLibrariesEnterASharedOne) {
+  const std::string build = path("shared");
+  ASSERT_TRUE(configure(BOXPROBE_SOURCE_DIR "/tests/install/shared", build)) << log_;
+  ASSERT_TRUE(run(BOXPROBE_CMAKE " --build '" + build + "'", "build")) << log_;
+  EXPECT_TRUE(run("'" + build + "/probes_host'", "host")) << log_;
+}
+
+// As after a build of the program alone, `./run`.
+TEST_F(Installed, WhatWasNotBuiltIsBuiltThen) {
+  fs::remove_all(BOXPROBE_BUILD_DIR "/app/install/man1");
+  fs::remove(BOXPROBE_BUILD_DIR "/app/install/man1.stamp");
+  fs::remove(BOXPROBE_BUILD_DIR "/filters/vtk/libboxprobe_placement.a");
+  const std::string prefix = path("another prefix");
+  ASSERT_TRUE(run(BOXPROBE_CMAKE " --install " BOXPROBE_BUILD_DIR " --prefix '" + prefix + "'", "again")) << log_;
+  EXPECT_TRUE(fs::exists(prefix + "/share/man/man1/boxprobe.1.gz"));
+  const auto is = [](const fs::path& file) { return file.filename() == "libboxprobe_placement.a"; };
+  EXPECT_TRUE(std::any_of(fs::recursive_directory_iterator(prefix), fs::recursive_directory_iterator(), is));
 }
 
 TEST_F(Installed, TheMathematicsNeedNoVtk) {

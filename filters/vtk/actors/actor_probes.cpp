@@ -2,6 +2,9 @@
 
 #include <vtkOpenGLRenderWindow.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "filters/core/base/errors.h"
 #include "filters/vtk/actors/actor_parts.h"
 #include "filters/vtk/maps/cube_transfer.h"
@@ -12,7 +15,15 @@ struct ActorProbes::Parts : ActorParts {
   using ActorParts::ActorParts;
 };
 
-ActorProbes::ActorProbes(vtkRenderer* renderer) : parts_(std::make_unique<Parts>(renderer)) {}
+namespace {
+
+constexpr const char* kNoRenderer = "probes need a renderer; they were made with a null one";
+
+}  // namespace
+
+ActorProbes::ActorProbes(vtkRenderer* renderer) : parts_(std::make_unique<Parts>(renderer)) {
+  if (renderer == nullptr) parts_->state->counts.fail(kNoRenderer);
+}
 
 ActorProbes::~ActorProbes() = default;
 
@@ -30,16 +41,38 @@ void check(const Scene& scene) {
 }  // namespace
 
 std::size_t ActorProbes::addProbe(const Probe& probe) {
+  const std::size_t index = probes().size();
+  insertProbe(index, probe);
+  return index;
+}
+
+void ActorProbes::insertProbe(std::size_t index, const Probe& probe) {
+  const auto at = static_cast<std::ptrdiff_t>(std::min(index, probes().size()));
   Scene next = parts_->content.scene;
-  next.probes.push_back(probe);
+  next.probes.insert(next.probes.begin() + at, probe);
   check(next);
   parts_->content.scene = std::move(next);
   ProbeEntries::Origins origins;
   for (std::size_t i = 0; i < parts_->shownProbes.size(); ++i) origins.emplace_back(i);
-  origins.emplace_back();
+  origins.insert(origins.begin() + at, std::nullopt);
+  parts_->dropWork();
+  parts_->captured.insert(parts_->captured.begin() + at, CapturedFrom{});
   parts_->shownProbes.rearrange(origins);
   parts_->probesChanged();
-  return origins.size() - 1;
+}
+
+void ActorProbes::removeProbe(std::size_t index) {
+  std::vector<Probe>& probes = parts_->content.scene.probes;
+  if (index >= probes.size()) throw InputError("removeProbe: there is no probe " + std::to_string(index));
+  ProbeEntries::Origins origins;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (i != index) origins.emplace_back(i);
+  }
+  parts_->dropWork();
+  probes.erase(probes.begin() + static_cast<std::ptrdiff_t>(index));
+  parts_->captured.erase(parts_->captured.begin() + static_cast<std::ptrdiff_t>(index));
+  parts_->shownProbes.rearrange(origins);
+  parts_->probesChanged();
 }
 
 void ActorProbes::setProbe(std::size_t index, const Probe& probe) {
@@ -58,22 +91,32 @@ const std::vector<Probe>& ActorProbes::probes() const {
   return parts_->content.scene.probes;
 }
 
-void ActorProbes::addActor(vtkActor* actor, bool seenByProbes) {
+bool ActorProbes::addActor(vtkActor* actor, bool seenByProbes) {
+  if (actor == nullptr) {
+    parts_->state->counts.fail("addActor: the actor is null");
+    return false;
+  }
   const auto at = parts_->find(actor);
   if (at != parts_->actors.end()) {
     parts_->content.objects[static_cast<std::size_t>(at - parts_->actors.begin())].settings.seenByProbes = seenByProbes;
-    return;
+    return true;
+  }
+  if (vtkActorProbesPass::HasOther(actor, nullptr)) {
+    parts_->state->counts.fail(
+        "addActor: another object lights this actor by its probes already; remove it there first");
+    return false;
   }
   LitActor lit;
   lit.actor = actor;
   lit.pass = vtkSmartPointer<vtkActorProbesPass>::New();
   lit.pass->SetDraws(parts_->draws);
-  lit.pass->Attach(actor);
+  lit.pass->Attach(actor, actor);
   parts_->actors.push_back(std::move(lit));
   DrawnObject object;
   object.actor = actor;
   object.settings.seenByProbes = seenByProbes;
   parts_->content.objects.push_back(std::move(object));
+  return true;
 }
 
 void ActorProbes::removeActor(vtkActor* actor) {
@@ -100,11 +143,22 @@ void ActorProbes::setSky(const Sky& sky, double rotationDegrees) {
     std::swap(parts_->content.scene, next);
     throw;
   }
-  parts_->skyStale = true;
+  parts_->content.sky->SetSkyFromWorld(glm::dmat3(1.0));
+  parts_->lightSky->SetSky(sky, rotationDegrees, parts_->content.skyImage);
+  parts_->lightSky->SetSkyFromWorld(glm::dmat3(1.0));
+  parts_->skyGiven = true;
+  ++parts_->skyWanted;
+}
+
+void ActorProbes::clearSky() {
+  if (!parts_->skyGiven) return;
+  parts_->skyGiven = false;
+  parts_->surroundings = {};
+  parts_->refreshSky();
 }
 
 void ActorProbes::setExposure(double exposure) {
-  parts_->exposure = exposure;
+  parts_->draws->exposure = exposure;
 }
 
 void ActorProbes::setEmission(bool shown) {
@@ -118,8 +172,41 @@ void ActorProbes::setEnergy(Energy energy) {
 }
 
 bool ActorProbes::capture() {
-  parts_->capture();
+  clearError();
+  if (parts_->begin(true)) {
+    while (parts_->step()) {
+    }
+  }
   return error().empty();
+}
+
+bool ActorProbes::update() {
+  if (!parts_->work) {
+    if (!parts_->anyStale()) return true;
+    clearError();
+    if (!parts_->begin(false)) return error().empty();
+  }
+  while (parts_->step()) {
+  }
+  return error().empty();
+}
+
+bool ActorProbes::updateStep() {
+  if (!parts_->work && !parts_->begin(false)) return false;
+  return parts_->step();
+}
+
+bool ActorProbes::stale() {
+  return parts_->anyStale();
+}
+
+void ActorProbes::setProgress(std::function<void(double)> progress) {
+  parts_->progress = std::move(progress);
+}
+
+void ActorProbes::setFrameCalls(std::function<void()> before, std::function<void()> after) {
+  parts_->beforeFrame = std::move(before);
+  parts_->afterFrame = std::move(after);
 }
 
 void ActorProbes::setMaps(std::size_t index, const BakedMaps& maps) {
@@ -136,6 +223,8 @@ void ActorProbes::setMaps(std::size_t index, std::shared_ptr<const ProbeMaps> ma
     maps->need(kAllLevels);
     if (current) window->MakeCurrent();
   }
+  parts_->dropWork();
+  parts_->captured[index] = {{}, {}, maps != nullptr};
   parts_->show(index, std::move(maps));
 }
 
@@ -149,6 +238,11 @@ const std::string& ActorProbes::error() const {
 
 void ActorProbes::clearError() {
   parts_->state->counts.error.clear();
+  if (parts_->nothing) parts_->state->counts.fail(kNoRenderer);
+}
+
+const std::vector<std::string>& ActorProbes::remarks() const {
+  return parts_->remarks;
 }
 
 void ActorProbes::releaseGraphics() {

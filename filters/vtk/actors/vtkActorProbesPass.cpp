@@ -51,6 +51,35 @@ bool drawsPolygonsAlone(vtkAbstractMapper* mapper, vtkActor* actor) {
          data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
 }
 
+// What VTK writes as display colours, as the light that has that colour on the display: in captures alone.
+constexpr const char* kLightOfDisplay = R"(
+  if (bpLightOfDisplay > 0.0)
+  {
+    gl_FragData[0].rgb = bpLightOfDisplay * pow(max(gl_FragData[0].rgb, vec3(0.0)), vec3(2.2));
+  }
+)";
+
+void captureAsLight(std::string& fragment) {
+  const std::size_t main = fragment.find("void main()");
+  const std::size_t end = fragment.rfind('}');
+  if (main == std::string::npos || end == std::string::npos || end < main) {
+    return;
+  }
+  fragment.insert(end, kLightOfDisplay);
+  fragment.insert(main, "uniform float bpLightOfDisplay;\n");
+}
+
+bool isIn(vtkInformation* keys, const vtkOpenGLRenderPass* pass) {
+  auto* passes = vtkOpenGLRenderPass::RenderPasses();
+  const int count = keys != nullptr && keys->Has(passes) != 0 ? passes->Length(keys) : 0;
+  for (int i = 0; i < count; ++i) {
+    if (passes->Get(keys, i) == pass) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 vtkActorProbesPass::vtkActorProbesPass() = default;
@@ -58,7 +87,10 @@ vtkActorProbesPass::~vtkActorProbesPass() = default;
 
 void vtkActorProbesPass::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Actor: " << this->Actor.GetPointer() << "\n";
+  os << indent << "Owner: " << this->Owner.GetPointer() << "\n";
   os << indent << "Variant: " << this->VariantKey << "\n";
+  os << indent << "Refused: " << this->Refused << "\n";
 }
 
 void vtkActorProbesPass::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding) {
@@ -72,52 +104,95 @@ void vtkActorProbesPass::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding
 
 void vtkActorProbesPass::Rebuild() {
   this->Refused = false;
+  this->Plain = false;
   this->Built.Modified();
 }
 
-void vtkActorProbesPass::Attach(vtkActor* actor) {
+void vtkActorProbesPass::RebuildIfPlain() {
+  if (this->Plain) {
+    this->Rebuild();
+  }
+}
+
+void vtkActorProbesPass::Attach(vtkActor* actor, vtkProp* owner) {
+  if (this->Actor == actor && this->Owner == owner && this->Keys == owner->GetPropertyKeys() &&
+      isIn(this->Keys, this)) {
+    return;
+  }
   this->Detach();
+  this->Run = false;
   this->Actor = actor;
-  this->KeysMade = actor->GetPropertyKeys() == nullptr;
+  this->Owner = owner;
+  this->KeysMade = owner->GetPropertyKeys() == nullptr;
   if (this->KeysMade) {
     vtkNew<vtkInformation> keys;
-    actor->SetPropertyKeys(keys);
+    owner->SetPropertyKeys(keys);
   }
-  vtkOpenGLRenderPass::RenderPasses()->Append(actor->GetPropertyKeys(), this);
+  this->Keys = owner->GetPropertyKeys();
+  vtkOpenGLRenderPass::RenderPasses()->Append(this->Keys, this);
+  this->Rebuild();
 }
 
 void vtkActorProbesPass::Detach() {
-  vtkActor* actor = this->Actor;
+  vtkProp* owner = this->Owner;
+  const vtkSmartPointer<vtkInformation> keys = this->Keys;
   this->Actor = nullptr;
-  vtkInformation* keys = actor != nullptr ? actor->GetPropertyKeys() : nullptr;
+  this->Owner = nullptr;
+  this->Keys = nullptr;
   if (keys == nullptr) {
     return;
   }
   auto* passes = vtkOpenGLRenderPass::RenderPasses();
-  passes->Remove(keys, this);
-  if (passes->Length(keys) == 0) {
+  if (isIn(keys, this)) {
+    passes->Remove(keys, this);
+  }
+  if (keys->Has(passes) != 0 && passes->Length(keys) == 0) {
     keys->Remove(passes);
   }
-  if (this->KeysMade && keys->GetNumberOfKeys() == 0) {
-    actor->SetPropertyKeys(nullptr);
+  if (this->KeysMade && owner != nullptr && owner->GetPropertyKeys() == keys && keys->GetNumberOfKeys() == 0) {
+    owner->SetPropertyKeys(nullptr);
   }
+}
+
+bool vtkActorProbesPass::HasOther(vtkActor* actor, const vtkActorProbesPass* own) {
+  vtkInformation* keys = actor->GetPropertyKeys();
+  auto* passes = vtkOpenGLRenderPass::RenderPasses();
+  const int count = keys != nullptr && keys->Has(passes) != 0 ? passes->Length(keys) : 0;
+  for (int i = 0; i < count; ++i) {
+    auto* other = vtkActorProbesPass::SafeDownCast(passes->Get(keys, i));
+    if (other != nullptr && other != own && other->Actor == actor) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What an actor draws with in its own place (a level of detail) has the actor's keys.
+bool vtkActorProbesPass::IsFor(vtkProp* prop) const {
+  return prop == this->Actor.GetPointer() || this->Owner.GetPointer() == this->Actor.GetPointer();
 }
 
 bool vtkActorProbesPass::PostReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
                                                  vtkAbstractMapper* mapper, vtkProp* prop) {
   auto* actor = vtkActor::SafeDownCast(prop);
-  if (!this->Draws || !this->Binding || this->Refused || actor == nullptr || this->Draws->renderer == nullptr) {
+  if (!this->Draws || actor == nullptr || !this->IsFor(prop)) {
+    return true;
+  }
+  if (this->Draws->renderer == nullptr) {
+    this->Plain = true;
+    return true;
+  }
+  if (!this->Binding || this->Refused) {
     return true;
   }
   boxprobe::FrameCounts& counts = this->Draws->state.counts;
   vtkRenderer* renderer = this->Draws->renderer;
-  const bool polygons = drawsPolygonsAlone(mapper, actor);
-  if (actor->GetProperty()->GetInterpolation() != VTK_PBR) {
-    counts.fail(
-        "an actor with probes is not shaded physically, so that it reflects nothing; call "
-        "GetProperty()->SetInterpolationToPBR()");
+  vtkProperty* property = actor->GetProperty();
+  if (property->GetInterpolation() != VTK_PBR || !property->GetLighting()) {
+    captureAsLight(fragment);
     return true;
   }
+  const bool polygons = drawsPolygonsAlone(mapper, actor);
   const bool light = anyLightOn(renderer);
   if (polygons && !light && !renderer->GetUseImageBasedLighting()) {
     counts.fail("VTK shades nothing physically without a light; add one to the renderer, of intensity 0 if need be");
@@ -131,6 +206,7 @@ bool vtkActorProbesPass::PostReplaceShaderValues(std::string& vertex, std::strin
   const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, polygons && light);
   counts.fail(report.failure);
   if (!report.needed || !report.failure.empty()) {
+    captureAsLight(fragment);
     return true;
   }
   boxprobe::breakShaderIfAsked(sources.fragment, "surface");
@@ -146,9 +222,17 @@ bool vtkActorProbesPass::PostReplaceShaderValues(std::string& vertex, std::strin
   return true;
 }
 
-bool vtkActorProbesPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*,
+bool vtkActorProbesPass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop,
                                              vtkOpenGLVertexArrayObject*) {
-  if (!this->Draws || !this->Binding || this->Draws->renderer == nullptr || !program->IsUniformUsed("bpExposure")) {
+  if (!this->Draws || !this->IsFor(prop)) {
+    return true;
+  }
+  this->Run = true;
+  if (program->IsUniformUsed("bpLightOfDisplay")) {
+    const bool capturing = this->Draws->state.pass().exposure == boxprobe::kLinearOutput;
+    program->SetUniformf("bpLightOfDisplay", capturing ? static_cast<float>(1.0 / this->Draws->exposure) : 0.0f);
+  }
+  if (!this->Binding || this->Draws->renderer == nullptr || !program->IsUniformUsed("bpExposure")) {
     return true;
   }
   this->Draws->bound.clear();

@@ -100,6 +100,7 @@ class PythonProbes {
   }
   std::string error() const { return probes_.error(); }
   void clearError() { probes_.clearError(); }
+  std::vector<std::string> remarks() const { return probes_.remarks(); }
   void releaseGraphics() { probes_.releaseGraphics(); }
 
  private:
@@ -159,5 +160,6 @@ PYBIND11_MODULE(_actor_probes, module) {
       .def("set_maps", &PythonProbes::setMaps)
       .def("error", &PythonProbes::error)
       .def("clear_error", &PythonProbes::clearError)
+      .def("remarks", &PythonProbes::remarks)
       .def("release_graphics", &PythonProbes::releaseGraphics);
 }

@@ -243,6 +243,7 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
 }
 
 Box worldBounds(const DrawnObject& object) {
+  if (object.placedBounds) return *object.placedBounds;
   const double* b = object.actor->GetBounds();
   if (b == nullptr) return Box{glm::dvec3(0.0), glm::dvec3(0.0)};
   return Box{{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};

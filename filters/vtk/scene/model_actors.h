@@ -6,6 +6,7 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct DrawnObject {
   std::shared_ptr<SurfaceMaterial> surface;                     ///< its numbers follow the overrides
   const Mesh* mesh = nullptr;                                   ///< of the model, which lives as long
   vtkSmartPointer<vtkActor> actor;
+  std::optional<Box> placedBounds;  ///< world; in place of the actor's own: of a part that an assembly places
   vtkSmartPointer<vtkProbePolyDataMapper> mapper;
   ObjectOverride settings;
 };

@@ -7,7 +7,10 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 #include <tuple>
 #include <utility>
 
@@ -55,6 +58,11 @@ void vtkSkyProp::SetSky(const boxprobe::Sky& sky, double rotationDegrees,
   }
   this->ImageChanged = this->ImageChanged || image != this->Image;
   this->Image = std::move(image);
+  this->Modified();
+}
+
+void vtkSkyProp::SetSkyFromWorld(const glm::dmat3& skyFromWorld) {
+  this->SkyFromWorld = skyFromWorld;
   this->Modified();
 }
 
@@ -108,7 +116,12 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
     program->SetUniform3f("bpSkyTop", &this->Gradient.top.x);
     program->SetUniform3f("bpSkyHorizon", &this->Gradient.horizon.x);
     program->SetUniform3f("bpSkyGround", &this->Gradient.ground.x);
-    program->SetUniformMatrix3x3("bpSkyFromView", boxprobe::viewToTurnedRotation(camera, this->RotationDegrees).data());
+    std::array<float, 9> skyFromView = boxprobe::viewToTurnedRotation(camera, this->RotationDegrees);
+    if (this->SkyFromWorld != glm::dmat3(1.0)) {
+      const glm::mat3 turned = glm::mat3(this->SkyFromWorld) * glm::make_mat3(skyFromView.data());
+      std::copy_n(glm::value_ptr(turned), 9, skyFromView.begin());
+    }
+    program->SetUniformMatrix3x3("bpSkyFromView", skyFromView.data());
     program->SetUniform2f("bpTangents", tangents);
     program->SetUniformf("bpExposure", this->State->pass().exposure);
     if (image) {

@@ -9,6 +9,7 @@
 
 #include <vtkProp.h>
 
+#include <glm/mat3x3.hpp>
 #include <map>
 #include <memory>
 #include <string>
@@ -26,6 +27,8 @@ class vtkSkyProp : public vtkProp {
       void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
   /** `image` for a SkyImage, else null. */
   void SetSky(const boxprobe::Sky& sky, double rotationDegrees, std::shared_ptr<const boxprobe::ImageRgbaF> image);
+  /** The axes the sky stands in, after `rotationDegrees`: takes a world direction to the one it is asked for. */
+  void SetSkyFromWorld(const glm::dmat3& skyFromWorld);
 
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
@@ -45,6 +48,7 @@ class vtkSkyProp : public vtkProp {
   std::shared_ptr<boxprobe::DrawState> State;
   boxprobe::SkyGradient Gradient;
   double RotationDegrees = 0.0;
+  glm::dmat3 SkyFromWorld{1.0};
   std::shared_ptr<const boxprobe::ImageRgbaF> Image;
   unsigned int ImageTexture = 0;
   bool ImageChanged = false;

@@ -8,7 +8,8 @@
 #include <vtkRenderer.h>
 #include <vtkWindowToImageFilter.h>
 
-#include "filters/vtk/actors/actor_probes.h"
+#include "filters/vtk/actors/vtkReflectionProbe.h"
+#include "filters/vtk/actors/vtkReflectionProbes.h"
 
 int main(int, char** argv) {
   vtkNew<vtkRenderWindow> window;
@@ -23,18 +24,20 @@ int main(int, char** argv) {
   vtkNew<vtkLight> dark;  // the walls shine; but without any light VTK shades nothing physically
   dark->SetIntensity(0.0);
   renderer->AddLight(dark);
-  boxprobe::Probe probe;  // captured at 0 0 0, in the middle of the ball, which must not be seen from there
-  probe.box = {{-2.0, -2.0, -2.0}, {2.0, 2.0, 2.0}};
-  boxprobe::ActorProbes probes(renderer);
-  probes.addProbe(probe);
+  vtkNew<vtkReflectionProbe> probe;  // captured at 0 0 0, in the middle of the ball, which must not be seen from there
+  probe->SetBounds(-2, 2, -2, 2, -2, 2);
+  vtkNew<vtkReflectionProbes> probes;
+  probes->SetRenderer(renderer);
+  probes->AddProbe(probe);
   vtkActorCollection* actors = renderer->GetActors();
   actors->InitTraversal();
-  while (vtkActor* a = actors->GetNextActor()) probes.addActor(a, a->GetProperty()->GetTexture("albedoTex"));
-  if (!probes.capture()) return 1;
+  while (vtkActor* a = actors->GetNextActor()) probes->SetSeenByProbes(a, a->GetProperty()->GetTexture("albedoTex"));
+  window->Render();  // captures first
   vtkNew<vtkWindowToImageFilter> pixels;
   pixels->SetInput(window);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(pixels->GetOutputPort());
   writer->SetFileName(argv[2]);
   writer->Write();
+  return *probes->GetLastError() == '\0' ? 0 : 1;
 }

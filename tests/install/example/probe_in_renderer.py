@@ -20,12 +20,12 @@ dark = vtkLight()  # the walls shine; but without any light VTK shades nothing p
 dark.SetIntensity(0.0)
 renderer.AddLight(dark)
 
-probes = boxprobe.ActorProbes(renderer)
+probes = boxprobe.attach(renderer)
 # Captured at 0 0 0, in the middle of the ball, which must not be seen from there.
-probes.add_probe("cube", origin=(0, 0, 0), box={"min": (-2, -2, -2), "max": (2, 2, 2)})
+probes.add(bounds=(-2, 2, -2, 2, -2, 2))
 for actor in renderer.GetActors():
-    probes.add_actor(actor, seen_by_probes=actor.GetProperty().GetTexture("albedoTex") is not None)
-probes.capture()
+    probes.SetSeenByProbes(actor, actor.GetProperty().GetTexture("albedoTex") is not None)
+window.Render()  # captures first
 
 pixels = vtkWindowToImageFilter()
 pixels.SetInput(window)

@@ -125,7 +125,7 @@ class Calls(unittest.TestCase):
         probes.add_probe("a")
         self.fails(ValueError, "AddRenderer", probes.capture)
 
-    def test_not_shaded_physically(self):
+    def test_what_is_not_shaded_physically_is_captured_as_it_looks(self):
         room = Room()
         probes = room.probes()
         sphere, mapper, actor = vtkSphereSource(), vtkPolyDataMapper(), vtkActor()
@@ -133,10 +133,14 @@ class Calls(unittest.TestCase):
         actor.SetMapper(mapper)
         room.renderer.AddActor(actor)
         probes.add_actor(actor)
-        self.fails(RuntimeError, "SetInterpolationToPBR", probes.capture)
-        self.assertIn("SetInterpolationToPBR", probes.error())
-        probes.clear_error()
+        probes.capture()
         self.assertEqual(probes.error(), "")
+
+    def test_a_probe_that_lights_nothing_warns(self):
+        room = Room()
+        probes = room.probes(influence={"min": (50, 50, 50), "max": (51, 51, 51)})
+        with self.assertWarnsRegex(RuntimeWarning, "\"cube\" lights nothing"):
+            probes.capture()
 
     def test_techniques_and_taking_off(self):
         room = Room()

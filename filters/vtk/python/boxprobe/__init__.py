@@ -1,144 +1,200 @@
 """Box-projected reflection probes for the actors of a VTK renderer, beside VTK's own Python modules.
 
-    probes = boxprobe.ActorProbes(renderer)
-    probes.add_probe("room", box={"min": (-2, 0, -2), "max": (2, 3, 2)}, origin=(0, 1.5, 0))
-    probes.add_actor(actor)       # its property set to physically based shading
-    probes.capture()              # once the scene stands
-    window.Render()               # the window's own, as ever
+    probes = boxprobe.attach(renderer)                   # every physically shaded actor in it
+    probes.add(bounds=(-2, 2, 0, 3, -2, 2))              # or probes.place(), probes.fit()
+    window.Render()                                      # captures first
 
-Fields of a probe and of the sky have the names, units and ranges that scene files have: faceSize, technique,
-blendDistance. Lengths and positions are in the renderer's world frame. A wrong type is a TypeError, a wrong value a
-ValueError, a failure of the work itself a RuntimeError: one line each.
+Probes and Probe are vtkReflectionProbes and vtkReflectionProbe with properties; both wrapped classes' methods are there,
+too, and their help() explains each value. Lengths and positions are in the renderer's world frame. A wrong type is a
+TypeError, a value that is refused or work that fails a RuntimeError of one line.
 """
 
-import json
-import math
-import os
+from . import _version
+from ._version import __version__
 
 try:
-    from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
-    import vtkmodules.vtkRenderingOpenGL2  # draws what the first one describes
+    from vtkmodules.vtkCommonCore import vtkVersion
+    from vtkmodules.vtkRenderingCore import vtkRenderer
+    import vtkmodules.vtkRenderingOpenGL2  # draws what the others describe
 except ImportError as missing:
     raise ImportError(f"boxprobe needs VTK's Python modules (Debian's package python3-vtk9): {missing}") from missing
 
-from . import _actor_probes
+_found = vtkVersion.GetVTKVersion()
+if _found.split(".")[:2] != _version.vtk_version.split(".")[:2]:
+    raise ImportError(f"boxprobe was built for VTK {_version.vtk_version}; this is VTK {_found}")
 
-__all__ = ["ActorProbes"]
+from .vtkBoxprobe import vtkProjectionRays, vtkReflectionProbe, vtkReflectionProbes
 
+try:
+    from .vtkBoxprobe import vtkReflectionProbeFit
+except ImportError:  # built without Embree
+    vtkReflectionProbeFit = None
 
-def _plain(value):
-    """Arrays and numbers of NumPy's as Python's own."""
-    if hasattr(value, "tolist"):
-        return value.tolist()
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    raise TypeError(f"a {type(value).__name__} is no value of a field")
-
-
-def _fields(fields):
-    for key, value in fields.items():
-        try:
-            json.dumps(value, allow_nan=False, default=_plain).encode()
-        except (TypeError, ValueError, RecursionError) as wrong:
-            kind = ValueError if isinstance(wrong, ValueError) else TypeError
-            raise kind(f"{key}: {wrong}") from None
-    return json.dumps(fields, default=_plain)
+__all__ = ["ActorProbes", "Probe", "Probes", "attach", "vtkProjectionRays", "vtkReflectionProbe", "vtkReflectionProbeFit",
+           "vtkReflectionProbes"]
 
 
-def _checked(what, value, kind):
-    if not isinstance(value, kind):
-        raise TypeError(f"{what}: must be a {kind.__name__}, not {type(value).__name__}")
-    if kind is str:
-        try:
-            value.encode()
-        except UnicodeEncodeError:
-            raise ValueError(f"{what}: is no text that could be written") from None
-    return value
+def _value(name, doc):
+    """A property on the methods SetName and GetName."""
+
+    def get(self):
+        return getattr(self, "Get" + name)()
+
+    def put(self, value):
+        if isinstance(value, (list, tuple)) or hasattr(value, "tolist"):
+            getattr(self, "Set" + name)(*[float(v) for v in value])
+        else:
+            getattr(self, "Set" + name)(value)
+
+    return property(get, put, doc=doc)
 
 
-class ActorProbes:
-    """Lights actors of `renderer` by reflection probes; their mappers, properties, lights, camera and window stay what
-    they are. Deleted, or told to let an actor go, it leaves no trace. The renderer belongs to a window by the time it is
-    first drawn."""
+class Probe(vtkReflectionProbe):
+    """A place that is captured, and the box through which surfaces reflect it: Probe(bounds=(...), face_size=128)."""
 
-    def __init__(self, renderer):
-        self._probes = _actor_probes.Probes(_checked("renderer", renderer, vtkRenderer))
+    def __new__(cls, **values):
+        return super().__new__(cls)
 
-    def add_probe(self, name, **fields):
-        """Adds a probe: box, origin, technique, faceSize ... Nothing has changed where this raises."""
-        self._probes.add_probe(_checked("name", name, str), _fields(fields))
+    def __init__(self, **values):
+        for name, value in values.items():
+            if not isinstance(getattr(Probe, name, None), property):
+                raise TypeError(f"Probe has no value {name}")
+            setattr(self, name, value)
 
-    def set_probe(self, name, **fields):
-        """Changes the fields named, for instance technique="sphere". Its maps are kept, and looked up from where they
-        were captured: a box may be dragged without capturing again. None takes an optional field away."""
-        self._probes.set_probe(_checked("name", name, str), _fields(fields))
+    name = _value("Name", "Named in messages.")
+    enabled = _value("Enabled", "False: lights nothing and gives up its maps.")
+    bounds = _value("Bounds", "The box: xmin, xmax, ymin, ymax, zmin, zmax.")
+    origin = _value("Origin", "Where it is captured; the centre of the bounds until set.")
+    orientation = _value("Orientation", "Degrees about world X, then Y, then Z, about the centre of the bounds.")
+    blend_distances = _value("BlendDistances", "From each face inwards the weight rises over this: six values.")
+    importance = _value("Importance", "Probes share what more important ones leave.")
+    intensity = _value("Intensity", "Factor of its reflections.")
+    technique = _value("Technique", '"box", "infinite", "sphere", ...')
+    face_size = _value("FaceSize", "Texels, a power of two from 16 to 2048.")
+    bounces = _value("Bounces", "1 to 5.")
+    samples_per_pixel = _value("SamplesPerPixel", "1, 4 or 16.")
+    near_distance = _value("NearDistance", "0: from the box.")
+    far_distance = _value("FarDistance", "0: from what there is to see.")
 
-    def probe(self, name):
-        """Every field of a probe, as a dictionary."""
-        return json.loads(self._probes.probe(_checked("name", name, str)))
+    @property
+    def blend_distance(self):
+        """The same at all faces; 0 by default: full weight up to them. Read: the largest."""
+        return max(self.GetBlendDistances())
 
-    def probes(self):
-        """The names of all, in the order in which they were added."""
-        return self._probes.names()
+    @blend_distance.setter
+    def blend_distance(self, distance):
+        self.SetBlendDistance(distance)
 
-    def add_actor(self, actor, seen_by_probes=True):
-        """Lights an actor by the probes whose influence it meets, at most four, from the next frame on. Captures show
-        it, too, unless seen_by_probes is False."""
-        self._probes.add_actor(_checked("actor", actor, vtkActor), bool(seen_by_probes))
+    @property
+    def influence_bounds(self):
+        """The box within which it lights surfaces; None: the bounds."""
+        return self.GetInfluenceBounds() if self.GetUseInfluenceBounds() else None
 
-    def remove_actor(self, actor):
-        """VTK's own shading again."""
-        self._probes.remove_actor(_checked("actor", actor, vtkActor))
+    @influence_bounds.setter
+    def influence_bounds(self, bounds):
+        self.SetUseInfluenceBounds(bounds is not None)
+        if bounds is not None:
+            self.SetInfluenceBounds(*[float(b) for b in bounds])
 
-    def remove_all_actors(self):
-        self._probes.remove_all_actors()
 
-    def set_sky(self, **fields):
-        """What is reflected where no probe says otherwise: image="sky.hdr", color=(1, 1, 1), or top, horizon and ground.
-        Black unless set. The renderer's own background is not touched."""
-        self._probes.set_sky(_fields(fields))
+class Probes(vtkReflectionProbes):
+    """The probes of one renderer. Deleted, it leaves no trace: keep it as long as they are to be seen."""
 
-    def set_exposure(self, exposure):
-        """Display colour = (exposure x linear light)^(1/2.2) of actors with probes; 1 unless set, which is VTK's."""
-        try:
-            exposure = float(exposure)
-        except (TypeError, ValueError):
-            raise TypeError(f"exposure: must be a number, not {type(exposure).__name__}") from None
-        if not math.isfinite(exposure):
-            raise ValueError(f"exposure: is {exposure}; use a finite number")
-        self._probes.set_exposure(exposure)
+    auto_update = _value("AutoUpdate", "Stale maps are captured at the next Render().")
+    steps_per_render = _value("StepsPerRender", "Units of work for each Render(); 0: all.")
+    exposure = _value("Exposure", "Display colour = (exposure x linear light)^(1/2.2).")
+    emission = _value("Emission", "Emissive factors show without a texture.")
+    multiple_scattering = _value("MultipleScattering", "Adds light that meets more than one microfacet.")
 
-    def set_energy(self, energy):
-        """Light that meets more than one microfacet: "multiple" adds it; "single" unless set."""
-        self._probes.set_energy(_checked("energy", energy, str))
+    def __len__(self):
+        return self.GetNumberOfProbes()
 
-    def set_emission(self, shown):
-        """VTK up to 9.1 leaves out emissive factors without a texture. True shows them: for actors whose factors are
-        meant, such as vtkGLTFImporter's."""
-        self._probes.set_emission(bool(shown))
+    def __bool__(self):
+        return True
+
+    def __getitem__(self, index):
+        found = self.GetProbe(index + len(self) if index < 0 else index)
+        if found is None:
+            raise IndexError(f"there is no probe {index}; there are {len(self)}")
+        return found
+
+    def __iter__(self):
+        return iter([self.GetProbe(i) for i in range(len(self))])
+
+    def add(self, probe=None, **values):
+        """Adds a probe, or makes one of these values; returns it."""
+        if probe is None:
+            probe = Probe(**values)
+        elif values:
+            raise TypeError("add: a probe or its values, not both")
+        self.AddProbe(probe)
+        return probe
+
+    def remove(self, probe):
+        self.RemoveProbe(probe)
+
+    @property
+    def stale(self):
+        """Do maps show another state than the renderer's now?"""
+        return self.GetStale()
+
+    def update(self):
+        """Captures what is stale."""
+        self._done(self.Update())
 
     def capture(self):
-        """Captures and filters all probes from the actors that were added, lit by the renderer's lights as they stand.
-        Draws off the screen. Raises ValueError while the renderer has no window, RuntimeError where it fails."""
-        if not self._probes.capture():
-            raise RuntimeError(self._probes.error())
+        """Captures everything."""
+        self._done(self.Capture())
 
-    def set_maps(self, name, file):
-        """A baked file (`boxprobe bake`) in place of a capture."""
+    def load_maps(self, probe, file):
+        """A file that `boxprobe bake` wrote, in place of captures."""
+        self._done(self.LoadMaps(probe, str(file)))
+
+    def fit(self, probe=None, up_axis=1, metres_per_unit=1.0):
+        """Fits a probe's bounds to the walls; without one, those of all. Returns what was decided, as text."""
+        fit = self._fitter(up_axis, metres_per_unit)
+        report = ""
+        for one in [probe] if probe is not None else list(self):
+            fit.Fit(one)
+            report += fit.GetReport()
+        return report
+
+    def place(self, most=64, up_axis=1, metres_per_unit=1.0):
+        """Adds probes for all rooms; returns those that were added."""
+        before = len(self)
+        fit = self._fitter(up_axis, metres_per_unit)
+        if fit.Place(most) < 0:
+            raise RuntimeError("place: see the error before")
+        return list(self)[before:]
+
+    def _fitter(self, up_axis, metres_per_unit):
+        if vtkReflectionProbeFit is None:
+            raise RuntimeError("this build of boxprobe has no fitting: it was made without Embree")
+        fit = vtkReflectionProbeFit()
+        fit.SetProbes(self)
+        fit.SetUpAxis(up_axis)
+        fit.SetMetresPerUnit(metres_per_unit)
+        return fit
+
+    def _done(self, done):
+        if not done:
+            raise RuntimeError(self.GetLastError() or "not while probes are being captured")
+
+
+def attach(renderer):
+    """Probes for every physically shaded actor of a renderer."""
+    if not isinstance(renderer, vtkRenderer):
+        raise TypeError(f"renderer: must be a vtkRenderer, not {type(renderer).__name__}")
+    probes = Probes()
+    probes.SetRenderer(renderer)
+    return probes
+
+
+def __getattr__(name):
+    if name == "ActorProbes":  # the name of before; needs a module of its own
         try:
-            path = os.fspath(file)
-        except TypeError:
-            raise TypeError(f"file: must be a path, not {type(file).__name__}") from None
-        self._probes.set_maps(_checked("name", name, str), _checked("file", path, str))
-
-    def error(self):
-        """Empty while all is well; else the first failure of a frame or a capture, one line. An actor that it names is
-        drawn without reflections."""
-        return self._probes.error()
-
-    def clear_error(self):
-        self._probes.clear_error()
-
-    def release_graphics(self):
-        """Frees what the graphics side holds, with the window still there. Captures start over afterwards."""
-        self._probes.release_graphics()
+            from .actor_probes import ActorProbes
+        except ImportError as missing:
+            raise AttributeError(f"boxprobe.ActorProbes was not built ({missing}); use boxprobe.attach()") from None
+        return ActorProbes
+    raise AttributeError(f"module boxprobe has no attribute {name}")

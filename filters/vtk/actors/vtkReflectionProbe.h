@@ -1,0 +1,176 @@
+/**
+ * @class vtkReflectionProbe
+ * @brief a place that is captured into a cubemap, and the box through which surfaces reflect it
+ *
+ * Lengths and positions are in the world frame and the units of the renderer. Angles are degrees. Values that are not
+ * set follow the bounds: the origin is their centre, the influence is the same box with full weight up to its faces,
+ * the near and far distances of the capture are found from the box and from what the renderer shows. So two calls are
+ * enough:
+ *
+ *     probe->SetBounds(bounds);
+ *     probes->AddProbe(probe);     // vtkReflectionProbes
+ *
+ * A value that is out of range is an ErrorEvent of vtkReflectionProbes, which goes on with the probe as it was before.
+ * Holds plain values and needs no OpenGL.
+ */
+#pragma once
+
+#include <vtkObject.h>
+
+#include <memory>
+#include <string>
+
+namespace boxprobe {
+struct Probe;
+}  // namespace boxprobe
+
+class vtkReflectionProbe : public vtkObject {
+ public:
+  static vtkReflectionProbe* New();
+  // clang-format off
+  vtkTypeMacro(vtkReflectionProbe, vtkObject)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Named in messages. Empty: "probe", with a number where several are; names need not be unique. */
+  vtkSetStdStringFromCharMacro(Name)
+  vtkGetCharFromStdStringMacro(Name)
+  ///@}
+  ///@{
+  /** Off: lights nothing and is not captured; its maps are given up. On by default. */
+  vtkSetMacro(Enabled, bool)
+  vtkGetMacro(Enabled, bool)
+  vtkBooleanMacro(Enabled, bool)
+  ///@}
+
+  ///@{
+  /** The box that reflections are projected on: xmin, xmax, ymin, ymax, zmin, zmax; -1 to 1 by default. Fit it to the
+   * walls. A changed box needs no new capture. */
+  void SetBounds(double xMin, double xMax, double yMin, double yMax, double zMin, double zMax);
+  void SetBounds(const double bounds[6]);
+  vtkGetVector6Macro(Bounds, double)
+  ///@}
+  ///@{
+  /** Where the cubemap is captured; the centre of the bounds until it is set. Keep it out of objects, or have those not
+   * seen by probes. */
+  void SetOrigin(double x, double y, double z);
+  void SetOrigin(const double origin[3]);
+  vtkGetVector3Macro(Origin, double)
+  ///@}
+  ///@{
+  /** On: the origin is the centre of the bounds and moves with them. SetOrigin() switches it off. */
+  void SetOriginAtCenter(bool atCenter);
+  vtkGetMacro(OriginAtCenter, bool)
+  vtkBooleanMacro(OriginAtCenter, bool)
+  ///@}
+  ///@{
+  /** Turns both boxes about the centre of the bounds: degrees about the world's X, then Y, then Z axis. */
+  vtkSetVector3Macro(Orientation, double)
+  vtkGetVector3Macro(Orientation, double)
+  ///@}
+
+  ///@{
+  /** The box within which the probe lights surfaces, while UseInfluenceBounds is on; else the bounds. */
+  vtkSetVector6Macro(InfluenceBounds, double)
+  vtkGetVector6Macro(InfluenceBounds, double)
+  vtkSetMacro(UseInfluenceBounds, bool)
+  vtkGetMacro(UseInfluenceBounds, bool)
+  vtkBooleanMacro(UseInfluenceBounds, bool)
+  ///@}
+  ///@{
+  /** From each face of the influence box inwards, the weight rises from 0 to 1 over this distance. 0 by default: full
+   * weight up to the faces. Six values are those of the faces at xmin, xmax, ymin, ...; one is that of all. */
+  void SetBlendDistance(double distance);
+  vtkSetVector6Macro(BlendDistances, double)
+  vtkGetVector6Macro(BlendDistances, double)
+  ///@}
+  ///@{
+  /** Probes of equal importance share what more important ones leave. 1 by default. */
+  vtkSetMacro(Importance, double)
+  vtkGetMacro(Importance, double)
+  ///@}
+  ///@{
+  /** Factor of its reflections. 1 by default. */
+  vtkSetMacro(Intensity, double)
+  vtkGetMacro(Intensity, double)
+  ///@}
+
+  ///@{
+  /** How a reflection is looked up: "box" (default), "infinite", "sphere", ..., an evaluation after "+", or "auto"; see
+   * shaders/technique/README.md. Parameters keep their defaults unless set; setting a technique forgets them. */
+  void SetTechnique(const char* technique);
+  const char* GetTechnique() const;
+  void SetTechniqueNumber(const char* parameter, double value);
+  void SetTechniqueChoice(const char* parameter, const char* value);
+  ///@}
+
+  ///@{
+  /** Texels along a side of a face, a power of two from 16 to 2048. 256 by default. */
+  vtkSetMacro(FaceSize, int)
+  vtkGetMacro(FaceSize, int)
+  ///@}
+  ///@{
+  /** How often the probe is captured, 1 to 5: from the second time on it sees reflections. 1 by default. */
+  vtkSetMacro(Bounces, int)
+  vtkGetMacro(Bounces, int)
+  ///@}
+  ///@{
+  /** Samples for each texel of the capture: 1, 4 (default) or 16. */
+  vtkSetMacro(SamplesPerPixel, int)
+  vtkGetMacro(SamplesPerPixel, int)
+  ///@}
+  ///@{
+  /** Clipping distances of the capture. 0 (default): from the box and from what the renderer shows. */
+  vtkSetMacro(NearDistance, double)
+  vtkGetMacro(NearDistance, double)
+  vtkSetMacro(FarDistance, double)
+  vtkGetMacro(FarDistance, double)
+  ///@}
+  ///@{
+  /** What the probe holds where it saw no surface. SURROUNDINGS (default): the renderer's environment, else its
+   * background. COLOR: ClearColor, linear. OPEN: the environment shows through there, also once it is another one. */
+  enum ClearMode { SURROUNDINGS = 0, COLOR = 1, OPEN = 2 };
+  vtkSetClampMacro(Clear, int, SURROUNDINGS, OPEN)
+  vtkGetMacro(Clear, int)
+  vtkSetVector3Macro(ClearColor, double)
+  vtkGetVector3Macro(ClearColor, double)
+  ///@}
+      // clang-format on
+
+      ///@{
+      /** The same as the libraries' value, named `name`; not checked. And from there: what this class does not have (a
+         bevel, occlusion, pictures in place of captures) is left out. */
+      boxprobe::Probe ToProbe(const std::string& name) const;
+  void FromProbe(const boxprobe::Probe& probe);
+  ///@}
+
+ protected:
+  vtkReflectionProbe();
+  ~vtkReflectionProbe() override;
+
+  std::string Name;
+  bool Enabled = true;
+  double Bounds[6] = {-1.0, 1.0, -1.0, 1.0, -1.0, 1.0};
+  double Origin[3] = {0.0, 0.0, 0.0};
+  bool OriginAtCenter = true;
+  double Orientation[3] = {0.0, 0.0, 0.0};
+  double InfluenceBounds[6] = {-1.0, 1.0, -1.0, 1.0, -1.0, 1.0};
+  bool UseInfluenceBounds = false;
+  double BlendDistances[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  double Importance = 1.0;
+  double Intensity = 1.0;
+  int FaceSize = 256;
+  int Bounces = 1;
+  int SamplesPerPixel = 4;
+  double NearDistance = 0.0;
+  double FarDistance = 0.0;
+  int Clear = SURROUNDINGS;
+  double ClearColor[3] = {0.0, 0.0, 0.0};
+
+ private:
+  vtkReflectionProbe(const vtkReflectionProbe&) = delete;
+  void operator=(const vtkReflectionProbe&) = delete;
+
+  struct TechniqueOfProbe;
+  std::unique_ptr<TechniqueOfProbe> Chosen;
+};
