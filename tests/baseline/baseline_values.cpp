@@ -58,8 +58,8 @@ bool leftOut(const std::string& key) {
 }
 
 std::string withoutFolder(std::string text, const std::string& folder) {
-  for (const auto& [place, name] : {std::pair(folder, "TMP"), std::pair(std::string(BOXPROBE_SOURCE_DIR), "SOURCE"),
-                                    std::pair(std::string(BOXPROBE_PROGRAM), "boxprobe")}) {
+  for (const auto& [place, name] : {std::pair(folder, "TMP"), std::pair(std::string(BOXPROBE_PROGRAM), "boxprobe"),
+                                    std::pair(std::string(BOXPROBE_SOURCE_DIR), "SOURCE")}) {
     for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place)) {
       text.replace(at, place.size(), name);
     }

@@ -55,6 +55,20 @@ SUBJECTS = [
     ("filters/vtk/capture/", ["baseline_test", "prefilter_test", "bake_test", "capture_test", "edited_test"]),
     ("filters/vtk/", ["baseline_test", "edited_test", "still_view_test", "capture_test", "draw_ways_test", "planar_mirror_test",
                       "blending_test", "folded_test", "skipped_test", "explain_test", "glass_test", "shadow_test"]),
+    ("app/cli/farm/", ["baseline_test", "bake_farm_test", "cli_test:Bake*"]),
+    ("app/cli/options/", ["baseline_test", "cli_test:Help*:BadInput*:Messages*:Render*"]),
+    ("app/cli/command/bake_", ["baseline_test", "cli_test:Bake*", "bake_farm_test"]),
+    ("app/cli/command/explain_", ["baseline_test", "cli_test:Explain*"]),
+    ("app/cli/command/export_", ["baseline_test", "cli_test:Export*"]),
+    ("app/cli/command/fit_", ["baseline_test", "cli_test:Fit*"]),
+    ("app/cli/report/fit_", ["baseline_test", "cli_test:Fit*"]),
+    ("app/cli/command/info_", ["baseline_test", "cli_test:Info*"]),
+    ("app/cli/report/scene_", ["baseline_test", "cli_test:Info*"]),
+    ("app/cli/report/frame_", ["baseline_test", "cli_test:Info*"]),
+    ("app/cli/command/place_", ["baseline_test", "cli_test:Place*"]),
+    ("app/cli/report/place_", ["baseline_test", "cli_test:Place*"]),
+    ("app/cli/command/stress_", ["cli_test:Stress*"]),
+    ("app/cli/report/stress_", ["cli_test:Stress*"]),
     ("app/cli/", ["baseline_test", "cli_test", "faults_test", "bake_farm_test"]),
     ("app/session/", ["baseline_test", "cli_test", "faults_test", "offscreen_scene_test"]),
     ("app/gui/handles/", ["gui_geometry_test", "gui_test:Drag*:Handle*:Probe*:Several*"]),
@@ -211,12 +225,6 @@ class Planted:
         os.replace(os.path.join(STATE, "path.new"), os.path.join(STATE, "path"))
         os.replace(os.path.join(STATE, "changed"), self.whole)
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        put_back()
-
 
 def put_back():
     """Puts a planted file back, if there is one."""
@@ -321,40 +329,57 @@ def tests_of(path):
 
 
 class Tests:
-    """The tests of subjects, timed once unchanged: the quickest first, and none gets longer than ten times its own."""
+    """The tests of subjects, in the order of the table; none gets longer than ten times what it takes by itself."""
 
     def __init__(self):
-        self.seconds = {}
+        self.seconds = {}  # of those that pass without any fault planted; None: not built, or it fails by itself
+        self.built = set()
 
     def prepare(self, tests):
-        unknown = [t for t in tests if t not in self.seconds]
-        if not unknown:
-            return
-        if not build(sorted({t.partition(":")[0] for t in unknown})):
+        """Builds what is not yet known to compile, without any fault planted."""
+        unknown = sorted({t.partition(":")[0] for t in tests} - self.built)
+        if unknown and not build(unknown):
             sys.exit(f"{', '.join(unknown)}: not built without any fault planted; see {BUILD}/last-output.txt")
-        for test in unknown:
-            command = command_of(test)
-            if command is None:
+        self.built.update(unknown)
+        for test in tests:
+            if test not in self.seconds and command_of(test) is None:
                 self.seconds[test] = None
                 print(f"  {test}: is not built; left out", flush=True)
-                continue
-            what, seconds = run(command, 1800)
-            if what != "ok":
-                print(f"  {test}: {what} without any fault planted; left out", flush=True)
-                seconds = None
-            self.seconds[test] = seconds
 
-    def notice(self, tests):
-        """(who noticed and how, or None; seconds)."""
+    def passes_by_itself(self, test):
+        """Without any fault planted: whoever calls has put it back."""
+        if not build([test.partition(":")[0]]):
+            sys.exit(f"{test}: not built without any fault planted; see {BUILD}/last-output.txt")
+        what, seconds = run(command_of(test), 1800)
+        self.seconds[test] = seconds if what == "ok" else None
+        if what != "ok":
+            print(f"  {test}: {what} without any fault planted; left out", flush=True)
+        return what == "ok"
+
+    def notice(self, tests, plant):
+        """(who noticed and how, or None; seconds). A test that passes with the fault would pass without it; one that fails for the
+        first time is run again without."""
         start = time.time()
-        known = sorted((t for t in tests if self.seconds.get(t) is not None), key=lambda t: self.seconds[t])
-        for test in known:
+        plant()
+        for test in tests:
+            known = self.seconds.get(test)
+            if test in self.seconds and known is None:
+                continue
             if not build([test.partition(":")[0]]):
                 return "does not compile", time.time() - start
-            what, _ = run(command_of(test), max(60.0, 10.0 * self.seconds[test]))
-            if what != "ok":
-                refused = what == "failed" and shader_refused()
-                return "does not compile" if refused else f"{test} {what}", time.time() - start
+            what, seconds = run(command_of(test), max(60.0, 10.0 * known) if known is not None else 900.0)
+            if what == "ok":
+                self.seconds.setdefault(test, seconds)
+                continue
+            if what == "failed" and shader_refused():
+                return "does not compile", time.time() - start
+            if known is None:
+                put_back()
+                own = self.passes_by_itself(test)
+                if not own:
+                    plant()
+                    continue
+            return f"{test} {what}", time.time() - start
         return None, time.time() - start
 
 
@@ -400,8 +425,10 @@ def campaign(arguments, tests, log):
                 counts[prefix]["invisible"] += 1
                 continue
             tests.prepare(tests_of(path))
-            with Planted(path, old, new, number):
-                found, seconds = tests.notice(tests_of(path))
+            try:
+                found, seconds = tests.notice(tests_of(path), lambda: Planted(path, old, new, number))
+            finally:
+                put_back()
             verdict = "survived" if found is None else found if found == "does not compile" else "noticed"
             counts[prefix][verdict] += 1
             entry.update(verdict=verdict, by=found, seconds=round(seconds, 1))
@@ -429,8 +456,10 @@ def replay(path, tests, log):
     for fault in faults:
         chosen = fault["tests"]
         tests.prepare(chosen)
-        with Planted(fault["file"], fault["old"], fault["new"]):
-            found, seconds = tests.notice(chosen)
+        try:
+            found, seconds = tests.notice(chosen, lambda: Planted(fault["file"], fault["old"], fault["new"]))
+        finally:
+            put_back()
         missed += found is None or found == "does not compile"
         log.write(json.dumps(dict(fault, by=found, seconds=round(seconds, 1))) + "\n")
         print(f"{'NOT NOTICED' if found is None else found:45} {fault['what']} {seconds:.0f} s", flush=True)
