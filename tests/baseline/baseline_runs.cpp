@@ -192,6 +192,10 @@ void addFields(Runs& runs) {
       {"impostor-raytraced",
        "furnished --technique impostor+raytraced --camera steep --set probes.room.faceSize=64 --set "
        "probes.room.parameters={\"samples\":5,\"filtered\":true} --set materials.floor.roughness=0.2"},
+      {"reveal",
+       "halls --technique impostor --set materials.tiles.roughness=0 --set probes.first.parameters.steps=24 --set "
+       "probes.first.box={\"min\":[0,0,0],\"max\":[5.1,3.1,6.1]}"},
+      {"finish-blurred", "finish --technique raytraced --set probes.a.parameters={\"samples\":3,\"blur\":true}"},
       {"room", "room --technique hdrp --set materials.floor.roughness=0.27 --set probes.room.faceSize=64"},
       {"six-faces", "six-faces --set probes.cube.faceSize=64"},
       {"materials",

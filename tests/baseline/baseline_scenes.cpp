@@ -460,6 +460,11 @@ void writeBaselineScenes(const std::string& folder) {
   }
   writeText(folder + "/plain.gltf", gltf(few));
   write("odd", roomScene({}, {{"file", "odd.gltf"}}, true));
+  Json finish = roomScene({}, {{"file", "odd.gltf"}});
+  finish["probes"].erase(1);
+  finish["probes"].erase(1);
+  finish["probes"][0].erase("influence");
+  write("finish", finish);
   write("plain", roomScene({}, {{"file", "plain.gltf"}}));
   const Placed far{1.0, {31250.0, -407.5, 18734.0}};
   write("far", roomScene(far, {{"file", "plain.gltf"}, {"translation", far.at(0, 0, 0)}}));

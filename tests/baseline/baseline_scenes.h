@@ -8,6 +8,7 @@ namespace boxprobe::test {
 
 /// Writes NAME.boxprobe.json for each scene, and their models and pictures, into a folder:
 /// - odd: the room, in metres
+/// - finish: the same with one probe
 /// - plain: its walls and blocks alone, of plain materials
 /// - far: that, far from the origin
 /// - big, small: the same, 100 times as large and 1/100 as large
