@@ -32,6 +32,9 @@ void addPlain(Runs& runs) {
       {"fit-halls", "fit halls --json --origin propose"},
       {"place-halls", "place halls --json"},
       {"place-halls-keep", "place halls --json --keep --gain 0.5 --most 5"},
+      {"info-halls-cm", "info halls-cm.gltf --json --as interior --light ceiling"},
+      {"info-halls", "info halls.gltf --json --as interior --light openings"},
+      {"place-lintel", "place halls --json --set objects.lintel.translation=[0,0.72,0]"},
       {"place-halls-cm", "place halls-cm --json"},
       {"place-odd", "place odd --json --gain 0.7"},
       {"place-furnished", "place furnished --json --gain 0.1 --most 6"},
@@ -192,9 +195,8 @@ void addFields(Runs& runs) {
       {"impostor-raytraced",
        "furnished --technique impostor+raytraced --camera steep --set probes.room.faceSize=64 --set "
        "probes.room.parameters={\"samples\":5,\"filtered\":true} --set materials.floor.roughness=0.2"},
-      {"reveal",
-       "halls --technique impostor --set materials.tiles.roughness=0 --set probes.first.parameters.steps=24 --set "
-       "probes.first.box={\"min\":[0,0,0],\"max\":[5.1,3.1,6.1]}"},
+      {"reveal", "building --camera low --technique impostor --set probes.room.faceSize=64"},
+      {"reveal-top", "building --camera top --technique impostor --set probes.room.faceSize=64"},
       {"finish-blurred", "finish --technique raytraced --set probes.a.parameters={\"samples\":3,\"blur\":true}"},
       {"room", "room --technique hdrp --set materials.floor.roughness=0.27 --set probes.room.faceSize=64"},
       {"six-faces", "six-faces --set probes.cube.faceSize=64"},

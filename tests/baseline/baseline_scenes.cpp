@@ -226,6 +226,8 @@ std::vector<Part> roomParts() {
   east["emissiveFactor"] = {0.31, 0.22, 0.07};
   east["emissiveTexture"] = texture(0, 1.7, 0.6, -0.3, 0.2, 0.4);
   Json floor = paint("floor", {0.83, 0.78, 0.66}, 0.93, 0.13);
+  floor["occlusionTexture"] = texture(2, 0.7, 1.9, 0.4, 0.2, 0.6);
+  floor["occlusionTexture"]["strength"] = 0.81;
   Json ceiling = paint("ceiling", {0.91, 0.93, 0.87}, 0.0, 0.97);
   Json north = with(paint("north", {0.63, 0.66, 0.74}, 0.86, 0.31), "KHR_materials_anisotropy",
                     {{"anisotropyStrength", 0.73}, {"anisotropyRotation", 0.57}});
@@ -435,6 +437,7 @@ std::vector<Part> hallParts(double scale) {
   add("store wall", {7.55, 0.0, 4.1}, {9.2, 3.1, 4.3}, plaster);
   add("store lintel", {6.7, 1.95, 4.1}, {7.55, 3.1, 4.3}, plaster);
   add("store ceiling", {5.35, 2.3, 4.3}, {9.2, 2.4, 6.1}, plaster);
+  add("dais", {3.1, 0.0, 3.6}, {5.1, 0.21, 6.1}, plaster);
   add("cupboard", {0.0, 0.0, 0.0}, {1.6, 2.0, 0.6}, plaster);
   return parts;
 }
