@@ -36,7 +36,7 @@ SUBJECTS = [
     ("shaders/gpu/", ["baseline_test", "edited_test", "splice_test", "stock_test", "explain_test", "gltf_picture_test",
                       "planar_mirror_test", "prefilter_test", "frame_average_test", "bake_test"]),
     ("filters/math/published/", ["published_test", "baseline_test", "technique_test", "stress_test"]),
-    ("filters/math/", ["technique_test", "brdf_table_test", "prefilter_unit_test", "baseline_test", "relief_test", "parity_test",
+    ("filters/math/", ["technique_test", "brdf_table_test", "prefilter_unit_test", "refraction_test", "baseline_test", "relief_test", "parity_test",
                        "stress_test", "explain_test"]),
     ("filters/core/", ["core_test", "io_test", "baseline_test", "probe_plan_test", "edited_test", "cli_test:Info*:Render*"]),
     ("filters/io/engines/", ["engine_test", "rgbm_test", "baseline_test"]),
