@@ -28,15 +28,15 @@ LEAST_FREE = 2 << 30  # bytes of disk; a test that leaves less is ended
 # The first row that a path begins with counts. A program is looked for below build/mutants/tests.
 UNIT = ["core_test", "io_test", "fit_test", "technique_test"]
 SUBJECTS = [
-    ("shaders/technique/", ["technique_test", "baseline_test", "parity_test", "footprint_picture_test", "explain_test"]),
-    ("shaders/shared/", ["technique_test", "brdf_table_test", "baseline_test", "parity_test", "edited_test:OddRoom*", "stress_test",
+    ("shaders/technique/", ["technique_test", "relief_test", "baseline_test", "parity_test", "footprint_picture_test", "explain_test"]),
+    ("shaders/shared/", ["technique_test", "relief_test", "refraction_test", "brdf_table_test", "reference_test", "baseline_test", "parity_test", "edited_test:OddRoom*", "stress_test",
                          "glass_test", "gltf_picture_test", "explain_test", "shadow_test", "planar_mirror_test"]),
     ("shaders/published/", ["published_test", "baseline_test", "technique_test", "stress_test"]),
     ("shaders/stress/", ["stress_test", "stress_gpu_test"]),
     ("shaders/gpu/", ["baseline_test", "edited_test", "splice_test", "stock_test", "explain_test", "gltf_picture_test",
                       "planar_mirror_test", "prefilter_test", "frame_average_test", "bake_test"]),
     ("filters/math/published/", ["published_test", "baseline_test", "technique_test", "stress_test"]),
-    ("filters/math/", ["technique_test", "brdf_table_test", "prefilter_unit_test", "refraction_test", "baseline_test", "relief_test", "parity_test",
+    ("filters/math/", ["technique_test", "brdf_table_test", "prefilter_unit_test", "refraction_test", "relief_test", "baseline_test", "parity_test",
                        "stress_test", "explain_test"]),
     ("filters/core/", ["core_test", "io_test", "baseline_test", "probe_plan_test", "edited_test", "cli_test:Info*:Render*"]),
     ("filters/io/engines/", ["engine_test", "rgbm_test", "baseline_test"]),
