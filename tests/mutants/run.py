@@ -28,54 +28,68 @@ LEAST_FREE = 2 << 30  # bytes of disk; a test that leaves less is ended
 # The first row that a path begins with counts. A program is looked for below build/mutants/tests.
 UNIT = ["core_test", "io_test", "fit_test", "technique_test"]
 SUBJECTS = [
-    ("shaders/technique/", ["technique_test", "parity_test", "footprint_picture_test", "explain_test"]),
-    ("shaders/shared/", ["technique_test", "brdf_table_test", "parity_test", "edited_test:OddRoom*", "stress_test",
+    ("shaders/technique/", ["technique_test", "relief_test", "baseline_test", "parity_test", "footprint_picture_test", "explain_test"]),
+    ("shaders/shared/", ["technique_test", "relief_test", "refraction_test", "brdf_table_test", "reference_test", "baseline_test", "parity_test", "edited_test:OddRoom*", "stress_test",
                          "glass_test", "gltf_picture_test", "explain_test", "shadow_test", "planar_mirror_test"]),
-    ("shaders/published/", ["published_test", "technique_test", "stress_test"]),
+    ("shaders/published/", ["published_test", "baseline_test", "technique_test", "stress_test"]),
     ("shaders/stress/", ["stress_test", "stress_gpu_test"]),
-    ("shaders/gpu/", ["edited_test", "splice_test", "stock_test", "explain_test", "gltf_picture_test",
+    ("shaders/gpu/", ["baseline_test", "edited_test", "splice_test", "stock_test", "explain_test", "gltf_picture_test",
                       "planar_mirror_test", "prefilter_test", "frame_average_test", "bake_test"]),
-    ("filters/math/published/", ["published_test", "technique_test", "stress_test"]),
-    ("filters/math/", ["technique_test", "brdf_table_test", "prefilter_unit_test", "relief_test", "parity_test",
+    ("filters/math/published/", ["published_test", "baseline_test", "technique_test", "stress_test"]),
+    ("filters/math/", ["technique_test", "brdf_table_test", "prefilter_unit_test", "refraction_test", "relief_test", "baseline_test", "parity_test",
                        "stress_test", "explain_test"]),
-    ("filters/core/", ["core_test", "io_test", "probe_plan_test", "edited_test", "cli_test:Info*:Render*"]),
-    ("filters/io/engines/", ["engine_test", "rgbm_test"]),
-    ("filters/io/", ["io_test", "files_test", "cube_file_test", "lesson_file_test", "model_reader_test",
+    ("filters/core/", ["core_test", "io_test", "baseline_test", "probe_plan_test", "edited_test", "cli_test:Info*:Render*"]),
+    ("filters/io/engines/", ["engine_test", "rgbm_test", "baseline_test"]),
+    ("filters/io/", ["io_test", "files_test", "cube_file_test", "baseline_test", "lesson_file_test", "model_reader_test",
                      "cli_test:Bad*"]),
-    ("filters/fit/", ["fit_test", "cli_test:Fit*:Place*"]),
-    ("filters/explain/", ["explanation_text_test", "explanation_json_test", "explain_test", "edited_test:OddRoom*"]),
-    ("filters/reference/", ["reference_test", "bench_test", "lamp_test", "reference_picture_test"]),
+    ("filters/fit/", ["fit_test", "baseline_test", "cli_test:Fit*:Place*"]),
+    ("filters/explain/", ["explanation_text_test", "explanation_json_test", "baseline_test", "explain_test", "edited_test:OddRoom*"]),
+    ("filters/reference/", ["reference_test", "baseline_test", "bench_test", "lamp_test", "reference_picture_test"]),
     ("filters/stress/", ["stress_test"]),
-    ("filters/vtk/import/", ["model_reader_test", "cli_test:BadModel*"]),
-    ("filters/vtk/inspect/", ["frame_report_test", "gui_test:FramePanel*", "cli_test:Info*", "explain_test"]),
+    ("filters/vtk/import/", ["model_reader_test", "baseline_test", "cli_test:BadModel*"]),
+    ("filters/vtk/inspect/", ["frame_report_test", "baseline_test", "gui_test:FramePanel*", "cli_test:Info*", "explain_test"]),
     ("filters/vtk/actors/", ["actor_probes_test", "vtk_program_test"]),
-    ("filters/vtk/surface/", ["vtk_text_test", "splice_test", "edited_test", "draw_ways_test", "glass_test", "explain_test"]),
+    ("filters/vtk/surface/", ["vtk_text_test", "baseline_test", "splice_test", "edited_test", "draw_ways_test", "glass_test", "explain_test"]),
     ("filters/vtk/rays/", ["projection_rays_test", "ray_layer_test"]),
-    ("filters/vtk/probes/", ["probe_plan_test", "edited_test", "bake_test", "many_probes_test"]),
-    ("filters/vtk/capture/", ["prefilter_test", "bake_test", "capture_test", "edited_test"]),
-    ("filters/vtk/", ["edited_test", "still_view_test", "capture_test", "draw_ways_test", "planar_mirror_test",
+    ("filters/vtk/probes/", ["probe_plan_test", "baseline_test", "edited_test", "bake_test", "many_probes_test"]),
+    ("filters/vtk/capture/", ["baseline_test", "prefilter_test", "bake_test", "capture_test", "edited_test"]),
+    ("filters/vtk/", ["baseline_test", "edited_test", "still_view_test", "capture_test", "draw_ways_test", "planar_mirror_test",
                       "blending_test", "folded_test", "skipped_test", "explain_test", "glass_test", "shadow_test"]),
-    ("app/cli/", ["cli_test", "faults_test", "bake_farm_test"]),
-    ("app/session/", ["cli_test", "faults_test", "offscreen_scene_test"]),
+    ("app/cli/farm/", ["baseline_test", "bake_farm_test", "cli_test:Bake*"]),
+    ("app/cli/options/", ["baseline_test", "cli_test:Help*:BadInput*:Messages*:Render*"]),
+    ("app/cli/command/bake_", ["baseline_test", "cli_test:Bake*", "bake_farm_test"]),
+    ("app/cli/command/explain_", ["baseline_test", "cli_test:Explain*"]),
+    ("app/cli/command/export_", ["baseline_test", "cli_test:Export*"]),
+    ("app/cli/command/fit_", ["baseline_test", "cli_test:Fit*"]),
+    ("app/cli/report/fit_", ["baseline_test", "cli_test:Fit*"]),
+    ("app/cli/command/info_", ["baseline_test", "cli_test:Info*"]),
+    ("app/cli/report/scene_", ["baseline_test", "cli_test:Info*"]),
+    ("app/cli/report/frame_", ["baseline_test", "cli_test:Info*"]),
+    ("app/cli/command/place_", ["baseline_test", "cli_test:Place*"]),
+    ("app/cli/report/place_", ["baseline_test", "cli_test:Place*"]),
+    ("app/cli/command/stress_", ["cli_test:Stress*"]),
+    ("app/cli/report/stress_", ["cli_test:Stress*"]),
+    ("app/cli/", ["baseline_test", "cli_test", "faults_test", "bake_farm_test"]),
+    ("app/session/", ["baseline_test", "cli_test", "faults_test", "offscreen_scene_test"]),
     ("app/gui/handles/", ["gui_geometry_test", "gui_test:Drag*:Handle*:Probe*:Several*"]),
     ("app/gui/explain/", ["schematic_test", "gui_test:Schematic*:ExplainCard*:DebugView*"]),
-    ("app/gui/edit/", ["editor_test", "gui_test:Several*:ValueField*:ProbePanel*"]),
+    ("app/gui/edit/", ["gui_test:PanelValues*", "editor_test", "gui_test:Several*:ValueField*:ProbePanel*"]),
     ("app/gui/formula/", ["formula_test"]),
     ("app/gui/view/", ["gui_test:Camera*:Animation*:Exposure*:*Compar*:*Preview*:Gestures*:SelectHere*"]),
-    ("app/gui/widgets/", ["gui_test:ValueField*:PanelSection*:ProbePanel*:ProbeGauge*"]),
+    ("app/gui/widgets/", ["gui_test:PanelValues*", "gui_test:ValueField*:PanelSection*:ProbePanel*:ProbeGauge*"]),
     ("app/gui/lessons/", ["gui_test:LessonList*", "cli_test:Lessons*", "lesson_test"]),
     ("app/gui/window/lessons_command", ["cli_test:Lessons*"]),
-    ("app/gui/panels/", ["gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*"]),
+    ("app/gui/panels/", ["gui_test:PanelValues*", "gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*"]),
     ("app/gui/window/", ["gui_test:File*:Recovery*:LeftBehind*:Window*:Picture*"]),
     ("app/gui/", ["gui_geometry_test", "schematic_test", "gui_test"]),
     ("app/lessons/", ["lesson_file_test", "cli_test:Lessons*", "lessons_test"]),
-    ("app/", ["cli_test"]),
+    ("app/", ["baseline_test", "cli_test"]),
 ]
 FOLDERS = ["shaders", "filters/math", "filters/core", "filters/fit", "filters/io", "filters/explain",
            "filters/reference", "filters/vtk", "app"]
 
 CONFIGURE = ["-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", "-DBOXPROBE_UNITY_FILES=3",
-             "-DBOXPROBE_ONLY_TESTS=house;unit;vtk;parity;image;cli;gui;stress"]
+             "-DBOXPROBE_ONLY_TESTS=house;unit;vtk;parity;image;cli;baseline;gui;stress"]
 
 
 # ------------------------------------------------------------------------------------------------ what is changed
@@ -211,12 +225,6 @@ class Planted:
         os.replace(os.path.join(STATE, "path.new"), os.path.join(STATE, "path"))
         os.replace(os.path.join(STATE, "changed"), self.whole)
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        put_back()
-
 
 def put_back():
     """Puts a planted file back, if there is one."""
@@ -321,40 +329,57 @@ def tests_of(path):
 
 
 class Tests:
-    """The tests of subjects, timed once unchanged: the quickest first, and none gets longer than ten times its own."""
+    """The tests of subjects, in the order of the table; none gets longer than ten times what it takes by itself."""
 
     def __init__(self):
-        self.seconds = {}
+        self.seconds = {}  # of those that pass without any fault planted; None: not built, or it fails by itself
+        self.built = set()
 
     def prepare(self, tests):
-        unknown = [t for t in tests if t not in self.seconds]
-        if not unknown:
-            return
-        if not build(sorted({t.partition(":")[0] for t in unknown})):
+        """Builds what is not yet known to compile, without any fault planted."""
+        unknown = sorted({t.partition(":")[0] for t in tests} - self.built)
+        if unknown and not build(unknown):
             sys.exit(f"{', '.join(unknown)}: not built without any fault planted; see {BUILD}/last-output.txt")
-        for test in unknown:
-            command = command_of(test)
-            if command is None:
+        self.built.update(unknown)
+        for test in tests:
+            if test not in self.seconds and command_of(test) is None:
                 self.seconds[test] = None
                 print(f"  {test}: is not built; left out", flush=True)
-                continue
-            what, seconds = run(command, 1800)
-            if what != "ok":
-                print(f"  {test}: {what} without any fault planted; left out", flush=True)
-                seconds = None
-            self.seconds[test] = seconds
 
-    def notice(self, tests):
-        """(who noticed and how, or None; seconds)."""
+    def passes_by_itself(self, test):
+        """Without any fault planted: whoever calls has put it back."""
+        if not build([test.partition(":")[0]]):
+            sys.exit(f"{test}: not built without any fault planted; see {BUILD}/last-output.txt")
+        what, seconds = run(command_of(test), 1800)
+        self.seconds[test] = seconds if what == "ok" else None
+        if what != "ok":
+            print(f"  {test}: {what} without any fault planted; left out", flush=True)
+        return what == "ok"
+
+    def notice(self, tests, plant):
+        """(who noticed and how, or None; seconds). A test that passes with the fault would pass without it; one that fails for the
+        first time is run again without."""
         start = time.time()
-        known = sorted((t for t in tests if self.seconds.get(t) is not None), key=lambda t: self.seconds[t])
-        for test in known:
+        plant()
+        for test in tests:
+            known = self.seconds.get(test)
+            if test in self.seconds and known is None:
+                continue
             if not build([test.partition(":")[0]]):
                 return "does not compile", time.time() - start
-            what, _ = run(command_of(test), max(60.0, 10.0 * self.seconds[test]))
-            if what != "ok":
-                refused = what == "failed" and shader_refused()
-                return "does not compile" if refused else f"{test} {what}", time.time() - start
+            what, seconds = run(command_of(test), max(60.0, 10.0 * known) if known is not None else 900.0)
+            if what == "ok":
+                self.seconds.setdefault(test, seconds)
+                continue
+            if what == "failed" and shader_refused():
+                return "does not compile", time.time() - start
+            if known is None:
+                put_back()
+                own = self.passes_by_itself(test)
+                if not own:
+                    plant()
+                    continue
+            return f"{test} {what}", time.time() - start
         return None, time.time() - start
 
 
@@ -400,8 +425,10 @@ def campaign(arguments, tests, log):
                 counts[prefix]["invisible"] += 1
                 continue
             tests.prepare(tests_of(path))
-            with Planted(path, old, new, number):
-                found, seconds = tests.notice(tests_of(path))
+            try:
+                found, seconds = tests.notice(tests_of(path), lambda: Planted(path, old, new, number))
+            finally:
+                put_back()
             verdict = "survived" if found is None else found if found == "does not compile" else "noticed"
             counts[prefix][verdict] += 1
             entry.update(verdict=verdict, by=found, seconds=round(seconds, 1))
@@ -429,8 +456,10 @@ def replay(path, tests, log):
     for fault in faults:
         chosen = fault["tests"]
         tests.prepare(chosen)
-        with Planted(fault["file"], fault["old"], fault["new"]):
-            found, seconds = tests.notice(chosen)
+        try:
+            found, seconds = tests.notice(chosen, lambda: Planted(fault["file"], fault["old"], fault["new"]))
+        finally:
+            put_back()
         missed += found is None or found == "does not compile"
         log.write(json.dumps(dict(fault, by=found, seconds=round(seconds, 1))) + "\n")
         print(f"{'NOT NOTICED' if found is None else found:45} {fault['what']} {seconds:.0f} s", flush=True)

@@ -96,6 +96,16 @@ TEST(ModelKind, AFloorWithThreeWallsIsOpenAndSoIsAPlainWithAThing) {
   EXPECT_EQ(fitted(plain.model).fit.kind, ModelKind::Open);
 }
 
+// Between two things that stand apart most rays from outside meet nothing, and those say nothing of sides.
+TEST(ModelKind, OfTwoThingsApartOnlyRaysThatMeetOneCount) {
+  for (const bool fromWithin : {false, true}) {
+    MadeModel made;
+    made.box({glm::dvec3(-9, 0, -3), glm::dvec3(-5, 2.8, 1)}, fromWithin);
+    made.box({glm::dvec3(6, 0.5, 0), glm::dvec3(9, 3.1, 4)}, fromWithin);
+    EXPECT_EQ(fitted(made.model).fit.survey.backOutside, fromWithin ? 1.0 : 0.0);
+  }
+}
+
 TEST(ModelKind, AMirroredInstanceKeepsItsFronts) {
   Model model = closedRoom();
   model.instances.front().worldFromModel = glm::scale(glm::dmat4(1.0), glm::dvec3(-1.0, 1.0, 1.0));

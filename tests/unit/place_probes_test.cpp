@@ -139,6 +139,7 @@ TEST(PlaceProbes, ALongRoomGetsMoreWhereTheyGain) {
   for (std::size_t i = 1; i < placement->probes.size(); ++i) {
     const Probe& part = placement->probes[i].probe;
     EXPECT_GT(part.importance, room.importance) << part.name;
+    EXPECT_EQ(part.importance, 2.0) << part.name << ": one more than what lies below it";
     const Box& smaller = part.influenceBox();
     const Box& larger = room.influenceBox();
     EXPECT_LT(smaller.size().x, 0.8 * larger.size().x) << part.name;

@@ -24,6 +24,7 @@
 #include "filters/core/scene/scene.h"
 #include "filters/math/cube/cube_map.h"
 #include "filters/vtk/rays/ray_arrays.h"
+#include "filters/vtk/rays/ray_scene.h"
 #include "filters/vtk/rays/vtkProjectionRays.h"
 #include "tests/unit/temporary_folder.h"
 
@@ -522,6 +523,48 @@ TEST_F(SavedRays, ThePlainProgramsFileReadBack) {
     EXPECT_NEAR(glm::length(row.hitPoint - row.from), row.hitDistance, 1.0e-5);
     EXPECT_EQ(row.weight, 1.0);
     EXPECT_EQ(row.status, 0);
+  }
+}
+
+// Points on the edges that two triangles share, on a ground as wide as a planet: rounding puts them beside both.
+TEST(RayScene, NoRaySlipsBetweenTwoTrianglesHoweverLarge) {
+  constexpr int kSide = 24;
+  for (const double scale : {1.0, 1e9}) {
+    std::mt19937 chance(5);
+    std::uniform_real_distribution<double> between(0.0, 1.0);
+    vtkNew<vtkPoints> places;
+    places->SetDataTypeToDouble();
+    std::vector<glm::dvec3> corners;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      corners.push_back(scale * glm::dvec3(i % kSide + 0.3 * between(chance), 0.1 * between(chance), i / kSide));
+      places->InsertNextPoint(&corners.back().x);
+    }
+    vtkNew<vtkCellArray> cells;
+    std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+    for (vtkIdType y = 0; y + 1 < kSide; ++y) {
+      for (vtkIdType x = 0; x + 1 < kSide; ++x) {
+        const vtkIdType a = y * kSide + x, b = a + 1, c = a + kSide, d = c + 1;
+        const vtkIdType first[] = {a, c, b}, second[] = {b, c, d};
+        cells->InsertNextCell(3, first);
+        cells->InsertNextCell(3, second);
+        edges.emplace_back(b, c);
+      }
+    }
+    vtkNew<vtkPolyData> ground;
+    ground->SetPoints(places);
+    ground->SetPolys(cells);
+    RayScene scene(ground);
+    const glm::dvec3 eye = scale * glm::dvec3(9.7, 31.3, 13.1);
+    int missed = 0;
+    for (const auto& [from, to] : edges) {
+      for (int i = 0; i < 40; ++i) {
+        const double t = between(chance);
+        const glm::dvec3 target =
+            (1.0 - t) * corners[static_cast<std::size_t>(from)] + t * corners[static_cast<std::size_t>(to)];
+        missed += scene.firstHit(eye, glm::normalize(target - eye), 0.0, scene.reachFrom(eye)) ? 0 : 1;
+      }
+    }
+    EXPECT_EQ(missed, 0) << scale;
   }
 }
 

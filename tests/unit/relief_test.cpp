@@ -147,6 +147,17 @@ TEST(Relief, AFollowedRayFindsWhatTheProbeSaw) {
   }
 }
 
+// Looking twice in one step is no way past the limit: missed() counts for every ray.
+TEST(Relief, NoRayTakesMoreStepsThanAsked) {
+  const Relief relief(distances(64));
+  const ReliefBlocks blocks = reliefBlocks(relief, kLow, kHigh, glm::mat3(1.0f));
+  for (float steps = 1.0f; steps < 14.0f; ++steps) {
+    double lookups = 0.0;
+    missed(relief, blocks, steps, &lookups);
+    EXPECT_GT(lookups, 0.5) << steps;
+  }
+}
+
 // Faces of few texels, and a map that saw nothing.
 TEST(Relief, SmallAndEmptyMaps) {
   for (const int size : {1, 2, 4}) {

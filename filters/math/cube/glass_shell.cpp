@@ -1,6 +1,7 @@
 #include "filters/math/cube/glass_shell.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -21,8 +22,8 @@ GlassShell::GlassShell(const std::vector<glm::vec3>& positions, const std::vecto
   for (const glm::vec3& p : positions) radius_ = std::max(radius_, glm::length(p));
   double area = 0.0, outward = 0.0;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    glm::vec3 corners[3], corner_normals[3];
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = positions[indices[i + k]];
+    std::array<glm::vec3, 3> corners, corner_normals;
+    for (std::size_t k = 0; k < 3; ++k) corners.at(k) = positions[indices[i + k]];
     const glm::vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double size = 0.5 * static_cast<double>(glm::length(across));
     if (!(size > 0.0)) continue;
@@ -33,9 +34,9 @@ GlassShell::GlassShell(const std::vector<glm::vec3>& positions, const std::vecto
       const bool given = indices[i + k] < normals.size();
       const glm::vec3 n = given ? normals[indices[i + k]] : across;
       const float length = glm::length(n);
-      corner_normals[k] = length > 0.0f ? n / length : glm::normalize(across);
+      corner_normals.at(k) = length > 0.0f ? n / length : glm::normalize(across);
     }
-    for (int face = 0; face < 6; ++face) draw(corners, corner_normals, face);
+    for (int face = 0; face < 6; ++face) draw(corners.data(), corner_normals.data(), face);
   }
   described_ = area > 0.0 ? outward / area : 0.0;
 
