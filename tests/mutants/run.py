@@ -139,8 +139,8 @@ KINDS = [
 SKIPPED = re.compile(r"^\s*(//|/\*|\*|#|namespace|using|template|static_assert|class |struct |enum |case .*:$|public:|private:|"
                      r"protected:|Q_OBJECT|vtk\w*Macro|EXPECT|ASSERT|assert|throw|\"|return \"|friend|typedef|extern|layout|"
                      r"uniform |in |out |\}|\{)")
-# Words for people: messages, help, tool tips. A test of every word would be a second copy of it.
-WORDS = re.compile(r"(tr\(|Error\(|InputError|WorkError|FieldError|->setToolTip|setText|printf|printError|printWarnings|"
+# Words for people: messages, help, tool tips. A test of every word would be a second copy of it. And memory taken beforehand.
+WORDS = re.compile(r"(\.reserve\(|tr\(|Error\(|InputError|WorkError|FieldError|->setToolTip|setText|printf|printError|printWarnings|"
                    r"printResult|->footer|add_option|add_flag|add_subcommand|field<&|emplace_back\(\"|os <<|indent)")
 
 
