@@ -51,7 +51,7 @@ SUBJECTS = [
     ("filters/vtk/actors/", ["actor_probes_test"]),
     ("filters/vtk/surface/", ["vtk_text_test", "baseline_test", "splice_test", "edited_test", "draw_ways_test", "glass_test", "explain_test"]),
     ("filters/vtk/rays/", ["projection_rays_test", "ray_layer_test"]),
-    ("filters/vtk/probes/", ["probe_plan_test", "baseline_test", "edited_test", "bake_test", "many_probes_test"]),
+    ("filters/vtk/probes/", ["probe_plan_test", "capture_test", "baseline_test", "edited_test", "bake_test", "many_probes_test"]),
     ("filters/vtk/capture/", ["baseline_test", "prefilter_test", "bake_test", "capture_test", "edited_test"]),
     ("filters/vtk/", ["baseline_test", "edited_test", "still_view_test", "capture_test", "draw_ways_test", "planar_mirror_test",
                       "blending_test", "folded_test", "skipped_test", "explain_test", "glass_test", "shadow_test"]),
