@@ -86,7 +86,7 @@ LocalInput localInput(const StressInput& in) {
   p.normal = shading::directionOr(p.normal, p.view);
   p.roughness = shading::roughnessWithin(p.roughness);
   p.fresnel = shading::roughnessWithin(p.fresnel);
-  p.f0 = std::max(p.roughness, 1.0e-3f);
+  p.f0 = std::max(p.roughness, 1.0e-2f);
   // Inputs name R itself, so that its components can be exactly what a class asks for; R is what N and V make of it as
   // soon as one of the three is broken.
   p.reflection = shading::directionOr(given, shading::reflectedView(p.normal, p.view));

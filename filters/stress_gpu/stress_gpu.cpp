@@ -81,7 +81,7 @@ std::string sourceOf(const StressProgram& program, const std::vector<const Param
       "  point.view = directionOr(in2.xyz, vec3(0.0, 0.0, 1.0));\n  point.normal = directionOr(in1.xyz, point.view);\n"
       "  point.reflection = directionOr(in3.xyz, reflectedView(point.normal, point.view));\n"
       "  point.roughness = roughnessWithin(in0.w); point.fresnel = point.roughness;\n  "
-      "point.f0 = max(point.roughness, 1.0e-3);\n  point.pixel = ivec2(in4.w, "
+      "point.f0 = max(point.roughness, 1.0e-2);\n  point.pixel = ivec2(in4.w, "
       "in5.w);\n"
       "  point.frame = int(in2.w);\n  vec4 extra = in6;\n  stressBlueNoise = in7.xy;\n  stressSplitSum = in7.zw;\n"
       "  vec4 out0 = vec4(0.0);\n  vec4 out1 = vec4(0.0);\n" +

@@ -9,7 +9,7 @@ vec3 schlickFresnel(vec3 f0, vec3 f90, float cosine)
 // keep a lobe's weights from summing to 0.
 float relativeF0(vec3 f0, vec3 f90)
 {
-  return clamp(dot(f0, vec3(1.0f)) / max(dot(f90, vec3(1.0f)), 1.0e-6f), 1.0e-3f, 1.0e3f);
+  return clamp(dot(f0, vec3(1.0f)) / max(dot(f90, vec3(1.0f)), 1.0e-6f), 1.0e-2f, 1.0e2f);
 }
 
 // Mean over the three colours: what the smoothing of sampled reflections goes by.

@@ -197,7 +197,9 @@ void addFields(Runs& runs) {
        "probes.room.parameters={\"samples\":5,\"filtered\":true} --set materials.floor.roughness=0.2"},
       {"reveal", "building --camera low --technique impostor --set probes.room.faceSize=64"},
       {"reveal-top", "building --camera top --technique impostor --set probes.room.faceSize=64"},
-      {"finish-blurred", "finish --technique raytraced --set probes.a.parameters={\"samples\":3,\"blur\":true}"},
+      {"finish-blurred",
+       "finish --technique raytraced --set materials.floor.roughness=0.61 --set "
+       "probes.a.parameters={\"samples\":3,\"blur\":true}"},
       {"room", "room --technique hdrp --set materials.floor.roughness=0.27 --set probes.room.faceSize=64"},
       {"six-faces", "six-faces --set probes.cube.faceSize=64"},
       {"materials",

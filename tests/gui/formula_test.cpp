@@ -47,6 +47,8 @@ TEST(Formula, ScriptsAreSmallerAndOffTheBaseline) {
   EXPECT_NEAR(up.descent, base.descent, 1e-9);
   EXPECT_GT(down.descent, base.descent + 0.1);
   EXPECT_LT(up.width - base.width, math("<mn>2</mn>").width);
+  EXPECT_LT(up.ascent, base.ascent + 0.5) << "and no farther off it than they need";
+  EXPECT_LT(down.descent, base.descent + 0.3);
 }
 
 TEST(Formula, LimitsStandUnderTheirOperator) {

@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QLabel>
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -72,6 +73,19 @@ class PanelValuesTest : public WindowTest {
     while (document().canUndo()) document().undo();
   }
 
+  /// What is said of the probe, once its error has been measured.
+  void readLabels(std::vector<std::string>& lines) {
+    const auto* mean = window_->findChild<QLabel*>("gaugeMean");
+    EXPECT_TRUE(waitFor([&] { return mean->text().contains(QChar(0xb0)); }));
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      const std::string name = label->objectName().toStdString();
+      const bool named = name.rfind("gauge", 0) == 0 || name == "bakeState" || name == "blackMirrors";
+      if (named || label->text().contains(QChar(0xd7))) {
+        lines.push_back("label " + nameOf(label) + " '" + label->text().toStdString() + "'");
+      }
+    }
+  }
+
   void tryFields(std::vector<std::string>& lines) {
     int number = 0;
     for (ValueField* field : window_->findChildren<ValueField*>()) {
@@ -136,6 +150,7 @@ class PanelValuesTest : public WindowTest {
 
 TEST_F(PanelValuesTest, EachControlShowsAndSetsWhatItStandsFor) {
   std::vector<std::string> lines;
+  readLabels(lines);
   tryFields(lines);
   tryChoices(lines);
   const std::string path = std::string(BOXPROBE_SOURCE_DIR) + "/tests/gui/panel_values.txt";

@@ -51,7 +51,7 @@ SUBJECTS = [
     ("filters/vtk/actors/", ["actor_probes_test", "vtk_program_test"]),
     ("filters/vtk/surface/", ["vtk_text_test", "baseline_test", "splice_test", "edited_test", "draw_ways_test", "glass_test", "explain_test"]),
     ("filters/vtk/rays/", ["projection_rays_test", "ray_layer_test"]),
-    ("filters/vtk/probes/", ["probe_plan_test", "baseline_test", "edited_test", "bake_test", "many_probes_test"]),
+    ("filters/vtk/probes/", ["probe_plan_test", "capture_test", "baseline_test", "edited_test", "bake_test", "many_probes_test"]),
     ("filters/vtk/capture/", ["baseline_test", "prefilter_test", "bake_test", "capture_test", "edited_test"]),
     ("filters/vtk/", ["baseline_test", "edited_test", "still_view_test", "capture_test", "draw_ways_test", "planar_mirror_test",
                       "blending_test", "folded_test", "skipped_test", "explain_test", "glass_test", "shadow_test"]),
@@ -73,13 +73,13 @@ SUBJECTS = [
     ("app/session/", ["baseline_test", "cli_test", "faults_test", "offscreen_scene_test"]),
     ("app/gui/handles/", ["gui_geometry_test", "gui_test:Drag*:Handle*:Probe*:Several*"]),
     ("app/gui/explain/", ["schematic_test", "gui_test:Schematic*:ExplainCard*:DebugView*"]),
-    ("app/gui/edit/", ["gui_test:PanelValues*", "editor_test", "gui_test:Several*:ValueField*:ProbePanel*"]),
+    ("app/gui/edit/", ["panel_values_test", "editor_test", "gui_test:Several*:ValueField*:ProbePanel*"]),
     ("app/gui/formula/", ["formula_test"]),
     ("app/gui/view/", ["gui_test:Camera*:Animation*:Exposure*:*Compar*:*Preview*:Gestures*:SelectHere*"]),
-    ("app/gui/widgets/", ["gui_test:PanelValues*", "gui_test:ValueField*:PanelSection*:ProbePanel*:ProbeGauge*"]),
+    ("app/gui/widgets/", ["panel_values_test", "gui_test:ValueField*:PanelSection*:ProbePanel*:ProbeGauge*"]),
     ("app/gui/lessons/", ["gui_test:LessonList*", "cli_test:Lessons*", "lesson_test"]),
     ("app/gui/window/lessons_command", ["cli_test:Lessons*"]),
-    ("app/gui/panels/", ["gui_test:PanelValues*", "gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*"]),
+    ("app/gui/panels/", ["panel_values_test", "gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*"]),
     ("app/gui/window/", ["gui_test:File*:Recovery*:LeftBehind*:Window*:Picture*"]),
     ("app/gui/", ["gui_geometry_test", "schematic_test", "gui_test"]),
     ("app/lessons/", ["lesson_file_test", "cli_test:Lessons*", "lessons_test"]),
@@ -139,8 +139,8 @@ KINDS = [
 SKIPPED = re.compile(r"^\s*(//|/\*|\*|#|namespace|using|template|static_assert|class |struct |enum |case .*:$|public:|private:|"
                      r"protected:|Q_OBJECT|vtk\w*Macro|EXPECT|ASSERT|assert|throw|\"|return \"|friend|typedef|extern|layout|"
                      r"uniform |in |out |\}|\{)")
-# Words for people: messages, help, tool tips. A test of every word would be a second copy of it.
-WORDS = re.compile(r"(tr\(|Error\(|InputError|WorkError|FieldError|->setToolTip|setText|printf|printError|printWarnings|"
+# Words for people: messages, help, tool tips. A test of every word would be a second copy of it. And memory taken beforehand.
+WORDS = re.compile(r"(\.reserve\(|tr\(|Error\(|InputError|WorkError|FieldError|->setToolTip|setText|printf|printError|printWarnings|"
                    r"printResult|->footer|add_option|add_flag|add_subcommand|field<&|emplace_back\(\"|os <<|indent)")
 
 

@@ -242,7 +242,7 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
     other[i] = vec4(0.1f + 10.0f * unit(random), 1.0f + 5.0f * unit(random), blueNoiseAt(pixelOf(i)));
     const shading::ShadingPoint point{vec3(0.0f), n, vec3(view[i]), r, view[i].w, {}, 0, 0.0f, 1.0f};
     const glm::vec2 split = splitSum(shading::footprintLobe(point, 1.0f).view.z, point.roughness);
-    table[i] = vec4(split, unit(random) < 0.3f ? 1.0f : unit(random) + 1.0e-3f, 0.0f);
+    table[i] = vec4(split, unit(random) < 0.3f ? 1.0f : 0.99f * unit(random) + 0.01f, 0.0f);
   }
   const ProjectionRow& box = projectionRows()[static_cast<std::size_t>(parseTechnique("box")->projection)];
   const EchoMap map;

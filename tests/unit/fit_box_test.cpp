@@ -106,6 +106,32 @@ TEST(FitBox, IsNearTheBestOfRoomsThatAreNoBoxes) {
   }
 }
 
+// The walls of a hexagon favour no direction: yaws all around are tried.
+TEST(FitBox, AHexagonIsFittedAsWellHoweverItIsTurned) {
+  constexpr int kAround = 6;
+  MadeModel made;
+  const auto corner = [](int i, double y) {
+    const double angle = glm::radians(360.0 * i / kAround);
+    return glm::vec3(3.0 * std::cos(angle), y, 3.0 * std::sin(angle));
+  };
+  for (int i = 0; i < kAround; ++i) {
+    made.quad(corner(i, 0.0), corner(i, 2.8), corner(i + 1, 2.8), corner(i + 1, 0.0));
+  }
+  made.quad({-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5});
+  made.quad({-5, 2.8, -5}, {5, 2.8, -5}, {5, 2.8, 5}, {-5, 2.8, 5});
+  double least = 1e9, most = 0.0;
+  for (const double yaw : {0.0, 7.0, 15.0, 22.0, -11.0}) {
+    Place place = placeOf(made, glm::rotate(glm::dmat4(1.0), glm::radians(yaw), {0.0, 1.0, 0.0}));
+    const std::optional<BoxFit> fit = place.fit(probeAt({0.1, 1.4, -0.05}, {glm::dvec3(-1), glm::dvec3(1, 3, 1)}));
+    ASSERT_TRUE(fit);
+    EXPECT_NEAR(std::remainder(fit->probe.rotationDegrees.y - yaw, 30.0), 0.0, 0.1) << "along one of its walls";
+    least = std::min(least, fit->after.meanDegrees);
+    most = std::max(most, fit->after.meanDegrees);
+  }
+  EXPECT_LT(most, 1.3 * least);
+  std::printf("  a hexagon: %.2f to %.2f degrees\n", least, most);
+}
+
 TEST(FitBox, MovesTheFacesThatItMayAndSaysWhatTheyGain) {
   Place place = hall();
   const Probe probe = probeAt({0, 1.4, 0}, {glm::dvec3(-3, 0.3, -2), glm::dvec3(3, 2.5, 2)});

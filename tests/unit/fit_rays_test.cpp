@@ -31,6 +31,21 @@ TEST(FitRays, LeaveABoxWhereTheShadersDo) {
   }
 }
 
+// Where the surfaces lie is told by the triangles that have a place.
+TEST(FitRays, ACornerThatIsNoNumberDoesNotMoveTheCore) {
+  MadeModel made;
+  made.box(kStudy, true);
+  Scene scene;
+  scene.models = {{"made.glb"}};
+  const Box whole = TriangleRays(scene, {std::make_shared<const Model>(made.model)}).core();
+  made.quad({-1, 1, -1}, {1, 1, -1}, {1, std::nanf(""), 1}, {-1, std::nanf(""), 1});
+  const Box broken = TriangleRays(scene, {std::make_shared<const Model>(made.model)}).core();
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_DOUBLE_EQ(broken.min[axis], whole.min[axis]) << axis;
+    EXPECT_DOUBLE_EQ(broken.max[axis], whole.max[axis]) << axis;
+  }
+}
+
 TEST(FitRays, ADistanceCubeIsEnough) {
   MadeModel made;
   made.box(kStudy, true);

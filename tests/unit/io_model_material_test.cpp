@@ -178,6 +178,15 @@ TEST_F(ModelMaterial, SpecularGlossinessBecomesMetallicRoughness) {
   ASSERT_TRUE(textured.metallicRoughnessTexture.image && textured.baseColorTexture.image);
   EXPECT_EQ(textured.metallicRoughnessTexture.image->pixels[1], 0) << "alpha 1 is full gloss";
   EXPECT_EQ(textured.metallicRoughnessTexture.image->pixels[5], 127) << "alpha 128 is half of it";
+  // Of plastic the diffuse colours stay, channel by channel.
+  const Material colored = of({{"specularFactor", {0.04, 0.04, 0.04}}, {"diffuseTexture", {{"index", 0}}}});
+  const Material plain = material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+  ASSERT_TRUE(colored.baseColorTexture.image && plain.baseColorTexture.image);
+  const std::vector<std::uint8_t>& was = plain.baseColorTexture.image->pixels;
+  ASSERT_EQ(colored.baseColorTexture.image->pixels.size(), was.size());
+  for (std::size_t i = 0; i < was.size(); ++i) {
+    EXPECT_NEAR(colored.baseColorTexture.image->pixels[i], was[i], 1) << i;
+  }
 }
 
 TEST_F(ModelMaterial, AThicknessTextureCountsByItsMean) {

@@ -191,6 +191,24 @@ TEST(PlaceProbes, MirrorsAllAroundAreWalls) {
   expectFlat(*placement, wishes);
 }
 
+// Without ceilings walls count that are near, wherever in the model that is.
+TEST(PlaceProbes, CourtsInARowAreARoomEach) {
+  MadeModel made;
+  constexpr int kCourts = 5;
+  for (int i = 0; i < kCourts; ++i) {
+    const Box court{glm::dvec3(5.2 * i, 0, 0), glm::dvec3(5.2 * i + 5.0, 2.6, 4.0 + 0.2 * i)};
+    made.side(court, 1, false);
+    for (const int axis : {0, 2}) {
+      made.side(court, axis, false);
+      made.side(court, axis, true);
+    }
+  }
+  const std::optional<Placement> placement = flatOf(std::move(made.model)).place();
+  ASSERT_TRUE(placement);
+  EXPECT_EQ(placement->rooms.size(), static_cast<std::size_t>(kCourts));
+  for (const auto& room : placement->rooms) EXPECT_GT(room.volume, 35.0);
+}
+
 TEST(PlaceProbes, StopsWhenAsked) {
   const Flat flat = flatOf(test::madeFlat());
   for (const double stop : {0.1, 0.4, 0.9}) {

@@ -162,7 +162,7 @@ std::string entry(const Chosen& chosen, bool bevelled, bool occluded) {
              "  point.reflection = reflectedView(point.normal, point.view);\n"
              "  point.roughness = roughnessWithin(roughness);\n"
              "  point.pixel = ivec2(0, 0);\n  point.frame = 0;\n  point.fresnel = 0.0f;\n  point.f0 = clamp(f0, "
-             "1.0e-3f, 1.0e3f);\n") +
+             "1.0e-2f, 1.0e2f);\n") +
          (bevelled ? "  shape.bevel = boxprobe.bevelAndIntensity.x + boxprobe.bevelAndIntensity.y * point.roughness;\n"
                    : "") +
          "  vec4 value = " + std::string(chosen.evaluation.function) + "(map, shape, point);\n" +
