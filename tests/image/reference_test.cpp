@@ -103,8 +103,8 @@ TEST(Reference, WallsAndMirrorAreAsDrawn) {
   ReferenceSettings settings;
   settings.width = kWidth;
   settings.height = kHeight;
-  settings.samplesPerPixel = 4;
-  settings.raysPerPixel = 4;
+  settings.samplesPerPixel = 16;
+  settings.raysPerPixel = 16;
   for (const char* name : {"main", "A"}) {
     const Camera camera = cameraNamed(picture.scene, name);
     const ReferencePicture traced = reference.render(camera, settings);
@@ -112,11 +112,11 @@ TEST(Reference, WallsAndMirrorAreAsDrawn) {
         << "a mirror needs one ray";
 
     picture.show(camera);
-    const ImageRgbaF drawn = picture.linear(4);
+    const ImageRgbaF drawn = picture.linear(16);
     const Scene kept = picture.scene;
     picture.scene.objects["floor"].visible = false;
     picture.show(mirroredInFloor(camera, 0.0));
-    const ImageRgbaF mirrored = flippedTopToBottom(picture.linear(4));
+    const ImageRgbaF mirrored = flippedTopToBottom(picture.linear(16));
     picture.scene = kept;
     keepPicture(traced.color, std::string("reference_scene_") + name);
     keepPicture(drawn, std::string("reference_drawn_") + name);
