@@ -135,14 +135,14 @@ class vtkReflectionProbe : public vtkObject {
   vtkSetVector3Macro(ClearColor, double)
   vtkGetVector3Macro(ClearColor, double)
   ///@}
-      // clang-format on
 
-      ///@{
-      /** The same as the libraries' value, named `name`; not checked. And from there: what this class does not have (a
-         bevel, occlusion, pictures in place of captures) is left out. */
-      boxprobe::Probe ToProbe(const std::string& name) const;
+  ///@{
+  /** The same as the libraries' value, named `name`; not checked. And from there: what this class does not have (a
+   * bevel, occlusion, pictures in place of captures) is left out. */
+  boxprobe::Probe ToProbe(const std::string& name) const;
   void FromProbe(const boxprobe::Probe& probe);
   ///@}
+  // clang-format on
 
  protected:
   vtkReflectionProbe();

@@ -112,11 +112,10 @@ class vtkReflectionProbes : public vtkObject {
   vtkGetMacro(MultipleScattering, bool)
   vtkBooleanMacro(MultipleScattering, bool)
   ///@}
-      // clang-format on
 
-      /** A file that `boxprobe bake` wrote, in place of captures of the probe, until ForgetMaps(). False: see
-         GetLastError(). */
-      bool LoadMaps(vtkReflectionProbe* probe, const char* file);
+  /** A file that `boxprobe bake` wrote, in place of captures of the probe, until ForgetMaps(). False: see
+   * GetLastError(). */
+  bool LoadMaps(vtkReflectionProbe* probe, const char* file);
   void ForgetMaps(vtkReflectionProbe* probe);
 
   ///@{
@@ -127,6 +126,7 @@ class vtkReflectionProbes : public vtkObject {
 
   /** Frees what the graphics side holds, with the window still there. Everything is stale afterwards. */
   void ReleaseGraphicsResources();
+  // clang-format on
 
  protected:
   vtkReflectionProbes();

@@ -63,16 +63,16 @@ class vtkReflectionProbeFit : public vtkObject {
   vtkSetMacro(AbortFlag, bool)
   vtkGetMacro(AbortFlag, bool)
   ///@}
-      // clang-format on
 
-      /** Bounds and orientation by what the probe's origin sees; the origin stays. True if a better box was found; else
-         the probe is as it was, and GetReport() says why. */
-      bool Fit(vtkReflectionProbe* probe);
+  /** Bounds and orientation by what the probe's origin sees; the origin stays. True if a better box was found; else
+   * the probe is as it was, and GetReport() says why. */
+  bool Fit(vtkReflectionProbe* probe);
   /** Adds probes for all rooms, `most` at most, beside those that are there. Returns how many; -1 for an error. */
   int Place(int most = 64);
 
   /** What was decided, sentences on lines of their own. */
   const char* GetReport() const { return this->Report.c_str(); }
+  // clang-format on
 
  protected:
   vtkReflectionProbeFit();
