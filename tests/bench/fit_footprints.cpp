@@ -1,9 +1,9 @@
 // Fits the constants of the footprint techniques to this project's prefilter and level mapping, and prints them as they
 // stand in shaders/technique; or judges the techniques as they are in rooms that the fit never saw:
-//   fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]]   (as many as the constants were fitted with, unless said; with 0
-//   rounds what
-//                                                   reflects all stays as it is)
+//   fit_footprints 1|2|4|8|16 [ROUNDS [RESTARTS]]
 //   fit_footprints judge [FACE_SIZE]
+// Rounds and restarts are those of the table below, unless said. With 0 rounds the constants for surfaces that reflect
+// all stay as they are, and only those for others are fitted.
 // What is minimised: the error of display values and that of linear light, each relative to the HDRP form's, and light
 // gained or lost at any roughness and view angle.
 #include <algorithm>

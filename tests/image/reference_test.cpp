@@ -243,6 +243,8 @@ TEST(Reference, WithTheProbesDiffuseLightTheReflectionAloneDiffers) {
     settings.raysPerPixel = 4;
     settings.diffuse = diffuse;
     const ImageRgbaF own = reference.render(camera, settings).color;
+    keepPicture(drawn, "reflection-traced-" + camera.name + "-drawn");
+    keepPicture(own, "reflection-traced-" + camera.name);
     settings.diffuse = nullptr;
     const ImageRgbaF sky = reference.render(camera, settings).color;
     std::vector<double> off, without;

@@ -71,7 +71,8 @@ void PictureCompare::start() {
   name_ = tr("%1: preparing").arg(referenceName());
   showOther();
   wipe_.showNumbers({});
-  trace_.start(document_.scene(), hooks_.models(), camera_, size_, light_, hooks_.diffuse());
+  trace_.start(document_.scene(), hooks_.models(), camera_, size_, light_,
+               light_ == TracedLight::Reflection ? hooks_.diffuse() : ProbesDiffuse());
 }
 
 void PictureCompare::referenceDone(const QImage& image, double share) {
