@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -195,6 +197,30 @@ TEST_F(BakePanelTest, WhatIsSavedBesideTheSceneIsLoadedWithIt) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return second.scheduler().idle() && !second.renderer().workPending(); }, 300000));
   EXPECT_EQ(second.renderer().counters().facesCaptured, 0u);
   EXPECT_EQ(second.findChild<QLabel*>("bakeState")->text(), "Loaded from disk, up to date");
+}
+
+// By the menu: the button is off meanwhile.
+TEST_F(BakePanelTest, WhileFilesAreSavedAFurtherSaveDoesNothing) {
+  openCopy();
+  QAction* save = nullptr;
+  for (QAction* action : window_->menuBar()->findChildren<QAction*>()) {
+    if (action->text().remove('&') == "Save baked probes...") save = action;
+  }
+  ASSERT_NE(save, nullptr);
+  const auto question = answerMessageBox(QMessageBox::Save);
+  save->trigger();
+  EXPECT_FALSE(question->text.isEmpty());
+  ASSERT_FALSE(named<QToolButton>("saveBaked")->isEnabled()) << "saved already; a level at a time it is not";
+  bool asked = false;
+  QTimer::singleShot(0, window_, [&asked] {
+    if (QWidget* modal = QApplication::activeModalWidget()) {
+      asked = true;
+      modal->close();
+    }
+  });
+  save->trigger();
+  EXPECT_FALSE(asked);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return window_->statusBar()->currentMessage().startsWith("Wrote"); }, 120000));
 }
 
 TEST_F(BakePanelTest, BakingIsNotToldAsStaleFiles) {

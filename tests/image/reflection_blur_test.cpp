@@ -1,6 +1,7 @@
 // Smoothing of sampled reflections: nearer to the integral with few rays, at edges too, and nothing else touched.
 #include <gtest/gtest.h>
 
+#include "filters/io/gltf/model_file.h"
 #include "filters/reference/measure/metrics.h"
 #include "tests/image/noisy_room.h"
 
@@ -57,6 +58,50 @@ TEST(ReflectionBlur, TouchesNothingElse) {
   picture.scene.materials["floor"].roughness = 0.0f;
   const ImageRgbaF mirror = drawn(picture, 4.0, false), same = drawn(picture, 4.0, true);
   EXPECT_LT(pictureError(same, mirror).toneMappedRmse, 1e-6);
+}
+
+// What is smoothed is put back under the factors it was drawn with. On a metal floor without lights everything is
+// reflection, so that half of it is half of the picture, smoothed or not.
+TEST(ReflectionBlur, SmoothsUnderTheOcclusionOfTheSurface) {
+  constexpr float kByte = 94.0f / 255.0f, kStrength = 0.8f;
+  std::vector<ImageRgbaF> pictures;
+  for (const bool occluded : {false, true}) {
+    Scene scene = noisyRoom(4);
+    scene.lights.clear();
+    scene.materials["floor"].metallic = 1.0f;
+    std::vector<std::shared_ptr<const Model>> models;
+    for (const ModelFile& file : scene.models) {
+      Model model = loadModelFile(file.file);
+      for (Mesh& mesh : model.meshes) mesh.uv.resize(mesh.positions.size());
+      for (Material& material : model.materials) {
+        if (!occluded || material.name != "floor") continue;
+        auto image = std::make_shared<ImageRgba8>();
+        image->width = image->height = 1;
+        image->pixels = {94, 201, 33, 255};
+        material.occlusionTexture.image = std::move(image);
+        material.occlusionStrength = kStrength;
+      }
+      models.push_back(std::make_shared<const Model>(std::move(model)));
+    }
+    ScenePicture picture(scene, kWidth, kHeight);
+    picture.show(mainCamera(picture.scene));
+    picture.renderer->setModels(std::move(models));  // in place of the files'
+    picture.show(mainCamera(picture.scene));
+    for (const bool blur : {false, true}) pictures.push_back(drawn(picture, 4.0, blur));
+  }
+  const float share = 1.0f + kStrength * (kByte - 1.0f);
+  int compared = 0, smoothed = 0;
+  for (std::size_t i = 0; i < pictures[0].pixels.size(); ++i) {
+    const float plain = pictures[0].pixels[i], soft = pictures[1].pixels[i];
+    // Of the floor: what the occlusion changed.
+    if (i % 4 == 3 || plain < 0.02f || std::abs(pictures[2].pixels[i] - plain) < 0.01f * plain) continue;
+    ++compared;
+    smoothed += std::abs(soft - plain) > 0.02f * plain ? 1 : 0;
+    EXPECT_NEAR(pictures[2].pixels[i], share * plain, 2e-3f * plain) << i;
+    EXPECT_NEAR(pictures[3].pixels[i], share * soft, 2e-3f * (plain + soft)) << i;
+  }
+  EXPECT_GT(compared, 3000);
+  EXPECT_GT(smoothed, 1000);
 }
 
 // The window shows what the linear picture holds; switched off, its programs and its picture are those of before.

@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "filters/fit/exposure_key.h"
+#include "filters/fit/standing_points.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/unit/made_model.h"
 
@@ -69,6 +70,32 @@ Fitted fitted(Model model, const FitWishes& wishes = {}, const ModelFile& file =
   result.fit = fitModel(result.scene, models, wishes);
   EXPECT_NO_THROW(validate(result.scene));
   return result;
+}
+
+// What is higher than a tenth of the room is furniture, over which nobody stands; what is lower is a step.
+TEST(StandingPoints, AStepIsAFloorAndATableIsNot) {
+  constexpr double kHeight = 3.0;
+  for (const double rise : {0.26, 0.288}) {  // of the 2.74 and 2.712 above them .0949 and .1062
+    MadeModel made;
+    made.box({glm::dvec3(-3.7, 0, -2.9), glm::dvec3(4.1, kHeight, 3.3)}, true);
+    made.box({glm::dvec3(-3.7, 0, -2.9), glm::dvec3(-0.9, rise, 3.3)}, false);
+    Scene scene;
+    scene.models = {{"made.glb"}};
+    const TriangleRays rays(scene, {std::make_shared<const Model>(std::move(made.model))});
+    const std::vector<StandingPoint> points = standingPoints(rays, surveyModel(rays));
+    int raised = 0, low = 0;
+    for (const StandingPoint& point : points) {
+      if (std::abs(point.floor - rise) < 1e-6) ++raised;
+      if (std::abs(point.floor) < 1e-6) ++low;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(raised + low), points.size());
+    EXPECT_GT(low, 10);
+    if (rise < 0.27) {
+      EXPECT_GT(raised, 5);
+    } else {
+      EXPECT_EQ(raised, 0);
+    }
+  }
 }
 
 TEST(ModelKind, ABoxSeenFromWithinIsAnInterior) {
