@@ -84,7 +84,8 @@ class vtkReflectionProbes : public vtkObject {
   bool Capture();
 
   ///@{
-  /** Do captures show it? On for every prop until it is switched off: for instance for a ball about the origin. */
+  /** Do captures show it? On for every prop until it is switched off: for instance for a ball about the origin.
+   * An assembly is captured with all of its parts. */
   void SetSeenByProbes(vtkProp* prop, bool seen);
   bool GetSeenByProbes(vtkProp* prop) const;
   ///@}

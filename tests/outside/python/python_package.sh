@@ -26,6 +26,8 @@ export PYTHONPATH=$prefix/lib/python3/dist-packages GALLIVM_PERF=nopt
 unset DISPLAY
 display=(xvfb-run -a -s "-screen 0 1600x1000x24 -noreset")
 "${display[@]}" $python "$here/python_probes.py"
+$python "$here/python_stubs.py" | cmp - "$project/filters/vtk/python/boxprobe/vtkBoxprobe.pyi" || {
+  echo "the stubs are of other classes: ./run python tests/outside/python/python_stubs.py > filters/vtk/python/boxprobe/vtkBoxprobe.pyi"; exit 1; }
 $python "$here/shining.py" "$project/data/scenes/six-faces.glb" "$folder/shining.glb"
 "${display[@]}" "$folder/example/probe_in_renderer" "$folder/shining.glb" "$folder/cpp.png"
 "${display[@]}" $python "$project/tests/install/example/probe_in_renderer.py" "$folder/shining.glb" "$folder/python.png"
