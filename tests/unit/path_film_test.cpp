@@ -17,14 +17,14 @@ namespace boxprobe {
 namespace {
 
 constexpr PathFilm::Base kPlain = PathFilm::Base::Dielectric, kMetal = PathFilm::Base::Metal;
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kTurn = 6.28318530717958647692;
 
 double f0Of(double index) {
   return std::pow((index - 1.0) / (index + 1.0), 2.0);
 }
 
 /// Fresnel's equations for a plain interface, unpolarised.
-double fresnel(double index, double cosine) {
+double plainFresnel(double index, double cosine) {
   const double t = std::sqrt(1.0 - (1.0 - cosine * cosine) / (index * index));
   const double s = (cosine - index * t) / (cosine + index * t), p = (index * cosine - t) / (index * cosine + t);
   return 0.5 * (s * s + p * p);
@@ -36,7 +36,7 @@ double byMatrix(double film, double base, double thickness, double cosine, doubl
   const double sine = std::sqrt(1.0 - cosine * cosine);
   const double inFilm = std::sqrt(1.0 - std::pow(sine / film, 2.0)),
                inBase = std::sqrt(1.0 - std::pow(sine / base, 2.0));
-  const double delta = 2.0 * kPi * film * thickness * inFilm / wavelength;
+  const double delta = kTurn * film * thickness * inFilm / wavelength;
   double sum = 0.0;
   for (const bool s : {true, false}) {
     const double a = s ? cosine : 1.0 / cosine, f = s ? film * inFilm : film / inFilm,
@@ -53,8 +53,8 @@ TEST(PathFilm, OneWavelengthIsTheClosedForms) {
     SCOPED_TRACE(base);
     for (const double cosine : {0.97, 0.71, 0.42, 0.13}) {
       // No film, and one of what lies under it.
-      EXPECT_NEAR(PathFilm::atWavelength(kPlain, 1.41, base, 0.0, cosine, 533.0), fresnel(base, cosine), 1e-9);
-      EXPECT_NEAR(PathFilm::atWavelength(kPlain, base, base, 377.0, cosine, 533.0), fresnel(base, cosine), 1e-9);
+      EXPECT_NEAR(PathFilm::atWavelength(kPlain, 1.41, base, 0.0, cosine, 533.0), plainFresnel(base, cosine), 1e-9);
+      EXPECT_NEAR(PathFilm::atWavelength(kPlain, base, base, 377.0, cosine, 533.0), plainFresnel(base, cosine), 1e-9);
       for (const double thickness : {41.0, 233.0, 1890.0}) {
         EXPECT_NEAR(PathFilm::atWavelength(kPlain, 1.41, base, thickness, cosine, 611.0),
                     byMatrix(1.41, base, thickness, cosine, 611.0), 1e-9);
@@ -74,9 +74,9 @@ TEST(PathFilm, WithoutThicknessTheBaseIsSeenAndStraightOnItsF0) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], f0[c], 1e-3) << c;
   for (const double cosine : {0.83, 0.57, 0.29, 0.11}) {
     const glm::dvec3 aside = film.reflectance(glm::dvec3(f0Of(1.36), f0Of(1.9), f0Of(3.3)), 0.0, cosine);
-    EXPECT_NEAR(aside.x, fresnel(1.36, cosine), 2e-3) << cosine;
-    EXPECT_NEAR(aside.y, fresnel(1.9, cosine), 2e-3) << cosine;
-    EXPECT_NEAR(aside.z, fresnel(3.3, cosine), 2e-3) << cosine;
+    EXPECT_NEAR(aside.x, plainFresnel(1.36, cosine), 2e-3) << cosine;
+    EXPECT_NEAR(aside.y, plainFresnel(1.9, cosine), 2e-3) << cosine;
+    EXPECT_NEAR(aside.z, plainFresnel(3.3, cosine), 2e-3) << cosine;
   }
 }
 
@@ -161,7 +161,7 @@ TEST(PathFilm, AMetalKeepsItsLightAtFlatAngles) {
 
 // Waves that are out of step add as light does: the mean over a turn of the phase.
 TEST(PathFilm, AThickFilmHasNoColour) {
-  const double ior = 1.45, base = 2.6, cosine = 0.74, outer = fresnel(ior, 1.0), inner = f0Of(base / ior);
+  const double ior = 1.45, base = 2.6, cosine = 0.74, outer = plainFresnel(ior, 1.0), inner = f0Of(base / ior);
   const PathFilm film(kPlain, ior, 11500.0, 11500.0);
   const glm::dvec3 straight = film.reflectance(glm::dvec3(f0Of(base)), 11500.0, 1.0);
   for (int c = 0; c < 3; ++c) {
@@ -172,7 +172,7 @@ TEST(PathFilm, AThickFilmHasNoColour) {
 }
 
 /// A square in a white sky, seen under an angle whose cosine is `cosine`.
-glm::dvec3 seen(const Material& material, double cosine) {
+glm::dvec3 filmSeen(const Material& material, double cosine) {
   Model model;
   Mesh mesh;
   mesh.positions = {{-90, 0, 90}, {90, 0, 90}, {90, 0, -90}, {-90, 0, -90}};
@@ -199,7 +199,7 @@ glm::dvec3 seen(const Material& material, double cosine) {
   return {picture.color.pixels[0], picture.color.pixels[1], picture.color.pixels[2]};
 }
 
-void expectColor(const glm::dvec3& found, const glm::dvec3& expected, double within) {
+void expectNear3(const glm::dvec3& found, const glm::dvec3& expected, double within) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], within) << c;
 }
 
@@ -217,11 +217,11 @@ TEST(PathFilm, AMirrorShowsItsFilm) {
   const glm::dvec3 whole = film.reflectance(f0, 340.0, cosine), bare = f0 + (1.0 - f0) * std::pow(1.0 - cosine, 5.0);
   ASSERT_GT(glm::length(whole - bare), 0.1);
   // Without a texture the film has its greatest thickness.
-  expectColor(seen(metal, cosine), whole, 3e-3);
+  expectNear3(filmSeen(metal, cosine), whole, 3e-3);
   metal.finish.iridescence = 0.3f;
-  expectColor(seen(metal, cosine), 0.3 * whole + 0.7 * bare, 3e-3);
+  expectNear3(filmSeen(metal, cosine), 0.3 * whole + 0.7 * bare, 3e-3);
   metal.finish.iridescence = 0.0f;
-  expectColor(seen(metal, cosine), bare, 1e-4);
+  expectNear3(filmSeen(metal, cosine), bare, 1e-4);
   // Textures: red of the share, green of the thickness.
   const auto texture = [](std::uint8_t r, std::uint8_t g) {
     auto image = std::make_shared<ImageRgba8>();
@@ -234,7 +234,7 @@ TEST(PathFilm, AMirrorShowsItsFilm) {
   metal.finish.iridescence = 0.5f;
   metal.finish.iridescenceTexture = texture(204, 0);
   metal.finish.filmThicknessTexture = texture(0, 51);
-  expectColor(seen(metal, cosine), 0.4 * film.reflectance(f0, 130.0 + 0.2 * 210.0, cosine) + 0.6 * bare, 3e-3);
+  expectNear3(filmSeen(metal, cosine), 0.4 * film.reflectance(f0, 130.0 + 0.2 * 210.0, cosine) + 0.6 * bare, 3e-3);
 }
 
 // What the film reflects does not reach the paint below it; smooth, so that the paint has no microfacets' angles.
@@ -248,9 +248,9 @@ TEST(PathFilm, PaintUnderAFilmGetsWhatIsLeft) {
   paint.finish.filmThicknessMax = 260.0f;
   const double cosine = 0.83;
   const glm::dvec3 film = PathFilm(kPlain, 2.1, 260.0, 260.0).reflectance(glm::dvec3(0.04), 260.0, cosine);
-  expectColor(seen(paint, cosine), film, 3e-3);
+  expectNear3(filmSeen(paint, cosine), film, 3e-3);
   paint.baseColor = {1.0f, 1.0f, 1.0f, 1.0f};
-  const glm::dvec3 white = seen(paint, cosine);
+  const glm::dvec3 white = filmSeen(paint, cosine);
   for (int c = 0; c < 3; ++c) {
     EXPECT_GT(white[c], film[c] + 0.3);
     EXPECT_LE(white[c], 1.0 + 1e-3);
