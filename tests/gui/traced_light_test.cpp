@@ -63,8 +63,8 @@ TEST_F(TracedLightTest, TheDifferenceIsOfLinearLight) {
   EXPECT_NEAR(off->light, 0.25 * 2.0 + 0.75 * 0.8, 1e-6);
   EXPECT_NEAR(off->relativeRmse, std::sqrt(0.25 * 1.0 + 0.75 * 0.04 - 0.01), 1e-6);
   EXPECT_NEAR(off->noise, 0.1, 1e-6);
-  EXPECT_EQ(lightText(*off), "light 1.10 of the traced, RMSE 0.52 (noise of the traced 0.10)");
-  EXPECT_EQ(lightText({0.963, 0.142, 0.003}), "light 0.96 of the traced, RMSE 0.14");
+  EXPECT_EQ(lightText(*off), "light 1.10, RMSE 0.52, noise 0.10");
+  EXPECT_EQ(lightText({0.963, 0.142, 0.003}), "light 0.96, RMSE 0.14");
   EXPECT_FALSE(lightDifference(light({kWidth, kHeight - 1}, 2.0, 0.8), truth).has_value());
   EXPECT_FALSE(lightDifference({}, truth).has_value());
 }
@@ -78,12 +78,12 @@ TEST_F(TracedLightTest, ThePictureBesideTheTracedOneSaysIt) {
   const auto* numbers = picture_.findChild<QLabel*>("compareNumbers");
   compare.traceReference();
   // 0.25 x 1.7 + 0.75 x 0.7; the root of 0.25 x 0.49 + 0.75 x 0.09.
-  ASSERT_TRUE(waitFor([&] { return numbers->text().endsWith("light 0.95 of the traced, RMSE 0.44"); }))
+  ASSERT_TRUE(waitFor([&] { return numbers->text().endsWith(". Against the traced: light 0.95, RMSE 0.44"); }))
       << numbers->text().toStdString();
   EXPECT_TRUE(numbers->text().startsWith("Difference: PSNR ")) << numbers->text().toStdString();
   compare.setDifference(true);
   ASSERT_TRUE(waitFor([&] { return numbers->text().contains("mean"); })) << numbers->text().toStdString();
-  EXPECT_TRUE(numbers->text().endsWith("light 0.95 of the traced, RMSE 0.44")) << numbers->text().toStdString();
+  EXPECT_TRUE(numbers->text().endsWith(". Against the traced: light 0.95, RMSE 0.44")) << numbers->text().toStdString();
   // Of a picture that was held nothing of the kind is known.
   compare.stop();
   compare.hold();
@@ -102,10 +102,10 @@ TEST_F(TracedLightTest, EachOfFourViewsSaysIt) {
   views.choose(2, "before");
   views.choose(3, "");
   comparison.setOn(true);
-  ASSERT_TRUE(waitFor([&] { return views.numbers(0).endsWith("light 0.95 of the traced, RMSE 0.44"); }))
+  ASSERT_TRUE(waitFor([&] { return views.numbers(0).endsWith("\nlight 0.95, RMSE 0.44"); }))
       << views.numbers(0).toStdString();
   EXPECT_TRUE(views.numbers(0).startsWith("Error ")) << views.numbers(0).toStdString();
-  EXPECT_TRUE(views.numbers(2).endsWith("light 1.30 of the traced, RMSE 0.30")) << views.numbers(2).toStdString();
+  EXPECT_TRUE(views.numbers(2).endsWith("\nlight 1.30, RMSE 0.30")) << views.numbers(2).toStdString();
   comparison.setOn(false);
 }
 

@@ -10,9 +10,9 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kLine = 30;  ///< logical pixels: the line under each picture
+constexpr int kLine = 36;  ///< logical pixels under each picture: two lines of numbers
 constexpr int kGap = 4;
-constexpr int kMostCombo = 230;
+constexpr int kMostCombo = 220;
 const QColor kGround(16, 18, 22), kText(244, 244, 244);
 
 }  // namespace
@@ -81,8 +81,8 @@ void CompareViews::arrange() {
   for (int view = 0; view < kViews; ++view) {
     const QRect room = place(view);
     QComboBox* combo = cells_[static_cast<std::size_t>(view)].choice;
-    combo->setGeometry(room.left() + 2, room.bottom() - kLine + 2, std::min(kMostCombo, room.width() * 11 / 20),
-                       kLine - 3);
+    combo->setGeometry(room.left() + 2, room.bottom() - kLine + 4, std::min(kMostCombo, room.width() * 9 / 20),
+                       kLine - 7);
   }
   update();
 }
@@ -108,8 +108,12 @@ void CompareViews::paintEvent(QPaintEvent*) {
     }
     const QRect line(cell.choice->geometry().right() + 8, all.bottom() - kLine + 1,
                      all.right() - cell.choice->geometry().right() - 12, kLine);
-    painter.drawText(line, Qt::AlignVCenter | Qt::AlignLeft,
-                     painter.fontMetrics().elidedText(cell.numbers, Qt::ElideRight, line.width()));
+    const QStringList texts = cell.numbers.split('\n');
+    for (int i = 0; i < texts.size(); ++i) {
+      const QRect own(line.left(), line.top() + i * kLine / texts.size(), line.width(), kLine / texts.size());
+      painter.drawText(own, Qt::AlignVCenter | Qt::AlignLeft,
+                       painter.fontMetrics().elidedText(texts[i], Qt::ElideRight, own.width()));
+    }
   }
 }
 

@@ -187,7 +187,7 @@ void PictureCompare::measure() {
 QString PictureCompare::lightNumbers() const {
   if (!otherLight_) return {};
   const auto off = lightDifference(hooks_.light(size_), *otherLight_);
-  return off ? "; " + lightText(*off) : QString();
+  return off ? tr(". Against the traced: %1").arg(lightText(*off)) : QString();
 }
 
 }  // namespace boxprobe

@@ -31,7 +31,7 @@ struct LightDifference {
 };
 /// Nothing if the sizes differ.
 std::optional<LightDifference> lightDifference(const ImageRgbaF& picture, const ReferencePicture& truth);
-/// "light 0.96 of the traced, RMSE 0.14", with the noise where it is more than a tenth of the RMSE.
+/// "light 0.96, RMSE 0.14", and ", noise 0.03" where that is more than a tenth of the RMSE.
 QString lightText(const LightDifference& difference);
 
 /// The difference from which on the colour does not change.

@@ -269,7 +269,7 @@ void ViewComparison::measure() {
     QString text = errorText(each, truth);
     if (tracedLight_) {
       const auto off = lightDifference(lights_[static_cast<std::size_t>(view)], *tracedLight_);
-      if (off) text += ", " + lightText(*off);
+      if (off) text += "\n" + lightText(*off);
     }
     views_->showNumbers(view, text);
   }
