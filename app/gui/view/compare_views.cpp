@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLine = 36;  ///< logical pixels under each picture: two lines of numbers
 constexpr int kGap = 4;
-constexpr int kMostCombo = 220;
+constexpr int kMostCombo = 200;
 const QColor kGround(16, 18, 22), kText(244, 244, 244);
 
 }  // namespace
@@ -81,7 +81,7 @@ void CompareViews::arrange() {
   for (int view = 0; view < kViews; ++view) {
     const QRect room = place(view);
     QComboBox* combo = cells_[static_cast<std::size_t>(view)].choice;
-    combo->setGeometry(room.left() + 2, room.bottom() - kLine + 4, std::min(kMostCombo, room.width() * 9 / 20),
+    combo->setGeometry(room.left() + 2, room.bottom() - kLine + 4, std::min(kMostCombo, room.width() * 2 / 5),
                        kLine - 7);
   }
   update();

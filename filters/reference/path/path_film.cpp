@@ -6,12 +6,11 @@
 #include <complex>
 #include <glm/common.hpp>
 
-#include "filters/reference/path/path_surface.h"
-
 namespace boxprobe {
 
 namespace {
 
+constexpr double kWholeTurn = 6.28318530717958647692;
 constexpr int kWavelengths = 161;
 constexpr double kFirst = 380.0, kStep = 2.5;  // nanometres
 
@@ -101,7 +100,7 @@ struct Film {
 };
 
 std::complex<double> turnedBy(double delay, double wavelength) {
-  return std::polar(1.0, 2.0 * kPathPi * delay / wavelength);
+  return std::polar(1.0, kWholeTurn * delay / wavelength);
 }
 
 /// F0 = 1 has no index.
