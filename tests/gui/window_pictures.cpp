@@ -85,13 +85,6 @@ TEST_F(WindowPictures, AtOneToOne) {
   keep("beside-the-reference");
   window_->tools().compare().stop();
 
-  key(Qt::Key_C, Qt::AltModifier);
-  ViewComparison& views = window_->tools().sideBySide();
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&views] { return !views.making() && views.views().numbers(1).startsWith("The measure"); }, 600000));
-  keep("four-views");
-  views.setOn(false);
-
   window_->editor().commit("Add probes", [right](Scene& scene) {
     for (int i = 1; i < 3; ++i) {
       Probe more = right;
@@ -129,6 +122,31 @@ TEST_F(WindowPictures, AtOneToOne) {
   window_->findChild<QDockWidget*>("probes")->raise();
   size(1280, 800);
   keep("1280x800");
+}
+
+// Smaller, and as soon as there are numbers: paths take minutes.
+TEST_F(WindowPictures, FourViews) {
+  size(1200, 720);
+  key(Qt::Key_C, Qt::AltModifier);
+  ViewComparison& views = window_->tools().sideBySide();
+  ASSERT_TRUE(
+      QTest::qWaitFor([&views] { return !views.making() && views.views().numbers(0).contains("RMSE"); }, 1800000));
+  keep("four-views");
+  views.setOn(false);
+}
+
+TEST_F(WindowPictures, TheReflectionAlone) {
+  size(1080, 680);
+  window_->tools().compare().traceReference(TracedLight::Reflection);
+  const auto* caption = window_->findChild<QLabel*>("compareRight");
+  const auto* numbers = window_->findChild<QLabel*>("compareNumbers");
+  ASSERT_TRUE(QTest::qWaitFor(
+      [=] { return caption->text() == "Reflection traced" && numbers->text().contains("RMSE"); }, 1800000));
+  keep("reflection-alone");
+  key(Qt::Key_V);
+  keep("reflection-alone-whole");
+  key(Qt::Key_V);
+  window_->tools().compare().stop();
 }
 
 TEST_F(WindowPictures, MenusAndDocks) {

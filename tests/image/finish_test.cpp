@@ -2,6 +2,7 @@
 // and textures, the explanation of it, the ray tracer's, and how much light comes back.
 #include <gmock/gmock.h>
 
+#include "filters/reference/path/reference_path.h"
 #include "tests/image/gltf_picture.h"
 
 namespace boxprobe::test {
@@ -157,6 +158,37 @@ TEST_F(FinishPicture, AMetalUnderAFilmIsExplained) {
   probes = true;
   draw();
   expectExplained();
+}
+
+// The traced film is exact, the drawn one a series of two terms on Schlick's curves: alike straight on, apart by a
+// fifth of the light at 60 degrees.
+TEST_F(FinishPicture, AFilmIsNearWhatThePathTracerHas) {
+  showWith({{"KHR_materials_iridescence",
+             {{"iridescenceFactor", 1}, {"iridescenceIor", 1.6}, {"iridescenceThicknessMaximum", 250}}}},
+           {{"metallicFactor", 1.0}, {"roughnessFactor", 0.0}, {"baseColorFactor", {0.9, 0.7, 0.4, 1}}});
+  sky = SkyColor{{1.0f, 1.0f, 1.0f}};
+  probes = true;
+  draw();
+  const ReferencePath path(picture->scene, {model}, nullptr);
+  for (const auto& [aside, bound] : {std::pair(0.0, 0.01), std::pair(45.0, 0.04), std::pair(60.0, 0.2)}) {
+    Camera camera;
+    const double angle = aside * glm::pi<double>() / 180.0;
+    camera.position = {5.0 * std::sin(angle), 0.0, 5.0 * std::cos(angle)};
+    camera.target = {0.0, 0.0, 0.0};
+    camera.parallelHeight = 0.5;
+    PathSettings settings;
+    settings.width = settings.height = 4;
+    settings.raysPerPixel = 8;
+    const ReferencePicture traced = path.render(camera, settings);
+    picture->renderer->applyCamera(camera);
+    const ImageRgbaF drawn = picture->renderer->renderLinear(4, 4, 1);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
+      if (i % 4 < 3) worst = std::max(worst, static_cast<double>(std::abs(drawn.pixels[i] - traced.color.pixels[i])));
+    }
+    std::printf("  %2.0f degrees aside: %.3f of the light\n", aside, worst);
+    EXPECT_LT(worst, bound);
+  }
 }
 
 TEST_F(FinishPicture, BrushedMetalStretchesALampsHighlight) {

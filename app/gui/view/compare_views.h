@@ -26,7 +26,7 @@ class CompareViews : public QWidget {
   QString chosen(int view) const;
   /// A null image: the note alone.
   void show(int view, const QImage& picture, const QString& note);
-  /// Under the picture; empty: nothing.
+  /// Under the picture, one line or two; empty: nothing.
   void showNumbers(int view, const QString& text);
   QString numbers(int view) const { return cells_[static_cast<std::size_t>(view)].numbers; }
   /// All of it, without forgetting anything.

@@ -31,6 +31,7 @@ void PictureCompare::hold() {
   trace_.end();
   other_ = hooks_.picture();
   if (other_.isNull()) return;
+  otherLight_ = nullptr;
   camera_ = hooks_.camera();
   size_ = other_.size();
   source_ = Source::Held;
@@ -67,6 +68,7 @@ void PictureCompare::start() {
   camera_ = hooks_.camera();
   size_ = now.size();
   measured_ = outdated_ = traced_ = false;
+  otherLight_ = nullptr;
   other_ = now;
   name_ = tr("%1: preparing").arg(referenceName());
   showOther();
@@ -75,8 +77,10 @@ void PictureCompare::start() {
                light_ == TracedLight::Reflection ? hooks_.diffuse() : ProbesDiffuse());
 }
 
-void PictureCompare::referenceDone(const QImage& image, double share) {
+void PictureCompare::referenceDone(const QImage& image, double share,
+                                   const std::shared_ptr<const ReferencePicture>& light) {
   if (source_ != Source::Reference) return;
+  otherLight_ = light;
   other_ = image;
   traced_ = true;
   name_ = share >= 1.0 ? referenceName() : tr("%1, %2 %").arg(referenceName()).arg(std::lround(100.0 * share));
@@ -90,6 +94,7 @@ void PictureCompare::stop() {
   rest_.stop();
   if (source_ == Source::None) return;
   source_ = Source::None;
+  otherLight_ = nullptr;
   difference_ = false;
   wipe_.setScaleShown(false);
   wipe_.setFlipped(false);
@@ -166,15 +171,23 @@ void PictureCompare::measure() {
   const double psnr = displayPsnr(now, other_);
   if (!difference_) {
     return wipe_.showNumbers(std::isinf(psnr) ? tr("No difference")
-                                              : tr("Difference: PSNR %1 dB").arg(psnr, 0, 'f', 1));
+                                              : tr("Difference: PSNR %1 dB").arg(psnr, 0, 'f', 1) + lightNumbers());
   }
   const PictureDifference difference = pictureDifference(now, other_);
   wipe_.show(difference.picture, tr("Difference: %1").arg(name_));
   wipe_.showNumbers(std::isinf(psnr) ? tr("No difference")
                                      : tr("Difference: mean %1 %, 95 % of the pixels below %2 %, PSNR %3 dB")
-                                           .arg(100.0 * difference.mean, 0, 'f', 1)
-                                           .arg(100.0 * difference.mostOf95, 0, 'f', 1)
-                                           .arg(psnr, 0, 'f', 1));
+                                               .arg(100.0 * difference.mean, 0, 'f', 1)
+                                               .arg(100.0 * difference.mostOf95, 0, 'f', 1)
+                                               .arg(psnr, 0, 'f', 1) +
+                                           lightNumbers());
+}
+
+// Nothing while the traced picture is coarse.
+QString PictureCompare::lightNumbers() const {
+  if (!otherLight_) return {};
+  const auto off = lightDifference(hooks_.light(size_), *otherLight_);
+  return off ? tr(". Against the traced: %1").arg(lightText(*off)) : QString();
 }
 
 }  // namespace boxprobe

@@ -23,9 +23,10 @@ class PictureCompare : public QObject {
 
  public:
   struct Hooks {
-    std::function<bool()> ready;      ///< the picture is at rest and can be drawn
-    std::function<QImage()> picture;  ///< as it is now, without handles; draws, but tells nobody
-    std::function<Camera()> camera;   ///< it is seen from
+    std::function<bool()> ready;                    ///< the picture is at rest and can be drawn
+    std::function<QImage()> picture;                ///< as it is now, without handles; draws, but tells nobody
+    std::function<ImageRgbaF(const QSize&)> light;  ///< the same, linear, of so many pixels
+    std::function<Camera()> camera;                 ///< it is seen from
     std::function<std::vector<std::shared_ptr<const Model>>()> models;
     std::function<ProbesDiffuse()> diffuse;  ///< of the probes as they are shown
   };
@@ -59,7 +60,8 @@ class PictureCompare : public QObject {
  private:
   enum class Source { None, Held, Reference };
   void start();
-  void referenceDone(const QImage& image, double share);
+  void referenceDone(const QImage& image, double share, const std::shared_ptr<const ReferencePicture>& light);
+  QString lightNumbers() const;
   void measure();
   void showOther();
   QString referenceName() const;
@@ -70,7 +72,8 @@ class PictureCompare : public QObject {
   Hooks hooks_;
   Source source_ = Source::None;
   QImage other_;
-  QString name_;  ///< of `other_`
+  QString name_;                                        ///< of `other_`
+  std::shared_ptr<const ReferencePicture> otherLight_;  ///< of `other_`, once it is traced as fine as the picture
   bool difference_ = false;
   Camera camera_;  ///< of `other_`
   QSize size_;

@@ -1,11 +1,15 @@
 // See picture_difference.h.
 #include "app/gui/view/picture_difference.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <vector>
+
+#include "filters/reference/bench/whole_picture.h"
 
 namespace boxprobe {
 
@@ -19,6 +23,22 @@ double displayPsnr(const QImage& a, const QImage& b) {
   }
   if (squares == 0.0) return std::numeric_limits<double>::infinity();
   return 10.0 * std::log10(255.0 * 255.0 * 3.0 * a.width() * a.height() / squares);
+}
+
+std::optional<LightDifference> lightDifference(const ImageRgbaF& picture, const ReferencePicture& truth) {
+  const ImageRgbaF& traced = truth.color;
+  if (picture.pixels.empty() || picture.width != traced.width || picture.height != traced.height) return std::nullopt;
+  // Of pixels that nothing is known of all are in one part.
+  const std::vector<PartError> parts = partErrors(picture, truth, std::vector<SeenPoint>(traced.pixels.size() / 4));
+  return LightDifference{parts.front().light, parts.front().relativeRmse, parts.front().noise};
+}
+
+QString lightText(const LightDifference& difference) {
+  const auto words = [](const char* plain) { return QCoreApplication::translate("PictureDifference", plain); };
+  const QString text =
+      words("light %1, RMSE %2").arg(difference.light, 0, 'f', 2).arg(difference.relativeRmse, 0, 'f', 2);
+  if (difference.noise < 0.1 * difference.relativeRmse) return text;
+  return text + words(", noise %1").arg(difference.noise, 0, 'f', 2);
 }
 
 QColor differenceColor(double difference) {

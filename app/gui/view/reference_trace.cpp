@@ -79,9 +79,10 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
   run_->thread = std::thread([this, run = run_.get(), number = number_, scene, models, camera, size, light,
                               diffuse = std::make_shared<const ProbesDiffuse>(std::move(diffuse))] {
     const AtEnd left([run] { run->left = true; });
-    const auto tell = [this, number](const QImage& image, double share, const QString& error) {
+    const auto tell = [this, number](const QImage& image, double share, const Light& found, const QString& error) {
       QMetaObject::invokeMethod(
-          this, [this, image, share, error, number] { passDone(image, share, error, number); }, Qt::QueuedConnection);
+          this, [this, image, share, found, error, number] { passDone(image, share, found, error, number); },
+          Qt::QueuedConnection);
     };
     try {
       // One at a time: it takes seconds and the memory of the scene's triangles. Those that were stopped meanwhile
@@ -115,25 +116,27 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
       preparing.unlock();
       std::size_t done = 0;
       for (const TracePass& pass : kTracePasses) {
-        const ReferencePicture picture =
-            render(std::max(size.width() / pass.divisor, 1), std::max(size.height() / pass.divisor, 1), pass.rays);
-        if (run->stop || !picture.complete) return;
+        const auto picture = std::make_shared<const ReferencePicture>(
+            render(std::max(size.width() / pass.divisor, 1), std::max(size.height() / pass.divisor, 1), pass.rays));
+        if (run->stop || !picture->complete) return;
         ++done;
-        const QImage image = displayImage(picture.color, scene.exposure);
+        const QImage image = displayImage(picture->color, scene.exposure);
         tell(image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation),
-             static_cast<double>(done) / static_cast<double>(std::size(kTracePasses)), {});
+             static_cast<double>(done) / static_cast<double>(std::size(kTracePasses)),
+             pass.divisor == 1 ? picture : nullptr, {});
       }
     } catch (const std::exception& caught) {
-      tell({}, 0.0, QString::fromUtf8(caught.what()));
+      tell({}, 0.0, nullptr, QString::fromUtf8(caught.what()));
     }
   });
 }
 
-void ReferenceTrace::passDone(const QImage& picture, double share, const QString& error, int number) {
+void ReferenceTrace::passDone(const QImage& picture, double share, const Light& light, const QString& error,
+                              int number) {
   if (number != number_) return;
   if (!error.isEmpty()) return emit failed(error);
   if (share >= 1.0) end();
-  emit traced(picture, share);
+  emit traced(picture, share, light);
 }
 
 }  // namespace boxprobe

@@ -14,6 +14,7 @@
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 #include "filters/reference/light/capture_light.h"
+#include "filters/reference/light/progressive_picture.h"
 
 namespace boxprobe {
 
@@ -42,8 +43,9 @@ class ReferenceTrace : public QObject {
   bool running() const { return run_ != nullptr; }
 
  signals:
-  /// A pass is done: display colours, of the size asked for; `share` of the work, 1 with the last pass.
-  void traced(const QImage& picture, double share);
+  /// A pass is done: display colours, of the size asked for; `share` of the work, 1 with the last pass. `light`: the
+  /// same, linear; null while the picture is coarser than that size.
+  void traced(const QImage& picture, double share, const std::shared_ptr<const ReferencePicture>& light);
   void failed(const QString& line);
 
  private:
@@ -51,7 +53,8 @@ class ReferenceTrace : public QObject {
     std::thread thread;
     std::atomic<bool> stop{false}, left{false};  ///< left: its thread does nothing more
   };
-  void passDone(const QImage& picture, double share, const QString& error, int number);
+  using Light = std::shared_ptr<const ReferencePicture>;
+  void passDone(const QImage& picture, double share, const Light& light, const QString& error, int number);
   void forgetEnded();
 
   std::mutex preparing_;  ///< held by the run that builds its scene

@@ -182,11 +182,13 @@ void ViewComparison::start() {
   camera_ = hooks_.camera();
   size_ = views_->parentWidget()->size();
   pictures_ = {};
+  lights_ = {};
+  tracedLight_ = nullptr;
   for (int view = CompareViews::kViews - 1; view >= 0; --view) {
     const QString id = views_->chosen(view);
     views_->showNumbers(view, {});
     views_->show(view, id == "now" ? now : QImage(), id.isEmpty() || id == "now" ? QString() : tr("Preparing"));
-    if (id == "now") pictures_[static_cast<std::size_t>(view)] = now;
+    if (id == "now") keep(view, now);
     if (id == "traced") trace_.start(document_.scene(), hooks_.models(), camera_, now.size());
     if (viewScene(document_.scene(), before_, id)) left_.push_back(view);
   }
@@ -218,13 +220,23 @@ void ViewComparison::next() {
 void ViewComparison::takePicture() {
   if (!hooks_.ready()) return poll_.start();
   const QImage picture = hooks_.picture();
-  pictures_[static_cast<std::size_t>(view_)] = picture;
+  keep(view_, picture);
   views_->show(view_, picture, {});
   next();
 }
 
-void ViewComparison::traced(const QImage& picture, double share) {
+void ViewComparison::keep(int view, const QImage& picture) {
+  pictures_[static_cast<std::size_t>(view)] = picture;
+  for (int other = 0; other < CompareViews::kViews; ++other) {
+    if (views_->chosen(other) != "traced") continue;
+    lights_[static_cast<std::size_t>(view)] = hooks_.light(picture.size());
+    return;
+  }
+}
+
+void ViewComparison::traced(const QImage& picture, double share, const std::shared_ptr<const ReferencePicture>& light) {
   if (!on_ || outdated_) return;
+  tracedLight_ = light;
   for (int view = 0; view < CompareViews::kViews; ++view) {
     if (views_->chosen(view) != "traced") continue;
     pictures_[static_cast<std::size_t>(view)] = picture;
@@ -250,7 +262,16 @@ void ViewComparison::measure() {
     const QImage& each = pictures_[static_cast<std::size_t>(view)];
     const QString id = views_->chosen(view);
     if (each.isNull() || id == "traced" || each.size() != truth.size()) continue;
-    views_->showNumbers(view, id == by ? tr("The measure of the others") : errorText(each, truth));
+    if (id == by) {
+      views_->showNumbers(view, tr("The measure of the others"));
+      continue;
+    }
+    QString text = errorText(each, truth);
+    if (tracedLight_) {
+      const auto off = lightDifference(lights_[static_cast<std::size_t>(view)], *tracedLight_);
+      if (off) text += "\n" + lightText(*off);
+    }
+    views_->showNumbers(view, text);
   }
 }
 

@@ -30,8 +30,9 @@ class ViewComparison : public QObject {
 
  public:
   struct Hooks {
-    std::function<bool()> ready;      ///< the picture is at rest and can be drawn
-    std::function<QImage()> picture;  ///< as it is now, without handles; draws, but tells nobody
+    std::function<bool()> ready;                    ///< the picture is at rest and can be drawn
+    std::function<QImage()> picture;                ///< as it is now, without handles; draws, but tells nobody
+    std::function<ImageRgbaF(const QSize&)> light;  ///< the same, linear, of so many pixels
     std::function<Camera()> camera;
     std::function<std::vector<std::shared_ptr<const Model>>()> models;
     /// The renderer draws this scene from now on, whatever the document holds.
@@ -68,7 +69,8 @@ class ViewComparison : public QObject {
   void comeBack();
   void wait();
   void measure();
-  void traced(const QImage& picture, double share);
+  void traced(const QImage& picture, double share, const std::shared_ptr<const ReferencePicture>& light);
+  void keep(int view, const QImage& picture);
   bool sameView() const;
 
   Document& document_;
@@ -85,6 +87,8 @@ class ViewComparison : public QObject {
   std::vector<int> left_;       ///< views whose pictures are still to be made, last first
   int view_ = 0;                ///< whose picture is being made
   std::array<QImage, CompareViews::kViews> pictures_;
+  std::array<ImageRgbaF, CompareViews::kViews> lights_;  ///< of the same, where a view is traced
+  std::shared_ptr<const ReferencePicture> tracedLight_;  ///< once it is as fine as they are
 };
 
 }  // namespace boxprobe

@@ -41,20 +41,22 @@ ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
       pictureMenu_(
           new PictureMenu({parts.editor, parts.viewport, parts.handles, parts.surfaces, *views_, parts.menu}, window)),
       wipe_(new CompareWipe(&parts.viewport)),
-      compare_(new PictureCompare(parts.document, *wipe_,
-                                  {[this] { return parts_.scheduler.idle() && !parts_.renderer.workPending(); },
-                                   [this] { return barePicture(); }, [this] { return parts_.renderer.currentCamera(); },
-                                   parts.models, [this] { return shownDiffuse(); }},
-                                  this)),
-      sideBySide_(new ViewComparison(
-          parts.document, &parts.viewport,
+      compare_(new PictureCompare(
+          parts.document, *wipe_,
           {[this] { return parts_.scheduler.idle() && !parts_.renderer.workPending(); },
-           [this] { return barePicture(); }, [this] { return parts_.renderer.currentCamera(); }, parts.models,
-           [this](const Scene& scene, const Changes& changes) {
-             parts_.renderer.sync(scene, changes);
-             parts_.scheduler.sceneChanged();
-           }},
+           [this] { return barePicture(); }, [this](const QSize& size) { return bareLight(size); },
+           [this] { return parts_.renderer.currentCamera(); }, parts.models, [this] { return shownDiffuse(); }},
           this)),
+      sideBySide_(
+          new ViewComparison(parts.document, &parts.viewport,
+                             {[this] { return parts_.scheduler.idle() && !parts_.renderer.workPending(); },
+                              [this] { return barePicture(); }, [this](const QSize& size) { return bareLight(size); },
+                              [this] { return parts_.renderer.currentCamera(); }, parts.models,
+                              [this](const Scene& scene, const Changes& changes) {
+                                parts_.renderer.sync(scene, changes);
+                                parts_.scheduler.sceneChanged();
+                              }},
+                             this)),
       tags_(new FaceTags(parts.panels.fitPanel().gauge(), parts.editor,
                          {[this] { return parts_.viewport.view(); },
                           [this] { return parts_.overlay.visible() && parts_.handles.mode() == HandleMode::Box; }},
@@ -205,6 +207,16 @@ QImage ViewTools::barePicture() {
   parts_.viewport.window3d()->Render();  // the handles again
   const QImage shared(image.pixels.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBA8888);
   return shared.convertToFormat(QImage::Format_RGB32);
+}
+
+ImageRgbaF ViewTools::bareLight(const QSize& size) {
+  if (!parts_.viewport.readyToDraw()) return {};
+  try {
+    return parts_.renderer.renderLinear(size.width(), size.height(), 1);
+  } catch (const Error& error) {
+    parts_.status.showError(QString::fromUtf8(error.what()));
+    return {};
+  }
 }
 
 void ViewTools::showKeys(bool shown) {

@@ -74,6 +74,7 @@ class ViewTools : public QObject {
   void connectGauge();
   void showKeys(bool shown);
   QImage barePicture();
+  ImageRgbaF bareLight(const QSize& size);
   ProbesDiffuse shownDiffuse() const;
 
   Parts parts_;

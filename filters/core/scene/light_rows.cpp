@@ -38,7 +38,9 @@ const std::vector<FieldRow<Light>>& lightFields() {
       field<&Light::range>("range", "m", "Distance at which the light has faded to nothing; 0 is no limit.")
           .atLeast(0)
           .ofTypes({Type::Point, Type::Spot}),
-      field<&Light::shadows>("shadows", "", "What blocks the light where it stands outside of a probe's box.")
+      field<&Light::shadows>("shadows", "",
+                             "What blocks the light where it stands outside of a probe's box. Ray-traced reflections "
+                             "trace it, but for `none`.")
           .choose({{"none", "nothing: it shines through walls"},
                    {"coverage", "what the probe saw in the light's direction"},
                    {"coverage+map", "the same, and a shadow map of the objects that move"}}),

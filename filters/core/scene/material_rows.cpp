@@ -56,7 +56,8 @@ const std::vector<FieldRow<ObjectOverride>>& objectFields() {
       field<&O::dynamic>("dynamic", "",
                          "It moves: baked probes leave it out, so moving it needs no recapture; planar mirrors show "
                          "it."),
-      field<&O::probeUsage>("probeMode", "", "Which probes light this object.")
+      field<&O::probeUsage>("probeMode", "",
+                            "Which probes light this object. Ray-traced reflections take all for `blend+sky`.")
           .choose({{"off", "none: the sky alone"},
                    {"simple", "one probe, no blending"},
                    {"blend", "a blend of probes"},

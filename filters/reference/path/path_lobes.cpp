@@ -135,7 +135,8 @@ PathLobes::PathLobes(const PathSurface& surface, const glm::dvec3& view) : s_(su
 
   // Chances by about what each sends to the view.
   const double reflected = mean(baseFresnel(nv));
-  base_.chance = std::max(reflected, s_.specularEdge > 0.0 || s_.f0 > 0.0 || metal_ > 0.0 ? 0.1 : 0.0);
+  base_.chance =
+      std::max(reflected, s_.specularEdge > 0.0 || s_.f0 > 0.0 || metal_ > 0.0 || s_.filmShare > 0.0 ? 0.1 : 0.0);
   diffuse_ = (1.0 - metal_) * (1.0 - s_.transmission) * mean(s_.color);
   through_ = glass_ * std::max(mean(s_.color), 0.05);
   coat_.chance = s_.coat > 0.0 ? std::max(1.0 - belowCoat_, 0.1) : 0.0;
@@ -151,20 +152,29 @@ PathLobes::PathLobes(const PathSurface& surface, const glm::dvec3& view) : s_(su
 }
 
 glm::dvec3 PathLobes::baseFresnel(double vDotH) const {
-  const double grazing = fifth(vDotH);
-  const glm::dvec3 f0 = glm::min(s_.f0 * s_.specularTint, glm::dvec3(1.0));
-  const glm::dvec3 plain = f0 + (glm::dvec3(s_.specularEdge) - f0) * grazing;
-  const glm::dvec3 metal = s_.color + (glm::dvec3(1.0) - s_.color) * grazing;
   // A solid that transmits has its own interface.
   const double plainShare = 1.0 - metal_ - (s_.thin ? 0.0 : glass_);
-  return metal_ * metal + plainShare * glm::max(plain, glm::dvec3(0.0));
+  glm::dvec3 sum(0.0);
+  if (metal_ > 0.0) {
+    sum += metal_ * filmed(s_.metalFilm, s_.color + (glm::dvec3(1.0) - s_.color) * fifth(vDotH), s_.color, vDotH);
+  }
+  if (plainShare > 0.0) sum += plainShare * glm::max(dielectricFresnel(vDotH), glm::dvec3(0.0));
+  return sum;
+}
+
+glm::dvec3 PathLobes::dielectricFresnel(double vDotH) const {
+  const glm::dvec3 f0 = glm::min(s_.f0 * s_.specularTint, glm::dvec3(1.0));
+  return filmed(s_.film, f0 + (glm::dvec3(s_.specularEdge) - f0) * fifth(vDotH), f0, vDotH);
+}
+
+glm::dvec3 PathLobes::filmed(const PathFilm* film, const glm::dvec3& plain, const glm::dvec3& f0, double vDotH) const {
+  if (film == nullptr || s_.filmShare <= 0.0) return plain;
+  return glm::mix(plain, film->reflectance(f0, s_.filmThickness, vDotH), s_.filmShare);
 }
 
 glm::dvec3 PathLobes::belowBase(double vDotH) const {
-  const glm::dvec3 f0 = glm::min(s_.f0 * s_.specularTint, glm::dvec3(1.0));
-  const glm::dvec3 plain = f0 + (glm::dvec3(s_.specularEdge) - f0) * fifth(vDotH);
   // KHR_materials_specular: what a tint takes from one colour does not go on to the diffuse light of another.
-  return glm::dvec3(1.0 - std::clamp(largestOf(plain), 0.0, 1.0));
+  return glm::dvec3(1.0 - std::clamp(largestOf(dielectricFresnel(vDotH)), 0.0, 1.0));
 }
 
 double PathLobes::facetValue(const Facets& f, const glm::dvec3& l) {

@@ -2,7 +2,8 @@
 // metal of GGX microfacets, cloth, a clear coat, sheets and solids of glass. Written from the literature: Walter et al.
 // 2007 (microfacets, refraction), Heitz 2014 (masking) and 2018 (visible normals), Estevez and Kulla 2017 (cloth).
 //
-// Left out, and treated as if the material did not say it: thin films.
+// A thin film (path_film.h) lies between coat or cloth and base. Left out, and treated as if the material did not say
+// it: a film on a solid of glass.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -51,6 +52,9 @@ class PathLobes {
   static glm::dvec3 visibleNormal(const Facets& f, const glm::dvec2& u);
 
   glm::dvec3 baseFresnel(double vDotH) const;
+  glm::dvec3 dielectricFresnel(double vDotH) const;
+  /// `plain` with the share of it that a film covers, on a base that reflects `f0`.
+  glm::dvec3 filmed(const PathFilm* film, const glm::dvec3& plain, const glm::dvec3& f0, double vDotH) const;
   glm::dvec3 belowBase(double vDotH) const;  ///< of the dielectric's share: what goes on to Lambert's law or through
   Sample mirrored(const Facets& f, const glm::dvec3& fresnel, double chance) const;
   std::optional<Sample> throughSheet(const glm::dvec2& u, double chance) const;

@@ -1,11 +1,13 @@
 #include "filters/reference/path/path_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -145,7 +147,32 @@ struct PathScene::Structures {
   }
 };
 
-PathScene::PathScene(TriangleScene scene) : scene_(std::move(scene)), structures_(std::make_unique<Structures>()) {
+/// One of each kind: its table is the costly part.
+std::vector<PathScene::Films> PathScene::filmsOf(const TriangleScene& scene) {
+  std::vector<Films> films(scene.objects.size());
+  std::map<std::array<float, 3>, Films> kinds;
+  for (std::size_t i = 0; i < films.size(); ++i) {
+    const Material& material = scene.objects[i].material;
+    const MaterialFinish& f = material.finish;
+    if (!f.hasFilm() || material.unlit || !scene.objects[i].inPicture) continue;
+    // Without a texture the film is as thick as its maximum.
+    const float end = f.filmThicknessTexture.image ? f.filmThicknessMin : f.filmThicknessMax;
+    const float least = std::min(end, f.filmThicknessMax), most = std::max(end, f.filmThicknessMax);
+    Films& kind = kinds[{f.filmIor, least, most}];
+    const auto made = [&](PathFilm::Base base) {
+      return std::make_shared<const PathFilm>(base, f.filmIor, least, most);
+    };
+    if (!kind.metal && material.metallic > 0.0f) kind.metal = made(PathFilm::Base::Metal);
+    if (!kind.dielectric && (material.metallic < 1.0f || material.metallicRoughnessTexture.image)) {
+      kind.dielectric = made(PathFilm::Base::Dielectric);
+    }
+    films[i] = kind;
+  }
+  return films;
+}
+
+PathScene::PathScene(TriangleScene scene)
+    : scene_(std::move(scene)), films_(filmsOf(scene_)), structures_(std::make_unique<Structures>()) {
   Structures& s = *structures_;
   s.device = rtcNewDevice(nullptr);
   if (s.device == nullptr) throw WorkError("the ray tracer (Embree) does not start on this machine");
@@ -303,6 +330,14 @@ PathSurface PathScene::surface(const PathHit& hit, const glm::dvec3& direction) 
     const double turn = f.anisotropyRotation + std::atan2(2.0 * texel.y - 1.0, 2.0 * texel.x - 1.0);
     s.anisotropy = std::clamp(f.anisotropy * texel.z, 0.0, 1.0);
     s.tangent = unitOr(std::cos(turn) * tangent + std::sin(turn) * bitangent, tangent);
+  }
+  if (f.hasFilm()) {
+    const Films& films = films_[static_cast<std::size_t>(hit.object)];
+    s.film = films.dielectric.get();
+    s.metalFilm = films.metal.get();
+    s.filmShare = std::clamp(f.iridescence * at.of(f.iridescenceTexture, false).x, 0.0, 1.0);
+    const double along = at.of(f.filmThicknessTexture, false).y;
+    s.filmThickness = f.filmThicknessMin + (f.filmThicknessMax - f.filmThicknessMin) * along;
   }
   s.transmission = std::clamp(m.transmission * at.of(m.transmissionTexture, false).x, 0.0, 1.0);
   s.thin = m.thin;

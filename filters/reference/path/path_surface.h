@@ -10,7 +10,9 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "filters/reference/path/path_film.h"
 #include "filters/reference/trace/triangle_scene.h"
 
 namespace boxprobe {
@@ -50,6 +52,8 @@ struct PathSurface {
   glm::dvec3 sheen{0.0};
   double sheenRoughness = 0.0;
   double anisotropy = 0.0;
+  const PathFilm *film = nullptr, *metalFilm = nullptr;  ///< of the scene; null: none
+  double filmShare = 0.0, filmThickness = 0.0;           ///< of the surface that it covers; nanometres
   double transmission = 0.0, ior = 1.5;
   bool thin = true;
   bool inside = false;         ///< of a solid that transmits light: the ray came through it
@@ -83,6 +87,11 @@ class PathScene {
  private:
   struct Structures;
   TriangleScene scene_;
+  struct Films {
+    std::shared_ptr<const PathFilm> dielectric, metal;
+  };
+  static std::vector<Films> filmsOf(const TriangleScene& scene);
+  std::vector<Films> films_;  ///< by object; null: none
   std::unique_ptr<Structures> structures_;
 };
 

@@ -155,10 +155,10 @@ std::vector<std::string> ReferencePath::remarks() const {
   if (parts_->lights.dark()) lines.emplace_back("nothing in the scene sends light: the picture is black");
   bool film = false, occluded = false;
   for (const TracedObject& object : parts_->triangles.scene().objects) {
-    film = film || object.material.finish.hasFilm();
+    film = film || (object.material.finish.hasFilm() && object.material.transmits() && !object.material.thin);
     occluded = occluded || object.material.occlusionTexture.image != nullptr;
   }
-  if (film) lines.emplace_back("thin films are not traced");
+  if (film) lines.emplace_back("thin films on solid glass are not traced");
   if (occluded) lines.emplace_back("occlusion textures are not used: what they stand for is traced");
   return lines;
 }

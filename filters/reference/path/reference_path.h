@@ -6,7 +6,7 @@
 // - Light is scattered at most `bounces` + 1 times on its way to the camera: 0 bounces are what shines, and what lamps,
 //   light sources and sky send to what the camera sees, if nothing stands between.
 // - Materials as glTF 2.0 and its extensions have them (path_lobes.h), single scattering between microfacets whatever
-//   `energy` says. Thin films are left out, and occlusion textures, which stand in for light that is traced here.
+//   `energy` says. Occlusion textures are left out: they stand in for light that is traced here.
 // - Light sources with a size are spheres and discs, seen in reflections and not by the camera. Emission is seen from
 // the
 //   front of single-sided triangles alone; other single-sided triangles stop all rays but the camera's.
