@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "filters/core/base/counters.h"
+#include "filters/core/base/export.h"
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/scene/document.h"
 #include "filters/core/scene/model.h"
@@ -39,7 +40,7 @@ namespace boxprobe {
 
 struct ProbeMaps;
 
-class SceneRenderer {
+class BOXPROBE_EXPORT SceneRenderer {
  public:
   /// Adds its renderer to `window` (layer 0). The window must outlive this object's GL resources; see releaseGraphics.
   explicit SceneRenderer(vtkOpenGLRenderWindow* window);

@@ -128,6 +128,13 @@ TEST_F(Installed, TheLibrariesEnterASharedOne) {
   ASSERT_TRUE(configure(BOXPROBE_SOURCE_DIR "/tests/install/shared", build)) << log_;
   ASSERT_TRUE(run(BOXPROBE_CMAKE " --build '" + build + "'", "build")) << log_;
   EXPECT_TRUE(run("'" + build + "/probes_host'", "host")) << log_;
+  // It offers what public headers declare, and nothing of what stands behind them.
+  ASSERT_TRUE(run("nm -DC --defined-only '" + build + "/libprobes_plugin.so'", "symbols")) << log_;
+  EXPECT_NE(log_.find(" countProbes"), std::string::npos) << log_;
+  EXPECT_NE(log_.find(" vtkReflectionProbes::New()"), std::string::npos) << log_;
+  for (const char* hidden : {" boxprobe::validate(", " boxprobe::ActorParts::", " vtkProbePass::", " nlohmann::"}) {
+    EXPECT_EQ(log_.find(hidden), std::string::npos) << hidden;
+  }
 }
 
 // As after a build of the program alone, `./run`.

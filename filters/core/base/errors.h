@@ -5,23 +5,25 @@
 #include <stdexcept>
 #include <string>
 
+#include "filters/core/base/export.h"
+
 namespace boxprobe {
 
 /// Base: `what()` is one line that names the file, the place in it and what to do.
-class Error : public std::runtime_error {
+class BOXPROBE_EXPORT Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
   virtual int exitStatus() const { return 1; }
 };
 
 /// The work itself failed (disk full, shader refused by the driver). Exit status 1.
-class WorkError : public Error {
+class BOXPROBE_EXPORT WorkError : public Error {
  public:
   using Error::Error;
 };
 
 /// Bad usage or bad input. Exit status 2.
-class InputError : public Error {
+class BOXPROBE_EXPORT InputError : public Error {
  public:
   using Error::Error;
   int exitStatus() const override { return 2; }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "filters/core/base/errors.h"
+#include "filters/core/base/export.h"
 #include "filters/core/scene/model.h"
 
 namespace boxprobe {
@@ -28,6 +29,7 @@ struct ModelState {
 
 /// Throws InputError naming the file, what is wrong and where (accessor, node, image). Never reads outside the model's
 /// folder.
-Model loadModelFile(const std::string& path, const LoadProgress& progress = {}, const ModelState& state = {});
+BOXPROBE_EXPORT Model loadModelFile(const std::string& path, const LoadProgress& progress = {},
+                                    const ModelState& state = {});
 
 }  // namespace boxprobe

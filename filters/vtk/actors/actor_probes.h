@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/base/export.h"
 #include "filters/core/scene/scene.h"
 
 class vtkActor;
@@ -29,7 +30,7 @@ namespace boxprobe {
 struct BakedMaps;
 struct ProbeMaps;
 
-class ActorProbes {
+class BOXPROBE_EXPORT ActorProbes {
  public:
   /// `renderer` belongs to a vtkOpenGLRenderWindow by the time it is first drawn, which must outlive this object or
   /// its releaseGraphics(). An actor that a further renderer of the window shows as well has the same probes there, by

@@ -20,11 +20,13 @@
 #include <memory>
 #include <string>
 
+#include "filters/core/base/export.h"
+
 namespace boxprobe {
 struct Probe;
 }  // namespace boxprobe
 
-class vtkReflectionProbe : public vtkObject {
+class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
  public:
   static vtkReflectionProbe* New();
   // clang-format off

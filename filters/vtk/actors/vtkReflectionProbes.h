@@ -32,11 +32,13 @@
 
 #include <memory>
 
+#include "filters/core/base/export.h"
+
 class vtkProp;
 class vtkReflectionProbe;
 class vtkRenderer;
 
-class vtkReflectionProbes : public vtkObject {
+class BOXPROBE_EXPORT vtkReflectionProbes : public vtkObject {
  public:
   static vtkReflectionProbes* New();
   // clang-format off

@@ -22,10 +22,12 @@
 #include <memory>
 #include <string>
 
+#include "filters/core/base/export.h"
+
 class vtkReflectionProbe;
 class vtkReflectionProbes;
 
-class vtkReflectionProbeFit : public vtkObject {
+class BOXPROBE_EXPORT vtkReflectionProbeFit : public vtkObject {
  public:
   static vtkReflectionProbeFit* New();
   // clang-format off

@@ -21,6 +21,7 @@
 #include <memory>
 #include <vector>
 
+#include "filters/core/base/export.h"
 #include "filters/vtk/rays/ray_arrays.h"
 
 namespace boxprobe {
@@ -30,7 +31,7 @@ struct Probe;
 struct RayGlass;
 }  // namespace boxprobe
 
-class vtkProjectionRays : public vtkPolyDataAlgorithm {
+class BOXPROBE_EXPORT vtkProjectionRays : public vtkPolyDataAlgorithm {
  public:
   static vtkProjectionRays* New();
   // clang-format off
