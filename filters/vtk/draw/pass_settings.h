@@ -1,4 +1,4 @@
-// How the draws of one pass differ from those of another: plain values that the mappers read when they draw. Changed
+// How the draws of one pass differ from those of another: plain values that surfaces read when they draw. Changed
 // for a pass by a PassScope and by nothing else.
 #pragma once
 

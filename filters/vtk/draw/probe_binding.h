@@ -1,5 +1,5 @@
 // Which probes per object is drawn with, and what of them its program is compiled for. Chosen by the probe set, read by
-// the mapper and the splice. Plain data; knows no scene.
+// the probe pass and the splice. Plain data; knows no scene.
 #pragma once
 
 #include <cstdint>

@@ -16,13 +16,13 @@ namespace {
 
 // What an object's program is, facts and constants apart.
 std::string generalProgram(const DrawnObject& object) {
-  const ProbeBinding* binding = object.mapper->GetBinding();
+  const ProbeBinding* binding = object.pass->GetBinding();
   return object.surface->programKey() + (object.actor->GetProperty()->GetCoatStrength() > 0.0 ? "c" : "") +
-         (object.mapper->GetMirror() ? "m" : "") + (binding != nullptr ? binding->variantKey() : "");
+         (object.pass->GetMirror() ? "m" : "") + (binding != nullptr ? binding->variantKey() : "");
 }
 
 SurfaceFacts foldedFacts(const DrawnObject& object) {
-  return object.mapper->GetFoldableFacts() & surfaceFacts(*object.surface, object.actor->GetProperty());
+  return object.pass->GetFoldableFacts() & surfaceFacts(*object.surface, object.actor->GetProperty());
 }
 
 }  // namespace
@@ -36,17 +36,17 @@ void ProbePrograms::assign(bool newProgramsAllowed) {
     const auto meeting = entries_->places().meeting(worldBounds(object));
     auto binding = assignProbes(object, content_->scene, drawn, meeting, plan_->enabled(), plan_->interactive());
     const std::string key = binding->variantKey();
-    const ProbeBinding* current = object.mapper->GetBinding();
+    const ProbeBinding* current = object.pass->GetBinding();
     // A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
     if (!newProgramsAllowed && current != nullptr && current->variantKey() != key && variantsUsed_.count(key) == 0)
       continue;
     variantsUsed_.insert(key);
-    object.mapper->SetBinding(std::move(binding));
+    object.pass->SetBinding(std::move(binding));
     if (plan_->interactive()) continue;
     const auto general = assignProbes(object, content_->scene, drawn, meeting, plan_->enabled(), true);
     if (editable_ && general->variantKey() != key) prepare(i, general);
     if (!standInsAllowed_) continue;
-    prepare(i, object.mapper->GetBinding()->standIn());
+    prepare(i, object.pass->GetBinding()->standIn());
     if (editable_) prepare(i, general->standIn());
   }
   recordUse();
@@ -63,12 +63,12 @@ void ProbePrograms::foldFacts() {
     uses.push_back({generalProgram(object), surfaceFacts(*object.surface, object.actor->GetProperty())});
   }
   const std::vector<SurfaceFacts> facts = foldableFacts(uses);
-  for (std::size_t i = 0; i < facts.size(); ++i) content_->objects[i].mapper->SetFoldableFacts(facts[i]);
+  for (std::size_t i = 0; i < facts.size(); ++i) content_->objects[i].pass->SetFoldableFacts(facts[i]);
 }
 
 void ProbePrograms::unfoldConstants() {
   toFold_.clear();
-  for (const DrawnObject& object : content_->objects) object.mapper->SetConstants(nullptr);
+  for (const DrawnObject& object : content_->objects) object.pass->SetConstants(nullptr);
 }
 
 void ProbePrograms::foldConstants() {
@@ -83,12 +83,11 @@ void ProbePrograms::foldConstants() {
   std::set<std::string> general, folded;
   for (std::size_t i = 0; i < content_->objects.size(); ++i) {
     const DrawnObject& object = content_->objects[i];
-    if (!object.settings.visible || object.mapper->GetDrawnBinding() == nullptr) continue;
+    if (!object.settings.visible || object.pass->GetDrawnBinding() == nullptr) continue;
     const std::string program = generalProgram(object);
     general.insert(program);
     objects.push_back(i);
-    uses.push_back(
-        {program + "/" + std::to_string(foldedFacts(object)), object.mapper->GetRestingValues(object.actor)});
+    uses.push_back({program + "/" + std::to_string(foldedFacts(object)), object.pass->GetRestingValues(object.actor)});
     folded.insert(uses.back().program);
   }
   const std::size_t most = general.size() + general.size() / 2;
@@ -99,7 +98,7 @@ void ProbePrograms::foldConstants() {
     Fold& fold = folds[{uses[k].program, plans[k].get()}];
     fold.objects.push_back(objects[k]);
     if (fold.plan) continue;
-    const std::string variant = content_->objects[objects[k]].mapper->GetDrawnBinding()->variantKey();
+    const std::string variant = content_->objects[objects[k]].pass->GetDrawnBinding()->variantKey();
     fold.plan = std::make_shared<const ConstantsPlan>(ConstantsPlan{variant, *plans[k]});
   }
   for (auto& fold : folds) toFold_.push_back(std::move(fold.second));
@@ -110,21 +109,21 @@ void ProbePrograms::foldNext() {
   const Fold fold = std::move(toFold_.back());
   toFold_.pop_back();
   const DrawnObject& first = content_->objects[fold.objects.front()];
-  first.mapper->SetConstants(fold.plan);
+  first.pass->SetConstants(fold.plan);
   CaptureSettings settings;
   settings.originWorld = worldBounds(first).center();
   bool refused = false;
   try {
     capture_->drawOnce(settings, {first.actor}, content_->lightPointers());
-    refused = first.mapper->GetConstantsRefused();
+    refused = first.pass->GetConstantsRefused();
   } catch (const std::bad_alloc&) {
     refused = true;
   }
   if (refused) {
-    first.mapper->SetConstants(nullptr);
+    first.pass->SetConstants(nullptr);
     return;
   }
-  for (const std::size_t object : fold.objects) content_->objects[object].mapper->SetConstants(fold.plan);
+  for (const std::size_t object : fold.objects) content_->objects[object].pass->SetConstants(fold.plan);
   state_->counts.counters.constantsFolded += fold.objects.size();
 }
 
@@ -135,7 +134,7 @@ void ProbePrograms::recordUse() {
   for (const DrawnObject& object : content_->objects) {
     ObjectUse use;
     use.lit = !object.unlit && object.settings.visible;
-    if (const ProbeBinding* binding = object.mapper->GetBinding()) {
+    if (const ProbeBinding* binding = object.pass->GetBinding()) {
       state_->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
       for (const auto& probe : binding->probes) {
         // During a drag an object may still be drawn with one that is no longer in the list.
@@ -162,7 +161,7 @@ bool ProbePrograms::setMoving(bool moving) {
   updateStandIns();
   const auto& objects = content_->objects;
   const bool any = std::any_of(objects.begin(), objects.end(), [](const DrawnObject& object) {
-    return object.settings.visible && object.mapper->GetDrawnBinding() != object.mapper->GetBinding();
+    return object.settings.visible && object.pass->GetDrawnBinding() != object.pass->GetBinding();
   });
   moving_ = moving_ && any;
   return any;
@@ -171,8 +170,8 @@ bool ProbePrograms::setMoving(bool moving) {
 void ProbePrograms::updateStandIns() {
   const bool show = moving_ && !plan_->capturesLast();
   for (DrawnObject& object : content_->objects) {
-    const auto cheap = show && object.mapper->GetBinding() ? object.mapper->GetBinding()->standIn() : nullptr;
-    object.mapper->SetStandIn(cheap && prepared_.count(cheap->variantKey() + "/" + object.materialName) > 0);
+    const auto cheap = show && object.pass->GetBinding() ? object.pass->GetBinding()->standIn() : nullptr;
+    object.pass->SetStandIn(cheap && prepared_.count(cheap->variantKey() + "/" + object.materialName) > 0);
   }
 }
 
@@ -183,16 +182,16 @@ void ProbePrograms::prepareOne() {
   toPrepare_.pop_back();
   DrawnObject& object = content_->objects[index];
   if (!object.settings.visible || !prepared_.insert(general->variantKey() + "/" + object.materialName).second) return;
-  const auto binding = object.mapper->GetSharedBinding();
+  const auto binding = object.pass->GetSharedBinding();
   variantsUsed_.insert(general->variantKey());
-  const bool apart = object.mapper->GetSeparateSpecular();
-  object.mapper->SetSeparateSpecular(apart && general->blurredSamples() > 0);
-  object.mapper->SetBinding(std::move(general));
+  const bool apart = object.pass->GetSeparateSpecular();
+  object.pass->SetSeparateSpecular(apart && general->blurredSamples() > 0);
+  object.pass->SetBinding(std::move(general));
   CaptureSettings settings;
   settings.originWorld = worldBounds(object).center();
   capture_->drawOnce(settings, {object.actor}, content_->lightPointers());
-  object.mapper->SetBinding(binding);
-  object.mapper->SetSeparateSpecular(apart);
+  object.pass->SetBinding(binding);
+  object.pass->SetSeparateSpecular(apart);
 }
 
 }  // namespace boxprobe
