@@ -325,13 +325,13 @@ boxprobe::SurfaceFacts vtkProbePass::FactsOf(vtkActor* actor) const {
 void vtkProbePass::PrepareFirstBounce() {
   const boxprobe::PassSettings& pass = this->State->pass();
   Variant& made = this->Made;
-  const bool wanted = made.binding && pass.firstBounce && pass.dark && !this->State->resources.general &&
+  const bool wanted = made.binding && pass.firstBounce && pass.firstBouncePrograms && !this->State->resources.general &&
                       !this->Asked.debug && !this->Asked.heights && !this->Mirror && !this->DrawsGlass();
   if (wanted && made.firstBounceOf == made.binding) {
     return;
   }
   const bool before = made.firstBounce != nullptr;
-  made.firstBounce = wanted ? made.binding->inTheDark() : nullptr;
+  made.firstBounce = wanted ? made.binding->forFirstBounce() : nullptr;
   made.firstBounceOf = wanted ? made.binding : nullptr;
   if (before || made.firstBounce) {
     this->Built.Modified();
