@@ -312,9 +312,12 @@ TEST_F(RoomOfOrdinaryActors, AreVtksOwnWhereTheirReplacementsBreakTheSplice) {
   EXPECT_EQ(probes.error(), "");
   int off = 0;
   for (std::size_t i = 0; i < lit.pixels.size(); ++i) {
-    if (i % 4 != 3) off = std::max(off, std::abs(int{lit.pixels[i]} / 2 - int{dimmed.pixels[i]}));
+    // What is brighter than the display is cut off after the replacement.
+    if (i % 4 == 3 || lit.pixels[i] == 255) continue;
+    off = std::max(off, std::abs(int{lit.pixels[i]} / 2 - int{dimmed.pixels[i]}));
   }
   EXPECT_LE(off, 1);
+  EXPECT_GT(farthest(lit, dimmed), 100);
 }
 
 // VTK 9.1's mappers never let go of a pass that they have asked.

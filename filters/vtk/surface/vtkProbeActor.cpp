@@ -83,9 +83,8 @@ void vtkProbeActor::Render(vtkRenderer* renderer, vtkMapper* mapper) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const int passes = boxprobe::drawGlassPasses(window->GetState(), this->Pass->GetSurface()->glass, [&](bool) {
     mapper->Render(renderer, this);
-    this->Pass->SetAgain(true);
+    this->Pass->SetAgain();
   });
-  this->Pass->SetAgain(false);
   if (state->pass().countDraws) {
     ++state->counts.counters.glassDraws;
     state->counts.counters.glassPasses += static_cast<std::uint64_t>(passes);

@@ -24,6 +24,7 @@
 #include "filters/vtk/surface/resting_uniforms.h"
 #include "filters/vtk/surface/surface_uniforms.h"
 #include "filters/vtk/surface/view_uniforms.h"
+#include "filters/vtk/surface/vtk_pbr_splice.h"
 
 using boxprobe::Lighting;
 
@@ -286,6 +287,7 @@ void vtkProbePass::RebuildIfPlain() {
 }
 
 void vtkProbePass::Prepare(vtkActor* actor) {
+  this->Again = false;
   if (!this->State) {
     return;
   }

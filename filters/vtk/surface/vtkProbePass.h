@@ -40,9 +40,13 @@
 #include "filters/vtk/draw/resting_values.h"
 #include "filters/vtk/draw/surface_facts.h"
 #include "filters/vtk/draw/surface_material.h"
-#include "filters/vtk/surface/vtk_pbr_splice.h"
 
 class vtkActor;
+
+namespace boxprobe {
+enum class SurfaceOutput;
+struct ShaderSources;
+}  // namespace boxprobe
 
 class vtkProbePass : public vtkOpenGLRenderPass {
  public:
@@ -119,8 +123,8 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   /** Before `actor` is drawn: finds out what its program is to be made for, by its material and by the pass under way,
    * and has another one built where that is not what it was made for. */
   void Prepare(vtkActor* actor);
-  /** A further draw of the same piece, which is not counted. */
-  void SetAgain(bool again) { this->Again = again; }
+  /** Until it is prepared again: further draws of the same piece, which are not counted. */
+  void SetAgain() { this->Again = true; }
   /** Have the program built again. */
   void Rebuild();
   /** The same, if the last one was built while nothing of ours was to be drawn. */
