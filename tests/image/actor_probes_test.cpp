@@ -320,21 +320,6 @@ TEST_F(RoomOfOrdinaryActors, AreVtksOwnWhereTheirReplacementsBreakTheSplice) {
   EXPECT_GT(farthest(lit, dimmed), 100);
 }
 
-// VTK 9.1's mappers never let go of a pass that they have asked.
-TEST_F(RoomOfOrdinaryActors, KeepNoMapsOfProbesThatAreGone) {
-  std::weak_ptr<const ProbeMaps> maps;
-  {
-    ActorProbes probes(theirs_);
-    probes.addProbe(room_.scene.probes.front());
-    addAll(probes);
-    ASSERT_TRUE(probes.capture()) << probes.error();
-    theirs();
-    maps = probes.maps(0);
-    ASSERT_FALSE(maps.expired());
-  }
-  EXPECT_TRUE(maps.expired());
-}
-
 TEST_F(RoomOfOrdinaryActors, RefuseWhatIsNoProbe) {
   ActorProbes probes(theirs_);
   Probe probe = room_.scene.probes.front();

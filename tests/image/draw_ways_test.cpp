@@ -409,7 +409,7 @@ TEST_F(DrawWays, GlyphsBesideReflectingSurfaces) {
   picture->renderer->renderer()->RemoveActor(glyphs);
 }
 
-// VTK 9.1's mappers never let go of a pass that they have asked; what such a pass held goes all the same.
+// VTK 9.1 never lets go of a pass whose keys are thrown away with it, and a pass holds its surface's textures.
 TEST(DrawnModels, TakeTheirTexturesWithThem) {
   ScenePicture room = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
   room.show(room.scene.cameras.front());

@@ -19,6 +19,7 @@ vtkProbeActor::vtkProbeActor() {
   this->Pass->Attach(this, this);
 }
 
+// VTK 9.1 never lets go of a pass whose keys are thrown away with it.
 vtkProbeActor::~vtkProbeActor() {
   this->Pass->Detach();
 }

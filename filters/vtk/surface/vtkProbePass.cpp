@@ -111,7 +111,7 @@ void vtkProbePass::Attach(vtkActor* actor, vtkProp* owner) {
       isIn(this->Keys, this)) {
     return;
   }
-  this->LeaveKeys();
+  this->Detach();
   this->Last.run = false;
   this->Actor = actor;
   this->Owner = owner;
@@ -126,16 +126,6 @@ void vtkProbePass::Attach(vtkActor* actor, vtkProp* owner) {
 }
 
 void vtkProbePass::Detach() {
-  this->LeaveKeys();
-  this->State = nullptr;
-  this->Surface = nullptr;
-  this->Mirror = nullptr;
-  this->Asked = {};
-  this->Made = {};
-  this->Last = {};
-}
-
-void vtkProbePass::LeaveKeys() {
   vtkProp* owner = this->Owner;
   const vtkSmartPointer<vtkInformation> keys = this->Keys;
   this->Actor = nullptr;

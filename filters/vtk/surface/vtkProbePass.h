@@ -58,8 +58,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
    * there already; keys that were replaced meanwhile get it again.
    */
   void Attach(vtkActor* actor, vtkProp* owner);
-  /** Takes it out, leaves the keys as they were found, and lets go of all that was set: VTK 9.1 leaks a reference to
-   * each pass that a mapper has asked. */
+  /** Takes it out and leaves the keys as they were found. */
   void Detach();
   /** Has a mapper asked for it since it was attached? */
   bool HasRun() const { return this->Last.run; }
@@ -181,7 +180,6 @@ class vtkProbePass : public vtkOpenGLRenderPass {
     std::uint64_t frame = ~std::uint64_t{0};    ///< that drew it
   };
 
-  void LeaveKeys();
   bool IsFor(vtkProp* prop) const;
   void UpdateDrawn();
   void PrepareFirstBounce();
