@@ -74,7 +74,7 @@ void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& o
   auto& all = impl_->content.objects;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool meant = objects.empty() || std::find(objects.begin(), objects.end(), i) != objects.end();
-    all[i].mapper->SetLeftOut(meant ? parts : 0);
+    all[i].pass->SetLeftOut(meant ? parts : 0);
   }
   impl_->content.sky->SetVisibility(sky ? 0 : 1);
   impl_->renderer->ForgetHidden();
@@ -302,7 +302,7 @@ std::string SceneRenderer::error() const {
   if (!impl_->state->counts.error.empty()) return impl_->state->counts.error;
   const auto& objects = impl_->content.objects;
   const bool refused = std::any_of(objects.begin(), objects.end(),
-                                   [](const DrawnObject& object) { return object.mapper->GetDebugRefused(); });
+                                   [](const DrawnObject& object) { return object.pass->GetDebugRefused(); });
   return refused ? kViewRefused : impl_->probes.memoryError();
 }
 

@@ -21,7 +21,7 @@
 
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/draw/plain_surface.h"
-#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
+#include "filters/vtk/surface/vtkProbeActor.h"
 
 namespace boxprobe::bench {
 
@@ -63,9 +63,9 @@ vtkSmartPointer<vtkActor> stockActor(vtkActor* ours) {
   actor->SetMapper(mapper);
   actor->GetProperty()->DeepCopy(ours->GetProperty());
   actor->GetProperty()->SetEmissiveFactor(ours->GetProperty()->GetEmissiveFactor());  // VTK 9.1's copy leaves it out
-  const auto* mapped = vtkProbePolyDataMapper::SafeDownCast(ours->GetMapper());
-  if (mapped != nullptr && mapped->GetSurface() != nullptr) {
-    givePlainSurface(*mapped->GetSurface(), actor->GetProperty(), data);
+  auto* lit = vtkProbeActor::SafeDownCast(ours);
+  if (lit != nullptr && lit->GetPass()->GetSurface() != nullptr) {
+    givePlainSurface(*lit->GetPass()->GetSurface(), actor->GetProperty(), data);
   }
   mapper->SetInputData(data);
   actor->SetUserMatrix(ours->GetUserMatrix());

@@ -283,6 +283,43 @@ TEST_F(RoomOfOrdinaryActors, SayWhatIsMissing) {
   EXPECT_NE(probes.error().find("refuses the shader"), std::string::npos) << probes.error();
 }
 
+// The driver is asked for the text that it gets. A replacement of the program's own is applied to that after the
+// splice, and this one finds its words in the splice alone, so VTK's own program still compiles.
+TEST_F(RoomOfOrdinaryActors, AreVtksOwnWhereTheirReplacementsBreakTheSplice) {
+  const ImageRgba8 stock = theirs();
+  ActorProbes probes(theirs_);
+  probes.addProbe(room_.scene.probes.front());
+  probes.setMaps(0, room_.renderer->shownMaps("room"));
+  addAll(probes);
+  const ImageRgba8 lit = theirs();
+  EXPECT_GT(farthest(stock, lit), 100);
+  EXPECT_EQ(probes.error(), "");
+  constexpr const char* kOurs = "bpOutput(color)";
+  for (const auto& actor : actors_) {
+    actor->GetShaderProperty()->AddFragmentShaderReplacement(kOurs, false, "noFunction(color)", false);
+  }
+  EXPECT_EQ(theirs().pixels, stock.pixels);
+  EXPECT_NE(probes.error().find("refuses the shader"), std::string::npos) << probes.error();
+
+  probes.removeAllActors();
+  probes.clearError();
+  for (const auto& actor : actors_) {
+    actor->GetShaderProperty()->ClearFragmentShaderReplacement(kOurs, false);
+    actor->GetShaderProperty()->AddFragmentShaderReplacement(kOurs, false, "0.5 * bpOutput(color)", false);
+  }
+  addAll(probes);
+  const ImageRgba8 dimmed = theirs();
+  EXPECT_EQ(probes.error(), "");
+  int off = 0;
+  for (std::size_t i = 0; i < lit.pixels.size(); ++i) {
+    // What is brighter than the display is cut off after the replacement.
+    if (i % 4 == 3 || lit.pixels[i] == 255) continue;
+    off = std::max(off, std::abs(int{lit.pixels[i]} / 2 - int{dimmed.pixels[i]}));
+  }
+  EXPECT_LE(off, 1);
+  EXPECT_GT(farthest(lit, dimmed), 100);
+}
+
 TEST_F(RoomOfOrdinaryActors, RefuseWhatIsNoProbe) {
   ActorProbes probes(theirs_);
   Probe probe = room_.scene.probes.front();

@@ -15,7 +15,7 @@
 #include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/gl/software_driver.h"
 #include "filters/vtk/gl/texture_memory.h"
-#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
+#include "filters/vtk/surface/vtkProbeActor.h"
 #include "tests/support/gpu_window.h"
 #include "tests/support/scene_picture.h"
 
@@ -181,9 +181,10 @@ TEST(Capture, DraggingABoxLeavesTheImpostorsBlocks) {
     vtkActorCollection* actors = picture.renderer->renderer()->GetActors();
     actors->InitTraversal();
     while (vtkActor* actor = actors->GetNextActor()) {
-      auto* mapper = vtkProbePolyDataMapper::SafeDownCast(actor->GetMapper());
-      if (mapper == nullptr || mapper->GetBinding() == nullptr || mapper->GetBinding()->probes.empty()) continue;
-      const DrawnProbe& probe = *mapper->GetBinding()->probes.front();
+      auto* lit = vtkProbeActor::SafeDownCast(actor);
+      if (lit == nullptr || lit->GetPass()->GetBinding() == nullptr) continue;
+      if (lit->GetPass()->GetBinding()->probes.empty()) continue;
+      const DrawnProbe& probe = *lit->GetPass()->GetBinding()->probes.front();
       return probe.maps->relief.blocks(probe.maps->distance, probe.geometry, true);
     }
     return std::shared_ptr<const ReliefBlocks>();

@@ -30,6 +30,7 @@
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/scene_renderer.h"
+#include "filters/vtk/surface/vtkProbeActor.h"
 #include "tests/support/scene_picture.h"
 
 namespace {
@@ -406,6 +407,31 @@ TEST_F(DrawWays, GlyphsBesideReflectingSurfaces) {
   picture->renderer->renderer()->AddActor(glyphs);
   expectReflections(mirrors, false, 0.95);
   picture->renderer->renderer()->RemoveActor(glyphs);
+}
+
+// VTK 9.1 never lets go of a pass whose keys are thrown away with it, and a pass holds its surface's textures.
+TEST(DrawnModels, TakeTheirTexturesWithThem) {
+  ScenePicture room = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  room.show(room.scene.cameras.front());
+  room.display();
+  GLuint handle = 0;
+  vtkActorCollection* actors = room.renderer->renderer()->GetActors();
+  actors->InitTraversal();
+  while (vtkActor* actor = actors->GetNextActor()) {
+    const auto* lit = vtkProbeActor::SafeDownCast(actor);
+    if (lit == nullptr) continue;
+    for (const SurfaceSlot& slot : lit->GetPass()->GetSurface()->slots) {
+      if (slot.texture) handle = slot.texture->handle();
+    }
+  }
+  room.window->MakeCurrent();
+  ASSERT_NE(handle, 0u);
+  ASSERT_TRUE(glIsTexture(handle));
+  room.scene.models.clear();
+  room.renderer->setModels({});
+  room.renderer->sync(room.scene, Changes::all());
+  room.window->MakeCurrent();
+  EXPECT_FALSE(glIsTexture(handle));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@
 #include "filters/math/published/published_math.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/gl/software_driver.h"
-#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
+#include "filters/vtk/surface/vtkProbeActor.h"
 #include "tests/support/scene_picture.h"
 #include "tests/support/sphere_mesh.h"
 
@@ -180,8 +180,8 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   vtkRenderer* renderer = picture.renderer->renderer();
   vtkActorCollection* actors = renderer->GetActors();
   actors->InitTraversal();
-  auto* mapper = vtkProbePolyDataMapper::SafeDownCast(actors->GetNextActor()->GetMapper());
-  const ProbeMaps& maps = *mapper->GetBinding()->probes.at(0)->maps;
+  auto* lit = vtkProbeActor::SafeDownCast(actors->GetNextActor());
+  const ProbeMaps& maps = *lit->GetPass()->GetBinding()->probes.at(0)->maps;
 
   vtkNew<GivenRenderer> stock;
   stock->Prefilter->Give(picture.window, maps.radiance.handle(), GL_TEXTURE_CUBE_MAP, maps.radiance.levels());

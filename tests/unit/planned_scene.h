@@ -1,5 +1,5 @@
 // A scene whose probes are planned without a window: objects are boxes, maps are nothing but their keys. For tests of
-// the plan; what it does when a job is done is what ProbePublisher does with maps.
+// the plan; what it does when a job is done is what ProbeBaker does with maps.
 #pragma once
 
 #include <functional>

@@ -151,10 +151,11 @@ Box boxOf(const std::array<double, 6>& b) {
 ActorParts::ActorParts(vtkRenderer* shown)
     : renderer(shown != nullptr ? vtkSmartPointer<vtkRenderer>(shown) : vtkSmartPointer<vtkRenderer>::New()),
       nothing(shown == nullptr),
-      draws(std::make_shared<ActorDraws>()),
-      state(draws, &draws->state),
+      state(std::make_shared<DrawState>()),
       shownProbes(&content.scene, state),
       light(&content, state, &shownProbes) {
+  state->resources.foreign = true;
+  state->resources.emission = false;
   content.scene.sky = SkyColor{};
   content.sky->SetDrawState(state);
   lightSky->SetDrawState(state);
@@ -237,16 +238,15 @@ ActorParts::Graphics& ActorParts::ready() {
 }
 
 void ActorParts::beginFrame(vtkRenderer* drawn) {
-  draws->renderer = drawn;
+  state->drawing = drawn;
   try {
     ready();
   } catch (const Error& failure) {
     state->counts.fail(failure.what());
-    draws->renderer = nullptr;  // and so VTK's own programs, until the next frame asks for ours again
+    state->drawing = nullptr;  // and so VTK's own programs, until the next frame asks for ours again
     for (LitActor& lit : actors) lit.pass->Rebuild();
     return;
   }
-  state->setExposure(static_cast<float>(draws->exposure));
   vtkOpenGLState* gl = graphics->window->GetState();
   seamlessBefore = gl->GetEnumState(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   gl->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
@@ -261,11 +261,11 @@ void ActorParts::beginFrame(vtkRenderer* drawn) {
 }
 
 void ActorParts::endFrame() {
-  if (draws->renderer == renderer) remarkUnasked();
-  draws->bound.clear();
-  if (!seamlessBefore && draws->renderer != nullptr && graphics)
+  if (state->drawing == renderer) remarkUnasked();
+  state->bound.clear();
+  if (!seamlessBefore && state->drawing != nullptr && graphics)
     graphics->window->GetState()->vtkglDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  draws->renderer = nullptr;
+  state->drawing = nullptr;
 }
 
 // Which actors other props of the renderer draw, where; and every pass among the keys that are drawn with.
@@ -499,7 +499,7 @@ void ActorParts::remarkUnasked() {
 
 std::string ActorParts::contentKey() {
   ContentHash hash;
-  hash.add(static_cast<double>(skyWanted)).add(draws->exposure).add(static_cast<double>(draws->emission));
+  hash.add(static_cast<double>(skyWanted)).add(state->exposure()).add(static_cast<double>(state->resources.emission));
   hash.add(static_cast<double>(state->resources.lightForm));
   for (const DrawnObject& object : content.objects) {
     vtkActor* actor = object.actor;
@@ -658,15 +658,15 @@ void ActorParts::startNext(Graphics& with) {
 
 bool ActorParts::step() {
   if (!work) return false;
-  vtkRenderer* const before = draws->renderer;
+  vtkRenderer* const before = state->drawing;
   const AtEnd shown([this, before] {
-    draws->bound.clear();
-    draws->renderer = before;
+    state->bound.clear();
+    state->drawing = before;
   });
   try {
     Graphics& with = ready();
     with.window->MakeCurrent();
-    draws->renderer = with.capture.renderer();
+    state->drawing = with.capture.renderer();
     if (!with.runner.pending()) startNext(with);
     if (work && with.runner.pending()) {
       with.runner.step();
@@ -691,7 +691,7 @@ void ActorParts::dropWork() {
 }
 
 void ActorParts::release() {
-  draws->bound.clear();
+  state->bound.clear();
   shownProbes.release();
   skyShown = 0;
   for (CapturedFrom& from : captured) from = {};

@@ -22,11 +22,11 @@
 
 #include "filters/core/geometry/probe_index.h"
 #include "filters/vtk/actors/surroundings.h"
-#include "filters/vtk/actors/vtkActorProbesPass.h"
 #include "filters/vtk/capture/bake_runner.h"
 #include "filters/vtk/probes/probe_light.h"
 #include "filters/vtk/probes/shown_probes.h"
 #include "filters/vtk/scene/scene_content.h"
+#include "filters/vtk/surface/vtkProbePass.h"
 
 namespace boxprobe {
 
@@ -43,7 +43,7 @@ struct ActorState {
 
 struct LitActor {
   vtkSmartPointer<vtkActor> actor;
-  vtkSmartPointer<vtkActorProbesPass> pass;
+  vtkSmartPointer<vtkProbePass> pass;
   ActorState state;
   bool assigned = false;  ///< by `state` and the probes as they are
   int framesWithout = 0;  ///< that should have drawn it, and in which nobody asked for its pass
@@ -135,9 +135,8 @@ struct ActorParts {
   std::function<void()> beforeFrame;     ///< called before the window draws, or null
   std::function<void()> afterFrame;      ///< called once the renderer has drawn, or null
   std::function<void(double)> progress;  ///< of captures, 0 to 1, or null
-  std::shared_ptr<ActorDraws> draws;
-  std::shared_ptr<DrawState> state;  ///< within `draws`
-  SceneContent content;              ///< its scene holds probes and sky; its objects stand for the actors
+  std::shared_ptr<DrawState> state;
+  SceneContent content;  ///< its scene holds probes and sky; its objects stand for the actors
   ShownProbes shownProbes;
   ProbeLight light;
   ProbeIndex places;

@@ -101,15 +101,15 @@ bool ActorProbes::addActor(vtkActor* actor, bool seenByProbes) {
     parts_->content.objects[static_cast<std::size_t>(at - parts_->actors.begin())].settings.seenByProbes = seenByProbes;
     return true;
   }
-  if (vtkActorProbesPass::HasOther(actor, nullptr)) {
+  if (vtkProbePass::HasOther(actor, nullptr)) {
     parts_->state->counts.fail(
         "addActor: another object lights this actor by its probes already; remove it there first");
     return false;
   }
   LitActor lit;
   lit.actor = actor;
-  lit.pass = vtkSmartPointer<vtkActorProbesPass>::New();
-  lit.pass->SetDraws(parts_->draws);
+  lit.pass = vtkSmartPointer<vtkProbePass>::New();
+  lit.pass->SetDrawState(parts_->state);
   lit.pass->Attach(actor, actor);
   parts_->actors.push_back(std::move(lit));
   DrawnObject object;
@@ -158,11 +158,11 @@ void ActorProbes::clearSky() {
 }
 
 void ActorProbes::setExposure(double exposure) {
-  parts_->draws->exposure = exposure;
+  parts_->state->setExposure(static_cast<float>(exposure));
 }
 
 void ActorProbes::setEmission(bool shown) {
-  parts_->draws->emission = shown;
+  parts_->state->resources.emission = shown;
   for (LitActor& lit : parts_->actors) lit.pass->Rebuild();
 }
 

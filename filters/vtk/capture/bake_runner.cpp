@@ -125,7 +125,7 @@ void BakeRunner::captureFace(const FaceSource& source, int face) {
     const Drawing drawing(*item_);
     const PassScope scope(*state_, [this](PassSettings& pass) {
       pass.firstBounce = item_->reflectNothing;
-      pass.dark = item_->reflectNothing && item_->dark;
+      pass.firstBouncePrograms = item_->reflectNothing && item_->firstBouncePrograms;
       pass.movingShadowsOn = false;
     });
     capture_->captureFace(item_->settings, face, source.props, source.lights, source_,

@@ -35,7 +35,7 @@ struct BakeItem {
   bool sky = false;             ///< the sky's own map: at infinity, so without distances
   bool reflectNothing = false;  ///< first bounce: no probe has been captured yet
   /// Then by programs without any lookup of a probe. They have to be compiled, which pays for many faces only.
-  bool dark = false;
+  bool firstBouncePrograms = false;
   /// Small levels are filtered together, as one unit that costs less than the first level alone: fewer steps to wait
   /// for a map that follows something that moves.
   bool fewSteps = false;

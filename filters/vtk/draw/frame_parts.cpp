@@ -30,7 +30,7 @@ void leaveOut(std::string& fragment, FrameParts parts) {
   }
   if ((parts & kLampsPart) != 0) replaceEach(fragment, "Lo += ", "if (false) Lo += ");
   if ((parts & kMaterialPart) != 0) leaveOutTextures(fragment);
-  // The exposure stays: by that uniform the mappers know a program of ours, and set its samplers.
+  // The exposure stays: by that uniform a program of ours is known, and its samplers are set.
   if ((parts & kOutputPart) != 0) {
     replaceEach(fragment, "? bpDisplayed(color * bpExposure) :", "? color * bpExposure :");
   }

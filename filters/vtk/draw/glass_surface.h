@@ -1,5 +1,5 @@
 // What a surface that transmits light adds to its material: numbers for the shader, its shell on the graphics side.
-// Filled by model_actors, read by the mapper (uniforms), the splice (which code a program needs) and explanations.
+// Filled by model_actors, read by the probe pass (uniforms), the splice (which code a program needs) and explanations.
 // Knows no probe.
 #pragma once
 

@@ -1,5 +1,5 @@
-// What the draw of a mirror is told of its picture: filled by the mirror set for each frame, read by the mappers that
-// draw the mirror and by explanations. Plain data.
+// What the draw of a mirror is told of its picture: filled by the mirror set for each frame, read by the probe passes
+// that draw the mirror and by explanations. Plain data.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// How the draws of one pass differ from those of another: plain values that the mappers read when they draw. Changed
+// How the draws of one pass differ from those of another: plain values that surfaces read when they draw. Changed
 // for a pass by a PassScope and by nothing else.
 #pragma once
 
@@ -32,23 +32,24 @@ struct BehindPicture {
 };
 
 struct PassSettings {
-  float exposure = 1.0f;        ///< factor of display colours; kLinearOutput
-  bool dragging = false;        ///< a handle is held: uniforms change, and nothing is worked out for them
-  DebugView debug;              ///< not in captures
-  bool firstBounce = false;     ///< of a capture: probes reflect nothing yet, and the sky lights in their place
-  bool dark = false;            ///< with firstBounce: by programs that look nothing up in probes
-  bool movingShadowsOn = true;  ///< not in captures of what stands still
-  bool countDraws = true;       ///< of the frame on the screen, not of captures
-  int frame = 0;                ///< of those that are averaged
-  glm::ivec2 pixelOrigin{0};    ///< where in the picture the framebuffer's lower left lies
+  float exposure = 1.0f;             ///< factor of display colours; kLinearOutput
+  bool dragging = false;             ///< a handle is held: uniforms change, and nothing is worked out for them
+  DebugView debug;                   ///< not in captures
+  bool firstBounce = false;          ///< of a capture: probes reflect nothing yet, and the sky lights in their place
+  bool firstBouncePrograms = false;  ///< with firstBounce: by programs that look nothing up in probes
+  bool movingShadowsOn = true;       ///< not in captures of what stands still
+  bool countDraws = true;            ///< of the frame on the screen, not of captures
+  int frame = 0;                     ///< of those that are averaged
+  glm::ivec2 pixelOrigin{0};         ///< where in the picture the framebuffer's lower left lies
   /// Of the mirror whose picture is being drawn, view space; see mirrored_output.glsl.
   glm::vec4 heightPlaneView{0.0f};
   BehindPicture behind;
 
   bool operator==(const PassSettings& o) const {
     return exposure == o.exposure && dragging == o.dragging && debug == o.debug && firstBounce == o.firstBounce &&
-           dark == o.dark && movingShadowsOn == o.movingShadowsOn && countDraws == o.countDraws && frame == o.frame &&
-           pixelOrigin == o.pixelOrigin && heightPlaneView == o.heightPlaneView && behind == o.behind;
+           firstBouncePrograms == o.firstBouncePrograms && movingShadowsOn == o.movingShadowsOn &&
+           countDraws == o.countDraws && frame == o.frame && pixelOrigin == o.pixelOrigin &&
+           heightPlaneView == o.heightPlaneView && behind == o.behind;
   }
 };
 

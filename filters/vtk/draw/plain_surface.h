@@ -1,6 +1,6 @@
 // A material as VTK's own program can show it: for a driver that refuses ours, and to measure ours against. The first
 // set of coordinates, untransformed, one wrap mode for both axes, normal maps where the file brings tangents. Called by
-// the mapper and the benchmarks; knows no probes.
+// the probe pass and the benchmarks; knows no probes.
 #pragma once
 
 #include "filters/vtk/draw/surface_material.h"

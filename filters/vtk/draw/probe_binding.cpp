@@ -60,10 +60,10 @@ std::shared_ptr<const ProbeBinding> ProbeBinding::standIn() const {
 }
 
 // Through openings the sky shows, captured or not.
-std::shared_ptr<const ProbeBinding> ProbeBinding::inTheDark() const {
+std::shared_ptr<const ProbeBinding> ProbeBinding::forFirstBounce() const {
   if (lighting != Lighting::Probes || probes.empty() || open()) return nullptr;
   auto unlit = std::make_shared<ProbeBinding>(*this);
-  unlit->dark = true;
+  unlit->firstBounce = true;
   return unlit;
 }
 
@@ -115,7 +115,7 @@ std::string ProbeBinding::variantKey() const {
   if (weights && onlyProbes) key += 'p';
   if (sky) key += 's';
   if (diffuse) key += 'd';
-  if (dark) key += 'k';
+  if (firstBounce) key += 'k';
   const std::vector<int> group = groups();
   for (std::size_t i = 0; i < probes.size(); ++i) {
     key += " " + std::to_string(group[i]) + ":" + techniqueId(technique(i)) + (blurred(i) ? "~" : "");

@@ -1,5 +1,5 @@
 // Which probes per object is drawn with, and what of them its program is compiled for. Chosen by the probe set, read by
-// the mapper and the splice. Plain data; knows no scene.
+// the probe pass and the splice. Plain data; knows no scene.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,7 @@ struct ProbeBinding {
   bool diffuse = true;      ///< false: the material is all metal
 
   /// No probe has been captured yet, so that none gives a reflection: nothing is looked up. For captures alone.
-  bool dark = false;
+  bool firstBounce = false;
 
   /// What draws each: the probe's own technique, or what `auto` chose for this object. Empty: their own.
   std::vector<Technique> techniques;
@@ -61,7 +61,7 @@ struct ProbeBinding {
   std::shared_ptr<const ProbeBinding> standIn() const;
   /// The same for captures in which no probe reflects anything; null where that would not spare any lookup, or where
   /// what is looked up does not depend on the probes alone.
-  std::shared_ptr<const ProbeBinding> inTheDark() const;
+  std::shared_ptr<const ProbeBinding> forFirstBounce() const;
   /// Is a technique that is drawn one whose picture is a mean of frames, and of how many rays per pixel and frame? 0:
   /// no.
   int animatedSamples() const;

@@ -13,9 +13,11 @@ namespace boxprobe {
 
 namespace {
 
-// What VTK remembers of its uniforms would be taken for uploaded in the program compiled anew.
+// What VTK remembers of its uniforms would be taken for uploaded in the program compiled anew, and attributes for those
+// of the old one, which vertex arrays stay with unless the program has changed.
 void giveBack(vtkShaderProgram* program, vtkOpenGLRenderWindow* window) {
   program->ReleaseGraphicsResources(window);
+  program->Modified();
   for (const int group : {vtkShaderProgram::CameraGroup, vtkShaderProgram::LightingGroup, vtkShaderProgram::UserGroup})
     program->SetUniformGroupUpdateTime(group, 0);
 }
@@ -29,7 +31,13 @@ bool ProgramShelf::use(vtkShaderProgram* program, bool constants) {
   if (compiled) kept.program = program;
   kept.constants = constants;
   kept.used = ++uses_;
+  if (compiled) kept.compiled = uses_;
   return compiled;
+}
+
+std::uint64_t ProgramShelf::compilation(const vtkShaderProgram* program) const {
+  const auto kept = kept_.find(program);
+  return kept != kept_.end() ? kept->second.compiled : 0;
 }
 
 std::size_t ProgramShelf::trim(vtkOpenGLRenderWindow* window, std::size_t most) {

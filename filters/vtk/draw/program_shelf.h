@@ -1,6 +1,5 @@
 // The programs that surfaces have been drawn with, so that those of edits long past are given back: each rest of an
-// edited scene makes programs with its own numbers as constants, of some megabytes each with a software driver. Told
-// of each use by the mappers.
+// edited scene makes programs with its own numbers as constants, of some megabytes each with a software driver.
 #pragma once
 
 #include <vtkWeakPointer.h>
@@ -21,6 +20,8 @@ class ProgramShelf {
   /// `program`, compiled, is drawn with now; `constants`: it was made for numbers at rest, and no edit draws with it
   /// again. True if it was compiled since the last call with it.
   bool use(vtkShaderProgram* program, bool constants);
+  /// Another number after each compilation; 0 if it was given back, or never used.
+  std::uint64_t compilation(const vtkShaderProgram* program) const;
   /// Compiled ones.
   std::size_t size() const { return kept_.size(); }
   /// Of those that were not used since the last call, gives back all but `most`: first those with constants, of each
@@ -31,7 +32,7 @@ class ProgramShelf {
  private:
   struct Kept {
     vtkWeakPointer<vtkShaderProgram> program;
-    std::uint64_t used = 0;
+    std::uint64_t used = 0, compiled = 0;  ///< uses counted by then
     bool constants = false;
   };
   std::unordered_map<const vtkShaderProgram*, Kept> kept_;

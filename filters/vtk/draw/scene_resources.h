@@ -1,5 +1,5 @@
 // What the draws of a scene renderer read whatever the pass: textures and lights of the scene as it stands. Filled by
-// the renderer, the probe set and the passes that make them; read by the mappers. Plain data; owns no texture.
+// the renderer, the probe set and the passes that make them; read when surfaces are drawn. Plain data; owns no texture.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -31,6 +31,8 @@ struct SceneResources {
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
   LightForm lightForm = LightForm::Single;
+  bool foreign = false;  ///< somebody else's actors: falloffs of lamps mean what they mean in VTK
+  bool emission = true;  ///< emissive factors show without an emissive texture
   bool general = false;  ///< programs take nothing for granted (surface_facts.h), to compare with
   /// Resting programs look maps up in flat pictures of them (flat_texture.h): on software renderers.
   bool flatMaps = false;

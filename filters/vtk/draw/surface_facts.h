@@ -1,7 +1,7 @@
 // What a surface's program may take for granted: properties of a material that make part of the calculation constant.
-// The mapper asks which hold, the splice leaves out what they make needless, and what is chosen here keeps the number
-// of programs down. No fact is a number of the material, so that dragging a slider changes uniforms; only a slider that
-// leaves or reaches the end of its range asks for another program.
+// The probe pass asks which hold, the splice leaves out what they make needless, and what is chosen here keeps the
+// number of programs down. No fact is a number of the material, so that dragging a slider changes uniforms; only a
+// slider that leaves or reaches the end of its range asks for another program.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // A material as the surface program wants it: textures on the graphics side, and what the vertices bring. Made by
-// model_actors.cpp, read by the mapper (uniforms) and the splice (which code a program needs). Knows no probes.
+// model_actors.cpp, read by the probe pass (uniforms) and the splice (which code a program needs). Knows no probes.
 #pragma once
 
 #include <array>

@@ -34,46 +34,37 @@ MirrorPainter::MirrorPainter(vtkOpenGLRenderWindow* window, std::shared_ptr<Draw
 
 MirrorPainter::~MirrorPainter() = default;
 
-// Shares geometry, material and textures with the object; only the program is another one. A material's mask has to be
+// A material's mask has to be
 // sampled even for depth; anything else is drawn for depth without light.
 vtkProp* MirrorPainter::twinOf(std::size_t index, bool depthOnly) {
   const DrawnObject& object = content_->objects[index];
   const bool masked = object.material.alphaMode == AlphaMode::Mask;
-  Twin& twin = twins_[{index, depthOnly}];
-  if (!twin.actor) {
-    twin.actor = vtkSmartPointer<vtkActor>::New();
-    if (depthOnly && !masked) {
-      vtkNew<vtkPolyDataMapper> mapper;
-      mapper->SetInputData(object.mapper->GetInput());
-      mapper->ScalarVisibilityOff();
-      twin.actor->SetMapper(mapper);
-      twin.actor->GetProperty()->LightingOff();
-      twin.actor->GetProperty()->SetBackfaceCulling(object.actor->GetProperty()->GetBackfaceCulling());
-    } else {
-      twin.mapper = vtkSmartPointer<vtkProbePolyDataMapper>::New();
-      twin.mapper->SetInputData(object.mapper->GetInput());
-      twin.mapper->ScalarVisibilityOff();
-      twin.mapper->SetDrawState(state_);
-      twin.mapper->SetSurface(object.surface);
-      twin.actor->SetMapper(twin.mapper);
-      twin.actor->SetProperty(object.actor->GetProperty());
-    }
-    twin.actor->SetForceOpaque(object.actor->GetForceOpaque());
-    twin.actor->SetForceTranslucent(object.actor->GetForceTranslucent());
+  vtkSmartPointer<vtkActor>& twin = twins_[{index, depthOnly}];
+  if (!twin && depthOnly && !masked) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputDataObject(object.actor->GetMapper()->GetInputDataObject(0, 0));
+    mapper->ScalarVisibilityOff();
+    twin = vtkSmartPointer<vtkActor>::New();
+    twin->SetMapper(mapper);
+    twin->GetProperty()->LightingOff();
+    twin->GetProperty()->SetBackfaceCulling(object.actor->GetProperty()->GetBackfaceCulling());
+    twin->SetForceOpaque(object.actor->GetForceOpaque());
+    twin->SetForceTranslucent(object.actor->GetForceTranslucent());
+  } else if (!twin) {
+    const auto lit = makeTwin(object, state_);
+    lit->GetPass()->SetHeights(!depthOnly);
+    twin = lit;
   }
-  twin.actor->SetUserMatrix(object.actor->GetUserMatrix());
-  if (twin.mapper && depthOnly) {
+  twin->SetUserMatrix(object.actor->GetUserMatrix());
+  if (auto* lit = vtkProbeActor::SafeDownCast(twin)) {
     static const auto kUnlit = [] {
       auto binding = std::make_shared<ProbeBinding>();
       binding->lighting = Lighting::Unlit;
       return std::shared_ptr<const ProbeBinding>(std::move(binding));
     }();
-    twin.mapper->SetBinding(kUnlit);
-  } else if (twin.mapper) {
-    twin.mapper->SetHeights(true);
-    twin.mapper->SetBinding(object.mapper->GetSharedBinding());
+    lit->GetPass()->SetBinding(depthOnly ? kUnlit : object.pass->GetSharedBinding());
   }
-  return twin.actor;
+  return twin;
 }
 
 vtkCamera* MirrorPainter::camera(const PictureView& view) {
@@ -128,7 +119,7 @@ void MirrorPainter::paint(const PictureView& view, const glm::dvec4& heightPlane
 }
 
 void MirrorPainter::release() {
-  for (auto& [key, twin] : twins_) twin.actor->ReleaseGraphicsResources(window_);
+  for (auto& [key, twin] : twins_) twin->ReleaseGraphicsResources(window_);
   twins_.clear();
   renderer_->SetRenderWindow(nullptr);
 }

@@ -38,10 +38,6 @@ class MirrorPainter {
   void release();
 
  private:
-  struct Twin {
-    vtkSmartPointer<vtkActor> actor;
-    vtkSmartPointer<vtkProbePolyDataMapper> mapper;  ///< null: depth alone
-  };
   vtkProp* twinOf(std::size_t object, bool depthOnly);
 
   vtkOpenGLRenderWindow* window_;
@@ -50,7 +46,7 @@ class MirrorPainter {
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<vtkTargetPass> pass_;
   vtkSmartPointer<vtkCamera> camera_;
-  std::map<std::pair<std::size_t, bool>, Twin> twins_;
+  std::map<std::pair<std::size_t, bool>, vtkSmartPointer<vtkActor>> twins_;  ///< by object; true: depth alone
 };
 
 }  // namespace boxprobe

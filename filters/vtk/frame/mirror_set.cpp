@@ -163,8 +163,8 @@ void MirrorSet::update() {
   }
   // Those that had a picture keep their program; the others get it with their first (see draw).
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    vtkProbePolyDataMapper& mapper = *content_->objects[i].mapper;
-    if (mapper.GetMirror() != pictures[i]) mapper.SetMirror(nullptr);
+    vtkProbePass* pass = content_->objects[i].pass;
+    if (pass->GetMirror() != pictures[i]) pass->SetMirror(nullptr);
   }
 }
 
@@ -204,7 +204,7 @@ MirrorState MirrorSet::plan(std::size_t index, const PictureView& view, const st
   plan.plane = mirror.plane;
   if (!mirror.settings.enabled) return MirrorState::Disabled;
   // Without probes nothing is looked up, in no picture either.
-  const ProbeBinding* binding = content_->objects[mirror.objects.front()].mapper->GetDrawnBinding();
+  const ProbeBinding* binding = content_->objects[mirror.objects.front()].pass->GetDrawnBinding();
   if (binding == nullptr || binding->lighting != Lighting::Probes) return MirrorState::Disabled;
   if (tooRough(mirror.roughnessMin, mirror.settings)) return MirrorState::Rough;
   if (!mirror.usable) return MirrorState::NothingDynamic;
@@ -305,7 +305,7 @@ void MirrorSet::draw(vtkCamera* camera, double aspect, int width, int height, in
   for (std::size_t i = 0; i < mirrors_.size(); ++i) {
     const Mirror& mirror = mirrors_[i];
     for (const std::size_t object : mirror.objects) {
-      content_->objects[object].mapper->SetMirror(mirror.picture->shown ? mirror.picture : nullptr);
+      content_->objects[object].pass->SetMirror(mirror.picture->shown ? mirror.picture : nullptr);
     }
     count(reports_[i].state);
   }

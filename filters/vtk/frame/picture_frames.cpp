@@ -31,7 +31,7 @@ bool PictureFrames::Key::operator==(const Key& o) const {
 }
 
 const ProbeBinding* PictureFrames::drawn(const DrawnObject& object) const {
-  return object.settings.visible ? object.mapper->GetDrawnBinding() : nullptr;
+  return object.settings.visible ? object.pass->GetDrawnBinding() : nullptr;
 }
 
 int PictureFrames::raysAFrame() const {
@@ -54,7 +54,7 @@ int PictureFrames::blurredRays() const {
 bool PictureFrames::looksBehind() const {
   if (content_->many) return false;
   return std::any_of(content_->objects.begin(), content_->objects.end(),
-                     [](const DrawnObject& object) { return object.settings.visible && object.mapper->LooksBehind(); });
+                     [](const DrawnObject& object) { return object.settings.visible && object.pass->LooksBehind(); });
 }
 
 int PictureFrames::wanted() const {
@@ -84,8 +84,8 @@ PictureFrames::Key PictureFrames::key() const {
   for (const DrawnObject& object : content_->objects) {
     if (!object.settings.visible) continue;
     // The binding that was set, not the one drawn: a cheaper picture in between leaves this one as it is.
-    key.bindings.push_back(object.mapper->GetSharedBinding());
-    const ProbeBinding* binding = object.mapper->GetBinding();
+    key.bindings.push_back(object.pass->GetSharedBinding());
+    const ProbeBinding* binding = object.pass->GetBinding();
     if (binding == nullptr) continue;
     for (const auto& probe : binding->probes) key.maps.push_back(probe->maps);
   }
@@ -105,7 +105,7 @@ void PictureFrames::beginFrame(bool plain) {
   const int rays = plain ? 0 : blurredRays();
   const bool behind = !plain && looksBehind();
   active_ = !plain && (frames > 0 || rays > 0 || behind);
-  for (const DrawnObject& object : content_->objects) object.mapper->SetSeparateSpecular(rays > 0);
+  for (const DrawnObject& object : content_->objects) object.pass->SetSeparateSpecular(rays > 0);
   if (!active_) {
     if (screen_) renderer_->SetPass(nullptr);
     return;
@@ -131,7 +131,7 @@ void PictureFrames::beginFrame(bool plain) {
 
 vtkPicturePass* PictureFrames::linearPass(int frames) {
   const int rays = blurredRays();
-  for (const DrawnObject& object : content_->objects) object.mapper->SetSeparateSpecular(rays > 0);
+  for (const DrawnObject& object : content_->objects) object.pass->SetSeparateSpecular(rays > 0);
   const bool behind = looksBehind();
   if (rays == 0 && (frames <= 1 || !averages()) && !behind) return nullptr;
   if (!linear_) linear_ = makePass();

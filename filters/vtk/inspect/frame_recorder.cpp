@@ -24,12 +24,12 @@ FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, con
   }
   std::set<std::string> variants;
   for (const DrawnObject& object : content.objects) {
-    const ProbeBinding* binding = object.mapper->GetDrawnBinding();
+    const ProbeBinding* binding = object.pass->GetDrawnBinding();
     if (!object.settings.visible || binding == nullptr) continue;
     FrameReport::Object line;
     line.node = object.node;
     line.material = object.materialName;
-    line.drawn = object.mapper->GetDrawnInFrame();
+    line.drawn = object.pass->GetDrawnInFrame();
     line.unlit = object.unlit;
     line.leftOut = binding->leftOut;
     line.weights = binding->weights && !binding->probes.empty();
@@ -69,8 +69,8 @@ std::vector<DrawnProgram> drawnPrograms(const SceneContent& content) {
   std::map<unsigned, std::size_t> places;
   for (std::size_t i = 0; i < content.objects.size(); ++i) {
     const DrawnObject& object = content.objects[i];
-    if (!object.settings.visible || !object.mapper->GetDrawnInFrame()) continue;
-    const auto [place, added] = places.insert({object.mapper->GetProgramNumber(), programs.size()});
+    if (!object.settings.visible || !object.pass->GetDrawnInFrame()) continue;
+    const auto [place, added] = places.insert({object.pass->GetProgramNumber(), programs.size()});
     if (added) programs.emplace_back();
     programs[place->second].objects.push_back({i, object.node});
   }

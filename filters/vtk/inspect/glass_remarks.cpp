@@ -12,8 +12,8 @@ std::vector<std::string> glassRemarks(const SceneContent& content) {
   std::vector<std::string> texts;
   std::set<std::pair<int, std::string>> said;  // a node may be drawn in pieces
   for (const DrawnObject& object : content.objects) {
-    if (!object.settings.visible || !object.settings.seenByProbes || !object.mapper->DrawsGlass()) continue;
-    for (const auto& drawn : object.mapper->GetBinding()->probes) {
+    if (!object.settings.visible || !object.settings.seenByProbes || !object.pass->DrawsGlass()) continue;
+    for (const auto& drawn : object.pass->GetBinding()->probes) {
       const Probe& probe = content.scene.probes[static_cast<std::size_t>(drawn->index)];
       const bool custom = probe.mode == ProbeMode::Custom;
       const bool left = object.settings.dynamic && probe.mode != ProbeMode::Realtime;

@@ -2,6 +2,7 @@
 
 #include <vtkCamera.h>
 #include <vtkLight.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -41,11 +42,11 @@ void PreviewSphere::build() {
   sphere->SetRadius(1.0);
   sphere->SetThetaResolution(kAround);
   sphere->SetPhiResolution(kUpDown);
-  mapper_ = vtkSmartPointer<vtkProbePolyDataMapper>::New();
-  mapper_->SetInputConnection(sphere->GetOutputPort());
-  mapper_->SetDrawState(state_);
-  actor_ = vtkSmartPointer<vtkActor>::New();
-  actor_->SetMapper(mapper_);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  actor_ = vtkSmartPointer<vtkProbeActor>::New();
+  actor_->SetMapper(mapper);
+  actor_->GetPass()->SetDrawState(state_);
   actor_->GetProperty()->SetInterpolationToPBR();
   actor_->GetProperty()->SetColor(1.0, 1.0, 1.0);
   actor_->GetProperty()->SetEmissiveFactor(0.0, 0.0, 0.0);  // VTK's default is white
@@ -78,7 +79,7 @@ void PreviewSphere::applyMaterial() {
   binding->weights = false;
   binding->sky = false;
   binding->diffuse = diffuse;
-  mapper_->SetBinding(std::move(binding));
+  actor_->GetPass()->SetBinding(std::move(binding));
 }
 
 void PreviewSphere::show(const PreviewSphereSettings& settings) {

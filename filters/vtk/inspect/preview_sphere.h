@@ -3,7 +3,6 @@
 // before it), so that no capture, explanation or exported picture sees it; hidden it is not there at all.
 #pragma once
 
-#include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
 #include <memory>
@@ -11,7 +10,7 @@
 #include "filters/core/scene/scene.h"
 #include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/inspect/preview_settings.h"
-#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
+#include "filters/vtk/surface/vtkProbeActor.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
@@ -45,8 +44,7 @@ class PreviewSphere {
   std::shared_ptr<DrawState> state_;
   PreviewSphereSettings settings_;
   vtkSmartPointer<vtkRenderer> layer_;  ///< null until it is first shown
-  vtkSmartPointer<vtkActor> actor_;
-  vtkSmartPointer<vtkProbePolyDataMapper> mapper_;
+  vtkSmartPointer<vtkProbeActor> actor_;
   std::shared_ptr<DrawnProbe> drawn_ = std::make_shared<DrawnProbe>();
 };
 

@@ -42,7 +42,7 @@ std::pair<double, double> ShownView::range(const SceneContent& content) const {
 }
 
 void ShownView::apply(SceneContent& content, DrawState& state, vtkRenderer* renderer) {
-  for (DrawnObject& object : content.objects) object.mapper->SetDebug(any());
+  for (DrawnObject& object : content.objects) object.pass->SetDebug(any());
   const auto [low, high] = range(content);
   state.setDebugView({settings_.view, static_cast<float>(low), static_cast<float>(high)});
   std::vector<std::string> names;

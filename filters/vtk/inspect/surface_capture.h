@@ -28,7 +28,7 @@ struct PixelRect {
 };
 
 struct SurfacePixel {
-  int object = 0;  ///< number the mapper was given; 0: background; -1: none that a mapper is given
+  int object = 0;  ///< number the pass was given; 0: background; -1: none that a pass is given
   SurfacePoint point;
   glm::vec3 color{0.0f};              ///< linear, as drawn
   std::array<glm::vec4, 4> finish{};  ///< if asked for: what gpu/surface_output.glsl writes of it; else 0

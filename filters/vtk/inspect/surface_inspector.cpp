@@ -20,28 +20,18 @@ SurfaceInspector::SurfaceInspector(vtkOpenGLRenderWindow* window, std::shared_pt
                                    SceneContent* content)
     : window_(window), state_(std::move(state)), content_(content), capture_(window, state_) {}
 
-// Shares geometry, property and textures with the object; only the program is another one.
 vtkProp* SurfaceInspector::twinOf(std::size_t index) {
   const DrawnObject& object = content_->objects[index];
-  Twin& twin = twins_[index];
-  if (!twin.actor) {
-    twin.mapper = vtkSmartPointer<vtkProbePolyDataMapper>::New();
-    twin.mapper->SetInputData(object.mapper->GetInput());
-    twin.mapper->ScalarVisibilityOff();
-    twin.mapper->SetDrawState(state_);
-    twin.mapper->SetSurface(object.surface);
-    twin.mapper->SetDebug(true);
-    twin.mapper->SetObjectNumber(static_cast<int>(index) + 1);
-    twin.actor = vtkSmartPointer<vtkActor>::New();
-    twin.actor->SetMapper(twin.mapper);
-    twin.actor->SetProperty(object.actor->GetProperty());
-    twin.actor->SetForceOpaque(object.actor->GetForceOpaque());
-    twin.actor->SetForceTranslucent(object.actor->GetForceTranslucent());
+  vtkSmartPointer<vtkProbeActor>& twin = twins_[index];
+  if (!twin) {
+    twin = makeTwin(object, state_);
+    twin->GetPass()->SetDebug(true);
+    twin->GetPass()->SetObjectNumber(static_cast<int>(index) + 1);
   }
-  twin.actor->SetUserMatrix(object.actor->GetUserMatrix());
-  twin.mapper->SetBinding(object.mapper->GetSharedBinding());
-  twin.mapper->SetMirror(object.mapper->GetMirror());
-  return twin.actor;
+  twin->SetUserMatrix(object.actor->GetUserMatrix());
+  twin->GetPass()->SetBinding(object.pass->GetSharedBinding());
+  twin->GetPass()->SetMirror(object.pass->GetMirror());
+  return twin;
 }
 
 // Those whose bounds' corners surround the pixel on the screen: the others cannot be what it shows.
@@ -148,8 +138,8 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
 // Where a program that writes the first attachment alone was drawn, the others hold anything.
 void SurfaceInspector::requireTold(const std::vector<vtkProp*>& props, const std::vector<SurfacePixel>& pixels) const {
   const bool refused = std::any_of(twins_.begin(), twins_.end(), [&](const auto& entry) {
-    const Twin& twin = entry.second;
-    return twin.mapper->GetDebugRefused() && std::find(props.begin(), props.end(), twin.actor.Get()) != props.end();
+    vtkProbeActor* twin = entry.second;
+    return twin->GetPass()->GetDebugRefused() && std::find(props.begin(), props.end(), twin) != props.end();
   });
   const int count = static_cast<int>(content_->objects.size());
   const bool wrong = std::any_of(pixels.begin(), pixels.end(),
@@ -190,14 +180,13 @@ PointFinish pointFinish(const SurfacePixel& pixel, const SurfaceMaterial& surfac
 
 Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   const DrawnObject& object = content_->objects[static_cast<std::size_t>(pixel.object - 1)];
-  const ProbeBinding& binding = *object.mapper->GetBinding();
+  const ProbeBinding& binding = *object.pass->GetBinding();
   ExplainInput in;
   in.surface = pixel.point;
   in.surface.object = object.node;
   in.surface.material = object.materialName;
   in.surface.frame = state_->pass().frame;
-  if (object.surface->finished() && !object.mapper->DrawsGlass())
-    in.surface.finish = pointFinish(pixel, *object.surface);
+  if (object.surface->finished() && !object.pass->DrawsGlass()) in.surface.finish = pointFinish(pixel, *object.surface);
   in.lighting = binding.lighting == Lighting::Probes  ? ExplainInput::Lighting::Probes
                 : binding.lighting == Lighting::Unlit ? ExplainInput::Lighting::Unlit
                                                       : ExplainInput::Lighting::Plain;
@@ -226,7 +215,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.skyMaps = onCpu(state_->resources.sky).get();
   in.energy = content_->scene.energy;
   in.lights = content_->scene.lights;
-  if (object.mapper->DrawsGlass()) {
+  if (object.pass->DrawsGlass()) {
     int faceSize = state_->resources.sky ? state_->resources.sky->radiance.faceSize() : 0;
     for (const auto& probe : binding.probes) {
       if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
@@ -237,7 +226,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     in.surface.transmission = in.glass->transmission;
   }
   shading::MirrorLook look{};
-  const auto mirror = object.mapper->GetMirror();
+  const auto mirror = object.pass->GetMirror();
   if (mirror != nullptr && mirror->shown) {
     look = mirror->look;
     look.picture = mirror->texels.get();
@@ -252,7 +241,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
 
 void SurfaceInspector::release() {
   capture_.release();
-  for (auto& [index, twin] : twins_) twin.actor->ReleaseGraphicsResources(window_);
+  for (auto& [index, twin] : twins_) twin->ReleaseGraphicsResources(window_);
   twins_.clear();
   copies_.clear();
 }

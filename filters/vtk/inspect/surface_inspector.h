@@ -37,10 +37,6 @@ class SurfaceInspector {
 
  private:
   bool needsFinish() const;
-  struct Twin {
-    vtkSmartPointer<vtkActor> actor;
-    vtkSmartPointer<vtkProbePolyDataMapper> mapper;
-  };
   vtkProp* twinOf(std::size_t object);
   std::vector<vtkProp*> twinsAt(vtkCamera* camera, double aspect, const glm::dvec2& center, const glm::dvec2& halfSize);
   Explanation explainOne(const SurfacePixel& pixel);
@@ -51,7 +47,7 @@ class SurfaceInspector {
   SceneContent* content_;
   SurfaceCapture capture_;
   std::vector<MovingMap> movingMaps_;  ///< as the last explanation saw them
-  std::map<std::size_t, Twin> twins_;
+  std::map<std::size_t, vtkSmartPointer<vtkProbeActor>> twins_;
   struct Copy {
     std::weak_ptr<const ProbeMaps> of;
     LevelMask filtered;

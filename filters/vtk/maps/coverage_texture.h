@@ -1,5 +1,6 @@
 // What a probe lets through, as a cubemap whose levels are plain means, made from the coverage it was captured with
-// when a draw first asks for a light's shadow. Called by the mapper, with the window's context current; knows no scene.
+// when a draw first asks for a light's shadow. Called by the probe pass, with the window's context current; knows no
+// scene.
 #pragma once
 
 #include <memory>

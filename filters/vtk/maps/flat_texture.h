@@ -1,6 +1,6 @@
 // A probe's filtered chain as one flat texture (filters/math/cube/flat_cube.h), for programs of software renderers that
-// have resting numbers as constants: made when a draw first wants it. Called by the mapper, with the window's context
-// current; knows no scene.
+// have resting numbers as constants: made when a draw first wants it. Called by the probe pass, with the window's
+// context current; knows no scene.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // A probe's light table (filters/math/cube/light_table.h) as a texture, made from the capture when a draw first wants
-// it. Called by the mapper, with the window's context current; knows no scene.
+// it. Called by the probe pass, with the window's context current; knows no scene.
 #pragma once
 
 #include <cstddef>

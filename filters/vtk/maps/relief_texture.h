@@ -1,5 +1,5 @@
 // A probe's relief (filters/math/cube/relief.h) as a texture, made from its distances when a draw first wants it.
-// Called by the mapper, with the window's context current; knows no scene.
+// Called by the probe pass, with the window's context current; knows no scene.
 #pragma once
 
 #include <memory>

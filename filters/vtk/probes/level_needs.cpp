@@ -14,7 +14,7 @@ void LevelNeeds::update() {
   sky_ = {};
   whole_ = false;
   for (const DrawnObject& object : content_->objects) {
-    const ProbeBinding* binding = object.mapper->GetBinding();
+    const ProbeBinding* binding = object.pass->GetBinding();
     if (!object.settings.visible || binding == nullptr || binding->lighting != Lighting::Probes) continue;
     const bool glass = object.surface->glass.drawn;
     const Lookup own{{}, object.roughnessMin, object.roughnessMax};

@@ -1,4 +1,4 @@
-// One piece of work of the probe set: a cube map to make or to load. Planned by ProbePlan, done by ProbeWork; plain
+// One piece of work of the probe set: a cube map to make or to load. Planned by ProbePlan, done by ProbeBaker; plain
 // data, knows neither OpenGL nor VTK.
 #pragma once
 

@@ -6,9 +6,14 @@
 #include <map>
 #include <new>
 
+#include "filters/vtk/capture/cube_capture.h"
 #include "filters/vtk/draw/constant_plans.h"
 #include "filters/vtk/draw/surface_facts.h"
+#include "filters/vtk/probes/level_needs.h"
 #include "filters/vtk/probes/probe_assignment.h"
+#include "filters/vtk/probes/probe_plan.h"
+#include "filters/vtk/probes/shown_probes.h"
+#include "filters/vtk/scene/scene_content.h"
 
 namespace boxprobe {
 
@@ -16,79 +21,83 @@ namespace {
 
 // What an object's program is, facts and constants apart.
 std::string generalProgram(const DrawnObject& object) {
-  const ProbeBinding* binding = object.mapper->GetBinding();
+  const ProbeBinding* binding = object.pass->GetBinding();
   return object.surface->programKey() + (object.actor->GetProperty()->GetCoatStrength() > 0.0 ? "c" : "") +
-         (object.mapper->GetMirror() ? "m" : "") + (binding != nullptr ? binding->variantKey() : "");
+         (object.pass->GetMirror() ? "m" : "") + (binding != nullptr ? binding->variantKey() : "");
 }
 
 SurfaceFacts foldedFacts(const DrawnObject& object) {
-  return object.mapper->GetFoldableFacts() & surfaceFacts(*object.surface, object.actor->GetProperty());
+  return object.pass->GetFoldableFacts() & surfaceFacts(*object.surface, object.actor->GetProperty());
 }
 
 }  // namespace
 
+void ProbePrograms::assign() {
+  assign(!with_.plan->interactive());
+}
+
 void ProbePrograms::assign(bool newProgramsAllowed) {
-  const auto drawn = shown_->all();
+  const auto drawn = with_.shown->all();
   toPrepare_.clear();
   unfoldConstants();
-  for (std::size_t i = 0; i < content_->objects.size(); ++i) {
-    DrawnObject& object = content_->objects[i];
-    const auto meeting = entries_->places().meeting(worldBounds(object));
-    auto binding = assignProbes(object, content_->scene, drawn, meeting, plan_->enabled(), plan_->interactive());
+  for (std::size_t i = 0; i < with_.content->objects.size(); ++i) {
+    DrawnObject& object = with_.content->objects[i];
+    const auto meeting = with_.entries->places().meeting(worldBounds(object));
+    auto binding =
+        assignProbes(object, with_.content->scene, drawn, meeting, with_.plan->enabled(), with_.plan->interactive());
     const std::string key = binding->variantKey();
-    const ProbeBinding* current = object.mapper->GetBinding();
+    const ProbeBinding* current = object.pass->GetBinding();
     // A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
     if (!newProgramsAllowed && current != nullptr && current->variantKey() != key && variantsUsed_.count(key) == 0)
       continue;
     variantsUsed_.insert(key);
-    object.mapper->SetBinding(std::move(binding));
-    if (plan_->interactive()) continue;
-    const auto general = assignProbes(object, content_->scene, drawn, meeting, plan_->enabled(), true);
+    object.pass->SetBinding(std::move(binding));
+    if (with_.plan->interactive()) continue;
+    const auto general = assignProbes(object, with_.content->scene, drawn, meeting, with_.plan->enabled(), true);
     if (editable_ && general->variantKey() != key) prepare(i, general);
     if (!standInsAllowed_) continue;
-    prepare(i, object.mapper->GetBinding()->standIn());
+    prepare(i, object.pass->GetBinding()->standIn());
     if (editable_) prepare(i, general->standIn());
   }
   recordUse();
-  needs_->update();
+  with_.needs->update();
   updateStandIns();
   foldFacts();
 }
 
 // Not while a handle is held: other facts may mean other programs.
 void ProbePrograms::foldFacts() {
-  if (plan_->interactive()) return;
+  if (with_.plan->interactive()) return;
   std::vector<FactUse> uses;
-  for (const DrawnObject& object : content_->objects) {
+  for (const DrawnObject& object : with_.content->objects) {
     uses.push_back({generalProgram(object), surfaceFacts(*object.surface, object.actor->GetProperty())});
   }
   const std::vector<SurfaceFacts> facts = foldableFacts(uses);
-  for (std::size_t i = 0; i < facts.size(); ++i) content_->objects[i].mapper->SetFoldableFacts(facts[i]);
+  for (std::size_t i = 0; i < facts.size(); ++i) with_.content->objects[i].pass->SetFoldableFacts(facts[i]);
 }
 
 void ProbePrograms::unfoldConstants() {
   toFold_.clear();
-  for (const DrawnObject& object : content_->objects) object.mapper->SetConstants(nullptr);
+  for (const DrawnObject& object : with_.content->objects) object.pass->SetConstants(nullptr);
 }
 
 void ProbePrograms::foldConstants() {
   toFold_.clear();
-  const auto& probes = content_->scene.probes;
+  const auto& probes = with_.content->scene.probes;
   // A probe captured over and over never rests.
   const bool never =
       std::any_of(probes.begin(), probes.end(), [](const Probe& probe) { return probe.mode == ProbeMode::Realtime; });
-  if (plan_->interactive() || moving_ || never) return;
+  if (with_.plan->interactive() || moving_ || never) return;
   std::vector<std::size_t> objects;
   std::vector<ConstantUse> uses;
   std::set<std::string> general, folded;
-  for (std::size_t i = 0; i < content_->objects.size(); ++i) {
-    const DrawnObject& object = content_->objects[i];
-    if (!object.settings.visible || object.mapper->GetDrawnBinding() == nullptr) continue;
+  for (std::size_t i = 0; i < with_.content->objects.size(); ++i) {
+    const DrawnObject& object = with_.content->objects[i];
+    if (!object.settings.visible || object.pass->GetDrawnBinding() == nullptr) continue;
     const std::string program = generalProgram(object);
     general.insert(program);
     objects.push_back(i);
-    uses.push_back(
-        {program + "/" + std::to_string(foldedFacts(object)), object.mapper->GetRestingValues(object.actor)});
+    uses.push_back({program + "/" + std::to_string(foldedFacts(object)), object.pass->GetRestingValues(object.actor)});
     folded.insert(uses.back().program);
   }
   const std::size_t most = general.size() + general.size() / 2;
@@ -99,7 +108,7 @@ void ProbePrograms::foldConstants() {
     Fold& fold = folds[{uses[k].program, plans[k].get()}];
     fold.objects.push_back(objects[k]);
     if (fold.plan) continue;
-    const std::string variant = content_->objects[objects[k]].mapper->GetDrawnBinding()->variantKey();
+    const std::string variant = with_.content->objects[objects[k]].pass->GetDrawnBinding()->variantKey();
     fold.plan = std::make_shared<const ConstantsPlan>(ConstantsPlan{variant, *plans[k]});
   }
   for (auto& fold : folds) toFold_.push_back(std::move(fold.second));
@@ -109,42 +118,46 @@ void ProbePrograms::foldConstants() {
 void ProbePrograms::foldNext() {
   const Fold fold = std::move(toFold_.back());
   toFold_.pop_back();
-  const DrawnObject& first = content_->objects[fold.objects.front()];
-  first.mapper->SetConstants(fold.plan);
+  const DrawnObject& first = with_.content->objects[fold.objects.front()];
+  first.pass->SetConstants(fold.plan);
   CaptureSettings settings;
   settings.originWorld = worldBounds(first).center();
   bool refused = false;
   try {
-    capture_->drawOnce(settings, {first.actor}, content_->lightPointers());
-    refused = first.mapper->GetConstantsRefused();
+    with_.capture->drawOnce(settings, {first.actor}, with_.content->lightPointers());
+    refused = first.pass->GetConstantsRefused();
   } catch (const std::bad_alloc&) {
     refused = true;
   }
   if (refused) {
-    first.mapper->SetConstants(nullptr);
+    first.pass->SetConstants(nullptr);
     return;
   }
-  for (const std::size_t object : fold.objects) content_->objects[object].mapper->SetConstants(fold.plan);
-  state_->counts.counters.constantsFolded += fold.objects.size();
+  for (const std::size_t object : fold.objects) with_.content->objects[object].pass->SetConstants(fold.plan);
+  with_.state->counts.counters.constantsFolded += fold.objects.size();
 }
 
 // By what objects are drawn with, not by what meets them.
 void ProbePrograms::recordUse() {
-  state_->resources.shadowLightsInUse.clear();
+  with_.state->resources.shadowLightsInUse.clear();
   std::vector<ObjectUse> uses;
-  for (const DrawnObject& object : content_->objects) {
+  for (const DrawnObject& object : with_.content->objects) {
     ObjectUse use;
     use.lit = !object.unlit && object.settings.visible;
-    if (const ProbeBinding* binding = object.mapper->GetBinding()) {
-      state_->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
+    if (const ProbeBinding* binding = object.pass->GetBinding()) {
+      with_.state->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
       for (const auto& probe : binding->probes) {
         // During a drag an object may still be drawn with one that is no longer in the list.
-        if (shown_->has(*probe)) use.probes.push_back(static_cast<std::size_t>(probe->index));
+        if (with_.shown->has(*probe)) use.probes.push_back(static_cast<std::size_t>(probe->index));
       }
     }
     uses.push_back(std::move(use));
   }
-  entries_->setUse(std::move(uses));
+  with_.entries->setUse(std::move(uses));
+}
+
+bool ProbePrograms::pending() const {
+  return !with_.plan->interactive() && !moving_ && (!toPrepare_.empty() || !toFold_.empty());
 }
 
 void ProbePrograms::prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding) {
@@ -160,19 +173,19 @@ void ProbePrograms::allowStandIns(bool allowed) {
 bool ProbePrograms::setMoving(bool moving) {
   moving_ = moving && standInsAllowed_;
   updateStandIns();
-  const auto& objects = content_->objects;
+  const auto& objects = with_.content->objects;
   const bool any = std::any_of(objects.begin(), objects.end(), [](const DrawnObject& object) {
-    return object.settings.visible && object.mapper->GetDrawnBinding() != object.mapper->GetBinding();
+    return object.settings.visible && object.pass->GetDrawnBinding() != object.pass->GetBinding();
   });
   moving_ = moving_ && any;
   return any;
 }
 
 void ProbePrograms::updateStandIns() {
-  const bool show = moving_ && !plan_->capturesLast();
-  for (DrawnObject& object : content_->objects) {
-    const auto cheap = show && object.mapper->GetBinding() ? object.mapper->GetBinding()->standIn() : nullptr;
-    object.mapper->SetStandIn(cheap && prepared_.count(cheap->variantKey() + "/" + object.materialName) > 0);
+  const bool show = moving_ && !with_.plan->capturesLast();
+  for (DrawnObject& object : with_.content->objects) {
+    const auto cheap = show && object.pass->GetBinding() ? object.pass->GetBinding()->standIn() : nullptr;
+    object.pass->SetStandIn(cheap && prepared_.count(cheap->variantKey() + "/" + object.materialName) > 0);
   }
 }
 
@@ -181,18 +194,18 @@ void ProbePrograms::prepareOne() {
   if (toPrepare_.empty()) return foldNext();
   auto [index, general] = std::move(toPrepare_.back());
   toPrepare_.pop_back();
-  DrawnObject& object = content_->objects[index];
+  DrawnObject& object = with_.content->objects[index];
   if (!object.settings.visible || !prepared_.insert(general->variantKey() + "/" + object.materialName).second) return;
-  const auto binding = object.mapper->GetSharedBinding();
+  const auto binding = object.pass->GetSharedBinding();
   variantsUsed_.insert(general->variantKey());
-  const bool apart = object.mapper->GetSeparateSpecular();
-  object.mapper->SetSeparateSpecular(apart && general->blurredSamples() > 0);
-  object.mapper->SetBinding(std::move(general));
+  const bool apart = object.pass->GetSeparateSpecular();
+  object.pass->SetSeparateSpecular(apart && general->blurredSamples() > 0);
+  object.pass->SetBinding(std::move(general));
   CaptureSettings settings;
   settings.originWorld = worldBounds(object).center();
-  capture_->drawOnce(settings, {object.actor}, content_->lightPointers());
-  object.mapper->SetBinding(binding);
-  object.mapper->SetSeparateSpecular(apart);
+  with_.capture->drawOnce(settings, {object.actor}, with_.content->lightPointers());
+  object.pass->SetBinding(binding);
+  object.pass->SetSeparateSpecular(apart);
 }
 
 }  // namespace boxprobe

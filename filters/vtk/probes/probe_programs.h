@@ -8,31 +8,20 @@
 #include <utility>
 #include <vector>
 
-#include "filters/vtk/capture/cube_capture.h"
+#include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/draw/resting_values.h"
-#include "filters/vtk/probes/level_needs.h"
-#include "filters/vtk/probes/probe_plan.h"
-#include "filters/vtk/probes/shown_probes.h"
-#include "filters/vtk/scene/scene_content.h"
+#include "filters/vtk/probes/probe_context.h"
 
 namespace boxprobe {
 
 class ProbePrograms {
  public:
-  /// All pointers must outlive this.
-  ProbePrograms(SceneContent* content, std::shared_ptr<DrawState> state, CubeCapture* capture, ProbeEntries* entries,
-                const ProbePlan* plan, const ShownProbes* shown, LevelNeeds* needs)
-      : content_(content),
-        state_(std::move(state)),
-        capture_(capture),
-        entries_(entries),
-        plan_(plan),
-        shown_(shown),
-        needs_(needs) {}
+  /// `with` and all that it points to must outlive this.
+  explicit ProbePrograms(const ProbeContext& with) : with_(with) {}
 
   /// Gives every object the probes whose influence meets it; during a drag only as far as there are programs for it
   /// already.
-  void assign() { assign(!plan_->interactive()); }
+  void assign();
   /// The same, whether a program has to be compiled for it or not.
   void assignAll() { assign(true); }
 
@@ -52,7 +41,7 @@ class ProbePrograms {
   void foldConstants();
 
   /// Is there a program to compile, and nothing moves meanwhile?
-  bool pending() const { return !plan_->interactive() && !moving_ && (!toPrepare_.empty() || !toFold_.empty()); }
+  bool pending() const;
   void prepareOne();
   void giveUp() {
     toPrepare_.clear();
@@ -74,13 +63,7 @@ class ProbePrograms {
     std::vector<std::size_t> objects;
   };
 
-  SceneContent* content_;
-  std::shared_ptr<DrawState> state_;
-  CubeCapture* capture_;
-  ProbeEntries* entries_;
-  const ProbePlan* plan_;
-  const ShownProbes* shown_;
-  LevelNeeds* needs_;
+  const ProbeContext& with_;
   bool editable_ = false, standInsAllowed_ = false, moving_ = false;
 
   std::set<std::string> variantsUsed_;  ///< program variants objects have had so far

@@ -8,8 +8,8 @@ namespace boxprobe {
 
 ProbeSet::ProbeSet(vtkOpenGLRenderWindow* window, const std::shared_ptr<DrawState>& state, CubeCapture* capture,
                    SceneContent* content, Times* times)
-    : content_(content),
-      state_(state),
+    : with_{content, state,  capture, &cache_, &sources_, &entries_,
+            &keys_,  &plan_, &shown_, &needs_, &light_,   &programs_},
       sources_{[this](const std::string& key) { return cache_.find(key) != nullptr; }, {}, {}, {}},
       entries_(&content->scene),
       keys_(&entries_, &sources_),
@@ -18,11 +18,8 @@ ProbeSet::ProbeSet(vtkOpenGLRenderWindow* window, const std::shared_ptr<DrawStat
       needs_(content, &shown_, state.get()),
       light_(content, state, &shown_),
       errors_(&entries_, &shown_, state),
-      programs_(content, state, capture, &entries_, &plan_, &shown_, &needs_),
-      items_(content, &entries_, &keys_, &sources_, &cache_, &shown_, &needs_),
-      publisher_(state, &entries_, &keys_, &plan_, &cache_, &shown_, &light_, &programs_),
-      runner_(window, state, capture, times),
-      work_(&runner_, state, &entries_, &keys_, &plan_, &sources_, &programs_, &items_, &publisher_) {}
+      programs_(with_),
+      baker_(with_, window, times) {}
 
 void ProbeSet::updateShapes() {
   if (const auto origins = entries_.match()) shown_.rearrange(*origins);
@@ -36,41 +33,41 @@ void ProbeSet::updateKeys() {
 }
 
 void ProbeSet::updateCaptures() {
-  keys_.setWorld(inputs_.world(*content_, entries_.places()));
-  sources_.pictures.update(content_->scene);
+  keys_.setWorld(inputs_.world(*with_.content, entries_.places()));
+  sources_.pictures.update(with_.content->scene);
   updateKeys();
-  sources_.skyLevels = content_->skyImage ? skyLevelsFile(content_->skyImageFile()) : std::string();
-  plan_.wantSky(keys_.world().sky, content_->skyImage ? content_->skyImage->width : 0);
-  work_.replan();
+  sources_.skyLevels = with_.content->skyImage ? skyLevelsFile(with_.content->skyImageFile()) : std::string();
+  plan_.wantSky(keys_.world().sky, with_.content->skyImage ? with_.content->skyImage->width : 0);
+  baker_.replan();
 }
 
 // Where the scene's list has changed already, its entries follow with updateShapes(), and so does the plan.
 void ProbeSet::setSeen(std::optional<std::vector<std::size_t>> objects) {
   if (!entries_.setSeen(std::move(objects)) || !entries_.matched()) return;
   updateKeys();
-  work_.replan();
+  baker_.replan();
 }
 
 void ProbeSet::setInteractive(bool interactive) {
   if (plan_.interactive() == interactive) return;
   plan_.setInteractive(interactive);
-  state_->setDragging(interactive);
+  with_.state->setDragging(interactive);
   programs_.assignAll();
-  work_.replan();
+  baker_.replan();
 }
 
 void ProbeSet::setEnabled(bool enabled) {
   if (plan_.enabled() == enabled) return;
   plan_.setEnabled(enabled);
   assignToObjects();
-  work_.replan();
+  baker_.replan();
 }
 
 void ProbeSet::setBakeTargets(const std::vector<std::string>& names) {
   plan_.setTargets({names.begin(), names.end()});
   needs_.setAll(!names.empty());
   updateKeys();
-  work_.replan();
+  baker_.replan();
 }
 
 std::vector<std::string> ProbeSet::bakeKeys(const std::string& probeName) const {
@@ -86,7 +83,7 @@ std::vector<std::string> ProbeSet::bakeKeys(const std::string& probeName) const 
 void ProbeSet::useBakedFiles(const std::string& folder) {
   sources_.folder = folder.empty() ? BakeFolder() : BakeFolder(folder);
   updateKeys();
-  work_.replan();
+  baker_.replan();
 }
 
 std::vector<std::string> ProbeSet::sourceRemarks() const {
@@ -99,7 +96,7 @@ void ProbeSet::requestBake(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (const auto index = entries_.find(name)) makeAnew(*index);
   }
-  work_.abort();
+  baker_.abort();
   updateCaptures();
 }
 
@@ -120,7 +117,7 @@ void ProbeSet::makeAnew(std::size_t index) {
 
 void ProbeSet::giveUp() {
   levelsMade_ = 0;
-  work_.giveUp();
+  baker_.giveUp();
   programs_.giveUp();
 }
 
@@ -138,7 +135,7 @@ void ProbeSet::doOne() {
   if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return giveUp();
   // First, because what is drawn meanwhile shows too little of a blur.
   if (levelsPending()) return makeLevel();
-  if (work_.step()) return;
+  if (baker_.step()) return;
   if (const auto index = toMeasure()) {
     errors_.measure(*index);
     assignToObjects();
@@ -159,14 +156,14 @@ void ProbeSet::makeLevel() {
     entries_[i].passes = probe.bounces;
     again = true;
   }
-  if (again) work_.replan();
+  if (again) baker_.replan();
 }
 
 double ProbeSet::progress() const {
   if (!workPending()) return 1.0;
   constexpr double kMost = 0.99;  // programs and measurements are not counted
   const double levels = plan_.interactive() ? 0.0 : needs_.left();
-  const double done = work_.unitsDone() + levelsMade_, left = work_.unitsLeft() + levels;
+  const double done = baker_.unitsDone() + levelsMade_, left = baker_.unitsLeft() + levels;
   return done + left > 0.0 ? std::min(done / (done + left), kMost) : kMost;
 }
 
@@ -194,7 +191,7 @@ std::size_t ProbeSet::memoryBytes() const {
 }
 
 void ProbeSet::release() {
-  work_.release();
+  baker_.release();
   cache_.clear();
   shown_.release();
   for (std::size_t i = 0; i < entries_.size(); ++i) {

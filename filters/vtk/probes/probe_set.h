@@ -2,7 +2,7 @@
 // which object uses which probe. Owned by the scene renderer; puts its parts in touch and holds nothing else:
 //
 //   ProbeEntries    what each probe shows and should show, by key      ProbeKeys   those keys
-//   ProbePlan       what has to be made, in which order                ProbeWork   makes it, publishes it
+//   ProbePlan       what has to be made, in which order                ProbeBaker  makes it and shows it
 //   ShownProbes     the maps probes are drawn with                     ProbeLight, ProbeErrors   what follows from them
 //   ProbePrograms   which object is drawn with which probes
 //
@@ -18,14 +18,13 @@
 #include <vector>
 
 #include "filters/vtk/maps/map_cache.h"
-#include "filters/vtk/probes/bake_items.h"
 #include "filters/vtk/probes/capture_inputs.h"
+#include "filters/vtk/probes/level_needs.h"
+#include "filters/vtk/probes/probe_baker.h"
 #include "filters/vtk/probes/probe_errors.h"
 #include "filters/vtk/probes/probe_light.h"
 #include "filters/vtk/probes/probe_plan.h"
 #include "filters/vtk/probes/probe_programs.h"
-#include "filters/vtk/probes/probe_publisher.h"
-#include "filters/vtk/probes/probe_work.h"
 #include "filters/vtk/probes/shown_probes.h"
 
 namespace boxprobe {
@@ -78,7 +77,7 @@ class ProbeSet {
   bool followsSeen() const { return plan_.enabled() && plan_.targets().empty(); }
 
   bool workPending() const {
-    return work_.pending() || levelsPending() || toMeasure().has_value() || programs_.pending();
+    return baker_.pending() || levelsPending() || toMeasure().has_value() || programs_.pending();
   }
   void step();
   /// From 0 to 1, of all that was planned since there last was nothing to do; below 1 while anything is pending.
@@ -105,8 +104,7 @@ class ProbeSet {
   void updateKeys();
   void makeAnew(std::size_t index);
 
-  const SceneContent* content_;
-  std::shared_ptr<DrawState> state_;
+  ProbeContext with_;
   MapCache cache_;
   CaptureInputs inputs_;
   ProbeSources sources_;
@@ -118,10 +116,7 @@ class ProbeSet {
   ProbeLight light_;
   ProbeErrors errors_;
   ProbePrograms programs_;
-  ProbeItems items_;
-  ProbePublisher publisher_;
-  BakeRunner runner_;
-  ProbeWork work_;
+  ProbeBaker baker_;
   int levelsMade_ = 0;  ///< since there last was nothing to do
 };
 

@@ -2,6 +2,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -171,19 +172,17 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
       object.textureRoughnessMax = range.second;
     }
     object.unlit = object.material.unlit;
-    object.mapper = vtkSmartPointer<vtkProbePolyDataMapper>::New();
-    object.mapper->SetInputData(data[static_cast<std::size_t>(instance.mesh)]);
-    object.mapper->ScalarVisibilityOff();
-    object.mapper->SetDrawState(state);
-    object.actor = vtkSmartPointer<vtkActor>::New();
-    object.actor->SetMapper(object.mapper);
+    object.surface = makeSurface(object.material, mesh, textures);
+    object.mesh = &mesh;
+    const auto actor = vtkSmartPointer<vtkProbeActor>::New();
+    actor->SetShape(data[static_cast<std::size_t>(instance.mesh)], object.surface);
+    actor->GetPass()->SetDrawState(state);
+    object.actor = actor;
+    object.pass = actor->GetPass();
     placeObject(object, instance, placement);
 
     vtkProperty* property = object.actor->GetProperty();
     property->SetInterpolationToPBR();
-    object.surface = makeSurface(object.material, mesh, textures);
-    object.mesh = &mesh;
-    object.mapper->SetSurface(object.surface);
     object.actor->SetForceOpaque(object.material.alphaMode != AlphaMode::Blend);
     object.actor->SetForceTranslucent(object.material.alphaMode == AlphaMode::Blend);
     // Meshes under a mirroring transform come wound the other way already, so front faces are always the same.
@@ -191,6 +190,16 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
     objects.push_back(std::move(object));
   }
   return objects;
+}
+
+vtkSmartPointer<vtkProbeActor> makeTwin(const DrawnObject& object, std::shared_ptr<DrawState> state) {
+  auto twin = vtkSmartPointer<vtkProbeActor>::New();
+  twin->SetShape(vtkPolyData::SafeDownCast(object.actor->GetMapper()->GetInputDataObject(0, 0)), object.surface);
+  twin->GetPass()->SetDrawState(std::move(state));
+  twin->SetProperty(object.actor->GetProperty());
+  twin->SetForceOpaque(object.actor->GetForceOpaque());
+  twin->SetForceTranslucent(object.actor->GetForceTranslucent());
+  return twin;
 }
 
 void placeObject(DrawnObject& object, const Instance& instance, const ModelFile& placement) {

@@ -12,7 +12,7 @@
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
-#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
+#include "filters/vtk/surface/vtkProbeActor.h"
 
 namespace boxprobe {
 
@@ -31,14 +31,17 @@ struct DrawnObject {
   std::shared_ptr<SurfaceMaterial> surface;                     ///< its numbers follow the overrides
   const Mesh* mesh = nullptr;                                   ///< of the model, which lives as long
   vtkSmartPointer<vtkActor> actor;
-  std::optional<Box> placedBounds;  ///< world; in place of the actor's own: of a part that an assembly places
-  vtkSmartPointer<vtkProbePolyDataMapper> mapper;
+  std::optional<Box> placedBounds;     ///< world; in place of the actor's own: of a part that an assembly places
+  vtkSmartPointer<vtkProbePass> pass;  ///< that lights the actor
   ObjectOverride settings;
 };
 
 /// Objects of one model. Texture objects and vertex data are shared between its instances.
 std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placement,
                                      const std::shared_ptr<DrawState>& state);
+
+/// An actor that shares geometry, property and textures with the object's; only the program is another one.
+vtkSmartPointer<vtkProbeActor> makeTwin(const DrawnObject& object, std::shared_ptr<DrawState> state);
 
 /// Moves an object to where its model's entry puts it now.
 void placeObject(DrawnObject& object, const Instance& instance, const ModelFile& placement);

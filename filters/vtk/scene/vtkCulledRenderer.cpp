@@ -1,6 +1,5 @@
 #include "filters/vtk/scene/vtkCulledRenderer.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -12,7 +11,7 @@
 
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/scene/visible_search.h"
-#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
+#include "filters/vtk/surface/vtkProbeActor.h"
 
 vtkStandardNewMacro(vtkCulledRenderer);
 
@@ -20,9 +19,8 @@ namespace {
 
 // Glass comes after all that is seen through it, the sky included.
 bool mayBeReordered(vtkProp* prop) {
-  auto* actor = vtkActor::SafeDownCast(prop);
-  auto* mapper = actor != nullptr ? vtkProbePolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-  return mapper != nullptr && !mapper->DrawsGlass();
+  auto* actor = vtkProbeActor::SafeDownCast(prop);
+  return actor != nullptr && !actor->GetPass()->DrawsGlass();
 }
 
 }  // namespace

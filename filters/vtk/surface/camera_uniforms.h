@@ -1,4 +1,4 @@
-// What shaders are told of the camera. Called by the mapper and the sky when they draw; knows nothing of probes.
+// What shaders are told of the camera. Called by the probe pass and the sky when they draw; knows nothing of probes.
 #pragma once
 
 #include <array>

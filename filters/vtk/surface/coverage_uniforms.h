@@ -1,5 +1,5 @@
 // What the programs of draws with shadowed lights are told: lights, the probes' coverage, maps of what moves. Called by
-// the mapper while it draws; the texts that read it are shaders/gpu/coverage*.glsl and moving_shadow.glsl.
+// the probe pass while it draws; the texts that read it are shaders/gpu/coverage*.glsl and moving_shadow.glsl.
 #pragma once
 
 #include "filters/vtk/draw/draw_state.h"

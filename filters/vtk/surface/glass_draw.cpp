@@ -11,6 +11,7 @@ int drawGlassPasses(vtkOpenGLState* state, const GlassSurface& glass, const std:
   const vtkOpenGLState::ScopedglEnableDisable culling(state, GL_CULL_FACE);
   const vtkOpenGLState::ScopedglDepthMask depth(state);
   const vtkOpenGLState::ScopedglColorMask color(state);
+  state->vtkglDepthMask(GL_TRUE);
   int passes = 1;
   if (glass.walls) {
     // Each wall once, by the face of it that looks at the eye; blended in any order, for a wall takes little. Their

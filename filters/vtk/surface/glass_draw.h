@@ -1,5 +1,5 @@
-// How one glass object is drawn: which faces in which pass, and its uniforms. Called by the mapper for materials that
-// transmit light. Knows no scene.
+// How one glass object is drawn: which faces in which pass, and its uniforms. Called by vtkProbeActor for materials
+// that transmit light. Knows no scene.
 #pragma once
 
 #include <functional>

@@ -1,19 +1,17 @@
 #include "filters/vtk/surface/glass_order.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkProp.h>
 
 #include <algorithm>
 
-#include "filters/vtk/surface/vtkProbePolyDataMapper.h"
+#include "filters/vtk/surface/vtkProbeActor.h"
 
 namespace boxprobe {
 
 bool isGlass(vtkProp* prop) {
-  auto* actor = vtkActor::SafeDownCast(prop);
-  auto* mapper = actor != nullptr ? vtkProbePolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-  return mapper != nullptr && mapper->DrawsGlass();
+  auto* actor = vtkProbeActor::SafeDownCast(prop);
+  return actor != nullptr && actor->GetPass()->DrawsGlass();
 }
 
 std::vector<vtkProp*> glassLast(const std::vector<vtkProp*>& props, vtkCamera* camera) {

@@ -15,7 +15,7 @@ namespace {
 
 std::string parameterDeclarations(const ProbeBinding& binding) {
   std::string text;
-  if (binding.dark) return text;
+  if (binding.firstBounce) return text;
   for (const ParameterRow* row : binding.parameters()) {
     if (row->number != nullptr) text += "uniform float " + parameterUniform(*row) + "[BP_SLOTS];\n";
   }
@@ -25,7 +25,7 @@ std::string parameterDeclarations(const ProbeBinding& binding) {
 // What a slot's technique reads: numbers from uniforms, choices as constants, so that the compiler drops the code of
 // those not chosen.
 std::string parameterAssignments(const ProbeBinding& binding, std::size_t slot) {
-  if (binding.dark) return {};
+  if (binding.firstBounce) return {};
   const DrawnProbe& probe = *binding.probes[slot];
   std::string text;
   for (const ParameterRow* row : parametersOf(binding.technique(slot))) {
@@ -47,7 +47,7 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
     const bool open = binding.probes[slot]->open;
     const bool byLookup = binding.openByLookup(slot);
     replaceAll(piece, "@SPECULAR@",
-               binding.dark ? "  vec3 specular = vec3(0.0f);\n"
+               binding.firstBounce ? "  vec3 specular = vec3(0.0f);\n"
                : byLookup
                    ? "  bpOpenFrom = point.position;\n  bpOpenAlpha = roughness * roughness;\n  bpOpenHere = true;\n"
                      "  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;\n  bpOpenHere = false;\n"
@@ -60,7 +60,7 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
     const std::string index = "[" + std::to_string(slot) + "]";
     replaceAll(piece, "@BEVEL@",
                geometry.bevelled ? "bpBevel" + index + ".x + bpBevel" + index + ".y * roughness" : "0.0f");
-    replaceAll(piece, "@OCCLUDED@", geometry.occluded && !binding.dark ? "1" : "0");
+    replaceAll(piece, "@OCCLUDED@", geometry.occluded && !binding.firstBounce ? "1" : "0");
     replaceAll(piece, "@PROJECTION@", std::to_string(technique.projection));
     replaceAll(piece, "@EVALUATE@",
                std::string(evaluationRows()[static_cast<std::size_t>(technique.evaluation)].function));
@@ -98,7 +98,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
     for (const std::string_view file : evaluation.sharedFiles) addOnce(evaluationFiles, file);
     addOnce(evaluationFiles, evaluation.shaderFile);
   }
-  if (binding.probes.empty() || binding.dark) return {};
+  if (binding.probes.empty() || binding.firstBounce) return {};
   const auto& first = projectionRows()[static_cast<std::size_t>(binding.technique(0).projection)];
   return (binding.bevelled() ? joinShaderSources({"shared/rounded_box.glsl"}) : std::string()) +
          (binding.occluded() ? joinShaderSources({"shared/box_occlusion.glsl"}) : std::string()) +
@@ -137,7 +137,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   for (std::size_t slot = 0; debug && slot < binding.probes.size(); ++slot) {
     samplers += "uniform samplerCube bpDistanceMap" + std::to_string(slot) + ";\n";
   }
-  if (binding.distances() && !binding.dark)
+  if (binding.distances() && !binding.firstBounce)
     samplers += joinShaderSources({"shared/relief.glsl", "gpu/fetch_relief.glsl"});
   // A scene without planar mirrors compiles none of it.
   if (mirror) {

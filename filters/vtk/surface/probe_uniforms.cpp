@@ -163,8 +163,8 @@ void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBindin
 void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug, bool flatMaps) {
   uploadLight(to, state, binding, flatMaps);
   if (debug) uploadDistances(to, state.resources, binding);
-  if (binding.distances() && !binding.dark) uploadRelief(to, state, binding);
-  if (!binding.dark) uploadSampling(to, state, binding);
+  if (binding.distances() && !binding.firstBounce) uploadRelief(to, state, binding);
+  if (!binding.firstBounce) uploadSampling(to, state, binding);
   uploadOrigins(to, binding);
 }
 

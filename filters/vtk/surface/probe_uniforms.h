@@ -1,5 +1,6 @@
-// Uniforms of the probes and the sky that a draw uses, relative to the camera, from double. Called by the mapper while
-// it draws; the texts that read them are shaders/gpu/probe_lighting.glsl and what probe_source.h writes for each slot.
+// Uniforms of the probes and the sky that a draw uses, relative to the camera, from double. Called by the probe pass
+// while it draws; the texts that read them are shaders/gpu/probe_lighting.glsl and what probe_source.h writes for each
+// slot.
 #pragma once
 
 #include "filters/vtk/draw/draw_state.h"

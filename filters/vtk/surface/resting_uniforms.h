@@ -1,6 +1,6 @@
 // The numbers of a draw that rest between edits (draw/resting_values.h): of the sky and the probes that light it, and
-// of its material. Called by the mapper, which uploads them or draws with a program that has them as constants. What
-// goes with the camera, or differs between a capture and the picture by nature, is not among them.
+// of its material. Called by the probe pass, which uploads them or draws with a program that has them as constants.
+// What goes with the camera, or differs between a capture and the picture by nature, is not among them.
 #pragma once
 
 #include "filters/vtk/draw/draw_state.h"

@@ -1,4 +1,4 @@
-// What a surface's program writes: chosen by the mapper, compiled in by the splice. Knows neither.
+// What a surface's program writes: chosen by the probe pass, compiled in by the splice. Knows neither.
 #pragma once
 
 namespace boxprobe {

@@ -1,6 +1,6 @@
 // Uniforms of a surface itself: its material's textures and numbers, a planar mirror's picture over it, its glass.
-// Called by the mapper while it draws; the texts that read them are shaders/gpu/material.glsl, mirror_picture.glsl and
-// glass.glsl.
+// Called by the probe pass while it draws; the texts that read them are shaders/gpu/material.glsl, mirror_picture.glsl
+// and glass.glsl.
 #pragma once
 
 #include "filters/vtk/draw/mirror_picture.h"

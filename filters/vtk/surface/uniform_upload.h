@@ -1,5 +1,5 @@
 // One draw's program while its uniforms are uploaded: the camera it is seen through, and the textures that have to stay
-// bound until it is drawn. Handed by the mapper to the functions that upload one subject each (..._uniforms.h).
+// bound until it is drawn. Handed by the probe pass to the functions that upload one subject each (..._uniforms.h).
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,5 +1,5 @@
-// Uniforms of the debug view's programs: which view, its range and colours. Called by the mapper while it draws; the
-// text that reads them is shaders/gpu/surface_view.glsl.
+// Uniforms of the debug view's programs: which view, its range and colours. Called by the probe pass while it draws;
+// the text that reads them is shaders/gpu/surface_view.glsl.
 #pragma once
 
 #include "filters/vtk/draw/draw_state.h"

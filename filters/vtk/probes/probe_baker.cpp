@@ -1,0 +1,343 @@
+#include "filters/vtk/probes/probe_baker.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "filters/core/base/errors.h"
+#include "filters/vtk/maps/cube_transfer.h"
+#include "filters/vtk/probes/level_needs.h"
+#include "filters/vtk/probes/probe_light.h"
+#include "filters/vtk/probes/probe_plan.h"
+#include "filters/vtk/probes/probe_programs.h"
+#include "filters/vtk/probes/shown_probes.h"
+#include "filters/vtk/scene/scene_content.h"
+
+namespace boxprobe {
+
+void ProbeBaker::replan() {
+  showCached();
+  with_.plan->make();
+  if (with_.plan->jobs().empty()) {
+    earlier_.clear();
+    unitsDone_ = 0;
+    firstBouncePrograms_ = false;
+  }
+  if (!with_.plan->keepsCurrent()) abort();
+  if (with_.programs->moving()) with_.programs->updateStandIns();
+}
+
+bool ProbeBaker::pending() const {
+  return runner_.pending() || !with_.plan->jobs().empty();
+}
+
+bool ProbeBaker::step() {
+  if (!runner_.pending() && !with_.plan->jobs().empty()) {
+    const ProbeJob job = with_.plan->jobs().front();
+    if (job.kind == JobKind::File || job.kind == JobKind::Levels) {
+      load(job);
+      return true;
+    }
+    begin(job);
+  }
+  if (!runner_.pending()) return false;
+  ++unitsDone_;
+  runner_.step();
+  return true;
+}
+
+int ProbeBaker::unitsLeft() const {
+  if (!pending()) return 0;
+  int left = -runner_.unitsDone();
+  for (const ProbeJob& job : with_.plan->jobs()) {
+    const bool read = job.kind == JobKind::File || job.kind == JobKind::Levels;
+    left += read ? 1 : BakeRunner::units(job.faceSize, job.kind == JobKind::Realtime);
+  }
+  return std::max(left, 0);
+}
+
+void ProbeBaker::abort() {
+  runner_.abort();
+  with_.plan->end();
+}
+
+void ProbeBaker::giveUp() {
+  abort();
+  with_.plan->giveUp();
+  earlier_.clear();
+  unitsDone_ = 0;
+}
+
+void ProbeBaker::release() {
+  runner_.release();
+  with_.plan->end();
+  earlier_.clear();
+}
+
+// Programs for captures without reflections take CPU time to compile, which a few faces do not bring back. For files by
+// the probes of the scene, not by those that are left to make: shares of a bake are the same to the bit, and programs
+// may round differently.
+bool ProbeBaker::manyFirstBounces() const {
+  constexpr int kWorthPrograms = 4;  // probes
+  if (!with_.plan->targets().empty()) {
+    int baked = 0;
+    for (std::size_t i = 0; i < with_.entries->size(); ++i) baked += with_.entries->baked(i) ? 1 : 0;
+    return baked >= kWorthPrograms;
+  }
+  const auto first = [](const ProbeJob& job) { return job.kind == JobKind::Bounce && job.bounce == 1; };
+  return std::count_if(with_.plan->jobs().begin(), with_.plan->jobs().end(), first) >= kWorthPrograms;
+}
+
+void ProbeBaker::begin(const ProbeJob& job) {
+  firstBouncePrograms_ = firstBouncePrograms_ || manyFirstBounces();
+  const auto faces = std::make_shared<FaceKeys>();
+  BakeItem item = itemOf(job, faces);
+  item.levels = [this, name = job.name](int levels) {
+    if (name.empty()) return with_.needs->ofSky(levels);
+    const auto index = with_.entries->find(name);
+    return index ? with_.needs->ofProbe(*index, levels) : kAllLevels;
+  };
+  item.faceSize = job.faceSize;
+  item.bounce = job.bounce;
+  item.firstBouncePrograms = firstBouncePrograms_ && job.kind == JobKind::Bounce && !with_.state->resources.general;
+  Probe as;  // as its capture begins
+  if (const auto index = with_.entries->find(job.name)) {
+    as = with_.entries->probe(*index);
+    item.prefilter = prefilterSettings(as);
+  }
+  item.publish = [this, job, as, faces](std::shared_ptr<const ProbeMaps> maps) {
+    MadeMaps made{job, *faces, std::move(maps)};
+    if (job.kind == JobKind::Realtime) {
+      made.job.key = ProbeKeys::realtime(as, *faces);
+      if (!keepsCapture(as)) made.faces = {};
+    }
+    finish(std::move(made));
+  };
+  runner_.start(std::move(item));
+  with_.plan->begin(job);
+}
+
+BakeItem ProbeBaker::itemOf(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) {
+  switch (job.kind) {
+    case JobKind::SkyMap:
+      return sky();
+    case JobKind::Picture:
+      return picture(job);
+    case JobKind::Realtime:
+      return realtime(job, faces);
+    default:
+      return bounce(job, faces);
+  }
+}
+
+BakeItem ProbeBaker::sky() const {
+  BakeItem item;
+  item.sky = true;
+  // A sun of a few pixels must not fall between samples.
+  item.settings.samplesPerTexelSide = with_.content->skyImage ? 4 : 1;
+  item.face = [this](int) { return FaceSource{nullptr, {with_.content->sky}, with_.content->lightPointers()}; };
+  return item;
+}
+
+BakeItem ProbeBaker::picture(const ProbeJob& job) const {
+  BakeItem item;
+  item.picture = with_.sources->pictures.picture(job.name);
+  if (const auto index = with_.entries->find(job.name)) {
+    item.settings.originWorld = with_.entries->probe(*index).origin;
+  }
+  return item;
+}
+
+// Nearest first, by the farthest point of their bounds as in the window (vtkCulledRenderer), so that what walls hide is
+// not worked out.
+FaceSource ProbeBaker::faceSource(const Probe& probe, int face) const {
+  const CaptureWorld& world = with_.keys->world();
+  FaceSource source;
+  std::vector<std::pair<double, vtkProp*>> order;
+  for (const std::size_t i : objectsInFace(world, probe, face)) {
+    const Box& bounds = world.objects[i].boundsWorld;
+    const glm::dvec3 away = glm::max(glm::abs(bounds.min - probe.origin), glm::abs(bounds.max - probe.origin));
+    order.emplace_back(glm::dot(away, away), with_.content->objects[i].actor);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& object : order) source.props.push_back(object.second);
+  source.objects = source.props.size();
+  source.culled = with_.content->objects.size() - source.objects;
+  if (std::holds_alternative<ClearToSky>(probe.clear)) source.props.push_back(with_.content->sky);
+  source.lights = with_.content->lightPointers();
+  return source;
+}
+
+BakeItem ProbeBaker::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) {
+  const Probe as = with_.entries->probe(*with_.entries->find(job.name));
+  const bool drag = job.kind == JobKind::Drag;
+  BakeItem item;
+  item.settings = captureSettings(as);
+  item.reflectNothing = !drag && job.bounce == 1;
+  if (!drag && job.bounce > 1) {
+    item.drawing = [this, job](bool begins) { begins ? seeBounce(job) : with_.shown->seeAgain(); };
+  }
+  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = with_.shown->withoutSky(std::move(item.drawing));
+  item.face = [this, job, as, drag, faces](int face) {
+    FaceSource source;
+    const auto at = with_.entries->find(job.name);
+    if (!drag && at) {
+      std::string& key = (*faces)[static_cast<std::size_t>(face)];
+      key = with_.keys->face(*at, job.bounce, face);
+      if (!(*with_.entries)[*at].again) source.same = with_.cache->findFace(face, key);
+    }
+    return source.same ? source : faceSource(as, face);
+  };
+  return item;
+}
+
+// Every probe as it was captured a bounce before; null where that bounce does not show it. Realtime probes are not in
+// anybody's bounces.
+void ProbeBaker::seeBounce(const ProbeJob& job) const {
+  const auto of = with_.entries->find(job.name);  // the list may have changed since the job began
+  if (!of) return;
+  const BounceKeys& bounces = with_.keys->bounces();
+  const std::vector<std::size_t>& sees = bounces.sees(*of);
+  with_.shown->see([&](std::size_t i) -> std::shared_ptr<const ProbeMaps> {
+    const bool seen = std::find(sees.begin(), sees.end(), i) != sees.end();
+    const std::shared_ptr<const ProbeMaps> maps = seen ? with_.cache->find(bounces.key(i, job.bounce - 1)) : nullptr;
+    // They are not on show, so nobody else sees to what is sampled of them; and they may be older than the materials.
+    if (maps) maps->need(with_.needs->ofProbe(i, maps->radiance.levels()));
+    return maps;
+  });
+}
+
+// A realtime probe of several bounces sees the probes as they are, itself included, so each round adds a bounce: as
+// many rounds as it has bounces after the last change, then it rests.
+BakeItem ProbeBaker::realtime(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) {
+  const Probe as = with_.entries->probe(*with_.entries->find(job.name));
+  BakeItem item;
+  item.settings = captureSettings(as);
+  item.fewSteps = true;
+  item.reflectNothing = as.bounces == 1;
+  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = with_.shown->withoutSky({});
+  item.face = [this, as, faces](int face) {
+    const auto at = with_.entries->find(as.name);
+    const auto f = static_cast<std::size_t>(face);
+    (*faces)[f] = with_.keys->realtimeFace(as, face);
+    FaceSource source = faceSource(as, face);
+    if (!at) return source;
+    const bool reflects = as.bounces > 1 && !faceView(with_.keys->world(), as, face).lighting.empty();
+    if (!reflects && (*with_.entries)[*at].faces[f] == (*faces)[f]) source.same = with_.shown->drawn(*at).maps;
+    return source;
+  };
+  return item;
+}
+
+// A file that was damaged since it was looked at is as good as none: its probe, or the sky, is captured.
+void ProbeBaker::load(const ProbeJob& job) {
+  ++unitsDone_;
+  MadeMaps made{job, {}, nullptr, true};
+  try {
+    made.maps = job.kind == JobKind::Levels ? upload(loadSkyLevels(with_.sources->skyLevels))
+                                            : upload(with_.sources->folder.load(job.key));
+  } catch (const InputError& damage) {
+    if (job.kind == JobKind::Levels) {
+      with_.sources->skyLevels.clear();
+    } else {
+      with_.sources->folder.forget(job.key, damage.what());
+      with_.keys->update(with_.plan->targets());
+    }
+    return replan();
+  }
+  const auto index = with_.entries->find(job.name);
+  for (int face = 0; index && face < 6; ++face) {
+    made.faces[static_cast<std::size_t>(face)] = with_.keys->face(*index, job.bounce, face);
+  }
+  ++with_.state->counts.counters.mapsLoaded;
+  finish(std::move(made));
+}
+
+void ProbeBaker::finish(MadeMaps made) {
+  with_.plan->end();
+  if (made.job.name.empty()) {
+    showSky(made.job.key, made.maps);
+    with_.cache->add(made.job.key, {}, std::move(made.maps));
+  } else if (made.job.kind == JobKind::Drag) {
+    publishDrag(std::move(made));
+  } else if (made.job.kind == JobKind::Realtime) {
+    publishRealtime(std::move(made));
+  } else {
+    publishFinal(std::move(made));
+  }
+  replan();
+}
+
+void ProbeBaker::publishDrag(MadeMaps made) {
+  const auto index = with_.entries->find(made.job.name);
+  if (!index) return;
+  with_.light->addTint(*index, *made.maps);
+  // Dragged back to where it was: the final maps are there already.
+  const ProbeEntry& entry = (*with_.entries)[*index];
+  if (entry.shown != entry.wanted) show(*index, made.job.key, std::move(made.maps));
+}
+
+void ProbeBaker::publishRealtime(MadeMaps made) {
+  const auto index = with_.entries->find(made.job.name);
+  if (!index) return;
+  ProbeEntry& entry = (*with_.entries)[*index];
+  const std::string& key = made.job.key;
+  if (key == entry.wanted && entry.shown == key && entry.passes > 0) --entry.passes;
+  with_.light->addTint(*index, *made.maps);
+  show(*index, key, std::move(made.maps));
+  entry.faces = std::move(made.faces);
+  entry.again = entry.fromFile = false;
+}
+
+void ProbeBaker::publishFinal(MadeMaps made) {
+  const std::string& key = made.job.key;
+  ProbeEntries& entries = *with_.entries;
+  const auto index = entries.find(made.job.name);
+  if (index) with_.light->addTint(*index, *made.maps);
+  // Maps of a bounce before the last are shown for the time being, but not in place of final ones.
+  const bool last = index && key == entries[*index].wanted;
+  if (index && (last || with_.plan->stale(*index))) show(*index, key, made.maps);
+  if (last) {
+    entries[*index].again = false;
+    entries[*index].fromFile = made.fromFile;
+    with_.keys->remember(*index);
+  }
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].wanted == key && entries[i].shown != key) show(i, key, made.maps);
+  }
+  earlier_.push_back(made.maps);
+  with_.cache->add(key, std::move(made.faces), std::move(made.maps));
+}
+
+// Maps made before, wherever a probe, or the sky, wants them.
+void ProbeBaker::showCached() {
+  ProbeEntries& entries = *with_.entries;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    ProbeEntry& entry = entries[i];
+    if (entry.wanted == entry.shown || entry.wanted.empty()) continue;
+    if (auto maps = with_.cache->find(entry.wanted)) {
+      show(i, entry.wanted, std::move(maps));
+      entry.fromFile = false;
+    }
+  }
+  if (!with_.plan->skyStale()) return;
+  if (auto maps = with_.cache->find(with_.plan->skyWanted())) showSky(with_.plan->skyWanted(), std::move(maps));
+}
+
+void ProbeBaker::show(std::size_t index, const std::string& key, std::shared_ptr<const ProbeMaps> maps) {
+  const bool turned = with_.shown->show(index, std::move(maps));
+  // Another program, perhaps.
+  if (with_.light->updateOpenings() || turned) with_.programs->assign();
+  ProbeEntry& entry = (*with_.entries)[index];
+  entry.shown = key;
+  entry.faces = {};
+}
+
+void ProbeBaker::showSky(const std::string& key, std::shared_ptr<const ProbeMaps> maps) {
+  with_.state->resources.sky = std::move(maps);
+  with_.plan->skyShows(key);
+  if (with_.light->updateOpenings()) with_.programs->assign();
+}
+
+}  // namespace boxprobe

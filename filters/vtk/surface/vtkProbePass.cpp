@@ -1,0 +1,556 @@
+#include "filters/vtk/surface/vtkProbePass.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkInformationIntegerKey.h>
+#include <vtkInformationObjectBaseVectorKey.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkLightingMapPass.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderProperty.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
+
+#include "filters/vtk/draw/plain_surface.h"
+#include "filters/vtk/gl/broken_shader.h"
+#include "filters/vtk/gl/program_check.h"
+#include "filters/vtk/surface/probe_uniforms.h"
+#include "filters/vtk/surface/resting_uniforms.h"
+#include "filters/vtk/surface/surface_uniforms.h"
+#include "filters/vtk/surface/view_uniforms.h"
+#include "filters/vtk/surface/vtk_pbr_splice.h"
+
+using boxprobe::Lighting;
+
+vtkStandardNewMacro(vtkProbePass);
+
+namespace {
+
+bool anyLightOn(vtkRenderer* renderer) {
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it)) {
+    if (light->GetSwitch() != 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Is this a program for polygons, as far as can be told from outside of the mapper? Lines and points are never lit
+// physically unless they have normals, so that a text without lighting says nothing there.
+bool drawsPolygonsAlone(vtkAbstractMapper* mapper, vtkActor* actor) {
+  auto* polyMapper = vtkPolyDataMapper::SafeDownCast(mapper);
+  vtkPolyData* data = polyMapper != nullptr ? polyMapper->GetInput() : nullptr;
+  vtkInformation* keys = actor->GetPropertyKeys();
+  const bool normals = keys != nullptr && keys->Has(vtkLightingMapPass::RENDER_NORMALS()) != 0;
+  vtkProperty* property = actor->GetProperty();
+  return data != nullptr && !normals && property->GetRepresentation() == VTK_SURFACE &&
+         property->GetVertexVisibility() == 0 && data->GetNumberOfLines() == 0 && data->GetNumberOfVerts() == 0 &&
+         data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0;
+}
+
+// What VTK writes as display colours, as the light that has that colour on the display: in captures alone.
+constexpr const char* kLightOfDisplay = R"(
+  if (bpLightOfDisplay > 0.0)
+  {
+    gl_FragData[0].rgb = bpLightOfDisplay * pow(max(gl_FragData[0].rgb, vec3(0.0)), vec3(2.2));
+  }
+)";
+
+void captureAsLight(std::string& fragment) {
+  const std::size_t main = fragment.find("void main()");
+  const std::size_t end = fragment.rfind('}');
+  if (main == std::string::npos || end == std::string::npos || end < main) {
+    return;
+  }
+  fragment.insert(end, kLightOfDisplay);
+  fragment.insert(main, "uniform float bpLightOfDisplay;\n");
+}
+
+int countOfPasses(vtkInformation* keys) {
+  auto* passes = vtkOpenGLRenderPass::RenderPasses();
+  return keys != nullptr && keys->Has(passes) != 0 ? passes->Length(keys) : 0;
+}
+
+vtkOpenGLRenderPass* passAt(vtkInformation* keys, int index) {
+  return static_cast<vtkOpenGLRenderPass*>(vtkOpenGLRenderPass::RenderPasses()->Get(keys, index));
+}
+
+bool isIn(vtkInformation* keys, const vtkOpenGLRenderPass* pass) {
+  for (int i = 0; i < countOfPasses(keys); ++i) {
+    if (passAt(keys, i) == pass) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+vtkProbePass::vtkProbePass() = default;
+vtkProbePass::~vtkProbePass() = default;
+
+void vtkProbePass::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Actor: " << this->Actor.GetPointer() << "\n";
+  os << indent << "Owner: " << this->Owner.GetPointer() << "\n";
+  os << indent << "Variant: " << this->Made.key << "\n";
+  os << indent << "Refused: " << this->Last.refused << "\n";
+}
+
+void vtkProbePass::Attach(vtkActor* actor, vtkProp* owner) {
+  if (this->Actor == actor && this->Owner == owner && this->Keys == owner->GetPropertyKeys() &&
+      isIn(this->Keys, this)) {
+    return;
+  }
+  this->Detach();
+  this->Last.run = false;
+  this->Actor = actor;
+  this->Owner = owner;
+  this->KeysMade = owner->GetPropertyKeys() == nullptr;
+  if (this->KeysMade) {
+    vtkNew<vtkInformation> keys;
+    owner->SetPropertyKeys(keys);
+  }
+  this->Keys = owner->GetPropertyKeys();
+  vtkOpenGLRenderPass::RenderPasses()->Append(this->Keys, this);
+  this->Rebuild();
+}
+
+void vtkProbePass::Detach() {
+  vtkProp* owner = this->Owner;
+  const vtkSmartPointer<vtkInformation> keys = this->Keys;
+  this->Actor = nullptr;
+  this->Owner = nullptr;
+  this->Keys = nullptr;
+  if (keys == nullptr) {
+    return;
+  }
+  auto* passes = vtkOpenGLRenderPass::RenderPasses();
+  if (isIn(keys, this)) {
+    passes->Remove(keys, this);
+  }
+  if (keys->Has(passes) != 0 && passes->Length(keys) == 0) {
+    keys->Remove(passes);
+  }
+  if (this->KeysMade && owner != nullptr && owner->GetPropertyKeys() == keys && keys->GetNumberOfKeys() == 0) {
+    owner->SetPropertyKeys(nullptr);
+  }
+}
+
+bool vtkProbePass::HasOther(vtkActor* actor, const vtkProbePass* own) {
+  vtkInformation* keys = actor->GetPropertyKeys();
+  for (int i = 0; i < countOfPasses(keys); ++i) {
+    auto* other = vtkProbePass::SafeDownCast(passAt(keys, i));
+    if (other != nullptr && other != own && other->Actor == actor) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What an actor draws with in its own place (a level of detail) has the actor's keys.
+bool vtkProbePass::IsFor(vtkProp* prop) const {
+  return prop == this->Actor.GetPointer() || this->Owner.GetPointer() == this->Actor.GetPointer();
+}
+
+void vtkProbePass::SetSurface(std::shared_ptr<const boxprobe::SurfaceMaterial> surface) {
+  this->Surface = std::move(surface);
+  this->Built.Modified();
+}
+
+void vtkProbePass::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> binding) {
+  this->Asked.binding = std::move(binding);
+  this->UpdateDrawn();
+}
+
+void vtkProbePass::SetStandIn(bool standIn) {
+  if (standIn != this->Asked.standIn) {
+    this->Asked.standIn = standIn;
+    this->UpdateDrawn();
+  }
+}
+
+void vtkProbePass::UpdateDrawn() {
+  Variant& made = this->Made;
+  made.binding = this->Asked.standIn && this->Asked.binding ? this->Asked.binding->standIn() : nullptr;
+  if (!made.binding) {
+    made.binding = this->Asked.binding;
+  }
+  if (made.firstBounce && made.binding != made.firstBounceOf) {
+    made.firstBounce = made.firstBounceOf = nullptr;
+    this->Built.Modified();
+  }
+  std::string key = made.binding ? made.binding->variantKey() : std::string();
+  if (key != made.key) {
+    made.key = std::move(key);
+    this->Rebuild();
+  }
+}
+
+void vtkProbePass::SetSeparateSpecular(bool apart) {
+  if (apart != this->Asked.separateSpecular) {
+    this->Asked.separateSpecular = apart;
+    this->Rebuild();
+  }
+}
+
+void vtkProbePass::SetHeights(bool heights) {
+  if (heights != this->Asked.heights) {
+    this->Asked.heights = heights;
+    this->Rebuild();
+  }
+}
+
+void vtkProbePass::SetMirror(std::shared_ptr<const boxprobe::MirrorPicture> mirror) {
+  const bool another = (mirror == nullptr) != (this->Mirror == nullptr);
+  this->Mirror = std::move(mirror);
+  if (another) {
+    this->Rebuild();
+  }
+}
+
+void vtkProbePass::SetDebug(bool debug) {
+  if (debug != this->Asked.debug) {
+    this->Asked.debug = debug;
+    this->Rebuild();
+  }
+}
+
+void vtkProbePass::SetLeftOut(boxprobe::FrameParts parts) {
+  constexpr boxprobe::FrameParts written = ~(boxprobe::kRasterPart | boxprobe::kObjectPart);
+  const bool another = (parts & written) != (this->Asked.leftOut & written);
+  this->Asked.leftOut = parts;
+  if (another) {
+    this->Built.Modified();
+  }
+}
+
+void vtkProbePass::SetConstants(std::shared_ptr<const boxprobe::ConstantsPlan> plan) {
+  this->Asked.constants = std::move(plan);
+  this->Last.constantsRefused = false;
+}
+
+boxprobe::RestingValues vtkProbePass::GetRestingValues(vtkActor* actor) const {
+  boxprobe::RestingValues values;
+  if (this->State && this->Made.binding) {
+    values = boxprobe::lightingValues(*this->State, *this->Made.binding);
+  }
+  if (this->Surface) {
+    values.add(boxprobe::materialValues(*this->Surface, actor->GetProperty()));
+  }
+  return values;
+}
+
+bool vtkProbePass::DrawsGlass() const {
+  return this->State && this->Surface && this->Surface->glass.drawn && this->Made.binding &&
+         this->Made.binding->lighting == Lighting::Probes && !this->Last.refused;
+}
+
+bool vtkProbePass::LooksBehind() const {
+  return this->DrawsGlass() &&
+         this->Surface->glass.looksBehind(this->Surface->slots[boxprobe::kRoughMetalSlot].texture != nullptr);
+}
+
+bool vtkProbePass::GetDrawnInFrame() const {
+  return this->State && this->Last.frame + 1 == this->State->counts.counters.renders;
+}
+
+void vtkProbePass::Rebuild() {
+  this->Last.refused = false;
+  this->Last.plain = false;
+  this->Built.Modified();
+}
+
+void vtkProbePass::RebuildIfPlain() {
+  if (this->Last.plain) {
+    this->Rebuild();
+  }
+}
+
+void vtkProbePass::Prepare(vtkActor* actor) {
+  this->Again = false;
+  if (!this->State) {
+    return;
+  }
+  const int glass = this->DrawsGlass() ? this->Surface->glass.variant() : 0;
+  if (glass != this->Made.glass) {
+    this->Made.glass = glass;
+    this->Built.Modified();
+  }
+  if (this->State->resources.lightForm != this->Made.form) {
+    this->Made.form = this->State->resources.lightForm;
+    this->Rebuild();
+  }
+  const boxprobe::SurfaceFacts facts = this->FactsOf(actor);
+  if (facts != this->Made.facts) {
+    this->Made.facts = facts;
+    this->Rebuild();
+  }
+  this->PrepareFirstBounce();
+  this->PrepareConstants(actor);
+  // Given back since it was drawn last (see program_shelf.h): made again, with its attributes.
+  if (this->Last.program != nullptr &&
+      this->State->programs.compilation(this->Last.program) != this->Last.compilation) {
+    this->Last.program = nullptr;
+    this->Built.Modified();
+  }
+}
+
+// The debug view shows what the calculation finds, all of it.
+boxprobe::SurfaceFacts vtkProbePass::FactsOf(vtkActor* actor) const {
+  if (this->State->resources.general || !this->Surface || this->Asked.debug) {
+    return 0;
+  }
+  return this->Asked.facts & boxprobe::surfaceFacts(*this->Surface, actor->GetProperty());
+}
+
+// A mirror's picture and glass look up more than probes.
+void vtkProbePass::PrepareFirstBounce() {
+  const boxprobe::PassSettings& pass = this->State->pass();
+  Variant& made = this->Made;
+  const bool wanted = made.binding && pass.firstBounce && pass.firstBouncePrograms && !this->State->resources.general &&
+                      !this->Asked.debug && !this->Asked.heights && !this->Mirror && !this->DrawsGlass();
+  if (wanted && made.firstBounceOf == made.binding) {
+    return;
+  }
+  const bool before = made.firstBounce != nullptr;
+  made.firstBounce = wanted ? made.binding->forFirstBounce() : nullptr;
+  made.firstBounceOf = wanted ? made.binding : nullptr;
+  if (before || made.firstBounce) {
+    this->Built.Modified();
+  }
+}
+
+// Whether the constants still hold is asked of the numbers themselves, so that no edit has to tell.
+void vtkProbePass::PrepareConstants(vtkActor* actor) {
+  Variant& made = this->Made;
+  const bool general = this->State->resources.general;
+  std::shared_ptr<const boxprobe::ConstantsPlan> constants = this->Asked.constants;
+  if (constants && (!made.binding || made.firstBounce || general || this->Last.refused || this->Last.constantsRefused ||
+                    this->Asked.debug || this->Asked.heights || constants->variant != made.key ||
+                    !this->GetRestingValues(actor).hold(constants->values))) {
+    constants = nullptr;
+  }
+  if (constants != made.constants) {
+    if (!constants && this->State->pass().countDraws && !general) {
+      ++this->State->counts.counters.constantsLeft;
+    }
+    made.constants = std::move(constants);
+    this->Built.Modified();
+  }
+  const bool flat = made.constants && boxprobe::makeFlatMaps(*this->State, *made.binding);
+  if (flat != made.flatMaps) {
+    made.flatMaps = flat;
+    this->Built.Modified();
+  }
+}
+
+boxprobe::SurfaceOutput vtkProbePass::OutputOf(vtkActor* actor) const {
+  using boxprobe::SurfaceOutput;
+  if (this->Asked.debug) {
+    return SurfaceOutput::Debug;
+  }
+  if (this->Asked.heights) {
+    return SurfaceOutput::Heights;
+  }
+  if (!this->Asked.separateSpecular) {
+    return SurfaceOutput::Picture;
+  }
+  const bool blended = actor->HasTranslucentPolygonalGeometry() != 0 || this->DrawsGlass();
+  const bool samples = this->Made.binding->blurredSamples() > 0 && !blended;
+  return samples ? SurfaceOutput::SpecularSeparate : SurfaceOutput::SpecularSeparateNone;
+}
+
+// False: there is nothing to splice, or a line of VTK's is not there, which is reported; the sources stay as they are.
+bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, bool lit) {
+  const boxprobe::SceneResources& resources = this->State->resources;
+  boxprobe::SurfaceProgram program{this->Drawn(),           this->Surface.get(), this->OutputOf(actor),
+                                   this->Mirror != nullptr, this->Made.form,     this->Made.facts};
+  program.flatMaps = this->DrawsFlat();
+  program.foreign = resources.foreign;
+  program.emission = resources.emission;
+  const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, lit);
+  this->State->counts.fail(report.failure);
+  if (!report.needed || !report.failure.empty()) {
+    return false;
+  }
+  boxprobe::breakShaderIfAsked(sources.fragment, this->Asked.debug ? "debug" : "surface");
+  if (this->Made.constants) {
+    boxprobe::foldConstants(sources.fragment, this->Made.constants->values);
+    boxprobe::breakShaderIfAsked(sources.fragment, "constants");
+  }
+  boxprobe::leaveOut(sources.fragment, this->Asked.leftOut);
+  return true;
+}
+
+// A program that does not compile takes VTK 9.1 down where it is used next, so it is tried here, as the driver will get
+// it: the cache then has it ready, at no further cost.
+bool vtkProbePass::Compiles(const boxprobe::ShaderSources& sources, vtkAbstractMapper* mapper, vtkActor* actor) const {
+  boxprobe::ShaderSources text = sources;
+  vtkInformation* keys = actor->GetPropertyKeys();
+  bool after = false;
+  for (int i = 0; i < countOfPasses(keys); ++i) {
+    vtkOpenGLRenderPass* pass = passAt(keys, i);
+    if (after) {
+      pass->PostReplaceShaderValues(text.vertex, text.geometry, text.fragment, mapper, actor);
+    }
+    after = after || pass == this;
+  }
+  auto* own = vtkOpenGLShaderProperty::SafeDownCast(actor->GetShaderProperty());
+  for (const auto& [what, by] : own->GetAllShaderReplacements()) {
+    if (what.ReplaceFirst) {
+      continue;
+    }
+    std::string& shader = what.ShaderType == vtkShader::Vertex     ? text.vertex
+                          : what.ShaderType == vtkShader::Geometry ? text.geometry
+                                                                   : text.fragment;
+    vtkShaderProgram::Substitute(shader, what.OriginalValue, by.Replacement, by.ReplaceAll);
+  }
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(this->State->drawing->GetRenderWindow());
+  return boxprobe::programCompiles(window, text.vertex, text.geometry, text.fragment);
+}
+
+// In place of a program that the driver refuses comes VTK's own: an object without reflections is better than none.
+void vtkProbePass::Refuse(vtkAbstractMapper* mapper, vtkActor* actor) {
+  this->Last.refused = true;
+  if (this->Asked.debug) {
+    return;  // whoever asked for the view is told by GetDebugRefused(); the picture's own program is another one
+  }
+  this->State->counts.fail(boxprobe::kSurfaceRefused);
+  auto* polyMapper = vtkPolyDataMapper::SafeDownCast(mapper);
+  if (this->Surface && polyMapper != nullptr) {
+    // From the next frame on: this one's program has been chosen.
+    boxprobe::givePlainSurface(*this->Surface, actor->GetProperty(), polyMapper->GetInput());
+  }
+}
+
+bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+                                           vtkAbstractMapper* mapper, vtkProp* prop) {
+  auto* actor = vtkActor::SafeDownCast(prop);
+  if (!this->State || actor == nullptr || !this->IsFor(prop)) {
+    return true;
+  }
+  vtkRenderer* renderer = this->State->drawing;
+  if (renderer == nullptr) {
+    this->Last.plain = true;
+    return true;
+  }
+  if (!this->Made.binding || this->Last.refused) {
+    return true;
+  }
+  vtkProperty* property = actor->GetProperty();
+  if (property->GetInterpolation() != VTK_PBR || !property->GetLighting()) {
+    captureAsLight(fragment);
+    return true;
+  }
+  const bool polygons = drawsPolygonsAlone(mapper, actor);
+  const bool light = anyLightOn(renderer);
+  if (polygons && !light && !renderer->GetUseImageBasedLighting()) {
+    this->State->counts.fail(
+        "VTK shades nothing physically without a light; add one to the renderer, of intensity 0 if need be");
+    return true;
+  }
+  this->Made.form = this->State->resources.lightForm;
+  const bool lit = polygons && light;
+  boxprobe::ShaderSources sources{vertex, geometry, fragment};
+  if (!this->Splice(sources, actor, lit)) {
+    captureAsLight(fragment);
+    return true;
+  }
+  bool compiles = this->Compiles(sources, mapper, actor);
+  if (!compiles && this->Made.constants) {
+    this->Made.constants = nullptr;
+    this->Last.constantsRefused = true;
+    sources = {vertex, geometry, fragment};
+    // As a rule the same with uniforms has been drawn before, but facts may have changed with the constants.
+    compiles = this->Splice(sources, actor, lit) && this->Compiles(sources, mapper, actor);
+  }
+  if (!compiles) {
+    this->Refuse(mapper, actor);
+    return true;
+  }
+  vertex = std::move(sources.vertex);
+  geometry = std::move(sources.geometry);
+  fragment = std::move(sources.fragment);
+  return true;
+}
+
+bool vtkProbePass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop,
+                                       vtkOpenGLVertexArrayObject*) {
+  if (!this->State || !this->IsFor(prop)) {
+    return true;
+  }
+  boxprobe::DrawState& state = *this->State;
+  this->Last.run = true;
+  if (this->Made.firstBounce) {
+    ++state.counts.counters.objectsUnlit;
+  }
+  // Programs of other people's actors are not ours to give back.
+  if (!state.resources.foreign) {
+    state.counts.counters.programsCompiled += state.programs.use(program, this->Made.constants != nullptr) ? 1 : 0;
+    this->Last.program = program;
+    this->Last.compilation = state.programs.compilation(program);
+  }
+  if (this->Made.binding && state.drawing != nullptr && program->IsUniformUsed("bpExposure")) {
+    this->Upload(program);
+    this->Count(program);
+  } else if (program->IsUniformUsed("bpLightOfDisplay")) {
+    const bool capturing = state.pass().exposure == boxprobe::kLinearOutput;
+    program->SetUniformf("bpLightOfDisplay", capturing ? 1.0f / state.exposure() : 0.0f);
+  }
+  return true;
+}
+
+void vtkProbePass::Upload(vtkShaderProgram* program) {
+  boxprobe::DrawState& state = *this->State;
+  state.bound.clear();
+  const boxprobe::UniformUpload to{program, state.drawing, state.bound};
+  boxprobe::uploadOutput(to, state.pass());
+  if (this->Surface) {
+    boxprobe::uploadMaterial(to, *this->Surface);
+  }
+  const boxprobe::ProbeBinding& binding = *this->Made.binding;
+  if (binding.lighting == Lighting::Probes) {
+    boxprobe::uploadLighting(to, state, this->Drawn(), this->Asked.debug,
+                             boxprobe::lightingValues(state, this->Drawn()),
+                             this->Made.constants ? &this->Made.constants->values : nullptr, this->DrawsFlat());
+    if (this->Mirror) {
+      boxprobe::uploadMirror(to, *this->Mirror, state.resources);
+    }
+    if (this->DrawsGlass()) {
+      boxprobe::uploadGlassOf(to, this->Surface->glass, binding, state.resources, state.pass().behind);
+    }
+  } else if (this->Made.form == boxprobe::LightForm::Multiple) {
+    boxprobe::uploadSplitSum(to, state.resources);
+  }
+  if (this->Asked.heights) {
+    program->SetUniform4f("bpHeightPlane", &state.pass().heightPlaneView.x);
+  }
+  if (this->Asked.debug) {
+    boxprobe::uploadView(to, state, binding, this->Asked.objectNumber);
+  }
+}
+
+void vtkProbePass::Count(vtkShaderProgram* program) {
+  boxprobe::FrameCounts& counts = this->State->counts;
+  if (!this->State->pass().countDraws || this->Again) {
+    return;
+  }
+  this->Last.programNumber = static_cast<unsigned>(program->GetHandle());
+  this->Last.frame = counts.counters.renders;
+  counts.draws(program);
+  const boxprobe::ProbeBinding& binding = *this->Made.binding;
+  const bool probes = binding.lighting == Lighting::Probes;
+  ++counts.counters.drawsByProbeCount[probes ? binding.probes.size() : 0];
+  counts.counters.drawsWithCoverage += probes && !binding.shadowLights.empty() ? 1 : 0;
+  counts.counters.drawsWithOpenSky += probes && binding.open() ? 1 : 0;
+}
