@@ -1,5 +1,5 @@
 // From mouse rays to metres.
-#include "app/gui/handles/handle_drag.h"
+#include "filters/vtk/widgets/handle_drag.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,10 @@
 #include <glm/matrix.hpp>
 #include <random>
 
-#include "app/gui/handles/handle_picking.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/geometry/rotation_degrees.h"
+#include "filters/fit/rays/surface_rays.h"
+#include "filters/vtk/widgets/handle_picking.h"
 
 namespace boxprobe {
 namespace {
