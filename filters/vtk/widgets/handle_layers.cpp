@@ -58,6 +58,10 @@ HandleLayers::~HandleLayers() {
   window_->RemoveRenderer(onTopLayer_);
 }
 
+vtkRenderWindow* HandleLayers::window() const {
+  return window_;
+}
+
 void HandleLayers::setLook(const HandleColors& colors, double size) {
   solid_.setColors(colors);
   faint_.setColors(colors);

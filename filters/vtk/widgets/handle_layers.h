@@ -31,7 +31,8 @@ class HandleLayers {
   HandleLayers(const HandleLayers&) = delete;
   HandleLayers& operator=(const HandleLayers&) = delete;
 
-  vtkRenderWindow* window() const { return window_; }
+  /// Null once it is gone.
+  vtkRenderWindow* window() const;
   /// `size`: of handles, in their usual pixels.
   void setLook(const HandleColors& colors, double size);
   /// `together`: the places of all selected probes; `selected` is the one whose handles are shown.

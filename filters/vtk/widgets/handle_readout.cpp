@@ -2,7 +2,8 @@
 
 #include <charconv>
 #include <glm/geometric.hpp>
-#include <initializer_list>
+#include <utility>
+#include <vector>
 
 #include "filters/core/geometry/probe_frame.h"
 
@@ -17,7 +18,7 @@ std::string decimals(double value, int count) {
   return {buffer, end};
 }
 
-std::string filled(const ReadoutStyle& style, const char* form, std::initializer_list<std::string> values) {
+std::string filled(const ReadoutStyle& style, const char* form, const std::vector<std::string>& values) {
   std::string text = style.words ? style.words(form) : form;
   int number = 0;
   for (const std::string& value : values) {
@@ -28,8 +29,12 @@ std::string filled(const ReadoutStyle& style, const char* form, std::initializer
   return text;
 }
 
-std::string withUnit(const ReadoutStyle& style, const std::string& text) {
-  return style.unit.empty() ? text : text + " " + style.unit;
+/// The unit is the last of the values, wherever another language puts it.
+std::string withUnit(const ReadoutStyle& style, const char* form, std::vector<std::string> values) {
+  values.push_back(style.unit);
+  std::string text = filled(style, form, values);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
 }
 
 std::string length(double value) {
@@ -38,7 +43,7 @@ std::string length(double value) {
 
 std::string sizeText(const ReadoutStyle& style, const Box& box) {
   const glm::dvec3 size = box.size();
-  return withUnit(style, filled(style, "size %1 × %2 × %3", {length(size.x), length(size.y), length(size.z)}));
+  return withUnit(style, "size %1 × %2 × %3 %4", {length(size.x), length(size.y), length(size.z)});
 }
 
 double sideOf(const Box& box, const BoxFace& face) {
@@ -49,21 +54,21 @@ double sideOf(const Box& box, const BoxFace& face) {
 
 std::string handleReadout(const Handle& handle, const Probe& before, const Probe& now, const ReadoutStyle& style) {
   const std::string face = faceName(handle.face);
-  const auto say = [&style](const char* form, std::initializer_list<std::string> values) {
-    return withUnit(style, filled(style, form, values));
+  const auto say = [&style](const char* form, std::vector<std::string> values) {
+    return withUnit(style, form, std::move(values));
   };
   switch (handle.kind) {
     case HandleKind::Face:
-      return say("%1  %2", {face, length(sideOf(now.box, handle.face))}) + "\n" + sizeText(style, now.box);
+      return say("%1  %2 %3", {face, length(sideOf(now.box, handle.face))}) + "\n" + sizeText(style, now.box);
     case HandleKind::Influence:
-      return say("influence %1  %2", {face, length(sideOf(now.influenceBox(), handle.face))}) + "\n" +
+      return say("influence %1  %2 %3", {face, length(sideOf(now.influenceBox(), handle.face))}) + "\n" +
              sizeText(style, now.influenceBox());
     case HandleKind::Blend: {
       const glm::dvec3& distances = handle.face.positive ? now.blendDistance.max : now.blendDistance.min;
-      return say("blend %1  %2", {face, length(distances[handle.face.axis])});
+      return say("blend %1  %2 %3", {face, length(distances[handle.face.axis])});
     }
     case HandleKind::Move:
-      return say("moved by %1", {length(glm::length(now.origin - before.origin))});
+      return say("moved by %1 %2", {length(glm::length(now.origin - before.origin))});
     case HandleKind::Turn: {
       const glm::dvec3& r = now.rotationDegrees;
       return filled(style, "rotation\n%1°  %2°  %3°", {decimals(r.x, 1), decimals(r.y, 1), decimals(r.z, 1)});
@@ -72,7 +77,7 @@ std::string handleReadout(const Handle& handle, const Probe& before, const Probe
     case HandleKind::OriginAxis:
       break;
   }
-  return say("origin\n%1  %2  %3", {length(now.origin.x), length(now.origin.y), length(now.origin.z)});
+  return say("origin\n%1  %2  %3 %4", {length(now.origin.x), length(now.origin.y), length(now.origin.z)});
 }
 
 std::string snapReadout(const DragSnap& snap, const Handle& handle, const ReadoutStyle& style) {
@@ -84,7 +89,7 @@ std::string snapReadout(const DragSnap& snap, const Handle& handle, const Readou
   if (handle.kind == HandleKind::Turn) return filled(style, "steps of %1°", {number(snap.turnStepDegrees())});
   if (snap.target() == SnapTarget::Pointed) return filled(style, "on the wall under the pointer", {});
   if (snap.target() == SnapTarget::Opposite) return filled(style, "on the wall ahead", {});
-  return withUnit(style, filled(style, "grid %1", {number(snap.gridStep())}));
+  return withUnit(style, "grid %1 %2", {number(snap.gridStep())});
 }
 
 }  // namespace boxprobe

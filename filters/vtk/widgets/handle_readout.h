@@ -12,7 +12,8 @@ namespace boxprobe {
 
 struct ReadoutStyle {
   std::string unit;  ///< of lengths: "m"; empty: none is said
-  /// Another language's form of an English one, whose %1, %2, ... stand for numbers and names; null: English.
+  /// Another language's form of an English one, whose %1, %2, ... stand for numbers, names and, last, the unit; null:
+  /// English.
   std::function<std::string(const char*)> words;
 };
 
