@@ -1,5 +1,5 @@
 // From mouse rays to metres.
-#include "app/gui/handles/handle_drag.h"
+#include "filters/vtk/widgets/handle_drag.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,11 @@
 #include <glm/matrix.hpp>
 #include <random>
 
-#include "app/gui/handles/handle_picking.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/geometry/rotation_degrees.h"
+#include "filters/fit/rays/surface_rays.h"
+#include "filters/vtk/widgets/handle_picking.h"
+#include "filters/vtk/widgets/handle_readout.h"
 
 namespace boxprobe {
 namespace {
@@ -233,6 +235,36 @@ TEST(HandleDrag, BlendAndInfluenceGoFaceByFace) {
   EXPECT_NEAR(thin.influence->max.x, 0.5 * kMinimumThickness, 1e-9);
   EXPECT_NEAR(thin.influence->min.x, -0.5 * kMinimumThickness, 1e-9);
   EXPECT_NEAR(pulled(HandleKind::Influence, -7.0).influence->max.x, -2.0 + kMinimumThickness, 1e-9);
+}
+
+TEST(HandleReadout, NumbersWithTheirUnitInAnyWords) {
+  Probe before;
+  before.box = {glm::dvec3(-1.0, 0.0, -2.5), glm::dvec3(2.0, 3.125, 2.0)};
+  before.origin = {0.5, 1.25, -0.0625};
+  before.influence = Box{glm::dvec3(-1.5, -0.25, -3.0), glm::dvec3(2.25, 4.0, 3.0)};
+  before.blendDistance = {glm::dvec3(0.1, 0.2, 0.3), glm::dvec3(0.4, 0.5, 0.6)};
+  Probe now = before;
+  now.origin += glm::dvec3(0.3, 0.0, -0.4);
+  now.rotationDegrees = {-4.25, 17.0, -0.01};
+  const ReadoutStyle metres{"m", {}}, none;
+  const auto text = [&](HandleKind kind, const BoxFace& face, const ReadoutStyle& style) {
+    return handleReadout({kind, 0, face}, before, now, style);
+  };
+  EXPECT_EQ(text(HandleKind::Face, {1, true}, metres), "+Y  3.125 m\nsize 3.000 × 3.125 × 4.500 m");
+  EXPECT_EQ(text(HandleKind::Face, {2, false}, none), "-Z  -2.500\nsize 3.000 × 3.125 × 4.500");
+  EXPECT_EQ(text(HandleKind::Influence, {0, false}, metres), "influence -X  -1.500 m\nsize 3.750 × 4.250 × 6.000 m");
+  EXPECT_EQ(text(HandleKind::Blend, {2, true}, metres), "blend +Z  0.600 m");
+  EXPECT_EQ(text(HandleKind::Move, {0, true}, metres), "moved by 0.500 m");
+  EXPECT_EQ(text(HandleKind::Turn, {1, true}, metres), "rotation\n-4.2°  17.0°  -0.0°");
+  EXPECT_EQ(text(HandleKind::Origin, {}, metres), "origin\n0.800  1.250  -0.463 m");
+  const ReadoutStyle german{"m", [](const char* form) {
+                              return std::string(form) == "moved by %1 %2" ? "um %1 %2 verschoben" : std::string(form);
+                            }};
+  EXPECT_EQ(text(HandleKind::Move, {0, true}, german), "um 0.500 m verschoben");
+  DragSnap snap(nullptr, {}, 0.0123);
+  snap.grid(glm::dvec3(0.0));
+  EXPECT_EQ(snapReadout(snap, {HandleKind::Origin, 0, {}}, metres), "grid 0.1 m");
+  EXPECT_EQ(snapReadout(snap, {HandleKind::Turn, 0, {}}, metres), "steps of 15°");
 }
 
 }  // namespace

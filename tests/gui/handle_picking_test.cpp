@@ -1,5 +1,5 @@
 // Pixels and rays belong together, and the nearest handle is the one taken.
-#include "app/gui/handles/handle_picking.h"
+#include "filters/vtk/widgets/handle_picking.h"
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>

@@ -11,11 +11,11 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gui/handles/handle_drag.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/window/probe_clipboard.h"
 #include "filters/vtk/scene_renderer.h"
+#include "filters/vtk/widgets/handle_drag.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {

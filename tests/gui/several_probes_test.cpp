@@ -12,7 +12,6 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "app/gui/handles/handle_drag.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/panels/probe_list.h"
 #include "app/gui/view/viewport.h"
@@ -24,6 +23,7 @@
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/math/technique/technique_table.h"
 #include "filters/vtk/scene_renderer.h"
+#include "filters/vtk/widgets/handle_drag.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {

@@ -23,7 +23,6 @@
 #include <thread>
 
 #include "app/gui/edit/work_beside.h"
-#include "app/gui/handles/handle_drag.h"
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/probe_list.h"
 #include "app/gui/view/render_scheduler.h"
@@ -32,6 +31,7 @@
 #include "filters/core/scene/surface_view.h"
 #include "filters/io/scene/scene_file.h"
 #include "filters/vtk/scene_renderer.h"
+#include "filters/vtk/widgets/handle_drag.h"
 #include "tests/gui/dialogs.h"
 #include "tests/gui/window_test.h"
 

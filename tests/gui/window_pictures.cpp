@@ -17,7 +17,6 @@
 #include <cstdio>
 
 #include "app/gui/edit/probe_gauge.h"
-#include "app/gui/handles/handle.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/view/picture_compare.h"
@@ -25,6 +24,7 @@
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/window_style.h"
 #include "app/gui/window/view_tools.h"
+#include "filters/vtk/widgets/handle.h"
 #include "tests/gui/window_test.h"
 
 namespace boxprobe {

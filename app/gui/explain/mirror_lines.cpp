@@ -13,7 +13,7 @@ namespace {
 /// How far beyond the mirror its edges are drawn, in distances of the eye from it.
 constexpr double kBeyond = 1.0;
 
-const QColor kPortal(70, 200, 230), kRay(255, 120, 200);
+const glm::dvec3 kPortal = HandleColors::display(0x46c8e6), kRay = HandleColors::display(0xff78c8);
 
 void addPortal(std::vector<glm::dvec3>& segments, const MirrorPlane& plane, const glm::dvec3& eye,
                const glm::dvec3& forward, bool parallel) {

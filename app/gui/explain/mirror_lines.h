@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/handles/wire_actors.h"
 #include "filters/core/scene/model.h"
 #include "filters/explain/explanation.h"
+#include "filters/vtk/widgets/wire_actors.h"
 
 namespace boxprobe {
 

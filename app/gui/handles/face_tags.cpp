@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/gui/edit/gauge_rows.h"
+#include "filters/core/geometry/probe_frame.h"
 
 namespace boxprobe {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "app/gui/edit/probe_gauge.h"
-#include "app/gui/handles/handle_picking.h"
+#include "filters/vtk/widgets/view_projection.h"
 
 class QLabel;
 class QToolButton;

@@ -2,33 +2,15 @@
 #include "app/gui/handles/handle_words.h"
 
 #include <QCoreApplication>
-#include <glm/geometric.hpp>
 
-#include "app/gui/handles/handle_picking.h"
+#include "filters/core/geometry/probe_frame.h"
 
 namespace boxprobe {
 
 namespace {
 
 QString words(const char* text) {
-  return QCoreApplication::translate("Handles", text);
-}
-
-QString inMetres(double value) {
-  return QString::number(value, 'f', 3);
-}
-
-QString sizeText(const Box& box) {
-  const glm::dvec3 size = box.size();
-  return words("size %1 × %2 × %3 m").arg(inMetres(size.x), inMetres(size.y), inMetres(size.z));
-}
-
-QString placeText(const QString& what, const glm::dvec3& p) {
-  return words("%1\n%2  %3  %4 m").arg(what, inMetres(p.x), inMetres(p.y), inMetres(p.z));
-}
-
-double sideOf(const Box& box, const BoxFace& face) {
-  return face.positive ? box.max[face.axis] : box.min[face.axis];
+  return handleWords(text);
 }
 
 QString axisLetter(const Handle& handle) {
@@ -36,6 +18,10 @@ QString axisLetter(const Handle& handle) {
 }
 
 }  // namespace
+
+QString handleWords(const char* text) {
+  return QCoreApplication::translate("Handles", text);
+}
 
 QString handleHint(const Handle& handle, const Probe& probe, bool selected) {
   const QString name = QString::fromStdString(probe.name), face = faceName(handle.face);
@@ -80,38 +66,6 @@ QString handleEditLabel(const Handle& handle, const QString& name) {
       break;
   }
   return words("Move origin of %1").arg(name);
-}
-
-QString handleReadout(const Handle& handle, const Probe& before, const Probe& now) {
-  const QString face = faceName(handle.face);
-  switch (handle.kind) {
-    case HandleKind::Face:
-      return words("%1  %2 m\n").arg(face, inMetres(sideOf(now.box, handle.face))) + sizeText(now.box);
-    case HandleKind::Influence:
-      return words("influence %1  %2 m\n").arg(face, inMetres(sideOf(now.influenceBox(), handle.face))) +
-             sizeText(now.influenceBox());
-    case HandleKind::Blend: {
-      const glm::dvec3& distances = handle.face.positive ? now.blendDistance.max : now.blendDistance.min;
-      return words("blend %1  %2 m").arg(face, inMetres(distances[handle.face.axis]));
-    }
-    case HandleKind::Move:
-      return words("moved by %1 m").arg(inMetres(glm::length(now.origin - before.origin)));
-    case HandleKind::Turn: {
-      const glm::dvec3& r = now.rotationDegrees;
-      return words("rotation\n%1°  %2°  %3°").arg(r.x, 0, 'f', 1).arg(r.y, 0, 'f', 1).arg(r.z, 0, 'f', 1);
-    }
-    case HandleKind::Origin:
-    case HandleKind::OriginAxis:
-      break;
-  }
-  return placeText(words("origin"), now.origin);
-}
-
-QString snapWords(const DragSnap& snap, const Handle& handle) {
-  if (handle.kind == HandleKind::Turn) return words("steps of 15°");
-  if (snap.target() == SnapTarget::Pointed) return words("on the wall under the pointer");
-  if (snap.target() == SnapTarget::Opposite) return words("on the wall ahead");
-  return words("grid %1 m").arg(snap.gridStep());
 }
 
 }  // namespace boxprobe

@@ -2,32 +2,21 @@
 #include "app/gui/handles/probe_widget.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "app/gui/handles/handle_words.h"
+#include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
 namespace boxprobe {
 
 namespace {
 
-/// Farther from a handle's centre than its radius: hands shake, and projectors are watched from afar.
-constexpr double kReachPixels = 12.0;
-
-/// A press that moves less is a click.
-constexpr double kClickPixels = 2.0;
-
-constexpr double kFine = 0.1;                      ///< with Shift
 constexpr double kNudge = 0.1, kFineNudge = 0.01;  ///< scene units
 
 glm::dvec2 toGlm(const QPointF& p) {
   return {p.x(), p.y()};
-}
-
-bool isFace(const Handle& handle) {
-  return handle.kind == HandleKind::Face || handle.kind == HandleKind::Influence || handle.kind == HandleKind::Blend;
 }
 
 /// The horizontal axis of the world, either way, that is nearest to `wanted`.
@@ -60,46 +49,57 @@ std::optional<glm::dvec3> nudgeDirection(int key, const ViewProjection& view) {
 
 }  // namespace
 
-ProbeWidget::ProbeWidget(Editor& editor, ProbeOverlay& overlay, SceneSurfaces& surfaces,
+ProbeWidget::ProbeWidget(Editor& editor, vtkReflectionProbeRepresentation& shown, SceneSurfaces& surfaces,
                          std::function<ViewProjection()> view, QObject* parent)
-    : QObject(parent), editor_(editor), overlay_(overlay), surfaces_(surfaces), view_(std::move(view)) {}
+    : QObject(parent), editor_(editor), shown_(shown), surfaces_(surfaces), view_(std::move(view)) {
+  shown_.SetReadoutVisibility(false);  // the viewport has a label for it
+  shown_.SetLengthUnit("m");
+  shown_.SetReadoutWords([](const char* text) { return handleWords(text).toStdString(); });
+  shown_.SetSurfaces([this] { return surfaces_.rays(); });
+}
+
+bool ProbeWidget::dragging() const {
+  return shown_.GetDragging();
+}
+
+HandleMode ProbeWidget::mode() const {
+  return static_cast<HandleMode>(shown_.GetMode());
+}
 
 bool ProbeWidget::press(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   if (dragging()) return true;
   endNudge();
-  pixel_ = held_ = pixel;
-  modifiers_ = modifiers;
+  pixel_ = pixel;
+  show();
   hover(pixel);
-  if (!hovered_) return false;
-  if (editor_.document().selectedProbe() != hovered_->probe) {
+  const auto hovered = shown_.GetHovered();
+  if (!hovered) return false;
+  if (editor_.document().selectedProbe() != hovered->probe) {
     if (modifiers.testFlag(Qt::ControlModifier)) {
-      editor_.toggleProbe(hovered_->probe);
+      editor_.toggleProbe(hovered->probe);
     } else {
-      editor_.selectProbe(hovered_->probe);
+      editor_.selectProbe(hovered->probe);
     }
-    hovered_.reset();  // what can be done with it is another thing now
+    forget();  // what can be done with it is another thing now
+    show();
     hover(pixel);
     return true;
   }
   editor_.finish();
-  const Probe* probe = editor_.probe();
-  if (!probe) return false;
-  pressed_ = pixel;
-  const ViewProjection view = view_();
-  moved_ = previewed_ = false;
-  drag_.emplace(*probe, *hovered_, view.axes(), view.ray(toGlm(pixel)));
+  if (!editor_.probe()) return false;
+  show();
+  previewed_ = false;
+  if (!shown_.Grab(view_(), toGlm(pixel))) return false;
   emit cursorWanted(Qt::ClosedHandCursor);
   return true;
 }
 
 void ProbeWidget::move(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
-  const QPointF delta = pixel - pixel_;
   pixel_ = pixel;
-  modifiers_ = modifiers;
   if (!dragging()) return hover(pixel);
-  held_ += delta * (modifiers.testFlag(Qt::ShiftModifier) ? kFine : 1.0);
-  if (!moved_ && glm::length(toGlm(pixel - pressed_)) < kClickPixels) return;
-  moved_ = true;
+  shown_.SetFine(modifiers.testFlag(Qt::ShiftModifier));
+  shown_.SetSnapping(modifiers.testFlag(Qt::ControlModifier));
+  shown_.SetSymmetric(modifiers.testFlag(Qt::AltModifier));
   drag();
 }
 
@@ -107,82 +107,76 @@ void ProbeWidget::release(const QPointF& pixel, Qt::KeyboardModifiers modifiers)
   if (!dragging()) return;
   move(pixel, modifiers);
   if (!dragging()) return;
-  const Handle handle = drag_->handle();
-  const bool takeOut = !moved_ && handle.kind == HandleKind::Origin && modifiers.testFlag(Qt::ControlModifier);
+  const Handle handle = shown_.GetDrag()->handle();
+  const bool takeOut = !previewed_ && handle.kind == HandleKind::Origin && modifiers.testFlag(Qt::ControlModifier);
   endDrag();
   editor_.finish();
   if (takeOut) editor_.toggleProbe(handle.probe);
+  show();
   hover(pixel);
 }
 
+void ProbeWidget::forget() {
+  shown_.Highlight(0);
+}
+
 void ProbeWidget::leave() {
-  if (dragging() || !hovered_) return;
-  hovered_.reset();
+  if (dragging() || !shown_.GetHovered()) return;
+  forget();
   update();
   emit hint({});
 }
 
 void ProbeWidget::setHeldAxis(std::optional<int> axis) {
-  heldAxis_ = axis;
-  if (dragging() && moved_) drag();
+  shown_.SetConstrainedAxis(axis.value_or(-1));
+  if (dragging() && previewed_) drag();
 }
 
 void ProbeWidget::cancel() {
   if (!dragging()) return;
   endDrag();
   editor_.cancel();
+  show();
   hover(pixel_);
 }
 
 void ProbeWidget::setMode(HandleMode mode) {
-  if (mode == mode_) return;
+  if (mode == this->mode()) return;
   cancel();
   endNudge();
-  mode_ = mode;
-  hovered_.reset();
+  shown_.SetMode(static_cast<int>(mode));
   update();
   emit modeChanged(mode);
 }
 
 std::optional<std::size_t> ProbeWidget::probeAt(const QPointF& pixel) const {
-  const auto under =
-      handleAt(editor_.scene().probes, editor_.document().selectedProbe(), view_(), toGlm(pixel), kReachPixels, mode_);
-  return overlay_.visible() && under ? std::optional<std::size_t>(under->probe) : std::nullopt;
+  const auto under = shown_.HandleAt(view_(), toGlm(pixel));
+  return under ? std::optional<std::size_t>(under->probe) : std::nullopt;
 }
 
 void ProbeWidget::hover(const QPointF& pixel) {
+  const auto before = shown_.GetHovered();
+  const auto under = shown_.Hover(view_(), toGlm(pixel));
   const auto& probes = editor_.scene().probes;
   const auto selected = editor_.document().selectedProbe();
-  const auto under = overlay_.visible() ? handleAt(probes, selected, view_(), toGlm(pixel), kReachPixels, mode_)
-                                        : std::optional<Handle>();
   emit cursorWanted(!under                                  ? Qt::ArrowCursor
                     : under->kind != HandleKind::Origin     ? Qt::OpenHandCursor
                     : selected && *selected == under->probe ? Qt::SizeAllCursor
                                                             : Qt::PointingHandCursor);
-  if (under == hovered_) return;
-  hovered_ = under;
+  if (under == before) return;
   emit hint(under ? handleHint(*under, probes[under->probe], selected == under->probe) : QString());
   update();
 }
 
 void ProbeWidget::drag() {
   if (!editor_.probe()) return cancel();
-  const ViewProjection view = view_();
-  DragWish wish{view.ray(toGlm(held_)), modifiers_.testFlag(Qt::AltModifier), heldAxis_, nullptr};
-  std::optional<DragSnap> snap;
-  if (modifiers_.testFlag(Qt::ControlModifier)) {
-    const Handle& handle = drag_->handle();
-    snap.emplace(isFace(handle) ? surfaces_.rays() : nullptr, view.ray(toGlm(pixel_)),
-                 view.metresPerPixel(handleAnchorWorld(*editor_.probe(), handle)));
-    wish.snap = &*snap;
-  }
-  const Probe result = drag_->at(wish);
-  const Handle handle = drag_->handle();
+  const auto result = shown_.Pull(view_(), toGlm(pixel_));
+  if (!result) return;
   previewed_ = true;
-  preview(handle, drag_->start(), result);
-  QString text = handleReadout(handle, drag_ ? drag_->start() : result, result);
-  if (snap) text += "\n" + snapWords(*snap, handle);
-  emit readout(text, pixel_);
+  const Handle handle = shown_.GetDrag()->handle();
+  const Probe start = shown_.GetDrag()->start();
+  preview(handle, start, *result);
+  if (dragging()) emit readout(QString::fromUtf8(shown_.GetReadout()), pixel_);
 }
 
 // Previews start from the scene as it was before the drag: what goes along is told from where it stood, too.
@@ -211,7 +205,7 @@ void ProbeWidget::preview(const Handle& handle, const Probe& start, const Probe&
 }
 
 void ProbeWidget::endDrag() {
-  drag_.reset();
+  shown_.LetGo();
   updateDrop();
   emit readout({}, {});
 }
@@ -219,35 +213,20 @@ void ProbeWidget::endDrag() {
 bool ProbeWidget::nudge(int key, Qt::KeyboardModifiers modifiers) {
   const ViewProjection view = view_();
   const auto direction = nudgeDirection(key, view);
-  if (!direction || dragging() || !overlay_.visible()) return false;
+  if (!direction || dragging() || shown_.GetVisibility() == 0) return false;
   if (!nudge_) {
     editor_.finish();
     const Probe* probe = editor_.probe();
     if (!probe) return false;
     const std::size_t selected = *editor_.document().selectedProbe();
-    const bool face = hovered_ && hovered_->probe == selected && isFace(*hovered_);
-    const Handle whole{mode_ == HandleMode::Place ? HandleKind::Move : HandleKind::Origin, selected, {}};
-    nudge_ = Nudge{face ? *hovered_ : whole, *probe, {}};
+    const auto& hovered = shown_.GetHovered();
+    const bool face = hovered && hovered->probe == selected && isFace(*hovered);
+    const Handle whole{mode() == HandleMode::Place ? HandleKind::Move : HandleKind::Origin, selected, {}};
+    nudge_ = Nudge{face ? *hovered : whole, *probe, {}};
   }
   nudge_->by += *direction * (modifiers.testFlag(Qt::ShiftModifier) ? kFineNudge : kNudge);
-  const Handle handle = nudge_->handle;
-  Probe result = nudge_->start;
-  if (isFace(handle)) {
-    // A face goes along its own axis only; a ray beside it that has moved so far says how far.
-    const glm::dvec3 axis = handleAxisWorld(nudge_->start, handle);
-    const glm::dvec3 anchor = handleAnchorWorld(nudge_->start, handle);
-    const glm::dvec3 side = std::abs(axis.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
-    const glm::dvec3 across = glm::normalize(glm::cross(axis, side));
-    const Ray from{anchor - across, across};
-    ProbeDrag along(nudge_->start, handle, view.axes(), from);
-    const Ray to{from.origin + glm::dot(nudge_->by, axis) * axis, across};
-    result = along.at({to, false, std::nullopt, nullptr});
-  } else if (handle.kind == HandleKind::Move) {
-    result = movedProbe(result, nudge_->by);
-  } else {
-    result.origin += nudge_->by;
-  }
-  preview(handle, nudge_->start, result);
+  const Probe result = nudgedProbe(nudge_->start, nudge_->handle, nudge_->by, view.axes());
+  preview(nudge_->handle, nudge_->start, result);
   return true;
 }
 
@@ -259,32 +238,35 @@ void ProbeWidget::endNudge() {
 
 void ProbeWidget::updateDrop() {
   const Probe* probe = editor_.probe();
-  const bool origin = drag_ && drag_->handle().kind == HandleKind::Origin;
-  if (probe == nullptr || !overlay_.visible() ||
-      !(mode_ == HandleMode::Origin || mode_ == HandleMode::Place || origin)) {
-    return overlay_.setDrop({});
+  const ProbeDrag* drag = shown_.GetDrag();
+  const bool origin = drag != nullptr && drag->handle().kind == HandleKind::Origin;
+  if (probe == nullptr || shown_.GetVisibility() == 0 ||
+      !(mode() == HandleMode::Origin || mode() == HandleMode::Place || origin)) {
+    return shown_.ShowDrop({});
   }
   const auto floor = surfaces_.meet({probe->origin, {0.0, -1.0, 0.0}});
   glm::dvec3 foot = probe->origin;
   foot.y = floor ? floor->y : std::min(probe->box.min.y, probe->origin.y);
-  overlay_.setDrop(std::array<glm::dvec3, 2>{probe->origin, foot});
+  shown_.ShowDrop(std::array<glm::dvec3, 2>{probe->origin, foot});
+}
+
+void ProbeWidget::show() {
+  shown_.ShowProbes(editor_.scene().probes, editor_.document().selectedProbe(), editor_.selected());
 }
 
 void ProbeWidget::update() {
-  const auto& probes = editor_.scene().probes;
-  if (hovered_ && hovered_->probe >= probes.size()) hovered_.reset();
   // Undone or replaced from elsewhere while the button was down: the drag has nothing left to move.
   if (dragging() && previewed_ && !editor_.document().previewing()) endDrag();
   if (nudge_ && !editor_.document().previewing()) nudge_.reset();
-  overlay_.update(probes, editor_.document().selectedProbe(), editor_.selected(), hovered_, mode_);
+  show();
   updateDrop();
   emit pictureChanged();
 }
 
 void ProbeWidget::setVisible(bool visible) {
   if (!visible) cancel();
-  overlay_.setVisible(visible);
-  hovered_.reset();
+  shown_.SetVisibility(visible ? 1 : 0);
+  forget();
   update();
 }
 

@@ -1,6 +1,6 @@
-// Taking hold of the probes with the mouse: which handle is under the pointer, what dragging it does to the document,
-// and that one drag is one undo step. Called by the viewport with mouse positions in logical pixels; draws through the
-// overlay; knows no GL and no panel.
+// The mouse over the document's probes: the representation tells which handle is under the pointer and what a drag
+// makes of a probe; here that becomes a selection, a preview and one undo step, for several probes as well. Mouse
+// positions are logical pixels.
 #pragma once
 
 #include <QObject>
@@ -9,10 +9,11 @@
 #include <optional>
 
 #include "app/gui/edit/editor.h"
-#include "app/gui/handles/handle_drag.h"
-#include "app/gui/handles/handle_picking.h"
-#include "app/gui/handles/probe_overlay.h"
 #include "app/gui/handles/scene_surfaces.h"
+#include "filters/vtk/widgets/handle_drag.h"
+#include "filters/vtk/widgets/handle_picking.h"
+
+class vtkReflectionProbeRepresentation;
 
 namespace boxprobe {
 
@@ -21,8 +22,8 @@ class ProbeWidget : public QObject {
 
  public:
   /// `view` answers with the view as it is now.
-  ProbeWidget(Editor& editor, ProbeOverlay& overlay, SceneSurfaces& surfaces, std::function<ViewProjection()> view,
-              QObject* parent = nullptr);
+  ProbeWidget(Editor& editor, vtkReflectionProbeRepresentation& shown, SceneSurfaces& surfaces,
+              std::function<ViewProjection()> view, QObject* parent = nullptr);
 
   /// True if the pointer took hold of a handle; the camera must then stay where it is. On the diamond of another probe
   /// it selects that one, with Ctrl beside those that are selected.
@@ -33,7 +34,7 @@ class ProbeWidget : public QObject {
   void leave();
   /// 0, 1, 2 while X, Y or Z is held down: the origin moves along that axis only.
   void setHeldAxis(std::optional<int> axis);
-  bool dragging() const { return drag_.has_value(); }
+  bool dragging() const;
   void cancel();
 
   /// Arrow keys and Page up, down: the face under the pointer, else the origin or, in HandleMode::Place, the whole
@@ -45,7 +46,7 @@ class ProbeWidget : public QObject {
   /// Whose handle is there.
   std::optional<std::size_t> probeAt(const QPointF& pixel) const;
 
-  HandleMode mode() const { return mode_; }
+  HandleMode mode() const;
   void setMode(HandleMode mode);
 
   /// The document changed.
@@ -62,23 +63,18 @@ class ProbeWidget : public QObject {
  private:
   void hover(const QPointF& pixel);
   void drag();
+  void show();
   void preview(const Handle& handle, const Probe& start, const Probe& result);
   void endDrag();
   void updateDrop();
+  void forget();
 
   Editor& editor_;
-  ProbeOverlay& overlay_;
+  vtkReflectionProbeRepresentation& shown_;
   SceneSurfaces& surfaces_;
   std::function<ViewProjection()> view_;
-  HandleMode mode_ = HandleMode::Box;
-  std::optional<Handle> hovered_;
-  std::optional<ProbeDrag> drag_;
-  std::optional<int> heldAxis_;
-  QPointF pressed_, pixel_;
-  QPointF held_;  ///< where the handle is pulled to: behind the pointer once Shift has slowed it down
-  Qt::KeyboardModifiers modifiers_;
-  bool moved_ = false;      ///< since the press: a click alone edits nothing
-  bool previewed_ = false;  ///< by this drag
+  QPointF pixel_;
+  bool previewed_ = false;  ///< by this drag: a click alone edits nothing
   struct Nudge {
     Handle handle;
     Probe start;

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "app/gui/handles/view_ray.h"
 #include "filters/core/scene/document.h"
 #include "filters/fit/rays/triangle_rays.h"
+#include "filters/vtk/widgets/view_projection.h"
 
 namespace boxprobe {
 

@@ -8,34 +8,37 @@
 #include <utility>
 
 #include "app/gui/explain/picture_inset.h"
-#include "app/gui/handles/probe_overlay.h"
 #include "app/gui/lessons/curve_picture.h"
 #include "app/gui/lessons/map_picture.h"
 #include "app/gui/lessons/ray_letters.h"
 #include "app/lessons/plan_figure.h"
 #include "app/web/web_view.h"
 #include "filters/core/base/errors.h"
+#include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
 namespace boxprobe {
 
 LessonPhotographer::LessonPhotographer(int width, int height, std::function<bool()> goOn, bool quiet)
-    : width_(width), height_(height), player_(width, height, std::move(goOn), quiet) {}
+    : width_(width),
+      height_(height),
+      player_(width, height, std::move(goOn), quiet),
+      boxes_(vtkSmartPointer<vtkReflectionProbeRepresentation>::New()) {}
 
 LessonPhotographer::~LessonPhotographer() {
   player_.window()->MakeCurrent();
-  boxes_.reset();
+  boxes_->SetRenderer(nullptr);
 }
 
 QImage LessonPhotographer::picture(const LessonStep& step) {
   vtkRenderer* renderer = player_.renderer().renderer();
-  if (step.boxes && !boxes_) boxes_ = std::make_unique<ProbeOverlay>(player_.window(), renderer);
-  if (boxes_) {
+  boxes_->SetVisibility(step.boxes ? 1 : 0);
+  if (step.boxes) {
     const auto& probes = player_.scene().probes;
-    boxes_->setVisible(step.boxes);
+    boxes_->SetRenderer(renderer);
     // Handles only where there is something to drag.
     const bool drags = !probes.empty() && (step.task || !step.mayMove.empty());
-    boxes_->update(probes, drags ? std::optional<std::size_t>(0) : std::nullopt, {}, std::nullopt);
-    boxes_->follow(ViewProjection(renderer->GetActiveCamera(), width_, height_));
+    boxes_->ShowProbes(probes, drags ? std::optional<std::size_t>(0) : std::nullopt, {});
+    boxes_->Follow(ViewProjection(renderer->GetActiveCamera(), width_, height_));
   }
   const ImageRgba8 shown = player_.picture();
   QImage picture = QImage(shown.pixels.data(), shown.width, shown.height, QImage::Format_RGBA8888)
@@ -76,7 +79,7 @@ QImage LessonPhotographer::pictureOf(const Lesson& lesson, std::size_t index) {
 
 void LessonPhotographer::open(const Lesson& lesson) {
   player_.window()->MakeCurrent();
-  boxes_.reset();  // drawn over the renderer there was
+  boxes_->SetRenderer(nullptr);  // drawn over the renderer there was
   player_.open(lesson);
 }
 
@@ -101,7 +104,7 @@ LessonPictures LessonPhotographer::take(const Lesson& lesson, const std::optiona
     Explanation explanation = player_.renderer().explain(x, y, width_, height_);
     if (hasPlan(explanation)) pictures.plan = std::move(explanation);
   }
-  if (boxes_) boxes_->setVisible(false);
+  boxes_->VisibilityOff();
   for (const LessonClaim& claim : lesson.claims) {
     const ClaimResult result = player_.check(claim.condition);
     pictures.claims.push_back({claim.say, claimText(claim.condition, claim.unit, result), result.holds});

@@ -2,6 +2,8 @@
 // sheet and the page; shows no window.
 #pragma once
 
+#include <vtkSmartPointer.h>
+
 #include <QImage>
 #include <functional>
 #include <memory>
@@ -12,9 +14,9 @@
 #include "app/lessons/lesson_player.h"
 #include "filters/explain/explanation.h"
 
-namespace boxprobe {
+class vtkReflectionProbeRepresentation;
 
-class ProbeOverlay;
+namespace boxprobe {
 
 struct LessonPictures {
   std::vector<QImage> steps;
@@ -55,7 +57,7 @@ class LessonPhotographer {
 
   int width_, height_;
   LessonPlayer player_;
-  std::unique_ptr<ProbeOverlay> boxes_;
+  vtkSmartPointer<vtkReflectionProbeRepresentation> boxes_;
 };
 
 /// "0.21, and 5 times 0.0215 is 0.107": what was found beside what it is held against.

@@ -4,8 +4,8 @@
 
 #include <QImage>
 
-#include "app/gui/handles/handle_picking.h"
 #include "filters/explain/explanation.h"
+#include "filters/vtk/widgets/view_projection.h"
 
 namespace boxprobe {
 

@@ -11,8 +11,8 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "app/gui/handles/handle_drag.h"
 #include "app/session/fit_scene.h"
+#include "filters/vtk/widgets/handle_drag.h"
 
 namespace boxprobe {
 

@@ -7,7 +7,8 @@
 #include <functional>
 #include <optional>
 
-#include "app/gui/handles/handle_picking.h"
+#include "filters/core/geometry/probe_frame.h"
+#include "filters/vtk/widgets/view_projection.h"
 
 namespace boxprobe {
 

@@ -12,8 +12,8 @@
 #include <optional>
 #include <set>
 
-#include "app/gui/handles/view_ray.h"
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/widgets/view_projection.h"
 
 class vtkCamera;
 

@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "app/gui/handles/view_ray.h"
 #include "filters/core/geometry/probe_frame.h"
+#include "filters/vtk/widgets/view_projection.h"
 
 class vtkCamera;
 

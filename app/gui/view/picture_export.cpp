@@ -6,10 +6,10 @@
 #include <QString>
 #include <algorithm>
 
-#include "app/gui/handles/probe_overlay.h"
 #include "app/gui/view/viewport.h"
 #include "filters/io/image/image_file.h"
 #include "filters/vtk/scene_renderer.h"
+#include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
 namespace boxprobe {
 
@@ -24,7 +24,8 @@ void exportLinear(const std::string& path, SceneRenderer& renderer, const int* s
 
 }  // namespace
 
-void exportPicture(const std::string& path, SceneRenderer& renderer, Viewport& viewport, ProbeOverlay& overlay) {
+void exportPicture(const std::string& path, SceneRenderer& renderer, Viewport& viewport,
+                   vtkReflectionProbeRepresentation& handles) {
   viewport.window3d()->MakeCurrent();
   if (QString::fromStdString(path).endsWith(".exr", Qt::CaseInsensitive)) {
     return exportLinear(path, renderer, viewport.window3d()->GetSize());
@@ -35,9 +36,10 @@ void exportPicture(const std::string& path, SceneRenderer& renderer, Viewport& v
   }
   const PreviewSphereSettings sphere = renderer.previewSphere();
   renderer.showPreviewSphere({});
-  overlay.setSuspended(true);
+  const int shown = handles.GetVisibility();
+  handles.VisibilityOff();
   const ImageRgba8 image = renderer.renderDisplay();
-  overlay.setSuspended(false);
+  handles.SetVisibility(shown);
   renderer.showPreviewSphere(sphere);
   savePng(path, image);
 }

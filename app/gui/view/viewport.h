@@ -8,8 +8,8 @@
 #include <functional>
 #include <optional>
 
-#include "app/gui/handles/handle_picking.h"
 #include "app/gui/view/camera_controller.h"
+#include "filters/vtk/widgets/view_projection.h"
 
 class QLabel;
 class vtkCamera;

@@ -1,34 +1,38 @@
 // See axis_colors.h.
 #include "app/gui/widgets/axis_colors.h"
 
+#include <cmath>
+
+#include "filters/vtk/widgets/handle_colors.h"
+
 namespace boxprobe {
 
-QColor axisColor(int axis) {
-  if (axis == 0) return {0xf0, 0x55, 0x50};
-  if (axis == 1) return {0x7a, 0xc9, 0x43};
-  return {0x4f, 0x9d, 0xff};
+namespace {
+
+QColor toQt(const glm::dvec3& display) {
+  const auto byte = [](double value) { return static_cast<int>(std::lround(255.0 * value)); };
+  return {byte(display.x), byte(display.y), byte(display.z)};
 }
 
+}  // namespace
+
+QColor axisColor(int axis) {
+  return toQt(HandleColors().axes[static_cast<std::size_t>(axis)]);
+}
 QColor boxColor() {
-  return {0xff, 0xb3, 0x1a};
+  return toQt(HandleColors().box);
 }
 QColor blendColor() {
-  return {0x4d, 0xe0, 0xe0};
+  return toQt(HandleColors().blend);
 }
 QColor influenceColor() {
-  return {0xc0, 0x8c, 0xff};
+  return toQt(HandleColors().influence);
 }
 QColor originColor() {
-  return {0xff, 0x5f, 0xd2};
-}
-QColor idleColor() {
-  return {0xe8, 0xe8, 0xe8};
-}
-QColor ghostColor() {
-  return {0x6d, 0xe8, 0x7a};
+  return toQt(HandleColors().origin);
 }
 QColor haloColor() {
-  return {0x10, 0x12, 0x16};
+  return toQt(HandleColors().halo);
 }
 
 }  // namespace boxprobe

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "app/gui/explain/debug_view.h"
-#include "app/gui/handles/probe_overlay.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/lessons/lesson_view.h"
 #include "app/gui/panels/bake_panel.h"
@@ -42,6 +41,7 @@
 #include "filters/core/geometry/probe_at.h"
 #include "filters/io/files/data_folder.h"
 #include "filters/vtk/scene_renderer.h"
+#include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
 namespace boxprobe {
 
@@ -50,15 +50,15 @@ MainWindow::MainWindow()
       editor_(std::make_unique<Editor>(document_)),
       viewport_(new Viewport(this)),
       renderer_(std::make_unique<SceneRenderer>(viewport_->window3d())),
-      overlay_(std::make_unique<ProbeOverlay>(viewport_->window3d(), renderer_->renderer())),
+      shownHandles_(vtkSmartPointer<vtkReflectionProbeRepresentation>::New()),
       surfaces_(std::make_unique<SceneSurfaces>(document_)),
       probeWidget_(new ProbeWidget(
-          *editor_, *overlay_, *surfaces_, [this] { return viewport_->view(); }, this)),
+          *editor_, *shownHandles_, *surfaces_, [this] { return viewport_->view(); }, this)),
       work_(new PictureWork(
           document_, *renderer_, *viewport_,
           [this] {
             debugView_->update();
-            overlay_->follow(viewport_->view());
+            shownHandles_->Follow(viewport_->view());
           },
           this)),
       files_(new FileCommands(
@@ -67,7 +67,7 @@ MainWindow::MainWindow()
            [this](const std::string& path) {
              motionPreview().rest();
              tools_->showOwnScene();
-             exportPicture(path, *renderer_, *viewport_, *overlay_);
+             exportPicture(path, *renderer_, *viewport_, *shownHandles_);
              scheduler().requestRender();
            },
            [this] { lessons_->leave(); }, [this] { return lessons_->sceneName(); },
@@ -118,6 +118,7 @@ MainWindow::MainWindow()
       panels_(new PanelDocks(this, {*editor_, *renderer_, *viewport_, scheduler(), *debugView_, *menu_})) {
   viewport_->setCamera([this] { return renderer_->renderer()->GetActiveCamera(); },
                        [this](const Ray& ray) { return surfaces_->meet(ray); }, [this] { return renderer_->bounds(); });
+  shownHandles_->SetRenderer(renderer_->renderer());
   viewport_->setProbeWidget(probeWidget_);
   renderer_->setEditable(true);
   setCentralWidget(viewport_);
@@ -133,8 +134,8 @@ MainWindow::MainWindow()
   connectDebugView();
   connectLessons();
   connectFitter();
-  tools_ = new ViewTools({document_, *editor_, *renderer_, *viewport_, *overlay_, *probeWidget_, *surfaces_, *menu_,
-                          *panels_, *debugView_, *status_, scheduler(), [this] { return models_; }},
+  tools_ = new ViewTools({document_, *editor_, *renderer_, *viewport_, *shownHandles_, *probeWidget_, *surfaces_,
+                          *menu_, *panels_, *debugView_, *status_, scheduler(), [this] { return models_; }},
                          this);
   tools_->subscribe(views_);
   connect(tools_, &ViewTools::automaticExposureWanted, fitter_, &ModelFitter::exposeAgain);
@@ -142,14 +143,14 @@ MainWindow::MainWindow()
 }
 
 MainWindow::~MainWindow() {
-  // The overlay and the scene hold GL objects of the viewport's context: they go first, while it is there.
+  // The handles and the scene hold GL objects of the viewport's context: they go first, while it is there.
   panels_->stopReading();
   delete tools_;  // its threads and its drawings over the picture
   tools_ = nullptr;
   viewport_->window3d()->MakeCurrent();
   debugView_->releaseGraphics();
   renderer_->releaseGraphics();
-  overlay_.reset();
+  shownHandles_->SetRenderer(nullptr);
   renderer_.reset();
   delete viewport_;
 }
@@ -258,7 +259,7 @@ void MainWindow::connectPanels() {
   connect(menu_, &MenuBar::fitRequested, &panels_->fitPanel(), &FitPanel::fit);
   connect(menu_, &MenuBar::placeRequested, &panels_->placePanel(), &PlacePanel::place);
   connect(panels_, &PanelDocks::ghostsChanged, this, [this](const std::vector<Probe>& ghosts) {
-    overlay_->setGhosts(ghosts);
+    shownHandles_->ShowGhosts(ghosts);
     scheduler().requestRender();
   });
   connect(menu_, &MenuBar::bakeRequested, &panels_->bakePanel(), &BakePanel::bakeSelected);

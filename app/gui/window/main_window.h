@@ -2,6 +2,8 @@
 // runWindow and by tests.
 #pragma once
 
+#include <vtkSmartPointer.h>
+
 #include <QMainWindow>
 #include <memory>
 #include <optional>
@@ -12,6 +14,8 @@
 #include "app/gui/edit/editor.h"
 #include "app/session/load_scene.h"
 #include "filters/core/scene/document.h"
+
+class vtkReflectionProbeRepresentation;
 
 namespace boxprobe {
 
@@ -27,7 +31,6 @@ class MotionPreview;
 class PanelDocks;
 class PictureWork;
 class ProbeExporter;
-class ProbeOverlay;
 class ProbeWidget;
 class Projector;
 class RenderScheduler;
@@ -106,7 +109,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Editor> editor_;
   Viewport* viewport_;
   std::unique_ptr<SceneRenderer> renderer_;
-  std::unique_ptr<ProbeOverlay> overlay_;
+  vtkSmartPointer<vtkReflectionProbeRepresentation> shownHandles_;
   std::unique_ptr<SceneSurfaces> surfaces_;
   ProbeWidget* probeWidget_;
   PictureWork* work_;

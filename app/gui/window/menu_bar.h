@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/handles/handle.h"
+#include "filters/vtk/widgets/handle.h"
 
 class QAction;
 class QActionGroup;

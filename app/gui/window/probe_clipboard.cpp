@@ -4,10 +4,10 @@
 #include <QApplication>
 #include <QClipboard>
 
-#include "app/gui/handles/handle_drag.h"
 #include "filters/core/base/errors.h"
 #include "filters/io/json/json_text.h"
 #include "filters/io/scene/scene_file.h"
+#include "filters/vtk/widgets/handle_drag.h"
 
 namespace boxprobe {
 

@@ -12,7 +12,6 @@
 #include "app/gui/explain/debug_view.h"
 #include "app/gui/explain/surface_view_panel.h"
 #include "app/gui/handles/face_tags.h"
-#include "app/gui/handles/probe_overlay.h"
 #include "app/gui/handles/probe_widget.h"
 #include "app/gui/panels/bake_panel.h"
 #include "app/gui/panels/fit_panel.h"
@@ -31,6 +30,7 @@
 #include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
 #include "filters/vtk/scene_renderer.h"
+#include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
 namespace boxprobe {
 
@@ -57,10 +57,11 @@ ViewTools::ViewTools(const Parts& parts, QMainWindow* window)
                                 parts_.scheduler.sceneChanged();
                               }},
                              this)),
-      tags_(new FaceTags(parts.panels.fitPanel().gauge(), parts.editor,
-                         {[this] { return parts_.viewport.view(); },
-                          [this] { return parts_.overlay.visible() && parts_.handles.mode() == HandleMode::Box; }},
-                         &parts.viewport)),
+      tags_(new FaceTags(
+          parts.panels.fitPanel().gauge(), parts.editor,
+          {[this] { return parts_.viewport.view(); },
+           [this] { return parts_.shownHandles.GetVisibility() != 0 && parts_.handles.mode() == HandleMode::Box; }},
+          &parts.viewport)),
       exposure_(new ExposureTools(parts.editor, parts.menu, window)) {
   connectViews();
   connectClicks(window);
@@ -197,8 +198,9 @@ QImage ViewTools::barePicture() {
   parts_.viewport.window3d()->MakeCurrent();
   ImageRgba8 image;
   try {
-    parts_.overlay.setSuspended(true);
-    const AtEnd again([this] { parts_.overlay.setSuspended(false); });
+    const int shown = parts_.shownHandles.GetVisibility();
+    parts_.shownHandles.VisibilityOff();
+    const AtEnd again([this, shown] { parts_.shownHandles.SetVisibility(shown); });
     image = parts_.renderer.renderDisplay();
   } catch (const Error& error) {
     parts_.status.showError(QString::fromUtf8(error.what()));

@@ -15,6 +15,7 @@
 
 class QLabel;
 class QMainWindow;
+class vtkReflectionProbeRepresentation;
 
 namespace boxprobe {
 
@@ -23,7 +24,6 @@ class DebugView;
 class ExposureTools;
 class FaceTags;
 class PanelDocks;
-class ProbeOverlay;
 class RenderScheduler;
 class SceneRenderer;
 class StatusLine;
@@ -38,7 +38,7 @@ class ViewTools : public QObject {
     Editor& editor;
     SceneRenderer& renderer;
     Viewport& viewport;
-    ProbeOverlay& overlay;
+    vtkReflectionProbeRepresentation& shownHandles;
     ProbeWidget& handles;
     SceneSurfaces& surfaces;
     MenuBar& menu;

@@ -403,6 +403,9 @@ CaptureSettings ActorParts::clippedSettings(std::size_t index) const {
     const glm::dvec3 size = probe.box.size();
     settings.nearDistance = 0.0025 * (smallest > 0.0 ? smallest : std::max({half.x, half.y, half.z, 1e-30}));
     if (std::max({size.x, size.y, size.z}) <= 0.0) settings.nearDistance = standard.nearDistance;
+    constexpr double kKept = 8.0;  // times as near or far: a box of about the size
+    const double kept = captured[index].nearDistance;
+    if (kept > settings.nearDistance / kKept && kept < settings.nearDistance * kKept) settings.nearDistance = kept;
   }
   if (probe.farDistance == standard.farDistance) {
     double farthest = 0.0;
@@ -602,6 +605,8 @@ bool ActorParts::begin(bool all) {
   for (std::size_t i = 0; i < captured.size(); ++i) {
     if (!all && !stale(i, planned->contentKey)) continue;
     planned->probes.push_back(i);
+    captured[i].nearDistance = 0.0;
+    captured[i].nearDistance = clippedSettings(i).nearDistance;
     planned->probeKeys.push_back(probeKey(i));
     const Probe& probe = content.scene.probes[i];
     planned->bounces = std::max(planned->bounces, probe.bounces);
@@ -635,7 +640,8 @@ void ActorParts::startNext(Graphics& with) {
     finishBounce();
     if (++work->bounce > work->bounces) {
       for (std::size_t k = 0; k < work->probes.size(); ++k) {
-        captured[work->probes[k]] = {work->contentKey, work->probeKeys[k], false};
+        CapturedFrom& from = captured[work->probes[k]];
+        from = {work->contentKey, work->probeKeys[k], false, from.nearDistance};
       }
       work.reset();
       return;
@@ -678,7 +684,8 @@ bool ActorParts::step() {
     state->counts.fail(failure.what());
     // Not tried again before something changes.
     for (std::size_t k = 0; work && k < work->probes.size(); ++k) {
-      captured[work->probes[k]] = {work->contentKey, work->probeKeys[k], false};
+      CapturedFrom& from = captured[work->probes[k]];
+      from = {work->contentKey, work->probeKeys[k], false, from.nearDistance};
     }
     dropWork();
   }

@@ -60,6 +60,7 @@ struct ActorPlace {
 struct CapturedFrom {
   std::string content, probe;  ///< keys; empty: not captured
   bool given = false;          ///< maps from elsewhere, which never go stale
+  double nearDistance = 0.0;   ///< that was found for it; a box that is dragged keeps it, and its maps
 };
 
 /// Captures under way: a bounce of all probes before the next bounce of any.

@@ -6,6 +6,7 @@
 #include "filters/vtk/actors/vtkReflectionProbe.h"
 #include "filters/vtk/actors/vtkReflectionProbes.h"
 #include "filters/vtk/placement/vtkReflectionProbeFit.h"
+#include "filters/vtk/widgets/vtkReflectionProbeWidget.h"
 
 #if BOXPROBE_VERSION_NUMBER < BOXPROBE_VERSION_CHECK(0, 1, 0)
 #error "too old"
@@ -17,6 +18,9 @@ extern "C" int countProbes() {
   probes->AddProbe(probe);
   vtkNew<vtkRenderer> renderer;  // shows nothing: no room to place a probe in
   probes->SetRenderer(renderer);
+  vtkNew<vtkReflectionProbeWidget> widget;
+  widget->SetProbe(probe);
+  if (widget->GetProbe() != probe) return -1;
   vtkNew<vtkReflectionProbeFit> fit;
   fit->SetProbes(probes);
   return fit->Place() == 0 ? probes->GetNumberOfProbes() : -1;

@@ -6,7 +6,8 @@ import unittest
 import boxprobe
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import (vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor,
+                                         vtkWindowToImageFilter)
 
 
 def plane(origin, first, second, color=None):
@@ -124,6 +125,44 @@ class Calls(unittest.TestCase):
         placed = probes.place()
         self.assertEqual(len(placed), 1)
         self.near(room.mirrored(), (128, 128, 128))
+
+    def test_the_widget_by_events(self):
+        room = Room()
+        probes = boxprobe.attach(room.renderer)
+        probe = probes.add(bounds=(-1.3, 1.1, -1.0, 0.6, -1.2, 0.4), origin=(0.2, -0.3, 0.1), face_size=64)
+        interactor = vtkRenderWindowInteractor()
+        interactor.SetRenderWindow(room.window)
+        widget = boxprobe.vtkReflectionProbeWidget()
+        widget.SetInteractor(interactor)
+        widget.SetProbe(probe)
+        widget.On()
+        room.window.Render()
+        shown = widget.GetReflectionProbeRepresentation()
+        self.assertIsInstance(shown, boxprobe.vtkReflectionProbeRepresentation)
+        self.assertIs(widget.GetProbe(), probe)
+        seen = []
+        for event in (vtkCommand.StartInteractionEvent, vtkCommand.InteractionEvent, vtkCommand.EndInteractionEvent):
+            widget.AddObserver(event, lambda caller, name: seen.append(name))
+
+        def send(event, x):  # along the line on which the face +X moves
+            room.renderer.SetWorldPoint(x, -0.2, -0.4, 1)
+            room.renderer.WorldToDisplay()
+            at = room.renderer.GetDisplayPoint()
+            interactor.SetEventInformation(round(at[0]), round(at[1]), 0, 0)
+            interactor.InvokeEvent(event)
+
+        send(vtkCommand.MouseMoveEvent, 1.1)
+        self.assertEqual(shown.GetInteractionState(), shown.MovingFace)
+        send(vtkCommand.LeftButtonPressEvent, 1.1)
+        for x in (1.0, 0.8, 0.6):
+            send(vtkCommand.MouseMoveEvent, x)
+        self.assertIn("+X  0.", shown.GetReadout())
+        send(vtkCommand.LeftButtonReleaseEvent, 0.6)
+        self.assertEqual(seen, ["StartInteractionEvent"] + 3 * ["InteractionEvent"] + ["EndInteractionEvent"])
+        self.assertAlmostEqual(probe.bounds[1], 0.6, delta=0.04)  # a pixel and a half
+        self.assertEqual(probe.bounds[0], -1.3)
+        self.assertEqual(probe.origin, (0.2, -0.3, 0.1))
+        widget.Off()
 
     def test_errors(self):
         for thing in (None, 7, "renderer", vtkActor()):

@@ -23,7 +23,8 @@ _found = vtkVersion.GetVTKVersion()
 if _found.split(".")[:2] != _version.vtk_version.split(".")[:2]:
     raise ImportError(f"boxprobe was built for VTK {_version.vtk_version}; this is VTK {_found}")
 
-from .vtkBoxprobe import vtkProjectionRays, vtkReflectionProbe, vtkReflectionProbes
+from .vtkBoxprobe import (vtkProjectionRays, vtkReflectionProbe, vtkReflectionProbeRepresentation, vtkReflectionProbes,
+                          vtkReflectionProbeWidget)
 
 try:
     from .vtkBoxprobe import vtkReflectionProbeFit
@@ -31,7 +32,7 @@ except ImportError:  # built without Embree
     vtkReflectionProbeFit = None
 
 __all__ = ["ActorProbes", "Probe", "Probes", "attach", "vtkProjectionRays", "vtkReflectionProbe", "vtkReflectionProbeFit",
-           "vtkReflectionProbes"]
+           "vtkReflectionProbeRepresentation", "vtkReflectionProbes", "vtkReflectionProbeWidget"]
 
 
 def _value(name, doc):

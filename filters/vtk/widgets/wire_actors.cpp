@@ -1,5 +1,4 @@
-// See wire_actors.h.
-#include "app/gui/handles/wire_actors.h"
+#include "filters/vtk/widgets/wire_actors.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -15,7 +14,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/gui/widgets/axis_colors.h"
 #include "filters/core/geometry/probe_frame.h"
 #include "filters/core/geometry/probe_geometry.h"
 
@@ -30,7 +28,7 @@ constexpr double kHaloBehind = 1.004;    ///< times as far away as the line, so 
 constexpr double kDashesPerEdge = 32.0;  ///< of the longest edge
 constexpr double kDashShare = 0.55;      ///< of a dash and its gap
 
-vtkSmartPointer<vtkActor> lineActor(vtkRenderer* renderer, vtkPolyData* lines, const QColor& color, double width,
+vtkSmartPointer<vtkActor> lineActor(vtkRenderer* renderer, vtkPolyData* lines, const glm::dvec3& color, double width,
                                     double opacity) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(lines);
@@ -38,7 +36,7 @@ vtkSmartPointer<vtkActor> lineActor(vtkRenderer* renderer, vtkPolyData* lines, c
   actor->SetMapper(mapper);
   actor->PickableOff();
   vtkProperty* property = actor->GetProperty();
-  property->SetColor(color.redF(), color.greenF(), color.blueF());
+  property->SetColor(color.x, color.y, color.z);
   property->SetLineWidth(static_cast<float>(width));
   property->SetOpacity(opacity);
   property->LightingOff();
@@ -72,9 +70,11 @@ void addEdges(std::vector<glm::dvec3>& segments, const Probe& probe, const Box& 
 
 }  // namespace
 
-HaloLines::HaloLines(vtkRenderer* renderer, const LineLook& look) : lines_(vtkSmartPointer<vtkPolyData>::New()) {
+HaloLines::HaloLines(vtkRenderer* renderer, const LineLook& look)
+    : look_(look), lines_(vtkSmartPointer<vtkPolyData>::New()) {
   if (look.halo) {
-    halo_ = lineActor(renderer, lines_, haloColor(), look.widthPixels + kHaloPixels, kHaloOpacity * look.opacity);
+    halo_ =
+        lineActor(renderer, lines_, HandleColors().halo, look.widthPixels + kHaloPixels, kHaloOpacity * look.opacity);
   }
   core_ = lineActor(renderer, lines_, look.color, look.widthPixels, look.opacity);
   setVisible(true);
@@ -96,13 +96,25 @@ void HaloLines::setSegments(const std::vector<glm::dvec3>& endpointPairsWorld) {
   lines_->SetPoints(points);
   lines_->SetLines(cells);
   lines_->Modified();
+  setVisible(visible_);
   placeActors();
 }
 
 void HaloLines::setVisible(bool visible) {
+  visible_ = visible;
   for (vtkActor* actor : {halo_.Get(), core_.Get()}) {
     if (actor) actor->SetVisibility(visible && !empty_ ? 1 : 0);
   }
+}
+
+void HaloLines::setColors(const glm::dvec3& line, const glm::dvec3& halo) {
+  core_->GetProperty()->SetColor(line.x, line.y, line.z);
+  if (halo_) halo_->GetProperty()->SetColor(halo.x, halo.y, halo.z);
+}
+
+void HaloLines::setPixelScale(double scale) {
+  core_->GetProperty()->SetLineWidth(static_cast<float>(scale * look_.widthPixels));
+  if (halo_) halo_->GetProperty()->SetLineWidth(static_cast<float>(scale * (look_.widthPixels + kHaloPixels)));
 }
 
 void HaloLines::pullTowards(const glm::dvec3& eyeWorld, double factor) {
@@ -127,13 +139,15 @@ void HaloLines::placeActors() {
 }
 
 WireActors::WireActors(vtkRenderer* renderer, bool faint)
-    : idle_(renderer, {idleColor(), 1.5, faint ? 0.3 : 0.8, !faint}),
-      beside_(renderer, {boxColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
-      influence_(renderer, {influenceColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
-      blend_(renderer, {blendColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
-      box_(renderer, {boxColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}),
-      ghost_(renderer, {ghostColor(), 2.5, faint ? kHiddenOpacity : 1.0, !faint}),
-      drop_(renderer, {originColor(), 1.5, faint ? kHiddenOpacity : 1.0, !faint}) {}
+    : idle_(renderer, {{}, 1.5, faint ? 0.3 : 0.8, !faint}),
+      beside_(renderer, {{}, 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
+      influence_(renderer, {{}, 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
+      blend_(renderer, {{}, 1.5, faint ? kHiddenOpacity : 1.0, !faint}),
+      box_(renderer, {{}, 2.5, faint ? kHiddenOpacity : 1.0, !faint}),
+      ghost_(renderer, {{}, 2.5, faint ? kHiddenOpacity : 1.0, !faint}),
+      drop_(renderer, {{}, 1.5, faint ? kHiddenOpacity : 1.0, !faint}) {
+  setColors(HandleColors());
+}
 
 void WireActors::update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
                         const std::vector<std::size_t>& together, HandleMode mode) {
@@ -179,13 +193,22 @@ void WireActors::setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWor
   drop_.setSegments(lines);
 }
 
-void WireActors::setVisible(bool visible) {
-  for (HaloLines* lines : {&idle_, &beside_, &influence_, &blend_, &box_, &ghost_, &drop_}) lines->setVisible(visible);
+void WireActors::setColors(const HandleColors& colors) {
+  idle_.setColors(colors.idle, colors.halo);
+  beside_.setColors(colors.box, colors.halo);
+  influence_.setColors(colors.influence, colors.halo);
+  blend_.setColors(colors.blend, colors.halo);
+  box_.setColors(colors.box, colors.halo);
+  ghost_.setColors(colors.ghost, colors.halo);
+  drop_.setColors(colors.origin, colors.halo);
+}
+
+void WireActors::setPixelScale(double scale) {
+  for (HaloLines* lines : all()) lines->setPixelScale(scale);
 }
 
 void WireActors::pullTowards(const glm::dvec3& eyeWorld, double factor) {
-  for (HaloLines* lines : {&idle_, &beside_, &influence_, &blend_, &box_, &ghost_, &drop_})
-    lines->pullTowards(eyeWorld, factor);
+  for (HaloLines* lines : all()) lines->pullTowards(eyeWorld, factor);
 }
 
 }  // namespace boxprobe

@@ -1,7 +1,6 @@
 // The handles' pictures in a vtkRenderer: balls on the faces of the selected probe in their axis' colour, filled at the
 // maximum and hollow at the minimum, arrows and rings, a diamond at its capture origin, a small diamond at the other
-// probes' origins; always the same size on the screen, brighter and larger under the pointer. Called by the probe
-// widget; knows no mouse.
+// probes' origins; always the same size on the screen, brighter and larger under the pointer.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -11,8 +10,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/handles/handle_picking.h"
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/widgets/handle_colors.h"
+#include "filters/vtk/widgets/handle_picking.h"
 
 class vtkActor;
 class vtkPolyData;
@@ -27,7 +27,10 @@ class HandleActors {
   /// `together`: the places of all selected probes, ascending.
   void update(const std::vector<Probe>& probes, std::optional<std::size_t> selected,
               const std::vector<std::size_t>& together, std::optional<Handle> highlighted, HandleMode mode);
-  void setVisible(bool visible);
+  /// For the next update(). `size`: of their usual pixels.
+  void setLook(const HandleColors& colors, double size);
+  /// Device pixels of a logical one.
+  void setPixelScale(double scale);
   /// Before each picture: sizes follow the view, whose pixels are logical ones.
   void fit(const ViewProjection& view);
 
@@ -56,7 +59,8 @@ class HandleActors {
   std::vector<Mark> blends_;          ///< six
   std::vector<Mark> arrows_, rings_;  ///< three
   std::vector<Mark> origins_;         ///< one per probe; grows, never shrinks
-  bool visible_ = true;
+  HandleColors colors_;
+  double size_ = 1.0;
 };
 
 }  // namespace boxprobe

@@ -1,5 +1,4 @@
-// What can be taken hold of in the picture, and which of it is shown. Called by everything of the handles; plain
-// values.
+// What can be taken hold of in the picture, and which of it is shown.
 #pragma once
 
 #include <cstddef>

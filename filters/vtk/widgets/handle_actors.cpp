@@ -1,10 +1,10 @@
-// See handle_actors.h.
-#include "app/gui/handles/handle_actors.h"
+#include "filters/vtk/widgets/handle_actors.h"
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkCellArray.h>
 #include <vtkCubeSource.h>
+#include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -15,14 +15,12 @@
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 
-#include <QColor>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
 
-#include "app/gui/widgets/axis_colors.h"
 #include "filters/core/geometry/probe_geometry.h"
 
 namespace boxprobe {
@@ -35,6 +33,7 @@ constexpr double kOriginRadius = 9.0;
 constexpr double kIdleOriginRadius = 6.0;
 constexpr double kHighlightScale = 1.35;
 constexpr double kOutlinePixels = 2.0;
+constexpr float kRingWidth = 3.5F;
 
 vtkSmartPointer<vtkPolyData> sphere(int around, int across) {
   vtkNew<vtkSphereSource> source;
@@ -125,8 +124,19 @@ glm::dmat3 screenFrame(const ViewProjection& view, const glm::dvec3& positionWor
   return {view.right(), axes.up, -away};
 }
 
-void setColor(vtkActor* actor, const QColor& color) {
-  actor->GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());
+void setColor(vtkActor* actor, const glm::dvec3& color) {
+  actor->GetProperty()->SetColor(color.x, color.y, color.z);
+}
+
+/// 1.4 times as bright, paler where that is beyond white.
+glm::dvec3 highlightedColor(const glm::dvec3& color) {
+  constexpr double kBrighter = 1.4;
+  double h, s, v, r, g, b;
+  vtkMath::RGBToHSV(color.x, color.y, color.z, &h, &s, &v);
+  v *= kBrighter;
+  s = std::max(s - std::max(v - 1.0, 0.0), 0.0);
+  vtkMath::HSVToRGB(h, s, std::min(v, 1.0), &r, &g, &b);
+  return {r, g, b};
 }
 
 }  // namespace
@@ -151,7 +161,7 @@ HandleActors::Mark HandleActors::newMark(vtkPolyData* shape, Form form) {
   mark.outline->GetProperty()->LightingOff();
   mark.body = addActor(renderer_, shape);
   if (form == Form::Ring) {
-    mark.body->GetProperty()->SetLineWidth(3.5F);
+    mark.body->GetProperty()->SetLineWidth(kRingWidth);
     mark.body->GetProperty()->LightingOff();
   } else {
     mark.outline->GetProperty()->FrontfaceCullingOn();
@@ -187,19 +197,22 @@ void HandleActors::place(Mark& mark, const std::vector<Probe>& probes, const Han
   mark.idle = handle.kind == HandleKind::Origin && rank == Rank::Idle;
   mark.positionWorld = handleAnchorWorld(probe, handle);
   const bool origin = handle.kind == HandleKind::Origin;
-  QColor color = !origin ? axisColor(handle.face.axis) : rank != Rank::Idle ? originColor() : idleColor();
-  QColor rim = haloColor();
+  glm::dvec3 color = !origin              ? colors_.axes[static_cast<std::size_t>(handle.face.axis)]
+                     : rank != Rank::Idle ? colors_.origin
+                                          : colors_.idle;
+  glm::dvec3 rim = colors_.halo;
   mark.outlinePixels = kOutlinePixels;
   mark.radiusPixels = origin                             ? (rank == Rank::Shown ? kOriginRadius : kIdleOriginRadius)
                       : handle.kind == HandleKind::Blend ? kBlendRadius
                       : mark.form == Form::Pointing      ? kArrowPixels
                       : mark.form == Form::Ring          ? kRingPixels
                                                          : kFaceRadius;
-  if (highlighted) color = color.lighter(140);
+  mark.radiusPixels *= size_;
+  if (highlighted) color = highlightedColor(color);
   if (highlighted && mark.form == Form::Round) mark.radiusPixels *= kHighlightScale;
   if (mark.form == Form::Round && !origin && !handle.face.positive) {
     rim = color;
-    color = haloColor();
+    color = colors_.halo;
     mark.outlinePixels = 1.5 * kOutlinePixels;
   }
   if (mark.form != Form::Round) {
@@ -228,15 +241,19 @@ void HandleActors::update(const std::vector<Probe>& probes, std::optional<std::s
     const Rank rank = selected == handle.probe ? Rank::Shown : beside ? Rank::Beside : Rank::Idle;
     place(markOf(handle), probes, handle, rank, highlighted && *highlighted == handle);
   }
-  setVisible(visible_);
+  forAll([](Mark& mark) {
+    mark.body->SetVisibility(mark.shown ? 1 : 0);
+    mark.outline->SetVisibility(mark.shown && mark.form == Form::Round ? 1 : 0);
+  });
 }
 
-void HandleActors::setVisible(bool visible) {
-  visible_ = visible;
-  forAll([visible](Mark& mark) {
-    mark.body->SetVisibility(visible && mark.shown ? 1 : 0);
-    mark.outline->SetVisibility(visible && mark.shown && mark.form == Form::Round ? 1 : 0);
-  });
+void HandleActors::setLook(const HandleColors& colors, double size) {
+  colors_ = colors;
+  size_ = size;
+}
+
+void HandleActors::setPixelScale(double scale) {
+  for (const Mark& ring : rings_) ring.body->GetProperty()->SetLineWidth(kRingWidth * static_cast<float>(scale));
 }
 
 double HandleActors::fadeOf(const Mark& mark, const ViewProjection& view, double nearest) {

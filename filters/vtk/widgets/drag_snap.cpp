@@ -1,18 +1,17 @@
-// See drag_snap.h.
-#include "app/gui/handles/drag_snap.h"
+#include "filters/vtk/widgets/drag_snap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "filters/fit/rays/surface_rays.h"
+
 namespace boxprobe {
 
 namespace {
 
-constexpr double kCatchPixels = 14.0;
 constexpr double kFacingCosine = 0.95;  ///< 18 degrees: a wall that a face could lie on
-constexpr double kLargestStep = 0.1;
-constexpr double kStepPixels = 6.0;  ///< at least so far apart on the screen
+constexpr double kStepPixels = 6.0;     ///< at least so far apart on the screen
 
 double roundTo(double value, double step) {
   return std::round(value / step) * step;
@@ -20,12 +19,13 @@ double roundTo(double value, double step) {
 
 }  // namespace
 
-DragSnap::DragSnap(const SurfaceRays* surfaces, const Ray& pointer, double metresPerPixel)
+DragSnap::DragSnap(const SurfaceRays* surfaces, const Ray& pointer, double metresPerPixel, const SnapSettings& settings)
     : surfaces_(surfaces),
       pointer_(pointer),
-      reach_(kCatchPixels * metresPerPixel),
-      step_(std::min(kLargestStep,
-                     std::pow(10.0, std::ceil(std::log10(std::max(kStepPixels * metresPerPixel, 1e-6)))))) {}
+      reach_(settings.catchPixels * metresPerPixel),
+      step_(std::min(settings.largestStep,
+                     std::pow(10.0, std::ceil(std::log10(std::max(kStepPixels * metresPerPixel, 1e-6)))))),
+      turnStepDegrees_(settings.turnStepDegrees) {}
 
 double DragSnap::face(const glm::dvec3& point, const glm::dvec3& axis, double offset, const glm::dvec3& inside) {
   if (surfaces_ != nullptr) {

@@ -1,5 +1,4 @@
-// See handle_drag.h.
-#include "app/gui/handles/handle_drag.h"
+#include "filters/vtk/widgets/handle_drag.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +6,13 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "app/gui/handles/handle_picking.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/geometry/rotation_degrees.h"
+#include "filters/vtk/widgets/handle_picking.h"
 
 namespace boxprobe {
 
 namespace {
-
-constexpr double kTurnStep = 15.0;  ///< degrees, while Ctrl is held
 
 /// Along its own axis, in the frame of the box.
 void moveFace(Box& box, const BoxFace& face, double outwards) {
@@ -65,11 +62,12 @@ double AxisDrag::offset(const Ray& ray) {
   return offset_;
 }
 
-ProbeDrag::ProbeDrag(const Probe& probe, const Handle& handle, const ViewAxes& view, const Ray& grab)
+ProbeDrag::ProbeDrag(const Probe& probe, const Handle& handle, const ViewAxes& view, const Ray& grab, double thinnest)
     : start_(probe),
       handle_(handle),
       view_(view),
       grab_(grab),
+      thinnest_(thinnest),
       line_(handleAnchorWorld(probe, handle), handleAxisWorld(probe, handle), view, grab),
       originWorld_(probe.origin) {}
 
@@ -97,12 +95,12 @@ Probe ProbeDrag::faceAt(const DragWish& wish) {
   const BoxFace& face = handle_.face;
   const BoxFace opposite{face.axis, !face.positive};
   if (handle_.kind == HandleKind::Face) {
-    setBox(probe, withFaceMoved(start_.box, start_.rotationDegrees, face, offset, wish.symmetric, kMinimumThickness));
+    setBox(probe, withFaceMoved(start_.box, start_.rotationDegrees, face, offset, wish.symmetric, thinnest_));
   } else if (handle_.kind == HandleKind::Influence) {
     // It turns about the projection box's centre, which stays: its other faces do, too.
     Box influence = start_.influenceBox();
     const double size = influence.size()[face.axis];
-    const double thinnest = std::min(kMinimumThickness, size);
+    const double thinnest = std::min(thinnest_, size);
     const double outwards = std::max(offset, (thinnest - size) / (wish.symmetric ? 2.0 : 1.0));
     moveFace(influence, face, outwards);
     if (wish.symmetric) moveFace(influence, opposite, outwards);
@@ -155,7 +153,8 @@ Probe ProbeDrag::turnedAt(const DragWish& wish) {
   const bool yawAlone = handle_.face.axis == 1 && was.x == 0.0 && was.z == 0.0;
   if (wish.snap != nullptr) {
     const double base = yawAlone ? was.y : 0.0;
-    degrees = kTurnStep * std::round((base + degrees) / kTurnStep) - base;
+    const double step = wish.snap->turnStepDegrees();
+    degrees = step * std::round((base + degrees) / step) - base;
   }
   Probe probe = start_;
   const glm::dmat3 before = rotationMatrix(was);
@@ -189,6 +188,28 @@ Probe ProbeDrag::originAt(const DragWish& wish) {
     }
   }
   return probe;
+}
+
+bool isFace(const Handle& handle) {
+  return handle.kind == HandleKind::Face || handle.kind == HandleKind::Influence || handle.kind == HandleKind::Blend;
+}
+
+Probe nudgedProbe(const Probe& probe, const Handle& handle, const glm::dvec3& by, const ViewAxes& view) {
+  if (isFace(handle)) {
+    // A ray beside the face that has moved so far says how far.
+    const glm::dvec3 axis = handleAxisWorld(probe, handle);
+    const glm::dvec3 anchor = handleAnchorWorld(probe, handle);
+    const glm::dvec3 side = std::abs(axis.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 across = glm::normalize(glm::cross(axis, side));
+    const Ray from{anchor - across, across};
+    ProbeDrag along(probe, handle, view, from);
+    const Ray to{from.origin + glm::dot(by, axis) * axis, across};
+    return along.at({to, false, std::nullopt, nullptr});
+  }
+  if (handle.kind == HandleKind::Move) return movedProbe(probe, by);
+  Probe moved = probe;
+  moved.origin += by;
+  return moved;
 }
 
 Probe besideOthers(const Probe& probe, const std::vector<Probe>& others) {

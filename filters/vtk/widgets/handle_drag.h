@@ -1,6 +1,5 @@
 // What a drag of a handle makes of a mouse ray: always computed from where the drag began, never from the last move, so
-// that nothing drifts and leaving a constraint brings the handle back under the pointer. Called by the probe widget;
-// plain mathematics that knows neither VTK nor Qt.
+// that nothing drifts and leaving a constraint brings the handle back under the pointer. Plain mathematics.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -8,10 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/handles/drag_snap.h"
-#include "app/gui/handles/handle.h"
-#include "app/gui/handles/view_ray.h"
+#include "filters/core/geometry/probe_frame.h"
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/widgets/drag_snap.h"
+#include "filters/vtk/widgets/handle.h"
+#include "filters/vtk/widgets/view_projection.h"
 
 namespace boxprobe {
 
@@ -52,7 +52,9 @@ struct DragWish {
 /// A drag of one handle of a probe.
 class ProbeDrag {
  public:
-  ProbeDrag(const Probe& probe, const Handle& handle, const ViewAxes& view, const Ray& grab);
+  /// `thinnest`: faces of the projection box come no closer together, scene units.
+  ProbeDrag(const Probe& probe, const Handle& handle, const ViewAxes& view, const Ray& grab,
+            double thinnest = kMinimumThickness);
   /// The probe as the drag would leave it.
   Probe at(const DragWish& wish);
   const Handle& handle() const { return handle_; }
@@ -69,10 +71,17 @@ class ProbeDrag {
   Handle handle_;
   ViewAxes view_;
   Ray grab_;
+  double thinnest_;
   AxisDrag line_;
   double degrees_ = 0.0;    ///< of a ring, as last given
   glm::dvec3 originWorld_;  ///< as last given
 };
+
+/// Is it one that a face of a box hangs on?
+bool isFace(const Handle& handle);
+/// The probe with a handle moved by `by`, world: faces along their own axis alone, Move the whole probe, others its
+/// origin.
+Probe nudgedProbe(const Probe& probe, const Handle& handle, const glm::dvec3& by, const ViewAxes& view);
 
 /// Moved along its box's X by tenths of its width until it stands on none of `others`: two in one place cannot be told
 /// apart.

@@ -1,29 +1,27 @@
 // The wire boxes of the probes in a vtkRenderer: the selected probe's box and, dashed, the box inside which it has its
-// full weight; the boxes of those selected beside it; proposed boxes; the other probes' boxes thin. Called by the probe
-// widget; knows no mouse.
+// full weight; the boxes of those selected beside it; proposed boxes; the other probes' boxes thin.
 #pragma once
 
 #include <vtkSmartPointer.h>
 
-#include <QColor>
 #include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
-#include "app/gui/handles/handle.h"
 #include "filters/core/scene/scene.h"
+#include "filters/vtk/widgets/handle.h"
+#include "filters/vtk/widgets/handle_colors.h"
 
 class vtkActor;
-class vtkCamera;
 class vtkPolyData;
 class vtkRenderer;
 
 namespace boxprobe {
 
 struct LineLook {
-  QColor color;
-  double widthPixels = 1.0;
+  glm::dvec3 color{1.0};
+  double widthPixels = 1.0;  ///< logical pixels
   double opacity = 1.0;
   bool halo = true;  ///< a wider dark line behind it, so that it is read before light and dark
 };
@@ -34,18 +32,22 @@ class HaloLines {
   HaloLines(vtkRenderer* renderer, const LineLook& look);
   void setSegments(const std::vector<glm::dvec3>& endpointPairsWorld);
   void setVisible(bool visible);
+  void setColors(const glm::dvec3& line, const glm::dvec3& halo);
+  /// Device pixels of a logical one.
+  void setPixelScale(double scale);
   /// Draws everything `factor` times as far from `eyeWorld`: the same on the screen, but nearer in depth.
   void pullTowards(const glm::dvec3& eyeWorld, double factor);
 
  private:
   void placeActors();
 
+  LineLook look_;
   vtkSmartPointer<vtkPolyData> lines_;
   vtkSmartPointer<vtkActor> core_, halo_;  ///< halo_ may be null
   glm::dvec3 anchorWorld_{0.0};  ///< the points are relative to it, so that float keeps their precision far from 0
   glm::dvec3 eyeWorld_{0.0};
   double pull_ = 1.0;
-  bool empty_ = true;
+  bool visible_ = true, empty_ = true;
 };
 
 class WireActors {
@@ -61,10 +63,13 @@ class WireActors {
   void setDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);
   /// Boxes that are proposed and not there yet, dashed.
   void setGhosts(const std::vector<Probe>& ghosts);
-  void setVisible(bool visible);
+  void setColors(const HandleColors& colors);
+  void setPixelScale(double scale);
   void pullTowards(const glm::dvec3& eyeWorld, double factor);
 
  private:
+  std::array<HaloLines*, 7> all() { return {&idle_, &beside_, &influence_, &blend_, &box_, &ghost_, &drop_}; }
+
   HaloLines idle_, beside_, influence_, blend_, box_, ghost_, drop_;
 };
 

@@ -1,0 +1,243 @@
+/**
+ * @class vtkReflectionProbeRepresentation
+ * @brief boxes and handles of a vtkReflectionProbe, to be dragged by vtkReflectionProbeWidget
+ *
+ * Draws the probe's box, its influence box and, dashed, the box inside which it has its full weight, with the handles
+ * of one mode: balls on the faces, a diamond at the capture origin, arrows along which the probe moves, rings about
+ * which it turns. What the scene hides of a box is drawn fainter. Handles keep their size on the screen, in pixels of
+ * 1/72 inch by the window's DPI. A drag changes the probe; nothing is captured as long as its origin and orientation
+ * stay.
+ *
+ * Everything is drawn by two renderers of its own, in the layers of the window above the renderer's: captures, pictures
+ * by render passes and vtkRenderer::GetActors() know nothing of it. They are there while the representation has a
+ * renderer with a window. The camera's window centre and view shear are not followed.
+ *
+ * Without a renderer, a window or a probe nothing is drawn and nothing can be taken hold of. To be used in the thread
+ * of the window's OpenGL context.
+ */
+#pragma once
+
+#include <vtkWidgetRepresentation.h>
+
+#include <memory>
+#include <string>
+
+#ifndef __VTK_WRAP__
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "filters/vtk/widgets/handle_drag.h"
+#include "filters/vtk/widgets/view_projection.h"
+
+namespace boxprobe {
+class SurfaceRays;
+}  // namespace boxprobe
+#endif
+
+class vtkReflectionProbe;
+
+class vtkReflectionProbeRepresentation : public vtkWidgetRepresentation {
+ public:
+  static vtkReflectionProbeRepresentation* New();
+  // clang-format off
+  vtkTypeMacro(vtkReflectionProbeRepresentation, vtkWidgetRepresentation)
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  /** That of the probe, if it is newer. */
+  vtkMTimeType GetMTime() override;
+
+  ///@{
+  /** Null (default): nothing is drawn; a drag under way ends and leaves its probe where it is. */
+  void SetProbe(vtkReflectionProbe* probe);
+  vtkReflectionProbe* GetProbe() const;
+  ///@}
+
+  ///@{
+  /** Which handles there are. BOX (default): the faces of the box, and the origin. INFLUENCE: the faces of the influence
+   * box, and of the box of full weight, which set the blend distances. ORIGIN: the origin alone, freely or along the
+   * world's axes. PLACE: the whole probe, along the axes of its box and about them. */
+  enum ModeType { BOX = 0, INFLUENCE = 1, ORIGIN = 2, PLACE = 3 };
+  void SetMode(int mode);
+  vtkGetMacro(Mode, int)
+  void SetModeToBox() { this->SetMode(BOX); }
+  void SetModeToInfluence() { this->SetMode(INFLUENCE); }
+  void SetModeToOrigin() { this->SetMode(ORIGIN); }
+  void SetModeToPlace() { this->SetMode(PLACE); }
+  ///@}
+
+  ///@{
+  /** How the handle that is held moves, now. Symmetric: the opposite face goes as far the other way. Fine: a tenth as far
+   * as the pointer. Snapping: see below. ConstrainedAxis: the origin moves along that world axis alone, 0 to 2 for X to
+   * Z; -1: freely. All off by default; the widget sets the first three by the keys Alt, Shift and Control. */
+  vtkSetMacro(Symmetric, bool)
+  vtkGetMacro(Symmetric, bool)
+  vtkBooleanMacro(Symmetric, bool)
+  vtkSetMacro(Fine, bool)
+  vtkGetMacro(Fine, bool)
+  vtkBooleanMacro(Fine, bool)
+  vtkSetMacro(Snapping, bool)
+  vtkGetMacro(Snapping, bool)
+  vtkBooleanMacro(Snapping, bool)
+  vtkSetClampMacro(ConstrainedAxis, int, -1, 2)
+  vtkGetMacro(ConstrainedAxis, int)
+  ///@}
+
+  ///@{
+  /** While snapping, a face of a box lies down on the wall under the pointer, or on one within SnapDistance (pixels; 14
+   * by default): the visible actors under vtkPolyDataMapper, if SnapToSurfaces is on (default). */
+  vtkSetMacro(SnapToSurfaces, bool)
+  vtkGetMacro(SnapToSurfaces, bool)
+  vtkBooleanMacro(SnapToSurfaces, bool)
+  vtkSetClampMacro(SnapDistance, double, 0.0, 1000.0)
+  vtkGetMacro(SnapDistance, double)
+  ///@}
+  ///@{
+  /** Everything else, and faces without a wall, go by a grid whose step is a power of ten that can be seen, at most this:
+   * 0.1 units by default. Turns go by AngleStep degrees, 15 by default. */
+  vtkSetClampMacro(LargestGridStep, double, 1.0e-9, 1.0e9)
+  vtkGetMacro(LargestGridStep, double)
+  vtkSetClampMacro(AngleStep, double, 0.01, 180.0)
+  vtkGetMacro(AngleStep, double)
+  ///@}
+
+  ///@{
+  /** Pixels beyond a face's ball (whose diameter is HandleSize, 14 by default; the others in proportion) from which a
+   * handle can be taken. 5 by default. */
+  vtkSetClampMacro(Tolerance, double, 0.0, 100.0)
+  vtkGetMacro(Tolerance, double)
+  ///@}
+
+  ///@{
+  /** Display colours. Handles of faces, arrows and rings have that of their axis. */
+  vtkSetVector3Macro(XAxisColor, double)
+  vtkGetVector3Macro(XAxisColor, double)
+  vtkSetVector3Macro(YAxisColor, double)
+  vtkGetVector3Macro(YAxisColor, double)
+  vtkSetVector3Macro(ZAxisColor, double)
+  vtkGetVector3Macro(ZAxisColor, double)
+  vtkSetVector3Macro(BoxColor, double)
+  vtkGetVector3Macro(BoxColor, double)
+  vtkSetVector3Macro(InfluenceColor, double)
+  vtkGetVector3Macro(InfluenceColor, double)
+  vtkSetVector3Macro(BlendColor, double)
+  vtkGetVector3Macro(BlendColor, double)
+  vtkSetVector3Macro(OriginColor, double)
+  vtkGetVector3Macro(OriginColor, double)
+  vtkSetVector3Macro(HaloColor, double)
+  vtkGetVector3Macro(HaloColor, double)
+  ///@}
+
+  ///@{
+  /** The numbers of the drag under way, one or several lines of UTF-8; empty without one. Lengths are followed by
+   * LengthUnit, empty by default. They are drawn beside the pointer while ReadoutVisibility is on (default). */
+  const char* GetReadout() const;
+  vtkSetMacro(ReadoutVisibility, bool)
+  vtkGetMacro(ReadoutVisibility, bool)
+  vtkBooleanMacro(ReadoutVisibility, bool)
+  vtkSetStdStringFromCharMacro(LengthUnit)
+  vtkGetCharFromStdStringMacro(LengthUnit)
+  ///@}
+
+  /** What the pointer is over, or drags. */
+  enum InteractionStateType { Outside = 0, MovingFace, MovingInfluence, MovingBlend, MovingOrigin, MovingOriginAlongAxis,
+                              Translating, Rotating };
+  /** Of the handle in question: 0 to 5 for -X, +X, -Y, ... as bounds are ordered, for faces; else -1. */
+  int GetInteractionFace() const;
+  /** 0 to 2; of the origin and of no handle -1. */
+  int GetInteractionAxis() const;
+  /** Is a handle held? */
+  bool GetDragging() const;
+  /** Ends the drag under way and puts the probe back to where it began. */
+  void CancelInteraction();
+
+  ///@{
+  /** Positions are in display coordinates of the renderer's window, as events have them. */
+  int ComputeInteractionState(int x, int y, int modify = 0) override;
+  void StartWidgetInteraction(double eventPosition[2]) override;
+  void WidgetInteraction(double eventPosition[2]) override;
+  void EndWidgetInteraction(double eventPosition[2]) override;
+  ///@}
+  /** Off: whatever is highlighted is so no longer. Handles are highlighted by ComputeInteractionState(). */
+  void Highlight(int highlighted) override;
+
+  /** Null: the layers go. Called by the widget as it is enabled and disabled. Not while the window draws. */
+  void SetRenderer(vtkRenderer* renderer) override;
+  void BuildRepresentation() override;
+  /** The probe's bounds become these, scaled by PlaceFactor about their centre. */
+  void PlaceWidget(double bounds[6]) override;
+  /** Of the projection box and the influence box, world; null without a probe. */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void SetVisibility(vtkTypeBool visible) override;
+  /** Draws nothing itself: brings the layers above up to date. */
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  // clang-format on
+
+#ifndef __VTK_WRAP__
+  /// For a program with probes and an undo of its own: what is shown is told, drags answer with what they would make of
+  /// a probe and change nothing. Views are in logical pixels, from the top left.
+  ///@{
+  /// Several probes, `selected` with its handles; `together` are selected beside it, ascending. In place of SetProbe().
+  void ShowProbes(const std::vector<boxprobe::Probe>& probes, std::optional<std::size_t> selected,
+                  const std::vector<std::size_t>& together);
+  /// Boxes that are proposed, dashed.
+  void ShowGhosts(const std::vector<boxprobe::Probe>& ghosts);
+  /// A plumb line from a capture origin to the floor under it; nothing: none.
+  void ShowDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);
+  /// In place of the renderer's actors; asked for once a face snaps. May answer with null.
+  void SetSurfaces(std::function<const boxprobe::SurfaceRays*()> surfaces);
+  /// In place of English, see ReadoutStyle.
+  void SetReadoutWords(std::function<std::string(const char*)> words);
+  /// Before each picture, if the representation is in no renderer's list.
+  void Follow(const boxprobe::ViewProjection& view);
+
+  std::optional<boxprobe::Handle> HandleAt(const boxprobe::ViewProjection& view, const glm::dvec2& pixel) const;
+  /// Highlights what is there, and answers with it.
+  std::optional<boxprobe::Handle> Hover(const boxprobe::ViewProjection& view, const glm::dvec2& pixel);
+  const std::optional<boxprobe::Handle>& GetHovered() const;
+  /// Takes hold of the highlighted handle if it is one of the selected probe.
+  bool Grab(const boxprobe::ViewProjection& view, const glm::dvec2& pixel);
+  /// The probe as the drag would leave it. Nothing without a drag, and as long as it is no more than a click.
+  std::optional<boxprobe::Probe> Pull(const boxprobe::ViewProjection& view, const glm::dvec2& pixel);
+  void LetGo();
+  /// Null without one.
+  const boxprobe::ProbeDrag* GetDrag() const;
+  ///@}
+#endif
+
+ protected:
+  vtkReflectionProbeRepresentation();
+  ~vtkReflectionProbeRepresentation() override;
+
+  int Mode = BOX;
+  bool Symmetric = false;
+  bool Fine = false;
+  bool Snapping = false;
+  int ConstrainedAxis = -1;
+  bool SnapToSurfaces = true;
+  double SnapDistance = 14.0;
+  double LargestGridStep = 0.1;
+  double AngleStep = 15.0;
+  double Tolerance = 5.0;
+  double XAxisColor[3];
+  double YAxisColor[3];
+  double ZAxisColor[3];
+  double BoxColor[3];
+  double InfluenceColor[3];
+  double BlendColor[3];
+  double OriginColor[3];
+  double HaloColor[3];
+  bool ReadoutVisibility = true;
+  std::string LengthUnit;
+
+ private:
+  vtkReflectionProbeRepresentation(const vtkReflectionProbeRepresentation&) = delete;
+  void operator=(const vtkReflectionProbeRepresentation&) = delete;
+
+  void MakeLayers();
+  void Refresh();
+  void SetHovered(int state);
+
+  struct Parts;
+  std::unique_ptr<Parts> Inside;
+};
