@@ -41,39 +41,36 @@ vec3 lampAtHorizon(vec3 above, float heightAbove, vec3 below, float heightBelow)
 float lampDiffuse(LAMP_SLOT lamp, vec3 position, vec3 normal)
 {
   float side = lampSide(lamp, position);
-  if (side == 0.0f) { return 0.0f; }
-  int count = lampCornerCount(lamp);
-  vec3 a = lampCorner(lamp, count - 1) - position;
+  // No corner of a lamp that is not seen: software renderers work out both sides of a branch, and leave a loop that has ended.
+  int count = side == 0.0f ? 0 : lampCornerCount(lamp);
+  vec3 a = lampCorner(lamp, max(count - 1, 0)) - position;
   float heightA = dot(a, normal);
   float sum = 0.0f;
   vec3 leaves = vec3(0.0f);  // where the polygon goes below the horizon and where it comes up again
   vec3 enters = vec3(0.0f);
-  for (int i = 0; i < kLampCorners; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    if (i < count)
+    vec3 b = lampCorner(lamp, i) - position;
+    float heightB = dot(b, normal);
+    if (heightA >= 0.0f || heightB >= 0.0f)
     {
-      vec3 b = lampCorner(lamp, i) - position;
-      float heightB = dot(b, normal);
-      if (heightA >= 0.0f || heightB >= 0.0f)
+      vec3 from = a;
+      vec3 to = b;
+      if (heightA < 0.0f)
       {
-        vec3 from = a;
-        vec3 to = b;
-        if (heightA < 0.0f)
-        {
-          from = lampAtHorizon(b, heightB, a, heightA);
-          enters = from;
-        }
-        if (heightB < 0.0f)
-        {
-          to = lampAtHorizon(a, heightA, b, heightB);
-          leaves = to;
-        }
-        float unit = 1.0f / max(length(from), 1.0e-30f);
-        sum += dot(lampEdge(unit * from, unit * (to - from)), normal);
+        from = lampAtHorizon(b, heightB, a, heightA);
+        enters = from;
       }
-      a = b;
-      heightA = heightB;
+      if (heightB < 0.0f)
+      {
+        to = lampAtHorizon(a, heightA, b, heightB);
+        leaves = to;
+      }
+      float unit = 1.0f / max(length(from), 1.0e-30f);
+      sum += dot(lampEdge(unit * from, unit * (to - from)), normal);
     }
+    a = b;
+    heightA = heightB;
   }
   // The arc that closes it along the horizon, less than half a turn, in the direction of the others.
   float closing = abs(atan(dot(normal, cross(leaves, enters)), dot(leaves, enters)));

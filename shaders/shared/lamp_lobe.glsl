@@ -126,10 +126,7 @@ vec2 lampGlossy(LAMP_SLOT lamp, vec3 position, LampLobe lobe)
   if (lampSide(lamp, position) == 0.0f) { return vec2(0.0f); }
   int count = lampCornerCount(lamp);
   vec3 middle = vec3(0.0f);
-  for (int i = 0; i < kLampCorners; ++i)
-  {
-    if (i < count) { middle += lampCorner(lamp, i) - position; }
-  }
+  for (int i = 0; i < count; ++i) { middle += lampCorner(lamp, i) - position; }
   middle = lampInLobe(lobe, middle);
   middle.z = max(middle.z, 0.0f);
 
@@ -144,21 +141,18 @@ vec2 lampGlossy(LAMP_SLOT lamp, vec3 position, LampLobe lobe)
   vec3 a = lampInLobe(lobe, lampCorner(lamp, count - 1) - position);
   vec3 first = a;  // of the way
   if (a.z >= 0.0f) { image = lampImageEdge(lobe, image, a); }
-  for (int i = 0; i < kLampCorners; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    if (i < count)
+    vec3 b = lampInLobe(lobe, lampCorner(lamp, i) - position);
+    if (a.z < 0.0f && b.z >= 0.0f)
     {
-      vec3 b = lampInLobe(lobe, lampCorner(lamp, i) - position);
-      if (a.z < 0.0f && b.z >= 0.0f)
-      {
-        vec3 enters = lampAtHorizon(b, b.z, a, a.z);
-        if (!image.started) { first = enters; }
-        image = lampImageEdge(lobe, image, enters);
-      }
-      if (b.z >= 0.0f) { image = lampImageEdge(lobe, image, b); }
-      else if (a.z >= 0.0f) { image = lampImageEdge(lobe, image, lampAtHorizon(a, a.z, b, b.z)); }
-      a = b;
+      vec3 enters = lampAtHorizon(b, b.z, a, a.z);
+      if (!image.started) { first = enters; }
+      image = lampImageEdge(lobe, image, enters);
     }
+    if (b.z >= 0.0f) { image = lampImageEdge(lobe, image, b); }
+    else if (a.z >= 0.0f) { image = lampImageEdge(lobe, image, lampAtHorizon(a, a.z, b, b.z)); }
+    a = b;
   }
   if (!image.started) { return vec2(0.0f); }
   if (a.z < 0.0f) { image = lampImageEdge(lobe, image, first); }  // else the last corner was the first
