@@ -4,14 +4,17 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/scene/scene.h"
 #include "filters/core/surface/surface_point.h"
 #include "filters/explain/explain_glass.h"
+#include "filters/math/cube/diffuse_lattice.h"
 #include "filters/math/shared/mirror_math.h"
 
 namespace boxprobe {
@@ -28,6 +31,9 @@ struct ExplainedProbe {
   ShCoefficients openSky{};           ///< its diffuse light that comes in there
   const CubeMap* coverage = nullptr;  ///< what it lets through, in levels of plain means; null: not known yet
   std::uint32_t shadowLights = 0;     ///< a bit for each light that its coverage stands before
+  /// In place of the maps' coefficients, with its lamps; null: those. Not of a probe that lets the sky through.
+  std::shared_ptr<const DiffuseLattice> lattice;
+  std::vector<SceneLamp> lamps;  ///< drawn as shapes
 };
 
 /// A depth map of what moves, as a light sees it.

@@ -157,6 +157,14 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
       if (t < kNoHit) e.trueDistance = t;
     }
   }
+  if (probe.lattice) {
+    e.irradiance = shading::latticeIrradiance(probe.lattice->shape(), e.positionProbe, s.normalWorld);
+    for (const SceneLamp& lamp : probe.lamps) {
+      const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
+      e.irradiance += glm::vec3(lamp.radiance) * shading::lampDiffuse(&polygon, position, s.normalWorld);
+    }
+    return e;
+  }
   const BakedMaps* diffuse = e.captured ? probe.maps : sky;
   if (diffuse != nullptr) e.irradiance = irradianceAt(s.normalWorld, diffuse->irradiance);
   if (e.captured && probe.open && sky != nullptr) e.irradiance += irradianceAt(s.normalWorld, probe.openSky);

@@ -135,7 +135,10 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   }
   // Of many objects none has been seen yet: the first frame will tell.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
-  if (models || changes.lights) content.rebuildLights(renderer);
+  const auto lampsBefore = content.lamps;
+  if (objects || changes.lights) content.findLamps();
+  state->resources.lamps = content.lamps;
+  if (models || changes.lights || content.lamps != lampsBefore) content.rebuildLights(renderer);
   if (changes.sky) content.rebuildSky();
   if (lit) {
     shadows.sceneChanged();
@@ -215,6 +218,7 @@ void SceneParts::releaseGraphics() {
   probes.release();
   capture.release();
   inspector.release();
+  state->resources.lattices->release();
   releaseStaticTextures(state->resources);
   for (const DrawnObject& object : content.objects) {
     for (const SurfaceSlot& slot : object.surface->slots) {

@@ -52,6 +52,13 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   light.share += weight;
 #endif
 #if BP_DIFFUSE
+#if BP_LATTICE
+  if (bpLatticeLast[@SLOT@].x > 0.0f)
+  {
+    light.irradiance += weight * latticeIrradiance(bpLatticeShape(@SLOT@), point.position, BP_FACING);
+  }
+  else
+#endif
   light.irradiance += weight * shIrradiance(BP_FACING, bpSh[9 * @SLOT@], bpSh[9 * @SLOT@ + 1], bpSh[9 * @SLOT@ + 2],
                                             bpSh[9 * @SLOT@ + 3], bpSh[9 * @SLOT@ + 4], bpSh[9 * @SLOT@ + 5],
                                             bpSh[9 * @SLOT@ + 6], bpSh[9 * @SLOT@ + 7], bpSh[9 * @SLOT@ + 8]);

@@ -245,6 +245,12 @@ enum class Energy {
   Multiple,  ///< it is added back (Turquin 2019)
 };
 
+/// Where diffuse light of what shines comes from.
+enum class LampForm {
+  InMap,   ///< from a probe's map, as nine coefficients, the same all over its box
+  Shapes,  ///< lamps from their shapes, the rest from a lattice in the box
+};
+
 struct Scene {
   std::vector<ModelFile> models;
   Sky sky;
@@ -258,6 +264,7 @@ struct Scene {
   std::vector<Probe> probes;    ///< names unique
   double exposure = 1.0;        ///< display = (exposure * linear)^(1/2.2)
   Energy energy = Energy::Single;
+  LampForm lamps = LampForm::InMap;
 
   bool operator==(const Scene&) const;
 };

@@ -11,6 +11,7 @@
 namespace boxprobe::shading {
 
 using glm::abs;
+using glm::atan;
 using glm::ceil;
 using glm::clamp;
 using glm::cos;

@@ -25,6 +25,8 @@ struct DrawnProbe {
   ShCoefficients openSky{};        ///< its diffuse light that comes in there, to be added to the maps'
   std::uint32_t shadowLights = 0;  ///< a bit for each light that asks for shadows and lies outside of its box
   bool imported = false;           ///< from a picture, which may have no coverage
+  bool shapes = false;             ///< its diffuse light is its lamps' and a lattice's
+  std::vector<std::size_t> lamps;  ///< of the scene's, those drawn as shapes
 };
 
 enum class Lighting {
@@ -38,15 +40,17 @@ struct ProbeBinding {
   Lighting lighting = Lighting::Plain;
   std::vector<std::shared_ptr<const DrawnProbe>> probes;  ///< most important first, at most kMaxProbesPerDraw
   static constexpr std::size_t kMaxProbesPerDraw = 4;
-  bool weights = true;        ///< false: one probe, at full weight all over the object
-  bool sky = true;            ///< false: the probes leave nothing to it
-  bool onlyProbes = false;    ///< what they leave to it goes to them, wherever one has weight
+  static constexpr std::size_t kMaxLampsPerDraw = 16;  ///< of all its probes, by power
+  bool weights = true;                                 ///< false: one probe, at full weight all over the object
+  bool sky = true;                                     ///< false: the probes leave nothing to it
+  bool onlyProbes = false;                             ///< what they leave to it goes to them, wherever one has weight
   std::vector<float> shares;  ///< of all of the object, in place of weights a pixel; empty: those
   float skyShare = 1.0f;      ///< beside `shares`
   /// Lights that a probe's coverage stands before, and those of them with maps of what moves; in the scene's order.
   std::vector<int> shadowLights, movingLights;
   std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
   bool diffuse = true;      ///< false: the material is all metal
+  bool shapes = false;      ///< some probe's diffuse light is its lamps' and a lattice's
 
   /// No probe has been captured yet, so that none gives a reflection: nothing is looked up. For captures alone.
   bool firstBounce = false;

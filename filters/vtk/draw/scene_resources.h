@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "filters/core/geometry/light_shadow.h"
+#include "filters/core/geometry/scene_lamps.h"
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/gl/opengl.h"
+#include "filters/vtk/maps/lattice_atlas.h"
 #include "filters/vtk/maps/probe_maps.h"
 
 namespace boxprobe {
@@ -37,9 +39,11 @@ struct SceneResources {
   /// Resting programs look maps up in flat pictures of them (flat_texture.h): on software renderers.
   bool flatMaps = false;
   std::shared_ptr<std::size_t> flatBytes = std::make_shared<std::size_t>(0);  ///< of all such pictures
-  GLuint blueNoise = 0;                   ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
-  GLuint blackCube = 0;                   ///< stands in for maps not captured yet
-  GLuint viewColors = 0;                  ///< 256 x 1, of the debug view; made when that is first shown
+  GLuint blueNoise = 0;                     ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
+  GLuint blackCube = 0;                     ///< stands in for maps not captured yet
+  GLuint viewColors = 0;                    ///< 256 x 1, of the debug view; made when that is first shown
+  std::shared_ptr<const SceneLamps> lamps;  ///< null unless they are drawn as shapes
+  std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
   std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about
   std::vector<MovingShadow> movingShadows;

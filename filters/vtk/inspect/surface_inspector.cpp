@@ -205,6 +205,10 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     probe.openSky = drawn.openSky;
     probe.shadowLights = drawn.shadowLights;
     if (drawn.maps) probe.coverage = drawn.maps->coverage.chain().get();
+    if (drawn.maps && drawn.shapes && content_->lamps) {
+      probe.lattice = drawn.maps->lattice.latest();
+      for (const std::size_t lamp : drawn.lamps) probe.lamps.push_back(content_->lamps->lamps[lamp]);
+    }
     in.probes.push_back(std::move(probe));
   }
   in.weights = binding.weights;

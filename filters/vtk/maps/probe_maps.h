@@ -12,6 +12,7 @@
 #include "filters/vtk/gl/gl_objects.h"
 #include "filters/vtk/maps/coverage_texture.h"
 #include "filters/vtk/maps/flat_texture.h"
+#include "filters/vtk/maps/lattice_maker.h"
 #include "filters/vtk/maps/light_texture.h"
 #include "filters/vtk/maps/relief_texture.h"
 
@@ -52,6 +53,8 @@ struct ProbeMaps {
   mutable LightTexture light;
   /// Made when a draw first follows rays by the distances (relief_texture.h).
   mutable ReliefTexture relief;
+  /// Made when a draw first asks for diffuse light at a place (lattice_maker.h).
+  mutable LatticeMaker lattice;
   /// Made when a probe that lets the sky through first shows these maps.
   mutable std::shared_ptr<const Openings> openings;
   /// Made when a draw first asks what a light shines through.

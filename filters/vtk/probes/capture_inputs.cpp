@@ -1,6 +1,22 @@
 #include "filters/vtk/probes/capture_inputs.h"
 
+#include "filters/vtk/maps/content_hash.h"
+
 namespace boxprobe {
+
+namespace {
+
+std::string lampsKey(const SceneLamps& lamps) {
+  ContentHash hash;
+  hash.add("lamps as shapes");
+  for (const SceneLamp& lamp : lamps.lamps) {
+    hash.add(static_cast<double>(lamp.corners.size())).add(lamp.bothSides ? 1 : 0).addVector(lamp.radiance);
+    for (const glm::dvec3& corner : lamp.corners) hash.addVector(corner);
+  }
+  return hash.text();
+}
+
+}  // namespace
 
 CaptureWorld CaptureInputs::world(const SceneContent& content, const ProbeIndex& probes) {
   if (contentGeneration_ != content.modelGeneration) {
@@ -25,7 +41,10 @@ CaptureWorld CaptureInputs::world(const SceneContent& content, const ProbeIndex&
     object.unlit = drawn.unlit;
     objects.push_back(std::move(object));
   }
-  return captureWorld(content.scene, objects, skyPixels_, probes);
+  CaptureWorld world = captureWorld(content.scene, objects, skyPixels_, probes);
+  // Lamps drawn as shapes light what a capture shows, those that it does not show included.
+  if (content.lamps) world.lights += " " + lampsKey(*content.lamps);
+  return world;
 }
 
 }  // namespace boxprobe

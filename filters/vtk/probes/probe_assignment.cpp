@@ -82,6 +82,8 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
                                             .technique
                                       : geometry.technique);
   }
+  binding->shapes =
+      std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) { return probe->shapes; });
   // A perfect mirror's lobe is one direction: whatever a technique of several samples does, it does for nothing there.
   for (Technique& technique : binding->techniques) {
     const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();

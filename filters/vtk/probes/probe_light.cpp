@@ -66,6 +66,17 @@ void ProbeLight::updateShadowLights() {
   }
 }
 
+void ProbeLight::updateLamps() {
+  const SceneLamps* lamps = content_->lamps.get();
+  for (std::size_t i = 0; i < shown_->size(); ++i) {
+    const Probe& probe = content_->scene.probes[i];
+    DrawnProbe& drawn = shown_->drawn(i);
+    drawn.shapes =
+        lamps != nullptr && probe.mode == ProbeMode::Baked && !std::holds_alternative<ClearToOpen>(probe.clear);
+    drawn.lamps = drawn.shapes ? probeLamps(lamps->lamps, probe) : std::vector<std::size_t>();
+  }
+}
+
 void ProbeLight::addTint(std::size_t index, const ProbeMaps& maps) const {
   const DrawnProbe& drawn = shown_->drawn(index);
   if (drawn.shadowLights == 0 || drawn.imported || maps.tint) return;

@@ -25,6 +25,7 @@ void ProbeSet::updateShapes() {
   if (const auto origins = entries_.match()) shown_.rearrange(*origins);
   shown_.updateShapes();
   light_.updateShadowLights();
+  light_.updateLamps();
   light_.updateOpenings();  // the caller assigns
 }
 

@@ -144,9 +144,17 @@ void SceneContent::rebuildObjects(vtkCulledRenderer* renderer, const std::shared
   renderer->SetBackdrop(sky);
 }
 
+void SceneContent::findLamps() {
+  lamps = scene.lamps == LampForm::Shapes ? std::make_shared<const SceneLamps>(sceneLamps(scene, given)) : nullptr;
+}
+
 void SceneContent::rebuildLights(vtkRenderer* renderer) {
   renderer->RemoveAllLights();
   lights = makeLights(scene, bounds().center());
+  // What stands for the same lamp is counted once. The light stays in the list, whose order shadows go by.
+  for (std::size_t i = 0; lamps && i < lamps->lamps.size(); ++i) {
+    if (const auto light = lamps->lamps[i].light) lights[*light]->SetIntensity(0.0);
+  }
   for (auto& light : lights) renderer->AddLight(light);
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 #include "filters/vtk/scene/model_actors.h"
@@ -27,6 +28,7 @@ struct SceneContent {
   std::vector<DrawnObject> objects;
   std::vector<vtkSmartPointer<vtkLight>> lights;
   vtkNew<vtkSkyProp> sky;
+  std::shared_ptr<const SceneLamps> lamps;     ///< null unless they are drawn as shapes
   std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
   std::size_t skyTexelsNotFinite = 0;          ///< of that image; they were set to 0
 
@@ -50,6 +52,8 @@ struct SceneContent {
   std::vector<std::size_t> culled;
   Box culledBounds;  ///< of them all
   void rebuildLights(vtkRenderer* renderer);
+  /// Finds the lamps that are drawn as shapes, before the lights are rebuilt.
+  void findLamps();
   /// Reads the sky's image if it has one and it is not the one at hand. Throws InputError.
   void rebuildSky();
   const std::string& skyImageFile() const { return skyImageFile_; }

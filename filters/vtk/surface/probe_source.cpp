@@ -148,6 +148,18 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   replaceOnce(lighting, "//BP::Slots",
               techniqueSources(binding, debug) + parameterDeclarations(binding) +
                   perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
+  const bool lattice = binding.shapes && binding.diffuse;
+  replaceOnce(lighting, "//BP::Lattice",
+              lattice
+                  ? joinShaderSources({"shared/lattice_types.glsl", "gpu/fetch_lattice.glsl", "shared/lattice.glsl"})
+                  : std::string());
+  std::string lamps;
+  if (lattice) {
+    lamps = "#define BP_LAMPS " + std::to_string(ProbeBinding::kMaxLampsPerDraw) + "\n" +
+            joinShaderSources({"shared/lamp_types.glsl", "gpu/lamps.glsl"});
+    replaceOnce(lamps, "//BP::LampLight", std::string(shaderSource("shared/lamp.glsl")));
+  }
+  replaceOnce(lighting, "//BP::Lamps", lamps);
   std::string shares(shaderSource("gpu/probe_shares.glsl"));
   replaceOnce(shares, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
   replaceOnce(shares, "//BP::Shares", perSlot("  bpShareOf[@SLOT@] = share[@GROUP@] * weight[@SLOT@];\n", binding));
@@ -159,7 +171,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
          define("BP_CONSTANT_SHARES", binding.weights && !binding.shares.empty()) +
          define("BP_ONLY_PROBES", binding.onlyProbes) + define("BP_SKY", binding.sky) +
-         define("BP_DIFFUSE", binding.diffuse) + define("BP_DEBUG", debug) +
+         define("BP_DIFFUSE", binding.diffuse) + define("BP_LATTICE", lattice) + define("BP_DEBUG", debug) +
          define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/surface/camera_uniforms.h"
@@ -103,6 +104,79 @@ void uploadSampling(const UniformUpload& to, DrawState& state, const ProbeBindin
   if (to.used("bpFrame")) to.program->SetUniformi("bpFrame", state.pass().frame);
 }
 
+LatticeSource latticeSource(const SceneLamps& lamps, const DrawnProbe& probe) {
+  const ProbeGeometry& g = probe.geometry;
+  LatticeSource source;
+  source.boxMin = g.boxMin;
+  source.boxMax = g.boxMax;
+  source.mapFromProbe = glm::mat3(g.mapFromProbe);
+  source.worldFromProbe = glm::mat3(g.worldFromProbe);
+  // What follows rays by the distances is for reflections: for light from all around the box is near enough.
+  const bool distances = projectionRows()[static_cast<std::size_t>(g.technique.projection)].distances;
+  source.projection = distances ? parseTechnique("box")->projection : g.technique.projection;
+  const glm::dmat3 worldFromMap = g.worldFromProbe * glm::transpose(g.mapFromProbe);
+  for (const std::size_t i : probe.lamps)
+    source.lamps.push_back(lampPolygon(lamps.lamps[i], g.originWorld, worldFromMap));
+  return source;
+}
+
+// Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes.
+void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
+  const SceneLamps* lamps = state.resources.lamps.get();
+  const std::size_t count = binding.probes.size();
+  PerSlot<glm::vec3> at{}, low{}, perUnit{}, last{};
+  std::map<std::size_t, glm::vec4> lampOf;  // by falling power
+  for (std::size_t i = 0; i < count && lamps != nullptr; ++i) {
+    const DrawnProbe& probe = *binding.probes[i];
+    if (!probe.shapes) continue;
+    const ProbeMaps* maps = mapsOf(state, probe);
+    if (maps != nullptr) {
+      const auto lattice =
+          maps->lattice.of(maps->radiance, maps->distance, latticeSource(*lamps, probe), state.pass().dragging);
+      if (!lattice || lattice->empty()) continue;
+      const shading::LatticeShape shape = lattice->shape();
+      at[i] = state.resources.lattices->place(lattice);
+      low[i] = shape.low;
+      perUnit[i] = shape.perUnit;
+      last[i] = shape.last;
+    } else if (!state.pass().firstBounce) {
+      continue;
+    }
+    for (const std::size_t lamp : probe.lamps) lampOf[lamp][static_cast<int>(i)] = 1.0f;
+  }
+  constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
+  std::array<glm::vec3, kLamps * kCorners> corners{};
+  std::array<glm::vec3, kLamps> light{};
+  std::array<glm::vec4, kLamps> slots{};
+  std::array<int, kLamps> shape{};
+  std::size_t used = 0;
+  for (const auto& [index, of] : lampOf) {
+    if (used == kLamps) break;
+    const SceneLamp& lamp = lamps->lamps[index];
+    const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
+    std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(used * kCorners));
+    shape[used] = polygon.count + (polygon.bothSides ? 16 : 0);
+    light[used] = glm::vec3(lamp.radiance);
+    slots[used++] = of;
+  }
+  const auto vectors = [&](const char* name, const glm::vec3* values, std::size_t size) {
+    to.program->SetUniform3fv(name, static_cast<int>(size), reinterpret_cast<const float(*)[3]>(values));
+  };
+  vectors("bpLatticeAt", at.data(), count);
+  vectors("bpLatticeLow", low.data(), count);
+  vectors("bpLatticePerUnit", perUnit.data(), count);
+  vectors("bpLatticeLast", last.data(), count);
+  const glm::vec3 texel = state.resources.lattices->texelSize();
+  to.program->SetUniform3f("bpLatticeTexel", &texel.x);
+  to.texture("bpLattices", GL_TEXTURE_3D, state.resources.lattices->handle());
+  to.program->SetUniformi("bpLampCount", static_cast<int>(used));
+  if (used == 0) return;
+  vectors("bpLampCorner", corners.data(), used * kCorners);
+  vectors("bpLampLight", light.data(), used);
+  to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());
+  to.program->SetUniform4fv("bpLampOf", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&slots[0].x));
+}
+
 void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
   PerSlot<glm::vec3> origin;
   const glm::dvec3 eye = to.eyeWorld();
@@ -165,6 +239,7 @@ void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& 
   if (debug) uploadDistances(to, state.resources, binding);
   if (binding.distances() && !binding.firstBounce) uploadRelief(to, state, binding);
   if (!binding.firstBounce) uploadSampling(to, state, binding);
+  if (binding.shapes && binding.diffuse) uploadLampsAndLattices(to, state, binding);
   uploadOrigins(to, binding);
 }
 

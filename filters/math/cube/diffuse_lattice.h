@@ -1,0 +1,54 @@
+// Diffuse light everywhere in a probe's box, derived from its one capture: at each node of a lattice the light that
+// arrives from all around, seen through the probe's projection, as nine spherical-harmonic coefficients. What
+// shaders/shared/lattice.glsl blends. A capture whose small lamps are left out (filters/core/geometry/scene_lamps) is
+// what it is for: a lamp is seen too coarsely from its map. CPU only; knows no VTK.
+#pragma once
+
+#include <glm/ext/vector_int3.hpp>
+#include <glm/mat3x3.hpp>
+#include <vector>
+
+#include "filters/math/cube/cube_map.h"
+#include "filters/math/shared/lamp_math.h"
+
+namespace boxprobe {
+
+struct LatticeSettings {
+  float spacing = 1.0f;  ///< of the nodes, about, scene units, > 0
+  float inset = 0.15f;   ///< of the outermost nodes from the walls, scene units; at most a quarter of the box
+  int rays = 1024;       ///< a node
+};
+
+struct DiffuseLattice : shading::LatticeSampler {
+  static constexpr int kParts = 7;  ///< texels a node
+  static constexpr int kMostNodes = 16;
+
+  glm::ivec3 nodes{0};  ///< along each axis of the box, 2 to kMostNodes
+  glm::vec3 low{0.0f};  ///< of the first and the last node, probe frame
+  glm::vec3 high{0.0f};
+  /// Parts of the nodes one after another: all nodes' first texels, x fastest, then y, then z; then all second ones.
+  std::vector<glm::vec4> texels;
+
+  bool empty() const { return texels.empty(); }
+  glm::vec4 fetchLattice(const glm::vec3& place, int part) const override;
+  /// For latticeIrradiance(); good for as long as this is.
+  shading::LatticeShape shape() const;
+};
+
+/// Along each axis of a box of that size: from wall to wall, 2 to DiffuseLattice::kMostNodes. A size or spacing that is
+/// no number above 0 gives 2.
+glm::ivec3 latticeNodes(const glm::vec3& size, float spacing);
+
+/// A capture with levels of plain means: each texel the mean of the two by two below, weighted by their solid angles,
+/// down to one texel per face. Premultiplied by coverage as the capture is.
+CubeMap plainMeans(const CubeMap& capture);
+
+/// `means`: plainMeans() of a capture. `probe`: its box and projection, as techniques use them. Rotations:
+/// `mapFromProbe` of the box's axes into the map's, `worldFromProbe` into the world's, whose normals
+/// latticeIrradiance() takes.
+DiffuseLattice makeDiffuseLattice(const CubeMap& means, const shading::ProbeShape& probe,
+                                  const glm::mat3& mapFromProbe = glm::mat3(1.0f),
+                                  const glm::mat3& worldFromProbe = glm::mat3(1.0f),
+                                  const LatticeSettings& settings = {});
+
+}  // namespace boxprobe

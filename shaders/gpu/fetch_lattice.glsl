@@ -1,0 +1,24 @@
+// Lattices of the draw's probes (shared/lattice.glsl), all in one texture: a node's seven texels lie one lattice's depth apart.
+uniform sampler3D bpLattices;
+uniform vec3 bpLatticeTexel;                // 1 / size of the texture
+uniform vec3 bpLatticeAt[BP_SLOTS];         // first texel
+uniform vec3 bpLatticeLow[BP_SLOTS];
+uniform vec3 bpLatticePerUnit[BP_SLOTS];
+uniform vec3 bpLatticeLast[BP_SLOTS];       // 0: the probe has no lattice
+
+vec4 fetchLattice(int slot, vec3 place, int part)
+{
+  vec3 texel = bpLatticeAt[slot] + place + vec3(0.5f);
+  texel.z += float(part) * (bpLatticeLast[slot].z + 1.0f);
+  return textureLod(bpLattices, texel * bpLatticeTexel, 0.0f);
+}
+
+LatticeShape bpLatticeShape(int slot)
+{
+  LatticeShape lattice;
+  lattice.low = bpLatticeLow[slot];
+  lattice.perUnit = bpLatticePerUnit[slot];
+  lattice.last = bpLatticeLast[slot];
+  lattice.slot = slot;
+  return lattice;
+}

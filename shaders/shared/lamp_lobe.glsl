@@ -1,0 +1,166 @@
+// Glossy light of a lamp, without samples and without tables: the polygon's image among the visible normals. With h = normalize(V + L),
+// f cos(L) dL = VNDF(h) G2 / G1 dh exactly, and where the surface is stretched to roughness 1 the visible normals of GGX are a cosine about
+// the stretched view (Heitz 2018). So the lamp's share of the lobe is the form factor of its image, great arcs taken for the image of its
+// edges once these are split where they pass the mirrored view. Needs lamp.glsl and lobe_frame.glsl. Total, as lamp.glsl is.
+
+// `view`: unit, towards the eye. A view from below the surface counts as one along it.
+LampLobe lampLobe(vec3 normal, vec3 view, float roughness)
+{
+  LampLobe lobe;
+  float facing = dot(normal, view);
+  float nv = clamp(facing, 1.0e-4f, 1.0f);
+  vec3 aside = view - normal * facing;
+  float s = length(aside);
+  lobe.tangent = s > 1.0e-4f ? aside / s : lobeTangent(normal);  // V along N: any tangent
+  lobe.bitangent = cross(normal, lobe.tangent);
+  lobe.normal = normal;
+  lobe.view = vec3(sqrt(1.0f - nv * nv), 0.0f, nv);
+  float p = clamp(roughness, 0.03f, 1.0f);  // below it a lobe is narrower than rounding allows the image to be
+  lobe.alpha = p * p;
+  float a2 = lobe.alpha * lobe.alpha;
+  lobe.maskView = sqrt(a2 + (1.0f - a2) * nv * nv);
+  lobe.stretched = normalize(vec3(lobe.alpha * lobe.view.x, 0.0f, nv));
+  lobe.spread = clamp(5.0f * (p - 0.15f), 0.0f, 1.0f);
+  return lobe;
+}
+
+// G2 / G1 times (1 - s, s) for light from height l.z above the surface, met at a half vector of that cosine with the view.
+vec2 lampWeight(LampLobe lobe, float height, float cosine)
+{
+  float lz = max(height, 0.0f);
+  float a2 = lobe.alpha * lobe.alpha;
+  float maskLight = sqrt(a2 + (1.0f - a2) * lz * lz);
+  float masking = lz * (lobe.view.z + lobe.maskView) / (lobe.view.z * maskLight + lz * lobe.maskView);
+  float c = clamp(1.0f - cosine, 0.0f, 1.0f);
+  float c2 = c * c;
+  float s = c2 * c2 * c;
+  return masking * vec2(1.0f - s, s);
+}
+
+// The facet that reflects light from direction l, unit, into the view.
+LampFacet lampFacetOfLight(LampLobe lobe, vec3 l)
+{
+  vec3 h = lobe.view + vec3(l.x, l.y, max(l.z, 0.0f));
+  LampFacet facet;
+  facet.normal = normalize(vec3(h.x, h.y, lobe.alpha * h.z));
+  facet.cosine = max(dot(facet.normal, lobe.stretched), 0.0f);
+  facet.weight = lampWeight(lobe, l.z, dot(lobe.view, h) / length(h));
+  return facet;
+}
+
+// The facet of a stretched normal, unit.
+LampFacet lampFacet(LampLobe lobe, vec3 normal)
+{
+  vec3 h = vec3(lobe.alpha * normal.x, lobe.alpha * normal.y, normal.z);
+  float size = max(length(h), 1.0e-18f);
+  float cosine = dot(lobe.view, h) / size;
+  LampFacet facet;
+  facet.normal = normal;
+  facet.cosine = max(dot(normal, lobe.stretched), 0.0f);
+  facet.weight = lampWeight(lobe, 2.0f * cosine * h.z / size - lobe.view.z, cosine);
+  return facet;
+}
+
+// On to the point in direction l, unit: an edge of the image, and the triangle between it and the pole. A triangle counts by three
+// quarters at its middle and the rest at its corners, the rule that is exact for second powers.
+LampImage lampImageStep(LampLobe lobe, LampImage image, vec3 l)
+{
+  LampFacet next = lampFacetOfLight(lobe, l);
+  vec3 edge = next.normal - image.last.normal;
+  vec3 toPole = image.pole.normal - image.last.normal;
+  image.factor += lampEdge(image.last.normal, edge);
+  vec3 sum = image.last.normal + next.normal + image.pole.normal;
+  LampFacet middle = lampFacet(lobe, sum / max(length(sum), 1.0e-18f));
+  float area = abs(dot(cross(edge, toPole), middle.normal));
+  float atMiddle = 9.0f * area * middle.cosine;
+  image.weight += atMiddle * middle.weight + area * (image.last.cosine * image.last.weight + next.cosine * next.weight +
+                                                     image.pole.cosine * image.pole.weight);
+  image.light += atMiddle + area * (image.last.cosine + next.cosine + image.pole.cosine);
+  image.last = next;
+  return image;
+}
+
+// On to a corner: the edge in three pieces, split where it passes closest to the mirrored view and in the middle of the longer part.
+LampImage lampImageEdge(LampLobe lobe, LampImage image, vec3 to)
+{
+  vec3 end = to / max(length(to), 1.0e-30f);
+  if (!image.started)
+  {
+    image.last = lampFacetOfLight(lobe, end);
+    image.from = to;
+    image.started = true;
+    return image;
+  }
+  float unit = 1.0f / max(length(image.from), 1.0e-30f);
+  vec3 start = unit * image.from;
+  vec3 d = unit * (to - image.from);
+  vec3 mirrored = vec3(-lobe.view.x, 0.0f, lobe.view.z);
+  float ar = dot(start, mirrored);
+  float dr = dot(d, mirrored);
+  float ad = dot(start, d);
+  float above = ar * ad - dr;
+  float below = dr * ad - ar * dot(d, d);
+  float t = abs(below) > 1.0e-20f ? clamp(above / below, 0.1f, 0.9f) : 0.5f;
+  vec3 split = start + t * d;
+  split = split / max(length(split), 1.0e-30f);
+  bool firstLonger = dot(start, split) < dot(split, end);
+  vec3 middle = split + (firstLonger ? start : end);
+  middle = middle / max(length(middle), 1.0e-30f);
+  image = lampImageStep(lobe, image, firstLonger ? middle : split);
+  image = lampImageStep(lobe, image, firstLonger ? split : middle);
+  image = lampImageStep(lobe, image, end);
+  image.from = to;
+  return image;
+}
+
+// A corner in the lobe's frame.
+vec3 lampInLobe(LampLobe lobe, vec3 corner)
+{
+  return vec3(dot(corner, lobe.tangent), dot(corner, lobe.bitangent), dot(corner, lobe.normal));
+}
+
+// What a surface reflects of the lamp, GGX with height-correlated masking and Schlick's reflectance: F0 times x plus F90 times y.
+// x + y, 0 to 1, is what a surface reflects that reflects all.
+vec2 lampGlossy(LAMP_SLOT lamp, vec3 position, LampLobe lobe)
+{
+  if (lampSide(lamp, position) == 0.0f) { return vec2(0.0f); }
+  int count = lampCornerCount(lamp);
+  vec3 middle = vec3(0.0f);
+  for (int i = 0; i < count; ++i) { middle += lampCorner(lamp, i) - position; }
+  middle = lampInLobe(lobe, middle);
+  middle.z = max(middle.z, 0.0f);
+
+  LampImage image;
+  image.started = false;
+  image.from = vec3(0.0f);
+  image.pole = lampFacetOfLight(lobe, middle / max(length(middle), 1.0e-30f));
+  image.last = image.pole;
+  image.factor = vec3(0.0f);
+  image.weight = vec2(0.0f);
+  image.light = 0.0f;
+  vec3 a = lampInLobe(lobe, lampCorner(lamp, count - 1) - position);
+  vec3 first = a;  // of the way
+  if (a.z >= 0.0f) { image = lampImageEdge(lobe, image, a); }
+  for (int i = 0; i < count; ++i)
+  {
+    vec3 b = lampInLobe(lobe, lampCorner(lamp, i) - position);
+    if (a.z < 0.0f && b.z >= 0.0f)
+    {
+      vec3 enters = lampAtHorizon(b, b.z, a, a.z);
+      if (!image.started) { first = enters; }
+      image = lampImageEdge(lobe, image, enters);
+    }
+    if (b.z >= 0.0f) { image = lampImageEdge(lobe, image, b); }
+    else if (a.z >= 0.0f) { image = lampImageEdge(lobe, image, lampAtHorizon(a, a.z, b, b.z)); }
+    a = b;
+  }
+  if (!image.started) { return vec2(0.0f); }
+  if (a.z < 0.0f) { image = lampImageEdge(lobe, image, first); }  // else the last corner was the first
+  float along = dot(image.factor, lobe.stretched);
+  float size = length(image.factor);
+  if (!(size > 1.0e-20f)) { return vec2(0.0f); }
+  float share = min(2.0f * kLampPerTurn * abs(along) / (1.0f + lobe.stretched.z), 1.0f);
+  vec2 weight = lampFacet(lobe, (along < 0.0f ? -1.0f : 1.0f) / size * image.factor).weight;
+  if (image.light > 1.0e-30f) { weight = mix(weight, image.weight / image.light, lobe.spread); }
+  return share * weight;
+}

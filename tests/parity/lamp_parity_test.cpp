@@ -1,0 +1,131 @@
+// Lamps as polygons and the lattice's light on the GPU and as C++: the same light of random quadrilaterals.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "filters/math/shared/lamp_math.h"
+#include "filters/math/shared/shader_source.h"
+#include "tests/support/gpu_window.h"
+
+namespace {
+
+using namespace boxprobe;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+constexpr std::size_t kLampCount = 32768;
+
+constexpr const char* kLamp =
+    "vec3 gCorners[4];\n"
+    "int lampCornerCount(int lamp) { return 4; }\n"
+    "vec3 lampCorner(int lamp, int i) { return gCorners[i]; }\n"
+    "bool lampShinesBothSides(int lamp) { return true; }\n";
+
+std::string text(std::initializer_list<std::string_view> files) {
+  std::string all;
+  for (const std::string_view file : files) all += std::string(shaderSource(file)) + "\n";
+  return all;
+}
+
+TEST(LampParity, LampsShineTheSame) {
+  const auto window = test::makeWindow();
+  std::mt19937 random(41);
+  std::normal_distribution<float> gauss;
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  const auto direction = [&] { return glm::normalize(vec3(gauss(random), gauss(random), gauss(random))); };
+  std::vector<std::vector<vec4>> in(6);
+  for (std::size_t i = 0; i < kLampCount; ++i) {
+    const vec3 n = direction();
+    vec3 v = direction();
+    if (glm::dot(n, v) < 0.0f && i % 16 != 0) v = -v;
+    const vec3 middle = (0.5f + 3.0f * unit(random)) * direction(), u = (0.05f + unit(random)) * direction();
+    const vec3 w = (0.05f + unit(random)) * glm::normalize(glm::cross(u, direction()));
+    in[0].emplace_back(n, 0.1f + 0.9f * unit(random));  // roughness
+    in[1].emplace_back(v, 0.0f);
+    in[2].emplace_back(middle - u - w, 0.0f);
+    in[3].emplace_back(middle + u - w, 0.0f);
+    in[4].emplace_back(middle + u + w, 0.0f);
+    in[5].emplace_back(middle - u + w, 0.0f);
+  }
+  const auto gpu = test::evaluateOnGpu(
+      window, text({"shared/lamp_types.glsl", "shared/lobe_frame.glsl"}) + kLamp + text({"shared/lamp.glsl", "shared/lamp_lobe.glsl"}),
+      "  gCorners[0] = in2.xyz; gCorners[1] = in3.xyz; gCorners[2] = in4.xyz; gCorners[3] = in5.xyz;\n"
+      "  vec2 glossy = lampGlossy(0, vec3(0.0), lampLobe(in0.xyz, in1.xyz, in0.w));\n"
+      "  out0 = vec4(lampDiffuse(0, vec3(0.0), in0.xyz), glossy, 0.0);\n",
+      in, 1);
+  float worst[2] = {};
+  std::size_t beyond = 0, lit = 0;
+  for (std::size_t i = 0; i < kLampCount; ++i) {
+    LampPolygon lamp;
+    lamp.count = 4;
+    lamp.bothSides = true;
+    for (std::size_t k = 0; k < 4; ++k) lamp.corners[k] = vec3(in[2 + k][i]);
+    const vec3 n(in[0][i]);
+    const float diffuse = shading::lampDiffuse(&lamp, vec3(0.0f), n);
+    const vec2 glossy = shading::lampGlossy(&lamp, vec3(0.0f), shading::lampLobe(n, vec3(in[1][i]), in[0][i].w));
+    const vec4 g = gpu[0][i];
+    ASSERT_TRUE(std::isfinite(g.x) && std::isfinite(g.y) && std::isfinite(g.z)) << i;
+    const float off = std::max(std::abs(g.y - glossy.x), std::abs(g.z - glossy.y));
+    worst[0] = std::max(worst[0], std::abs(g.x - diffuse));
+    // Which part of an edge is longer, rounding may decide.
+    if (off > 1.0e-3f) {
+      ++beyond;
+    } else {
+      worst[1] = std::max(worst[1], off);
+    }
+    lit += diffuse > 0.0f ? 1 : 0;
+  }
+  std::printf("  diffuse: worst difference %.2g; glossy: %.2g, %zu of %zu beyond 1e-3; %zu lit\n",
+              static_cast<double>(worst[0]), static_cast<double>(worst[1]), beyond, kLampCount, lit);
+  EXPECT_LT(worst[0], 1.0e-4f);
+  EXPECT_LE(beyond, kLampCount / 1000);
+  EXPECT_GT(lit, kLampCount / 4);
+}
+
+// The same formula on both sides, linear in the place as a texture is between its texels.
+struct Ramp : shading::LatticeSampler {
+  glm::vec4 fetchLattice(const vec3& place, int part) const override {
+    const auto p = static_cast<float>(part);
+    return vec4(0.3f + 0.1f * place.x, 0.2f - 0.05f * place.y * p, 0.01f * place.z + 0.02f * p, 0.1f * p);
+  }
+};
+constexpr const char* kRamp =
+    "vec4 fetchLattice(int slot, vec3 place, int part)\n{\n  float p = float(part);\n"
+    "  return vec4(0.3 + 0.1 * place.x, 0.2 - 0.05 * place.y * p, 0.01 * place.z + 0.02 * p, 0.1 * p);\n}\n";
+
+TEST(LampParity, LatticesShineTheSame) {
+  const auto window = test::makeWindow();
+  std::mt19937 random(43);
+  std::normal_distribution<float> gauss;
+  std::vector<vec4> position, normal;
+  for (std::size_t i = 0; i < kLampCount; ++i) {
+    position.emplace_back(3.0f * gauss(random), 2.0f * gauss(random), 4.0f * gauss(random), 0.0f);
+    normal.emplace_back(glm::normalize(vec3(gauss(random), gauss(random), gauss(random))), 0.0f);
+  }
+  const auto gpu = test::evaluateOnGpu(
+      window, text({"shared/lattice_types.glsl", "shared/sh.glsl"}) + kRamp + text({"shared/lattice.glsl"}),
+      "  LatticeShape lattice; lattice.low = vec3(-2.0, -1.0, -3.0); lattice.perUnit = vec3(1.1, 0.9, 0.8);\n"
+      "  lattice.last = vec3(4.0, 2.0, 5.0); lattice.slot = 0;\n"
+      "  out0 = vec4(latticeIrradiance(lattice, in0.xyz, in1.xyz), 0.0);\n",
+      {position, normal}, 1);
+  const Ramp ramp;
+  shading::LatticeShape lattice{};
+  lattice.low = vec3(-2.0f, -1.0f, -3.0f);
+  lattice.perUnit = vec3(1.1f, 0.9f, 0.8f);
+  lattice.last = vec3(4.0f, 2.0f, 5.0f);
+  lattice.slot = &ramp;
+  float worst = 0.0f;
+  for (std::size_t i = 0; i < kLampCount; ++i) {
+    const vec3 cpu = shading::latticeIrradiance(lattice, vec3(position[i]), vec3(normal[i]));
+    worst = std::max(worst, glm::length(vec3(gpu[0][i]) - cpu));
+  }
+  std::printf("  worst difference %.2g\n", static_cast<double>(worst));
+  EXPECT_LT(worst, 1.0e-5f);
+}
+
+}  // namespace
