@@ -47,7 +47,7 @@ class vtkReflectionProbeWidget : public vtkAbstractWidget {
   vtkGetMacro(ModifierKeys, bool)
   vtkBooleanMacro(ModifierKeys, bool)
   ///@}
-  /** An interactor with a window comes first; without one, an error or nothing happens. Off ends a drag under way. */
+  /** Without an interactor that has a window, switching it on is an error, and it stays off. Off ends a drag under way. */
   void SetEnabled(int enabling) override;
   // clang-format on
 
