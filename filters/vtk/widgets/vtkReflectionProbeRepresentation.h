@@ -28,6 +28,7 @@
 #include <optional>
 #include <vector>
 
+#include "filters/core/base/export.h"
 #include "filters/vtk/widgets/handle_drag.h"
 #include "filters/vtk/widgets/view_projection.h"
 
@@ -38,7 +39,7 @@ class SurfaceRays;
 
 class vtkReflectionProbe;
 
-class vtkReflectionProbeRepresentation : public vtkWidgetRepresentation {
+class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetRepresentation {
  public:
   static vtkReflectionProbeRepresentation* New();
   // clang-format off

@@ -19,10 +19,12 @@
 
 #include <vtkAbstractWidget.h>
 
+#include "filters/core/base/export.h"
+
 class vtkReflectionProbe;
 class vtkReflectionProbeRepresentation;
 
-class vtkReflectionProbeWidget : public vtkAbstractWidget {
+class BOXPROBE_EXPORT vtkReflectionProbeWidget : public vtkAbstractWidget {
  public:
   static vtkReflectionProbeWidget* New();
   // clang-format off
