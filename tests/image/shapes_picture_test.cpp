@@ -143,7 +143,9 @@ TEST(ShapesPicture, EditsAreFollowed) {
   EXPECT_NE(seen(world, point).x, first.x);
   world.editAndFinish([&](Scene& s) { s.probes[0].box.max.x -= 3.0; });
   EXPECT_NEAR(seen(world, point).x, first.x, 1e-4 * first.x);
+  const std::uint64_t faces = world.faces();
   world.editAndFinish([&](Scene& s) { s.lamps = LampForm::InMap; });
+  EXPECT_EQ(world.faces(), faces + 6);  // the floor in it is lit otherwise
   EXPECT_GT(std::abs(seen(world, point).x / first.x - 1.0), 0.1);
 }
 
