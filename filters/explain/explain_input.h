@@ -32,8 +32,8 @@ struct ExplainedProbe {
   const CubeMap* coverage = nullptr;  ///< what it lets through, in levels of plain means; null: not known yet
   std::uint32_t shadowLights = 0;     ///< a bit for each light that its coverage stands before
   /// In place of the maps' coefficients, with its lamps; null: those. Not of a probe that lets the sky through.
-  std::shared_ptr<const DiffuseLattice> lattice;
-  std::vector<SceneLamp> lamps;  ///< drawn as shapes
+  std::shared_ptr<const DiffuseLattice> lattice = {};
+  std::vector<SceneLamp> lamps = {};  ///< drawn as shapes
 };
 
 /// A depth map of what moves, as a light sees it.
