@@ -13,15 +13,30 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUrl>
+#include <atomic>
 #include <cmath>
 #include <ctime>
+#include <thread>
 
+#include "app/gui/edit/background_work.h"
 #include "data/scenes/glb_writer.h"
 #include "tests/gui/window_test.h"
 #include "tests/support/made_flat.h"
 
 namespace boxprobe {
 namespace {
+
+TEST(BackgroundWork, SaysHowMuchIsDone) {
+  BackgroundWork work;
+  std::atomic<bool> goOn{false};
+  work.start([&goOn](const BackgroundWork::Progress& progress) {
+    progress(0.375);
+    while (!goOn) std::this_thread::yield();
+    return BackgroundWork::Finish([] {});
+  });
+  EXPECT_TRUE(QTest::qWaitFor([&work] { return work.percent() == 37; }, 60000)) << work.percent();
+  goOn = true;
+}
 
 class PlacePanelTest : public WindowTest {
  protected:

@@ -193,8 +193,9 @@ TEST_F(ProbePanelTest, TheParametersAreThoseOfTheTechnique) {
 TEST_F(ProbePanelTest, FaceSizeAndBouncesRecapture) {
   const std::uint64_t before = counters().facesCaptured;
   auto* size = named<QComboBox>("faceSize");
-  choose(size, size->findData(64));
-  EXPECT_EQ(probe().faceSize, 64);
+  // No other test has it: what a window has captured once for the same inputs, it keeps.
+  choose(size, size->findData(128));
+  EXPECT_EQ(probe().faceSize, 128);
   EXPECT_EQ(counters().facesCaptured - before, 6u);
   auto* bounces = named<QComboBox>("bounces");
   choose(bounces, bounces->findData(2));

@@ -102,6 +102,14 @@ TEST(EngineImport, DamagedUnityFilesAreRefusedWithTheirLine) {
   EXPECT_THAT(refused(replaced(kUnity, "m_Importance: 2", "m_Importance: 1e999")), HasSubstr("m_Importance"));
 }
 
+TEST(EngineImport, UnitysModesAreOursOrSaid) {
+  EXPECT_EQ(parseUnityProbes(replaced(kUnity, "m_Mode: 1", "m_Mode: 0"), "a").probes.at(0).mode, ProbeMode::Baked);
+  const ImportedProbes custom = parseUnityProbes(replaced(kUnity, "m_Mode: 1", "m_Mode: 2"), "a");
+  EXPECT_EQ(custom.probes.at(0).mode, ProbeMode::Baked);
+  ASSERT_THAT(custom.remarks, SizeIs(1));
+  EXPECT_EQ(custom.remarks.front(), "probes.Hall: its custom picture stays in Unity; it is baked here");
+}
+
 TEST(EngineImport, AProbeWithoutItsTransformIsSaid) {
   const ImportedProbes imported = parseUnityProbes(
       replaced(kUnity, "  m_GameObject: {fileID: 100}\n  serializedVersion", "  serializedVersion"), "a");

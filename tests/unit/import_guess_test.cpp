@@ -73,6 +73,16 @@ TEST(ImportGuess, ThingsOfFilesWithoutAUnit) {
   EXPECT_FALSE(guessOf("crate.glb", boxModel(crate, false))) << "this file says that it is in metres";
 }
 
+// No room: what it stands on is all there is to tell by.
+TEST(ImportGuess, AThingThatStandsOnZIsTurnedUpright) {
+  const auto standing =
+      guessOf("statue.obj", boxModel({glm::dvec3(-0.31, -0.27, 0), glm::dvec3(0.4, 0.33, 1.9)}, false));
+  ASSERT_TRUE(standing);
+  EXPECT_EQ(standing->upAxis, UpAxis::Z);
+  // A tenth of its depth below y = 0 may be a lip.
+  EXPECT_FALSE(guessOf("relief.obj", boxModel({glm::dvec3(-0.31, -0.06, 0), glm::dvec3(0.4, 0.54, 1.9)}, false)));
+}
+
 TEST(ImportGuess, ARoomOnItsSideIsTurnedUpright) {
   const auto lying = guessOf("room.obj", boxModel(kFlatRoom, true), lyingDown());
   ASSERT_TRUE(lying);

@@ -115,6 +115,14 @@ TEST_F(ModelDamage, NumbersThatAreNotFiniteAreRefused) {
   }
 }
 
+TEST_F(ModelDamage, PositionsOutOfReachAreRefusedAlongEachAxis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float far = axis == 1 ? -3e18f : 2e18f;
+    EXPECT_EQ(problem([=](GlbBuilder& g) { std::memcpy(g.buffer.data() + 8 + 12 + 4 * axis, &far, 4); }),
+              "mesh 0 \"mesh0\": primitive 0: POSITION: entry 1 lies beyond 1e18; repair the model");
+  }
+}
+
 TEST_F(ModelDamage, ReferencesToNothingAreRefused) {
   EXPECT_EQ(problem([](GlbBuilder& g) { g.json["nodes"][0]["mesh"] = 4; }),
             "node 0 \"tri\": mesh 4 does not exist; the file has 1");

@@ -250,6 +250,33 @@ TEST_F(ModelGeometry, TextFilesWithBuffersBesideThemAndDataUris) {
   EXPECT_EQ(corners(loadModelFile(file("data.gltf")).meshes.at(0))[2], vec3(0, 1, 0));
 }
 
+// Between keys with tangents lies a cubic: here by its Bezier points, halved towards each other.
+TEST_F(ModelGeometry, AnAnimationFollowsItsTangents) {
+  glb.triangle();
+  const int times = glb.floats("SCALAR", 1, {1.5f, 4.0f});
+  const vec3 in0(9, 8, 7), a(1, -2, 0.5f), out0(0.7f, -1.3f, 2.9f), in1(-1.9f, 0.6f, 1.1f), b(3, 4, -1), out1(5, 6, 4);
+  std::vector<float> keys;
+  for (const vec3& key : {in0, a, out0, in1, b, out1}) keys.insert(keys.end(), {key.x, key.y, key.z});
+  const int moves = glb.floats("VEC3", 3, keys);
+  glb.json["animations"] = Json::array(
+      {{{"channels", Json::array({{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}})},
+        {"samplers", Json::array({{{"input", times}, {"output", moves}, {"interpolation", "CUBICSPLINE"}}})}}});
+  write("moving.glb", glb.glb());
+  for (const double time : {1.5, 2.25, 3.5, 4.0}) {
+    ModelState state;
+    state.seconds = time;
+    const Model model = loadModelFile(file("moving.glb"), {}, state);
+    const double t = (time - 1.5) / 2.5;
+    std::vector<glm::dvec3> points = {glm::dvec3(a), glm::dvec3(a) + 2.5 / 3.0 * glm::dvec3(out0),
+                                      glm::dvec3(b) - 2.5 / 3.0 * glm::dvec3(in1), glm::dvec3(b)};
+    for (std::size_t left = 3; left > 0; --left) {
+      for (std::size_t i = 0; i < left; ++i) points[i] = (1.0 - t) * points[i] + t * points[i + 1];
+    }
+    const glm::dvec3 place(model.instances.at(0).worldFromModel[3]);
+    EXPECT_LT(glm::length(place - points[0]), 1e-6) << time;
+  }
+}
+
 TEST_F(ModelGeometry, WhatIsNotSupportedIsNamedOnce) {
   const int positions = glb.trianglePositions();
   const Json attributes = {{"POSITION", positions}, {"COLOR_1", positions}};

@@ -116,6 +116,16 @@ const std::vector<std::string_view>& curves() {
   return findParameter("curve")->choices;
 }
 
+TEST(Techniques, ChooseOnlyWhatTheyRead) {
+  shading::TechniqueParameters values{};
+  const auto aims = [&](const char* id) { return chooses(*parseTechnique(id), values, "sampling", "luminance"); };
+  EXPECT_FALSE(aims("raytraced"));
+  values.sampling = 1;
+  EXPECT_TRUE(aims("raytraced"));
+  EXPECT_FALSE(aims("footprint8"));
+  EXPECT_FALSE(aims("box"));
+}
+
 TEST(Evaluations, LookUpTheLevelOfTheirPublishedFormula) {
   Inputs inputs;
   for (const char* id : {"none", "approximate", "hdrp", "godot"}) {
