@@ -53,7 +53,9 @@ TEST(LampParity, LampsShineTheSame) {
     in[5].emplace_back(middle - u + w, 0.0f);
   }
   const auto gpu = test::evaluateOnGpu(
-      window, text({"shared/lamp_types.glsl", "shared/lobe_frame.glsl"}) + kLamp + text({"shared/lamp.glsl", "shared/lamp_lobe.glsl"}),
+      window,
+      text({"shared/lamp_types.glsl", "shared/lobe_frame.glsl"}) + kLamp +
+          text({"shared/lamp.glsl", "shared/lamp_lobe.glsl"}),
       "  gCorners[0] = in2.xyz; gCorners[1] = in3.xyz; gCorners[2] = in4.xyz; gCorners[3] = in5.xyz;\n"
       "  vec2 glossy = lampGlossy(0, vec3(0.0), lampLobe(in0.xyz, in1.xyz, in0.w));\n"
       "  out0 = vec4(lampDiffuse(0, vec3(0.0), in0.xyz), glossy, 0.0);\n",
