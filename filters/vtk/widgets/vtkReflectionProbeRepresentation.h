@@ -22,13 +22,14 @@
 #include <memory>
 #include <string>
 
+#include "filters/core/base/export.h"
+
 #ifndef __VTK_WRAP__
 #include <array>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "filters/core/base/export.h"
 #include "filters/vtk/widgets/handle_drag.h"
 #include "filters/vtk/widgets/view_projection.h"
 
