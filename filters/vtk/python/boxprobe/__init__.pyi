@@ -6,7 +6,9 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from .vtkBoxprobe import vtkProjectionRays as vtkProjectionRays
 from .vtkBoxprobe import vtkReflectionProbe as vtkReflectionProbe
 from .vtkBoxprobe import vtkReflectionProbeFit as vtkReflectionProbeFit
+from .vtkBoxprobe import vtkReflectionProbeRepresentation as vtkReflectionProbeRepresentation
 from .vtkBoxprobe import vtkReflectionProbes as vtkReflectionProbes
+from .vtkBoxprobe import vtkReflectionProbeWidget as vtkReflectionProbeWidget
 
 __version__: str
 
