@@ -1,5 +1,5 @@
 // The lattices of all probes in one three-dimensional texture: one sampler, however many probes a draw has. Filled by
-// the mapper's uniforms, with the window's context current.
+// the probe pass's uniforms, with the window's context current.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,5 +1,5 @@
 // A probe's lattice of diffuse light (filters/math/cube/diffuse_lattice.h), derived from its maps when a draw first
-// asks for it. Called by the mapper's uniforms, with the window's context current; knows no scene.
+// asks for it. Called by the probe pass's uniforms, with the window's context current; knows no scene.
 #pragma once
 
 #include <memory>
