@@ -25,11 +25,6 @@ const ProbeMaps* mapsOf(const DrawState& state, const DrawnProbe& probe) {
   return state.pass().firstBounce ? nullptr : probe.maps.get();
 }
 
-// The last level of a filtered chain has 4 texels along a face, as gpu/probe_lighting.glsl takes it.
-bool endsAtFour(const CubeTexture& chain) {
-  return chain.faceSize() >> (chain.levels() - 1) == 4;
-}
-
 void uploadSky(const UniformUpload& to, const SceneResources& resources, bool flatMaps) {
   if (flatMaps) return to.texture2d("bpSkyMap", resources.sky->flat.handle());
   to.cube("bpSkyMap", resources.sky ? resources.sky->radiance.handle() : resources.blackCube);
@@ -189,26 +184,6 @@ void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
 
 }  // namespace
 
-// What is not captured yet has no picture, and what of the sky no draw of the binding looks up needs none.
-bool makeFlatMaps(DrawState& state, const ProbeBinding& binding) {
-  if (!state.resources.flatMaps || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
-  std::vector<const ProbeMaps*> all;
-  if (binding.sky || binding.open()) all.push_back(state.resources.sky.get());
-  for (const auto& probe : binding.probes) all.push_back(probe->maps.get());
-  std::size_t more = 0;
-  for (const ProbeMaps* maps : all) {
-    if (maps == nullptr || !FlatTexture::fits(maps->radiance) || !endsAtFour(maps->radiance)) return false;
-    more += maps->flat.bytesToMake(maps->radiance);
-  }
-  if (more > 0 && *state.resources.flatBytes + more > FlatTexture::kMostBytes) return false;
-  return std::all_of(all.begin(), all.end(), [&state](const ProbeMaps* maps) {
-    const bool before = maps->flat.handle() != 0;
-    const bool there = maps->flat.make(maps->radiance, state.resources.flatBytes);
-    if (there && !before) ++state.counts.counters.mapsFlattened;
-    return there;
-  });
-}
-
 void uploadSplitSum(const UniformUpload& to, const SceneResources& resources) {
   to.texture2d("bpBrdf", resources.brdfTable);
 }
@@ -226,10 +201,11 @@ void uploadOutput(const UniformUpload& to, const PassSettings& pass) {
 }
 
 void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
-                    const RestingValues& resting, const RestingValues* constants, bool flatMaps) {
+                    const Constants* constants, bool flatMaps) {
   ++state.counts.counters.uniformUpdates;
   uploadSurroundings(to, state.resources, binding, flatMaps);
-  uploadResting(to, resting, constants);
+  NumberUpload numbers(to, constants);
+  readLighting(numbers, state, binding);
   if (!binding.probes.empty()) uploadSlots(to, state, binding, debug, flatMaps);
   if (!binding.shadowLights.empty()) uploadCoverage(to, state, binding);
 }

@@ -5,7 +5,7 @@
 
 #include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/draw/probe_binding.h"
-#include "filters/vtk/surface/resting_uniforms.h"
+#include "filters/vtk/surface/draw_numbers.h"
 #include "filters/vtk/surface/uniform_upload.h"
 
 namespace boxprobe {
@@ -22,14 +22,9 @@ void uploadOutput(const UniformUpload& to, const PassSettings& pass);
 /// if a technique wants it.
 void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
                  bool flatMaps = false);
-/// All that a program with probes reads of its lighting: surroundings, slots, coverage. Counted. `resting`: that
-/// binding's lightingValues(), at least those that the program has not as `constants` (null: none). `flatMaps`: flat
-/// pictures of the maps, as makeFlatMaps() has made them.
+/// All that a program with probes reads of its lighting: surroundings, numbers, slots, coverage. Counted. `constants`:
+/// numbers that the program does not read (null: none). `flatMaps`: flat pictures of the maps, which are there.
 void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
-                    const RestingValues& resting, const RestingValues* constants = nullptr, bool flatMaps = false);
-
-/// Flat pictures of what the binding looks up, those that are there apart, each counted. False: it is to be drawn by
-/// cubemaps, since one of them has no such picture, or there is no memory for it.
-bool makeFlatMaps(DrawState& state, const ProbeBinding& binding);
+                    const Constants* constants = nullptr, bool flatMaps = false);
 
 }  // namespace boxprobe
