@@ -21,8 +21,6 @@
 #include "filters/vtk/gl/broken_shader.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/surface/probe_uniforms.h"
-#include "filters/vtk/surface/surface_uniforms.h"
-#include "filters/vtk/surface/view_uniforms.h"
 #include "filters/vtk/surface/vtk_pbr_splice.h"
 
 using boxprobe::Lighting;
