@@ -33,11 +33,8 @@ struct SceneResources {
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
   LightForm lightForm = LightForm::Single;
-  bool foreign = false;  ///< somebody else's actors: falloffs of lamps mean what they mean in VTK
-  bool emission = true;  ///< emissive factors show without an emissive texture
-  /// Programs with constants look maps up in flat pictures of them (flat_texture.h): on software renderers.
-  bool flatMaps = false;
-  std::shared_ptr<std::size_t> flatBytes = std::make_shared<std::size_t>(0);  ///< of all such pictures
+  bool foreign = false;                     ///< somebody else's actors: falloffs of lamps mean what they mean in VTK
+  bool emission = true;                     ///< emissive factors show without an emissive texture
   GLuint blueNoise = 0;                     ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
   GLuint blackCube = 0;                     ///< stands in for maps not captured yet
   GLuint viewColors = 0;                    ///< 256 x 1, of the debug view; made when that is first shown

@@ -4,14 +4,12 @@
 
 #include "filters/math/sampling/blue_noise.h"
 #include "filters/math/sampling/brdf_table.h"
-#include "filters/vtk/gl/software_driver.h"
 
 namespace boxprobe {
 
 void makeStaticTextures(vtkOpenGLRenderWindow* window, SceneResources& resources, FrameCounts& counts) {
   if (resources.brdfTable != 0) return;
   counts.fail(seamlessCubesProblem());
-  resources.flatMaps = drawsOnCpu();
   glGenTextures(1, &resources.brdfTable);
   {
     const BoundTexture bound(window, GL_TEXTURE_2D, resources.brdfTable);

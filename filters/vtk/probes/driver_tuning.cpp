@@ -6,6 +6,7 @@
 #include <map>
 #include <new>
 
+#include "filters/vtk/gl/software_driver.h"
 #include "filters/vtk/probes/probe_baker.h"
 #include "filters/vtk/probes/probe_binder.h"
 #include "filters/vtk/scene/scene_content.h"
@@ -76,7 +77,8 @@ ProgramTraits DriverTuning::choose(const TunedDraw& draw) {
 // picture, and what of the sky no draw of the binding looks up needs none.
 bool DriverTuning::makeFlatMaps(const ProbeBinding& binding) {
   DrawState& state = *with_.state;
-  if (!state.resources.flatMaps || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
+  if (!onCpu_) onCpu_ = drawsOnCpu();
+  if (!*onCpu_ || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
   std::vector<const ProbeMaps*> all;
   if (binding.sky || binding.open()) all.push_back(state.resources.sky.get());
   for (const auto& probe : binding.probes) all.push_back(probe->maps.get());
@@ -85,11 +87,11 @@ bool DriverTuning::makeFlatMaps(const ProbeBinding& binding) {
     if (maps == nullptr || !FlatTexture::fits(maps->radiance) || !endsAtFour(maps->radiance)) return false;
     more += maps->flat.bytesToMake(maps->radiance);
   }
-  if (more > 0 && *state.resources.flatBytes + more > FlatTexture::kMostBytes) return false;
-  return std::all_of(all.begin(), all.end(), [&state](const ProbeMaps* maps) {
+  if (more > 0 && *flatBytes_ + more > FlatTexture::kMostBytes) return false;
+  return std::all_of(all.begin(), all.end(), [this](const ProbeMaps* maps) {
     const bool before = maps->flat.handle() != 0;
-    const bool there = maps->flat.make(maps->radiance, state.resources.flatBytes);
-    if (there && !before) ++state.counts.counters.mapsFlattened;
+    const bool there = maps->flat.make(maps->radiance, flatBytes_);
+    if (there && !before) ++with_.state->counts.counters.mapsFlattened;
     return there;
   });
 }

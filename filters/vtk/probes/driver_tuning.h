@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -71,6 +72,8 @@ class DriverTuning : public ProgramTuning {
   const ProbeContext& with_;
   ProgramCache cache_;
   TuningParts parts_ = kAllTuning;
+  std::optional<bool> onCpu_;  ///< does the driver draw by the processor? Asked within the first draw
+  std::shared_ptr<std::size_t> flatBytes_ = std::make_shared<std::size_t>(0);  ///< of all flat pictures
   bool editable_ = false, standInsAllowed_ = false, moving_ = false;
 
   std::set<std::string> variantsUsed_;  ///< program variants objects have had so far
