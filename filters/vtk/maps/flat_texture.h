@@ -1,5 +1,5 @@
 // A probe's filtered chain as one flat texture (filters/math/cube/flat_cube.h), for programs of software renderers that
-// have resting numbers as constants: made when a draw first wants it. Called by the probe pass, with the window's
+// have their numbers as constants: made when a draw first wants it. Called by the tuning for drivers, with the window's
 // context current; knows no scene.
 #pragma once
 

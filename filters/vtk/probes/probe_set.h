@@ -86,7 +86,7 @@ class ProbeSet {
   std::optional<ShCoefficients> diffuseLight(const std::string& probeName) const;
 
   std::size_t memoryBytes() const;
-  /// Frees what the graphics side holds, and the window with it.
+  /// Frees what the graphics side holds, with its context current. Everything is made again afterwards.
   void release();
 
  private:
