@@ -6,6 +6,7 @@
 
 #include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/maps/content_hash.h"
 
@@ -111,7 +112,7 @@ void SceneParts::endFrame() {
   const bool culls = renderer->GetPass() == nullptr;  // a pass draws what it is given
   state->counts.counters.drawsLeftOut = culls ? renderer->GetLeftOut() : 0;
   state->counts.counters.skyLeftOut = culls && renderer->GetBackdropLeftOut();
-  state->counts.counters.programsGivenBack += state->programs.trim(window);
+  if (state->tuning != nullptr) state->tuning->frameEnded(window);
   if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
   seen = renderer->GetDrawnGeneration();
   std::vector<std::size_t> objects;
@@ -238,7 +239,7 @@ std::vector<Explanation> SceneParts::explain(const std::vector<glm::ivec2>& pixe
 ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
                                     const std::function<void(int)>& beforeFrame) {
   window->MakeCurrent();
-  probes.programs().setMoving(false);
+  probes.tuning().setMoving(false);
   prepareDraws();
   std::vector<vtkProp*> props = content.shownProps(renderer);
   // The sky has no value in the debug view: it stays transparent.

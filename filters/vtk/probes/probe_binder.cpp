@@ -7,6 +7,7 @@
 #include "filters/math/cube/openings.h"
 #include "filters/math/technique/automatic.h"
 #include "filters/math/technique/technique_errors.h"
+#include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/maps/cube_transfer.h"
 #include "filters/vtk/scene/glass_tint.h"
 #include "filters/vtk/scene/scene_content.h"
@@ -211,16 +212,16 @@ void ProbeBinder::assign(std::size_t object) {
 
 // A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
 void ProbeBinder::assign(bool anyProgram) {
-  const bool waits = with_.programs != nullptr && with_.plan->interactive() && !anyProgram;
+  const bool waits = with_.state->tuning != nullptr && with_.plan->interactive() && !anyProgram;
   for (DrawnObject& object : with_.content->objects) {
     auto binding = bindingOf(object, with_.plan->interactive());
     const ProbeBinding* current = object.pass->GetBinding();
-    if (waits && current != nullptr && !with_.programs->known(*current, *binding)) continue;
+    if (waits && current != nullptr && !with_.state->tuning->known(*current, *binding)) continue;
     object.pass->SetBinding(std::move(binding));
   }
   recordUse();
   needs_.update();
-  if (with_.programs != nullptr) with_.programs->assigned();
+  if (with_.state->tuning != nullptr) with_.state->tuning->assigned();
 }
 
 std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& object, bool general) const {

@@ -1,15 +1,24 @@
 #include "filters/vtk/surface/probe_uniforms.h"
 
 #include <vtkCamera.h>
+#include <vtkMatrix3x3.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLCamera.h>
 #include <vtkShaderProgram.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <map>
+#include <string>
 
+#include "filters/core/picture/probe_color.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/surface/camera_uniforms.h"
-#include "filters/vtk/surface/coverage_uniforms.h"
+#include "filters/vtk/surface/glass_draw.h"
 
 namespace boxprobe {
 
@@ -23,11 +32,6 @@ using PerSlot = std::array<T, kMax>;
 // During the first bounce no probe has been captured yet.
 const ProbeMaps* mapsOf(const DrawState& state, const DrawnProbe& probe) {
   return state.pass().firstBounce ? nullptr : probe.maps.get();
-}
-
-// The last level of a filtered chain has 4 texels along a face, as gpu/probe_lighting.glsl takes it.
-bool endsAtFour(const CubeTexture& chain) {
-  return chain.faceSize() >> (chain.levels() - 1) == 4;
 }
 
 void uploadSky(const UniformUpload& to, const SceneResources& resources, bool flatMaps) {
@@ -187,30 +191,46 @@ void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
                             reinterpret_cast<const float(*)[3]>(&origin[0].x));
 }
 
-}  // namespace
-
-// What is not captured yet has no picture, and what of the sky no draw of the binding looks up needs none.
-bool makeFlatMaps(DrawState& state, const ProbeBinding& binding) {
-  if (!state.resources.flatMaps || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
-  std::vector<const ProbeMaps*> all;
-  if (binding.sky || binding.open()) all.push_back(state.resources.sky.get());
-  for (const auto& probe : binding.probes) all.push_back(probe->maps.get());
-  std::size_t more = 0;
-  for (const ProbeMaps* maps : all) {
-    if (maps == nullptr || !FlatTexture::fits(maps->radiance) || !endsAtFour(maps->radiance)) return false;
-    more += maps->flat.bytesToMake(maps->radiance);
+// Lights, the probes' coverage, maps of what moves: shaders/gpu/coverage*.glsl and moving_shadow.glsl.
+void uploadCoverage(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding) {
+  std::vector<glm::vec4> lights;
+  for (const int light : binding.shadowLights) {
+    const auto i = static_cast<std::size_t>(light);
+    const bool known = i < state.resources.shadowLights.size();
+    const ShadowLight of = known ? state.resources.shadowLights[i] : ShadowLight{};
+    lights.emplace_back(of.size.tangent, of.size.radius, of.levelsPerUnit, 0.0f);
   }
-  if (more > 0 && *state.resources.flatBytes + more > FlatTexture::kMostBytes) return false;
-  return std::all_of(all.begin(), all.end(), [&state](const ProbeMaps* maps) {
-    const bool before = maps->flat.handle() != 0;
-    const bool there = maps->flat.make(maps->radiance, state.resources.flatBytes);
-    if (there && !before) ++state.counts.counters.mapsFlattened;
-    return there;
-  });
-}
-
-void uploadSplitSum(const UniformUpload& to, const SceneResources& resources) {
-  to.texture2d("bpBrdf", resources.brdfTable);
+  to.program->SetUniform4fv("bpShadowLight", static_cast<int>(lights.size()),
+                            reinterpret_cast<const float(*)[4]>(&lights[0].x));
+  std::array<int, ProbeBinding::kMaxProbesPerDraw> masks{};
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) {
+    const DrawnProbe& probe = *binding.probes[i];
+    const std::string slot = std::to_string(i);
+    masks[i] = static_cast<int>(probe.shadowLights);
+    // Before the first capture nothing is known of openings: nothing comes through.
+    const ProbeMaps* maps = state.pass().firstBounce ? nullptr : probe.maps.get();
+    if (maps != nullptr) maps->coverage.make(maps->radiance, maps->tint.get(), probe.imported);
+    to.cube("bpThroughMap" + slot, maps != nullptr ? maps->coverage.handle() : state.resources.blackCube);
+    to.program->SetUniformf(("bpThroughFaceSize" + slot).c_str(),
+                            maps != nullptr ? static_cast<float>(maps->radiance.faceSize()) : 1.0f);
+    const float maxLevel = maps != nullptr ? maps->coverage.chain()->maxLevel() : 0.0f;
+    to.program->SetUniformf(("bpThroughPerUnit" + slot).c_str(),
+                            levelsPerUnit(probe.geometry.boxMin, probe.geometry.boxMax, maxLevel));
+  }
+  to.program->SetUniform1iv("bpShadowMask", static_cast<int>(binding.probes.size()), masks.data());
+  for (const int light : binding.movingLights) {
+    const auto map = std::find_if(state.resources.movingShadows.begin(), state.resources.movingShadows.end(),
+                                  [&](const MovingShadow& shadow) { return shadow.light == light; });
+    const bool on = map != state.resources.movingShadows.end() && state.pass().movingShadowsOn;
+    const std::string n = std::to_string(light);
+    to.program->SetUniformf(("bpMovingOn" + n).c_str(), on ? 1.0f : 0.0f);
+    // A sampler of its kind needs a texture of its own kind, read or not.
+    const GLuint any = state.resources.movingShadows.empty() ? 0 : state.resources.movingShadows.front().texture;
+    to.texture2d("bpMovingMap" + n, on ? map->texture : any);
+    glm::mat4 matrix(1.0f);
+    if (on) matrix = glm::mat4(glm::translate(map->mapFromWorld, to.eyeWorld()));
+    to.program->SetUniformMatrix4x4(("bpMovingFromEye" + n).c_str(), &matrix[0][0]);
+  }
 }
 
 void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding,
@@ -220,20 +240,7 @@ void uploadSurroundings(const UniformUpload& to, const SceneResources& resources
   if (binding.sky || binding.open()) uploadSky(to, resources, flatMaps);
 }
 
-void uploadOutput(const UniformUpload& to, const PassSettings& pass) {
-  to.program->SetUniformf("bpExposure", pass.exposure);
-  to.program->SetUniformf("bpParallel", to.camera()->GetParallelProjection() ? 1.0f : 0.0f);
-}
-
-void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
-                    const RestingValues& resting, const RestingValues* constants, bool flatMaps) {
-  ++state.counts.counters.uniformUpdates;
-  uploadSurroundings(to, state.resources, binding, flatMaps);
-  uploadResting(to, resting, constants);
-  if (!binding.probes.empty()) uploadSlots(to, state, binding, debug, flatMaps);
-  if (!binding.shadowLights.empty()) uploadCoverage(to, state, binding);
-}
-
+// The slots' maps and origins; the debug view's own maps, too.
 void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug, bool flatMaps) {
   uploadLight(to, state, binding, flatMaps);
   if (debug) uploadDistances(to, state.resources, binding);
@@ -241,6 +248,146 @@ void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& 
   if (!binding.firstBounce) uploadSampling(to, state, binding);
   if (binding.shapes && binding.diffuse) uploadLampsAndLattices(to, state, binding);
   uploadOrigins(to, binding);
+}
+
+}  // namespace
+
+void uploadSplitSum(const UniformUpload& to, const SceneResources& resources) {
+  to.texture2d("bpBrdf", resources.brdfTable);
+}
+
+void uploadOutput(const UniformUpload& to, const PassSettings& pass) {
+  to.program->SetUniformf("bpExposure", pass.exposure);
+  to.program->SetUniformf("bpParallel", to.camera()->GetParallelProjection() ? 1.0f : 0.0f);
+}
+
+void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
+                    const Constants* constants, bool flatMaps) {
+  ++state.counts.counters.uniformUpdates;
+  uploadSurroundings(to, state.resources, binding, flatMaps);
+  NumberUpload numbers(to, constants);
+  readLighting(numbers, state, binding);
+  if (!binding.probes.empty()) uploadSlots(to, state, binding, debug, flatMaps);
+  if (!binding.shadowLights.empty()) uploadCoverage(to, state, binding);
+}
+
+void uploadView(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, int object) {
+  const DebugView& debug = state.pass().debug;
+  to.program->SetUniformi("bpView", debug.view);
+  to.program->SetUniformi("bpFinishShown", debug.finish ? 1 : 0);
+  const float range[2] = {debug.low, debug.high};
+  to.program->SetUniform2f("bpViewRange", range);
+  if (state.resources.viewColors != 0) to.texture2d("bpViewColors", state.resources.viewColors);
+  const auto& faces = faceColors();
+  to.program->SetUniform3fv("bpFaceColors", 6, reinterpret_cast<const float(*)[3]>(&faces[0].x));
+  to.program->SetUniformf("bpObject", static_cast<float>(object));
+  if (binding.lighting != Lighting::Probes) {
+    to.program->SetUniformMatrix3x3("bpViewToWorld", viewToWorldRotation(to.camera()).data());
+    return;
+  }
+  const glm::vec3 sky = skyColor();
+  to.program->SetUniform3f("bpSkyColor", &sky.x);
+  std::array<glm::vec3, kMax> color;
+  std::array<float, kMax> faceSize{};
+  const std::size_t count = binding.probes.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const DrawnProbe& probe = *binding.probes[i];
+    color[i] = probeColor(probe.index);
+    const bool known = probe.maps != nullptr && probe.maps->distance.allocated();
+    faceSize[i] = known ? static_cast<float>(probe.maps->distance.faceSize()) : 0.0f;
+  }
+  if (count == 0) return;
+  const int n = static_cast<int>(count);
+  to.program->SetUniform3fv("bpProbeColor", n, reinterpret_cast<const float(*)[3]>(&color[0].x));
+  to.program->SetUniform1fv("bpDistanceFaceSize", n, faceSize.data());
+}
+
+namespace {
+
+void uploadFinish(const UniformUpload& to, const MaterialFinish& finish) {
+  to.program->SetUniform3f("bpSpecularTint", &finish.specularTint.x);
+  to.program->SetUniformf("bpSpecularEdge", finish.specularEdge);
+  to.program->SetUniform3f("bpSheenColor", &finish.sheenColor.x);
+  to.program->SetUniformf("bpSheenRoughness", finish.sheenRoughness);
+  const float turn = finish.anisotropyRotation;
+  const glm::vec3 anisotropy(std::cos(turn), std::sin(turn), finish.anisotropy);
+  to.program->SetUniform3f("bpAnisotropy", &anisotropy.x);
+  const glm::vec4 film(finish.iridescence, finish.filmIor, finish.filmThicknessMin, finish.filmThicknessMax);
+  to.program->SetUniform4f("bpFilm", &film.x);
+}
+
+}  // namespace
+
+void uploadMaterial(const UniformUpload& to, const SurfaceMaterial& surface) {
+  to.program->SetUniformf("bpAlpha", surface.alpha);
+  to.program->SetUniformf("bpAlphaCutoff", surface.alphaCutoff);
+  to.program->SetUniformf("bpNormalScale", surface.normalScale);
+  to.program->SetUniformf("bpCoatNormalScale", surface.coatNormalScale);
+  if (surface.slots[kThicknessSlot].texture && to.used("bpThicknessScale")) {
+    to.program->SetUniformf("bpThicknessScale", surface.thicknessScale);
+  }
+  if (surface.finished()) uploadFinish(to, surface.finish);
+  for (std::size_t i = 0; i < surface.slots.size(); ++i) {
+    const SurfaceSlot& slot = surface.slots[i];
+    if (!slot.texture) continue;
+    const std::string name = surfaceSlotNames()[i];
+    // A slot that this variant does not read would only take a unit.
+    if (!to.used("bpTex" + name)) continue;
+    to.texture2d("bpTex" + name, slot.texture->handle());
+    if (!to.used("bpUv" + name)) continue;
+    const glm::mat3x2& m = slot.uvTransform;
+    const float rows[2][3] = {{m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}};
+    to.program->SetUniform3fv(("bpUv" + name).c_str(), 2, rows);
+  }
+}
+
+void uploadMirror(const UniformUpload& to, const MirrorPicture& mirror, const SceneResources& resources) {
+  to.program->SetUniformf("bpMirrorOn", mirror.shown ? 1.0f : 0.0f);
+  const GLuint none = resources.brdfTable;  // not read
+  to.texture2d("bpMirrorColor", mirror.shown ? mirror.color : none);
+  to.texture2d("bpMirrorHeight", mirror.shown ? mirror.height : none);
+  const shading::MirrorLook& look = mirror.look;
+  const std::array<glm::vec4, 3> places = {look.toU, look.toV, look.toW};
+  to.program->SetUniform4fv("bpMirrorPlaces", 3, reinterpret_cast<const float(*)[4]>(&places[0].x));
+  const glm::vec4 normal(look.normal, look.farHeight), eye(look.eye, look.texelSize);
+  to.program->SetUniform4f("bpMirrorNormal", &normal.x);
+  to.program->SetUniform4f("bpMirrorEye", &eye.x);
+  const glm::vec3 levels(look.parallel, look.maxLevel, look.sharpLevel);
+  to.program->SetUniform3f("bpMirrorLevels", &levels.x);
+  const glm::vec2 size(look.sizeX, look.sizeY);
+  to.program->SetUniform2f("bpMirrorSize", &size.x);
+}
+
+namespace {
+
+// By the very matrix that the vertices are placed with.
+void uploadBehind(const UniformUpload& to, const BehindPicture& behind, const SceneResources& resources) {
+  if (!to.used("bpBehindOn")) return;
+  const bool there = behind.color != 0;
+  to.program->SetUniformf("bpBehindOn", there ? 1.0f : 0.0f);
+  to.texture2d("bpBehindColor", there ? behind.color : resources.brdfTable);  // else not read
+  to.texture2d("bpBehindDepth", there ? behind.depth : resources.brdfTable);
+  vtkMatrix4x4 *clipFromWorld = nullptr, *viewFromWorld = nullptr, *clipFromView = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkOpenGLCamera::SafeDownCast(to.camera())
+      ->GetKeyMatrices(to.renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+  to.program->SetUniformMatrix("bpBehindClip", clipFromView);
+  const float size[2] = {static_cast<float>(behind.width), static_cast<float>(behind.height)};
+  to.program->SetUniform2f("bpBehindSize", size);
+}
+
+}  // namespace
+
+void uploadGlassOf(const UniformUpload& to, const GlassSurface& glass, const ProbeBinding& binding,
+                   const SceneResources& resources, const BehindPicture& behind) {
+  int faceSize = resources.sky ? resources.sky->radiance.faceSize() : 0;
+  for (const auto& probe : binding.probes) {
+    if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
+  }
+  const bool followed = glass.shell && to.used("bpGlassShell");
+  const int unit = followed ? to.bind(GL_TEXTURE_CUBE_MAP, glass.shell->handle()) : -1;
+  uploadGlass(to.program, glass, to.eyeWorld(), faceSize, unit);
+  uploadBehind(to, behind, resources);
 }
 
 }  // namespace boxprobe
