@@ -94,6 +94,7 @@ std::vector<DrawnProgram> SceneRenderer::drawnPrograms() const {
 
 void SceneRenderer::setEditable(bool editable) {
   impl_->probes.setEditable(editable);
+  impl_->state->resources.latticesBeside = editable;
 }
 
 void SceneRenderer::allowStandIns(bool allowed) {

@@ -135,10 +135,9 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   }
   // Of many objects none has been seen yet: the first frame will tell.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
-  const auto lampsBefore = content.lamps;
-  if (objects || changes.lights) content.findLamps();
+  const bool otherLamps = (objects || changes.lights) && content.findLamps();
   state->resources.lamps = content.lamps;
-  if (models || changes.lights || content.lamps != lampsBefore) content.rebuildLights(renderer);
+  if (models || changes.lights || otherLamps) content.rebuildLights(renderer);
   if (changes.sky) content.rebuildSky();
   if (lit) {
     shadows.sceneChanged();

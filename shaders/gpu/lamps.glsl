@@ -25,12 +25,15 @@ bool lampShinesBothSides(int lamp)
 // After bpShareOut.
 vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 {
+  vec4 shares = vec4(0.0f);
+  for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot] * bpIntensity[slot]; }
   vec3 sum = vec3(0.0f);
-  for (int i = 0; i < bpLampCount; ++i)
+  int i = 0;
+  // The end is asked for last: software renderers work a turn out before they leave a loop.
+  do
   {
-    float share = 0.0f;
-    for (int slot = 0; slot < BP_SLOTS; ++slot) { share += bpShareOf[slot] * bpIntensity[slot] * bpLampOf[i][slot]; }
-    sum += share * lampDiffuse(i, position, normal) * bpLampLight[i];
-  }
+    sum += dot(shares, bpLampOf[i]) * lampDiffuse(i, position, normal) * bpLampLight[i];
+    ++i;
+  } while (i < bpLampCount);
   return sum;
 }

@@ -44,7 +44,7 @@ BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
       for (const std::size_t other : sees_[i]) shown.push_back(key(other, bounce - 1));
       std::sort(shown.begin(), shown.end());
       ContentHash hash;
-      hash.add(inputs_[i].view).add("lit by");
+      hash.add(inputs_[i].view).add(inputs_[i].lattices ? "lit by lattices" : "lit by");
       for (const std::string& text : shown) hash.add(text);
       keys_[i].push_back(shown.empty() ? inputs_[i].view : hash.text());
     }

@@ -43,7 +43,8 @@ CaptureWorld CaptureInputs::world(const SceneContent& content, const ProbeIndex&
   }
   CaptureWorld world = captureWorld(content.scene, objects, skyPixels_, probes);
   // Lamps drawn as shapes light what a capture shows, those that it does not show included.
-  if (content.lamps) world.lights += " " + lampsKey(*content.lamps);
+  if (content.lamps && !content.lamps->lamps.empty()) world.lights += " " + lampsKey(*content.lamps);
+  world.lattices = content.lamps != nullptr;
   return world;
 }
 

@@ -84,6 +84,8 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
   }
   binding->shapes =
       std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) { return probe->shapes; });
+  binding->lamps = std::any_of(binding->probes.begin(), binding->probes.end(),
+                               [](const auto& probe) { return !probe->lamps.empty(); });
   // A perfect mirror's lobe is one direction: whatever a technique of several samples does, it does for nothing there.
   for (Technique& technique : binding->techniques) {
     const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();

@@ -9,6 +9,7 @@ namespace boxprobe {
 BounceKeys::Input ProbeKeys::input(const Probe& probe) const {
   BounceKeys::Input input;
   input.bounces = probe.bounces;
+  input.lattices = world_.lattices;
   input.imported = probe.mode == ProbeMode::Custom;
   input.realtime = probe.mode == ProbeMode::Realtime;
   CaptureView view = probeView(world_, probe);
@@ -99,13 +100,14 @@ std::string ProbeKeys::face(std::size_t index, int bounce, int face) const {
   ContentHash hash;
   hash.add(view.key);
   for (const std::string& key : lighting) hash.add(key);
+  if (world_.lattices && bounce > 1 && !lighting.empty()) hash.add("by lattices");
   return hash.text();
 }
 
 std::string ProbeKeys::realtimeFace(const Probe& probe, int face) const {
   const CaptureView view = faceView(world_, probe, face);
   ContentHash hash;
-  hash.add(view.key).add(probe.bounces > 1 ? "lit" : "dark");
+  hash.add(view.key).add(probe.bounces > 1 ? (world_.lattices ? "lit by lattices" : "lit") : "dark");
   for (const std::size_t other : view.lighting) {
     if (probe.bounces > 1 && !bounces_.input(other).realtime) hash.add(bounces_.finalKey(other));
   }

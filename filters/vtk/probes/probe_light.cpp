@@ -71,9 +71,11 @@ void ProbeLight::updateLamps() {
   for (std::size_t i = 0; i < shown_->size(); ++i) {
     const Probe& probe = content_->scene.probes[i];
     DrawnProbe& drawn = shown_->drawn(i);
-    drawn.shapes =
-        lamps != nullptr && probe.mode == ProbeMode::Baked && !std::holds_alternative<ClearToOpen>(probe.clear);
-    drawn.lamps = drawn.shapes ? probeLamps(lamps->lamps, probe) : std::vector<std::size_t>();
+    drawn.shapes = lamps != nullptr;
+    drawn.realtime = probe.mode == ProbeMode::Realtime;
+    const bool known = drawn.shapes && probe.mode != ProbeMode::Custom;
+    drawn.lamps = known ? probeLamps(lamps->lamps, probe) : std::vector<std::size_t>();
+    if (!drawn.shapes) drawn.latticeBefore.reset();
   }
 }
 

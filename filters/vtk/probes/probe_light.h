@@ -18,8 +18,8 @@ class ProbeLight {
 
   /// The scene's lights that ask for shadows, and for each probe those of them that lie outside of its box.
   void updateShadowLights();
-  /// Which probes' diffuse light is that of lamps drawn as shapes and of a lattice, and of which lamps. Not of realtime
-  /// probes and pictures, whose lamps are not known, nor of those that the sky shows through.
+  /// Which probes' diffuse light is that of lamps drawn as shapes and of a lattice, and of which lamps. Of
+  /// pictures, whose lamps are not known, the lattice alone.
   void updateLamps();
   /// On the CPU from small levels, and only of maps or a sky that are new, so that another sky costs no capture.
   /// Returns whether a probe begins or ceases to let the sky through: that takes another program.

@@ -127,6 +127,14 @@ std::optional<std::size_t> ProbeSet::toMeasure() const {
   return errors_.next();
 }
 
+const ProbeMaps* ProbeSet::latticePending() const {
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    const ProbeMaps* maps = shown_.drawn(i).maps.get();
+    if (maps != nullptr && maps->lattice.deriving()) return maps;
+  }
+  return nullptr;
+}
+
 void ProbeSet::step() {
   doOne();
   if (!workPending()) levelsMade_ = 0;
@@ -142,6 +150,9 @@ void ProbeSet::doOne() {
     assignToObjects();
   } else if (programs_.pending()) {
     programs_.prepareOne();
+  } else if (const ProbeMaps* maps = latticePending()) {
+    constexpr int kTurnMilliseconds = 5;  // a window answers in between
+    maps->lattice.waitFor(kTurnMilliseconds);
   }
 }
 

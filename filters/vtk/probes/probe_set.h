@@ -77,7 +77,8 @@ class ProbeSet {
   bool followsSeen() const { return plan_.enabled() && plan_.targets().empty(); }
 
   bool workPending() const {
-    return baker_.pending() || levelsPending() || toMeasure().has_value() || programs_.pending();
+    return baker_.pending() || levelsPending() || latticePending() != nullptr || toMeasure().has_value() ||
+           programs_.pending();
   }
   void step();
   /// From 0 to 1, of all that was planned since there last was nothing to do; below 1 while anything is pending.
@@ -99,6 +100,8 @@ class ProbeSet {
   /// Not while a handle is dragged, which is to change uniforms and no more: what it newly lights shows plain means of
   /// the capture until it is let go.
   bool levelsPending() const { return !plan_.interactive() && needs_.lacking(); }
+  /// Maps whose lattice is being derived beside the frames; the frame after that shows it.
+  const ProbeMaps* latticePending() const;
   void doOne();
   void makeLevel();
   void updateKeys();

@@ -75,6 +75,7 @@ void ShownProbes::release() {
   for (ShownProbe& probe : probes_) {
     probe.openSkyOf = {};
     probe.drawn->maps.reset();
+    probe.drawn->latticeBefore.reset();
   }
   state_->resources.sky.reset();
 }
