@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <set>
+#include <string>
 
 #include "tests/image/quad_world.h"
 #include "tests/support/lamp_truth.h"
@@ -229,7 +231,7 @@ TEST(ShapesPicture, LaterBouncesAreLitByLattices) {
   EXPECT_EQ(world.faces() + world.reused(), faces + 6);
 }
 
-// What a window does: the frame does not wait, and the one after the work has the lattice.
+// What a window does: a frame does not wait, and the one after the work has the lattice.
 TEST(ShapesPicture, AFrameDoesNotWaitForALattice) {
   QuadWorld plain(scene(LampForm::Shapes), {room()}, 48, 40), window(scene(LampForm::Shapes), {room()}, 48, 40);
   window.renderer->setEditable(true);
@@ -241,16 +243,50 @@ TEST(ShapesPicture, AFrameDoesNotWaitForALattice) {
     world->show();
   }
   const ImageRgba8 right = plain.renderer->renderDisplay(), early = window.renderer->renderDisplay();
-  EXPECT_NE(early.pixels, right.pixels);
+  EXPECT_NE(early.pixels, right.pixels) << "coefficients show";
+  EXPECT_TRUE(window.renderer->workPending());
   window.renderer->finishWork();
   EXPECT_EQ(window.renderer->renderDisplay().pixels, right.pixels);
+  EXPECT_FALSE(window.renderer->workPending());
   // Another box is lit by the lattice of the one before, until its own is there.
   for (QuadWorld* world : {&plain, &window}) world->edit([](Scene& s) { s.probes[0].box.max.x += 2.5; });
   plain.renderer->finishWork();
   const ImageRgba8 wider = plain.renderer->renderDisplay(), between = window.renderer->renderDisplay();
-  EXPECT_NE(between.pixels, wider.pixels);
+  EXPECT_NE(wider.pixels, right.pixels);
+  EXPECT_EQ(between.pixels, right.pixels);
   window.renderer->finishWork();
   EXPECT_EQ(window.renderer->renderDisplay().pixels, wider.pixels);
+}
+
+// Faces of a lamp that is a box are worked out in pairs; an explanation takes each by itself.
+TEST(ShapesPicture, ABoxOfALampShinesFromAllItsFaces) {
+  Model model = room();
+  const vec3 center(0.9f, 1.4f, 0.5f);
+  const float h = 0.15f;
+  const vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float side : {1.0f, -1.0f}) {
+      const vec3 n = side * axes[axis], up = axes[(axis + 1) % 3];
+      Material material = glowing(vec3(9.0f + static_cast<float>(axis), 8.0f - 2.0f * side, 7.0f));
+      material.doubleSided = false;
+      addSquare(model, "cube" + std::to_string(2 * axis + (side > 0.0f ? 1 : 0)), center + h * n, h * glm::cross(up, n),
+                h * up, material);
+    }
+  }
+  QuadWorld world(scene(LampForm::Shapes), {model}, 64, 48);
+  world.show();
+  Camera camera;
+  camera.position = {-1.2, 2.2, -1.4};
+  camera.target = {0.4, 0.0, 0.2};
+  world.renderer->applyCamera(camera);
+  std::set<std::string> shining;
+  for (const glm::ivec2& pixel : {glm::ivec2(30, 24), glm::ivec2(14, 35), glm::ivec2(50, 30), glm::ivec2(32, 44)}) {
+    const Explanation e = world.renderer->explain(pixel.x, pixel.y, 64, 48);
+    ASSERT_EQ(e.surface.object, "floor") << pixel.x;
+    for (const LampAtPoint& lamp : e.probes.at(0).diffuse.lamps) shining.insert(lamp.node);
+    EXPECT_LT(glm::length(e.color - *e.rendered), 2.0e-3f * (1.0f + glm::length(*e.rendered))) << pixel.x;
+  }
+  EXPECT_GE(shining.size(), 4u);
 }
 
 TEST(ShapesPicture, ARealtimeProbeHasFewerRaysAndTheSameLight) {

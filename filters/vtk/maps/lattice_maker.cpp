@@ -54,24 +54,23 @@ bool LatticeSource::operator==(const LatticeSource& o) const {
          std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
 }
 
-bool LatticeMaker::waitFor(int milliseconds) const {
-  return !beside_.valid() || beside_.wait_for(std::chrono::milliseconds(milliseconds)) == std::future_status::ready;
-}
-
 void LatticeMaker::keep(LatticeSource source, Lattice lattice) {
   if (made_.size() == kKept) made_.pop_back();
   made_.insert(made_.begin(), {std::move(source), std::move(lattice)});
 }
 
-void LatticeMaker::take(bool wait) {
-  if (!beside_.valid() || (!wait && deriving())) return;
+void LatticeMaker::takeNow() {
   keep(std::move(besideSource_), beside_.get());
   beside_ = {};
 }
 
+void LatticeMaker::take(int milliseconds) {
+  if (pending() && beside_.wait_for(std::chrono::milliseconds(milliseconds)) == std::future_status::ready) takeNow();
+}
+
 std::shared_ptr<const DiffuseLattice> LatticeMaker::of(const CubeTexture& radiance, const CubeTexture& distance,
                                                        const LatticeSource& source, LatticeHaste haste) {
-  take(haste == LatticeHaste::Now && besideSource_ == source);
+  if (haste == LatticeHaste::Now && pending() && besideSource_ == source) takeNow();
   const Lattice before = made_.empty() ? nullptr : made_.front().lattice;
   if (haste == LatticeHaste::AsItIs) return before;
   const auto known = std::find_if(made_.begin(), made_.end(), [&](const Made& made) { return made.source == source; });
@@ -80,7 +79,7 @@ std::shared_ptr<const DiffuseLattice> LatticeMaker::of(const CubeTexture& radian
     return made_.front().lattice;
   }
   // One at a time: where a source changes faster than lattices are derived, those between are left out.
-  if (!radiance.allocated() || (deriving() && haste != LatticeHaste::Now)) return before;
+  if (!radiance.allocated() || (pending() && haste != LatticeHaste::Now)) return before;
   auto work = std::make_shared<LatticeWork>();
   work->radiance = firstLevel(radiance);
   if (!source.lamps.empty()) work->distance = firstLevel(distance);

@@ -35,9 +35,10 @@ class LatticeMaker {
   /// Reads the capture back where a lattice is to be derived. Null: none is there yet.
   std::shared_ptr<const DiffuseLattice> of(const CubeTexture& radiance, const CubeTexture& distance,
                                            const LatticeSource& source, LatticeHaste haste);
-  /// Waits for what is derived beside the draws, at most so long; true once nothing is. The next draw takes it.
-  bool waitFor(int milliseconds) const;
-  bool deriving() const { return !waitFor(0); }
+  /// Is one being derived beside the draws, or ready and not taken?
+  bool pending() const { return beside_.valid(); }
+  /// Takes it where it is ready, after at most so long: between two frames, so that all of a frame shows the same.
+  void take(int milliseconds);
 
  private:
   using Lattice = std::shared_ptr<const DiffuseLattice>;
@@ -46,7 +47,7 @@ class LatticeMaker {
     Lattice lattice;
   };
   void keep(LatticeSource source, Lattice lattice);
-  void take(bool wait);
+  void takeNow();
 
   std::vector<Made> made_;  ///< the last ones, the newest first: a capture may leave out the sky that the window shows
   LatticeSource besideSource_;

@@ -148,7 +148,7 @@ std::optional<std::size_t> ProbeSet::toMeasure() const {
 const ProbeMaps* ProbeSet::latticePending() const {
   for (std::size_t i = 0; i < binder_.size(); ++i) {
     const ProbeMaps* maps = binder_.drawn(i).maps.get();
-    if (maps != nullptr && maps->lattice.deriving()) return maps;
+    if (maps != nullptr && maps->lattice.pending()) return maps;
   }
   return nullptr;
 }
@@ -169,7 +169,7 @@ void ProbeSet::doOne() {
     programs_.prepareOne();
   } else if (const ProbeMaps* maps = latticePending()) {
     constexpr int kTurnMilliseconds = 5;  // a window answers in between
-    maps->lattice.waitFor(kTurnMilliseconds);
+    maps->lattice.take(kTurnMilliseconds);
   }
 }
 

@@ -129,8 +129,39 @@ bool outOfReach(const SceneLamp& lamp, const UniformUpload& to, const PassSettin
   for (const glm::dvec3& corner : lamp.corners) radius = std::max(radius, glm::length(corner - lamp.middle));
   const double distance = glm::length(beyond) - radius;
   const double brightest = std::max({lamp.radiance.x, lamp.radiance.y, lamp.radiance.z});
-  return distance > 0.0 && static_cast<double>(pass.exposure) * brightest * lamp.area / (kPi * distance * distance) <
-                               0.2 * kDarkestStep;
+  return distance > 0.0 &&
+         static_cast<double>(pass.exposure) * brightest * lamp.area / (kPi * distance * distance) < 0.2 * kDarkestStep;
+}
+
+// Opposite faces of a lamp that is a box: where one is seen, the other is not, and both are worked out in one turn.
+// Orders `drawn` by turns, then the others of turns; returns how many turns there are.
+std::size_t pairLamps(const std::vector<SceneLamp>& lamps, std::vector<std::size_t>& drawn, int* other) {
+  const auto backToBack = [&](std::size_t a, std::size_t b) {
+    const SceneLamp &first = lamps[a], &second = lamps[b];
+    return !first.bothSides && !second.bothSides && glm::dot(first.normal, second.normal) < -0.9999999 &&
+           glm::dot(second.middle - first.middle, first.normal) <= 0.0;
+  };
+  std::vector<std::size_t> firsts, seconds;
+  std::vector<bool> paired(drawn.size(), false);
+  std::vector<std::ptrdiff_t> partner;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (paired[i]) continue;
+    firsts.push_back(drawn[i]);
+    partner.push_back(-1);
+    for (std::size_t k = i + 1; k < drawn.size(); ++k) {
+      if (paired[k] || !backToBack(drawn[i], drawn[k])) continue;
+      paired[k] = true;
+      partner.back() = static_cast<std::ptrdiff_t>(seconds.size());
+      seconds.push_back(drawn[k]);
+      break;
+    }
+  }
+  for (std::size_t i = 0; i < firsts.size(); ++i) {
+    other[i] = static_cast<int>(partner[i] < 0 ? i : firsts.size() + static_cast<std::size_t>(partner[i]));
+  }
+  drawn = firsts;
+  drawn.insert(drawn.end(), seconds.begin(), seconds.end());
+  return firsts.size();
 }
 
 // Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes.
@@ -170,20 +201,24 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   std::array<glm::vec3, kLamps * kCorners> corners{};
   std::array<glm::vec3, kLamps> light{};
   std::array<glm::vec4, kLamps> slots{};
-  std::array<int, kLamps> shape{};
+  std::array<int, kLamps> shape{}, other{};
   shape[0] = 3;  // the loop has one turn at least: of a lamp that is a point and gives nothing
-  std::size_t used = 0;
-  for (const auto& [index, of] : lampOf) {
-    if (used == kLamps) break;
-    const SceneLamp& lamp = lamps->lamps[index];
-    const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
-    std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(used * kCorners));
-    shape[used] = polygon.count + (polygon.bothSides ? 16 : 0);
-    light[used] = glm::vec3(lamp.radiance);
-    slots[used++] = of;
+  std::vector<std::size_t> drawn;
+  for (const auto& entry : lampOf) {
+    if (drawn.size() < kLamps) drawn.push_back(entry.first);
   }
-  to.program->SetUniformi("bpLampCount", static_cast<int>(used));
-  used = std::max<std::size_t>(used, 1);
+  const std::size_t turns = pairLamps(lamps->lamps, drawn, other.data());
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const SceneLamp& lamp = lamps->lamps[drawn[k]];
+    const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
+    std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(k * kCorners));
+    shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
+    light[k] = glm::vec3(lamp.radiance);
+    slots[k] = lampOf[drawn[k]];
+  }
+  const std::size_t used = std::max<std::size_t>(drawn.size(), 1);
+  to.program->SetUniformi("bpLampCount", static_cast<int>(turns));
+  to.program->SetUniform1iv("bpLampOther", static_cast<int>(used), other.data());
   vectors("bpLampCorner", corners.data(), used * kCorners);
   vectors("bpLampLight", light.data(), used);
   to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());
