@@ -100,6 +100,7 @@ std::vector<DrawnProgram> SceneRenderer::drawnPrograms() const {
 
 void SceneRenderer::setEditable(bool editable) {
   impl_->probes.tuning().setEditable(editable);
+  impl_->state->resources.latticesBeside = editable;
 }
 
 void SceneRenderer::allowStandIns(bool allowed) {

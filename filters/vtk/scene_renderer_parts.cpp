@@ -147,10 +147,9 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   }
   // Of many objects none has been seen yet: the first frame will tell.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
-  const auto lampsBefore = content.lamps;
-  if (objects || changes.lights) content.findLamps();
+  const bool otherLamps = (objects || changes.lights) && content.findLamps();
   state->resources.lamps = content.lamps;
-  if (models || changes.lights || content.lamps != lampsBefore) content.rebuildLights(renderer);
+  if (models || changes.lights || otherLamps) content.rebuildLights(renderer);
   if (changes.sky) content.rebuildSky();
   if (lit) {
     shadows.sceneChanged();
@@ -191,7 +190,8 @@ void SceneParts::updateCaptures() {
   }
   inputs.world = captureWorld(content.scene, objects, skyPixels, probes.plan().entries().places());
   // Lamps drawn as shapes light what a capture shows, those that it does not show included.
-  if (content.lamps) inputs.world.lights += " " + lampsKey(*content.lamps);
+  inputs.world.lattices = content.lamps != nullptr;
+  if (content.lamps && !content.lamps->lamps.empty()) inputs.world.lights += " " + lampsKey(*content.lamps);
   inputs.sky = inputs.world.sky;
   if (content.skyImage) inputs.skyColumns = content.skyImage->width;
   probes.plan().sources().skyLevels = content.skyImage ? skyLevelsFile(content.skyImageFile()) : std::string();

@@ -39,6 +39,7 @@ struct SceneResources {
   GLuint blackCube = 0;                     ///< stands in for maps not captured yet
   GLuint viewColors = 0;                    ///< 256 x 1, of the debug view; made when that is first shown
   std::shared_ptr<const SceneLamps> lamps;  ///< null unless they are drawn as shapes
+  bool latticesBeside = false;              ///< frames do not wait for lattices (draw/probe_lattice.h)
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
   std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about

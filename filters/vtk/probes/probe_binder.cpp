@@ -140,6 +140,7 @@ void ProbeBinder::release() {
   for (Shown& probe : probes_) {
     probe.openSkyOf = {};
     probe.drawn->maps.reset();
+    probe.drawn->latticeBefore.reset();
   }
   with_.state->resources.sky.reset();
 }
@@ -186,16 +187,18 @@ void ProbeBinder::updateShadowLights() {
   }
 }
 
-// Which probes' diffuse light is that of lamps drawn as shapes and of a lattice, and of which lamps. Not of realtime
-// probes and pictures, whose lamps are not known, nor of those that the sky shows through.
+// Which probes' diffuse light is that of lamps drawn as shapes and of a lattice, and of which lamps. Of pictures, whose
+// lamps are not known, the lattice alone.
 void ProbeBinder::updateLamps() {
   const SceneLamps* lamps = with_.content->lamps.get();
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     const Probe& probe = with_.content->scene.probes[i];
     DrawnProbe& drawn = *probes_[i].drawn;
-    drawn.shapes =
-        lamps != nullptr && probe.mode == ProbeMode::Baked && !std::holds_alternative<ClearToOpen>(probe.clear);
-    drawn.lamps = drawn.shapes ? probeLamps(lamps->lamps, probe) : std::vector<std::size_t>();
+    drawn.shapes = lamps != nullptr;
+    drawn.realtime = probe.mode == ProbeMode::Realtime;
+    const bool known = drawn.shapes && probe.mode != ProbeMode::Custom;
+    drawn.lamps = known ? probeLamps(lamps->lamps, probe) : std::vector<std::size_t>();
+    if (!drawn.shapes) drawn.latticeBefore.reset();
   }
 }
 
@@ -280,6 +283,8 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   }
   binding->shapes =
       std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) { return probe->shapes; });
+  binding->lamps = std::any_of(binding->probes.begin(), binding->probes.end(),
+                               [](const auto& probe) { return !probe->lamps.empty(); });
   // A perfect mirror's lobe is one direction: whatever a technique of several samples does, it does for nothing there.
   for (Technique& technique : binding->techniques) {
     const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();

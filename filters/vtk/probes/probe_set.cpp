@@ -157,6 +157,14 @@ std::optional<std::size_t> ProbeSet::toMeasure() const {
   return binder_.toMeasure();
 }
 
+const ProbeMaps* ProbeSet::latticePending() const {
+  for (std::size_t i = 0; i < binder_.size(); ++i) {
+    const ProbeMaps* maps = binder_.drawn(i).maps.get();
+    if (maps != nullptr && maps->lattice.pending()) return maps;
+  }
+  return nullptr;
+}
+
 void ProbeSet::step() {
   doOne();
   if (!workPending()) levelsMade_ = 0;
@@ -171,6 +179,9 @@ void ProbeSet::doOne() {
     binder_.measure(*index);
   } else if (with_.state->tuning != nullptr && tuning_.pending()) {
     tuning_.prepareOne();
+  } else if (const ProbeMaps* maps = latticePending()) {
+    constexpr int kTurnMilliseconds = 5;  // a window answers in between
+    maps->lattice.take(kTurnMilliseconds);
   }
 }
 

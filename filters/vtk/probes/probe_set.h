@@ -73,7 +73,7 @@ class ProbeSet {
   bool followsSeen() const { return plan_.enabled() && plan_.targets().empty(); }
 
   bool workPending() const {
-    return baker_.pending() || levelsPending() || toMeasure().has_value() ||
+    return baker_.pending() || levelsPending() || latticePending() != nullptr || toMeasure().has_value() ||
            (with_.state->tuning != nullptr && tuning_.pending());
   }
   void step();
@@ -94,6 +94,8 @@ class ProbeSet {
   /// Not while a handle is dragged, which is to change uniforms and no more: what it newly lights shows plain means of
   /// the capture until it is let go.
   bool levelsPending() const { return !plan_.interactive() && binder_.needs().lacking(); }
+  /// Maps whose lattice is being derived beside the frames; the frame after that shows it.
+  const ProbeMaps* latticePending() const;
   void doOne();
   void makeLevel();
   void makeAnew(std::size_t index);

@@ -10,12 +10,14 @@
 #include <array>
 #include <cmath>
 #include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <map>
 #include <string>
 
 #include "filters/core/picture/probe_color.h"
+#include "filters/vtk/draw/probe_lattice.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/surface/camera_uniforms.h"
 #include "filters/vtk/surface/glass_draw.h"
@@ -108,20 +110,62 @@ void uploadSampling(const UniformUpload& to, DrawState& state, const ProbeBindin
   if (to.used("bpFrame")) to.program->SetUniformi("bpFrame", state.pass().frame);
 }
 
-LatticeSource latticeSource(const SceneLamps& lamps, const DrawnProbe& probe) {
-  const ProbeGeometry& g = probe.geometry;
-  LatticeSource source;
-  source.boxMin = g.boxMin;
-  source.boxMax = g.boxMax;
-  source.mapFromProbe = glm::mat3(g.mapFromProbe);
-  source.worldFromProbe = glm::mat3(g.worldFromProbe);
-  // What follows rays by the distances is for reflections: for light from all around the box is near enough.
-  const bool distances = projectionRows()[static_cast<std::size_t>(g.technique.projection)].distances;
-  source.projection = distances ? parseTechnique("box")->projection : g.technique.projection;
-  const glm::dmat3 worldFromMap = g.worldFromProbe * glm::transpose(g.mapFromProbe);
-  for (const std::size_t i : probe.lamps)
-    source.lamps.push_back(lampPolygon(lamps.lamps[i], g.originWorld, worldFromMap));
-  return source;
+// Nothing of the lamp reaches the object: it lies behind the lamp's plane, or so far away that the light is below a
+// fifth of the darkest step of an 8-bit picture. A capture is seen at any exposure.
+bool outOfReach(const SceneLamp& lamp, const UniformUpload& to, const PassSettings& pass) {
+  if (to.boundsWorld == nullptr || to.boundsWorld[0] > to.boundsWorld[1]) return false;
+  const double* b = to.boundsWorld;
+  double highest = -1.0e300, size = 0.0;
+  glm::dvec3 beyond(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = b[2 * axis], high = b[2 * axis + 1];
+    size += high - low;
+    beyond[axis] = std::max({low - lamp.middle[axis], lamp.middle[axis] - high, 0.0});
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 at(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2)]);
+    highest = std::max(highest, glm::dot(at - lamp.middle, lamp.normal));
+  }
+  if (!lamp.bothSides && highest < -1.0e-6 * size) return true;
+  if (pass.exposure == kLinearOutput) return false;
+  constexpr double kDarkestStep = 1.0 / (255.0 * 12.92), kPi = 3.14159265358979323846;
+  double radius = 0.0;
+  for (const glm::dvec3& corner : lamp.corners) radius = std::max(radius, glm::length(corner - lamp.middle));
+  const double distance = glm::length(beyond) - radius;
+  const double brightest = std::max({lamp.radiance.x, lamp.radiance.y, lamp.radiance.z});
+  return distance > 0.0 &&
+         static_cast<double>(pass.exposure) * brightest * lamp.area / (kPi * distance * distance) < 0.2 * kDarkestStep;
+}
+
+// Opposite faces of a lamp that is a box: where one is seen, the other is not, and both are worked out in one turn.
+// Orders `drawn` by turns, then the others of turns; returns how many turns there are.
+std::size_t pairLamps(const std::vector<SceneLamp>& lamps, std::vector<std::size_t>& drawn, int* other) {
+  const auto backToBack = [&](std::size_t a, std::size_t b) {
+    const SceneLamp &first = lamps[a], &second = lamps[b];
+    return !first.bothSides && !second.bothSides && glm::dot(first.normal, second.normal) < -0.9999999 &&
+           glm::dot(second.middle - first.middle, first.normal) <= 0.0;
+  };
+  std::vector<std::size_t> firsts, seconds;
+  std::vector<bool> paired(drawn.size(), false);
+  std::vector<std::ptrdiff_t> partner;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (paired[i]) continue;
+    firsts.push_back(drawn[i]);
+    partner.push_back(-1);
+    for (std::size_t k = i + 1; k < drawn.size(); ++k) {
+      if (paired[k] || !backToBack(drawn[i], drawn[k])) continue;
+      paired[k] = true;
+      partner.back() = static_cast<std::ptrdiff_t>(seconds.size());
+      seconds.push_back(drawn[k]);
+      break;
+    }
+  }
+  for (std::size_t i = 0; i < firsts.size(); ++i) {
+    other[i] = static_cast<int>(partner[i] < 0 ? i : firsts.size() + static_cast<std::size_t>(partner[i]));
+  }
+  drawn = firsts;
+  drawn.insert(drawn.end(), seconds.begin(), seconds.end());
+  return firsts.size();
 }
 
 // Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes.
@@ -133,35 +177,18 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   for (std::size_t i = 0; i < count && lamps != nullptr; ++i) {
     const DrawnProbe& probe = *binding.probes[i];
     if (!probe.shapes) continue;
-    const ProbeMaps* maps = mapsOf(state, probe);
-    if (maps != nullptr) {
-      const auto lattice =
-          maps->lattice.of(maps->radiance, maps->distance, latticeSource(*lamps, probe), state.pass().dragging);
-      if (!lattice || lattice->empty()) continue;
+    if (!state.pass().firstBounce) {
+      const auto lattice = probeLattice(state, probe);
+      if (!lattice) continue;
       const shading::LatticeShape shape = lattice->shape();
       at[i] = state.resources.lattices->place(lattice);
       low[i] = shape.low;
       perUnit[i] = shape.perUnit;
       last[i] = shape.last;
-    } else if (!state.pass().firstBounce) {
-      continue;
     }
-    for (const std::size_t lamp : probe.lamps) lampOf[lamp][static_cast<int>(i)] = 1.0f;
-  }
-  constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
-  std::array<glm::vec3, kLamps * kCorners> corners{};
-  std::array<glm::vec3, kLamps> light{};
-  std::array<glm::vec4, kLamps> slots{};
-  std::array<int, kLamps> shape{};
-  std::size_t used = 0;
-  for (const auto& [index, of] : lampOf) {
-    if (used == kLamps) break;
-    const SceneLamp& lamp = lamps->lamps[index];
-    const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
-    std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(used * kCorners));
-    shape[used] = polygon.count + (polygon.bothSides ? 16 : 0);
-    light[used] = glm::vec3(lamp.radiance);
-    slots[used++] = of;
+    for (const std::size_t lamp : probe.lamps) {
+      if (!outOfReach(lamps->lamps[lamp], to, state.pass())) lampOf[lamp][static_cast<int>(i)] = 1.0f;
+    }
   }
   const auto vectors = [&](const char* name, const glm::vec3* values, std::size_t size) {
     to.program->SetUniform3fv(name, static_cast<int>(size), reinterpret_cast<const float(*)[3]>(values));
@@ -173,8 +200,29 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   const glm::vec3 texel = state.resources.lattices->texelSize();
   to.program->SetUniform3f("bpLatticeTexel", &texel.x);
   to.texture("bpLattices", GL_TEXTURE_3D, state.resources.lattices->handle());
-  to.program->SetUniformi("bpLampCount", static_cast<int>(used));
-  if (used == 0) return;
+  if (!binding.lamps) return;
+  constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
+  std::array<glm::vec3, kLamps * kCorners> corners{};
+  std::array<glm::vec3, kLamps> light{};
+  std::array<glm::vec4, kLamps> slots{};
+  std::array<int, kLamps> shape{}, other{};
+  shape[0] = 3;  // the loop has one turn at least: of a lamp that is a point and gives nothing
+  std::vector<std::size_t> drawn;
+  for (const auto& entry : lampOf) {
+    if (drawn.size() < kLamps) drawn.push_back(entry.first);
+  }
+  const std::size_t turns = pairLamps(lamps->lamps, drawn, other.data());
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const SceneLamp& lamp = lamps->lamps[drawn[k]];
+    const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
+    std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(k * kCorners));
+    shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
+    light[k] = glm::vec3(lamp.radiance);
+    slots[k] = lampOf[drawn[k]];
+  }
+  const std::size_t used = std::max<std::size_t>(drawn.size(), 1);
+  to.program->SetUniformi("bpLampCount", static_cast<int>(turns));
+  to.program->SetUniform1iv("bpLampOther", static_cast<int>(used), other.data());
   vectors("bpLampCorner", corners.data(), used * kCorners);
   vectors("bpLampLight", light.data(), used);
   to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());

@@ -447,7 +447,7 @@ bool vtkProbePass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMap
     this->Last.compilation = state.tuning->uses(program, this->Made.traits.constants != nullptr);
   }
   if (this->Made.binding && state.drawing != nullptr && program->IsUniformUsed("bpExposure")) {
-    this->Upload(program);
+    this->Upload(program, prop->GetBounds());
     this->Count(program);
   } else if (program->IsUniformUsed("bpLightOfDisplay")) {
     const bool capturing = state.pass().exposure == boxprobe::kLinearOutput;
@@ -456,10 +456,10 @@ bool vtkProbePass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMap
   return true;
 }
 
-void vtkProbePass::Upload(vtkShaderProgram* program) {
+void vtkProbePass::Upload(vtkShaderProgram* program, const double* boundsWorld) {
   boxprobe::DrawState& state = *this->State;
   state.bound.clear();
-  const boxprobe::UniformUpload to{program, state.drawing, state.bound};
+  const boxprobe::UniformUpload to{program, state.drawing, state.bound, boundsWorld};
   boxprobe::uploadOutput(to, state.pass());
   if (this->Surface) {
     boxprobe::uploadMaterial(to, *this->Surface);

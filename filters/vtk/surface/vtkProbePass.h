@@ -182,7 +182,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   bool Splice(boxprobe::ShaderSources& sources, vtkActor* actor, bool lit);
   bool Compiles(const boxprobe::ShaderSources& sources, vtkAbstractMapper* mapper, vtkActor* actor) const;
   void Refuse(vtkAbstractMapper* mapper, vtkActor* actor);
-  void Upload(vtkShaderProgram* program);
+  void Upload(vtkShaderProgram* program, const double* boundsWorld);
   void Count(vtkShaderProgram* program);
 
   std::shared_ptr<boxprobe::DrawState> State;
