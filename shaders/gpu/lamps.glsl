@@ -1,5 +1,6 @@
 // Lamps of the draw's probes, drawn as shapes (shared/lamp.glsl): relative to the eye, world axes. Needs gpu/probe_shares.glsl.
-uniform int bpLampCount;
+uniform int bpLampCount;                // turns: lamps that turn their backs on one another share one
+uniform int bpLampOther[BP_LAMPS];      // of each turn the lamp that counts where the first cannot be seen
 uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
@@ -25,12 +26,16 @@ bool lampShinesBothSides(int lamp)
 // After bpShareOut.
 vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 {
+  vec4 shares = vec4(0.0f);
+  for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot] * bpIntensity[slot]; }
   vec3 sum = vec3(0.0f);
-  for (int i = 0; i < bpLampCount; ++i)
+  int i = 0;
+  // The end is asked for last: software renderers work a turn out before they leave a loop.
+  do
   {
-    float share = 0.0f;
-    for (int slot = 0; slot < BP_SLOTS; ++slot) { share += bpShareOf[slot] * bpIntensity[slot] * bpLampOf[i][slot]; }
-    sum += share * lampDiffuse(i, position, normal) * bpLampLight[i];
-  }
+    int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
+    sum += dot(shares, bpLampOf[lamp]) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
+    ++i;
+  } while (i < bpLampCount);
   return sum;
 }

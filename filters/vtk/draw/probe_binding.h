@@ -27,6 +27,8 @@ struct DrawnProbe {
   bool imported = false;           ///< from a picture, which may have no coverage
   bool shapes = false;             ///< its diffuse light is its lamps' and a lattice's
   std::vector<std::size_t> lamps;  ///< of the scene's, those drawn as shapes
+  bool realtime = false;           ///< its maps are made over and over
+  mutable std::shared_ptr<const DiffuseLattice> latticeBefore;  ///< the last it was drawn with (probe_lattice.h)
 };
 
 enum class Lighting {
@@ -51,6 +53,7 @@ struct ProbeBinding {
   std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
   bool diffuse = true;      ///< false: the material is all metal
   bool shapes = false;      ///< some probe's diffuse light is its lamps' and a lattice's
+  bool lamps = false;       ///< some of these has lamps
 
   /// No probe has been captured yet, so that none gives a reflection: nothing is looked up. For captures alone.
   bool firstBounce = false;
