@@ -115,7 +115,7 @@ void addArmchair(Home& home, const FlatMaterials& m, const glm::dmat4& placed) {
 void addCoffeeTable(Home& home, const FlatMaterials& m, const glm::dmat4& placed) {
   const Pen wood = home.pen("coffee table", m.walnut, placed);
   wood.box({-0.58, 0.372, -0.31}, {0.58, 0.40, 0.31}, 0.009);
-  wood.box({-0.50, 0.15, -0.24}, {0.50, 0.165, 0.24}, 0.004);
+  wood.box({-0.475, 0.15, -0.195}, {0.475, 0.165, 0.195}, 0.004);
   for (double s : {-1.0, 1.0}) {
     wood.box({s * 0.50 - 0.02, 0.0, -0.26}, {s * 0.50 + 0.02, 0.372, -0.22}, 0.005);
     wood.box({s * 0.50 - 0.02, 0.0, 0.22}, {s * 0.50 + 0.02, 0.372, 0.26}, 0.005);
