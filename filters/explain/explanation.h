@@ -48,6 +48,8 @@ struct ProbeExplanation : ProbeAtPoint {
   std::optional<float> occlusion;        ///< factor of `specular` by the hit's distance, if the probe has one
   glm::vec3 specular{0.0f};              ///< the technique's value, before weight, intensity and occlusion
   glm::vec3 irradiance{0.0f};            ///< over pi, before weight and intensity
+  /// Of its lamps as shapes, before weight and intensity: F0 times the one plus F90 times the other is reflected.
+  glm::vec3 lampsF0{0.0f}, lampsF90{0.0f};
   /// Of a probe that lets the sky through: how much of the lookups it covers, and the sky along R at the surface's own
   /// level, which shows for the rest.
   std::optional<float> coverage;

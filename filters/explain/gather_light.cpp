@@ -82,9 +82,11 @@ GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float
       }
     }
     out.irradiance += share * p.irradiance;
+    out.lampsF0 += share * p.lampsF0;
+    out.lampsF90 += share * p.lampsF90;
     out.lookups += static_cast<int>(p.lookups.size()) + p.distanceLookups;
     if (p.captured)
-      out.brightestTexel = std::max(out.brightestTexel, brightest(p.lookups, in.probes[i].maps->radiance));
+      out.brightestTexel = std::max(out.brightestTexel, brightest(p.lookups, in.probes[i].lookedUp()->radiance));
   }
   if (!in.weights && !in.probes.empty()) remaining = 0.0f;
   if (in.sky && in.skyMaps != nullptr && remaining > 1.0e-5f) {
@@ -103,6 +105,8 @@ GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float
     out.mirror = explainMirror(*in.mirror, s, normal, roughness);
     out.mirror->share = given + remaining;
     out.specular = (1.0f - out.mirror->coverage) * out.specular + out.mirror->share * out.mirror->light;
+    out.lampsF0 *= 1.0f - out.mirror->coverage;
+    out.lampsF90 *= 1.0f - out.mirror->coverage;
     out.lookups += out.mirror->fetches;
     out.brightestTexel = std::max(out.brightestTexel, largestComponent(glm::vec4(out.mirror->light, 0.0f)));
   }

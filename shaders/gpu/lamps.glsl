@@ -22,15 +22,46 @@ bool lampShinesBothSides(int lamp)
 
 //BP::LampLight
 
-// After bpShareOut.
+// What a lamp's light at a place is multiplied by, diffuse and glossy: of each slot, after bpShareOut, its share.
+float bpLampWeight(int lamp, int slot)
+{
+  return bpShareOf[slot] * bpIntensity[slot] * bpLampOf[lamp][slot];
+}
+
+#if BP_LATTICE
 vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 {
   vec3 sum = vec3(0.0f);
   for (int i = 0; i < bpLampCount; ++i)
   {
-    float share = 0.0f;
-    for (int slot = 0; slot < BP_SLOTS; ++slot) { share += bpShareOf[slot] * bpIntensity[slot] * bpLampOf[i][slot]; }
-    sum += share * lampDiffuse(i, position, normal) * bpLampLight[i];
+    float weight = 0.0f;
+    for (int slot = 0; slot < BP_SLOTS; ++slot) { weight += bpLampWeight(i, slot); }
+    sum += weight * lampDiffuse(i, position, normal) * bpLampLight[i];
   }
   return sum;
 }
+#endif
+
+#if BP_LAMP_LOBES
+// Reflected by F0, and by what a surface reflects at a flat angle.
+void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, float roughness)
+{
+  float share = lampsByShape(roughness);
+  LampLobe lobe = lampLobe(normal, view, roughness);
+  int count = share > 0.0f ? bpLampCount : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    float weight = 0.0f;
+    for (int slot = 0; slot < BP_SLOTS; ++slot) { weight += bpLampWeight(i, slot) * bpLampFree[slot]; }
+    vec2 lit = weight * share * lampGlossy(i, position, lobe);
+    light.lampsF0 += lit.x * bpLampLight[i];
+    light.lampsF90 += lit.y * bpLampLight[i];
+  }
+}
+
+// The lamps' reflection over what the surface reflects at all: beside the mean light of its lobe, which techniques find.
+vec3 bpLampsMean(BpLight light, vec3 f0, vec3 f90, vec2 splitSum)
+{
+  return (f0 * light.lampsF0 + f90 * light.lampsF90) / max(f0 * splitSum.x + f90 * splitSum.y, vec3(1.0e-6f));
+}
+#endif

@@ -116,6 +116,7 @@ std::string ProbeBinding::variantKey() const {
   if (sky) key += 's';
   if (diffuse) key += 'd';
   if (diffuse && shapes) key += 'l';
+  if (lampLobes) key += 'g';
   if (firstBounce) key += 'k';
   const std::vector<int> group = groups();
   for (std::size_t i = 0; i < probes.size(); ++i) {
@@ -124,6 +125,7 @@ std::string ProbeBinding::variantKey() const {
       if (row->choice != nullptr) key += "/" + std::to_string(probes[i]->geometry.parameters.*row->choice);
     }
     if (marches(i)) key += 'm';
+    if (lampFree(i)) key += 'f';
     if (probes[i]->geometry.bevelled) key += 'b';
     if (probes[i]->geometry.occluded) key += 'o';
     if (probes[i]->open) key += 'y';

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/math/sampling/filter_lobe.h"
 #include "filters/math/technique/automatic.h"
 #include "filters/vtk/maps/probe_maps.h"
 
@@ -27,6 +28,9 @@ struct DrawnProbe {
   bool imported = false;           ///< from a picture, which may have no coverage
   bool shapes = false;             ///< its diffuse light is its lamps' and a lattice's
   std::vector<std::size_t> lamps;  ///< of the scene's, those drawn as shapes
+  PrefilterSettings prefilter;     ///< of its maps
+  /// A filter that blurs the capture itself has spread their light over what is around them.
+  bool lampsLeaveMap() const { return shapes && prefilter.filter == FilterLobe::Kind::Ggx; }
 };
 
 enum class Lighting {
@@ -51,6 +55,10 @@ struct ProbeBinding {
   std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
   bool diffuse = true;      ///< false: the material is all metal
   bool shapes = false;      ///< some probe's diffuse light is its lamps' and a lattice's
+  /// Reflections of the object are rough enough to show those lamps by their shapes. Then maps without them are looked
+  /// up.
+  bool lampLobes = false;
+  float roughnessMin = 0.0f, roughnessMax = 1.0f;  ///< of the object
 
   /// No probe has been captured yet, so that none gives a reflection: nothing is looked up. For captures alone.
   bool firstBounce = false;
@@ -80,6 +88,9 @@ struct ProbeBinding {
   /// Does the sky show through a probe? And lookup by lookup?
   bool open() const;
   bool openByLookup(std::size_t slot) const;
+  bool lampsDrawn() const { return (shapes && diffuse) || lampLobes; }
+  /// Does a rough surface look this one's map up without lamps?
+  bool lampFree(std::size_t slot) const { return lampLobes && probes[slot]->lampsLeaveMap(); }
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
   /// Does this one's follow rays through all of them: more than three steps of projection `impostor`?

@@ -12,6 +12,7 @@
 #include "filters/vtk/gl/gl_objects.h"
 #include "filters/vtk/maps/coverage_texture.h"
 #include "filters/vtk/maps/flat_texture.h"
+#include "filters/vtk/maps/lamp_free_maps.h"
 #include "filters/vtk/maps/lattice_maker.h"
 #include "filters/vtk/maps/light_texture.h"
 #include "filters/vtk/maps/relief_texture.h"
@@ -55,13 +56,16 @@ struct ProbeMaps {
   mutable ReliefTexture relief;
   /// Made when a draw first asks for diffuse light at a place (lattice_maker.h).
   mutable LatticeMaker lattice;
+  /// Made when a rough surface first shows lamps as shapes (lamp_free_maps.h).
+  mutable LampFreeMaps lampFree;
   /// Made when a probe that lets the sky through first shows these maps.
   mutable std::shared_ptr<const Openings> openings;
   /// Made when a draw first asks what a light shines through.
   mutable CoverageTexture coverage;
   mutable std::shared_ptr<const CubeMap> tint;  ///< of the glass it shows (glass_tint.h); null: there is none
   std::size_t bytes() const {
-    return radiance.bytes() + distance.bytes() + flat.bytes() + light.bytes() + relief.bytes() + coverage.bytes();
+    return radiance.bytes() + distance.bytes() + flat.bytes() + light.bytes() + relief.bytes() + coverage.bytes() +
+           lampFree.bytes();
   }
 };
 

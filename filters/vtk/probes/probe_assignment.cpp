@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "filters/core/geometry/probe_shares.h"
+#include "filters/math/shared/lamp_math.h"
 #include "filters/math/technique/automatic.h"
 
 namespace boxprobe {
@@ -84,6 +85,12 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
   }
   binding->shapes =
       std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) { return probe->shapes; });
+  binding->roughnessMin = static_cast<float>(object.roughnessMin);
+  binding->roughnessMax = static_cast<float>(object.roughnessMax);
+  // Glass looks along bent rays, whose lobes have no shapes.
+  binding->lampLobes =
+      binding->roughnessMax > shading::kLampMapRoughness && !object.surface->glass.drawn &&
+      std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& p) { return p->lampsLeaveMap(); });
   // A perfect mirror's lobe is one direction: whatever a technique of several samples does, it does for nothing there.
   for (Technique& technique : binding->techniques) {
     const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();

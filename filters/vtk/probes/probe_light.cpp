@@ -4,6 +4,7 @@
 
 #include "filters/core/geometry/light_shadow.h"
 #include "filters/math/cube/openings.h"
+#include "filters/vtk/capture/bake_runner.h"
 #include "filters/vtk/maps/cube_transfer.h"
 #include "filters/vtk/scene/glass_tint.h"
 
@@ -73,6 +74,7 @@ void ProbeLight::updateLamps() {
     DrawnProbe& drawn = shown_->drawn(i);
     drawn.shapes =
         lamps != nullptr && probe.mode == ProbeMode::Baked && !std::holds_alternative<ClearToOpen>(probe.clear);
+    drawn.prefilter = prefilterSettings(probe);
     drawn.lamps = drawn.shapes ? probeLamps(lamps->lamps, probe) : std::vector<std::size_t>();
   }
 }

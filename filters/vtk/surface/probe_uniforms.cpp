@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 
+#include "filters/core/geometry/lamp_reach.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/surface/camera_uniforms.h"
 #include "filters/vtk/surface/coverage_uniforms.h"
@@ -17,12 +18,22 @@ namespace {
 
 constexpr std::size_t kMax = ProbeBinding::kMaxProbesPerDraw;
 
+// A lamp that gives less everywhere on an object, of light that is white on the screen, is left out: less than half a
+// step of 8 bits unless what it falls on is nearly black.
+constexpr double kLeastLight = 1.0e-5;
+
 template <typename T>
 using PerSlot = std::array<T, kMax>;
 
 // During the first bounce no probe has been captured yet.
 const ProbeMaps* mapsOf(const DrawState& state, const DrawnProbe& probe) {
   return state.pass().firstBounce ? nullptr : probe.maps.get();
+}
+
+// What rough surfaces look up shows no lamps, as soon as it is made.
+const ProbeMaps* lookedUp(const ProbeBinding& binding, std::size_t slot, const ProbeMaps* maps) {
+  const ProbeMaps* without = maps != nullptr && binding.lampFree(slot) ? maps->lampFree.latest().get() : nullptr;
+  return without != nullptr ? without : maps;
 }
 
 // The last level of a filtered chain has 4 texels along a face, as gpu/probe_lighting.glsl takes it.
@@ -38,7 +49,7 @@ void uploadSky(const UniformUpload& to, const SceneResources& resources, bool fl
 // The captured light of each slot.
 void uploadLight(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, bool flatMaps) {
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
-    const ProbeMaps* maps = mapsOf(state, *binding.probes[i]);
+    const ProbeMaps* maps = lookedUp(binding, i, mapsOf(state, *binding.probes[i]));
     const std::string name = "bpMap" + std::to_string(i);
     if (flatMaps) {
       to.texture2d(name, maps->flat.handle());
@@ -86,7 +97,7 @@ void uploadSampling(const UniformUpload& to, DrawState& state, const ProbeBindin
   if (binding.chooses("sampling", "luminance")) {
     PerSlot<int> size{};
     for (std::size_t i = 0; i < count; ++i) {
-      const ProbeMaps* maps = mapsOf(state, *binding.probes[i]);
+      const ProbeMaps* maps = lookedUp(binding, i, mapsOf(state, *binding.probes[i]));
       if (maps != nullptr) {
         maps->light.make(maps->radiance);
         size[i] = maps->light.faceSize();
@@ -120,29 +131,70 @@ LatticeSource latticeSource(const SceneLamps& lamps, const DrawnProbe& probe) {
   return source;
 }
 
-// Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes.
-void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
+void setVectors(const UniformUpload& to, const char* name, const glm::vec3* values, std::size_t size) {
+  to.program->SetUniform3fv(name, static_cast<int>(size), reinterpret_cast<const float(*)[3]>(values));
+}
+
+// Which slots' diffuse light is a lattice's. Of a probe whose lattice cannot be made, lamps are not shapes either.
+PerSlot<bool> uploadLattices(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
   const SceneLamps* lamps = state.resources.lamps.get();
   const std::size_t count = binding.probes.size();
   PerSlot<glm::vec3> at{}, low{}, perUnit{}, last{};
-  std::map<std::size_t, glm::vec4> lampOf;  // by falling power
+  PerSlot<bool> shapes{};
   for (std::size_t i = 0; i < count && lamps != nullptr; ++i) {
     const DrawnProbe& probe = *binding.probes[i];
     if (!probe.shapes) continue;
     const ProbeMaps* maps = mapsOf(state, probe);
-    if (maps != nullptr) {
-      const auto lattice =
-          maps->lattice.of(maps->radiance, maps->distance, latticeSource(*lamps, probe), state.pass().dragging);
-      if (!lattice || lattice->empty()) continue;
-      const shading::LatticeShape shape = lattice->shape();
-      at[i] = state.resources.lattices->place(lattice);
-      low[i] = shape.low;
-      perUnit[i] = shape.perUnit;
-      last[i] = shape.last;
-    } else if (!state.pass().firstBounce) {
-      continue;
+    shapes[i] = maps != nullptr || state.pass().firstBounce;
+    if (maps == nullptr || !binding.diffuse) continue;
+    const auto lattice =
+        maps->lattice.of(maps->radiance, maps->distance, latticeSource(*lamps, probe), state.pass().dragging);
+    shapes[i] = lattice && !lattice->empty();
+    if (!shapes[i]) continue;
+    const shading::LatticeShape shape = lattice->shape();
+    at[i] = state.resources.lattices->place(lattice);
+    low[i] = shape.low;
+    perUnit[i] = shape.perUnit;
+    last[i] = shape.last;
+  }
+  if (!binding.diffuse) return shapes;
+  setVectors(to, "bpLatticeAt", at.data(), count);
+  setVectors(to, "bpLatticeLow", low.data(), count);
+  setVectors(to, "bpLatticePerUnit", perUnit.data(), count);
+  setVectors(to, "bpLatticeLast", last.data(), count);
+  const glm::vec3 texel = state.resources.lattices->texelSize();
+  to.program->SetUniform3f("bpLatticeTexel", &texel.x);
+  to.texture("bpLattices", GL_TEXTURE_3D, state.resources.lattices->handle());
+  return shapes;
+}
+
+// Which slots' maps show no lamps, so that these are drawn; where nothing is captured yet, there is nothing to show.
+void uploadLampFree(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding) {
+  PerSlot<glm::vec3> tint{};
+  PerSlot<float> free{};
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) {
+    if (!binding.lampFree(i)) continue;
+    const ProbeMaps* maps = mapsOf(state, *binding.probes[i]);
+    const bool without = maps != nullptr && maps->lampFree.latest() != nullptr;
+    free[i] = without || (maps == nullptr && state.pass().firstBounce) ? 1.0f : 0.0f;
+    if (without) tint[i] = maps->lampFree.tint();
+  }
+  setVectors(to, "bpLampTint", tint.data(), binding.probes.size());
+  to.program->SetUniform1fv("bpLampFree", static_cast<int>(binding.probes.size()), free.data());
+}
+
+void uploadLamps(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding,
+                 const PerSlot<bool>& shapes) {
+  const double least = kLeastLight / std::max(static_cast<double>(state.exposure()), 1.0e-6);
+  const double roughness =
+      binding.lampLobes ? static_cast<double>(std::max(binding.roughnessMin, shading::kLampMapRoughness)) : 1.0;
+  std::map<std::size_t, glm::vec4> lampOf;  // by falling power
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) {
+    if (!shapes[i]) continue;
+    for (const std::size_t lamp : binding.probes[i]->lamps) {
+      const bool lit = lampReaches(state.resources.lamps->lamps[lamp], to.bounds, roughness, least);
+      if (lit) lampOf[lamp][static_cast<int>(i)] = 1.0f;
     }
-    for (const std::size_t lamp : probe.lamps) lampOf[lamp][static_cast<int>(i)] = 1.0f;
   }
   constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
   std::array<glm::vec3, kLamps * kCorners> corners{};
@@ -152,27 +204,17 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   std::size_t used = 0;
   for (const auto& [index, of] : lampOf) {
     if (used == kLamps) break;
-    const SceneLamp& lamp = lamps->lamps[index];
+    const SceneLamp& lamp = state.resources.lamps->lamps[index];
     const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
     std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(used * kCorners));
     shape[used] = polygon.count + (polygon.bothSides ? 16 : 0);
     light[used] = glm::vec3(lamp.radiance);
     slots[used++] = of;
   }
-  const auto vectors = [&](const char* name, const glm::vec3* values, std::size_t size) {
-    to.program->SetUniform3fv(name, static_cast<int>(size), reinterpret_cast<const float(*)[3]>(values));
-  };
-  vectors("bpLatticeAt", at.data(), count);
-  vectors("bpLatticeLow", low.data(), count);
-  vectors("bpLatticePerUnit", perUnit.data(), count);
-  vectors("bpLatticeLast", last.data(), count);
-  const glm::vec3 texel = state.resources.lattices->texelSize();
-  to.program->SetUniform3f("bpLatticeTexel", &texel.x);
-  to.texture("bpLattices", GL_TEXTURE_3D, state.resources.lattices->handle());
   to.program->SetUniformi("bpLampCount", static_cast<int>(used));
   if (used == 0) return;
-  vectors("bpLampCorner", corners.data(), used * kCorners);
-  vectors("bpLampLight", light.data(), used);
+  setVectors(to, "bpLampCorner", corners.data(), used * kCorners);
+  setVectors(to, "bpLampLight", light.data(), used);
   to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());
   to.program->SetUniform4fv("bpLampOf", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&slots[0].x));
 }
@@ -189,12 +231,36 @@ void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
 
 }  // namespace
 
+void makeLampFree(DrawState& state, const ProbeBinding& binding) {
+  const SceneResources& resources = state.resources;
+  if (!binding.lampLobes || !resources.lamps || state.pass().firstBounce) return;
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) {
+    const DrawnProbe& probe = *binding.probes[i];
+    if (!binding.lampFree(i) || !probe.maps) continue;
+    const ProbeMaps& maps = *probe.maps;
+    const ProbeGeometry& g = probe.geometry;
+    const glm::dmat3 worldFromMap = g.worldFromProbe * glm::transpose(g.mapFromProbe);
+    std::vector<MapLamp> lamps;
+    for (const std::size_t lamp : probe.lamps) {
+      const SceneLamp& from = resources.lamps->lamps[lamp];
+      lamps.push_back({lampPolygon(from, g.originWorld, worldFromMap), glm::vec3(from.radiance)});
+    }
+    const LevelMask levels = levelsRead(binding.technique(i), g.parameters, static_cast<double>(binding.roughnessMin),
+                                        static_cast<double>(binding.roughnessMax), maps.radiance.levels());
+    const bool made = maps.lampFree.make(
+        maps, lamps, levels, state.pass().dragging,
+        [&](const CubeTexture& chain, LevelMask missing) { resources.filterLevels(chain, missing, probe.prefilter); });
+    if (!made) maps.need(levels);
+  }
+}
+
 // What is not captured yet has no picture, and what of the sky no draw of the binding looks up needs none.
 bool makeFlatMaps(DrawState& state, const ProbeBinding& binding) {
   if (!state.resources.flatMaps || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
   std::vector<const ProbeMaps*> all;
   if (binding.sky || binding.open()) all.push_back(state.resources.sky.get());
-  for (const auto& probe : binding.probes) all.push_back(probe->maps.get());
+  for (std::size_t i = 0; i < binding.probes.size(); ++i)
+    all.push_back(lookedUp(binding, i, binding.probes[i]->maps.get()));
   std::size_t more = 0;
   for (const ProbeMaps* maps : all) {
     if (maps == nullptr || !FlatTexture::fits(maps->radiance) || !endsAtFour(maps->radiance)) return false;
@@ -239,7 +305,8 @@ void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& 
   if (debug) uploadDistances(to, state.resources, binding);
   if (binding.distances() && !binding.firstBounce) uploadRelief(to, state, binding);
   if (!binding.firstBounce) uploadSampling(to, state, binding);
-  if (binding.shapes && binding.diffuse) uploadLampsAndLattices(to, state, binding);
+  if (binding.lampLobes) uploadLampFree(to, state, binding);
+  if (binding.lampsDrawn()) uploadLamps(to, state, binding, uploadLattices(to, state, binding));
   uploadOrigins(to, binding);
 }
 

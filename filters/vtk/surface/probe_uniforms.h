@@ -28,6 +28,9 @@ void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& 
 void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
                     const RestingValues& resting, const RestingValues* constants = nullptr, bool flatMaps = false);
 
+/// Makes the maps without lamps that rough surfaces look up, with the levels that the binding needs: before a draw
+/// begins.
+void makeLampFree(DrawState& state, const ProbeBinding& binding);
 /// Flat pictures of what the binding looks up, those that are there apart, each counted. False: it is to be drawn by
 /// cubemaps, since one of them has no such picture, or there is no memory for it.
 bool makeFlatMaps(DrawState& state, const ProbeBinding& binding);

@@ -296,6 +296,9 @@ void vtkProbePass::Prepare(vtkActor* actor) {
     this->Rebuild();
   }
   this->PrepareFirstBounce();
+  if (this->Made.binding) {
+    boxprobe::makeLampFree(*this->State, this->Drawn());
+  }
   this->PrepareConstants(actor);
   // Given back since it was drawn last (see program_shelf.h): made again, with its attributes.
   if (this->Last.program != nullptr &&
@@ -513,7 +516,11 @@ bool vtkProbePass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMap
 void vtkProbePass::Upload(vtkShaderProgram* program) {
   boxprobe::DrawState& state = *this->State;
   state.bound.clear();
-  const boxprobe::UniformUpload to{program, state.drawing, state.bound};
+  const double* b = this->Actor != nullptr ? this->Actor->GetBounds() : nullptr;
+  boxprobe::UniformUpload to{program, state.drawing, state.bound};
+  if (b != nullptr) {
+    to.bounds = {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
+  }
   boxprobe::uploadOutput(to, state.pass());
   if (this->Surface) {
     boxprobe::uploadMaterial(to, *this->Surface);
