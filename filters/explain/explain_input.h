@@ -34,10 +34,9 @@ struct ExplainedProbe {
   /// In place of the maps' coefficients, with its lamps; null: those. Not of a probe that lets the sky through.
   std::shared_ptr<const DiffuseLattice> lattice = {};
   std::vector<SceneLamp> lamps = {};  ///< drawn as shapes
-  /// What a rough surface looks up in place of `maps`: without those lamps, their light in alpha, to be multiplied by
-  /// `lampTint`. Null: `maps`.
+  /// What a rough surface looks up in place of `maps`: without those lamps, the mean of their colours in alpha. Null:
+  /// `maps`.
   const BakedMaps* lampFree = nullptr;
-  glm::vec3 lampTint{0.0f};
   const BakedMaps* lookedUp() const { return lampFree != nullptr ? lampFree : maps; }
 };
 

@@ -142,13 +142,11 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
     }
     e.specular = glm::vec3(record.value);
     if (probe.lampFree != nullptr) {
-      const float share = shading::lampsByShape(roughness);
-      e.specular += (1.0f - share) * record.value.a * probe.lampTint;
+      e.lampsInMap = record.value.a;
       const shading::LampLobe lobe = shading::lampLobe(s.normalWorld, s.viewWorld, roughness);
       for (const SceneLamp& lamp : probe.lamps) {
-        if (share <= 0.0f) break;
         const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
-        const glm::vec2 lit = share * shading::lampGlossy(&polygon, position, lobe);
+        const glm::vec2 lit = shading::lampGlossy(&polygon, position, lobe);
         e.lampsF0 += lit.x * glm::vec3(lamp.radiance);
         e.lampsF90 += lit.y * glm::vec3(lamp.radiance);
       }

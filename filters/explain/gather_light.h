@@ -15,6 +15,7 @@ namespace boxprobe {
 struct GatheredLight {
   glm::vec3 specular{0.0f};
   glm::vec3 irradiance{0.0f};
+  float lampsInMap = 0.0f;                  ///< mean of the colours
   glm::vec3 lampsF0{0.0f}, lampsF90{0.0f};  ///< reflected of lamps as shapes: F0 times the one plus F90 times the other
   /// That over what the surface reflects at all: beside the mean light of its lobe.
   glm::vec3 lampsMean(const glm::vec3& f0, const glm::vec3& f90, const glm::vec2& splitSum) const {

@@ -1,9 +1,9 @@
-// Probes' maps in which the lamps drawn as shapes do not show: alpha holds those lamps' light in their place. Needs shared/lamp_fade.glsl.
-uniform vec3 bpLampTint[BP_SLOTS];  // what alpha is multiplied by
+// Probes' maps in which the lamps drawn as shapes do not show: alpha holds those lamps' light, the mean of its colours, in their place.
 uniform float bpLampFree[BP_SLOTS]; // 1 if the slot's map is such a one
 
-// Light of a lookup, with what the map shows of the lamps.
-vec3 bpWithLamps(vec4 value, int slot, float roughness)
+// Light of a lookup. What the map shows of the lamps, times `weight`, is put by.
+vec3 bpWithoutLamps(vec4 value, int slot, float weight, inout float inMap)
 {
-  return value.rgb + (1.0f - lampsByShape(roughness)) * value.a * bpLampTint[slot];
+  inMap += weight * value.a * bpLampFree[slot];
+  return value.rgb;
 }

@@ -20,6 +20,10 @@ bool lampShinesBothSides(int lamp)
   return bpLampShape[lamp] >= 16;
 }
 
+#if BP_LAMP_LOBES
+uniform float bpLampColors;             // 1 if they are of several
+#endif
+
 //BP::LampLight
 
 // What a lamp's light at a place is multiplied by, diffuse and glossy: of each slot, after bpShareOut, its share.
@@ -43,20 +47,24 @@ vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 #endif
 
 #if BP_LAMP_LOBES
-// Reflected by F0, and by what a surface reflects at a flat angle.
+// Reflected by F0, and by what a surface reflects at a flat angle; and what the map shows of them.
 void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, float roughness)
 {
   float share = lampsByShape(roughness);
   LampLobe lobe = lampLobe(normal, view, roughness);
-  int count = share > 0.0f ? bpLampCount : 0;
+  int count = share > 0.0f || bpLampColors > 0.5f ? bpLampCount : 0;
   for (int i = 0; i < count; ++i)
   {
     float weight = 0.0f;
     for (int slot = 0; slot < BP_SLOTS; ++slot) { weight += bpLampWeight(i, slot) * bpLampFree[slot]; }
-    vec2 lit = weight * share * lampGlossy(i, position, lobe);
+    vec2 lit = weight * lampGlossy(i, position, lobe);
     light.lampsF0 += lit.x * bpLampLight[i];
     light.lampsF90 += lit.y * bpLampLight[i];
   }
+  vec3 first = bpLampCount > 0 ? bpLampLight[0] : vec3(1.0f);
+  light.specular += (1.0f - share) * light.lampsInMap * lampColor(light.lampsF0 + light.lampsF90, first);
+  light.lampsF0 *= share;
+  light.lampsF90 *= share;
 }
 
 // The lamps' reflection over what the surface reflects at all: beside the mean light of its lobe, which techniques find.

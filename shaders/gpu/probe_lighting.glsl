@@ -86,6 +86,7 @@ struct BpLight
 #if BP_LAMP_LOBES
   vec3 lampsF0;  // of lamps as shapes, beside `specular`: F0 times this
   vec3 lampsF90; // plus F90 times this is reflected
+  float lampsInMap; // what the map shows of them, mean of the colours
 #endif
 #ifdef BP_MIRROR
   float share;   // that `specular` was multiplied by: what moves before the mirror is, too
@@ -125,6 +126,7 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 #if BP_LAMP_LOBES
   light.lampsF0 = vec3(0.0f);
   light.lampsF90 = vec3(0.0f);
+  light.lampsInMap = 0.0f;
 #endif
 #ifdef BP_MIRROR
   light.share = 0.0f;

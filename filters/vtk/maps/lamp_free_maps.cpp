@@ -1,7 +1,6 @@
 #include "filters/vtk/maps/lamp_free_maps.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <new>
 
 #include "filters/core/base/errors.h"
@@ -20,38 +19,20 @@ CubeMap levelZero(const CubeTexture& texture) {
   return cube;
 }
 
-bool sameMapLamp(const MapLamp& a, const MapLamp& b) {
-  return a.shape.count == b.shape.count && a.shape.bothSides == b.shape.bothSides &&
-         a.shape.corners == b.shape.corners && a.radiance == b.radiance;
+bool sameShape(const LampPolygon& a, const LampPolygon& b) {
+  return a.count == b.count && a.bothSides == b.bothSides && a.corners == b.corners;
 }
 
-// By how much of the sphere each fills, seen from the origin: what the map shows of it.
-glm::vec3 lampsColor(const std::vector<MapLamp>& lamps) {
-  glm::vec3 sum(0.0f);
-  for (const MapLamp& lamp : lamps) {
-    glm::vec3 area(0.0f), middle(0.0f);
-    for (int i = 0; i < lamp.shape.count; ++i) {
-      const glm::vec3& a = lamp.shape.corners[static_cast<std::size_t>(i)];
-      area += glm::cross(a, lamp.shape.corners[static_cast<std::size_t>((i + 1) % lamp.shape.count)]);
-      middle += a / static_cast<float>(lamp.shape.count);
-    }
-    const float d = std::max(glm::length(middle), 1.0e-6f);
-    sum += std::min(std::abs(glm::dot(area, middle)) / (d * d * d), 12.0f) * lamp.radiance;
-  }
-  const float largest = std::max({sum.x, sum.y, sum.z});
-  return largest > 0.0f ? sum / largest : glm::vec3(1.0f);
-}
-
-// Of what the capture shows beyond `free`, in multiples of `tint`.
-void putLampsIntoAlpha(const CubeMap& capture, const glm::vec3& tint, CubeMap& free) {
-  const float norm = 1.0f / glm::dot(tint, tint);
+// Of what the capture shows beyond `free`, the mean of the colours.
+void putLampsIntoAlpha(const CubeMap& capture, CubeMap& free) {
   const int size = free.faceSize();
   for (int face = 0; face < 6; ++face) {
     for (int row = 0; row < size; ++row) {
       for (int column = 0; column < size; ++column) {
         const glm::vec3 without(free.texel(0, face, column, row));
         const glm::vec3 lamps = glm::vec3(capture.texel(0, face, column, row)) - without;
-        free.setTexel(0, face, column, row, glm::vec4(without, std::max(norm * glm::dot(lamps, tint), 0.0f)));
+        const float mean = (lamps.x + lamps.y + lamps.z) / 3.0f;
+        free.setTexel(0, face, column, row, glm::vec4(without, std::max(mean, 0.0f)));
       }
     }
   }
@@ -59,18 +40,15 @@ void putLampsIntoAlpha(const CubeMap& capture, const glm::vec3& tint, CubeMap& f
 
 }  // namespace
 
-bool LampFreeMaps::make(const ProbeMaps& maps, const std::vector<MapLamp>& lamps, LevelMask levels, bool dragged,
+bool LampFreeMaps::make(const ProbeMaps& maps, const std::vector<LampPolygon>& lamps, LevelMask levels, bool dragged,
                         const Filter& filter) {
   if (refused_ || !filter || !maps.radiance.allocated()) return false;
-  const bool same = std::equal(lamps.begin(), lamps.end(), lamps_.begin(), lamps_.end(), sameMapLamp);
+  const bool same = std::equal(lamps.begin(), lamps.end(), lamps_.begin(), lamps_.end(), sameShape);
   try {
     if (!maps_ || (!same && !dragged)) {
       const CubeMap capture = levelZero(maps.radiance);
-      std::vector<LampPolygon> shapes;
-      for (const MapLamp& lamp : lamps) shapes.push_back(lamp.shape);
-      CubeMap free = withoutLamps(capture, levelZero(maps.distance), shapes);
-      tint_ = lampsColor(lamps);
-      putLampsIntoAlpha(capture, tint_, free);
+      CubeMap free = withoutLamps(capture, levelZero(maps.distance), lamps);
+      putLampsIntoAlpha(capture, free);
       auto made = std::make_shared<ProbeMaps>();
       made->radiance.allocate(maps.radiance.faceSize(), maps.radiance.levels(), GL_RGBA16F);
       uploadLevel0(free, made->radiance);

@@ -54,8 +54,9 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
                : open ? "  vec4 local = @EVALUATE@(bpMap@SLOT@, probe, point);\n  vec3 specular = local.rgb;\n"
                       : "  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;\n");
     if (binding.lampFree(slot) && !binding.firstBounce) {
-      replaceOnce(piece, "vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;",
-                  "vec3 specular = bpWithLamps(@EVALUATE@(bpMap@SLOT@, probe, point), @SLOT@, roughness);");
+      replaceOnce(
+          piece, "vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;",
+          "vec3 specular = bpWithoutLamps(@EVALUATE@(bpMap@SLOT@, probe, point), @SLOT@, weight, light.lampsInMap);");
     }
     replaceAll(piece, "@OPEN_SKY@", open && !byLookup ? std::string(shaderSource("gpu/open_sky.glsl")) : std::string());
     replaceAll(piece, "@SLOT@", std::to_string(slot));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 #include <map>
 
 #include "filters/core/geometry/lamp_reach.h"
@@ -170,16 +171,13 @@ PerSlot<bool> uploadLattices(const UniformUpload& to, DrawState& state, const Pr
 
 // Which slots' maps show no lamps, so that these are drawn; where nothing is captured yet, there is nothing to show.
 void uploadLampFree(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding) {
-  PerSlot<glm::vec3> tint{};
   PerSlot<float> free{};
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
     if (!binding.lampFree(i)) continue;
     const ProbeMaps* maps = mapsOf(state, *binding.probes[i]);
-    const bool without = maps != nullptr && maps->lampFree.latest() != nullptr;
-    free[i] = without || (maps == nullptr && state.pass().firstBounce) ? 1.0f : 0.0f;
-    if (without) tint[i] = maps->lampFree.tint();
+    const bool without = maps != nullptr ? maps->lampFree.latest() != nullptr : state.pass().firstBounce;
+    free[i] = without ? 1.0f : 0.0f;
   }
-  setVectors(to, "bpLampTint", tint.data(), binding.probes.size());
   to.program->SetUniform1fv("bpLampFree", static_cast<int>(binding.probes.size()), free.data());
 }
 
@@ -212,6 +210,12 @@ void uploadLamps(const UniformUpload& to, const DrawState& state, const ProbeBin
     slots[used++] = of;
   }
   to.program->SetUniformi("bpLampCount", static_cast<int>(used));
+  if (binding.lampLobes) {
+    const bool several = std::any_of(light.begin(), light.begin() + static_cast<long>(used), [&](const glm::vec3& l) {
+      return glm::length(glm::normalize(l) - glm::normalize(light[0])) > 1.0e-3f;
+    });
+    to.program->SetUniformf("bpLampColors", several ? 1.0f : 0.0f);
+  }
   if (used == 0) return;
   setVectors(to, "bpLampCorner", corners.data(), used * kCorners);
   setVectors(to, "bpLampLight", light.data(), used);
@@ -240,10 +244,9 @@ void makeLampFree(DrawState& state, const ProbeBinding& binding) {
     const ProbeMaps& maps = *probe.maps;
     const ProbeGeometry& g = probe.geometry;
     const glm::dmat3 worldFromMap = g.worldFromProbe * glm::transpose(g.mapFromProbe);
-    std::vector<MapLamp> lamps;
+    std::vector<LampPolygon> lamps;
     for (const std::size_t lamp : probe.lamps) {
-      const SceneLamp& from = resources.lamps->lamps[lamp];
-      lamps.push_back({lampPolygon(from, g.originWorld, worldFromMap), glm::vec3(from.radiance)});
+      lamps.push_back(lampPolygon(resources.lamps->lamps[lamp], g.originWorld, worldFromMap));
     }
     const LevelMask levels = levelsRead(binding.technique(i), g.parameters, static_cast<double>(binding.roughnessMin),
                                         static_cast<double>(binding.roughnessMax), maps.radiance.levels());
