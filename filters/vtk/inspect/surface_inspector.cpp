@@ -207,7 +207,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     if (drawn.maps) probe.coverage = drawn.maps->coverage.chain().get();
     if (drawn.maps && drawn.shapes && content_->lamps) {
       probe.lattice = drawn.maps->lattice.latest();
-      if (binding.lampFree(i)) probe.lampFree = onCpu(drawn.maps->lampFree.latest()).get();
+      if (binding.lampFree(i)) probe.lampFree = onCpu(drawn.maps->lampFree.maps).get();
       for (const std::size_t lamp : drawn.lamps) probe.lamps.push_back(content_->lamps->lamps[lamp]);
     }
     in.probes.push_back(std::move(probe));

@@ -6,7 +6,6 @@
 #include "filters/core/base/errors.h"
 #include "filters/math/cube/lamp_free.h"
 #include "filters/vtk/maps/cube_transfer.h"
-#include "filters/vtk/maps/probe_maps.h"
 
 namespace boxprobe {
 
@@ -40,43 +39,40 @@ void putLampsIntoAlpha(const CubeMap& capture, CubeMap& free) {
 
 }  // namespace
 
-bool LampFreeMaps::make(const ProbeMaps& maps, const std::vector<LampPolygon>& lamps, LevelMask levels, bool dragged,
-                        const Filter& filter) {
-  if (refused_ || !filter || !maps.radiance.allocated()) return false;
-  const bool same = std::equal(lamps.begin(), lamps.end(), lamps_.begin(), lamps_.end(), sameShape);
+bool makeLampFreeMaps(const ProbeMaps& maps, const std::vector<LampPolygon>& lamps, LevelMask levels, bool dragged,
+                      const ChainFilter& filter) {
+  ProbeMaps::LampFree& free = maps.lampFree;
+  if (free.refused || !filter || !maps.radiance.allocated()) return false;
+  const bool same = std::equal(lamps.begin(), lamps.end(), free.of.begin(), free.of.end(), sameShape);
   try {
-    if (!maps_ || (!same && !dragged)) {
+    if (!free.maps || (!same && !dragged)) {
       const CubeMap capture = levelZero(maps.radiance);
-      CubeMap free = withoutLamps(capture, levelZero(maps.distance), lamps);
-      putLampsIntoAlpha(capture, free);
+      CubeMap without = withoutLamps(capture, levelZero(maps.distance), lamps);
+      putLampsIntoAlpha(capture, without);
       auto made = std::make_shared<ProbeMaps>();
       made->radiance.allocate(maps.radiance.faceSize(), maps.radiance.levels(), GL_RGBA16F);
-      uploadLevel0(free, made->radiance);
+      uploadLevel0(without, made->radiance);
       // Lookups of whole levels may touch the next one with a weight of 0, which must be finite.
       for (int level = 1; level < made->radiance.levels(); ++level) {
         const auto side = static_cast<std::size_t>(made->radiance.faceSize() >> level);
         for (int face = 0; face < 6; ++face) made->radiance.writeFace(face, level, std::vector<float>(4 * side * side));
       }
       made->filtered = 1u;
-      maps_ = std::move(made);
-      lamps_ = lamps;
+      free.maps = std::move(made);
+      free.of = lamps;
     }
-    const LevelMask missing = maps_->missing(levels);
+    const LevelMask missing = free.maps->missing(levels);
     if (missing == 0) return true;
-    filter(maps_->radiance, missing);
-    maps_->filtered |= missing;
-    maps_->flat.release();
+    filter(free.maps->radiance, missing);
+    free.maps->filtered |= missing;
+    free.maps->flat.release();
   } catch (const std::bad_alloc&) {  // none of these may pass through a draw
-    refused_ = true;
+    free.refused = true;
   } catch (const WorkError&) {
-    refused_ = true;
+    free.refused = true;
   }
-  if (refused_) maps_.reset();
-  return !refused_;
-}
-
-std::size_t LampFreeMaps::bytes() const {
-  return maps_ ? maps_->bytes() : 0;
+  if (free.refused) free.maps.reset();
+  return !free.refused;
 }
 
 }  // namespace boxprobe

@@ -10,6 +10,7 @@
 
 #include "filters/core/geometry/lamp_reach.h"
 #include "filters/vtk/draw/static_textures.h"
+#include "filters/vtk/maps/lamp_free_maps.h"
 #include "filters/vtk/surface/camera_uniforms.h"
 #include "filters/vtk/surface/coverage_uniforms.h"
 
@@ -33,7 +34,7 @@ const ProbeMaps* mapsOf(const DrawState& state, const DrawnProbe& probe) {
 
 // What rough surfaces look up shows no lamps, as soon as it is made.
 const ProbeMaps* lookedUp(const ProbeBinding& binding, std::size_t slot, const ProbeMaps* maps) {
-  const ProbeMaps* without = maps != nullptr && binding.lampFree(slot) ? maps->lampFree.latest().get() : nullptr;
+  const ProbeMaps* without = maps != nullptr && binding.lampFree(slot) ? maps->lampFree.maps.get() : nullptr;
   return without != nullptr ? without : maps;
 }
 
@@ -175,7 +176,7 @@ void uploadLampFree(const UniformUpload& to, const DrawState& state, const Probe
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
     if (!binding.lampFree(i)) continue;
     const ProbeMaps* maps = mapsOf(state, *binding.probes[i]);
-    const bool without = maps != nullptr ? maps->lampFree.latest() != nullptr : state.pass().firstBounce;
+    const bool without = maps != nullptr ? maps->lampFree.maps != nullptr : state.pass().firstBounce;
     free[i] = without ? 1.0f : 0.0f;
   }
   to.program->SetUniform1fv("bpLampFree", static_cast<int>(binding.probes.size()), free.data());
@@ -250,7 +251,7 @@ void makeLampFree(DrawState& state, const ProbeBinding& binding) {
     }
     const LevelMask levels = levelsRead(binding.technique(i), g.parameters, static_cast<double>(binding.roughnessMin),
                                         static_cast<double>(binding.roughnessMax), maps.radiance.levels());
-    const bool made = maps.lampFree.make(
+    const bool made = makeLampFreeMaps(
         maps, lamps, levels, state.pass().dragging,
         [&](const CubeTexture& chain, LevelMask missing) { resources.filterLevels(chain, missing, probe.prefilter); });
     if (!made) maps.need(levels);
