@@ -6,11 +6,23 @@
 
 #include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/draw/static_textures.h"
+#include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
 
 namespace {
+
+std::string lampsKey(const SceneLamps& lamps) {
+  ContentHash hash;
+  hash.add("lamps as shapes, in rough reflections too");
+  for (const SceneLamp& lamp : lamps.lamps) {
+    hash.add(static_cast<double>(lamp.corners.size())).add(lamp.bothSides ? 1 : 0).addVector(lamp.radiance);
+    for (const glm::dvec3& corner : lamp.corners) hash.addVector(corner);
+  }
+  return hash.text();
+}
 
 // Of a texel of a planar mirror's picture, where it is drawn for as many pixels as the screen has.
 constexpr int kMirrorSamples = 4;
@@ -20,14 +32,14 @@ constexpr int kMirrorSamples = 4;
 SceneParts::SceneParts(vtkOpenGLRenderWindow* shownIn)
     : window(shownIn),
       state(std::make_shared<DrawState>()),
-      capture(window, state),
-      probes(window, state, &capture, &content, &times),
+      probes(&content, state),
       inspector(window, state, &content),
       frames(window, renderer, state, &content),
       mirrors(window, state, &content),
       sphere(window, renderer, state),
       shadows(window, state, &content) {
   state->shown = renderer;
+  probes.baker().setWindow(window);
   content.sky->SetDrawState(state);
   renderer->AutomaticLightCreationOff();
   renderer->SetLightFollowCamera(false);
@@ -86,9 +98,9 @@ void SceneParts::beginFrame() {
     const auto index = findProbe(content.scene, sphere.settings().probe);
     const auto maps = probes.maps(sphere.settings().probe);
     sphere.follow(index ? &content.scene.probes[*index] : nullptr, maps);
-    probes.alsoSampled(maps, maps ? sphere.sampled(*maps) : 0);
+    probes.binder().needs().also(maps, maps ? sphere.sampled(*maps) : 0);
   } else {
-    probes.alsoSampled(nullptr, 0);
+    probes.binder().needs().also(nullptr, 0);
   }
   const int* size = renderer->GetSize();
   drawMirrors(renderer->GetTiledAspectRatio(), size[0], size[1], kMirrorSamples);
@@ -100,7 +112,7 @@ void SceneParts::endFrame() {
   const bool culls = renderer->GetPass() == nullptr;  // a pass draws what it is given
   state->counts.counters.drawsLeftOut = culls ? renderer->GetLeftOut() : 0;
   state->counts.counters.skyLeftOut = culls && renderer->GetBackdropLeftOut();
-  state->counts.counters.programsGivenBack += state->programs.trim(window);
+  if (state->tuning != nullptr) state->tuning->frameEnded(window);
   if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
   seen = renderer->GetDrawnGeneration();
   std::vector<std::size_t> objects;
@@ -135,20 +147,55 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   }
   // Of many objects none has been seen yet: the first frame will tell.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
-  const auto lampsBefore = content.lamps;
-  if (objects || changes.lights) content.findLamps();
+  const bool otherLamps = (objects || changes.lights) && content.findLamps();
   state->resources.lamps = content.lamps;
-  if (models || changes.lights || content.lamps != lampsBefore) content.rebuildLights(renderer);
+  if (models || changes.lights || otherLamps) content.rebuildLights(renderer);
   if (changes.sky) content.rebuildSky();
   if (lit) {
     shadows.sceneChanged();
     probes.updateShapes();
-    probes.assignToObjects();
+    probes.binder().assign();
   }
   if (objects) mirrors.update();
-  if (lit || changes.sky) probes.updateCaptures();
+  if (lit || changes.sky) updateCaptures();
   if (view.any()) applyView();
   if (lit || changes.sky || changes.exposure) frames.sceneChanged();
+}
+
+// What captures of the scene show now.
+void SceneParts::updateCaptures() {
+  if (contentKeysOf != content.modelGeneration) {
+    contentKeys = objectContentKeys(content.models, content.scene.models.size());
+    contentKeysOf = content.modelGeneration;
+  }
+  if (content.skyImage != skyPixelsOf.lock()) {
+    skyPixelsOf = content.skyImage;
+    skyPixels = content.skyImage ? imageContentKey(*content.skyImage) : std::string();
+  }
+  CaptureInputs inputs;
+  std::vector<PlacedObject> objects;
+  objects.reserve(content.objects.size());
+  for (const DrawnObject& drawn : content.objects) {
+    PlacedObject object;
+    object.node = drawn.node;
+    object.materialName = drawn.materialName;
+    object.contentKey = contentKeys[objects.size()];
+    object.worldFromModel = drawn.worldFromModel;
+    object.boundsWorld = worldBounds(drawn);
+    object.seenByProbes = drawn.settings.seenByProbes;
+    object.dynamic = drawn.settings.dynamic;
+    object.unlit = drawn.unlit;
+    objects.push_back(std::move(object));
+    inputs.props.emplace_back(drawn.actor);
+  }
+  inputs.world = captureWorld(content.scene, objects, skyPixels, probes.plan().entries().places());
+  // Lamps drawn as shapes light what a capture shows, those that it does not show included.
+  inputs.world.lattices = content.lamps != nullptr;
+  if (content.lamps && !content.lamps->lamps.empty()) inputs.world.lights += " " + lampsKey(*content.lamps);
+  inputs.sky = inputs.world.sky;
+  if (content.skyImage) inputs.skyColumns = content.skyImage->width;
+  probes.plan().sources().skyLevels = content.skyImage ? skyLevelsFile(content.skyImageFile()) : std::string();
+  probes.updateCaptures(std::move(inputs));
 }
 
 void SceneParts::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table) {
@@ -192,7 +239,7 @@ std::vector<Explanation> SceneParts::explain(const std::vector<glm::ivec2>& pixe
 ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
                                     const std::function<void(int)>& beforeFrame) {
   window->MakeCurrent();
-  probes.setMoving(false);
+  probes.tuning().setMoving(false);
   prepareDraws();
   std::vector<vtkProp*> props = content.shownProps(renderer);
   // The sky has no value in the debug view: it stays transparent.
@@ -204,8 +251,8 @@ ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, 
   vtkPicturePass* pass = !view.any() ? frames.linearPass(frameLimit) : nullptr;
   const int finer = samplesPerSide(samplesPerPixel);
   drawMirrors(static_cast<double>(width) / height, width * finer, height * finer, finer > 1 ? 1 : kMirrorSamples);
-  return capture.renderFrame(renderer->GetActiveCamera(), width, height, finer, props, content.lightPointers(), pass,
-                             beforeFrame);
+  return probes.baker().capture()->renderFrame(renderer->GetActiveCamera(), width, height, finer, props,
+                                               content.lightPointers(), pass, beforeFrame);
 }
 
 void SceneParts::releaseGraphics() {
@@ -216,7 +263,6 @@ void SceneParts::releaseGraphics() {
   shadows.release();
   sphere.release();
   probes.release();
-  capture.release();
   inspector.release();
   state->resources.lattices->release();
   releaseStaticTextures(state->resources);

@@ -1,5 +1,6 @@
 // Lamps of the draw's probes, drawn as shapes (shared/lamp.glsl): relative to the eye, world axes. Needs gpu/probe_shares.glsl.
-uniform int bpLampCount;
+uniform int bpLampCount;                // turns: lamps that turn their backs on one another share one
+uniform int bpLampOther[BP_LAMPS];      // of each turn the lamp that counts where the first cannot be seen
 uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
@@ -20,28 +21,35 @@ bool lampShinesBothSides(int lamp)
   return bpLampShape[lamp] >= 16;
 }
 
+uniform vec4 bpLampLit;                 // 1 for each of the probes whose diffuse light is lamps'
 #if BP_LAMP_LOBES
-uniform float bpLampColors;             // 1 if they are of several
+uniform float bpLampColors;             // 1 if the lamps are of several
 #endif
 
 //BP::LampLight
 
-// What a lamp's light at a place is multiplied by, diffuse and glossy: of each slot, after bpShareOut, its share.
-float bpLampWeight(int lamp, int slot)
+// What a lamp's light at a place is multiplied by, diffuse and glossy alike. `shares`: of the probes.
+float bpLampWeight(int lamp, vec4 shares)
 {
-  return bpShareOf[slot] * bpIntensity[slot] * bpLampOf[lamp][slot];
+  return dot(shares, bpLampOf[lamp]);
 }
 
-#if BP_LATTICE
+#if BP_LAMP_SHAPES
+// After bpShareOut.
 vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 {
+  vec4 shares = vec4(0.0f);
+  for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot] * bpIntensity[slot]; }
+  shares *= bpLampLit;
   vec3 sum = vec3(0.0f);
-  for (int i = 0; i < bpLampCount; ++i)
+  int i = 0;
+  // The end is asked for last: software renderers work a turn out before they leave a loop.
+  do
   {
-    float weight = 0.0f;
-    for (int slot = 0; slot < BP_SLOTS; ++slot) { weight += bpLampWeight(i, slot); }
-    sum += weight * lampDiffuse(i, position, normal) * bpLampLight[i];
-  }
+    int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
+    sum += bpLampWeight(lamp, shares) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
+    ++i;
+  } while (i < bpLampCount);
   return sum;
 }
 #endif
@@ -50,21 +58,21 @@ vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 // Reflected by F0, and by what a surface reflects at a flat angle; and what the map shows of them.
 void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, float roughness)
 {
-  float share = lampsByShape(roughness);
+  vec4 shares = vec4(0.0f);
+  for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot] * bpIntensity[slot] * bpLampFree[slot]; }
+  float byShape = lampsByShape(roughness);
   LampLobe lobe = lampLobe(normal, view, roughness);
-  int count = share > 0.0f || bpLampColors > 0.5f ? bpLampCount : 0;
-  for (int i = 0; i < count; ++i)
+  int turns = byShape > 0.0f || bpLampColors > 0.5f ? bpLampCount : 0;
+  for (int i = 0; i < turns; ++i)
   {
-    float weight = 0.0f;
-    for (int slot = 0; slot < BP_SLOTS; ++slot) { weight += bpLampWeight(i, slot) * bpLampFree[slot]; }
-    vec2 lit = weight * lampGlossy(i, position, lobe);
-    light.lampsF0 += lit.x * bpLampLight[i];
-    light.lampsF90 += lit.y * bpLampLight[i];
+    int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
+    vec2 lit = bpLampWeight(lamp, shares) * lampGlossy(lamp, position, lobe);
+    light.lampsF0 += lit.x * bpLampLight[lamp];
+    light.lampsF90 += lit.y * bpLampLight[lamp];
   }
-  vec3 first = bpLampCount > 0 ? bpLampLight[0] : vec3(1.0f);
-  light.specular += (1.0f - share) * light.lampsInMap * lampColor(light.lampsF0 + light.lampsF90, first);
-  light.lampsF0 *= share;
-  light.lampsF90 *= share;
+  light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0 + light.lampsF90, bpLampLight[0]);
+  light.lampsF0 *= byShape;
+  light.lampsF90 *= byShape;
 }
 
 // The lamps' reflection over what the surface reflects at all: beside the mean light of its lobe, which techniques find.

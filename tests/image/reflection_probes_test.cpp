@@ -266,6 +266,27 @@ TEST(ReflectionProbes, InStepsThePictureStaysUntilTheMapsAreWhole) {
   expectNear(room.mirrored(), {0, 255, 255}, 2);
 }
 
+TEST(ReflectionProbes, FacesThatShowNothingOfAChangeAreKept) {
+  const LitRoom room;
+  room.probes->AutoUpdateOff();
+  room.window->Render();  // now there is a context
+  const auto steps = [&room] {
+    int count = 1;
+    while (room.probes->UpdateStep()) ++count;
+    return count;
+  };
+  const int first = steps();
+  room.others[2]->GetProperty()->SetColor(0.25, 0.5, 0.75);  // behind the origin: neither floor, ceiling nor front
+  const int again = steps();
+  std::printf("%d steps, and %d after one wall was painted\n", first, again);
+  EXPECT_EQ(first - again, 3);
+  const LitRoom fresh;
+  fresh.others[2]->GetProperty()->SetColor(0.25, 0.5, 0.75);
+  EXPECT_EQ(room.picture().pixels, fresh.picture().pixels);
+  room.probes->Capture();  // all of it, asked for
+  EXPECT_EQ(room.picture().pixels, fresh.picture().pixels);
+}
+
 TEST(ReflectionProbes, NothingIsLeftOfThem) {
   Room room;
   const ImageRgba8 stock = room.picture();
@@ -381,6 +402,25 @@ TEST(ReflectionProbes, AProbeThatLightsNothingWarns) {
   room.picture();
   ASSERT_EQ(room.listener.warnings.size(), 1u);
   EXPECT_NE(room.listener.warnings[0].find("lights nothing"), std::string::npos) << room.listener.warnings[0];
+}
+
+TEST(ReflectionProbes, ALongBoxSeesWhatIsNearItsOrigin) {
+  // The near distance follows the shortest side: a ball around the origin hides everything else.
+  const LitRoom room;
+  room.probe->SetBounds(-2, 2, -1, 1, -140, 160);
+  room.probe->SetOrigin(0, 0, 0);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(0.05);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(16);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  vtkNew<vtkActor> around;
+  around->SetMapper(mapper);
+  makeUnlit(around, 1.0, 0.0, 0.75);
+  room.renderer->AddActor(around);
+  expectNear(room.mirrored(), {255, 0, 191}, 2);
+  EXPECT_TRUE(room.listener.errors.empty()) << room.listener.errors.front();
 }
 
 TEST(ReflectionProbes, DataSetsAndLevelsOfDetailReflect) {

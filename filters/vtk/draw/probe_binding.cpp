@@ -29,6 +29,19 @@ bool ProbeBinding::openByLookup(std::size_t slot) const {
   return probes[slot]->open && looksUpPieces(technique(slot));
 }
 
+bool ProbeBinding::lampFree(std::size_t slot) const {
+  const DrawnProbe& probe = *probes[slot];
+  // A filter that blurs the capture itself has spread their light over what is around them.
+  return lampLobes && probe.shapes && !probe.lamps.empty() && !probe.open && !probe.realtime &&
+         probe.prefilter.filter == FilterLobe::Kind::Ggx;
+}
+
+const ProbeMaps* ProbeBinding::lookedUp(std::size_t slot) const {
+  const ProbeMaps* own = probes[slot]->maps.get();
+  const ProbeMaps* without = own != nullptr && lampFree(slot) ? own->lampFree.maps.get() : nullptr;
+  return without != nullptr ? without : own;
+}
+
 bool ProbeBinding::distances() const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (projectionRows()[static_cast<std::size_t>(technique(i).projection)].distances) return true;
@@ -115,7 +128,7 @@ std::string ProbeBinding::variantKey() const {
   if (weights && onlyProbes) key += 'p';
   if (sky) key += 's';
   if (diffuse) key += 'd';
-  if (diffuse && shapes) key += 'l';
+  if (diffuse && shapes) key += lamps ? 'L' : 'l';
   if (lampLobes) key += 'g';
   if (firstBounce) key += 'k';
   const std::vector<int> group = groups();

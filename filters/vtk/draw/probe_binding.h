@@ -29,8 +29,8 @@ struct DrawnProbe {
   bool shapes = false;             ///< its diffuse light is its lamps' and a lattice's
   std::vector<std::size_t> lamps;  ///< of the scene's, those drawn as shapes
   PrefilterSettings prefilter;     ///< of its maps
-  /// A filter that blurs the capture itself has spread their light over what is around them.
-  bool lampsLeaveMap() const { return shapes && prefilter.filter == FilterLobe::Kind::Ggx; }
+  bool realtime = false;           ///< its maps are made over and over
+  mutable std::shared_ptr<const DiffuseLattice> latticeBefore;  ///< the last it was drawn with (probe_lattice.h)
 };
 
 enum class Lighting {
@@ -55,6 +55,7 @@ struct ProbeBinding {
   std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
   bool diffuse = true;      ///< false: the material is all metal
   bool shapes = false;      ///< some probe's diffuse light is its lamps' and a lattice's
+  bool lamps = false;       ///< some of these has lamps
   /// Reflections of the object are rough enough to show those lamps by their shapes. Then maps without them are looked
   /// up.
   bool lampLobes = false;
@@ -88,9 +89,11 @@ struct ProbeBinding {
   /// Does the sky show through a probe? And lookup by lookup?
   bool open() const;
   bool openByLookup(std::size_t slot) const;
-  bool lampsDrawn() const { return (shapes && diffuse) || lampLobes; }
-  /// Does a rough surface look this one's map up without lamps?
-  bool lampFree(std::size_t slot) const { return lampLobes && probes[slot]->lampsLeaveMap(); }
+  bool lampsDrawn() const { return (shapes && diffuse && lamps) || lampLobes; }
+  /// Does a rough surface look this one's map up without lamps? Not where alpha is coverage, or maps do not last.
+  bool lampFree(std::size_t slot) const;
+  /// The map that it looks up: that one, as soon as it is made. Null: not captured.
+  const ProbeMaps* lookedUp(std::size_t slot) const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
   /// Does this one's follow rays through all of them: more than three steps of projection `impostor`?

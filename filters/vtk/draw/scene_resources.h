@@ -37,8 +37,7 @@ struct SceneResources {
   LightForm lightForm = LightForm::Single;
   bool foreign = false;  ///< somebody else's actors: falloffs of lamps mean what they mean in VTK
   bool emission = true;  ///< emissive factors show without an emissive texture
-  bool general = false;  ///< programs take nothing for granted (surface_facts.h), to compare with
-  /// Resting programs look maps up in flat pictures of them (flat_texture.h): on software renderers.
+  /// Programs with constants look maps up in flat pictures of them (flat_texture.h): on software renderers.
   bool flatMaps = false;
   std::shared_ptr<std::size_t> flatBytes = std::make_shared<std::size_t>(0);  ///< of all such pictures
   GLuint blueNoise = 0;                     ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
@@ -47,6 +46,7 @@ struct SceneResources {
   std::shared_ptr<const SceneLamps> lamps;  ///< null unless they are drawn as shapes
   /// Filters levels of a chain from its level 0. Set by who captures; does nothing without a context.
   std::function<void(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings)> filterLevels;
+  bool latticesBeside = false;  ///< frames do not wait for lattices (draw/probe_lattice.h)
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
   std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about

@@ -11,6 +11,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/math/technique/automatic.h"
+#include "filters/vtk/draw/probe_lattice.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/maps/cube_transfer.h"
 
@@ -205,9 +206,9 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     probe.openSky = drawn.openSky;
     probe.shadowLights = drawn.shadowLights;
     if (drawn.maps) probe.coverage = drawn.maps->coverage.chain().get();
-    if (drawn.maps && drawn.shapes && content_->lamps) {
-      probe.lattice = drawn.maps->lattice.latest();
-      if (binding.lampFree(i)) probe.lampFree = onCpu(drawn.maps->lampFree.maps).get();
+    probe.lattice = probeLattice(*state_, drawn);
+    if (drawn.maps && binding.lampFree(i)) probe.lampFree = onCpu(drawn.maps->lampFree.maps).get();
+    if (probe.lattice || probe.lampFree != nullptr) {
       for (const std::size_t lamp : drawn.lamps) probe.lamps.push_back(content_->lamps->lamps[lamp]);
     }
     in.probes.push_back(std::move(probe));

@@ -54,9 +54,9 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
                : open ? "  vec4 local = @EVALUATE@(bpMap@SLOT@, probe, point);\n  vec3 specular = local.rgb;\n"
                       : "  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;\n");
     if (binding.lampFree(slot) && !binding.firstBounce) {
-      replaceOnce(
-          piece, "vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;",
-          "vec3 specular = bpWithoutLamps(@EVALUATE@(bpMap@SLOT@, probe, point), @SLOT@, weight, light.lampsInMap);");
+      replaceOnce(piece, "vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;",
+                  "vec3 specular = bpWithoutLamps(@EVALUATE@(bpMap@SLOT@, probe, point), @SLOT@, weight, "
+                  "light.lampsInMap);");
     }
     replaceAll(piece, "@OPEN_SKY@", open && !byLookup ? std::string(shaderSource("gpu/open_sky.glsl")) : std::string());
     replaceAll(piece, "@SLOT@", std::to_string(slot));
@@ -186,8 +186,8 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          define("BP_CONSTANT_SHARES", binding.weights && !binding.shares.empty()) +
          define("BP_ONLY_PROBES", binding.onlyProbes) + define("BP_SKY", binding.sky) +
          define("BP_DIFFUSE", binding.diffuse) + define("BP_LATTICE", lattice) +
-         define("BP_LAMP_LOBES", binding.lampLobes) + define("BP_DEBUG", debug) +
-         define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
+         define("BP_LAMP_SHAPES", lattice && binding.lamps) + define("BP_LAMP_LOBES", binding.lampLobes) +
+         define("BP_DEBUG", debug) + define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
          (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +

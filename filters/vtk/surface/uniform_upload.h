@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/scene/scene.h"
 #include "filters/vtk/gl/gl_objects.h"
 
 class vtkCamera;
@@ -20,7 +19,7 @@ struct UniformUpload {
   vtkShaderProgram* program;
   vtkRenderer* renderer;
   std::vector<std::unique_ptr<BoundTexture>>& bound;  ///< for the piece being drawn
-  Box bounds{glm::dvec3(1.0), glm::dvec3(-1.0)};      ///< of what is drawn, world; empty: not known
+  const double* boundsWorld = nullptr;                ///< of what is drawn, as VTK orders them; null: not known
 
   vtkOpenGLRenderWindow* window() const;
   vtkCamera* camera() const;
