@@ -34,6 +34,10 @@ struct ExplainedProbe {
   /// In place of the maps' coefficients, with its lamps; null: those. The sky through openings is in it.
   std::shared_ptr<const DiffuseLattice> lattice = {};
   std::vector<SceneLamp> lamps = {};  ///< drawn as shapes
+  /// What a rough surface looks up in place of `maps`: without those lamps, the mean of their colours in alpha. Null:
+  /// `maps`.
+  const BakedMaps* lampFree = nullptr;
+  const BakedMaps* lookedUp() const { return lampFree != nullptr ? lampFree : maps; }
 };
 
 /// A depth map of what moves, as a light sees it.

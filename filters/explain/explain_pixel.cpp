@@ -58,8 +58,9 @@ void addCoat(Explanation& e, const ExplainInput& in) {
   const GatheredLight coat = gatherLight(in, s.coatNormalWorld, s.coatRoughness,
                                          {shading::meanFresnel(glm::vec3(s.coatF0), glm::vec3(1.0f), nDotV), s.coatF0});
   const glm::vec2 brdf = splitSum(nDotV, s.coatRoughness);
-  e.coat = s.occlusion * coat.specular * (s.coatF0 * brdf.x + brdf.y) * s.coatStrength *
-           scattered(in, glm::vec3(s.coatF0), brdf);
+  const glm::vec3 light = coat.specular + coat.lampsMean(glm::vec3(s.coatF0), glm::vec3(1.0f), brdf);
+  e.coat =
+      s.occlusion * light * (s.coatF0 * brdf.x + brdf.y) * s.coatStrength * scattered(in, glm::vec3(s.coatF0), brdf);
   e.lookupCount += coat.lookups;
   e.brightestTexel = std::max(e.brightestTexel, coat.brightestTexel);
 }
@@ -105,7 +106,7 @@ void lightByProbes(Explanation& e, const ExplainInput& in, const glm::vec3& edge
                                           through->mirrored.direction, std::sqrt(through->mirrored.alpha))
                             : gatherForBase(e, in, edge);
   e.specularFactor = s.occlusion * (e.f0 * e.brdf.x + edge * e.brdf.y) * baseFactor(e, in);
-  e.specular = light.specular * e.specularFactor;
+  e.specular = (light.specular + light.lampsMean(e.f0, edge, e.brdf)) * e.specularFactor;
   addDiffuse(e, s, light.irradiance);
   if (through) addGlass(e, in, *through, light.specular, edge);
   e.probes = std::move(light.probes);

@@ -138,7 +138,7 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   data.mapFromProbe = g.mapTurned ? &mapFromProbe : nullptr;
   std::shared_ptr<const LightTable> light;
   if (e.captured && chooses(g.technique, g.parameters, "sampling", "luminance"))
-    light = probe.maps->light.of(probe.maps->radiance);
+    light = probe.lookedUp()->light.of(probe.lookedUp()->radiance);
   data.light = light.get();
   shape.slot = &data;
   const shading::ShadingPoint point{
@@ -163,15 +163,25 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   }
   if (e.captured) {
     const auto evaluate = evaluationRows()[static_cast<std::size_t>(g.technique.evaluation)].evaluate;
-    const RecordedLookups record = recordLookups(evaluate, probe.maps->radiance, g, shape, point);
+    const RecordedLookups record = recordLookups(evaluate, probe.lookedUp()->radiance, g, shape, point);
     if (relief) {
       const CountedRelief counted(relief.get());
       data.relief = &counted;
-      evaluate(&probe.maps->radiance, shape, point);
+      evaluate(&probe.lookedUp()->radiance, shape, point);
       e.distanceLookups = counted.count();
       data.relief = relief.get();
     }
     e.specular = glm::vec3(record.value);
+    if (probe.lampFree != nullptr) {
+      e.lampsInMap = record.value.a;
+      const shading::LampLobe lobe = shading::lampLobe(s.normalWorld, s.viewWorld, roughness);
+      for (const SceneLamp& lamp : probe.lamps) {
+        const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
+        const glm::vec2 lit = shading::lampGlossy(&polygon, position, lobe);
+        e.lampsF0 += lit.x * glm::vec3(lamp.radiance);
+        e.lampsF90 += lit.y * glm::vec3(lamp.radiance);
+      }
+    }
     if (probe.open && sky != nullptr) {
       const glm::mat3 worldFromProbe(g.worldFromProbe);
       explainOpening(e, record, shape, point, *sky, reflection, g.rotated ? &worldFromProbe : nullptr,

@@ -50,6 +50,9 @@ struct ProbeExplanation : ProbeAtPoint {
   glm::vec3 specular{0.0f};              ///< the technique's value, before weight, intensity and occlusion
   glm::vec3 irradiance{0.0f};            ///< over pi, before weight and intensity
   DiffuseExplanation diffuse;            ///< what that is made of
+  /// Of its lamps as shapes, before weight and intensity: F0 times the one plus F90 times the other is reflected.
+  glm::vec3 lampsF0{0.0f}, lampsF90{0.0f};
+  float lampsInMap = 0.0f;  ///< what its map shows of them, mean of the colours, beside `specular`
   /// Of a probe that lets the sky through: how much of the lookups it covers, and the sky along R at the surface's own
   /// level, which shows for the rest.
   std::optional<float> coverage;

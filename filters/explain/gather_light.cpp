@@ -41,6 +41,17 @@ MirrorExplanation explainMirror(const shading::MirrorLook& look, const SurfacePo
   return e;
 }
 
+/// The end of bpAddLamps in shaders/gpu/lamps.glsl.
+void addLampsInMap(const ExplainInput& in, float roughness, GatheredLight& out) {
+  const auto lamps = std::find_if(in.probes.begin(), in.probes.end(), [](const auto& p) { return !p.lamps.empty(); });
+  if (lamps == in.probes.end()) return;
+  const float share = shading::lampsByShape(roughness);
+  out.specular += (1.0f - share) * out.lampsInMap *
+                  shading::lampColor(out.lampsF0 + out.lampsF90, glm::vec3(lamps->lamps.front().radiance));
+  out.lampsF0 *= share;
+  out.lampsF90 *= share;
+}
+
 }  // namespace
 
 // The same order of steps as bpGatherLight in shaders/gpu/probe_lighting.glsl.
@@ -82,10 +93,14 @@ GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float
       }
     }
     out.irradiance += share * p.irradiance;
+    out.lampsF0 += share * p.lampsF0;
+    out.lampsF90 += share * p.lampsF90;
+    out.lampsInMap += share * p.lampsInMap;
     out.lookups += static_cast<int>(p.lookups.size()) + p.distanceLookups;
     if (p.captured)
-      out.brightestTexel = std::max(out.brightestTexel, brightest(p.lookups, in.probes[i].maps->radiance));
+      out.brightestTexel = std::max(out.brightestTexel, brightest(p.lookups, in.probes[i].lookedUp()->radiance));
   }
+  addLampsInMap(in, roughness, out);
   if (!in.weights && !in.probes.empty()) remaining = 0.0f;
   if (in.sky && in.skyMaps != nullptr && remaining > 1.0e-5f) {
     const CubeMap& map = in.skyMaps->radiance;
@@ -103,6 +118,8 @@ GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float
     out.mirror = explainMirror(*in.mirror, s, normal, roughness);
     out.mirror->share = given + remaining;
     out.specular = (1.0f - out.mirror->coverage) * out.specular + out.mirror->share * out.mirror->light;
+    out.lampsF0 *= 1.0f - out.mirror->coverage;
+    out.lampsF90 *= 1.0f - out.mirror->coverage;
     out.lookups += out.mirror->fetches;
     out.brightestTexel = std::max(out.brightestTexel, largestComponent(glm::vec4(out.mirror->light, 0.0f)));
   }

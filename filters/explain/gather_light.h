@@ -2,6 +2,7 @@
 // bpGatherLight does. Called by explainPixel for the surface, its coat and what glass is looked through.
 #pragma once
 
+#include <glm/common.hpp>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,12 @@ namespace boxprobe {
 struct GatheredLight {
   glm::vec3 specular{0.0f};
   glm::vec3 irradiance{0.0f};
+  float lampsInMap = 0.0f;                  ///< mean of the colours
+  glm::vec3 lampsF0{0.0f}, lampsF90{0.0f};  ///< reflected of lamps as shapes: F0 times the one plus F90 times the other
+  /// That over what the surface reflects at all: beside the mean light of its lobe.
+  glm::vec3 lampsMean(const glm::vec3& f0, const glm::vec3& f90, const glm::vec2& splitSum) const {
+    return (f0 * lampsF0 + f90 * lampsF90) / glm::max(f0 * splitSum.x + f90 * splitSum.y, glm::vec3(1.0e-6f));
+  }
   std::vector<ProbeExplanation> probes;
   float skyWeight = 0.0f, skyLevel = 0.0f;
   glm::vec3 skyValue{0.0f};

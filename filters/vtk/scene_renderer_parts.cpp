@@ -16,7 +16,7 @@ namespace {
 
 std::string lampsKey(const SceneLamps& lamps) {
   ContentHash hash;
-  hash.add("lamps as shapes");
+  hash.add("lamps as shapes, in rough reflections too");
   for (const SceneLamp& lamp : lamps.lamps) {
     hash.add(static_cast<double>(lamp.corners.size())).add(lamp.bothSides ? 1 : 0).addVector(lamp.radiance);
     for (const glm::dvec3& corner : lamp.corners) hash.addVector(corner);

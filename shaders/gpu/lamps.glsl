@@ -21,21 +21,63 @@ bool lampShinesBothSides(int lamp)
   return bpLampShape[lamp] >= 16;
 }
 
+uniform vec4 bpLampLit;                 // 1 for each of the probes whose diffuse light is lamps'
+#if BP_LAMP_LOBES
+uniform float bpLampColors;             // 1 if the lamps are of several
+#endif
+
 //BP::LampLight
 
+// What a lamp's light at a place is multiplied by, diffuse and glossy alike. `shares`: of the probes.
+float bpLampWeight(int lamp, vec4 shares)
+{
+  return dot(shares, bpLampOf[lamp]);
+}
+
+#if BP_LAMP_SHAPES
 // After bpShareOut.
 vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 {
   vec4 shares = vec4(0.0f);
   for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot] * bpIntensity[slot]; }
+  shares *= bpLampLit;
   vec3 sum = vec3(0.0f);
   int i = 0;
   // The end is asked for last: software renderers work a turn out before they leave a loop.
   do
   {
     int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
-    sum += dot(shares, bpLampOf[lamp]) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
+    sum += bpLampWeight(lamp, shares) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
     ++i;
   } while (i < bpLampCount);
   return sum;
 }
+#endif
+
+#if BP_LAMP_LOBES
+// Reflected by F0, and by what a surface reflects at a flat angle; and what the map shows of them.
+void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, float roughness)
+{
+  vec4 shares = vec4(0.0f);
+  for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot] * bpIntensity[slot] * bpLampFree[slot]; }
+  float byShape = lampsByShape(roughness);
+  LampLobe lobe = lampLobe(normal, view, roughness);
+  int turns = byShape > 0.0f || bpLampColors > 0.5f ? bpLampCount : 0;
+  for (int i = 0; i < turns; ++i)
+  {
+    int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
+    vec2 lit = bpLampWeight(lamp, shares) * lampGlossy(lamp, position, lobe);
+    light.lampsF0 += lit.x * bpLampLight[lamp];
+    light.lampsF90 += lit.y * bpLampLight[lamp];
+  }
+  light.specular += (1.0f - byShape) * light.lampsInMap * lampColor(light.lampsF0 + light.lampsF90, bpLampLight[0]);
+  light.lampsF0 *= byShape;
+  light.lampsF90 *= byShape;
+}
+
+// The lamps' reflection over what the surface reflects at all: beside the mean light of its lobe, which techniques find.
+vec3 bpLampsMean(BpLight light, vec3 f0, vec3 f90, vec2 splitSum)
+{
+  return (f0 * light.lampsF0 + f90 * light.lampsF90) / max(f0 * splitSum.x + f90 * splitSum.y, vec3(1.0e-6f));
+}
+#endif

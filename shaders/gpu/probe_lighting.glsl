@@ -15,6 +15,7 @@
 //   BP_FLAT_MAPS defined if maps are flat pictures (gpu/flat_lookup.glsl), else they are cubemaps
 //   BP_LATTICE   1 if diffuse light of some of them is a lattice's
 //   BP_LAMP_SHAPES 1 if, with that, it is of lamps drawn as shapes
+//   BP_LAMP_LOBES 1 if reflections of some of them show lamps by their shapes
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
@@ -83,6 +84,11 @@ struct BpLight
 #if BP_SAMPLED
   vec3 sampled;  // of `specular`: what is to be smoothed
 #endif
+#if BP_LAMP_LOBES
+  vec3 lampsF0;  // of lamps as shapes, beside `specular`: F0 times this
+  vec3 lampsF90; // plus F90 times this is reflected
+  float lampsInMap; // what the map shows of them, mean of the colours
+#endif
 #ifdef BP_MIRROR
   float share;   // that `specular` was multiplied by: what moves before the mirror is, too
 #endif
@@ -91,6 +97,8 @@ struct BpLight
 //BP::Distances
 
 //BP::Lattice
+
+//BP::LampFree
 
 //BP::Slots
 
@@ -116,6 +124,11 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 #if BP_SAMPLED
   light.sampled = vec3(0.0f);
 #endif
+#if BP_LAMP_LOBES
+  light.lampsF0 = vec3(0.0f);
+  light.lampsF90 = vec3(0.0f);
+  light.lampsInMap = 0.0f;
+#endif
 #ifdef BP_MIRROR
   light.share = 0.0f;
 #endif
@@ -127,6 +140,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 //BP::AddSlots
 #if BP_LAMP_SHAPES
   light.irradiance += bpLampsIrradiance(position, BP_FACING);
+#endif
+#if BP_LAMP_LOBES
+  bpAddLamps(light, position, normal, view, roughness);
 #endif
 
 #if BP_SKY
@@ -150,6 +166,10 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
     // Over what stands still, by its coverage; premultiplied, so that edges have no fringe.
     vec4 moving = mirroredLight(bpMirrorLook(), position, normal, view, roughness);
     light.specular = (1.0f - moving.w) * light.specular + (light.share + remaining) * vec3(moving);
+#if BP_LAMP_LOBES
+    light.lampsF0 = (1.0f - moving.w) * light.lampsF0;
+    light.lampsF90 = (1.0f - moving.w) * light.lampsF90;
+#endif
 #if BP_DEBUG
     bpLookups += float(mirrorFetches(bpMirrorLook(), position, normal, view, roughness));
 #endif

@@ -80,20 +80,13 @@ LampImage lampImageStep(LampLobe lobe, LampImage image, vec3 l)
   return image;
 }
 
-// On to a corner: the edge in three pieces, split where it passes closest to the mirrored view and in the middle of the longer part.
-LampImage lampImageEdge(LampLobe lobe, LampImage image, vec3 to)
+// Along an edge of the polygon: in three pieces, split where it passes closest to the mirrored view and in the middle of the longer part.
+LampImage lampImageEdge(LampLobe lobe, LampImage image, vec3 from, vec3 to)
 {
+  float unit = 1.0f / max(length(from), 1.0e-30f);
+  vec3 start = unit * from;
   vec3 end = to / max(length(to), 1.0e-30f);
-  if (!image.started)
-  {
-    image.last = lampFacetOfLight(lobe, end);
-    image.from = to;
-    image.started = true;
-    return image;
-  }
-  float unit = 1.0f / max(length(image.from), 1.0e-30f);
-  vec3 start = unit * image.from;
-  vec3 d = unit * (to - image.from);
+  vec3 d = unit * (to - from);
   vec3 mirrored = vec3(-lobe.view.x, 0.0f, lobe.view.z);
   float ar = dot(start, mirrored);
   float dr = dot(d, mirrored);
@@ -106,11 +99,10 @@ LampImage lampImageEdge(LampLobe lobe, LampImage image, vec3 to)
   bool firstLonger = dot(start, split) < dot(split, end);
   vec3 middle = split + (firstLonger ? start : end);
   middle = middle / max(length(middle), 1.0e-30f);
+  image.last = lampFacetOfLight(lobe, start);
   image = lampImageStep(lobe, image, firstLonger ? middle : split);
   image = lampImageStep(lobe, image, firstLonger ? split : middle);
-  image = lampImageStep(lobe, image, end);
-  image.from = to;
-  return image;
+  return lampImageStep(lobe, image, end);
 }
 
 // A corner in the lobe's frame.
@@ -123,44 +115,52 @@ vec3 lampInLobe(LampLobe lobe, vec3 corner)
 // x + y, 0 to 1, is what a surface reflects that reflects all.
 vec2 lampGlossy(LAMP_SLOT lamp, vec3 position, LampLobe lobe)
 {
-  if (lampSide(lamp, position) == 0.0f) { return vec2(0.0f); }
-  int count = lampCornerCount(lamp);
+  // No corner of a lamp that is not seen, as in lampDiffuse.
+  int count = lampSide(lamp, position) == 0.0f ? 0 : lampCornerCount(lamp);
   vec3 middle = vec3(0.0f);
   for (int i = 0; i < count; ++i) { middle += lampCorner(lamp, i) - position; }
   middle = lampInLobe(lobe, middle);
   middle.z = max(middle.z, 0.0f);
 
   LampImage image;
-  image.started = false;
-  image.from = vec3(0.0f);
   image.pole = lampFacetOfLight(lobe, middle / max(length(middle), 1.0e-30f));
   image.last = image.pole;
   image.factor = vec3(0.0f);
   image.weight = vec2(0.0f);
   image.light = 0.0f;
-  vec3 a = lampInLobe(lobe, lampCorner(lamp, count - 1) - position);
-  vec3 first = a;  // of the way
-  if (a.z >= 0.0f) { image = lampImageEdge(lobe, image, a); }
-  for (int i = 0; i < count; ++i)
+  vec3 a = lampInLobe(lobe, lampCorner(lamp, max(count - 1, 0)) - position);
+  vec3 leaves = vec3(0.0f);  // where the polygon goes below the horizon and where it comes up again
+  vec3 enters = vec3(0.0f);
+  bool cut = false;
+  // If it is cut, one edge more, along the horizon.
+  for (int i = 0; i < count || (i == count && cut); ++i)
   {
-    vec3 b = lampInLobe(lobe, lampCorner(lamp, i) - position);
+    vec3 b = lampInLobe(lobe, lampCorner(lamp, i < count ? i : 0) - position);
+    vec3 from = a;
+    vec3 to = b;
     if (a.z < 0.0f && b.z >= 0.0f)
     {
-      vec3 enters = lampAtHorizon(b, b.z, a, a.z);
-      if (!image.started) { first = enters; }
-      image = lampImageEdge(lobe, image, enters);
+      from = lampAtHorizon(b, b.z, a, a.z);
+      enters = from;
     }
-    if (b.z >= 0.0f) { image = lampImageEdge(lobe, image, b); }
-    else if (a.z >= 0.0f) { image = lampImageEdge(lobe, image, lampAtHorizon(a, a.z, b, b.z)); }
+    if (a.z >= 0.0f && b.z < 0.0f)
+    {
+      to = lampAtHorizon(a, a.z, b, b.z);
+      leaves = to;
+    }
+    cut = dot(leaves, leaves) > 0.0f && dot(enters, enters) > 0.0f;
+    if (i == count)
+    {
+      from = leaves;
+      to = enters;
+    }
+    if (i == count || a.z >= 0.0f || b.z >= 0.0f) { image = lampImageEdge(lobe, image, from, to); }
     a = b;
   }
-  if (!image.started) { return vec2(0.0f); }
-  if (a.z < 0.0f) { image = lampImageEdge(lobe, image, first); }  // else the last corner was the first
   float along = dot(image.factor, lobe.stretched);
   float size = length(image.factor);
-  if (!(size > 1.0e-20f)) { return vec2(0.0f); }
   float share = min(2.0f * kLampPerTurn * abs(along) / (1.0f + lobe.stretched.z), 1.0f);
-  vec2 weight = lampFacet(lobe, (along < 0.0f ? -1.0f : 1.0f) / size * image.factor).weight;
+  vec2 weight = lampFacet(lobe, (along < 0.0f ? -1.0f : 1.0f) / max(size, 1.0e-20f) * image.factor).weight;
   if (image.light > 1.0e-30f) { weight = mix(weight, image.weight / image.light, lobe.spread); }
-  return share * weight;
+  return size > 1.0e-20f ? share * weight : vec2(0.0f);
 }

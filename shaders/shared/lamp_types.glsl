@@ -8,6 +8,9 @@
 // Corners of a polygon at most.
 const int kLampCorners = 8;
 
+// Up to this roughness reflections show lamps in the map alone (lamp_fade.glsl).
+const float kLampMapRoughness = 0.1f;
+
 // A surface's lobe of visible normals, in the frame of its normal (z) and the view (y = 0).
 struct LampLobe
 {
@@ -33,9 +36,7 @@ struct LampFacet
 // The way around a polygon's image among the visible normals, so far.
 struct LampImage
 {
-  vec3 from;       // corner reached last, relative to the surface, in the lobe's frame
-  bool started;
-  LampFacet last;  // its facet
+  LampFacet last;  // of the point reached last
   LampFacet pole;  // of the lamp's middle: triangles from here to each edge fill the image
   vec3 factor;     // sum over edges of angle times unit normal, 2 pi times the vector form factor
   vec2 weight;     // sums over the triangles: of weights times light,

@@ -89,6 +89,63 @@ TEST(LampParity, LampsShineTheSame) {
   EXPECT_GT(lit, kLampCount / 4);
 }
 
+// Flat views, from below too; lamps that touch the surface, lie in its plane, hold its point as a corner, or fill all
+// that it sees; roughness at and beyond both ends. What both sides agree on there is a number, and a share of the
+// light.
+TEST(LampParity, ExtremeLampsGiveAShareOfTheirLight) {
+  const auto window = test::makeWindow();
+  std::mt19937 random(47);
+  std::normal_distribution<float> gauss;
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  const auto pick = [&](std::initializer_list<float> values) {
+    return *(values.begin() + std::uniform_int_distribution<int>(0, static_cast<int>(values.size()) - 1)(random));
+  };
+  std::vector<std::vector<vec4>> in(6);
+  for (std::size_t i = 0; i < kLampCount; ++i) {
+    const vec3 n = glm::normalize(vec3(gauss(random), gauss(random), gauss(random)));
+    const vec3 t = glm::normalize(glm::cross(n, vec3(gauss(random), gauss(random), gauss(random))));
+    const vec3 b = glm::cross(n, t);
+    const float facing = pick({-0.3f, 0.0f, 1.0e-7f, 1.0e-5f, 1.0e-3f, 0.02f, 1.0f});
+    const vec3 v = glm::normalize(std::sqrt(1.0f - facing * facing) * t + facing * n);
+    const float height = pick({-1.0e-4f, 0.0f, 1.0e-6f, 1.0e-3f, 0.1f, 1.0f}),
+                size = pick({1.0e-4f, 0.1f, 3.0f, 1.0e4f});
+    const vec3 across = i % 2 == 0 ? b : n;  // over the surface, or standing on it
+    const vec3 corner = i % 5 == 0 ? vec3(0.0f) : height * n + (unit(random) - 0.7f) * size * t - 0.4f * size * across;
+    in[0].emplace_back(n, pick({0.0f, 0.02f, 0.1f, 0.15f, 0.4f, 1.0f, 1.5f}));
+    in[1].emplace_back(v, 0.0f);
+    in[2].emplace_back(corner, 0.0f);
+    in[3].emplace_back(corner + size * t, 0.0f);
+    in[4].emplace_back(corner + size * (t + across), 0.0f);
+    in[5].emplace_back(corner + size * across, 0.0f);
+  }
+  const auto gpu = test::evaluateOnGpu(
+      window,
+      text({"shared/lamp_types.glsl", "shared/lobe_frame.glsl"}) + kLamp +
+          text({"shared/lamp.glsl", "shared/lamp_lobe.glsl"}),
+      "  gCorners[0] = in2.xyz; gCorners[1] = in3.xyz; gCorners[2] = in4.xyz; gCorners[3] = in5.xyz;\n"
+      "  out0 = vec4(lampGlossy(0, vec3(0.0), lampLobe(in0.xyz, in1.xyz, in0.w)), 0.0, 0.0);\n",
+      in, 1);
+  std::size_t apart = 0, lit = 0;
+  for (std::size_t i = 0; i < kLampCount; ++i) {
+    LampPolygon lamp;
+    lamp.count = 4;
+    lamp.bothSides = true;
+    for (std::size_t k = 0; k < 4; ++k) lamp.corners[k] = vec3(in[2 + k][i]);
+    const vec2 cpu =
+        shading::lampGlossy(&lamp, vec3(0.0f), shading::lampLobe(vec3(in[0][i]), vec3(in[1][i]), in[0][i].w));
+    for (const vec2& found : {cpu, vec2(gpu[0][i])}) {
+      ASSERT_TRUE(std::isfinite(found.x) && std::isfinite(found.y)) << i;
+      ASSERT_GE(std::min(found.x, found.y), 0.0f) << i;
+      ASSERT_LE(found.x + found.y, 1.01f) << i;
+    }
+    apart += glm::length(vec2(gpu[0][i]) - cpu) > 0.02f ? 1 : 0;
+    lit += cpu.x + cpu.y > 1.0e-3f ? 1 : 0;
+  }
+  std::printf("  %zu of %zu more than 0.02 apart, %zu lit\n", apart, kLampCount, lit);
+  EXPECT_LE(apart, kLampCount / 100);
+  EXPECT_GT(lit, kLampCount / 10);
+}
+
 // The same formula on both sides, linear in the place as a texture is between its texels.
 struct Ramp : shading::LatticeSampler {
   glm::vec4 fetchLattice(const vec3& place, int part) const override {

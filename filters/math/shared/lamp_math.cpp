@@ -23,6 +23,7 @@ static vec4 fetchLattice(const LatticeSampler* lattice, vec3 place, int part) {
 
 #define LAMP_SLOT const LampPolygon*
 #include "shaders/shared/lamp.glsl"
+#include "shaders/shared/lamp_fade.glsl"
 #include "shaders/shared/lamp_lobe.glsl"  // after lamp.glsl, which it uses
 #undef LAMP_SLOT
 #include "shaders/shared/lattice.glsl"

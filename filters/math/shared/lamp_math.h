@@ -50,6 +50,12 @@ namespace boxprobe::shading {
 /// Irradiance over pi of a surface at `position` with the unit normal `normal`, of a lamp of radiance 1: 0 to 1.
 float lampDiffuse(const LampPolygon* lamp, vec3 position, vec3 normal);
 
+/// Share, 0 to 1, of lamps in a reflection of that roughness that is drawn from their shapes and not looked up in a
+/// map.
+float lampsByShape(float roughness);
+/// Colour, of mean 1, of lamps that light so; where they do not, that of `first`.
+vec3 lampColor(vec3 light, vec3 first);
+
 LampLobe lampLobe(vec3 normal, vec3 view, float roughness);
 /// What a surface with that lobe reflects of a lamp of radiance 1: F0 times x plus F90 times y.
 vec2 lampGlossy(const LampPolygon* lamp, vec3 position, LampLobe lobe);

@@ -40,7 +40,12 @@ BakeRunner::BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState>
       capture_(capture),
       times_(times),
       prefilter_(window, &state_->counts.counters),
-      later_(std::make_shared<LevelFilter>(window, &state_->counts.counters)) {}
+      later_(std::make_shared<LevelFilter>(window, &state_->counts.counters)) {
+  state_->resources.filterLevels = [later = std::weak_ptr<LevelFilter>(later_)](
+                                       const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings) {
+    if (const auto filter = later.lock()) filter->make(chain, levels, settings);
+  };
+}
 
 // Six faces; the source's mip chain with the copy of level 0; level 1; further levels; the diffuse light, which is next
 // to nothing, with the last of them.

@@ -29,6 +29,19 @@ bool ProbeBinding::openByLookup(std::size_t slot) const {
   return probes[slot]->open && looksUpPieces(technique(slot));
 }
 
+bool ProbeBinding::lampFree(std::size_t slot) const {
+  const DrawnProbe& probe = *probes[slot];
+  // A filter that blurs the capture itself has spread their light over what is around them.
+  return lampLobes && probe.shapes && !probe.lamps.empty() && !probe.open && !probe.realtime &&
+         probe.prefilter.filter == FilterLobe::Kind::Ggx;
+}
+
+const ProbeMaps* ProbeBinding::lookedUp(std::size_t slot) const {
+  const ProbeMaps* own = probes[slot]->maps.get();
+  const ProbeMaps* without = own != nullptr && lampFree(slot) ? own->lampFree.maps.get() : nullptr;
+  return without != nullptr ? without : own;
+}
+
 bool ProbeBinding::distances() const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (projectionRows()[static_cast<std::size_t>(technique(i).projection)].distances) return true;
@@ -116,6 +129,7 @@ std::string ProbeBinding::variantKey() const {
   if (sky) key += 's';
   if (diffuse) key += 'd';
   if (diffuse && shapes) key += lamps ? 'L' : 'l';
+  if (lampLobes) key += 'g';
   if (firstBounce) key += 'k';
   const std::vector<int> group = groups();
   for (std::size_t i = 0; i < probes.size(); ++i) {
@@ -124,6 +138,7 @@ std::string ProbeBinding::variantKey() const {
       if (row->choice != nullptr) key += "/" + std::to_string(probes[i]->geometry.parameters.*row->choice);
     }
     if (marches(i)) key += 'm';
+    if (lampFree(i)) key += 'f';
     if (probes[i]->geometry.bevelled) key += 'b';
     if (probes[i]->geometry.occluded) key += 'o';
     if (probes[i]->open) key += 'y';

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/math/sampling/filter_lobe.h"
 #include "filters/math/technique/automatic.h"
 #include "filters/vtk/maps/probe_maps.h"
 
@@ -27,6 +28,7 @@ struct DrawnProbe {
   bool imported = false;           ///< from a picture, which may have no coverage
   bool shapes = false;             ///< its diffuse light is its lamps' and a lattice's
   std::vector<std::size_t> lamps;  ///< of the scene's, those drawn as shapes
+  PrefilterSettings prefilter;     ///< of its maps
   bool realtime = false;           ///< its maps are made over and over
   mutable std::shared_ptr<const DiffuseLattice> latticeBefore;  ///< the last it was drawn with (probe_lattice.h)
 };
@@ -54,6 +56,10 @@ struct ProbeBinding {
   bool diffuse = true;      ///< false: the material is all metal
   bool shapes = false;      ///< some probe's diffuse light is its lamps' and a lattice's
   bool lamps = false;       ///< some of these has lamps
+  /// Reflections of the object are rough enough to show those lamps by their shapes. Then maps without them are looked
+  /// up.
+  bool lampLobes = false;
+  float roughnessMin = 0.0f, roughnessMax = 1.0f;  ///< of the object
 
   /// No probe has been captured yet, so that none gives a reflection: nothing is looked up. For captures alone.
   bool firstBounce = false;
@@ -83,6 +89,11 @@ struct ProbeBinding {
   /// Does the sky show through a probe? And lookup by lookup?
   bool open() const;
   bool openByLookup(std::size_t slot) const;
+  bool lampsDrawn() const { return (shapes && diffuse && lamps) || lampLobes; }
+  /// Does a rough surface look this one's map up without lamps? Not where alpha is coverage, or maps do not last.
+  bool lampFree(std::size_t slot) const;
+  /// The map that it looks up: that one, as soon as it is made. Null: not captured.
+  const ProbeMaps* lookedUp(std::size_t slot) const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
   /// Does this one's follow rays through all of them: more than three steps of projection `impostor`?

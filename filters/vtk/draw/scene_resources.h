@@ -2,6 +2,7 @@
 // the renderer, the probe set and the passes that make them; read when surfaces are drawn. Plain data; owns no texture.
 #pragma once
 
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <memory>
 #include <set>
@@ -9,6 +10,7 @@
 
 #include "filters/core/geometry/light_shadow.h"
 #include "filters/core/geometry/scene_lamps.h"
+#include "filters/math/sampling/filter_lobe.h"
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/maps/lattice_atlas.h"
@@ -39,7 +41,9 @@ struct SceneResources {
   GLuint blackCube = 0;                     ///< stands in for maps not captured yet
   GLuint viewColors = 0;                    ///< 256 x 1, of the debug view; made when that is first shown
   std::shared_ptr<const SceneLamps> lamps;  ///< null unless they are drawn as shapes
-  bool latticesBeside = false;              ///< frames do not wait for lattices (draw/probe_lattice.h)
+  /// Filters levels of a chain from its level 0. Set by who captures; does nothing without a context.
+  std::function<void(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings)> filterLevels;
+  bool latticesBeside = false;  ///< frames do not wait for lattices (draw/probe_lattice.h)
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
   std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about

@@ -207,7 +207,8 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     probe.shadowLights = drawn.shadowLights;
     if (drawn.maps) probe.coverage = drawn.maps->coverage.chain().get();
     probe.lattice = probeLattice(*state_, drawn);
-    if (probe.lattice) {
+    if (drawn.maps && binding.lampFree(i)) probe.lampFree = onCpu(drawn.maps->lampFree.maps).get();
+    if (probe.lattice || probe.lampFree != nullptr) {
       for (const std::size_t lamp : drawn.lamps) probe.lamps.push_back(content_->lamps->lamps[lamp]);
     }
     in.probes.push_back(std::move(probe));

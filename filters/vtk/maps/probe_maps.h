@@ -5,9 +5,11 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <vector>
 
 #include "filters/math/cube/cube_map.h"
 #include "filters/math/cube/spherical_harmonics.h"
+#include "filters/math/shared/lamp_math.h"
 #include "filters/math/technique/levels_read.h"
 #include "filters/vtk/gl/gl_objects.h"
 #include "filters/vtk/maps/coverage_texture.h"
@@ -55,13 +57,21 @@ struct ProbeMaps {
   mutable ReliefTexture relief;
   /// Made when a draw first asks for diffuse light at a place (lattice_maker.h).
   mutable LatticeMaker lattice;
+  /// Made when a rough surface first shows lamps as shapes (lamp_free_maps.h).
+  struct LampFree {
+    std::shared_ptr<ProbeMaps> maps;  ///< a chain alone; null: not made
+    std::vector<LampPolygon> of;      ///< what does not show in it
+    bool refused = false;
+  };
+  mutable LampFree lampFree;
   /// Made when a probe that lets the sky through first shows these maps.
   mutable std::shared_ptr<const Openings> openings;
   /// Made when a draw first asks what a light shines through.
   mutable CoverageTexture coverage;
   mutable std::shared_ptr<const CubeMap> tint;  ///< of the glass it shows (glass_tint.h); null: there is none
   std::size_t bytes() const {
-    return radiance.bytes() + distance.bytes() + flat.bytes() + light.bytes() + relief.bytes() + coverage.bytes();
+    return radiance.bytes() + distance.bytes() + flat.bytes() + light.bytes() + relief.bytes() + coverage.bytes() +
+           (lampFree.maps ? lampFree.maps->bytes() : 0);
   }
 };
 

@@ -5,8 +5,10 @@
 #include "filters/core/geometry/light_shadow.h"
 #include "filters/core/geometry/probe_shares.h"
 #include "filters/math/cube/openings.h"
+#include "filters/math/shared/lamp_math.h"
 #include "filters/math/technique/automatic.h"
 #include "filters/math/technique/technique_errors.h"
+#include "filters/vtk/capture/bake_runner.h"
 #include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/maps/cube_transfer.h"
 #include "filters/vtk/scene/glass_tint.h"
@@ -195,6 +197,7 @@ void ProbeBinder::updateLamps() {
     const Probe& probe = with_.content->scene.probes[i];
     DrawnProbe& drawn = *probes_[i].drawn;
     drawn.shapes = lamps != nullptr;
+    drawn.prefilter = prefilterSettings(probe);
     drawn.realtime = probe.mode == ProbeMode::Realtime;
     const bool known = drawn.shapes && probe.mode != ProbeMode::Custom;
     drawn.lamps = known ? probeLamps(lamps->lamps, probe) : std::vector<std::size_t>();
@@ -285,6 +288,14 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
       std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) { return probe->shapes; });
   binding->lamps = std::any_of(binding->probes.begin(), binding->probes.end(),
                                [](const auto& probe) { return !probe->lamps.empty(); });
+  binding->roughnessMin = static_cast<float>(object.roughnessMin);
+  binding->roughnessMax = static_cast<float>(object.roughnessMax);
+  // Glass looks along bent rays, whose lobes have no shapes.
+  const bool glass = object.surface && object.surface->glass.drawn;
+  binding->lampLobes = !glass && binding->roughnessMax > shading::kLampMapRoughness;
+  bool anyFree = false;
+  for (std::size_t slot = 0; slot < order.size(); ++slot) anyFree |= binding->lampFree(slot);
+  binding->lampLobes = anyFree;
   // A perfect mirror's lobe is one direction: whatever a technique of several samples does, it does for nothing there.
   for (Technique& technique : binding->techniques) {
     const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();
@@ -397,6 +408,7 @@ void LevelNeeds::update() {
       sky_.all |= binding->openByLookup(slot);
       Need& need = needs_[index];
       need.all |= glass;
+      if (binding->lampFree(slot)) continue;  // other maps of it, which are filtered when they are drawn
       for (const Technique& technique : {binding->technique(slot), standInFor(binding->technique(slot))}) {
         need.add({technique, own.low, own.high});
       }

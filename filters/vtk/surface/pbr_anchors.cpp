@@ -156,6 +156,32 @@ const std::vector<Anchor>& scatteringAnchors() {
   return anchors;
 }
 
+// Lamps as shapes join the mean light of the lobe, so that all that becomes of that becomes of theirs, too.
+const std::vector<Anchor>& lampAnchors() {
+  static const std::vector<Anchor> anchors = {
+      {"lamps as shapes in the reflection",
+       {"vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+       {"prefilteredSpecularColor += bpLampsMean(bpLight, F0, F90, brdf);\n"
+        "  vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;"},
+       false},
+      {"clear coat's light",
+       {"vec3 prefilteredSpecularCoatColor = bpGatherLight("},
+       {"BpLight bpCoatLight = bpGatherLight("},
+       true},
+      {"clear coat's mean light",
+       {"meanFresnel(vec3(coatF0Uniform), vec3(1.0), coatNdV), coatF0Uniform).specular;"},
+       {"meanFresnel(vec3(coatF0Uniform), vec3(1.0), coatNdV), coatF0Uniform);\n"
+        "  vec3 prefilteredSpecularCoatColor = bpCoatLight.specular;"},
+       true},
+      {"lamps as shapes in a clear coat",
+       {"vec3 coatF90 = vec3(1.0);"},
+       {"vec3 coatF90 = vec3(1.0);\n"
+        "  prefilteredSpecularCoatColor += bpLampsMean(bpCoatLight, coatF0, coatF90, coatBrdf);"},
+       true},
+  };
+  return anchors;
+}
+
 // What a material that transmits light changes, in VTK's text with the lighting above in it (see
 // shaders/gpu/glass.glsl).
 const std::vector<Anchor>& glassAnchors() {

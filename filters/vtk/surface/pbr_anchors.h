@@ -25,5 +25,7 @@ const std::vector<Anchor>& maskingAnchors();
 const std::vector<Anchor>& coatAnchors();
 const std::vector<Anchor>& scatteringAnchors();
 const std::vector<Anchor>& glassAnchors();
+/// Of programs whose reflections show lamps by their shapes.
+const std::vector<Anchor>& lampAnchors();
 
 }  // namespace boxprobe

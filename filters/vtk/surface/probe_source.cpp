@@ -53,6 +53,11 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
                      "  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;\n  bpOpenHere = false;\n"
                : open ? "  vec4 local = @EVALUATE@(bpMap@SLOT@, probe, point);\n  vec3 specular = local.rgb;\n"
                       : "  vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;\n");
+    if (binding.lampFree(slot) && !binding.firstBounce) {
+      replaceOnce(piece, "vec3 specular = @EVALUATE@(bpMap@SLOT@, probe, point).rgb;",
+                  "vec3 specular = bpWithoutLamps(@EVALUATE@(bpMap@SLOT@, probe, point), @SLOT@, weight, "
+                  "light.lampsInMap);");
+    }
     replaceAll(piece, "@OPEN_SKY@", open && !byLookup ? std::string(shaderSource("gpu/open_sky.glsl")) : std::string());
     replaceAll(piece, "@SLOT@", std::to_string(slot));
     replaceAll(piece, "@GROUP@", std::to_string(groups[slot]));
@@ -77,6 +82,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
   // Two may build on the same file, and the debug view's own code on it, too.
   std::set<std::string_view> present;
   if (debug) present.insert("shared/cube.glsl");
+  if (binding.lampLobes) present.insert("shared/lobe_frame.glsl");
   const auto addOnce = [&present](std::vector<std::string>& files, std::string_view file) {
     if (!present.insert(file).second) return false;
     files.emplace_back(file);
@@ -153,11 +159,19 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
               lattice
                   ? joinShaderSources({"shared/lattice_types.glsl", "gpu/fetch_lattice.glsl", "shared/lattice.glsl"})
                   : std::string());
+  replaceOnce(lighting, "//BP::LampFree",
+              binding.lampLobes ? joinShaderSources({"shared/lobe_frame.glsl", "shared/lamp_types.glsl",
+                                                     "shared/lamp_fade.glsl", "gpu/lamp_free.glsl"})
+                                : std::string());
   std::string lamps;
-  if (lattice && binding.lamps) {
+  if (binding.lampsDrawn()) {
     lamps = "#define BP_LAMPS " + std::to_string(ProbeBinding::kMaxLampsPerDraw) + "\n" +
-            joinShaderSources({"shared/lamp_types.glsl", "gpu/lamps.glsl"});
-    replaceOnce(lamps, "//BP::LampLight", std::string(shaderSource("shared/lamp.glsl")));
+            (binding.lampLobes ? std::string() : joinShaderSources({"shared/lamp_types.glsl"})) +
+            joinShaderSources({"gpu/lamps.glsl"});
+    replaceOnce(
+        lamps, "//BP::LampLight",
+        joinShaderSources(binding.lampLobes ? std::vector<std::string>{"shared/lamp.glsl", "shared/lamp_lobe.glsl"}
+                                            : std::vector<std::string>{"shared/lamp.glsl"}));
   }
   replaceOnce(lighting, "//BP::Lamps", lamps);
   std::string shares(shaderSource("gpu/probe_shares.glsl"));
@@ -172,8 +186,8 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          define("BP_CONSTANT_SHARES", binding.weights && !binding.shares.empty()) +
          define("BP_ONLY_PROBES", binding.onlyProbes) + define("BP_SKY", binding.sky) +
          define("BP_DIFFUSE", binding.diffuse) + define("BP_LATTICE", lattice) +
-         define("BP_LAMP_SHAPES", lattice && binding.lamps) + define("BP_DEBUG", debug) +
-         define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
+         define("BP_LAMP_SHAPES", lattice && binding.lamps) + define("BP_LAMP_LOBES", binding.lampLobes) +
+         define("BP_DEBUG", debug) + define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
          (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +

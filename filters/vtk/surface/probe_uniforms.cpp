@@ -44,7 +44,7 @@ void uploadSky(const UniformUpload& to, const SceneResources& resources, bool fl
 // The captured light of each slot.
 void uploadLight(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, bool flatMaps) {
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
-    const ProbeMaps* maps = mapsOf(state, *binding.probes[i]);
+    const ProbeMaps* maps = state.pass().firstBounce ? nullptr : binding.lookedUp(i);
     const std::string name = "bpMap" + std::to_string(i);
     if (flatMaps) {
       to.texture2d(name, maps->flat.handle());
@@ -92,7 +92,7 @@ void uploadSampling(const UniformUpload& to, DrawState& state, const ProbeBindin
   if (binding.chooses("sampling", "luminance")) {
     PerSlot<int> size{};
     for (std::size_t i = 0; i < count; ++i) {
-      const ProbeMaps* maps = mapsOf(state, *binding.probes[i]);
+      const ProbeMaps* maps = state.pass().firstBounce ? nullptr : binding.lookedUp(i);
       if (maps != nullptr) {
         maps->light.make(maps->radiance);
         size[i] = maps->light.faceSize();
@@ -111,8 +111,8 @@ void uploadSampling(const UniformUpload& to, DrawState& state, const ProbeBindin
 }
 
 // Nothing of the lamp reaches the object: it lies behind the lamp's plane, or so far away that the light is below a
-// fifth of the darkest step of an 8-bit picture. A capture is seen at any exposure.
-bool outOfReach(const SceneLamp& lamp, const UniformUpload& to, const PassSettings& pass) {
+// fifth of the darkest step of an 8-bit picture. A capture is seen at any exposure, and a lobe may be narrow.
+bool outOfReach(const SceneLamp& lamp, const UniformUpload& to, const PassSettings& pass, bool glossy) {
   if (to.boundsWorld == nullptr || to.boundsWorld[0] > to.boundsWorld[1]) return false;
   const double* b = to.boundsWorld;
   double highest = -1.0e300, size = 0.0;
@@ -127,7 +127,7 @@ bool outOfReach(const SceneLamp& lamp, const UniformUpload& to, const PassSettin
     highest = std::max(highest, glm::dot(at - lamp.middle, lamp.normal));
   }
   if (!lamp.bothSides && highest < -1.0e-6 * size) return true;
-  if (pass.exposure == kLinearOutput) return false;
+  if (glossy || pass.exposure == kLinearOutput) return false;
   constexpr double kDarkestStep = 1.0 / (255.0 * 12.92), kPi = 3.14159265358979323846;
   double radius = 0.0;
   for (const glm::dvec3& corner : lamp.corners) radius = std::max(radius, glm::length(corner - lamp.middle));
@@ -168,39 +168,50 @@ std::size_t pairLamps(const std::vector<SceneLamp>& lamps, std::vector<std::size
   return firsts.size();
 }
 
-// Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes.
+// Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes. Where maps show no
+// lamps, so that reflections need them, those as well.
 void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
   const SceneLamps* lamps = state.resources.lamps.get();
   const std::size_t count = binding.probes.size();
   PerSlot<glm::vec3> at{}, low{}, perUnit{}, last{};
+  PerSlot<float> free{};
+  glm::vec4 lit(0.0f);                      // slots whose diffuse light is that of lamps
   std::map<std::size_t, glm::vec4> lampOf;  // by falling power
   for (std::size_t i = 0; i < count && lamps != nullptr; ++i) {
     const DrawnProbe& probe = *binding.probes[i];
     if (!probe.shapes) continue;
-    if (!state.pass().firstBounce) {
-      const auto lattice = probeLattice(state, probe);
-      if (!lattice) continue;
+    const auto lattice = binding.diffuse && !state.pass().firstBounce ? probeLattice(state, probe) : nullptr;
+    if (lattice) {
       const shading::LatticeShape shape = lattice->shape();
       at[i] = state.resources.lattices->place(lattice);
       low[i] = shape.low;
       perUnit[i] = shape.perUnit;
       last[i] = shape.last;
     }
+    lit[static_cast<int>(i)] = lattice || state.pass().firstBounce ? 1.0f : 0.0f;
+    const bool without = state.pass().firstBounce || binding.lookedUp(i) != probe.maps.get();
+    free[i] = binding.lampFree(i) && without ? 1.0f : 0.0f;
+    if (lit[static_cast<int>(i)] <= 0.0f && free[i] <= 0.0f) continue;
     for (const std::size_t lamp : probe.lamps) {
-      if (!outOfReach(lamps->lamps[lamp], to, state.pass())) lampOf[lamp][static_cast<int>(i)] = 1.0f;
+      const bool lobes = binding.lampLobes;
+      if (!outOfReach(lamps->lamps[lamp], to, state.pass(), lobes)) lampOf[lamp][static_cast<int>(i)] = 1.0f;
     }
   }
   const auto vectors = [&](const char* name, const glm::vec3* values, std::size_t size) {
     to.program->SetUniform3fv(name, static_cast<int>(size), reinterpret_cast<const float(*)[3]>(values));
   };
-  vectors("bpLatticeAt", at.data(), count);
-  vectors("bpLatticeLow", low.data(), count);
-  vectors("bpLatticePerUnit", perUnit.data(), count);
-  vectors("bpLatticeLast", last.data(), count);
-  const glm::vec3 texel = state.resources.lattices->texelSize();
-  to.program->SetUniform3f("bpLatticeTexel", &texel.x);
-  to.texture("bpLattices", GL_TEXTURE_3D, state.resources.lattices->handle());
-  if (!binding.lamps) return;
+  if (binding.diffuse) {
+    vectors("bpLatticeAt", at.data(), count);
+    vectors("bpLatticeLow", low.data(), count);
+    vectors("bpLatticePerUnit", perUnit.data(), count);
+    vectors("bpLatticeLast", last.data(), count);
+    const glm::vec3 texel = state.resources.lattices->texelSize();
+    to.program->SetUniform3f("bpLatticeTexel", &texel.x);
+    to.texture("bpLattices", GL_TEXTURE_3D, state.resources.lattices->handle());
+  }
+  if (!binding.lampsDrawn()) return;
+  to.program->SetUniform4f("bpLampLit", &lit.x);
+  if (binding.lampLobes) to.program->SetUniform1fv("bpLampFree", static_cast<int>(count), free.data());
   constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
   std::array<glm::vec3, kLamps * kCorners> corners{};
   std::array<glm::vec3, kLamps> light{};
@@ -221,6 +232,13 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     slots[k] = lampOf[drawn[k]];
   }
   const std::size_t used = std::max<std::size_t>(drawn.size(), 1);
+  if (binding.lampLobes) {
+    const auto lampsEnd = light.begin() + static_cast<long>(drawn.size());
+    const bool several = std::any_of(light.begin(), lampsEnd, [&](const glm::vec3& l) {
+      return glm::length(glm::normalize(l) - glm::normalize(light[0])) > 1.0e-3f;
+    });
+    to.program->SetUniformf("bpLampColors", several ? 1.0f : 0.0f);
+  }
   to.program->SetUniformi("bpLampCount", static_cast<int>(turns));
   to.program->SetUniform1iv("bpLampOther", static_cast<int>(used), other.data());
   vectors("bpLampCorner", corners.data(), used * kCorners);
@@ -294,7 +312,7 @@ void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& 
   if (debug) uploadDistances(to, state.resources, binding);
   if (binding.distances() && !binding.firstBounce) uploadRelief(to, state, binding);
   if (!binding.firstBounce) uploadSampling(to, state, binding);
-  if (binding.shapes && binding.diffuse) uploadLampsAndLattices(to, state, binding);
+  if (binding.shapes && (binding.diffuse || binding.lampLobes)) uploadLampsAndLattices(to, state, binding);
   uploadOrigins(to, binding);
 }
 

@@ -18,6 +18,7 @@
 #include <vtkShaderProgram.h>
 
 #include "filters/vtk/draw/plain_surface.h"
+#include "filters/vtk/draw/probe_lamps.h"
 #include "filters/vtk/gl/broken_shader.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/surface/probe_uniforms.h"
@@ -275,6 +276,9 @@ void vtkProbePass::Prepare(vtkActor* actor) {
   if (this->State->resources.lightForm != this->Made.form) {
     this->Made.form = this->State->resources.lightForm;
     this->Rebuild();
+  }
+  if (this->Made.binding) {
+    boxprobe::makeLampFree(*this->State, *this->Made.binding);
   }
   this->ChooseTraits(actor);
   // Released since it was drawn last: made again, with its attributes.

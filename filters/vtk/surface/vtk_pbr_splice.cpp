@@ -149,6 +149,7 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
     spliceFinish(text, *program.surface, lights.count, program.probes(), underCoat, edits);
   }
   if (program.table()) applyAnchors(text, tableAnchors(), coat, edits);
+  if (program.probes() && program.binding.lampLobes) applyAnchors(text, lampAnchors(), coat, edits);
   if (program.glass()) {
     applyAnchors(text, glassAnchors(), coat, edits);
     // What passes is not scattered, of lamps' light as of surroundings'.
