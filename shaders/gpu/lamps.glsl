@@ -4,6 +4,7 @@ uniform int bpLampOther[BP_LAMPS];      // of each turn the lamp that counts whe
 uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
+uniform float bpLampLeast;              // share of each: 1 in a first capture, whose direct light no box divides, else 0
 uniform vec4 bpLampOf[BP_LAMPS];        // 1 for each of the draw's probes whose lamp it is
 
 int lampCornerCount(int lamp)
@@ -34,7 +35,7 @@ vec3 bpLampsIrradiance(vec3 position, vec3 normal)
   do
   {
     int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
-    sum += dot(shares, bpLampOf[lamp]) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
+    sum += max(dot(shares, bpLampOf[lamp]), bpLampLeast) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
     ++i;
   } while (i < bpLampCount);
   return sum;
