@@ -4,6 +4,7 @@ uniform int bpLampOther[BP_LAMPS];      // of each turn the lamp that counts whe
 uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
+uniform float bpLampLeast;              // share of each: 1 in a first capture, whose direct light no box divides, else 0
 uniform vec4 bpLampOf[BP_LAMPS];        // 1 for each of the draw's probes whose lamp it is
 
 int lampCornerCount(int lamp)
@@ -31,7 +32,7 @@ uniform float bpLampColors;             // 1 if the lamps are of several
 // What a lamp's light at a place is multiplied by, diffuse and glossy alike. `shares`: of the probes.
 float bpLampWeight(int lamp, vec4 shares)
 {
-  return dot(shares, bpLampOf[lamp]);
+  return max(dot(shares, bpLampOf[lamp]), bpLampLeast);
 }
 
 #if BP_LAMP_SHAPES

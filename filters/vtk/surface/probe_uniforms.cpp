@@ -222,6 +222,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   for (const auto& entry : lampOf) {
     if (drawn.size() < kLamps) drawn.push_back(entry.first);
   }
+  const bool first = state.pass().firstBounce;
   const std::size_t turns = pairLamps(lamps->lamps, drawn, other.data());
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     const SceneLamp& lamp = lamps->lamps[drawn[k]];
@@ -229,7 +230,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(k * kCorners));
     shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
     light[k] = glm::vec3(lamp.radiance);
-    slots[k] = lampOf[drawn[k]];
+    slots[k] = first ? glm::vec4(0.0f) : lampOf[drawn[k]];
   }
   const std::size_t used = std::max<std::size_t>(drawn.size(), 1);
   if (binding.lampLobes) {
@@ -239,6 +240,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     });
     to.program->SetUniformf("bpLampColors", several ? 1.0f : 0.0f);
   }
+  to.program->SetUniformf("bpLampLeast", first && !drawn.empty() ? 1.0f : 0.0f);
   to.program->SetUniformi("bpLampCount", static_cast<int>(turns));
   to.program->SetUniform1iv("bpLampOther", static_cast<int>(used), other.data());
   vectors("bpLampCorner", corners.data(), used * kCorners);
