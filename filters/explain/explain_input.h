@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/geometry/lamp_sight.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/picture/baked_probe.h"
@@ -34,6 +35,8 @@ struct ExplainedProbe {
   /// In place of the maps' coefficients, with its lamps; null: those. Not of a probe that lets the sky through.
   std::shared_ptr<const DiffuseLattice> lattice = {};
   std::vector<SceneLamp> lamps = {};  ///< drawn as shapes
+  std::shared_ptr<const ProbeSight> sight = {};  ///< what is seen of them and of light sources; null: all
+  std::vector<int> lampChannels = {};            ///< of each of `lamps` in `sight`
 };
 
 /// A depth map of what moves, as a light sees it.

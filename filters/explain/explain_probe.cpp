@@ -159,9 +159,11 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   }
   if (probe.lattice) {
     e.irradiance = shading::latticeIrradiance(probe.lattice->shape(), e.positionProbe, s.normalWorld);
-    for (const SceneLamp& lamp : probe.lamps) {
+    for (std::size_t i = 0; i < probe.lamps.size(); ++i) {
+      const SceneLamp& lamp = probe.lamps[i];
       const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
-      e.irradiance += glm::vec3(lamp.radiance) * shading::lampDiffuse(&polygon, position, s.normalWorld);
+      const float seen = i < probe.lampChannels.size() ? seenFrom(probe, s, probe.lampChannels[i]) : 1.0f;
+      e.irradiance += seen * shading::lampDiffuse(&polygon, position, s.normalWorld) * glm::vec3(lamp.radiance);
     }
     return e;
   }

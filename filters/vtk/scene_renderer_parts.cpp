@@ -219,6 +219,7 @@ void SceneParts::releaseGraphics() {
   capture.release();
   inspector.release();
   state->resources.lattices->release();
+  state->resources.sights->release();
   releaseStaticTextures(state->resources);
   for (const DrawnObject& object : content.objects) {
     for (const SurfaceSlot& slot : object.surface->slots) {

@@ -4,6 +4,9 @@ uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
 uniform vec4 bpLampOf[BP_LAMPS];        // 1 for each of the draw's probes whose lamp it is
+#if BP_SIGHTS
+uniform vec4 bpLampChannel[BP_LAMPS];   // in each of them, where its visibility stands: gpu/sight.glsl
+#endif
 
 int lampCornerCount(int lamp)
 {
@@ -22,15 +25,28 @@ bool lampShinesBothSides(int lamp)
 
 //BP::LampLight
 
-// After bpShareOut.
+// The factor of all of a lamp's light here: what the probes whose lamp it is have of the pixel, and what is seen of it from here. After
+// bpShareOut and bpFindSights.
+float bpLampWeight(int lamp)
+{
+  float sum = 0.0f;
+  for (int slot = 0; slot < BP_SLOTS; ++slot)
+  {
+    float share = bpShareOf[slot] * bpIntensity[slot] * bpLampOf[lamp][slot];
+#if BP_SIGHTS
+    share *= bpSeen(slot, bpLampChannel[lamp][slot]);
+#endif
+    sum += share;
+  }
+  return sum;
+}
+
 vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 {
   vec3 sum = vec3(0.0f);
   for (int i = 0; i < bpLampCount; ++i)
   {
-    float share = 0.0f;
-    for (int slot = 0; slot < BP_SLOTS; ++slot) { share += bpShareOf[slot] * bpIntensity[slot] * bpLampOf[i][slot]; }
-    sum += share * lampDiffuse(i, position, normal) * bpLampLight[i];
+    sum += bpLampWeight(i) * lampDiffuse(i, position, normal) * bpLampLight[i];
   }
   return sum;
 }

@@ -14,6 +14,7 @@
 //   BP_ANISOTROPIC defined if the surface is brushed: light from all around is that of bpUnbentNormal, not of the lookup's normal
 //   BP_FLAT_MAPS defined if maps are flat pictures (gpu/flat_lookup.glsl), else they are cubemaps
 //   BP_LATTICE   1 if diffuse light of some of them is a lattice's and, with that, of lamps drawn as shapes
+//   BP_SIGHTS    1 if some of their lamps or light sources are hidden from some places (gpu/sight.glsl)
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
@@ -95,6 +96,8 @@ struct BpLight
 
 //BP::ShareOut
 
+//BP::Sights
+
 //BP::Lamps
 
 BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness, float fresnel,
@@ -123,6 +126,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 #endif
 
   float remaining = bpShareOut(position);
+#if BP_SIGHTS
+  bpFindSights(position, BP_FACING);
+#endif
 //BP::AddSlots
 #if BP_LATTICE
   light.irradiance += bpLampsIrradiance(position, BP_FACING);

@@ -87,7 +87,15 @@ bool hidesWhatIsBehind(const Mesh& mesh, const Model& model) {
 }
 
 bool seen(const ObjectOverride& object, SeenBy seenBy) {
-  return seenBy == SeenBy::Eyes ? object.visible : object.seenByProbes && !object.dynamic;
+  switch (seenBy) {
+    case SeenBy::Eyes:
+      return object.visible;
+    case SeenBy::Probes:
+      return object.seenByProbes && !object.dynamic;
+    case SeenBy::Lamps:
+      return object.visible && !object.dynamic;
+  }
+  return false;
 }
 
 std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Models& models, SeenBy seenBy,
@@ -294,6 +302,13 @@ std::optional<SurfaceHit> TriangleRays::first(const glm::dvec3& origin, const gl
                                       [](std::uint32_t id, const Look& look) { return id < look.firstTriangle; });
   const Look& look = *std::prev(after);
   return SurfaceHit{query.ray.tfar, back, back ? -unit : unit, look.roughness, look.reflectance};
+}
+
+bool TriangleRays::between(const glm::dvec3& from, const glm::dvec3& to) const {
+  if (empty()) return false;
+  const glm::vec3 start(from - anchor_), way(to - from);
+  RTCRay ray{start.x, start.y, start.z, 0.0f, way.x, way.y, way.z, 0.0f, 1.0f, ~0u, 0u, 0u};
+  return occludedOne(structure_->scene, &ray);
 }
 
 }  // namespace boxprobe

@@ -13,6 +13,7 @@
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/maps/lattice_atlas.h"
 #include "filters/vtk/maps/probe_maps.h"
+#include "filters/vtk/maps/sight_atlas.h"
 
 namespace boxprobe {
 
@@ -44,6 +45,7 @@ struct SceneResources {
   GLuint viewColors = 0;                    ///< 256 x 1, of the debug view; made when that is first shown
   std::shared_ptr<const SceneLamps> lamps;  ///< null unless they are drawn as shapes
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
+  std::shared_ptr<SightAtlas> sights = std::make_shared<SightAtlas>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
   std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about
   std::vector<MovingShadow> movingShadows;

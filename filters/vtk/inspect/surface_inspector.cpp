@@ -207,8 +207,12 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     if (drawn.maps) probe.coverage = drawn.maps->coverage.chain().get();
     if (drawn.maps && drawn.shapes && content_->lamps) {
       probe.lattice = drawn.maps->lattice.latest();
-      for (const std::size_t lamp : drawn.lamps) probe.lamps.push_back(content_->lamps->lamps[lamp]);
+      for (const std::size_t lamp : drawn.lamps) {
+        probe.lamps.push_back(content_->lamps->lamps[lamp]);
+        if (drawn.sight) probe.lampChannels.push_back(drawn.sight->channelOfLamp(lamp));
+      }
     }
+    probe.sight = drawn.sight;
     in.probes.push_back(std::move(probe));
   }
   in.weights = binding.weights;
@@ -237,6 +241,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     in.mirror = &look;
   }
   in.shadowLights = binding.shadowLights;
+  in.sightLights = binding.sightLights;
   in.movingMaps = movingMaps_;
   Explanation e = explainPixel(in);
   e.rendered = pixel.color;

@@ -1,5 +1,8 @@
 #include "filters/vtk/probes/capture_inputs.h"
 
+#include <algorithm>
+
+#include "filters/core/geometry/model_placement.h"
 #include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
@@ -17,6 +20,29 @@ std::string lampsKey(const SceneLamps& lamps) {
 }
 
 }  // namespace
+
+// Anything that stands still may throw a lamp's shadow into a capture, whether the capture shows it or not.
+std::string CaptureInputs::hidingKey(const SceneContent& content) {
+  const bool same = std::equal(content.given.begin(), content.given.end(), hidingModels_.begin(), hidingModels_.end(),
+                               [](const auto& now, const auto& before) { return now == before.lock(); });
+  if (!same || hidingKey_.empty()) {
+    hidingModels_.assign(content.given.begin(), content.given.end());
+    ContentHash hash;
+    for (const std::string& key : objectContentKeys(content.given, content.scene.models.size())) hash.add(key);
+    hidingKey_ = hash.text();
+  }
+  ContentHash hash;
+  hash.add(hidingKey_);
+  for (const ModelFile& file : content.scene.models) {
+    const glm::dmat4 placed = worldFromFile(file);
+    hash.addBytes(&placed, sizeof placed);
+  }
+  for (const auto& [node, object] : content.scene.objects) {
+    hash.add(node).add(object.visible ? 1 : 0).add(object.dynamic ? 1 : 0);
+    if (!object.dynamic) hash.addVector(object.translation).addVector(object.rotationDegrees);
+  }
+  return hash.text();
+}
 
 CaptureWorld CaptureInputs::world(const SceneContent& content, const ProbeIndex& probes) {
   if (contentGeneration_ != content.modelGeneration) {
@@ -44,6 +70,7 @@ CaptureWorld CaptureInputs::world(const SceneContent& content, const ProbeIndex&
   CaptureWorld world = captureWorld(content.scene, objects, skyPixels_, probes);
   // Lamps drawn as shapes light what a capture shows, those that it does not show included.
   if (content.lamps) world.lights += " " + lampsKey(*content.lamps);
+  if (content.lamps && content.sightLines) world.lights += " shadowed " + hidingKey(content);
   return world;
 }
 

@@ -18,8 +18,12 @@ class CaptureInputs {
   CaptureWorld world(const SceneContent& content, const ProbeIndex& probes);
 
  private:
+  std::string hidingKey(const SceneContent& content);
+
   std::vector<std::string> contentKeys_;  ///< of the objects
   int contentGeneration_ = -1;
+  std::vector<std::weak_ptr<const Model>> hidingModels_;
+  std::string hidingKey_;  ///< of those: what can hide a lamp
   std::weak_ptr<const ImageRgbaF> skyImage_;
   std::string skyPixels_;
 };

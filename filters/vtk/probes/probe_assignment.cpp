@@ -99,6 +99,12 @@ std::shared_ptr<const ProbeBinding> assignProbes(const DrawnObject& object, cons
     if (moves && scene.lights[light].shadows == LightShadows::CoverageAndMap)
       binding->movingLights.push_back(static_cast<int>(light));
   }
+  for (std::size_t light = 0; light < scene.lights.size(); ++light) {
+    const bool hidden = std::any_of(binding->probes.begin(), binding->probes.end(), [&](const auto& probe) {
+      return probe->sight && probe->sight->channelOfSource(light) != kSeenByAll;
+    });
+    if (hidden) binding->sightLights.push_back(static_cast<int>(light));
+  }
   if (object.settings.weights == WeightMode::Object && binding->weights && !order.empty()) {
     std::vector<float> weights;
     for (const std::size_t i : order) weights.push_back(static_cast<float>(objectWeight(scene.probes[i], bounds)));

@@ -68,13 +68,37 @@ void ProbeLight::updateShadowLights() {
 
 void ProbeLight::updateLamps() {
   const SceneLamps* lamps = content_->lamps.get();
+  std::vector<std::optional<SightTask>> tasks(shown_->size());
   for (std::size_t i = 0; i < shown_->size(); ++i) {
     const Probe& probe = content_->scene.probes[i];
     DrawnProbe& drawn = shown_->drawn(i);
     drawn.shapes =
         lamps != nullptr && probe.mode == ProbeMode::Baked && !std::holds_alternative<ClearToOpen>(probe.clear);
-    drawn.lamps = drawn.shapes ? probeLamps(lamps->lamps, probe) : std::vector<std::size_t>();
+    if (drawn.shapes && content_->sightLines) tasks[i] = sightTask(content_->scene, *lamps, probe);
   }
+  sight_.ask(std::move(tasks), content_->scene, content_->given, content_->sightLines);
+  showSight();
+}
+
+void ProbeLight::showSight() {
+  const SceneLamps* lamps = content_->lamps.get();
+  for (std::size_t i = 0; i < shown_->size(); ++i) {
+    DrawnProbe& drawn = shown_->drawn(i);
+    drawn.sight = drawn.shapes ? sight_.of(i) : nullptr;
+    drawn.lamps = !drawn.shapes ? std::vector<std::size_t>()
+                  : drawn.sight ? drawn.sight->lamps
+                                : probeLamps(lamps->lamps, content_->scene.probes[i]);
+  }
+}
+
+void ProbeLight::holdSight(bool held) {
+  sight_.hold(held);
+}
+
+bool ProbeLight::makeSight() {
+  if (!sight_.proceed(std::chrono::milliseconds(5))) return false;
+  showSight();
+  return true;
 }
 
 void ProbeLight::addTint(std::size_t index, const ProbeMaps& maps) const {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "filters/vtk/probes/shown_probes.h"
+#include "filters/vtk/probes/sight_work.h"
 #include "filters/vtk/scene/scene_content.h"
 
 namespace boxprobe {
@@ -21,6 +22,11 @@ class ProbeLight {
   /// Which probes' diffuse light is that of lamps drawn as shapes and of a lattice, and of which lamps. Not of realtime
   /// probes and pictures, whose lamps are not known, nor of those that the sky shows through.
   void updateLamps();
+  /// What is seen of lamps is traced, unless a box is dragged: captures wait for it.
+  void holdSight(bool held);
+  bool sightPending() const { return sight_.pending(); }
+  /// Returns whether probes see their lamps otherwise than before, which takes other programs.
+  bool makeSight();
   /// On the CPU from small levels, and only of maps or a sky that are new, so that another sky costs no capture.
   /// Returns whether a probe begins or ceases to let the sky through: that takes another program.
   bool updateOpenings();
@@ -28,9 +34,12 @@ class ProbeLight {
   void addTint(std::size_t index, const ProbeMaps& maps) const;
 
  private:
+  void showSight();
+
   const SceneContent* content_;
   std::shared_ptr<DrawState> state_;
   ShownProbes* shown_;
+  SightWork sight_;
 };
 
 }  // namespace boxprobe

@@ -53,6 +53,7 @@ void ProbeSet::setInteractive(bool interactive) {
   if (plan_.interactive() == interactive) return;
   plan_.setInteractive(interactive);
   with_.state->setDragging(interactive);
+  light_.holdSight(interactive);
   programs_.assignAll();
   baker_.replan();
 }
@@ -134,6 +135,11 @@ void ProbeSet::step() {
 
 void ProbeSet::doOne() {
   if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return giveUp();
+  // Before anything is captured, which their shadows are part of.
+  if (sightPending()) {
+    if (light_.makeSight()) assignToObjects();
+    return;
+  }
   // First, because what is drawn meanwhile shows too little of a blur.
   if (levelsPending()) return makeLevel();
   if (baker_.step()) return;

@@ -77,7 +77,7 @@ class ProbeSet {
   bool followsSeen() const { return plan_.enabled() && plan_.targets().empty(); }
 
   bool workPending() const {
-    return baker_.pending() || levelsPending() || toMeasure().has_value() || programs_.pending();
+    return sightPending() || baker_.pending() || levelsPending() || toMeasure().has_value() || programs_.pending();
   }
   void step();
   /// From 0 to 1, of all that was planned since there last was nothing to do; below 1 while anything is pending.
@@ -96,6 +96,7 @@ class ProbeSet {
 
  private:
   std::optional<std::size_t> toMeasure() const;
+  bool sightPending() const { return plan_.enabled() && light_.sightPending(); }
   /// Not while a handle is dragged, which is to change uniforms and no more: what it newly lights shows plain means of
   /// the capture until it is let go.
   bool levelsPending() const { return !plan_.interactive() && needs_.lacking(); }

@@ -120,6 +120,16 @@ LatticeSource latticeSource(const SceneLamps& lamps, const DrawnProbe& probe) {
   return source;
 }
 
+// Where the visibility of a lamp stands in each slot's lattice.
+glm::vec4 lampChannels(const ProbeBinding& binding, std::size_t lamp) {
+  glm::vec4 channels(static_cast<float>(kSeenByAll));
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) {
+    const auto& sight = binding.probes[i]->sight;
+    if (sight) channels[static_cast<int>(i)] = static_cast<float>(sight->channelOfLamp(lamp));
+  }
+  return channels;
+}
+
 // Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes.
 void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
   const SceneLamps* lamps = state.resources.lamps.get();
@@ -149,6 +159,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   std::array<glm::vec3, kLamps> light{};
   std::array<glm::vec4, kLamps> slots{};
   std::array<int, kLamps> shape{};
+  std::array<glm::vec4, kLamps> channels{};
   std::size_t used = 0;
   for (const auto& [index, of] : lampOf) {
     if (used == kLamps) break;
@@ -157,6 +168,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(used * kCorners));
     shape[used] = polygon.count + (polygon.bothSides ? 16 : 0);
     light[used] = glm::vec3(lamp.radiance);
+    channels[used] = lampChannels(binding, index);
     slots[used++] = of;
   }
   const auto vectors = [&](const char* name, const glm::vec3* values, std::size_t size) {
@@ -175,6 +187,52 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   vectors("bpLampLight", light.data(), used);
   to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());
   to.program->SetUniform4fv("bpLampOf", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&slots[0].x));
+  if (!binding.sights()) return;
+  to.program->SetUniform4fv("bpLampChannel", static_cast<int>(used),
+                            reinterpret_cast<const float(*)[4]>(&channels[0].x));
+}
+
+// Of each slot its lattice of visibilities, and where those of light sources stand.
+void uploadSights(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
+  const std::size_t count = binding.probes.size();
+  PerSlot<glm::vec3> at{}, low{}, perUnit{}, last{};
+  PerSlot<int> parts{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const DrawnProbe& probe = *binding.probes[i];
+    const auto place = state.resources.sights->place(probe.sight);
+    if (!place) continue;
+    const shading::LatticeShape shape = sightShape(*probe.sight, probe.geometry);
+    at[i] = *place;
+    low[i] = shape.low;
+    perUnit[i] = shape.perUnit;
+    last[i] = shape.last;
+    parts[i] = probe.sight->lattice.parts();
+  }
+  const auto vectors = [&](const char* name, const PerSlot<glm::vec3>& values) {
+    to.program->SetUniform3fv(name, static_cast<int>(count), reinterpret_cast<const float(*)[3]>(&values[0].x));
+  };
+  vectors("bpSightAt", at);
+  vectors("bpSightLow", low);
+  vectors("bpSightPerUnit", perUnit);
+  vectors("bpSightLast", last);
+  to.program->SetUniform1iv("bpSightParts", static_cast<int>(count), parts.data());
+  to.texture("bpSights", GL_TEXTURE_3D, state.resources.sights->handle());
+  const glm::vec3 texel = state.resources.sights->texelSize();
+  to.program->SetUniform3f("bpSightTexel", &texel.x);
+  std::vector<glm::vec4> channels;
+  for (const int light : binding.sightLights) {
+    glm::vec4 of(static_cast<float>(kSeenByAll));
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& sight = binding.probes[i]->sight;
+      if (sight) {
+        of[static_cast<int>(i)] = static_cast<float>(sight->channelOfSource(static_cast<std::size_t>(light)));
+      }
+    }
+    channels.push_back(of);
+  }
+  if (channels.empty()) return;
+  to.program->SetUniform4fv("bpSightChannel", static_cast<int>(channels.size()),
+                            reinterpret_cast<const float(*)[4]>(&channels[0].x));
 }
 
 void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
@@ -240,6 +298,7 @@ void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& 
   if (binding.distances() && !binding.firstBounce) uploadRelief(to, state, binding);
   if (!binding.firstBounce) uploadSampling(to, state, binding);
   if (binding.shapes && binding.diffuse) uploadLampsAndLattices(to, state, binding);
+  if (binding.sights()) uploadSights(to, state, binding);
   uploadOrigins(to, binding);
 }
 
