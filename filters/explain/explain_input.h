@@ -34,7 +34,7 @@ struct ExplainedProbe {
   std::uint32_t shadowLights = 0;     ///< a bit for each light that its coverage stands before
   /// In place of the maps' coefficients, with its lamps; null: those. Not of a probe that lets the sky through.
   std::shared_ptr<const DiffuseLattice> lattice = {};
-  std::vector<SceneLamp> lamps = {};  ///< drawn as shapes
+  std::vector<SceneLamp> lamps = {};             ///< drawn as shapes
   std::shared_ptr<const ProbeSight> sight = {};  ///< what is seen of them and of light sources; null: all
   std::vector<int> lampChannels = {};            ///< of each of `lamps` in `sight`
 };
@@ -64,6 +64,7 @@ struct ExplainInput {
   const shading::MirrorLook* mirror = nullptr;
   std::vector<int> shadowLights;  ///< those that this draw asks a probe's coverage about
   std::vector<MovingMap> movingMaps;
+  std::vector<int> sightLights;  ///< those that some place of a probe's box does not see whole
 };
 
 }  // namespace boxprobe

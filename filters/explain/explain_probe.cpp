@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/explain/explain_shadow.h"
 #include "filters/explain/lookup_record.h"
 #include "filters/math/cube/distance_cube.h"
 #include "filters/math/shared/coverage.h"
@@ -162,8 +163,8 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
     for (std::size_t i = 0; i < probe.lamps.size(); ++i) {
       const SceneLamp& lamp = probe.lamps[i];
       const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
-      const float seen = i < probe.lampChannels.size() ? seenFrom(probe, s, probe.lampChannels[i]) : 1.0f;
-      e.irradiance += seen * shading::lampDiffuse(&polygon, position, s.normalWorld) * glm::vec3(lamp.radiance);
+      const float share = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
+      e.irradiance += share * shading::lampDiffuse(&polygon, position, s.normalWorld) * glm::vec3(lamp.radiance);
     }
     return e;
   }

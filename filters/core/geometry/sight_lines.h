@@ -16,8 +16,10 @@ namespace boxprobe {
 class SightLines {
  public:
   struct Met {
-    double distance = 0.0;  ///< scene units
-    bool back = false;      ///< the side was met from which the triangle's corners run clockwise
+    double distance = 0.0;   ///< scene units
+    bool back = false;       ///< the side was met from which the triangle's corners run clockwise
+    glm::dvec3 normal{0.0};  ///< unit, world, on the side that was met
+    glm::vec3 albedo{0.0f};  ///< light scattered over light received, mean over its textures; a metal counts as matt
   };
 
   virtual ~SightLines() = default;

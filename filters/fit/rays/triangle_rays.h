@@ -53,6 +53,7 @@ class TriangleRays : public SurfaceRays {
   struct Look {
     std::uint32_t firstTriangle = 0;
     double roughness = 0.0, reflectance = 0.0;
+    glm::vec3 albedo{0.0f};
   };
   std::vector<Look> looks_;  ///< of one placed mesh after another
 };

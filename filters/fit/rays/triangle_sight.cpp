@@ -47,7 +47,8 @@ class TriangleSight : public SightLines {
     for (const TriangleRays* rays : {solid_.get(), shining_.get()}) {
       if (rays == nullptr) continue;
       const auto hit = rays->first(from, direction);
-      if (hit && (!nearest || hit->distance < nearest->distance)) nearest = Met{hit->distance, hit->back};
+      if (hit && (!nearest || hit->distance < nearest->distance))
+        nearest = Met{hit->distance, hit->back, hit->normalWorld, hit->albedo};
     }
     return nearest;
   }

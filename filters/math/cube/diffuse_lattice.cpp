@@ -37,12 +37,7 @@ std::vector<LatticeRay> latticeRays(int count, const glm::mat3& worldFromProbe) 
     const double r = std::sqrt(std::max(1.0 - z * z, 0.0));
     LatticeRay ray;
     ray.direction = glm::vec3(glm::dvec3(r * std::cos(phi), r * std::sin(phi), z));
-    const glm::dvec3 n(glm::normalize(worldFromProbe * ray.direction));
-    const double polynomials[9] = {
-        1.0, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0, n.x * n.z, n.x * n.x - n.y * n.y};
-    for (std::size_t k = 0; k < 9; ++k) {
-      ray.basis[k] = static_cast<float>(polynomials[k] * kFolded[k] * solidAngle);
-    }
+    ray.basis = latticeBasis(glm::normalize(worldFromProbe * ray.direction), solidAngle);
     rays.push_back(ray);
   }
   return rays;
@@ -54,6 +49,15 @@ float nodeAt(float low, float high, int i, int n) {
 }
 
 }  // namespace
+
+std::array<float, 9> latticeBasis(const glm::vec3& directionWorld, double solidAngle) {
+  const glm::dvec3 n(directionWorld);
+  const double polynomials[9] = {
+      1.0, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0, n.x * n.z, n.x * n.x - n.y * n.y};
+  std::array<float, 9> basis{};
+  for (std::size_t k = 0; k < 9; ++k) basis[k] = static_cast<float>(polynomials[k] * kFolded[k] * solidAngle);
+  return basis;
+}
 
 glm::vec4 DiffuseLattice::fetchLattice(const glm::vec3& place, int part) const {
   if (empty()) return glm::vec4(0.0f);

@@ -4,6 +4,7 @@
 // what it is for: a lamp is seen too coarsely from its map. CPU only; knows no VTK.
 #pragma once
 
+#include <array>
 #include <glm/ext/vector_int3.hpp>
 #include <glm/mat3x3.hpp>
 #include <vector>
@@ -42,6 +43,9 @@ glm::ivec3 latticeNodes(const glm::vec3& size, float spacing);
 /// A capture with levels of plain means: each texel the mean of the two by two below, weighted by their solid angles,
 /// down to one texel per face. Premultiplied by coverage as the capture is.
 CubeMap plainMeans(const CubeMap& capture);
+
+/// What light of radiance 1 from a unit direction, world axes, adds to a node's nine coefficients.
+std::array<float, 9> latticeBasis(const glm::vec3& directionWorld, double solidAngle);
 
 /// `means`: plainMeans() of a capture. `probe`: its box and projection, as techniques use them. Rotations:
 /// `mapFromProbe` of the box's axes into the map's, `worldFromProbe` into the world's, whose normals

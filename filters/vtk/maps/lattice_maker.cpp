@@ -23,7 +23,7 @@ bool sameLamp(const LampPolygon& a, const LampPolygon& b) {
 
 bool LatticeSource::operator==(const LatticeSource& o) const {
   return boxMin == o.boxMin && boxMax == o.boxMax && mapFromProbe == o.mapFromProbe &&
-         worldFromProbe == o.worldFromProbe && projection == o.projection &&
+         worldFromProbe == o.worldFromProbe && projection == o.projection && traced == o.traced &&
          std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
 }
 
@@ -38,8 +38,9 @@ std::shared_ptr<const DiffuseLattice> LatticeMaker::of(const CubeTexture& radian
   shape.boxMin = source.boxMin;
   shape.boxMax = source.boxMax;
   shape.projection = source.projection;
-  lattice_ = std::make_shared<const DiffuseLattice>(
-      makeDiffuseLattice(plainMeans(capture), shape, source.mapFromProbe, source.worldFromProbe));
+  const CubeMap means = plainMeans(capture);
+  const DiffuseLattice projected = makeDiffuseLattice(means, shape, source.mapFromProbe, source.worldFromProbe);
+  lattice_ = std::make_shared<const DiffuseLattice>(tracedLattice(projected, means, source.traced));
   return lattice_;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/geometry/traced_lattice.h"
 #include "filters/math/cube/diffuse_lattice.h"
 #include "filters/vtk/gl/gl_objects.h"
 
@@ -17,6 +18,7 @@ struct LatticeSource {
   glm::mat3 mapFromProbe{1.0f}, worldFromProbe{1.0f};
   int projection = 0;              ///< row of the projection table
   std::vector<LampPolygon> lamps;  ///< those left out: relative to the capture origin, along the map's axes
+  LatticeSurroundings traced;      ///< what nodes see besides the capture; without lines: nothing
   bool operator==(const LatticeSource& o) const;
 };
 

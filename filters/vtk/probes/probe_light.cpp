@@ -82,6 +82,13 @@ void ProbeLight::updateLamps() {
 
 void ProbeLight::showSight() {
   const SceneLamps* lamps = content_->lamps.get();
+  state_->resources.sightLines = lamps != nullptr ? sight_.lines() : nullptr;
+  state_->resources.looseLights.clear();
+  for (std::size_t i = 0; lamps != nullptr && i < content_->scene.lights.size(); ++i) {
+    const bool counted = std::any_of(lamps->lamps.begin(), lamps->lamps.end(),
+                                     [i](const SceneLamp& lamp) { return lamp.light && *lamp.light == i; });
+    if (!counted) state_->resources.looseLights.push_back(content_->scene.lights[i]);
+  }
   for (std::size_t i = 0; i < shown_->size(); ++i) {
     DrawnProbe& drawn = shown_->drawn(i);
     drawn.sight = drawn.shapes ? sight_.of(i) : nullptr;
@@ -97,6 +104,12 @@ void ProbeLight::holdSight(bool held) {
 
 bool ProbeLight::makeSight() {
   if (!sight_.proceed(std::chrono::milliseconds(5))) return false;
+  Counters& counters = state_->counts.counters;
+  for (const auto& sight : sight_.made()) {
+    ++counters.sightsTraced;
+    counters.sightRays += sight->rays;
+    counters.lampsSeenWhole += sight->unshadowed;
+  }
   showSight();
   return true;
 }

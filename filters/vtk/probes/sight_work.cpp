@@ -107,8 +107,11 @@ bool SightWork::proceed(std::chrono::milliseconds wait) {
   for (Known& known : known_) known.current = true;
   const Done done = running_.get();
   lines_ = done.lines;
+  made_.clear();
   for (std::size_t i = 0; i < known_.size() && i < done.sights.size(); ++i) {
-    if (done.sights[i]) known_[i].sight = done.sights[i];
+    if (!done.sights[i]) continue;
+    known_[i].sight = done.sights[i];
+    made_.push_back(done.sights[i]);
   }
   scene_.reset();
   return true;

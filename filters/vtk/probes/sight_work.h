@@ -35,9 +35,13 @@ class SightWork {
   /// Begins what is asked for, or waits a little for it. True: more is known than before. Throws WorkError, after which
   /// it counts as known.
   bool proceed(std::chrono::milliseconds wait);
+  /// Of the last proceed() that returned true: the probes traced.
+  const std::vector<std::shared_ptr<const ProbeSight>>& made() const { return made_; }
   /// Of a probe: what it sees, or what it saw of the same lamps before its box or the scene was changed; null: not
   /// known yet.
   std::shared_ptr<const ProbeSight> of(std::size_t probe) const;
+  /// Through the scene that was asked for last; null: not known yet, or nothing is to be traced.
+  const std::shared_ptr<const SightLines>& lines() const { return lines_; }
   void cancel();
 
  private:
@@ -69,6 +73,7 @@ class SightWork {
   SightLinesMaker maker_;
   std::shared_ptr<const SightLines> lines_;  ///< of the surroundings; null: not built yet
   bool held_ = false, open_ = false;
+  std::vector<std::shared_ptr<const ProbeSight>> made_;
   std::future<Done> running_;
   std::shared_ptr<std::atomic<bool>> cancelled_;
 };

@@ -104,7 +104,8 @@ void uploadSampling(const UniformUpload& to, DrawState& state, const ProbeBindin
   if (to.used("bpFrame")) to.program->SetUniformi("bpFrame", state.pass().frame);
 }
 
-LatticeSource latticeSource(const SceneLamps& lamps, const DrawnProbe& probe) {
+LatticeSource latticeSource(const SceneResources& resources, const DrawnProbe& probe) {
+  const SceneLamps& lamps = *resources.lamps;
   const ProbeGeometry& g = probe.geometry;
   LatticeSource source;
   source.boxMin = g.boxMin;
@@ -117,6 +118,9 @@ LatticeSource latticeSource(const SceneLamps& lamps, const DrawnProbe& probe) {
   const glm::dmat3 worldFromMap = g.worldFromProbe * glm::transpose(g.mapFromProbe);
   for (const std::size_t i : probe.lamps)
     source.lamps.push_back(lampPolygon(lamps.lamps[i], g.originWorld, worldFromMap));
+  if (!resources.sightLines) return source;
+  source.traced = {resources.sightLines, g.originWorld, g.worldFromProbe, g.mapFromProbe, {}, resources.looseLights};
+  for (const std::size_t i : probe.lamps) source.traced.lamps.push_back(lamps.lamps[i]);
   return source;
 }
 
@@ -141,8 +145,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     if (!probe.shapes) continue;
     const ProbeMaps* maps = mapsOf(state, probe);
     if (maps != nullptr) {
-      const auto lattice =
-          maps->lattice.of(maps->radiance, maps->distance, latticeSource(*lamps, probe), state.pass().dragging);
+      const auto lattice = maps->lattice.of(maps->radiance, maps->distance, latticeSource(state.resources, probe),
+                                            state.pass().dragging);
       if (!lattice || lattice->empty()) continue;
       const shading::LatticeShape shape = lattice->shape();
       at[i] = state.resources.lattices->place(lattice);
