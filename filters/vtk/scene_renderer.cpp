@@ -41,7 +41,7 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
 void SceneRenderer::setView(const SurfaceViewSettings& settings) {
   if (view() == settings) return;
   impl_->view.set(settings);
-  impl_->probes.setMoving(false);
+  impl_->probes.programs().setMoving(false);
   impl_->applyView();
 }
 
@@ -97,20 +97,20 @@ std::vector<DrawnProgram> SceneRenderer::drawnPrograms() const {
 }
 
 void SceneRenderer::setEditable(bool editable) {
-  impl_->probes.setEditable(editable);
+  impl_->probes.programs().setEditable(editable);
 }
 
 void SceneRenderer::allowStandIns(bool allowed) {
   impl_->makeCurrent();
-  impl_->probes.allowStandIns(allowed);
+  impl_->probes.programs().allowStandIns(allowed);
 }
 
 bool SceneRenderer::setMoving(bool moving) {
-  return impl_->probes.setMoving(moving && !impl_->view.any());
+  return impl_->probes.programs().setMoving(moving && !impl_->view.any());
 }
 
 void SceneRenderer::foldConstants() {
-  impl_->probes.foldConstants();
+  impl_->probes.programs().foldConstants();
 }
 
 bool SceneRenderer::workPending() const {
@@ -209,10 +209,11 @@ void SceneRenderer::setBakeTargets(const std::vector<std::string>& probes) {
 void SceneRenderer::requestBake(const std::vector<std::string>& probes) {
   impl_->makeCurrent();
   impl_->probes.requestBake(probes);
+  impl_->updateCaptures();
 }
 
 BakeState SceneRenderer::bakeState(const std::string& probeName) const {
-  return impl_->probes.bakeState(probeName);
+  return impl_->probes.plan().state(probeName);
 }
 
 std::vector<std::string> SceneRenderer::bakeKeys(const std::string& probeName) const {
@@ -226,7 +227,7 @@ std::string SceneRenderer::rendererName() const {
 
 std::string SceneRenderer::saveBaked(const std::string& probeName, const std::string& folder,
                                      const std::string& program, int earlierBounce) const {
-  const auto record = impl_->probes.record(probeName);
+  const auto record = impl_->probes.plan().record(probeName);
   auto maps = record ? readMaps(probeName) : std::nullopt;
   if (!maps) return {};
   Probe probe;
@@ -245,7 +246,7 @@ bool SceneRenderer::filterMissingLevel(const std::string& probeName) {
 }
 
 const std::string& SceneRenderer::pictureError() const {
-  return impl_->probes.pictureError();
+  return impl_->probes.plan().sources().pictures.error();
 }
 
 std::vector<std::string> SceneRenderer::remarks() const {
@@ -295,7 +296,7 @@ const Counters& SceneRenderer::counters() const {
   return impl_->state->counts.counters;
 }
 const Times& SceneRenderer::times() const {
-  return impl_->times;
+  return impl_->probes.baker().times();
 }
 
 std::size_t SceneRenderer::probeMemoryBytes() const {
@@ -307,7 +308,7 @@ std::string SceneRenderer::error() const {
   const auto& objects = impl_->content.objects;
   const bool refused = std::any_of(objects.begin(), objects.end(),
                                    [](const DrawnObject& object) { return object.pass->GetDebugRefused(); });
-  return refused ? kViewRefused : impl_->probes.memoryError();
+  return refused ? kViewRefused : impl_->probes.plan().memoryError();
 }
 
 void SceneRenderer::releaseGraphics() {

@@ -4,13 +4,27 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 
+#include <algorithm>
+
 #include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/geometry/model_placement.h"
 #include "filters/vtk/draw/static_textures.h"
+#include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
 
 namespace {
+
+std::string lampsKey(const SceneLamps& lamps) {
+  ContentHash hash;
+  hash.add("lamps as shapes");
+  for (const SceneLamp& lamp : lamps.lamps) {
+    hash.add(static_cast<double>(lamp.corners.size())).add(lamp.bothSides ? 1 : 0).addVector(lamp.radiance);
+    for (const glm::dvec3& corner : lamp.corners) hash.addVector(corner);
+  }
+  return hash.text();
+}
 
 // Of a texel of a planar mirror's picture, where it is drawn for as many pixels as the screen has.
 constexpr int kMirrorSamples = 4;
@@ -20,14 +34,14 @@ constexpr int kMirrorSamples = 4;
 SceneParts::SceneParts(vtkOpenGLRenderWindow* shownIn)
     : window(shownIn),
       state(std::make_shared<DrawState>()),
-      capture(window, state),
-      probes(window, state, &capture, &content, &times),
+      probes(&content, state),
       inspector(window, state, &content),
       frames(window, renderer, state, &content),
       mirrors(window, state, &content),
       sphere(window, renderer, state),
       shadows(window, state, &content) {
   state->shown = renderer;
+  probes.baker().setWindow(window);
   content.sky->SetDrawState(state);
   renderer->AutomaticLightCreationOff();
   renderer->SetLightFollowCamera(false);
@@ -86,9 +100,9 @@ void SceneParts::beginFrame() {
     const auto index = findProbe(content.scene, sphere.settings().probe);
     const auto maps = probes.maps(sphere.settings().probe);
     sphere.follow(index ? &content.scene.probes[*index] : nullptr, maps);
-    probes.alsoSampled(maps, maps ? sphere.sampled(*maps) : 0);
+    probes.binder().needs().also(maps, maps ? sphere.sampled(*maps) : 0);
   } else {
-    probes.alsoSampled(nullptr, 0);
+    probes.binder().needs().also(nullptr, 0);
   }
   const int* size = renderer->GetSize();
   drawMirrors(renderer->GetTiledAspectRatio(), size[0], size[1], kMirrorSamples);
@@ -143,12 +157,72 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   if (lit) {
     shadows.sceneChanged();
     probes.updateShapes();
-    probes.assignToObjects();
+    probes.binder().assign();
   }
   if (objects) mirrors.update();
-  if (lit || changes.sky) probes.updateCaptures();
+  if (lit || changes.sky) updateCaptures();
   if (view.any()) applyView();
   if (lit || changes.sky || changes.exposure) frames.sceneChanged();
+}
+
+// Anything that stands still may throw a lamp's shadow into a capture, whether the capture shows it or not.
+std::string SceneParts::hidingKey() {
+  const bool same = hidingModels.size() == content.given.size() &&
+                    std::equal(content.given.begin(), content.given.end(), hidingModels.begin(),
+                               [](const auto& now, const auto& before) { return now == before.lock(); });
+  if (!same || hidingModelsKey.empty()) {
+    hidingModels.assign(content.given.begin(), content.given.end());
+    ContentHash hash;
+    for (const std::string& key : objectContentKeys(content.given, content.scene.models.size())) hash.add(key);
+    hidingModelsKey = hash.text();
+  }
+  ContentHash hash;
+  hash.add(hidingModelsKey);
+  for (const ModelFile& file : content.scene.models) {
+    const glm::dmat4 placed = worldFromFile(file);
+    hash.addBytes(&placed, sizeof placed);
+  }
+  for (const auto& [node, object] : content.scene.objects) {
+    hash.add(node).add(object.visible ? 1 : 0).add(object.dynamic ? 1 : 0);
+    if (!object.dynamic) hash.addVector(object.translation).addVector(object.rotationDegrees);
+  }
+  return hash.text();
+}
+
+// What captures of the scene show now.
+void SceneParts::updateCaptures() {
+  if (contentKeysOf != content.modelGeneration) {
+    contentKeys = objectContentKeys(content.models, content.scene.models.size());
+    contentKeysOf = content.modelGeneration;
+  }
+  if (content.skyImage != skyPixelsOf.lock()) {
+    skyPixelsOf = content.skyImage;
+    skyPixels = content.skyImage ? imageContentKey(*content.skyImage) : std::string();
+  }
+  CaptureInputs inputs;
+  std::vector<PlacedObject> objects;
+  objects.reserve(content.objects.size());
+  for (const DrawnObject& drawn : content.objects) {
+    PlacedObject object;
+    object.node = drawn.node;
+    object.materialName = drawn.materialName;
+    object.contentKey = contentKeys[objects.size()];
+    object.worldFromModel = drawn.worldFromModel;
+    object.boundsWorld = worldBounds(drawn);
+    object.seenByProbes = drawn.settings.seenByProbes;
+    object.dynamic = drawn.settings.dynamic;
+    object.unlit = drawn.unlit;
+    objects.push_back(std::move(object));
+    inputs.props.emplace_back(drawn.actor);
+  }
+  inputs.world = captureWorld(content.scene, objects, skyPixels, probes.plan().entries().places());
+  // Lamps drawn as shapes light what a capture shows, those that it does not show included.
+  if (content.lamps) inputs.world.lights += " " + lampsKey(*content.lamps);
+  if (content.lamps && content.sightLines) inputs.world.lights += " shadowed " + hidingKey();
+  inputs.sky = inputs.world.sky;
+  if (content.skyImage) inputs.skyColumns = content.skyImage->width;
+  probes.plan().sources().skyLevels = content.skyImage ? skyLevelsFile(content.skyImageFile()) : std::string();
+  probes.updateCaptures(std::move(inputs));
 }
 
 void SceneParts::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table) {
@@ -192,7 +266,7 @@ std::vector<Explanation> SceneParts::explain(const std::vector<glm::ivec2>& pixe
 ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
                                     const std::function<void(int)>& beforeFrame) {
   window->MakeCurrent();
-  probes.setMoving(false);
+  probes.programs().setMoving(false);
   prepareDraws();
   std::vector<vtkProp*> props = content.shownProps(renderer);
   // The sky has no value in the debug view: it stays transparent.
@@ -204,8 +278,8 @@ ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, 
   vtkPicturePass* pass = !view.any() ? frames.linearPass(frameLimit) : nullptr;
   const int finer = samplesPerSide(samplesPerPixel);
   drawMirrors(static_cast<double>(width) / height, width * finer, height * finer, finer > 1 ? 1 : kMirrorSamples);
-  return capture.renderFrame(renderer->GetActiveCamera(), width, height, finer, props, content.lightPointers(), pass,
-                             beforeFrame);
+  return probes.baker().capture()->renderFrame(renderer->GetActiveCamera(), width, height, finer, props,
+                                               content.lightPointers(), pass, beforeFrame);
 }
 
 void SceneParts::releaseGraphics() {
@@ -216,7 +290,6 @@ void SceneParts::releaseGraphics() {
   shadows.release();
   sphere.release();
   probes.release();
-  capture.release();
   inspector.release();
   state->resources.lattices->release();
   state->resources.sights->release();

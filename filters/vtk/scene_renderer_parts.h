@@ -12,7 +12,6 @@
 
 #include "filters/core/scene/document.h"
 #include "filters/explain/explanation.h"
-#include "filters/vtk/capture/cube_capture.h"
 #include "filters/vtk/frame/mirror_set.h"
 #include "filters/vtk/frame/moving_shadows.h"
 #include "filters/vtk/frame/picture_frames.h"
@@ -33,12 +32,10 @@ struct SceneParts {
 
   vtkOpenGLRenderWindow* window;
   std::shared_ptr<DrawState> state;
-  Times times;
   vtkNew<vtkCulledRenderer> renderer;
   std::uint64_t seen = 0;  ///< generation of what the renderer drew that the probes know of
   vtkNew<vtkCallbackCommand> frameObserver;
   SceneContent content;
-  CubeCapture capture;
   ProbeSet probes;
   SurfaceInspector inspector;
   PictureFrames frames;
@@ -48,11 +45,21 @@ struct SceneParts {
   ShownView view;
   bool interactive = false;
   bool givenAnew = false;  ///< content.given was replaced since it was last taken
+  /// Fingerprints that are worked out once for a set of models and an image of the sky.
+  std::vector<std::string> contentKeys;                  ///< of the objects
+  int contentKeysOf = -1;                                ///< content.modelGeneration
+  std::vector<std::weak_ptr<const Model>> hidingModels;  ///< those of hidingModelsKey
+  std::string hidingModelsKey;                           ///< contents of what can hide a lamp
+  std::weak_ptr<const ImageRgbaF> skyPixelsOf;
+  std::string skyPixels;
 
   /// The SceneRenderer's functions of these names.
   void sync(const Scene& scene, const Changes& changes);
   void setInteractive(bool active);
   void lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table);
+  /// Finds out which captures are stale.
+  void updateCaptures();
+  std::string hidingKey();
   void step();
   std::vector<Explanation> explain(const std::vector<glm::ivec2>& pixels, int width, int height);
   ImageRgbaF renderLinear(int width, int height, int samplesPerPixel, int frameLimit,

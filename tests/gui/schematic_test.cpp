@@ -65,6 +65,41 @@ TEST(SchematicPainter, WithoutABoxNothingDecides) {
   EXPECT_GT(pixelsOf(image, kLookup), 20);
 }
 
+TEST(SchematicPainter, AnInsetIsOneViewWithoutAxesUnderItsWords) {
+  // Axes are painted in the lower left corner: an inset as high as the view has nothing there but its own lines.
+  constexpr int kInsetWidth = 310, kInsetHeight = 230;
+  const auto view = insetView(ExplainedRoom().explain(), false);
+  ASSERT_TRUE(view);
+  const auto inset = [&](const SchematicView& shown) {
+    QImage image(kInsetWidth, kInsetHeight, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    paintInset(painter, QRectF(0, 0, kInsetWidth, kInsetHeight), shown, "from above");
+    return image;
+  };
+  SchematicView bare = *view;
+  bare.lines.clear();
+  bare.points.clear();
+  bare.planes.clear();
+  bare.boxLow.reset();
+  bare.boxHigh.reset();
+  // Without any part all that is left is the paper and the words: every row below them is of one colour.
+  const QImage empty = inset(bare);
+  const QColor paper = empty.pixelColor(kInsetWidth / 2, kInsetHeight / 2);
+  int words = 0;
+  for (int y = 8; y < kInsetHeight - 8; ++y) {
+    for (int x = 8; x < kInsetWidth - 8; ++x) {
+      if (empty.pixelColor(x, y) == paper) continue;
+      ++words;
+      ASSERT_LT(y, kInsetHeight / 6) << "column " << x << ": neither axes nor their names";
+    }
+  }
+  EXPECT_GT(words, 60);
+  const QImage whole = inset(*view);
+  EXPECT_GT(pixelsOf(whole, kReflected), 40);
+  EXPECT_GT(pixelsOf(whole, kDecides), 40);
+}
+
 TEST(SchematicPainter, DrawsWhatIsOddToo) {
   ExplainedRoom outside;
   outside.probe.origin = {0.0, 40.0, 0.0};

@@ -383,6 +383,25 @@ TEST(ReflectionProbes, AProbeThatLightsNothingWarns) {
   EXPECT_NE(room.listener.warnings[0].find("lights nothing"), std::string::npos) << room.listener.warnings[0];
 }
 
+TEST(ReflectionProbes, ALongBoxSeesWhatIsNearItsOrigin) {
+  // The near distance follows the shortest side: a ball around the origin hides everything else.
+  const LitRoom room;
+  room.probe->SetBounds(-2, 2, -1, 1, -140, 160);
+  room.probe->SetOrigin(0, 0, 0);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(0.05);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(16);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(ball->GetOutputPort());
+  vtkNew<vtkActor> around;
+  around->SetMapper(mapper);
+  makeUnlit(around, 1.0, 0.0, 0.75);
+  room.renderer->AddActor(around);
+  expectNear(room.mirrored(), {255, 0, 191}, 2);
+  EXPECT_TRUE(room.listener.errors.empty()) << room.listener.errors.front();
+}
+
 TEST(ReflectionProbes, DataSetsAndLevelsOfDetailReflect) {
   const LitRoom room;
   vtkNew<vtkDataSetMapper> mapper;

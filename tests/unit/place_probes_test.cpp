@@ -150,6 +150,28 @@ TEST(PlaceProbes, ALongRoomGetsMoreWhereTheyGain) {
   EXPECT_NEAR(gains, single->after.meanDegrees - placement->after.meanDegrees, 1e-6);
 }
 
+TEST(PlaceProbes, LeavesARoomsFirstProbeOutWhereTheOthersCoverIt) {
+  // Two parts of a hall and a wide opening between two blocks: two probes do what the first one did.
+  MadeModel made;
+  made.box({glm::dvec3(-9, 0, -4), glm::dvec3(9, 3, 4)}, true);
+  made.box({glm::dvec3(-1.5, 0, -4), glm::dvec3(1.5, 3, -0.5)}, false);
+  made.box({glm::dvec3(-1.5, 0, 2.5), glm::dvec3(1.5, 3, 4)}, false);
+  made.model.materials.emplace_back().roughness = 0.1f;
+  made.model.meshes.front().material = 0;
+  PlaceSettings settings;
+  settings.leastGain = 0.004;
+  const std::optional<Placement> placement = flatOf(std::move(made.model)).place(settings);
+  ASSERT_TRUE(placement);
+  ASSERT_EQ(placement->rooms.size(), 1u);
+  const std::vector<std::string>& decisions = placement->rooms.front().decisions;
+  ASSERT_FALSE(decisions.empty());
+  EXPECT_NE(decisions.back().find("the others cover its first probe"), std::string::npos) << decisions.back();
+  ASSERT_EQ(placement->probes.size(), 2u);
+  for (const PlacedProbe& each : placement->probes) EXPECT_TRUE(each.part) << each.probe.name;
+  EXPECT_LT(placement->after.meanDegrees, 0.8);
+  EXPECT_LT(placement->after.unlit, 0.01) << "no place is left without a probe";
+}
+
 TEST(PlaceProbes, SaysWhatStandsInTheWay) {
   MadeModel plain;
   plain.quad({-40, 0, 40}, {40, 0, 40}, {40, 0, -40}, {-40, 0, -40});

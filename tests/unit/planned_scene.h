@@ -42,10 +42,9 @@ class PlannedScene {
   std::set<std::string> cache;             ///< keys of maps at hand
   std::vector<FaceKeys> facesMade;         ///< of each bounce that was made, in order
 
-  ProbeSources sources{[this](const std::string& key) { return cache.count(key) != 0; }, {}, {}};
-  ProbeEntries entries{&scene};
-  ProbeKeys keys{&entries, &sources};
-  ProbePlan plan{&entries, &keys, &sources};
+  ProbePlan plan{&scene, [this](const std::string& key) { return cache.count(key) != 0; }};
+  ProbeSources& sources = plan.sources();
+  ProbeEntries& entries = plan.entries();
 
   PlannedScene() = default;
   PlannedScene(const PlannedScene&) = delete;
@@ -62,10 +61,10 @@ class PlannedScene {
       uses.push_back(std::move(use));
     }
     entries.setUse(std::move(uses));
-    keys.setWorld(captureWorld(scene, objects, "", entries.places()));
+    plan.setWorld(captureWorld(scene, objects, "", entries.places()));
     sources.pictures.update(scene);
-    keys.update(plan.targets());
-    plan.wantSky(keys.world().sky, 0);
+    plan.updateKeys();
+    plan.wantSky(plan.world().sky, 0);
     replan();
   }
 
@@ -102,8 +101,8 @@ class PlannedScene {
     const auto index = entries.find(job.name);
     for (int f = 0; index && f < 6; ++f) {
       std::string& key = faces[static_cast<std::size_t>(f)];
-      if (job.kind == JobKind::Bounce) key = keys.face(*index, job.bounce, f);
-      if (job.kind == JobKind::Realtime) key = keys.realtimeFace(entries.probe(*index), f);
+      if (job.kind == JobKind::Bounce) key = plan.faceKey(*index, job.bounce, f);
+      if (job.kind == JobKind::Realtime) key = plan.realtimeFaceKey(entries.probe(*index), f);
     }
     plan.end();
     if (!index) {
@@ -112,7 +111,7 @@ class PlannedScene {
     } else if (job.kind == JobKind::Drag) {
       entries[*index].shown = job.key;
     } else if (job.kind == JobKind::Realtime) {
-      showRealtime(entries[*index], ProbeKeys::realtime(entries.probe(*index), faces), faces);
+      showRealtime(entries[*index], ProbePlan::realtimeKey(entries.probe(*index), faces), faces);
     } else {
       showFinal(*index, job);
     }
@@ -150,7 +149,7 @@ class PlannedScene {
     if (last) {
       entry.again = false;
       entry.fromFile = job.kind == JobKind::File;
-      keys.remember(index);
+      plan.remember(index);
     }
     cache.insert(job.key);
   }

@@ -24,13 +24,11 @@
 #include "filters/core/base/errors.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/maps/content_hash.h"
-#include "filters/vtk/probes/probe_assignment.h"
 
 namespace boxprobe {
 
 namespace {
 
-constexpr int kSkyFaceSize = 256;
 constexpr const char* kNoContext =
     "the render window has no OpenGL context yet; show its widget first, or leave the capture to the first Render()";
 
@@ -49,23 +47,32 @@ bool shadedPhysically(vtkActor* actor) {
   return actor->GetProperty()->GetInterpolation() == VTK_PBR && actor->GetProperty()->GetLighting();
 }
 
-ActorState stateOf(vtkActor* actor, const std::array<double, 6>* placedBounds) {
-  ActorState state;
+/// What of an actor decides which probes light it, and by which program. Returns whether it was another.
+bool follow(DrawnObject& object, const std::array<double, 6>* placedBounds) {
+  vtkActor* actor = object.actor;
+  std::array<double, 6> b{};
   if (placedBounds != nullptr) {
-    state.bounds = *placedBounds;
-  } else if (const double* b = actor->GetBounds()) {
-    std::copy(b, b + 6, state.bounds.begin());
+    b = *placedBounds;
+  } else if (const double* own = actor->GetBounds()) {
+    std::copy(own, own + 6, b.begin());
   }
+  const Box bounds{{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
   vtkProperty* property = actor->GetProperty();
   const bool textured = property->GetTexture("materialTex") != nullptr;
-  state.roughnessMin = textured ? 0.0 : property->GetRoughness();
-  state.roughnessMax = property->GetRoughness();
+  double roughnessMin = textured ? 0.0 : property->GetRoughness(), roughnessMax = property->GetRoughness();
   if (property->GetCoatStrength() > 0.0) {
-    state.roughnessMin = std::min(state.roughnessMin, property->GetCoatRoughness());
-    state.roughnessMax = std::max(state.roughnessMax, property->GetCoatRoughness());
+    roughnessMin = std::min(roughnessMin, property->GetCoatRoughness());
+    roughnessMax = std::max(roughnessMax, property->GetCoatRoughness());
   }
-  state.allMetal = property->GetMetallic() == 1.0 && !textured;
-  return state;
+  const bool allMetal = property->GetMetallic() == 1.0 && !textured;
+  const bool same = object.placedBounds && object.placedBounds->min == bounds.min &&
+                    object.placedBounds->max == bounds.max && object.roughnessMin == roughnessMin &&
+                    object.roughnessMax == roughnessMax && object.allMetal == allMetal;
+  object.placedBounds = bounds;
+  object.roughnessMin = roughnessMin;
+  object.roughnessMax = roughnessMax;
+  object.allMetal = allMetal;
+  return !same;
 }
 
 /// A light that captures see where the renderer's stands: those that follow its camera must not follow the captures'.
@@ -142,8 +149,8 @@ void addLight(ContentHash& hash, vtkLight* light) {
   addNumbers(hash, light->GetFocalPoint(), 3);
 }
 
-Box boxOf(const std::array<double, 6>& b) {
-  return Box{{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
+bool empty(const Box& box) {
+  return box.min.x > box.max.x;
 }
 
 }  // namespace
@@ -152,12 +159,12 @@ ActorParts::ActorParts(vtkRenderer* shown)
     : renderer(shown != nullptr ? vtkSmartPointer<vtkRenderer>(shown) : vtkSmartPointer<vtkRenderer>::New()),
       nothing(shown == nullptr),
       state(std::make_shared<DrawState>()),
-      shownProbes(&content.scene, state),
-      light(&content, state, &shownProbes) {
+      probes(&content, state, &captured) {
   state->resources.foreign = true;
   state->resources.emission = false;
   content.scene.sky = SkyColor{};
   content.sky->SetDrawState(state);
+  content.skyLight = lightSky;
   lightSky->SetDrawState(state);
   state->shown = renderer;
   observer->SetClientData(this);
@@ -174,13 +181,13 @@ ActorParts::~ActorParts() {
   for (const auto& one : observed) {
     if (one != nullptr) one->RemoveObserver(observer);
   }
-  for (LitActor& lit : actors) lit.pass->Detach();
+  for (DrawnObject& object : content.objects) object.pass->Detach();
   release();
 }
 
 // Every renderer of the window may show the actors: each is drawn by its own camera.
 void ActorParts::observeWindow() {
-  vtkRenderWindow* window = renderer->GetRenderWindow();
+  vtkRenderWindow* shownIn = renderer->GetRenderWindow();
   const auto observe = [this](vtkObject* object, bool end) {
     for (const auto& one : observed) {
       if (one.GetPointer() == object) return false;
@@ -194,15 +201,15 @@ void ActorParts::observeWindow() {
                                 [](const vtkWeakPointer<vtkObject>& one) { return one.GetPointer() == nullptr; }),
                  observed.end());
   bool more = observe(renderer, true);
-  observedWindow = window;
-  if (window == nullptr) return;
-  observe(window, false);
+  observedWindow = shownIn;
+  if (shownIn == nullptr) return;
+  observe(shownIn, false);
   vtkCollectionSimpleIterator it;
-  vtkRendererCollection* all = window->GetRenderers();
+  vtkRendererCollection* all = shownIn->GetRenderers();
   all->InitTraversal(it);
   while (vtkRenderer* one = all->GetNextRenderer(it)) more |= observe(one, true);
   if (!more) return;
-  for (LitActor& lit : actors) lit.pass->RebuildIfPlain();
+  for (DrawnObject& object : content.objects) object.pass->RebuildIfPlain();
 }
 
 void ActorParts::starts(vtkObject* caller) {
@@ -218,23 +225,23 @@ void ActorParts::starts(vtkObject* caller) {
   if (drawn != nullptr) beginFrame(drawn);
 }
 
-ActorParts::Graphics& ActorParts::ready() {
+void ActorParts::ready() {
   if (nothing) throw InputError("probes need a renderer; they were made with a null one");
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window == nullptr) {
+  auto* shownIn = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (shownIn == nullptr) {
     throw InputError("probes need a renderer that belongs to a vtkOpenGLRenderWindow; call AddRenderer() first");
   }
-  if (waitsForContext(window)) throw WorkError(kNoContext);
-  if (graphics && graphics->window != window) release();
-  if (!graphics) {
-    graphics = std::make_unique<Graphics>(window, state);
+  if (waitsForContext(shownIn)) throw WorkError(kNoContext);
+  if (window != shownIn) {
+    release();
+    window = shownIn;
+    probes.baker().setWindow(window);
     const auto watch = vtkSmartPointer<ContextWatch>::New();
     watch->Lost = [this] { release(); };
     watch->SetContext(window);
     contextWatch = watch;
   }
   makeStaticTextures(window, state->resources, state->counts);
-  return *graphics;
 }
 
 void ActorParts::beginFrame(vtkRenderer* drawn) {
@@ -244,27 +251,26 @@ void ActorParts::beginFrame(vtkRenderer* drawn) {
   } catch (const Error& failure) {
     state->counts.fail(failure.what());
     state->drawing = nullptr;  // and so VTK's own programs, until the next frame asks for ours again
-    for (LitActor& lit : actors) lit.pass->Rebuild();
+    for (DrawnObject& object : content.objects) object.pass->Rebuild();
     return;
   }
-  vtkOpenGLState* gl = graphics->window->GetState();
+  vtkOpenGLState* gl = window->GetState();
   seamlessBefore = gl->GetEnumState(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   gl->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   refreshSky();
-  // Seen at once where there is nothing to filter: no light at all.
-  if (skyStale() && !work && !skyGiven && surroundings.light() == nullptr) captureSky(*graphics);
+  showDarkSky();
   if (drawn == renderer) {
     place();
     assign();
   }
-  for (LitActor& lit : actors) lit.pass->RebuildIfPlain();
+  for (DrawnObject& object : content.objects) object.pass->RebuildIfPlain();
 }
 
 void ActorParts::endFrame() {
   if (state->drawing == renderer) remarkUnasked();
   state->bound.clear();
-  if (!seamlessBefore && state->drawing != nullptr && graphics)
-    graphics->window->GetState()->vtkglDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  if (!seamlessBefore && state->drawing != nullptr && window != nullptr)
+    window->GetState()->vtkglDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   state->drawing = nullptr;
 }
 
@@ -301,46 +307,38 @@ void ActorParts::place() {
       std::copy_n(matrix->GetData(), 16, there.matrix.begin());
     }
   }
-  for (LitActor& lit : actors) {
-    const auto part = parts.find(lit.actor);
-    lit.pass->Attach(lit.actor, part != parts.end() ? part->second.owner : lit.actor.Get());
+  for (DrawnObject& object : content.objects) {
+    const auto part = parts.find(object.actor);
+    object.pass->Attach(object.actor, part != parts.end() ? part->second.owner : object.actor.Get());
   }
 }
 
 void ActorParts::assign() {
-  const auto drawn = shownProbes.all();
-  for (std::size_t i = 0; i < actors.size(); ++i) {
-    LitActor& lit = actors[i];
-    const auto part = parts.find(lit.actor);
-    const ActorState now = stateOf(lit.actor, part != parts.end() ? &part->second.bounds : nullptr);
-    if (lit.assigned && now == lit.state) continue;
-    lit.state = now;
-    lit.assigned = true;
-    DrawnObject& object = content.objects[i];
-    object.allMetal = now.allMetal;
-    object.roughnessMin = now.roughnessMin;
-    object.roughnessMax = now.roughnessMax;
-    object.placedBounds = boxOf(now.bounds);
-    lit.pass->SetBinding(assignProbes(object, content.scene, drawn, places.meeting(worldBounds(object)), true, false));
+  std::vector<std::size_t> changed;
+  for (std::size_t i = 0; i < content.objects.size(); ++i) {
+    const auto part = parts.find(content.objects[i].actor);
+    if (follow(content.objects[i], part != parts.end() ? &part->second.bounds : nullptr)) changed.push_back(i);
   }
+  if (!assigned) probes.binder().assign();
+  for (std::size_t k = 0; assigned && k < changed.size(); ++k) probes.binder().assign(changed[k]);
+  assigned = true;
+}
+
+void ActorParts::probesChanged(const ProbeEntries::Origins& origins) {
+  std::vector<double> near;
+  for (const auto& origin : origins) near.push_back(origin ? nearDistances[*origin] : 0.0);
+  nearDistances = std::move(near);
+  dropWork();
+  captured.probes = content.scene.probes;
+  probes.updateShapes(origins);
+  planned.reset();
+  assigned = false;
 }
 
 void ActorParts::probesChanged() {
-  shownProbes.updateShapes();
-  light.updateShadowLights();
-  light.updateOpenings();
-  for (std::size_t i = 0; i < shownProbes.size(); ++i) {
-    // Means of frames and smoothed samples take passes over the picture, which is not ours.
-    shownProbes.drawn(i).geometry.animated = shownProbes.drawn(i).geometry.blurred = false;
-  }
-  places = ProbeIndex(content.scene.probes);
-  captured.resize(content.scene.probes.size());
-  for (LitActor& lit : actors) lit.assigned = false;
-}
-
-void ActorParts::show(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
-  shownProbes.show(index, std::move(maps));
-  probesChanged();
+  probes.binder().updateShapes();
+  planned.reset();
+  assigned = false;
 }
 
 // Of a sky that was given, captures see what lights; else they see the background, too, which lights nothing.
@@ -355,70 +353,61 @@ void ActorParts::refreshSky() {
     lightSky->SetSky(lit->sky, 0.0, lit->image);
     lightSky->SetSkyFromWorld(lit->pictureFromWorld);
   }
-  ++skyWanted;
+  ++skies;
 }
 
-FaceSource ActorParts::everythingSeen(bool sky) const {
-  FaceSource source;
-  std::set<vtkProp*> taken;
-  for (const DrawnObject& object : content.objects) {
-    if (!object.settings.seenByProbes) continue;
-    const auto part = parts.find(object.actor);
-    vtkProp* prop = part != parts.end() ? part->second.owner : object.actor.Get();
-    if (prop->GetVisibility() != 0 && taken.insert(prop).second) source.props.push_back(prop);
-  }
-  if (sky) source.props.push_back(content.sky);
-  for (const auto& one : captureLights) source.lights.push_back(one);
-  return source;
+// Seen at once where there is nothing to filter: no light at all.
+void ActorParts::showDarkSky() {
+  if (skyGiven || surroundings.light() != nullptr || state->resources.sky == nullptr) return;
+  probes.plan().skyShows({});
+  probes.binder().showSky(nullptr);
 }
 
-// The light of the surroundings, as a map at infinity. Without any it is no map, and so black.
-void ActorParts::captureSky(Graphics& with) {
-  skyShown = skyWanted;
-  if (!skyGiven && surroundings.light() == nullptr) {
-    state->resources.sky = nullptr;
-    probesChanged();
-    return;
+// What captures see where the renderer's lights stand now. The light that VTK would make in the first frame is made.
+void ActorParts::setCaptureLights() {
+  vtkLightCollection* lights = renderer->GetLights();
+  if (lights->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation()) renderer->CreateLight();
+  renderer->UpdateLightsGeometryToFollowCamera();
+  content.lights.clear();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* lamp = lights->GetNextLight(it)) {
+    if (lamp->GetSwitch() != 0) content.lights.push_back(standing(lamp));
   }
-  BakeItem item;
-  item.sky = true;
-  item.faceSize = kSkyFaceSize;
-  item.settings.samplesPerTexelSide = 4;
-  item.face = [this](int) { return FaceSource{nullptr, {lightSky}, {captureLights.front()}}; };
-  item.publish = [this](std::shared_ptr<const ProbeMaps> maps) {
-    state->resources.sky = std::move(maps);
-    probesChanged();
-  };
-  with.runner.start(std::move(item));
+  if (!content.lights.empty()) return;
+  content.lights.push_back(vtkSmartPointer<vtkLight>::New());  // VTK shades nothing physically without one
+  content.lights.back()->SetLightTypeToHeadlight();
+  content.lights.back()->SetIntensity(0.0);
 }
 
 // Values that are not set follow the box and what there is to see: a room of a millimetre, or of a kilometre.
-CaptureSettings ActorParts::clippedSettings(std::size_t index) const {
-  const Probe& probe = content.scene.probes[index];
-  CaptureSettings settings = captureSettings(probe);
+void ActorParts::clipCaptures() {
+  captured.probes = content.scene.probes;
+  nearDistances.resize(captured.probes.size());
   const Probe standard;
-  if (probe.nearDistance == standard.nearDistance) {
-    const glm::dvec3 half = 0.5 * probe.box.size();
-    const double smallest = std::min({half.x, half.y, half.z});
-    const glm::dvec3 size = probe.box.size();
-    settings.nearDistance = 0.0025 * (smallest > 0.0 ? smallest : std::max({half.x, half.y, half.z, 1e-30}));
-    if (std::max({size.x, size.y, size.z}) <= 0.0) settings.nearDistance = standard.nearDistance;
-    constexpr double kKept = 8.0;  // times as near or far: a box of about the size
-    const double kept = captured[index].nearDistance;
-    if (kept > settings.nearDistance / kKept && kept < settings.nearDistance * kKept) settings.nearDistance = kept;
-  }
-  if (probe.farDistance == standard.farDistance) {
-    double farthest = 0.0;
-    for (std::size_t i = 0; i < actors.size(); ++i) {
-      if (!content.objects[i].settings.seenByProbes) continue;
-      const Box b = boxOf(actors[i].state.bounds);
-      if (b.min.x > b.max.x) continue;
-      const glm::dvec3 reach = glm::max(glm::abs(b.min - probe.origin), glm::abs(b.max - probe.origin));
-      farthest = std::max(farthest, glm::length(reach));
+  for (std::size_t i = 0; i < captured.probes.size(); ++i) {
+    Probe& probe = captured.probes[i];
+    if (probe.nearDistance == standard.nearDistance) {
+      const glm::dvec3 half = 0.5 * probe.box.size();
+      const double smallest = std::min({half.x, half.y, half.z}), largest = std::max({half.x, half.y, half.z});
+      double nearest = 0.0025 * (smallest > 0.0 ? smallest : std::max(largest, 1e-30));
+      if (largest <= 0.0) nearest = standard.nearDistance;
+      constexpr double kKept = 8.0;  // times as near or far: a box of about the size
+      const double kept = nearDistances[i];
+      probe.nearDistance = kept > nearest / kKept && kept < nearest * kKept ? kept : nearest;
+      nearDistances[i] = probe.nearDistance;
     }
-    settings.farDistance = std::max(1.01 * farthest, 1000.0 * settings.nearDistance);
+    if (probe.farDistance == standard.farDistance) {
+      double farthest = 0.0;
+      for (const DrawnObject& object : content.objects) {
+        const Box b = worldBounds(object);
+        if (!object.settings.seenByProbes || empty(b)) continue;
+        const glm::dvec3 reach = glm::max(glm::abs(b.min - probe.origin), glm::abs(b.max - probe.origin));
+        farthest = std::max(farthest, glm::length(reach));
+      }
+      probe.farDistance = std::max(1.01 * farthest, 1000.0 * probe.nearDistance);
+    }
   }
-  return settings;
 }
 
 // An upper bound of the probe's weight over each cell, by its bounds: exact where a cell lies along the box's axes.
@@ -438,11 +427,11 @@ bool ActorParts::reaches(std::size_t index) const {
     }
     return true;
   };
-  for (std::size_t i = 0; i < actors.size(); ++i) {
-    vtkActor* actor = actors[i].actor;
+  for (const DrawnObject& object : content.objects) {
+    vtkActor* actor = object.actor;
     if (!shadedPhysically(actor)) continue;
-    const Box bounds = boxOf(actors[i].state.bounds);
-    if (bounds.min.x > bounds.max.x) continue;
+    const Box bounds = worldBounds(object);
+    if (empty(bounds)) continue;
     const Box reach = influenceBounds(probe);
     if (glm::any(glm::greaterThan(bounds.min, reach.max)) || glm::any(glm::lessThan(bounds.max, reach.min))) continue;
     auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
@@ -487,46 +476,51 @@ void ActorParts::remarkUnreached() {
 // An actor in view that is drawn without its pass: by a mapper that asks for none, or by other keys than its own.
 void ActorParts::remarkUnasked() {
   constexpr int kPatience = 3;
-  for (LitActor& lit : actors) {
-    if (lit.pass->HasRun() || lit.framesWithout > kPatience || parts.count(lit.actor) != 0) continue;
-    const bool drawn = lit.actor->GetVisibility() != 0 && lit.actor->GetRenderTimeMultiplier() > 0.0 &&
-                       shadedPhysically(lit.actor) && renderer->HasViewProp(lit.actor) != 0;
+  for (const DrawnObject& object : content.objects) {
+    vtkActor* actor = object.actor;
+    if (object.pass->HasRun() || framesWithout[actor] > kPatience || parts.count(actor) != 0) continue;
+    const bool drawn = actor->GetVisibility() != 0 && actor->GetRenderTimeMultiplier() > 0.0 &&
+                       shadedPhysically(actor) && renderer->HasViewProp(actor) != 0;
     if (!drawn) continue;
-    auto* mapper = vtkPolyDataMapper::SafeDownCast(lit.actor->GetMapper());
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
     if (mapper == nullptr || mapper->GetInput() == nullptr || mapper->GetInput()->GetNumberOfCells() == 0) continue;
-    if (++lit.framesWithout != kPatience) continue;
+    if (++framesWithout[actor] != kPatience) continue;
     remarks.push_back(std::string("an actor under a ") + mapper->GetClassName() +
                       " reflects nothing: nobody asks for the render passes among its property keys");
   }
 }
 
-std::string ActorParts::contentKey() {
+// Empty: captures do not show it.
+std::string ActorParts::objectKey(const DrawnObject& object) const {
+  vtkActor* actor = object.actor;
+  if (!object.settings.seenByProbes || actor->GetVisibility() == 0) return {};
   ContentHash hash;
-  hash.add(static_cast<double>(skyWanted)).add(state->exposure()).add(static_cast<double>(state->resources.emission));
-  hash.add(static_cast<double>(state->resources.lightForm));
-  for (const DrawnObject& object : content.objects) {
-    vtkActor* actor = object.actor;
-    if (!object.settings.seenByProbes || actor->GetVisibility() == 0) continue;
-    addAddress(hash, actor);
-    const auto part = parts.find(actor);
-    if (part != parts.end()) {
-      addNumbers(hash, part->second.matrix.data(), 16);
-      hash.add(static_cast<double>(part->second.owner->GetVisibility()));
-    } else {
-      addNumbers(hash, actor->GetMatrix()->GetData(), 16);
-    }
-    addProperty(hash, actor->GetProperty());
-    if (vtkTexture* texture = actor->GetTexture()) hash.add(static_cast<double>(texture->GetMTime()));
-    vtkMapper* mapper = actor->GetMapper();
-    addAddress(hash, mapper);
-    if (mapper == nullptr) continue;
-    hash.add(static_cast<double>(mapper->GetMTime()));
-    for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port) {
-      if (mapper->GetNumberOfInputConnections(port) == 0) continue;
-      if (vtkAlgorithm* source = mapper->GetInputAlgorithm(port, 0)) source->Update();
-      if (vtkDataObject* data = mapper->GetInputDataObject(port, 0)) hash.add(static_cast<double>(data->GetMTime()));
-    }
+  addAddress(hash, actor);
+  const auto part = parts.find(actor);
+  if (part != parts.end()) {
+    addNumbers(hash, part->second.matrix.data(), 16);
+    if (part->second.owner->GetVisibility() == 0) return {};
+  } else {
+    addNumbers(hash, actor->GetMatrix()->GetData(), 16);
   }
+  addProperty(hash, actor->GetProperty());
+  if (vtkTexture* texture = actor->GetTexture()) hash.add(static_cast<double>(texture->GetMTime()));
+  vtkMapper* mapper = actor->GetMapper();
+  addAddress(hash, mapper);
+  if (mapper == nullptr) return hash.text();
+  hash.add(static_cast<double>(mapper->GetMTime()));
+  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port) {
+    if (mapper->GetNumberOfInputConnections(port) == 0) continue;
+    if (vtkAlgorithm* source = mapper->GetInputAlgorithm(port, 0)) source->Update();
+    if (vtkDataObject* data = mapper->GetInputDataObject(port, 0)) hash.add(static_cast<double>(data->GetMTime()));
+  }
+  return hash.text();
+}
+
+std::string ActorParts::lightsKey() const {
+  ContentHash hash;
+  hash.add(state->exposure()).add(static_cast<double>(state->resources.emission));
+  hash.add(static_cast<double>(state->resources.lightForm));
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator it;
   lights->InitTraversal(it);
@@ -536,42 +530,66 @@ std::string ActorParts::contentKey() {
   return hash.text();
 }
 
-std::string ActorParts::probeKey(std::size_t index) const {
-  const Probe& probe = content.scene.probes[index];
-  const CaptureSettings settings = clippedSettings(index);
-  ContentHash hash;
-  hash.addVector(probe.origin).addVector(probe.rotationDegrees);
-  hash.add(settings.nearDistance).add(settings.farDistance).add(static_cast<double>(probe.faceSize));
-  hash.add(static_cast<double>(probe.bounces)).add(static_cast<double>(probe.filter == FilterKind::Gaussian));
-  hash.add(static_cast<double>(probe.samplesPerPixel)).add(static_cast<double>(probe.filterSamples));
-  hash.add(static_cast<double>(probe.clear.index()));
-  if (const auto* color = std::get_if<glm::vec3>(&probe.clear)) hash.addVector(*color);
-  return hash.text();
+ShownContent ActorParts::shownContent() {
+  ShownContent shown;
+  for (const DrawnObject& object : content.objects) shown.objects.push_back(objectKey(object));
+  shown.lights = lightsKey();
+  shown.sky = skies;
+  return shown;
 }
 
-bool ActorParts::stale(std::size_t index, const std::string& contentNow) const {
-  const CapturedFrom& from = captured[index];
-  return !from.given && (from.content != contentNow || from.probe != probeKey(index));
+CaptureInputs ActorParts::captureInputs() {
+  CaptureInputs inputs;
+  std::vector<PlacedObject> objects;
+  for (std::size_t i = 0; i < content.objects.size(); ++i) {
+    const DrawnObject& drawn = content.objects[i];
+    PlacedObject object;
+    object.contentKey = planned->objects[i];
+    object.boundsWorld = worldBounds(drawn);
+    object.seenByProbes = !object.contentKey.empty() && !empty(object.boundsWorld);
+    if (empty(object.boundsWorld)) object.boundsWorld = Box{};
+    object.unlit = !shadedPhysically(drawn.actor);
+    objects.push_back(std::move(object));
+    const auto part = parts.find(drawn.actor);
+    inputs.props.emplace_back(part != parts.end() ? part->second.owner : drawn.actor.Get());
+  }
+  inputs.world = captureWorld(captured, objects, {}, probes.plan().entries().places());
+  const std::string sky = "sky " + std::to_string(planned->sky);
+  inputs.world.sky = sky;
+  inputs.world.lights = planned->lights;
+  const OrientedSky* light = skyGiven ? nullptr : surroundings.light();
+  if (skyGiven || light != nullptr) inputs.sky = sky;
+  const auto& image = skyGiven ? content.skyImage : light != nullptr ? light->image : nullptr;
+  if (image) inputs.skyColumns = image->width;
+  return inputs;
 }
 
+// Not while captures are under way: they show the scene as it was when they were planned, however it moves, so that
+// something that never rests is shown a little late, and not never.
 bool ActorParts::anyStale() {
   if (nothing) return false;
+  if (working) return true;
   refreshSky();
   place();
   assign();
-  if (skyStale() || work) return true;
-  const std::string now = contentKey();
-  for (std::size_t i = 0; i < captured.size(); ++i) {
-    if (stale(i, now)) return true;
+  ShownContent now = shownContent();
+  if (!planned || !(*planned == now)) {
+    planned = std::move(now);
+    clipCaptures();
+    ProbeEntries::Origins same;
+    for (std::size_t i = 0; i < captured.probes.size(); ++i) same.emplace_back(i);
+    probes.plan().entries().follow(same);
+    probes.updateCaptures(captureInputs());
+    showDarkSky();
   }
-  return false;
+  return window == nullptr || probes.workPending();  // before the first frame nobody knows what it will take
 }
 
 bool ActorParts::begin(bool all) {
   if (!all && !anyStale()) return false;
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  auto* shownIn = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   try {
-    makeCurrent(window, graphics != nullptr && graphics->window == window);
+    makeCurrent(shownIn, window != nullptr && window == shownIn);
     ready();
   } catch (const WorkError& failure) {
     state->counts.fail(failure.what());
@@ -579,140 +597,64 @@ bool ActorParts::begin(bool all) {
   }
   dropWork();
   remarks.clear();
-  refreshSky();
-  // The light that VTK would make in the first frame; lights that follow the camera stand where it is now.
-  vtkLightCollection* lights = renderer->GetLights();
-  if (lights->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation()) renderer->CreateLight();
-  renderer->UpdateLightsGeometryToFollowCamera();
-  captureLights.clear();
-  vtkCollectionSimpleIterator it;
-  lights->InitTraversal(it);
-  while (vtkLight* lamp = lights->GetNextLight(it)) {
-    if (lamp->GetSwitch() != 0) captureLights.push_back(standing(lamp));
-  }
-  if (captureLights.empty()) {  // VTK shades nothing physically without one
-    captureLights.push_back(vtkSmartPointer<vtkLight>::New());
-    captureLights.back()->SetLightTypeToHeadlight();
-    captureLights.back()->SetIntensity(0.0);
-  }
-  place();
-  assign();
+  setCaptureLights();
+  anyStale();
   remarkUnreached();
-
-  auto planned = std::make_unique<CaptureWork>();
-  planned->contentKey = contentKey();
-  planned->units = skyStale() ? BakeRunner::units(kSkyFaceSize, false) : 0;
-  for (std::size_t i = 0; i < captured.size(); ++i) {
-    if (!all && !stale(i, planned->contentKey)) continue;
-    planned->probes.push_back(i);
-    captured[i].nearDistance = 0.0;
-    captured[i].nearDistance = clippedSettings(i).nearDistance;
-    planned->probeKeys.push_back(probeKey(i));
-    const Probe& probe = content.scene.probes[i];
-    planned->bounces = std::max(planned->bounces, probe.bounces);
-    planned->units += probe.bounces * BakeRunner::units(probe.faceSize, false);
+  if (all) {
+    std::vector<std::string> names;
+    for (const Probe& probe : content.scene.probes) names.push_back(probe.name);
+    probes.requestBake(names);
+    probes.updateCaptures(captureInputs());
   }
-  if (planned->probes.empty() && !skyStale()) return false;
-  planned->made.resize(captured.size());
-  work = std::move(planned);
-  return true;
-}
-
-// Each probe sees the others, and itself, as of the bounce before.
-void ActorParts::finishBounce() {
-  for (std::size_t i = 0; i < work->made.size(); ++i) {
-    if (work->made[i]) shownProbes.show(i, std::move(work->made[i]));
-    work->made[i] = nullptr;
-  }
-  probesChanged();
-  assign();
-}
-
-void ActorParts::startNext(Graphics& with) {
-  if (skyStale()) {
-    captureSky(with);
-    if (with.runner.pending()) return;
-  }
-  const std::vector<Probe>& probes = content.scene.probes;
-  for (;;) {
-    while (work->next < work->probes.size() && work->bounce > probes[work->probes[work->next]].bounces) ++work->next;
-    if (work->next < work->probes.size()) break;
-    finishBounce();
-    if (++work->bounce > work->bounces) {
-      for (std::size_t k = 0; k < work->probes.size(); ++k) {
-        CapturedFrom& from = captured[work->probes[k]];
-        from = {work->contentKey, work->probeKeys[k], false, from.nearDistance};
-      }
-      work.reset();
-      return;
-    }
-    work->next = 0;
-  }
-  const std::size_t i = work->probes[work->next++];
-  const bool sky = std::holds_alternative<ClearToSky>(probes[i].clear);
-  BakeItem item;
-  item.settings = clippedSettings(i);
-  item.prefilter = prefilterSettings(probes[i]);
-  item.faceSize = probes[i].faceSize;
-  item.bounce = work->bounce;
-  item.reflectNothing = work->bounce == 1;
-  if (std::holds_alternative<ClearToOpen>(probes[i].clear)) item.drawing = shownProbes.withoutSky({});
-  item.face = [this, sky](int) { return everythingSeen(sky); };
-  item.publish = [this, i](std::shared_ptr<const ProbeMaps> maps) { work->made[i] = std::move(maps); };
-  with.runner.start(std::move(item));
+  working = probes.workPending();
+  return working;
 }
 
 bool ActorParts::step() {
-  if (!work) return false;
+  if (!working) return false;
   vtkRenderer* const before = state->drawing;
   const AtEnd shown([this, before] {
     state->bound.clear();
     state->drawing = before;
   });
   try {
-    Graphics& with = ready();
-    with.window->MakeCurrent();
-    state->drawing = with.capture.renderer();
-    if (!with.runner.pending()) startNext(with);
-    if (work && with.runner.pending()) {
-      with.runner.step();
-      ++work->done;
-    }
-    if (work && !with.runner.pending()) startNext(with);
-    if (progress) progress(work ? std::min(1.0, static_cast<double>(work->done) / std::max(work->units, 1)) : 1.0);
+    ready();
+    window->MakeCurrent();
+    state->drawing = probes.baker().capture()->renderer();
+    probes.step();
+    state->counts.fail(probes.plan().memoryError());
+    working = probes.workPending();
+    if (progress) progress(probes.progress());
   } catch (const Error& failure) {
     state->counts.fail(failure.what());
-    // Not tried again before something changes.
-    for (std::size_t k = 0; work && k < work->probes.size(); ++k) {
-      CapturedFrom& from = captured[work->probes[k]];
-      from = {work->contentKey, work->probeKeys[k], false, from.nearDistance};
-    }
-    dropWork();
+    probes.giveUp();  // not tried again before something changes
+    working = false;
   }
-  return work != nullptr;
+  return working;
 }
 
 void ActorParts::dropWork() {
-  if (work && graphics) graphics->runner.abort();
-  work.reset();
+  if (!working) return;
+  probes.giveUp();
+  planned.reset();
+  working = false;
 }
 
 void ActorParts::release() {
   state->bound.clear();
-  shownProbes.release();
-  skyShown = 0;
-  for (CapturedFrom& from : captured) from = {};
-  work.reset();
-  if (!graphics) return;
+  planned.reset();
+  working = false;
+  std::fill(nearDistances.begin(), nearDistances.end(), 0.0);
+  if (window == nullptr) return;
   static_cast<ContextWatch*>(contextWatch.Get())->Lost = nullptr;
-  graphics->window->MakeCurrent();
-  graphics->runner.release();
-  graphics->capture.release();
-  content.sky->ReleaseGraphicsResources(graphics->window);
-  lightSky->ReleaseGraphicsResources(graphics->window);
+  window->MakeCurrent();
+  probes.release();
+  probes.baker().setWindow(nullptr);
+  content.sky->ReleaseGraphicsResources(window);
+  lightSky->ReleaseGraphicsResources(window);
   releaseStaticTextures(state->resources);
-  graphics.reset();
-  for (LitActor& lit : actors) lit.pass->Rebuild();
+  window = nullptr;
+  for (DrawnObject& object : content.objects) object.pass->Rebuild();
 }
 
 }  // namespace boxprobe

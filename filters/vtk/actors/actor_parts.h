@@ -1,5 +1,6 @@
-// What the probes of another program's actors are made of: the actors with their passes, what the probes show, and the
-// captures. Owned by ActorProbes, which is what programs see.
+// What the probes of another program's actors are made of: a probe set (probe_set.h), and what tells it of a renderer
+// that is somebody else's: which actors it shows where, their keys, its light, and when it draws. Owned by ActorProbes,
+// which is what programs see.
 #pragma once
 
 #include <vtkActor.h>
@@ -20,34 +21,12 @@
 #include <string>
 #include <vector>
 
-#include "filters/core/geometry/probe_index.h"
 #include "filters/vtk/actors/surroundings.h"
-#include "filters/vtk/capture/bake_runner.h"
-#include "filters/vtk/probes/probe_light.h"
-#include "filters/vtk/probes/shown_probes.h"
+#include "filters/vtk/probes/probe_set.h"
 #include "filters/vtk/scene/scene_content.h"
 #include "filters/vtk/surface/vtkProbePass.h"
 
 namespace boxprobe {
-
-/// What of an actor decides which probes light it, and by which program.
-struct ActorState {
-  std::array<double, 6> bounds{};
-  double roughnessMin = 0.0, roughnessMax = 1.0;
-  bool allMetal = false;
-  bool operator==(const ActorState& o) const {
-    return bounds == o.bounds && roughnessMin == o.roughnessMin && roughnessMax == o.roughnessMax &&
-           allMetal == o.allMetal;
-  }
-};
-
-struct LitActor {
-  vtkSmartPointer<vtkActor> actor;
-  vtkSmartPointer<vtkProbePass> pass;
-  ActorState state;
-  bool assigned = false;  ///< by `state` and the probes as they are
-  int framesWithout = 0;  ///< that should have drawn it, and in which nobody asked for its pass
-};
 
 /// Where another prop of the renderer draws an actor: an assembly its parts.
 struct ActorPlace {
@@ -56,76 +35,58 @@ struct ActorPlace {
   std::array<double, 16> matrix{};
 };
 
-/// What a probe's maps were captured from.
-struct CapturedFrom {
-  std::string content, probe;  ///< keys; empty: not captured
-  bool given = false;          ///< maps from elsewhere, which never go stale
-  double nearDistance = 0.0;   ///< that was found for it; a box that is dragged keeps it, and its maps
-};
-
-/// Captures under way: a bounce of all probes before the next bounce of any.
-struct CaptureWork {
-  std::vector<std::size_t> probes;
-  std::vector<std::string> probeKeys;  ///< of those, when the work began
-  std::string contentKey;
-  int bounce = 1, bounces = 1;
-  std::size_t next = 0;  ///< of `probes`, in this bounce
-  std::vector<std::shared_ptr<const ProbeMaps>> made;
-  bool sky = false;  ///< the sky is being captured
-  int units = 1, done = 0;
+/// What the renderer showed when captures were planned last, by keys.
+struct ShownContent {
+  std::vector<std::string> objects;  ///< in the order of content.objects; empty texts: captures do not show them
+  std::string lights;                ///< and what all of them depend on
+  int sky = 0;
+  bool operator==(const ShownContent& o) const { return objects == o.objects && lights == o.lights && sky == o.sky; }
 };
 
 struct ActorParts {
-  /// What takes a window to be made.
-  struct Graphics {
-    Graphics(vtkOpenGLRenderWindow* shownIn, const std::shared_ptr<DrawState>& state)
-        : window(shownIn), capture(shownIn, state), runner(shownIn, state, &capture, &times) {}
-    vtkSmartPointer<vtkOpenGLRenderWindow> window;
-    Times times;
-    CubeCapture capture;
-    BakeRunner runner;
-  };
-
   explicit ActorParts(vtkRenderer* shown);
   ~ActorParts();
   ActorParts(const ActorParts&) = delete;
   ActorParts& operator=(const ActorParts&) = delete;
 
   /// Throws InputError without a window of OpenGL, WorkError while it has no context.
-  Graphics& ready();
+  void ready();
   void starts(vtkObject* caller);
   void beginFrame(vtkRenderer* drawn);
   void endFrame();
   void observeWindow();
   void place();
   void assign();
-  void probesChanged();
+  /// After the list of probes, or one of them: `origins` as ProbeSet::updateShapes() takes them.
+  void probesChanged(const ProbeEntries::Origins& origins);
+  void probesChanged();  ///< the list is the one it was
   void refreshSky();
-  void captureSky(Graphics& graphics);
-  void startNext(Graphics& graphics);
-  void finishBounce();
-  FaceSource everythingSeen(bool sky) const;
-  void show(std::size_t index, std::shared_ptr<const ProbeMaps> maps);
-  std::string contentKey();
-  std::string probeKey(std::size_t index) const;
-  CaptureSettings clippedSettings(std::size_t index) const;
+  void showDarkSky();
+  void setCaptureLights();
+  ShownContent shownContent();
+  std::string objectKey(const DrawnObject& object) const;
+  std::string lightsKey() const;
+  CaptureInputs captureInputs();
+  void clipCaptures();
   bool reaches(std::size_t index) const;
   void remarkUnreached();
   void remarkUnasked();
-  bool skyStale() const { return skyShown != skyWanted; }
 
-  /// Plans captures of all probes, or of the stale ones. False: there are none, or it failed; see the error.
+  /// Plans what is stale. True: there is something, or it is being made.
+  bool anyStale();
+  /// Begins with what is stale, or with all probes. False: there is nothing to do, or it failed; see the error.
   bool begin(bool all);
   /// One unit of work. True while there is more.
   bool step();
-  bool stale(std::size_t index, const std::string& content) const;
-  bool anyStale();
   /// What is under way is given up; it counts as stale still.
   void dropWork();
   void release();
 
-  std::vector<LitActor>::iterator find(vtkActor* actor) {
-    return std::find_if(actors.begin(), actors.end(), [&](const LitActor& lit) { return lit.actor == actor; });
+  std::size_t indexOf(vtkActor* actor) const {
+    const auto& all = content.objects;
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(), [&](const DrawnObject& object) { return object.actor == actor; }) -
+        all.begin());
   }
 
   vtkSmartPointer<vtkRenderer> renderer;
@@ -138,21 +99,22 @@ struct ActorParts {
   std::function<void(double)> progress;  ///< of captures, 0 to 1, or null
   std::shared_ptr<DrawState> state;
   SceneContent content;  ///< its scene holds probes and sky; its objects stand for the actors
-  ShownProbes shownProbes;
-  ProbeLight light;
-  ProbeIndex places;
-  std::vector<LitActor> actors;  ///< in the order of content.objects
+  Scene captured;        ///< its probes as captures take them: when they were planned, with clipping distances
+  ProbeSet probes;
+  bool assigned = false;                   ///< all objects, by the probes as they are
+  std::map<vtkActor*, int> framesWithout;  ///< that should have drawn it, and in which nobody asked for its pass
   std::map<vtkProp*, ActorPlace> parts;
-  std::vector<CapturedFrom> captured;  ///< in the order of the probes
-  std::unique_ptr<CaptureWork> work;
-  std::vector<vtkSmartPointer<vtkLight>> captureLights;
-  std::unique_ptr<Graphics> graphics;
+  /// Near distances that were found, in the order of the probes: a box that is dragged keeps its own, and its maps.
+  std::vector<double> nearDistances;
+  std::optional<ShownContent> planned;            ///< nothing: captures have to be planned
+  bool working = false;                           ///< between begin() and the last step()
+  vtkSmartPointer<vtkOpenGLRenderWindow> window;  ///< whose context is ours; null: none
   /// Registered with the window, which tells its like before its context goes.
   vtkSmartPointer<vtkTextureObject> contextWatch;
   RendererSurroundings surroundings;
   bool skyGiven = false;  ///< by setSky, in place of the renderer's surroundings
   vtkNew<vtkSkyProp> lightSky;
-  int skyWanted = 1, skyShown = 0;
+  int skies = 1;  ///< so far
   bool seamlessBefore = false;
   std::vector<std::string> remarks;
 };

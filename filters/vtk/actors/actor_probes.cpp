@@ -53,12 +53,9 @@ void ActorProbes::insertProbe(std::size_t index, const Probe& probe) {
   check(next);
   parts_->content.scene = std::move(next);
   ProbeEntries::Origins origins;
-  for (std::size_t i = 0; i < parts_->shownProbes.size(); ++i) origins.emplace_back(i);
+  for (std::size_t i = 0; i + 1 < probes().size(); ++i) origins.emplace_back(i);
   origins.insert(origins.begin() + at, std::nullopt);
-  parts_->dropWork();
-  parts_->captured.insert(parts_->captured.begin() + at, CapturedFrom{});
-  parts_->shownProbes.rearrange(origins);
-  parts_->probesChanged();
+  parts_->probesChanged(origins);
 }
 
 void ActorProbes::removeProbe(std::size_t index) {
@@ -68,11 +65,8 @@ void ActorProbes::removeProbe(std::size_t index) {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (i != index) origins.emplace_back(i);
   }
-  parts_->dropWork();
   probes.erase(probes.begin() + static_cast<std::ptrdiff_t>(index));
-  parts_->captured.erase(parts_->captured.begin() + static_cast<std::ptrdiff_t>(index));
-  parts_->shownProbes.rearrange(origins);
-  parts_->probesChanged();
+  parts_->probesChanged(origins);
 }
 
 void ActorProbes::setProbe(std::size_t index, const Probe& probe) {
@@ -96,9 +90,10 @@ bool ActorProbes::addActor(vtkActor* actor, bool seenByProbes) {
     parts_->state->counts.fail("addActor: the actor is null");
     return false;
   }
-  const auto at = parts_->find(actor);
-  if (at != parts_->actors.end()) {
-    parts_->content.objects[static_cast<std::size_t>(at - parts_->actors.begin())].settings.seenByProbes = seenByProbes;
+  std::vector<DrawnObject>& objects = parts_->content.objects;
+  const std::size_t index = parts_->indexOf(actor);
+  if (index < objects.size()) {
+    objects[index].settings.seenByProbes = seenByProbes;
     return true;
   }
   if (vtkProbePass::HasOther(actor, nullptr)) {
@@ -106,29 +101,27 @@ bool ActorProbes::addActor(vtkActor* actor, bool seenByProbes) {
         "addActor: another object lights this actor by its probes already; remove it there first");
     return false;
   }
-  LitActor lit;
-  lit.actor = actor;
-  lit.pass = vtkSmartPointer<vtkProbePass>::New();
-  lit.pass->SetDrawState(parts_->state);
-  lit.pass->Attach(actor, actor);
-  parts_->actors.push_back(std::move(lit));
   DrawnObject object;
   object.actor = actor;
+  object.pass = vtkSmartPointer<vtkProbePass>::New();
+  object.pass->SetDrawState(parts_->state);
+  object.pass->Attach(actor, actor);
   object.settings.seenByProbes = seenByProbes;
-  parts_->content.objects.push_back(std::move(object));
+  objects.push_back(std::move(object));
   return true;
 }
 
 void ActorProbes::removeActor(vtkActor* actor) {
-  const auto at = parts_->find(actor);
-  if (at == parts_->actors.end()) return;
-  at->pass->Detach();
-  parts_->content.objects.erase(parts_->content.objects.begin() + (at - parts_->actors.begin()));
-  parts_->actors.erase(at);
+  std::vector<DrawnObject>& objects = parts_->content.objects;
+  const std::size_t index = parts_->indexOf(actor);
+  if (index >= objects.size()) return;
+  objects[index].pass->Detach();
+  parts_->framesWithout.erase(actor);
+  objects.erase(objects.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
 void ActorProbes::removeAllActors() {
-  while (!parts_->actors.empty()) removeActor(parts_->actors.back().actor);
+  while (!parts_->content.objects.empty()) removeActor(parts_->content.objects.back().actor);
 }
 
 void ActorProbes::setSky(const Sky& sky, double rotationDegrees) {
@@ -147,7 +140,7 @@ void ActorProbes::setSky(const Sky& sky, double rotationDegrees) {
   parts_->lightSky->SetSky(sky, rotationDegrees, parts_->content.skyImage);
   parts_->lightSky->SetSkyFromWorld(glm::dmat3(1.0));
   parts_->skyGiven = true;
-  ++parts_->skyWanted;
+  ++parts_->skies;
 }
 
 void ActorProbes::clearSky() {
@@ -163,12 +156,12 @@ void ActorProbes::setExposure(double exposure) {
 
 void ActorProbes::setEmission(bool shown) {
   parts_->state->resources.emission = shown;
-  for (LitActor& lit : parts_->actors) lit.pass->Rebuild();
+  for (DrawnObject& object : parts_->content.objects) object.pass->Rebuild();
 }
 
 void ActorProbes::setEnergy(Energy energy) {
   parts_->state->resources.lightForm = energy == Energy::Multiple ? LightForm::Multiple : LightForm::Single;
-  for (LitActor& lit : parts_->actors) lit.pass->Rebuild();
+  for (DrawnObject& object : parts_->content.objects) object.pass->Rebuild();
 }
 
 bool ActorProbes::capture() {
@@ -181,7 +174,7 @@ bool ActorProbes::capture() {
 }
 
 bool ActorProbes::update() {
-  if (!parts_->work) {
+  if (!parts_->working) {
     if (!parts_->anyStale()) return true;
     clearError();
     if (!parts_->begin(false)) return error().empty();
@@ -192,7 +185,7 @@ bool ActorProbes::update() {
 }
 
 bool ActorProbes::updateStep() {
-  if (!parts_->work && !parts_->begin(false)) return false;
+  if (!parts_->working && !parts_->begin(false)) return false;
   return parts_->step();
 }
 
@@ -210,12 +203,13 @@ void ActorProbes::setFrameCalls(std::function<void()> before, std::function<void
 }
 
 void ActorProbes::setMaps(std::size_t index, const BakedMaps& maps) {
-  parts_->ready().window->MakeCurrent();
+  parts_->ready();
+  parts_->window->MakeCurrent();
   setMaps(index, upload(maps));
 }
 
 void ActorProbes::setMaps(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
-  if (index >= parts_->shownProbes.size()) throw InputError("there is no probe " + std::to_string(index));
+  if (index >= probes().size()) throw InputError("there is no probe " + std::to_string(index));
   if (maps) {
     // Of these actors' materials nobody knows. The maps may be another window's, whose context filters them.
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(parts_->renderer->GetRenderWindow());
@@ -224,12 +218,12 @@ void ActorProbes::setMaps(std::size_t index, std::shared_ptr<const ProbeMaps> ma
     if (current) window->MakeCurrent();
   }
   parts_->dropWork();
-  parts_->captured[index] = {{}, {}, maps != nullptr};
-  parts_->show(index, std::move(maps));
+  parts_->probes.give(index, std::move(maps));
+  parts_->probesChanged();
 }
 
 std::shared_ptr<const ProbeMaps> ActorProbes::maps(std::size_t index) const {
-  return index < parts_->shownProbes.size() ? parts_->shownProbes.drawn(index).maps : nullptr;
+  return index < probes().size() ? parts_->probes.maps(index) : nullptr;
 }
 
 const std::string& ActorProbes::error() const {

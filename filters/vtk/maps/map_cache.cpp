@@ -4,13 +4,6 @@
 
 namespace boxprobe {
 
-namespace {
-
-// Maps nobody shows any more are kept up to this much GPU memory.
-constexpr std::size_t kBytes = std::size_t{256} << 20;
-
-}  // namespace
-
 std::shared_ptr<const ProbeMaps> MapCache::find(const std::string& key) const {
   const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.key == key; });
   return it != entries_.end() ? it->maps : nullptr;
@@ -28,7 +21,7 @@ void MapCache::add(const std::string& key, FaceKeys faces, std::shared_ptr<const
   forget(key);
   entries_.push_back({key, std::move(faces), std::move(maps)});
   std::size_t total = bytes();
-  for (auto it = entries_.begin(); it != entries_.end() && total > kBytes;) {
+  for (auto it = entries_.begin(); it != entries_.end() && total > kept_;) {
     if (it->maps.use_count() > 1) {  // a probe shows it, or work that goes on needs it
       ++it;
       continue;

@@ -2,6 +2,7 @@
 // not change is kept. Called by the probe set; knows no probe.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@ namespace boxprobe {
 
 class MapCache {
  public:
+  /// Maps that nobody shows any more are kept up to so many bytes.
+  explicit MapCache(std::size_t bytes) : kept_(bytes) {}
+
   std::shared_ptr<const ProbeMaps> find(const std::string& key) const;
   /// Maps of which this one face is known to be the same.
   std::shared_ptr<const ProbeMaps> findFace(int face, const std::string& faceKey) const;
@@ -28,6 +32,7 @@ class MapCache {
     FaceKeys faces;
     std::shared_ptr<const ProbeMaps> maps;
   };
+  std::size_t kept_;
   std::vector<Entry> entries_;  ///< most recently made last
 };
 

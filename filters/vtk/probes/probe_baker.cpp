@@ -3,18 +3,21 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <unordered_set>
 #include <utility>
 
 #include "filters/core/base/errors.h"
 #include "filters/vtk/maps/cube_transfer.h"
-#include "filters/vtk/probes/level_needs.h"
-#include "filters/vtk/probes/probe_light.h"
-#include "filters/vtk/probes/probe_plan.h"
-#include "filters/vtk/probes/probe_programs.h"
-#include "filters/vtk/probes/shown_probes.h"
+#include "filters/vtk/probes/probe_binder.h"
 #include "filters/vtk/scene/scene_content.h"
 
 namespace boxprobe {
+
+void ProbeBaker::setWindow(vtkOpenGLRenderWindow* window) {
+  graphics_.reset();
+  if (window == nullptr) return;
+  graphics_ = std::make_unique<Graphics>(window, with_.state, &times_);
+}
 
 void ProbeBaker::replan() {
   showCached();
@@ -25,15 +28,15 @@ void ProbeBaker::replan() {
     firstBouncePrograms_ = false;
   }
   if (!with_.plan->keepsCurrent()) abort();
-  if (with_.programs->moving()) with_.programs->updateStandIns();
+  if (with_.programs != nullptr) with_.programs->replanned();
 }
 
 bool ProbeBaker::pending() const {
-  return runner_.pending() || !with_.plan->jobs().empty();
+  return (graphics_ && graphics_->runner.pending()) || !with_.plan->jobs().empty();
 }
 
 bool ProbeBaker::step() {
-  if (!runner_.pending() && !with_.plan->jobs().empty()) {
+  if (!graphics_->runner.pending() && !with_.plan->jobs().empty()) {
     const ProbeJob job = with_.plan->jobs().front();
     if (job.kind == JobKind::File || job.kind == JobKind::Levels) {
       load(job);
@@ -41,15 +44,15 @@ bool ProbeBaker::step() {
     }
     begin(job);
   }
-  if (!runner_.pending()) return false;
+  if (!graphics_->runner.pending()) return false;
   ++unitsDone_;
-  runner_.step();
+  graphics_->runner.step();
   return true;
 }
 
 int ProbeBaker::unitsLeft() const {
   if (!pending()) return 0;
-  int left = -runner_.unitsDone();
+  int left = graphics_ ? -graphics_->runner.unitsDone() : 0;
   for (const ProbeJob& job : with_.plan->jobs()) {
     const bool read = job.kind == JobKind::File || job.kind == JobKind::Levels;
     left += read ? 1 : BakeRunner::units(job.faceSize, job.kind == JobKind::Realtime);
@@ -58,7 +61,7 @@ int ProbeBaker::unitsLeft() const {
 }
 
 void ProbeBaker::abort() {
-  runner_.abort();
+  if (graphics_) graphics_->runner.abort();
   with_.plan->end();
 }
 
@@ -70,9 +73,11 @@ void ProbeBaker::giveUp() {
 }
 
 void ProbeBaker::release() {
-  runner_.release();
+  if (graphics_) graphics_->runner.release();
+  if (graphics_) graphics_->capture.release();
   with_.plan->end();
   earlier_.clear();
+  cache_.clear();
 }
 
 // Programs for captures without reflections take CPU time to compile, which a few faces do not bring back. For files by
@@ -82,7 +87,7 @@ bool ProbeBaker::manyFirstBounces() const {
   constexpr int kWorthPrograms = 4;  // probes
   if (!with_.plan->targets().empty()) {
     int baked = 0;
-    for (std::size_t i = 0; i < with_.entries->size(); ++i) baked += with_.entries->baked(i) ? 1 : 0;
+    for (std::size_t i = 0; i < with_.plan->entries().size(); ++i) baked += with_.plan->entries().baked(i) ? 1 : 0;
     return baked >= kWorthPrograms;
   }
   const auto first = [](const ProbeJob& job) { return job.kind == JobKind::Bounce && job.bounce == 1; };
@@ -94,27 +99,27 @@ void ProbeBaker::begin(const ProbeJob& job) {
   const auto faces = std::make_shared<FaceKeys>();
   BakeItem item = itemOf(job, faces);
   item.levels = [this, name = job.name](int levels) {
-    if (name.empty()) return with_.needs->ofSky(levels);
-    const auto index = with_.entries->find(name);
-    return index ? with_.needs->ofProbe(*index, levels) : kAllLevels;
+    if (name.empty()) return with_.binder->needs().ofSky(levels);
+    const auto index = with_.plan->entries().find(name);
+    return index ? with_.binder->needs().ofProbe(*index, levels) : kAllLevels;
   };
   item.faceSize = job.faceSize;
   item.bounce = job.bounce;
   item.firstBouncePrograms = firstBouncePrograms_ && job.kind == JobKind::Bounce && !with_.state->resources.general;
   Probe as;  // as its capture begins
-  if (const auto index = with_.entries->find(job.name)) {
-    as = with_.entries->probe(*index);
+  if (const auto index = with_.plan->entries().find(job.name)) {
+    as = with_.plan->entries().probe(*index);
     item.prefilter = prefilterSettings(as);
   }
   item.publish = [this, job, as, faces](std::shared_ptr<const ProbeMaps> maps) {
     MadeMaps made{job, *faces, std::move(maps)};
     if (job.kind == JobKind::Realtime) {
-      made.job.key = ProbeKeys::realtime(as, *faces);
+      made.job.key = ProbePlan::realtimeKey(as, *faces);
       if (!keepsCapture(as)) made.faces = {};
     }
     finish(std::move(made));
   };
-  runner_.start(std::move(item));
+  graphics_->runner.start(std::move(item));
   with_.plan->begin(job);
 }
 
@@ -135,16 +140,19 @@ BakeItem ProbeBaker::sky() const {
   BakeItem item;
   item.sky = true;
   // A sun of a few pixels must not fall between samples.
-  item.settings.samplesPerTexelSide = with_.content->skyImage ? 4 : 1;
-  item.face = [this](int) { return FaceSource{nullptr, {with_.content->sky}, with_.content->lightPointers()}; };
+  item.settings.samplesPerTexelSide = with_.plan->skyIsImage() ? 4 : 1;
+  item.face = [this](int) {
+    vtkSkyProp* light = with_.content->skyLight;
+    return FaceSource{nullptr, {light != nullptr ? light : with_.content->sky.Get()}, with_.content->lightPointers()};
+  };
   return item;
 }
 
 BakeItem ProbeBaker::picture(const ProbeJob& job) const {
   BakeItem item;
-  item.picture = with_.sources->pictures.picture(job.name);
-  if (const auto index = with_.entries->find(job.name)) {
-    item.settings.originWorld = with_.entries->probe(*index).origin;
+  item.picture = with_.plan->sources().pictures.picture(job.name);
+  if (const auto index = with_.plan->entries().find(job.name)) {
+    item.settings.originWorld = with_.plan->entries().probe(*index).origin;
   }
   return item;
 }
@@ -152,40 +160,43 @@ BakeItem ProbeBaker::picture(const ProbeJob& job) const {
 // Nearest first, by the farthest point of their bounds as in the window (vtkCulledRenderer), so that what walls hide is
 // not worked out.
 FaceSource ProbeBaker::faceSource(const Probe& probe, int face) const {
-  const CaptureWorld& world = with_.keys->world();
+  const CaptureWorld& world = with_.plan->world();
   FaceSource source;
   std::vector<std::pair<double, vtkProp*>> order;
   for (const std::size_t i : objectsInFace(world, probe, face)) {
     const Box& bounds = world.objects[i].boundsWorld;
     const glm::dvec3 away = glm::max(glm::abs(bounds.min - probe.origin), glm::abs(bounds.max - probe.origin));
-    order.emplace_back(glm::dot(away, away), with_.content->objects[i].actor);
+    if (vtkProp* prop = props_[i]) order.emplace_back(glm::dot(away, away), prop);
   }
   std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& object : order) source.props.push_back(object.second);
+  std::unordered_set<vtkProp*> taken;  // parts of one assembly are drawn with it, at once
+  for (const auto& object : order) {
+    if (taken.insert(object.second).second) source.props.push_back(object.second);
+  }
   source.objects = source.props.size();
-  source.culled = with_.content->objects.size() - source.objects;
+  source.culled = props_.size() - source.objects;
   if (std::holds_alternative<ClearToSky>(probe.clear)) source.props.push_back(with_.content->sky);
   source.lights = with_.content->lightPointers();
   return source;
 }
 
 BakeItem ProbeBaker::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) {
-  const Probe as = with_.entries->probe(*with_.entries->find(job.name));
+  const Probe as = with_.plan->entries().probe(*with_.plan->entries().find(job.name));
   const bool drag = job.kind == JobKind::Drag;
   BakeItem item;
   item.settings = captureSettings(as);
   item.reflectNothing = !drag && job.bounce == 1;
   if (!drag && job.bounce > 1) {
-    item.drawing = [this, job](bool begins) { begins ? seeBounce(job) : with_.shown->seeAgain(); };
+    item.drawing = [this, job](bool begins) { begins ? seeBounce(job) : with_.binder->seeAgain(); };
   }
-  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = with_.shown->withoutSky(std::move(item.drawing));
+  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = with_.binder->withoutSky(std::move(item.drawing));
   item.face = [this, job, as, drag, faces](int face) {
     FaceSource source;
-    const auto at = with_.entries->find(job.name);
+    const auto at = with_.plan->entries().find(job.name);
     if (!drag && at) {
       std::string& key = (*faces)[static_cast<std::size_t>(face)];
-      key = with_.keys->face(*at, job.bounce, face);
-      if (!(*with_.entries)[*at].again) source.same = with_.cache->findFace(face, key);
+      key = with_.plan->faceKey(*at, job.bounce, face);
+      if (!with_.plan->entries()[*at].again) source.same = cache_.findFace(face, key);
     }
     return source.same ? source : faceSource(as, face);
   };
@@ -195,15 +206,15 @@ BakeItem ProbeBaker::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>
 // Every probe as it was captured a bounce before; null where that bounce does not show it. Realtime probes are not in
 // anybody's bounces.
 void ProbeBaker::seeBounce(const ProbeJob& job) const {
-  const auto of = with_.entries->find(job.name);  // the list may have changed since the job began
+  const auto of = with_.plan->entries().find(job.name);  // the list may have changed since the job began
   if (!of) return;
-  const BounceKeys& bounces = with_.keys->bounces();
+  const BounceKeys& bounces = with_.plan->bounces();
   const std::vector<std::size_t>& sees = bounces.sees(*of);
-  with_.shown->see([&](std::size_t i) -> std::shared_ptr<const ProbeMaps> {
+  with_.binder->see([&](std::size_t i) -> std::shared_ptr<const ProbeMaps> {
     const bool seen = std::find(sees.begin(), sees.end(), i) != sees.end();
-    const std::shared_ptr<const ProbeMaps> maps = seen ? with_.cache->find(bounces.key(i, job.bounce - 1)) : nullptr;
+    const std::shared_ptr<const ProbeMaps> maps = seen ? cache_.find(bounces.key(i, job.bounce - 1)) : nullptr;
     // They are not on show, so nobody else sees to what is sampled of them; and they may be older than the materials.
-    if (maps) maps->need(with_.needs->ofProbe(i, maps->radiance.levels()));
+    if (maps) maps->need(with_.binder->needs().ofProbe(i, maps->radiance.levels()));
     return maps;
   });
 }
@@ -211,20 +222,20 @@ void ProbeBaker::seeBounce(const ProbeJob& job) const {
 // A realtime probe of several bounces sees the probes as they are, itself included, so each round adds a bounce: as
 // many rounds as it has bounces after the last change, then it rests.
 BakeItem ProbeBaker::realtime(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) {
-  const Probe as = with_.entries->probe(*with_.entries->find(job.name));
+  const Probe as = with_.plan->entries().probe(*with_.plan->entries().find(job.name));
   BakeItem item;
   item.settings = captureSettings(as);
   item.fewSteps = true;
   item.reflectNothing = as.bounces == 1;
-  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = with_.shown->withoutSky({});
+  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = with_.binder->withoutSky({});
   item.face = [this, as, faces](int face) {
-    const auto at = with_.entries->find(as.name);
+    const auto at = with_.plan->entries().find(as.name);
     const auto f = static_cast<std::size_t>(face);
-    (*faces)[f] = with_.keys->realtimeFace(as, face);
+    (*faces)[f] = with_.plan->realtimeFaceKey(as, face);
     FaceSource source = faceSource(as, face);
     if (!at) return source;
-    const bool reflects = as.bounces > 1 && !faceView(with_.keys->world(), as, face).lighting.empty();
-    if (!reflects && (*with_.entries)[*at].faces[f] == (*faces)[f]) source.same = with_.shown->drawn(*at).maps;
+    const bool reflects = as.bounces > 1 && !faceView(with_.plan->world(), as, face).lighting.empty();
+    if (!reflects && with_.plan->entries()[*at].faces[f] == (*faces)[f]) source.same = with_.binder->drawn(*at).maps;
     return source;
   };
   return item;
@@ -235,20 +246,20 @@ void ProbeBaker::load(const ProbeJob& job) {
   ++unitsDone_;
   MadeMaps made{job, {}, nullptr, true};
   try {
-    made.maps = job.kind == JobKind::Levels ? upload(loadSkyLevels(with_.sources->skyLevels))
-                                            : upload(with_.sources->folder.load(job.key));
+    made.maps = job.kind == JobKind::Levels ? upload(loadSkyLevels(with_.plan->sources().skyLevels))
+                                            : upload(with_.plan->sources().folder.load(job.key));
   } catch (const InputError& damage) {
     if (job.kind == JobKind::Levels) {
-      with_.sources->skyLevels.clear();
+      with_.plan->sources().skyLevels.clear();
     } else {
-      with_.sources->folder.forget(job.key, damage.what());
-      with_.keys->update(with_.plan->targets());
+      with_.plan->sources().folder.forget(job.key, damage.what());
+      with_.plan->updateKeys();
     }
     return replan();
   }
-  const auto index = with_.entries->find(job.name);
+  const auto index = with_.plan->entries().find(job.name);
   for (int face = 0; index && face < 6; ++face) {
-    made.faces[static_cast<std::size_t>(face)] = with_.keys->face(*index, job.bounce, face);
+    made.faces[static_cast<std::size_t>(face)] = with_.plan->faceKey(*index, job.bounce, face);
   }
   ++with_.state->counts.counters.mapsLoaded;
   finish(std::move(made));
@@ -258,7 +269,7 @@ void ProbeBaker::finish(MadeMaps made) {
   with_.plan->end();
   if (made.job.name.empty()) {
     showSky(made.job.key, made.maps);
-    with_.cache->add(made.job.key, {}, std::move(made.maps));
+    cache_.add(made.job.key, {}, std::move(made.maps));
   } else if (made.job.kind == JobKind::Drag) {
     publishDrag(std::move(made));
   } else if (made.job.kind == JobKind::Realtime) {
@@ -270,21 +281,21 @@ void ProbeBaker::finish(MadeMaps made) {
 }
 
 void ProbeBaker::publishDrag(MadeMaps made) {
-  const auto index = with_.entries->find(made.job.name);
+  const auto index = with_.plan->entries().find(made.job.name);
   if (!index) return;
-  with_.light->addTint(*index, *made.maps);
+  with_.binder->addTint(*index, *made.maps);
   // Dragged back to where it was: the final maps are there already.
-  const ProbeEntry& entry = (*with_.entries)[*index];
+  const ProbeEntry& entry = with_.plan->entries()[*index];
   if (entry.shown != entry.wanted) show(*index, made.job.key, std::move(made.maps));
 }
 
 void ProbeBaker::publishRealtime(MadeMaps made) {
-  const auto index = with_.entries->find(made.job.name);
+  const auto index = with_.plan->entries().find(made.job.name);
   if (!index) return;
-  ProbeEntry& entry = (*with_.entries)[*index];
+  ProbeEntry& entry = with_.plan->entries()[*index];
   const std::string& key = made.job.key;
   if (key == entry.wanted && entry.shown == key && entry.passes > 0) --entry.passes;
-  with_.light->addTint(*index, *made.maps);
+  with_.binder->addTint(*index, *made.maps);
   show(*index, key, std::move(made.maps));
   entry.faces = std::move(made.faces);
   entry.again = entry.fromFile = false;
@@ -292,52 +303,49 @@ void ProbeBaker::publishRealtime(MadeMaps made) {
 
 void ProbeBaker::publishFinal(MadeMaps made) {
   const std::string& key = made.job.key;
-  ProbeEntries& entries = *with_.entries;
+  ProbeEntries& entries = with_.plan->entries();
   const auto index = entries.find(made.job.name);
-  if (index) with_.light->addTint(*index, *made.maps);
+  if (index) with_.binder->addTint(*index, *made.maps);
   // Maps of a bounce before the last are shown for the time being, but not in place of final ones.
   const bool last = index && key == entries[*index].wanted;
   if (index && (last || with_.plan->stale(*index))) show(*index, key, made.maps);
   if (last) {
     entries[*index].again = false;
     entries[*index].fromFile = made.fromFile;
-    with_.keys->remember(*index);
+    with_.plan->remember(*index);
   }
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (entries[i].wanted == key && entries[i].shown != key) show(i, key, made.maps);
   }
   earlier_.push_back(made.maps);
-  with_.cache->add(key, std::move(made.faces), std::move(made.maps));
+  cache_.add(key, std::move(made.faces), std::move(made.maps));
 }
 
 // Maps made before, wherever a probe, or the sky, wants them.
 void ProbeBaker::showCached() {
-  ProbeEntries& entries = *with_.entries;
+  ProbeEntries& entries = with_.plan->entries();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     ProbeEntry& entry = entries[i];
     if (entry.wanted == entry.shown || entry.wanted.empty()) continue;
-    if (auto maps = with_.cache->find(entry.wanted)) {
+    if (auto maps = cache_.find(entry.wanted)) {
       show(i, entry.wanted, std::move(maps));
       entry.fromFile = false;
     }
   }
   if (!with_.plan->skyStale()) return;
-  if (auto maps = with_.cache->find(with_.plan->skyWanted())) showSky(with_.plan->skyWanted(), std::move(maps));
+  if (auto maps = cache_.find(with_.plan->skyWanted())) showSky(with_.plan->skyWanted(), std::move(maps));
 }
 
 void ProbeBaker::show(std::size_t index, const std::string& key, std::shared_ptr<const ProbeMaps> maps) {
-  const bool turned = with_.shown->show(index, std::move(maps));
-  // Another program, perhaps.
-  if (with_.light->updateOpenings() || turned) with_.programs->assign();
-  ProbeEntry& entry = (*with_.entries)[index];
+  ProbeEntry& entry = with_.plan->entries()[index];
   entry.shown = key;
   entry.faces = {};
+  with_.binder->show(index, std::move(maps));
 }
 
 void ProbeBaker::showSky(const std::string& key, std::shared_ptr<const ProbeMaps> maps) {
-  with_.state->resources.sky = std::move(maps);
   with_.plan->skyShows(key);
-  if (with_.light->updateOpenings()) with_.programs->assign();
+  with_.binder->showSky(std::move(maps));
 }
 
 }  // namespace boxprobe

@@ -1,7 +1,10 @@
 // Makes the maps that the plan asks for, one cubemap after another: captured step by step or read from a file, then
-// shown, remembered with what they were made of, and kept for undo. Owned by the probe set; what is made is decided by
-// the plan.
+// shown, remembered with what they were made of, and kept for undo. What is made is decided by the plan, and what it
+// shows by whoever knows the objects (CaptureInputs).
 #pragma once
+
+#include <vtkProp.h>
+#include <vtkWeakPointer.h>
 
 #include <functional>
 #include <memory>
@@ -11,9 +14,17 @@
 #include "filters/vtk/capture/bake_runner.h"
 #include "filters/vtk/maps/map_cache.h"
 #include "filters/vtk/probes/probe_context.h"
-#include "filters/vtk/probes/probe_job.h"
+#include "filters/vtk/probes/probe_plan.h"
 
 namespace boxprobe {
+
+/// What captures see: a scene's objects, or those of somebody else's renderer.
+struct CaptureInputs {
+  CaptureWorld world;
+  std::vector<vtkWeakPointer<vtkProp>> props;  ///< that draws each of the world's objects; several may share one
+  std::string sky;                             ///< key of the sky's own map; empty: no light comes from there
+  int skyColumns = 0;                          ///< of its image; 0: it is none
+};
 
 /// The maps of a job, with all that is known of them.
 struct MadeMaps {
@@ -25,9 +36,18 @@ struct MadeMaps {
 
 class ProbeBaker {
  public:
-  /// `with` and all that it points to must outlive this.
-  ProbeBaker(const ProbeContext& with, vtkOpenGLRenderWindow* window, Times* times)
-      : with_(with), runner_(window, with.state, with.capture, times) {}
+  /// `with` and all that it points to must outlive this. Maps that nobody shows are kept up to so many bytes.
+  ProbeBaker(const ProbeContext& with, std::size_t keptBytes) : with_(with), cache_(keptBytes) {}
+
+  /// Captures draw with this window's context, which step() and what publishes maps need; null: release() first.
+  void setWindow(vtkOpenGLRenderWindow* window);
+  /// Null without a window.
+  CubeCapture* capture() { return graphics_ ? &graphics_->capture : nullptr; }
+  const Times& times() const { return times_; }
+  MapCache& cache() { return cache_; }
+  const MapCache& cache() const { return cache_; }
+  /// Another world for captures; replan() follows, once keys were updated.
+  void setProps(std::vector<vtkWeakPointer<vtkProp>> props) { props_ = std::move(props); }
 
   /// Shows what is at hand, plans the rest, and ends what is under way unless that plan still wants it.
   void replan();
@@ -66,8 +86,19 @@ class ProbeBaker {
   void show(std::size_t index, const std::string& key, std::shared_ptr<const ProbeMaps> maps);
   void showSky(const std::string& key, std::shared_ptr<const ProbeMaps> maps);
 
+  /// What takes a window to be made.
+  struct Graphics {
+    Graphics(vtkOpenGLRenderWindow* window, const std::shared_ptr<DrawState>& state, Times* times)
+        : capture(window, state), runner(window, state, &capture, times) {}
+    CubeCapture capture;
+    BakeRunner runner;
+  };
+
   const ProbeContext& with_;
-  BakeRunner runner_;
+  MapCache cache_;
+  Times times_;
+  std::unique_ptr<Graphics> graphics_;
+  std::vector<vtkWeakPointer<vtkProp>> props_;  ///< in the order of the world's objects
   int unitsDone_ = 0;
   bool firstBouncePrograms_ = false;  ///< until all is done
   /// Maps of earlier bounces are held until all is done, because later ones are made from them.

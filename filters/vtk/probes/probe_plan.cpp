@@ -1,12 +1,25 @@
 #include "filters/vtk/probes/probe_plan.h"
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_set>
 
-#include "filters/vtk/probes/probe_memory.h"
+#include "filters/vtk/gl/map_bytes.h"
+#include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
 
 namespace {
+
+// Up to so many probes all are made at once, so that the camera may turn without waiting for them; of more, those that
+// something in the frame is lit by.
+constexpr std::size_t kAllAtOnce = 8;
+
+using Views = std::unordered_set<std::string_view>;
+
+Views viewsOf(const std::vector<std::string>& views) {
+  return {views.begin(), views.end()};
+}
 
 constexpr int kSkyFaceSize = 64;  // a gradient has no detail
 constexpr int kLargestSkyFaceSize = 256;
@@ -17,7 +30,276 @@ int skyFaceSize(int imageColumns) {
   return size;
 }
 
+/// What all probes in use will hold in the end, those that are there already included, and what making them needs.
+class MemoryNeed {
+ public:
+  void add(const Probe& probe, const CustomPictures& pictures);
+  std::size_t bytes() const { return maps_ + scratch_; }
+  /// One line that says what does not fit into so many bytes, and what to lower.
+  std::string error(std::size_t limitBytes) const;
+
+ private:
+  std::size_t maps_ = 0, scratch_ = 0, count_ = 0;
+  int largest_ = 0;  ///< face size, texels
+};
+
+void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures) {
+  const bool custom = probe.mode == ProbeMode::Custom;
+  const auto picture = custom ? pictures.picture(probe.name) : nullptr;
+  const int size = picture ? picture->faceSize() : probe.faceSize;
+  // A further bounce is captured while the one before it lights the scene.
+  maps_ += probeMapsBytes(size, !custom) * (probe.bounces > 1 && !custom ? 2 : 1);
+  scratch_ = std::max(scratch_, captureScratchBytes(size));
+  largest_ = std::max(largest_, size);
+  ++count_;
+}
+
+std::string MemoryNeed::error(std::size_t limitBytes) const {
+  return "the maps of " + std::to_string(count_) + " probes with faces of up to " + std::to_string(largest_) +
+         " texels need " + memoryText(bytes()) + " of texture memory, and there are " + memoryText(limitBytes) +
+         " (BOXPROBE_TEXTURE_MEMORY, in MB, sets another limit); lower faceSize or bounces, or bake a share at a time "
+         "(bake --shard)";
+}
+
 }  // namespace
+
+std::optional<std::size_t> ProbeEntries::find(const std::string& name) const {
+  const auto found = byName_.find(name);
+  return found == byName_.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool ProbeEntries::matched() const {
+  const std::vector<Probe>& probes = scene_->probes;
+  return std::equal(entries_.begin(), entries_.end(), probes.begin(), probes.end(),
+                    [](const ProbeEntry& entry, const Probe& probe) { return entry.name == probe.name; });
+}
+
+std::optional<ProbeEntries::Origins> ProbeEntries::match() {
+  places_ = ProbeIndex(scene_->probes);
+  if (matched()) return std::nullopt;
+  Origins origins;
+  for (const Probe& probe : scene_->probes) origins.push_back(find(probe.name));
+  follow(origins);
+  return origins;
+}
+
+void ProbeEntries::follow(const Origins& origins) {
+  places_ = ProbeIndex(scene_->probes);
+  std::vector<ProbeEntry> next;
+  byName_.clear();
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    next.push_back(origins[i] ? entries_[*origins[i]] : ProbeEntry{});
+    next.back().name = scene_->probes[i].name;
+    byName_.emplace(next.back().name, i);
+  }
+  entries_ = std::move(next);
+}
+
+void ProbeEntries::setUse(std::vector<ObjectUse> objects) {
+  objects_ = std::move(objects);
+  for (ProbeEntry& entry : entries_) entry.used = false;
+  for (const ObjectUse& object : objects_) {
+    for (const std::size_t probe : object.probes) entries_[probe].used |= object.lit;
+  }
+  findSeen();
+}
+
+bool ProbeEntries::setSeen(std::optional<std::vector<std::size_t>> objects) {
+  seenObjects_ = std::move(objects);
+  return findSeen();
+}
+
+bool ProbeEntries::findSeen() {
+  const auto used = std::count_if(entries_.begin(), entries_.end(), [](const ProbeEntry& entry) { return entry.used; });
+  const bool all = !seenObjects_ || static_cast<std::size_t>(used) <= kAllAtOnce;
+  std::vector<bool> seen(entries_.size(), all);
+  for (std::size_t i = 0; !all && i < seenObjects_->size(); ++i) {
+    const std::size_t object = (*seenObjects_)[i];
+    if (object >= objects_.size() || !objects_[object].lit) continue;  // not drawn with any probe yet
+    for (const std::size_t probe : objects_[object].probes) seen[probe] = true;
+  }
+  bool changed = false;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    changed |= entries_[i].seen != seen[i];
+    entries_[i].seen = seen[i];
+  }
+  return changed;
+}
+
+bool ProbeEntries::anyLit() const {
+  return std::any_of(objects_.begin(), objects_.end(), [](const ObjectUse& object) { return object.lit; });
+}
+
+BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
+  int most = 1;
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    Input& input = inputs_[i];
+    if (input.imported || input.realtime) input.bounces = 1;
+    most = std::max(most, input.bounces);
+    std::vector<std::size_t> sees;
+    const Views known = input.record ? viewsOf(input.record->known) : Views();
+    const Views seen = input.record ? viewsOf(input.record->sees) : Views();
+    for (std::size_t other = 0; other < inputs_.size() && !input.view.empty(); ++other) {
+      if (inputs_[other].realtime || inputs_[other].view.empty()) continue;
+      const bool lights = std::find(input.lighting.begin(), input.lighting.end(), other) != input.lighting.end();
+      const std::string& view = inputs_[other].view;
+      if (known.count(view) != 0 ? seen.count(view) != 0 : lights) sees.push_back(other);
+    }
+    sees_.push_back(std::move(sees));
+    keys_.push_back({input.view});
+  }
+  for (int bounce = 2; bounce <= most; ++bounce) {
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+      if (bounce > inputs_[i].bounces) continue;
+      // In the order of the keys: the order of the list of probes is nothing a picture shows.
+      std::vector<std::string> shown;
+      for (const std::size_t other : sees_[i]) shown.push_back(key(other, bounce - 1));
+      std::sort(shown.begin(), shown.end());
+      ContentHash hash;
+      hash.add(inputs_[i].view).add("lit by");
+      for (const std::string& text : shown) hash.add(text);
+      keys_[i].push_back(shown.empty() ? inputs_[i].view : hash.text());
+    }
+  }
+}
+
+const std::string& BounceKeys::key(std::size_t probe, int bounce) const {
+  const auto& keys = keys_[probe];
+  return keys[std::min(static_cast<std::size_t>(bounce), keys.size()) - 1];
+}
+
+BakeRecord BounceKeys::record(std::size_t probe) const {
+  BakeRecord record{finalKey(probe), inputs_[probe].view, {}, {}};
+  // A single bounce shows no other probe; that the list grows with their number is for those that do.
+  if (inputs_[probe].bounces < 2) return record;
+  for (const std::size_t other : sees_[probe]) record.sees.push_back(inputs_[other].view);
+  for (const Input& other : inputs_) {
+    if (!other.view.empty()) record.known.push_back(other.view);
+  }
+  return record;
+}
+
+BounceKeys::Input ProbePlan::input(std::size_t index) const {
+  const Probe& probe = entries_.probe(index);
+  BounceKeys::Input input;
+  if (const std::string& given = entries_[index].given; !given.empty()) {
+    input.view = given;
+    input.imported = true;  // the same at every bounce
+    return input;
+  }
+  input.bounces = probe.bounces;
+  input.imported = probe.mode == ProbeMode::Custom;
+  input.realtime = probe.mode == ProbeMode::Realtime;
+  CaptureView view = probeView(world_, probe);
+  input.view = input.imported ? sources_.pictures.key(probe) : view.key;
+  input.lighting = std::move(view.lighting);
+  if (const auto it = records_.find(input.view); it != records_.end()) {
+    input.record = it->second;
+  } else {
+    input.record = sources_.folder.record(input.view);
+  }
+  return input;
+}
+
+// Only of probes that are wanted or there already, and of those that their further bounces show.
+BounceKeys ProbePlan::askedBounces() const {
+  const std::vector<Probe>& probes = entries_.scene().probes;
+  std::vector<BounceKeys::Input> inputs(probes.size());
+  std::vector<int> bounces(probes.size(), 0);  // up to which it is asked for
+  std::vector<std::size_t> open;
+  const auto ask = [&](std::size_t i, int upTo) {
+    upTo = std::min(upTo, probes[i].bounces);
+    if (upTo <= bounces[i]) return;
+    bounces[i] = upTo;
+    open.push_back(i);
+  };
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    const ProbeEntry& entry = entries_[i];
+    const bool target = targets_.count(probes[i].name) != 0;
+    if (entry.needed() || target || !entry.shown.empty() || probes[i].mode == ProbeMode::Realtime)
+      ask(i, probes[i].bounces);
+  }
+  while (!open.empty()) {
+    const std::size_t i = open.back();
+    open.pop_back();
+    if (inputs[i].view.empty()) inputs[i] = input(i);
+    if (bounces[i] < 2) continue;
+    for (const std::size_t other : inputs[i].lighting) ask(other, bounces[i] - 1);
+    // What it was made from may be other probes than those its boxes name now. And a file names all probes there were,
+    // the same ones whoever bakes a part of them.
+    const bool all = inputs[i].record || targets_.count(probes[i].name) != 0;
+    for (std::size_t other = 0; all && other < probes.size(); ++other) ask(other, bounces[i] - 1);
+  }
+  return BounceKeys(std::move(inputs));
+}
+
+void ProbePlan::updateKeys() {
+  bounces_ = askedBounces();
+  // A record that no longer leads to maps has served: what is made now follows the boxes as they are now.
+  bool dropped = false;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const std::string& key = bounces_.finalKey(i);
+    if (key.empty() || !entries_.baked(i) || entries_[i].shown == key || sources_.have(key)) continue;
+    dropped |= records_.erase(bounces_.input(i).view) > 0;
+  }
+  if (dropped) bounces_ = askedBounces();
+
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    ProbeEntry& entry = entries_[i];
+    const Probe& probe = entries_.probe(i);
+    const std::string before = entry.wanted;
+    if (bounces_.input(i).view.empty()) {
+      entry.wanted.clear();
+      continue;
+    }
+    if (probe.mode == ProbeMode::Realtime) {
+      FaceKeys faces;
+      for (std::size_t face = 0; face < 6; ++face) faces[face] = realtimeFaceKey(probe, static_cast<int>(face));
+      entry.wanted = realtimeKey(probe, faces);
+    } else {
+      entry.wanted = bounces_.finalKey(i);
+    }
+    if (entry.wanted != before) entry.passes = bounces_.input(i).lighting.empty() ? 0 : probe.bounces - 1;
+  }
+}
+
+// The first bounce shows no light from probes, so it differs from a later one only where a probe would throw some.
+std::string ProbePlan::faceKey(std::size_t index, int bounce, int face) const {
+  const Probe& probe = entries_.probe(index);
+  if (!keepsCapture(probe)) return {};
+  const CaptureView view = faceView(world_, probe, face);
+  std::vector<std::string> lighting;
+  for (const std::size_t other : bounces_.sees(index)) {
+    if (!std::binary_search(view.lighting.begin(), view.lighting.end(), other)) continue;
+    lighting.push_back(bounce > 1 ? bounces_.key(other, bounce - 1) : "none yet");
+  }
+  std::sort(lighting.begin(), lighting.end());
+  ContentHash hash;
+  hash.add(view.key);
+  for (const std::string& key : lighting) hash.add(key);
+  return hash.text();
+}
+
+std::string ProbePlan::realtimeFaceKey(const Probe& probe, int face) const {
+  const CaptureView view = faceView(world_, probe, face);
+  ContentHash hash;
+  hash.add(view.key).add(probe.bounces > 1 ? "lit" : "dark");
+  for (const std::size_t other : view.lighting) {
+    if (probe.bounces > 1 && !bounces_.input(other).realtime) hash.add(bounces_.finalKey(other));
+  }
+  return hash.text();
+}
+
+std::string ProbePlan::realtimeKey(const Probe& probe, const FaceKeys& faces) {
+  ContentHash hash;
+  hash.add("realtime").add(static_cast<double>(probe.filter)).add(probe.filterSamples);
+  for (const std::string& face : faces) hash.add(face);
+  return hash.text();
+}
+
+void ProbePlan::remember(std::size_t index) {
+  if (entries_.baked(index)) records_[bounces_.input(index).view] = bounces_.record(index);
+}
 
 void ProbePlan::wantSky(std::string key, int imageColumns) {
   skyWanted_ = std::move(key);
@@ -25,14 +307,14 @@ void ProbePlan::wantSky(std::string key, int imageColumns) {
 }
 
 bool ProbePlan::stale(std::size_t index) const {
-  const ProbeEntry& entry = (*entries_)[index];
+  const ProbeEntry& entry = entries_[index];
   if (entry.wanted.empty()) return false;
   if (!targets_.empty()) {
-    if (targets_.count(entry.name) == 0 || !entries_->baked(index)) return false;
-    return entry.shown != entry.wanted && !sources_->folder.has(entry.wanted);
+    if (targets_.count(entry.name) == 0 || !entries_.baked(index)) return false;
+    return entry.shown != entry.wanted && !sources_.folder.has(entry.wanted);
   }
   if (!entry.needed()) return false;
-  if (entries_->probe(index).mode == ProbeMode::Realtime) return entry.shown != entry.wanted || entry.passes > 0;
+  if (entries_.probe(index).mode == ProbeMode::Realtime) return entry.shown != entry.wanted || entry.passes > 0;
   return entry.shown != entry.wanted && !(interactive_ && entry.shown == entry.wanted + kDuringDrag);
 }
 
@@ -41,14 +323,14 @@ void ProbePlan::make() {
   memoryChecked_ = false;
   memoryError_.clear();
   if (!enabled_) return;
-  for (std::size_t i = 0; i < entries_->size(); ++i) {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (!stale(i)) continue;
-    const Probe& p = entries_->probe(i);
-    const std::string& wanted = (*entries_)[i].wanted;
+    const Probe& p = entries_.probe(i);
+    const std::string& wanted = entries_[i].wanted;
     if (p.mode == ProbeMode::Realtime) {
       jobs_.push_back({JobKind::Realtime, p.name, 1, {}, p.faceSize});
     } else if (p.mode == ProbeMode::Custom) {
-      jobs_.push_back({JobKind::Picture, p.name, 1, wanted, sources_->pictures.picture(p.name)->faceSize()});
+      jobs_.push_back({JobKind::Picture, p.name, 1, wanted, sources_.pictures.picture(p.name)->faceSize()});
     } else if (interactive_) {
       jobs_.push_back({JobKind::Drag, p.name, 1, wanted + kDuringDrag, p.faceSize});
     }
@@ -58,8 +340,8 @@ void ProbePlan::make() {
 }
 
 bool ProbePlan::bakesAny() const {
-  for (std::size_t i = 0; i < entries_->size(); ++i) {
-    if (targets_.count((*entries_)[i].name) != 0 && entries_->baked(i)) return true;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (targets_.count(entries_[i].name) != 0 && entries_.baked(i)) return true;
   }
   return false;
 }
@@ -68,37 +350,36 @@ void ProbePlan::planSky() {
   if (skyWanted_.empty() || !skyStale()) return;
   // With baked probes goes the sky's file, which may be gone or damaged by itself.
   const bool asked =
-      targets_.empty() ? entries_->anyLit() : !jobs_.empty() || (bakesAny() && !sources_->folder.has(skyWanted_));
+      targets_.empty() ? entries_.anyLit() : !jobs_.empty() || (bakesAny() && !sources_.folder.has(skyWanted_));
   if (!asked) return;
   const int faceSize = skyFaceSize(skyImageColumns_);
   JobKind kind = JobKind::SkyMap;
-  if (sources_->folder.has(skyWanted_)) {
+  if (sources_.folder.has(skyWanted_)) {
     kind = JobKind::File;
-  } else if (targets_.empty() && !sources_->skyLevels.empty() &&
-             holdsSkyLevels(sources_->skyLevels, skyWanted_, faceSize)) {
+  } else if (targets_.empty() && !sources_.skyLevels.empty() &&
+             holdsSkyLevels(sources_.skyLevels, skyWanted_, faceSize)) {
     kind = JobKind::Levels;  // not for a bake, whose files tell what captured them
   }
   jobs_.insert(jobs_.begin(), {kind, {}, 1, skyWanted_, faceSize});
 }
 
 void ProbePlan::planBounces() {
-  const BounceKeys& bounces = keys_->bounces();
   std::vector<std::pair<int, std::size_t>> missing;
   std::set<std::string> onDisk;
   const auto have = [&](const std::string& key) {
-    if (key.empty() || sources_->cached(key)) return true;
-    if (!sources_->folder.has(key)) return false;
+    if (key.empty() || sources_.cached(key)) return true;
+    if (!sources_.folder.has(key)) return false;
     onDisk.insert(key);
     return true;
   };
-  for (std::size_t i = 0; i < entries_->size(); ++i) {
-    if (stale(i) && entries_->baked(i)) bounces.collect(i, entries_->probe(i).bounces, have, missing);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (stale(i) && entries_.baked(i)) bounces_.collect(i, entries_.probe(i).bounces, have, missing);
   }
-  for (std::size_t i = 0; i < entries_->size(); ++i) {
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
     // Of the final maps, or of a bounce that others were sent ahead to make.
-    const Probe& p = entries_->probe(i);
-    for (int bounce = p.bounces; bounce >= 1 && !bounces.input(i).view.empty(); --bounce) {
-      const std::string& key = bounces.key(i, bounce);
+    const Probe& p = entries_.probe(i);
+    for (int bounce = p.bounces; bounce >= 1 && !bounces_.input(i).view.empty(); --bounce) {
+      const std::string& key = bounces_.key(i, bounce);
       if (onDisk.erase(key) != 0) jobs_.push_back({JobKind::File, p.name, bounce, key, p.faceSize});
     }
   }
@@ -107,24 +388,24 @@ void ProbePlan::planBounces() {
 }
 
 void ProbePlan::planBounce(std::size_t index, int bounce) {
-  const Probe& p = entries_->probe(index);
-  const std::string& key = keys_->bounces().key(index, bounce);
+  const Probe& p = entries_.probe(index);
+  const std::string& key = bounces_.key(index, bounce);
   ProbeJob job{JobKind::Bounce, p.name, bounce, key, p.faceSize};
-  if (keys_->bounces().input(index).imported) {
+  if (bounces_.input(index).imported) {
     job.kind = JobKind::Picture;
-    job.faceSize = sources_->pictures.picture(p.name)->faceSize();
+    job.faceSize = sources_.pictures.picture(p.name)->faceSize();
   }
   if (std::find(jobs_.begin(), jobs_.end(), job) == jobs_.end()) jobs_.push_back(std::move(job));
 }
 
 bool ProbePlan::keepsCurrent() const {
   if (!current_ || !enabled_) return false;
-  const auto index = entries_->find(current_->name);
+  const auto index = entries_.find(current_->name);
   if (current_->kind == JobKind::Realtime) {
-    return index && entries_->probe(*index).mode == ProbeMode::Realtime &&
-           entries_->probe(*index).faceSize == current_->faceSize;
+    return index && entries_.probe(*index).mode == ProbeMode::Realtime &&
+           entries_.probe(*index).faceSize == current_->faceSize;
   }
-  if (current_->kind == JobKind::Drag) return interactive_ && index && entries_->baked(*index);
+  if (current_->kind == JobKind::Drag) return interactive_ && index && entries_.baked(*index);
   return std::find(jobs_.begin(), jobs_.end(), *current_) != jobs_.end();
 }
 
@@ -138,27 +419,27 @@ bool ProbePlan::capturesLast() const {
 bool ProbePlan::checkMemory(std::size_t limitBytes) {
   memoryChecked_ = true;
   const auto asked = [&](std::size_t i) {
-    const ProbeEntry& entry = (*entries_)[i];
+    const ProbeEntry& entry = entries_[i];
     return !entry.wanted.empty() && (targets_.empty() ? entry.needed() : targets_.count(entry.name) != 0);
   };
   MemoryNeed need;
-  for (std::size_t i = 0; i < entries_->size(); ++i) {
-    if (asked(i)) need.add(entries_->probe(i), sources_->pictures);
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (asked(i)) need.add(entries_.probe(i), sources_.pictures);
   }
   memoryError_ = need.bytes() <= limitBytes ? std::string() : need.error(limitBytes);
   return memoryError_.empty();
 }
 
 BakeState ProbePlan::state(const std::string& probeName) const {
-  const auto index = entries_->find(probeName);
+  const auto index = entries_.find(probeName);
   if (!index) return BakeState::NotUsed;
-  const ProbeEntry& entry = (*entries_)[*index];
+  const ProbeEntry& entry = entries_[*index];
   if (current_ && current_->name == probeName) return BakeState::Capturing;
   if (!entry.wanted.empty() && entry.shown == entry.wanted) {
     return entry.fromFile ? BakeState::FromFile : BakeState::UpToDate;
   }
   if (!entry.needed() && targets_.count(probeName) == 0) return BakeState::NotUsed;
-  if (sources_->folder.has(entry.wanted)) return BakeState::FromFile;
+  if (sources_.folder.has(entry.wanted)) return BakeState::FromFile;
   return BakeState::Stale;
 }
 
@@ -167,11 +448,11 @@ std::optional<BakeRecord> ProbePlan::record(const std::string& probeName) const 
     if (skyShown_.empty() || skyStale()) return std::nullopt;
     return BakeRecord{skyShown_, skyShown_, {}, {}};
   }
-  const auto index = entries_->find(probeName);
-  if (!index || !entries_->baked(*index) || (*entries_)[*index].shown != (*entries_)[*index].wanted) {
+  const auto index = entries_.find(probeName);
+  if (!index || !entries_.baked(*index) || entries_[*index].shown != entries_[*index].wanted) {
     return std::nullopt;
   }
-  return keys_->bounces().record(*index);
+  return bounces_.record(*index);
 }
 
 }  // namespace boxprobe

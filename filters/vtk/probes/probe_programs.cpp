@@ -6,13 +6,10 @@
 #include <map>
 #include <new>
 
-#include "filters/vtk/capture/cube_capture.h"
 #include "filters/vtk/draw/constant_plans.h"
 #include "filters/vtk/draw/surface_facts.h"
-#include "filters/vtk/probes/level_needs.h"
-#include "filters/vtk/probes/probe_assignment.h"
-#include "filters/vtk/probes/probe_plan.h"
-#include "filters/vtk/probes/shown_probes.h"
+#include "filters/vtk/probes/probe_baker.h"
+#include "filters/vtk/probes/probe_binder.h"
 #include "filters/vtk/scene/scene_content.h"
 
 namespace boxprobe {
@@ -32,37 +29,31 @@ SurfaceFacts foldedFacts(const DrawnObject& object) {
 
 }  // namespace
 
-void ProbePrograms::assign() {
-  assign(!with_.plan->interactive());
+bool ProbePrograms::known(const ProbeBinding& now, const ProbeBinding& next) const {
+  const std::string key = next.variantKey();
+  return now.variantKey() == key || variantsUsed_.count(key) != 0;
 }
 
-void ProbePrograms::assign(bool newProgramsAllowed) {
-  const auto drawn = with_.shown->all();
+void ProbePrograms::assigned() {
   toPrepare_.clear();
   unfoldConstants();
   for (std::size_t i = 0; i < with_.content->objects.size(); ++i) {
-    DrawnObject& object = with_.content->objects[i];
-    const auto meeting = with_.entries->places().meeting(worldBounds(object));
-    auto binding =
-        assignProbes(object, with_.content->scene, drawn, meeting, with_.plan->enabled(), with_.plan->interactive());
-    const std::string key = binding->variantKey();
-    const ProbeBinding* current = object.pass->GetBinding();
-    // A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
-    if (!newProgramsAllowed && current != nullptr && current->variantKey() != key && variantsUsed_.count(key) == 0)
-      continue;
+    const DrawnObject& object = with_.content->objects[i];
+    const std::string key = object.pass->GetBinding()->variantKey();
     variantsUsed_.insert(key);
-    object.pass->SetBinding(std::move(binding));
     if (with_.plan->interactive()) continue;
-    const auto general = assignProbes(object, with_.content->scene, drawn, meeting, with_.plan->enabled(), true);
+    const auto general = with_.binder->bindingOf(object, true);
     if (editable_ && general->variantKey() != key) prepare(i, general);
     if (!standInsAllowed_) continue;
     prepare(i, object.pass->GetBinding()->standIn());
     if (editable_) prepare(i, general->standIn());
   }
-  recordUse();
-  with_.needs->update();
   updateStandIns();
   foldFacts();
+}
+
+void ProbePrograms::replanned() {
+  if (moving_) updateStandIns();
 }
 
 // Not while a handle is held: other facts may mean other programs.
@@ -124,7 +115,7 @@ void ProbePrograms::foldNext() {
   settings.originWorld = worldBounds(first).center();
   bool refused = false;
   try {
-    with_.capture->drawOnce(settings, {first.actor}, with_.content->lightPointers());
+    with_.baker->capture()->drawOnce(settings, {first.actor}, with_.content->lightPointers());
     refused = first.pass->GetConstantsRefused();
   } catch (const std::bad_alloc&) {
     refused = true;
@@ -135,25 +126,6 @@ void ProbePrograms::foldNext() {
   }
   for (const std::size_t object : fold.objects) with_.content->objects[object].pass->SetConstants(fold.plan);
   with_.state->counts.counters.constantsFolded += fold.objects.size();
-}
-
-// By what objects are drawn with, not by what meets them.
-void ProbePrograms::recordUse() {
-  with_.state->resources.shadowLightsInUse.clear();
-  std::vector<ObjectUse> uses;
-  for (const DrawnObject& object : with_.content->objects) {
-    ObjectUse use;
-    use.lit = !object.unlit && object.settings.visible;
-    if (const ProbeBinding* binding = object.pass->GetBinding()) {
-      with_.state->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
-      for (const auto& probe : binding->probes) {
-        // During a drag an object may still be drawn with one that is no longer in the list.
-        if (with_.shown->has(*probe)) use.probes.push_back(static_cast<std::size_t>(probe->index));
-      }
-    }
-    uses.push_back(std::move(use));
-  }
-  with_.entries->setUse(std::move(uses));
 }
 
 bool ProbePrograms::pending() const {
@@ -167,7 +139,7 @@ void ProbePrograms::prepare(std::size_t object, std::shared_ptr<const ProbeBindi
 void ProbePrograms::allowStandIns(bool allowed) {
   if (standInsAllowed_ == allowed) return;
   standInsAllowed_ = allowed;
-  assign();
+  with_.binder->assign();
 }
 
 bool ProbePrograms::setMoving(bool moving) {
@@ -203,7 +175,7 @@ void ProbePrograms::prepareOne() {
   object.pass->SetBinding(std::move(general));
   CaptureSettings settings;
   settings.originWorld = worldBounds(object).center();
-  with_.capture->drawOnce(settings, {object.actor}, with_.content->lightPointers());
+  with_.baker->capture()->drawOnce(settings, {object.actor}, with_.content->lightPointers());
   object.pass->SetBinding(binding);
   object.pass->SetSeparateSpecular(apart);
 }

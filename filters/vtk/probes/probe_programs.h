@@ -1,5 +1,5 @@
-// Which probes each object is drawn with, what stands in for them while something moves, and which programs are
-// compiled before they are needed. Called when shapes, techniques or maps change; makes no maps.
+// Which programs are compiled before they are needed: for a box that is dragged, for what stands in while something
+// moves, and, at rest, with numbers as constants. Told when objects get other bindings; makes no maps.
 #pragma once
 
 #include <memory>
@@ -14,18 +14,16 @@
 
 namespace boxprobe {
 
-class ProbePrograms {
+class ProbePrograms : public ProgramWork {
  public:
   /// `with` and all that it points to must outlive this.
   explicit ProbePrograms(const ProbeContext& with) : with_(with) {}
 
-  /// Gives every object the probes whose influence meets it; during a drag only as far as there are programs for it
-  /// already.
-  void assign();
-  /// The same, whether a program has to be compiled for it or not.
-  void assignAll() { assign(true); }
+  bool known(const ProbeBinding& now, const ProbeBinding& next) const override;
+  void assigned() override;
+  void replanned() override;
 
-  /// Boxes may be dragged: the programs that takes are compiled ahead. Takes effect with the next assign().
+  /// Boxes may be dragged: the programs that takes are compiled ahead. Takes effect with the next assignment.
   void setEditable(bool editable) { editable_ = editable; }
   /// Stand-ins may be shown: their programs are compiled ahead, too.
   void allowStandIns(bool allowed);
@@ -33,11 +31,9 @@ class ProbePrograms {
   /// them. Returns whether any object is.
   bool setMoving(bool moving);
   bool moving() const { return moving_; }
-  /// To be called when captures begin or end.
-  void updateStandIns();
 
   /// Nothing has been edited for a while: programs with the numbers that rest as constants are compiled, one a call of
-  /// prepareOne(), and shown once they are there. Until assign() is called next, which leaves them.
+  /// prepareOne(), and shown once they are there. Until objects are assigned next.
   void foldConstants();
 
   /// Is there a program to compile, and nothing moves meanwhile?
@@ -49,9 +45,8 @@ class ProbePrograms {
   }
 
  private:
-  void assign(bool newProgramsAllowed);
+  void updateStandIns();
   void prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding);
-  void recordUse();
   /// What each object's program may take for granted.
   void foldFacts();
   void unfoldConstants();

@@ -1,15 +1,16 @@
-// The probes of a scene at work, as the scene renderer uses them: which maps each one shows, what is made for them, and
-// which object uses which probe. Owned by the scene renderer; puts its parts in touch and holds nothing else:
+// The probes of one renderer at work: what of them has to be captured, captured and filtered step by step, and who is
+// lit by what. A scene's renderer and the probes of other programs' actors both stand on it; they tell it what captures
+// see (CaptureInputs), hand it their objects and lights (SceneContent), and ask for a step of work.
 //
-//   ProbeEntries    what each probe shows and should show, by key      ProbeKeys   those keys
-//   ProbePlan       what has to be made, in which order                ProbeBaker  makes it and shows it
-//   ShownProbes     the maps probes are drawn with                     ProbeLight, ProbeErrors   what follows from them
-//   ProbePrograms   which object is drawn with which probes
+//   ProbePlan     what has to be made, in which order, by key: no OpenGL, no VTK
+//   ProbeBaker    makes it and shows it
+//   ProbeBinder   who is lit by what
+//   ProbePrograms what is compiled ahead; other programs' actors go without
 //
-// A baked probe is made once for given inputs (capture_key.h, bounce_keys.h), kept for undo, and taken from a file
-// where one with the same key lies. A realtime probe follows what it shows: one face per step, only faces that changed,
-// and the new maps replace the old ones whole, so that no half of one moment is seen beside half of another. A custom
-// probe is filtered from a picture.
+// A baked probe is made once for given inputs (capture_key.h), kept for undo, and taken from a file where one with the
+// same key lies. A realtime probe follows what it shows: one face per step, only faces that changed, and the new maps
+// replace the old ones whole, so that no half of one moment is seen beside half of another. A custom probe is filtered
+// from a picture.
 #pragma once
 
 #include <memory>
@@ -17,58 +18,50 @@
 #include <string>
 #include <vector>
 
-#include "filters/vtk/maps/map_cache.h"
-#include "filters/vtk/probes/capture_inputs.h"
-#include "filters/vtk/probes/level_needs.h"
 #include "filters/vtk/probes/probe_baker.h"
-#include "filters/vtk/probes/probe_errors.h"
-#include "filters/vtk/probes/probe_light.h"
+#include "filters/vtk/probes/probe_binder.h"
 #include "filters/vtk/probes/probe_plan.h"
 #include "filters/vtk/probes/probe_programs.h"
-#include "filters/vtk/probes/shown_probes.h"
 
 namespace boxprobe {
 
 class ProbeSet {
  public:
-  ProbeSet(vtkOpenGLRenderWindow* window, const std::shared_ptr<DrawState>& state, CubeCapture* capture,
-           SceneContent* content, Times* times);
+  /// Of a scene, whose content and state must outlive this: every kind of probe, programs compiled ahead.
+  ProbeSet(SceneContent* content, const std::shared_ptr<DrawState>& state);
+  /// Of somebody else's actors: captures take probes as `captured` has them, which stands beside the content's own; all
+  /// mip levels are filtered, since nobody knows what the actors' materials will be; no map is kept for undo.
+  ProbeSet(SceneContent* content, const std::shared_ptr<DrawState>& state, const Scene* captured);
   ProbeSet(const ProbeSet&) = delete;  // its parts know each other by address
   ProbeSet& operator=(const ProbeSet&) = delete;
 
-  /// Takes over boxes, weights and techniques from the scene: uniforms only.
-  void updateShapes();
-  /// Gives every object the probes whose influence meets it; during a drag only as far as there are programs for it
-  /// already.
-  void assignToObjects() { programs_.assign(); }
+  ProbePlan& plan() { return plan_; }
+  const ProbePlan& plan() const { return plan_; }
+  ProbeBaker& baker() { return baker_; }
+  const ProbeBaker& baker() const { return baker_; }
+  ProbeBinder& binder() { return binder_; }
+  const ProbeBinder& binder() const { return binder_; }
+  ProbePrograms& programs() { return programs_; }
+
+  /// Takes over boxes, weights and techniques from the scene: uniforms only. `origins`: where each probe of the list
+  /// was before, if the caller knows; else they are known by their names. The caller assigns.
+  void updateShapes(const std::optional<ProbeEntries::Origins>& origins = {});
   /// Finds out which captures an edit has made stale; shows maps made before where there are any; starts or stops work.
-  void updateCaptures();
+  void updateCaptures(CaptureInputs inputs);
+  /// Shows maps from elsewhere in place of captures; null: captures again. updateCaptures() follows.
+  void give(std::size_t index, std::shared_ptr<const ProbeMaps> maps);
 
   void setInteractive(bool interactive);
   void setEnabled(bool enabled);
-  /// Someone may start to drag a box: the programs that takes are compiled ahead, as work of the lowest priority.
-  void setEditable(bool editable) { programs_.setEditable(editable); }
-  /// The camera or a handle may be moved with cheaper techniques on the screen: their programs are compiled ahead, too.
-  void allowStandIns(bool allowed) { programs_.allowStandIns(allowed); }
-  /// Draws by them, as far as they are compiled and unless a capture that lasts is under way, which must not see them.
-  /// Returns whether any object is.
-  bool setMoving(bool moving) { return programs_.setMoving(moving); }
-  /// See the scene renderer's functions of these names.
-  void foldConstants() { programs_.foldConstants(); }
   void setBakeTargets(const std::vector<std::string>& names);
   void useBakedFiles(const std::string& folder);
+  /// These are made again although nothing changed; updateCaptures() follows.
   void requestBake(const std::vector<std::string>& names);
-  BakeState bakeState(const std::string& probeName) const { return plan_.state(probeName); }
   std::vector<std::string> bakeKeys(const std::string& probeName) const;
-  const std::string& pictureError() const { return sources_.pictures.error(); }
   /// On pictures of custom probes and on damaged baked files, one sentence each.
   std::vector<std::string> sourceRemarks() const;
-  /// Empty, or why nothing is made: the maps would not fit into the graphics memory.
-  const std::string& memoryError() const { return plan_.memoryError(); }
   /// Drops all work until something changes.
   void giveUp();
-  /// What the maps a baked probe shows were made from; nothing while they are not the final ones. Empty: the sky.
-  std::optional<BakeRecord> record(const std::string& probeName) const { return plan_.record(probeName); }
 
   /// What a frame showed, as indices of objects: of many probes only those are made that something in it is lit by.
   /// Nothing: not known, as if all were.
@@ -82,43 +75,33 @@ class ProbeSet {
   void step();
   /// From 0 to 1, of all that was planned since there last was nothing to do; below 1 while anything is pending.
   double progress() const;
-  /// What is drawn beside the scene's objects samples these levels of these maps; null: nothing does.
-  void alsoSampled(const std::shared_ptr<const ProbeMaps>& maps, LevelMask levels) { needs_.also(maps, levels); }
 
   /// What a probe shows now; null while it has none, or if there is no such probe.
   std::shared_ptr<const ProbeMaps> maps(const std::string& probeName) const;
+  std::shared_ptr<const ProbeMaps> maps(std::size_t index) const { return binder_.drawn(index).maps; }
   std::optional<ShCoefficients> diffuseLight(const std::string& probeName) const;
 
-  std::shared_ptr<const ProbeMaps> maps(std::size_t index) const { return shown_.drawn(index).maps; }
-
   std::size_t memoryBytes() const;
+  /// Frees what the graphics side holds, and the window with it.
   void release();
 
  private:
   std::optional<std::size_t> toMeasure() const;
-  bool sightPending() const { return plan_.enabled() && light_.sightPending(); }
+  bool sightPending() const { return plan_.enabled() && binder_.sightPending(); }
   /// Not while a handle is dragged, which is to change uniforms and no more: what it newly lights shows plain means of
   /// the capture until it is let go.
-  bool levelsPending() const { return !plan_.interactive() && needs_.lacking(); }
+  bool levelsPending() const { return !plan_.interactive() && binder_.needs().lacking(); }
   void doOne();
   void makeLevel();
-  void updateKeys();
   void makeAnew(std::size_t index);
 
   ProbeContext with_;
-  MapCache cache_;
-  CaptureInputs inputs_;
-  ProbeSources sources_;
-  ProbeEntries entries_;
-  ProbeKeys keys_;
   ProbePlan plan_;
-  ShownProbes shown_;
-  LevelNeeds needs_;
-  ProbeLight light_;
-  ProbeErrors errors_;
-  ProbePrograms programs_;
   ProbeBaker baker_;
+  ProbeBinder binder_;
+  ProbePrograms programs_;
   int levelsMade_ = 0;  ///< since there last was nothing to do
+  int given_ = 0;       ///< maps so far
 };
 
 }  // namespace boxprobe

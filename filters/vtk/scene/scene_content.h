@@ -29,6 +29,7 @@ struct SceneContent {
   std::vector<DrawnObject> objects;
   std::vector<vtkSmartPointer<vtkLight>> lights;
   vtkNew<vtkSkyProp> sky;
+  vtkSkyProp* skyLight = nullptr;              ///< what lights in its place; null: it does
   std::shared_ptr<const SceneLamps> lamps;     ///< null unless they are drawn as shapes
   SightLinesMaker sightLines;                  ///< traces what hides lamps; null: nothing does
   std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
