@@ -107,7 +107,8 @@ float seenShare(const ExplainedProbe& probe, const SurfacePoint& surface, int ch
       glm::vec3(surface.positionWorld - surface.eyeWorld) - glm::vec3(g.originWorld - surface.eyeWorld);
   const glm::vec3 place = shading::sightPlace(sightShape(*probe.sight, g), g.rotated ? probeFromWorld * offset : offset,
                                               g.rotated ? probeFromWorld * surface.normalWorld : surface.normalWorld);
-  return probe.sight->lattice.fetchSight(place, channel / 4)[channel % 4];
+  const SightLattice& lattice = probe.sight->lattice;
+  return shading::sightShare(lattice.fetchSight(place, channel / 4)[channel % 4], lattice.fetchSight(place, 0).x);
 }
 
 float lightSeen(const ExplainInput& in, int light) {

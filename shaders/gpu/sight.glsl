@@ -36,11 +36,11 @@ void bpFindSights(vec3 position, vec3 normal)
   }
 }
 
-// Of channel 0 and up its share; -1: all of it, -2: nothing.
+// Of channel 1 and up its share, which the nodes' say divides, channel 0; -1: all of it, -2: nothing.
 float bpSeen(int slot, float channel)
 {
   int c = int(channel);
-  return c < 0 ? channel + 2.0f : bpSeenShares[4 * slot + c / 4][c - 4 * (c / 4)];
+  return c < 0 ? channel + 2.0f : sightShare(bpSeenShares[4 * slot + c / 4][c - 4 * (c / 4)], bpSeenShares[4 * slot].x);
 }
 
 #if BP_SIGHT_LIGHTS > 0

@@ -7,3 +7,9 @@ vec3 sightPlace(LatticeShape lattice, vec3 position, vec3 n)
 {
   return clamp((position - lattice.low) * lattice.perUnit + 0.35f * n, vec3(0.0f), lattice.last);
 }
+
+// What is seen: nodes' shares are multiplied by their say, which is small within things and close to a sheet's other side.
+float sightShare(float share, float say)
+{
+  return min(share / max(say, 0.004f), 1.0f);
+}

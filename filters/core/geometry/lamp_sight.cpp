@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -71,6 +72,14 @@ class Nodes {
     return {i % n.x, i / n.x % n.y, i / (n.x * n.y)};
   }
   glm::dvec3 world(std::size_t node) const { return middle_ + turn_ * (low + glm::dvec3(at(node)) * step); }
+  // Directions 0 to 5, world: +X, -X, +Y, -Y, +Z, -Z of the box; and the node that way.
+  glm::dvec3 along(int i) const { return (i % 2 == 0 ? 1.0 : -1.0) * turn_[i / 2]; }
+  std::optional<std::size_t> next(std::size_t node, int i) const {
+    glm::ivec3 p = at(node);
+    const int k = p[i / 2] += i % 2 == 0 ? 1 : -1;
+    if (k < 0 || k >= n[i / 2]) return std::nullopt;
+    return static_cast<std::size_t>((p.z * n.y + p.y) * n.x + p.x);
+  }
   double spacing() const { return std::min({step.x, step.y, step.z}); }
   // Calls f(neighbour, squared distance in nodes) for those of the 26 that exist.
   template <typename F>
@@ -94,25 +103,44 @@ class Nodes {
   glm::dmat3 turn_;
 };
 
-// Not within things: most of what is met around the node shows its front. Where hardly a node is valid, fronts and
-// backs mean nothing in this scene, and all are.
-std::vector<char> validNodes(const SightLines& lines, const Nodes& nodes, std::size_t& rays) {
-  std::vector<char> valid(nodes.size(), 1);
+// A node's say where surfaces are lit: 1, less where a sheet between it and its neighbour is close to it, so that it
+// does not count on the sheet's other side; kHardly within things.
+constexpr float kHardly = 16.0f / 255.0f;
+
+struct NodeStates {
+  std::vector<char> valid;
+  std::vector<float> say;
+};
+
+// Within things are nodes that see more backs than fronts. Where hardly a node is valid, fronts and backs mean nothing
+// in this scene, and all are.
+NodeStates nodeStates(const SightLines& lines, const Nodes& nodes, std::size_t& rays) {
+  NodeStates states{std::vector<char>(nodes.size(), 1), std::vector<float>(nodes.size(), 1.0f)};
+  std::vector<std::array<float, 6>> clear(nodes.size());  // how far it is to the next surface each way, in nodes
   tbb::parallel_for(std::size_t(0), nodes.size(), [&](std::size_t node) {
     int met = 0, backs = 0;
     for (int i = 0; i < 6; ++i) {
-      glm::dvec3 d(0.11, 0.07, -0.05);
-      d[i / 2] = i % 2 == 0 ? 1.0 : -1.0;
-      const auto hit = lines.first(nodes.world(node), glm::normalize(d));
+      const auto hit = lines.first(nodes.world(node), nodes.along(i));
       met += hit ? 1 : 0;
       backs += hit && hit->back ? 1 : 0;
+      clear[node][static_cast<std::size_t>(i)] =
+          hit ? static_cast<float>(std::min(hit->distance / nodes.step[i / 2], 10.0)) : 10.0f;
     }
-    valid[node] = 2 * backs <= met ? 1 : 0;
+    states.valid[node] = 2 * backs <= met ? 1 : 0;
   });
   rays += 6 * nodes.size();
-  const auto left = static_cast<std::size_t>(std::count(valid.begin(), valid.end(), 1));
-  if (4 * left < nodes.size()) std::fill(valid.begin(), valid.end(), static_cast<char>(1));
-  return valid;
+  const auto left = static_cast<std::size_t>(std::count(states.valid.begin(), states.valid.end(), 1));
+  if (4 * left < nodes.size()) std::fill(states.valid.begin(), states.valid.end(), static_cast<char>(1));
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    if (states.valid[node] == 0) states.say[node] = kHardly;
+    for (int i = 0; i < 6 && states.valid[node] != 0; ++i) {
+      const auto other = nodes.next(node, i);
+      const float distance = clear[node][static_cast<std::size_t>(i)];
+      if (!other || states.valid[*other] == 0 || distance >= 1.0f) continue;
+      states.say[node] = std::min(states.say[node], std::max(2.0f * distance, kHardly));
+    }
+  }
+  return states;
 }
 
 // What is not known is the mean of what is known around it, layer by layer.
@@ -377,13 +405,14 @@ ProbeSight probeSight(const SightLines& lines, const SightTask& task, const std:
     return sight;
   }
   const Nodes nodes(task, sightNodes(task.box.size(), settings));
-  const std::vector<char> valid = validNodes(lines, nodes, sight.rays);
+  const NodeStates states = nodeStates(lines, nodes, sight.rays);
+  const std::vector<char>& valid = states.valid;
   std::vector<std::vector<float>> shares;
   const auto channelOf = [&](Seen seen) {
     if (seen.channel == kSeenByAll) ++sight.unshadowed;
     if (seen.channel != 0) return seen.channel;
     shares.push_back(std::move(seen.shares));
-    return static_cast<int>(shares.size()) - 1;
+    return static_cast<int>(shares.size());  // channel 0 is the nodes' say
   };
   std::map<std::size_t, int> lampChannels;
   for (std::size_t i = 0; i < task.lamps.size() && !cancelled; ++i) {
@@ -415,13 +444,15 @@ ProbeSight probeSight(const SightLines& lines, const SightTask& task, const std:
   lattice.nodes = nodes.n;
   lattice.low = nodes.low;
   lattice.high = nodes.high;
-  lattice.channels = static_cast<int>(shares.size());
-  lattice.texels.assign(4 * nodes.size() * static_cast<std::size_t>(lattice.parts()), 255);
-  for (std::size_t channel = 0; channel < shares.size(); ++channel) {
-    std::uint8_t* to = lattice.texels.data() + 4 * nodes.size() * (channel / 4) + channel % 4;
-    for (std::size_t node = 0; node < nodes.size(); ++node) {
-      to[4 * node] = static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(shares[channel][node], 0.0f, 1.0f)));
-    }
+  lattice.channels = static_cast<int>(shares.size()) + 1;
+  lattice.texels.assign(4 * nodes.size() * static_cast<std::size_t>(lattice.parts()), 0);
+  const auto put = [&](std::size_t channel, std::size_t node, float value) {
+    lattice.texels[4 * nodes.size() * (channel / 4) + 4 * node + channel % 4] =
+        static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+  };
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    put(0, node, states.say[node]);
+    for (std::size_t k = 0; k < shares.size(); ++k) put(k + 1, node, states.say[node] * shares[k][node]);
   }
   return sight;
 }

@@ -22,7 +22,8 @@ struct SightSettings {
   static constexpr int kRays = 16;  ///< to each lamp from a node; a quarter of them where all nodes around agree
 };
 
-/// What a node sees of up to `channels` lamps, one byte each.
+/// What nodes see of lamps, a byte each. Channel 0 is a node's say, small within things and where a sheet stands close
+/// before the next node; the others are shares of lamps times that (shading::sightShare).
 struct SightLattice : shading::SightSampler {
   static constexpr int kMostNodes = 64;  ///< along an axis
 
@@ -41,7 +42,7 @@ struct SightLattice : shading::SightSampler {
   shading::LatticeShape shape(const glm::dvec3& origin) const;
 };
 
-/// How a probe's nodes see a lamp or a light source: a channel of its lattice, or one of these.
+/// How a probe's nodes see a lamp or a light source: a channel of its lattice, 1 and up, or one of these.
 constexpr int kSeenByAll = -1, kSeenByNone = -2;
 
 /// What is traced for a probe. Equal tasks in an equal scene have equal results.

@@ -30,7 +30,13 @@ class NodeTracer {
     const glm::vec3 size = base.high - base.low;
     margin_ = 3.0e-4 * static_cast<double>(std::max({size.x, size.y, size.z}));
     far_ = 1.0e4 * static_cast<double>(std::max({size.x, size.y, size.z}));
-    for (const SceneLamp& lamp : in.lamps) polygons_.push_back(lampPolygon(lamp, in.originWorld));
+    // The lattice's box: its nodes are 0.15 within, at most a quarter of it (LatticeSettings::inset).
+    const glm::vec3 inset = glm::min(glm::vec3(0.15f), 0.5f * size);
+    low_ = base.low - inset;
+    high_ = base.high + inset;
+    for (const std::size_t lamp : in.drawn) {
+      polygons_.push_back(lampPolygon(in.lamps->lamps[lamp], in.originWorld));
+    }
     const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
     for (int i = 0; i < rays_; ++i) {
       const double z = 1.0 - (2.0 * i + 1.0) / rays_, phi = 2.0 * kTracePi * (i * golden - std::floor(i * golden));
@@ -70,7 +76,26 @@ class NodeTracer {
       const double seen = -glm::dot(hit.normal, way) / length, ratio = hit.distance / length;
       return ofMap(way / length, texelsPerRay_ * ratio * ratio * seen / towards);
     }
+    if (const auto seen = throughOpening(from, direction, hit.distance)) return ofMap(*seen, texelsPerRay_);
     return hit.albedo * arriving(off, hit.normal);
+  }
+
+  // Of a ray that leaves the box, through a door: towards where it does, if the origin sees that. Its map has the next
+  // room's light there, which nothing else here knows.
+  std::optional<glm::dvec3> throughOpening(const glm::dvec3& from, const glm::dvec3& direction, double distance) const {
+    const glm::dmat3 probeFromWorld = glm::transpose(in_.worldFromProbe);
+    const glm::dvec3 start = probeFromWorld * (from - in_.originWorld), along = probeFromWorld * direction;
+    double leaves = 1.0e300;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(along[axis]) < 1.0e-9) continue;
+      const auto side = static_cast<double>(along[axis] > 0.0 ? high_[axis] : low_[axis]);
+      leaves = std::min(leaves, (side - start[axis]) / along[axis]);
+    }
+    if (!(leaves > 0.0) || distance < leaves + 20.0 * margin_) return std::nullopt;
+    const glm::dvec3 at = from + leaves * direction, way = at - in_.originWorld;
+    const double length = glm::length(way);
+    if (!(length > 0.0) || in_.lines->blocked(in_.originWorld, at, true)) return std::nullopt;
+    return way / length;
   }
 
   // Irradiance over pi at a place that the capture origin does not see.
@@ -81,10 +106,12 @@ class NodeTracer {
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
       const float share = shading::lampDiffuse(&polygons_[i], position, n);
       if (share <= 1.0e-6f) continue;
-      const glm::dvec3 to = in_.lamps[i].middle + (at - in_.lamps[i].middle) * 1.0e-3;
-      if (!in_.lines->blocked(at, to, true)) sum += share * glm::vec3(in_.lamps[i].radiance);
+      const SceneLamp& lamp = in_.lamps->lamps[in_.drawn[i]];
+      const glm::dvec3 to = lamp.middle + (at - lamp.middle) * 1.0e-3;
+      if (!in_.lines->blocked(at, to, true)) sum += share * glm::vec3(lamp.radiance);
     }
-    for (const Light& light : in_.lights) {
+    static const std::vector<Light> kNone;
+    for (const Light& light : in_.lights ? *in_.lights : kNone) {
       const bool sun = light.type == LightType::Directional;
       const glm::dvec3 way = sun ? -glm::normalize(light.direction) * far_ : light.position - at;
       const double distance = std::max(glm::length(way), 1.0e-9), cosine = glm::dot(way, normal) / distance;
@@ -111,6 +138,7 @@ class NodeTracer {
   const LatticeSurroundings& in_;
   int rays_ = 0;
   double margin_ = 0.0, far_ = 0.0, texelsPerRay_ = 1.0;
+  glm::vec3 low_{0.0f}, high_{0.0f};    // of the box, probe frame
   std::vector<LampPolygon> polygons_;   // relative to the capture origin, world axes
   std::vector<glm::dvec3> directions_;  // world
   std::vector<std::array<float, 9>> basis_;
@@ -150,12 +178,16 @@ void fillNodes(DiffuseLattice& lattice, std::vector<char> known) {
 }  // namespace
 
 bool LatticeSurroundings::operator==(const LatticeSurroundings& o) const {
-  const auto sameLamp = [](const SceneLamp& a, const SceneLamp& b) {
+  if (lines != o.lines || originWorld != o.originWorld || worldFromProbe != o.worldFromProbe ||
+      mapFromProbe != o.mapFromProbe || drawn.size() != o.drawn.size()) {
+    return false;
+  }
+  if (lights != o.lights && !(lights && o.lights && *lights == *o.lights)) return false;
+  if (lamps == o.lamps) return drawn == o.drawn;
+  return std::equal(drawn.begin(), drawn.end(), o.drawn.begin(), [&](std::size_t i, std::size_t k) {
+    const SceneLamp &a = lamps->lamps[i], &b = o.lamps->lamps[k];
     return a.corners == b.corners && a.radiance == b.radiance && a.bothSides == b.bothSides;
-  };
-  return lines == o.lines && originWorld == o.originWorld && worldFromProbe == o.worldFromProbe &&
-         mapFromProbe == o.mapFromProbe && lights == o.lights &&
-         std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
+  });
 }
 
 DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,

@@ -14,12 +14,13 @@ namespace boxprobe {
 
 /// What a lattice is traced in. Equal ones give the same lattice.
 struct LatticeSurroundings {
-  std::shared_ptr<const SightLines> lines;
-  glm::dvec3 originWorld{0.0};     ///< where the map was captured
-  glm::dmat3 worldFromProbe{1.0};  ///< rotations
+  std::shared_ptr<const SightLines> lines;  ///< null: nothing is traced
+  glm::dvec3 originWorld{0.0};              ///< where the map was captured
+  glm::dmat3 worldFromProbe{1.0};           ///< rotations
   glm::dmat3 mapFromProbe{1.0};
-  std::vector<SceneLamp> lamps;  ///< drawn as shapes, and left out of the map
-  std::vector<Light> lights;     ///< those that shine and are not counted with a lamp
+  std::shared_ptr<const SceneLamps> lamps;  ///< of the scene
+  std::vector<std::size_t> drawn;           ///< those of them that are drawn as shapes, and left out of the map
+  std::shared_ptr<const std::vector<Light>> lights;  ///< those that shine and are not counted with a lamp; may be null
   bool operator==(const LatticeSurroundings& o) const;
 };
 

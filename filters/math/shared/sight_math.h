@@ -17,5 +17,7 @@ class SightSampler {
 
 /// The lattice's slot is not used.
 vec3 sightPlace(LatticeShape lattice, vec3 position, vec3 n);
+/// `share`: of a channel; `say`: of channel 0.
+float sightShare(float share, float say);
 
 }  // namespace boxprobe::shading

@@ -45,8 +45,8 @@ struct SceneResources {
   GLuint blackCube = 0;                     ///< stands in for maps not captured yet
   GLuint viewColors = 0;                    ///< 256 x 1, of the debug view; made when that is first shown
   std::shared_ptr<const SceneLamps> lamps;  ///< null unless they are drawn as shapes
-  std::shared_ptr<const SightLines> sightLines;  ///< through the scene as it stands still; null: not traced
-  std::vector<Light> looseLights;                ///< those that shine and are not counted with a lamp
+  std::shared_ptr<const SightLines> sightLines;           ///< through the scene as it stands still; null: not traced
+  std::shared_ptr<const std::vector<Light>> looseLights;  ///< those that shine and are not counted with a lamp
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::shared_ptr<SightAtlas> sights = std::make_shared<SightAtlas>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights

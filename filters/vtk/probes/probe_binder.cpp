@@ -206,12 +206,13 @@ void ProbeBinder::showSight() {
   const SceneLamps* lamps = with_.content->lamps.get();
   SceneResources& resources = with_.state->resources;
   resources.sightLines = lamps != nullptr ? sight_.lines() : nullptr;
-  resources.looseLights.clear();
+  auto loose = std::make_shared<std::vector<Light>>();
   for (std::size_t i = 0; lamps != nullptr && i < with_.content->scene.lights.size(); ++i) {
     const bool counted = std::any_of(lamps->lamps.begin(), lamps->lamps.end(),
                                      [i](const SceneLamp& lamp) { return lamp.light && *lamp.light == i; });
-    if (!counted) resources.looseLights.push_back(with_.content->scene.lights[i]);
+    if (!counted) loose->push_back(with_.content->scene.lights[i]);
   }
+  resources.looseLights = std::move(loose);
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     DrawnProbe& drawn = *probes_[i].drawn;
     drawn.sight = drawn.shapes ? sight_.of(i) : nullptr;

@@ -69,11 +69,15 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
   scene_ = wanted ? std::make_shared<const Scene>(scene) : nullptr;
 }
 
+SightWork::~SightWork() {
+  cancel();
+  for (const auto& ending : ending_) ending.wait();
+}
+
 void SightWork::cancel() {
   if (!running_.valid()) return;
   *cancelled_ = true;
-  running_.wait();
-  running_ = {};
+  ending_.push_back(std::move(running_));
 }
 
 void SightWork::start() {
@@ -101,6 +105,10 @@ void SightWork::start() {
 
 bool SightWork::proceed(std::chrono::milliseconds wait) {
   if (!pending()) return false;
+  while (!ending_.empty()) {
+    if (ending_.back().wait_for(wait) != std::future_status::ready) return false;
+    ending_.pop_back();
+  }
   if (!running_.valid()) start();
   if (running_.wait_for(wait) != std::future_status::ready) return false;
   open_ = false;

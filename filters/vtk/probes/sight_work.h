@@ -20,7 +20,7 @@ class SightWork {
   using Models = std::vector<std::shared_ptr<const Model>>;
 
   SightWork() = default;
-  ~SightWork() { cancel(); }
+  ~SightWork();
   SightWork(const SightWork&) = delete;
   SightWork& operator=(const SightWork&) = delete;
 
@@ -42,6 +42,7 @@ class SightWork {
   std::shared_ptr<const ProbeSight> of(std::size_t probe) const;
   /// Through the scene that was asked for last; null: not known yet, or nothing is to be traced.
   const std::shared_ptr<const SightLines>& lines() const { return lines_; }
+  /// What runs ends soon; nothing begins before it has.
   void cancel();
 
  private:
@@ -76,6 +77,7 @@ class SightWork {
   std::vector<std::shared_ptr<const ProbeSight>> made_;
   std::future<Done> running_;
   std::shared_ptr<std::atomic<bool>> cancelled_;
+  std::vector<std::future<Done>> ending_;  ///< cancelled ones, which nobody waits for while there is something to draw
 };
 
 }  // namespace boxprobe

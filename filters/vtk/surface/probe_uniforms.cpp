@@ -119,8 +119,8 @@ LatticeSource latticeSource(const SceneResources& resources, const DrawnProbe& p
   for (const std::size_t i : probe.lamps)
     source.lamps.push_back(lampPolygon(lamps.lamps[i], g.originWorld, worldFromMap));
   if (!resources.sightLines) return source;
-  source.traced = {resources.sightLines, g.originWorld, g.worldFromProbe, g.mapFromProbe, {}, resources.looseLights};
-  for (const std::size_t i : probe.lamps) source.traced.lamps.push_back(lamps.lamps[i]);
+  source.traced = {resources.sightLines, g.originWorld, g.worldFromProbe,     g.mapFromProbe,
+                   resources.lamps,      probe.lamps,   resources.looseLights};
   return source;
 }
 
