@@ -1,9 +1,7 @@
-// The translation unit that compiles shaders/shared/lamp.glsl, lamp_lobe.glsl, lattice.glsl and sight.glsl as
-// C++.
+// The translation unit that compiles shaders/shared/lamp.glsl, lamp_lobe.glsl and lattice.glsl as C++.
 #include "filters/math/shared/lamp_math.h"
 
 #include "filters/math/shared/glsl_built_ins.h"
-#include "filters/math/shared/sight_math.h"
 
 namespace boxprobe::shading {
 
@@ -28,6 +26,5 @@ static vec4 fetchLattice(const LatticeSampler* lattice, vec3 place, int part) {
 #include "shaders/shared/lamp_lobe.glsl"  // after lamp.glsl, which it uses
 #undef LAMP_SLOT
 #include "shaders/shared/lattice.glsl"
-#include "shaders/shared/sight.glsl"
 
 }  // namespace boxprobe::shading

@@ -1,5 +1,5 @@
 // shaders/shared/sight.glsl as C++: where a surface looks up what it sees of its lamps. The definition is in
-// lamp_math.cpp.
+// sight_math.cpp.
 #pragma once
 
 #include "filters/math/shared/lamp_math.h"

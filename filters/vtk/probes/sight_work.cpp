@@ -28,8 +28,13 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
       placed.rotationDegrees = object.rotationDegrees;
       if (!(placed == ObjectOverride{})) surroundings.objects.emplace(node, placed);
     }
-    for (const auto& [name, material] : scene.materials) {
-      if (material.emissive) surroundings.shining[name] = *material.emissive != glm::vec3(0.0f);
+    for (const auto& model : models) {
+      for (const Material& material : model->materials) {
+        const auto found = scene.materials.find(material.name);
+        if (found == scene.materials.end() || !found->second.emissive) continue;
+        const bool shines = *found->second.emissive != glm::vec3(0.0f);
+        if (shines != (material.emissive != glm::vec3(0.0f))) surroundings.shining[material.name] = shines;
+      }
     }
   } else {
     for (auto& task : tasks) task.reset();
