@@ -73,6 +73,21 @@ Json lookupJson(const Lookup& lookup) {
           {"value", vector(lookup.value)},         {"texels", texels}};
 }
 
+Json diffuseJson(const DiffuseExplanation& d) {
+  Json lamps = Json::array(), nodes = Json::array();
+  for (const LampAtPoint& lamp : d.lamps) {
+    lamps.push_back({{"object", lamp.node}, {"light", vector(lamp.light)}, {"filled", number(lamp.filled)}});
+  }
+  for (const LatticeNodeAtPoint& node : d.nodes) {
+    nodes.push_back({{"node", {node.node.x, node.node.y, node.node.z}},
+                     {"positionProbe", vector(node.positionProbe)},
+                     {"weight", number(node.weight)}});
+  }
+  return {{"lamps", lamps},
+          {"lattice",
+           {{"nodes", {d.nodeCount.x, d.nodeCount.y, d.nodeCount.z}}, {"light", vector(d.lattice)}, {"at", nodes}}}};
+}
+
 Json probeJson(const ProbeExplanation& p) {
   Json json = {{"name", p.name},
                {"weight", number(p.weight)},
@@ -102,6 +117,7 @@ Json probeJson(const ProbeExplanation& p) {
   json["trueDistance"] = orNull(p.trueDistance);
   json["specular"] = vector(p.specular);
   json["irradianceOverPi"] = vector(p.irradiance);
+  if (!p.diffuse.nodes.empty()) json["diffuse"] = diffuseJson(p.diffuse);
   json["lookups"] = Json::array();
   for (const Lookup& lookup : p.lookups) json["lookups"].push_back(lookupJson(lookup));
   return json;
@@ -161,6 +177,8 @@ std::string explanationJson(const Explanation& e, const std::optional<Verdict>& 
   json["direct"] = vector(e.direct);
   json["emissive"] = vector(e.emissive);
   json["diffuse"] = vector(e.diffuse);
+  const float whole = e.color.x + e.color.y + e.color.z;
+  json["diffuseShare"] = whole > 0.0f ? number((e.diffuse.x + e.diffuse.y + e.diffuse.z) / whole) : Json(nullptr);
   json["specular"] = vector(e.specular);
   json["coat"] = vector(e.coat);
   json["sheen"] = vector(e.sheen);

@@ -45,6 +45,8 @@ void generate(const Options& options) {
     return;
   }
   write(folder / "building.glb", glbBytes(building()));
+  write(folder / "flat.glb", glbBytes(flat(), kFlatJpegQuality));
+  write(folder / "flat-sky.hdr", flatSkyHdr());
   write(folder / "furnished.glb", glbBytes(furnished()));
   write(folder / "gallery.glb", glbBytes(gallery()));
   write(folder / "glass.glb", glbBytes(glassRoom()));

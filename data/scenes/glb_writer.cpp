@@ -45,7 +45,7 @@ void appendWord(std::string& bytes, std::uint32_t word) {
 
 class Writer {
  public:
-  explicit Writer(const Model& model) : model_(model) {
+  Writer(const Model& model, int jpegQuality) : model_(model), jpegQuality_(jpegQuality) {
     gltf_["asset"] = {{"version", "2.0"}, {"generator", "boxprobe generate_scenes"}};
     gltf_["scene"] = 0;
     gltf_["scenes"] = Json::array({{{"nodes", Json::array()}}});
@@ -56,7 +56,8 @@ class Writer {
     for (const Mesh& mesh : model_.meshes) addMesh(mesh);
     for (const Material& material : model_.materials) addMaterial(material);
     for (const char* extension : {"KHR_materials_unlit", "KHR_materials_emissive_strength", "KHR_materials_specular",
-                                  "KHR_materials_transmission", "KHR_materials_ior", "KHR_materials_volume"})
+                                  "KHR_materials_transmission", "KHR_materials_ior", "KHR_materials_volume",
+                                  "KHR_materials_sheen", "KHR_materials_anisotropy"})
       if (extensions_.count(extension)) gltf_["extensionsUsed"].push_back(extension);
     gltf_["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
     return container();
@@ -81,7 +82,7 @@ class Writer {
   void addMesh(const Mesh& mesh) {
     const std::size_t count = mesh.positions.size();
     if (mesh.normals.size() != count || mesh.uv.size() != count || mesh.indices.empty() ||
-        (!mesh.tangents.empty() && mesh.tangents.size() != count))
+        (!mesh.uv1.empty() && mesh.uv1.size() != count) || (!mesh.tangents.empty() && mesh.tangents.size() != count))
       throw WorkError("mesh " + mesh.name + ": needs a normal and a texture coordinate for each position, and indices");
     Json attributes;
     glm::vec3 low = mesh.positions.front(), high = low;
@@ -91,6 +92,9 @@ class Writer {
     gltf_["accessors"].back()["max"] = jsonArray(high);
     attributes["NORMAL"] = addAccessor(mesh.normals.data(), count, "VEC3", kFloat, kArrayBuffer);
     attributes["TEXCOORD_0"] = addAccessor(mesh.uv.data(), count, "VEC2", kFloat, kArrayBuffer);
+    if (!mesh.uv1.empty()) {
+      attributes["TEXCOORD_1"] = addAccessor(mesh.uv1.data(), count, "VEC2", kFloat, kArrayBuffer);
+    }
     if (!mesh.tangents.empty()) {
       attributes["TANGENT"] = addAccessor(mesh.tangents.data(), count, "VEC4", kFloat, kArrayBuffer);
     }
@@ -111,10 +115,16 @@ class Writer {
                 {"metallicFactor", material.metallic},
                 {"roughnessFactor", material.roughness}};
     if (material.baseColorTexture.image) pbr["baseColorTexture"] = {{"index", texture(material.baseColorTexture)}};
+    if (material.metallicRoughnessTexture.image) {
+      pbr["metallicRoughnessTexture"] = {{"index", texture(material.metallicRoughnessTexture)}};
+    }
     Json json = {{"name", material.name}, {"pbrMetallicRoughness", pbr}};
     if (material.emissiveTexture.image) json["emissiveTexture"] = {{"index", texture(material.emissiveTexture)}};
     if (material.normalTexture.image) {
       json["normalTexture"] = {{"index", texture(material.normalTexture)}, {"scale", material.normalScale}};
+    }
+    if (const TextureUse& occlusion = material.occlusionTexture; occlusion.image) {
+      json["occlusionTexture"] = {{"index", texture(occlusion)}, {"texCoord", occlusion.uvSet}};
     }
     const float brightest = std::max({material.emissive.r, material.emissive.g, material.emissive.b});
     if (brightest > 1.0f) {  // the factor itself may not exceed 1
@@ -127,6 +137,16 @@ class Writer {
     if (material.finish.specularEdge != 1.0f) {
       json["extensions"]["KHR_materials_specular"] = {{"specularFactor", material.finish.specularEdge}};
       extensions_.insert("KHR_materials_specular");
+    }
+    if (material.finish.hasSheen()) {
+      json["extensions"]["KHR_materials_sheen"] = {{"sheenColorFactor", jsonArray(material.finish.sheenColor)},
+                                                   {"sheenRoughnessFactor", material.finish.sheenRoughness}};
+      extensions_.insert("KHR_materials_sheen");
+    }
+    if (material.finish.isAnisotropic()) {
+      json["extensions"]["KHR_materials_anisotropy"] = {{"anisotropyStrength", material.finish.anisotropy},
+                                                        {"anisotropyRotation", material.finish.anisotropyRotation}};
+      extensions_.insert("KHR_materials_anisotropy");
     }
     if (material.transmission > 0.0f) {
       const auto add = [&](const char* name, const Json& extension) {
@@ -163,9 +183,11 @@ class Writer {
   int image(const ImageRgba8& picture) {
     const auto [entry, added] = images_.try_emplace(&picture, static_cast<int>(images_.size()));
     if (added) {
-      const std::string png = pngBytes(picture);
-      const int view = addBufferView(png.data(), png.size(), 0);
-      gltf_["images"].push_back({{"name", picture.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+      const bool jpeg = jpegQuality_ > 0 && std::max(picture.width, picture.height) > 128;
+      const std::string bytes = jpeg ? jpegBytes(picture, jpegQuality_) : pngBytes(picture);
+      const int view = addBufferView(bytes.data(), bytes.size(), 0);
+      gltf_["images"].push_back(
+          {{"name", picture.name}, {"mimeType", jpeg ? "image/jpeg" : "image/png"}, {"bufferView", view}});
     }
     return entry->second;
   }
@@ -212,6 +234,7 @@ class Writer {
   }
 
   const Model& model_;
+  int jpegQuality_;
   Json gltf_;
   std::string binary_;
   int nodes_ = 0;
@@ -223,8 +246,8 @@ class Writer {
 
 }  // namespace
 
-std::string glbBytes(const Model& model) {
-  return Writer(model).bytes();
+std::string glbBytes(const Model& model, int jpegQuality) {
+  return Writer(model, jpegQuality).bytes();
 }
 
 }  // namespace boxprobe::scenes

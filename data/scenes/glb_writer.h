@@ -8,8 +8,9 @@
 
 namespace boxprobe::scenes {
 
-/// Throws WorkError for a mesh without normals or texture coordinates, since every scene here promises both. Textures
-/// other than base colour, emissive and normal are not written: no scene here has them.
-std::string glbBytes(const Model& model);
+/// Throws WorkError for a mesh without normals or texture coordinates, since every scene here promises both. Written
+/// are base colour, roughness, occlusion, emissive and normal textures, sheen and brushed metal: no scene here has
+/// others. With a `jpegQuality` other than 0 opaque pictures of more than 128 texels a side become JPEG.
+std::string glbBytes(const Model& model, int jpegQuality = 0);
 
 }  // namespace boxprobe::scenes

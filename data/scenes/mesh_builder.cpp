@@ -33,6 +33,19 @@ std::uint32_t MeshBuilder::vertex(glm::dvec3 position, glm::dvec3 normal, glm::d
   return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
 }
 
+void MeshBuilder::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  for (std::uint32_t index : {a, b, c}) mesh_.indices.push_back(index);
+}
+
+void MeshBuilder::add(const MeshBuilder& part, const glm::dmat4& placed) {
+  const auto first = static_cast<std::uint32_t>(mesh_.positions.size());
+  for (std::size_t i = 0; i < part.mesh_.positions.size(); ++i) {
+    vertex(glm::dvec3(placed * glm::dvec4(glm::dvec3(part.mesh_.positions[i]), 1.0)),
+           glm::dmat3(placed) * glm::dvec3(part.mesh_.normals[i]), glm::dvec2(part.mesh_.uv[i]));
+  }
+  for (const std::uint32_t index : part.mesh_.indices) mesh_.indices.push_back(first + index);
+}
+
 void MeshBuilder::quad(glm::dvec3 corner, glm::dvec3 right, glm::dvec3 up, UvRectangle uv) {
   quadGrid(corner, right, up, {0.0, 1.0}, {0.0, 1.0}, uv);
 }

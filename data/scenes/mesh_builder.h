@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
@@ -47,10 +48,16 @@ class MeshBuilder {
   /// A horizontal disc about `center`, facing up, its picture repeating every `metres`.
   void disc(glm::dvec3 center, double radius, int slices, double metres);
 
+  /// For shapes of other files: a vertex, its index; a triangle of three, counter-clockwise as seen from the front.
+  std::uint32_t vertex(glm::dvec3 position, glm::dvec3 normal, glm::dvec2 uv);
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+  /// Another mesh, turned and moved; `placed` must not scale.
+  void add(const MeshBuilder& part, const glm::dmat4& placed);
+
   Mesh finish(std::string name, int material) &&;
 
  private:
-  std::uint32_t vertex(glm::dvec3 position, glm::dvec3 normal, glm::dvec2 uv);
   Mesh mesh_;
 };
 

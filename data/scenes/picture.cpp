@@ -28,8 +28,8 @@ int wrapped(int i, int period) {
 
 }  // namespace
 
-std::shared_ptr<const ImageRgba8> paint(const std::string& name, int width, int height, const Pattern& pattern) {
-  constexpr int kSamples = 4;  // a side
+std::shared_ptr<const ImageRgba8> paint(const std::string& name, int width, int height, const Pattern& pattern,
+                                        int samples) {
   auto image = std::make_shared<ImageRgba8>();
   image->name = name;
   image->width = width;
@@ -38,11 +38,27 @@ std::shared_ptr<const ImageRgba8> paint(const std::string& name, int width, int 
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       glm::dvec3 sum(0.0);
-      for (int j = 0; j < kSamples; ++j)
-        for (int i = 0; i < kSamples; ++i)
-          sum += pattern((x + (i + 0.5) / kSamples) / width, (y + (j + 0.5) / kSamples) / height);
-      sum /= kSamples * kSamples;
+      for (int j = 0; j < samples; ++j)
+        for (int i = 0; i < samples; ++i)
+          sum += pattern((x + (i + 0.5) / samples) / width, (y + (j + 0.5) / samples) / height);
+      sum /= samples * samples;
       for (int channel = 0; channel < 3; ++channel) image->pixels.push_back(srgbByte(sum[channel]));
+      image->pixels.push_back(255);
+    }
+  }
+  return image;
+}
+
+std::shared_ptr<const ImageRgba8> paintNumbers(const std::string& name, int width, int height, const Pattern& pattern) {
+  auto image = std::make_shared<ImageRgba8>();
+  image->name = name;
+  image->width = width;
+  image->height = height;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const glm::dvec3 value = pattern((x + 0.5) / width, (y + 0.5) / height);
+      for (int channel = 0; channel < 3; ++channel)
+        image->pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value[channel], 0.0, 1.0))));
       image->pixels.push_back(255);
     }
   }
@@ -64,6 +80,13 @@ std::string pngBytes(const ImageRgba8& image) {
                                              image.width * components);
   stbi_write_png_compression_level = usual;
   if (written == 0) throw WorkError("picture " + image.name + ": could not be written as PNG");
+  return bytes;
+}
+
+std::string jpegBytes(const ImageRgba8& image, int quality) {
+  std::string bytes;
+  if (stbi_write_jpg_to_func(appendBytes, &bytes, image.width, image.height, 4, image.pixels.data(), quality) == 0)
+    throw WorkError("picture " + image.name + ": could not be written as JPEG");
   return bytes;
 }
 

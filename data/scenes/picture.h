@@ -16,11 +16,18 @@ namespace boxprobe::scenes {
 /// Linear colour at (u, v) in [0, 1]², u from the left, v from the top.
 using Pattern = std::function<glm::dvec3(double u, double v)>;
 
-/// Each texel is the mean of 4 x 4 samples of the pattern.
-std::shared_ptr<const ImageRgba8> paint(const std::string& name, int width, int height, const Pattern& pattern);
+/// Each texel is the mean of `samples` x `samples` samples of the pattern.
+std::shared_ptr<const ImageRgba8> paint(const std::string& name, int width, int height, const Pattern& pattern,
+                                        int samples = 4);
+
+/// Numbers in [0, 1] and no colours, such as roughness: stored as they are, one sample a texel.
+std::shared_ptr<const ImageRgba8> paintNumbers(const std::string& name, int width, int height, const Pattern& pattern);
 
 /// RGB when every texel is opaque, else RGBA.
 std::string pngBytes(const ImageRgba8& image);
+
+/// JPEG of `quality` 1 to 100; alpha is left out.
+std::string jpegBytes(const ImageRgba8& image, int quality);
 
 /// Radiance HDR; `rgb` is linear, rows from the top.
 std::string hdrBytes(int width, int height, const std::vector<float>& rgb);

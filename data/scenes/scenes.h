@@ -35,6 +35,14 @@ Model glassRoom();
 /// A closed 12 x 4 x 8 m hall with mirrors on a wall and the floor, and things that move before them.
 Model mirrorHall();
 
+/// A furnished flat: a living room of 5.6 x 2.6 x 4.6 m and a kitchen of 4.6 x 2.6 x 3 m with a doorway between them.
+/// Its pictures are meant for JPEG: glbBytes(flat(), kFlatJpegQuality).
+Model flat();
+constexpr int kFlatJpegQuality = 88;
+
+/// What is seen through its windows, a latitude-longitude picture: an evening sky over hills and trees.
+std::string flatSkyHdr();
+
 struct Apartments {
   Model model;
   Scene scene;  ///< without its model's file name

@@ -32,7 +32,7 @@ struct ExplainedProbe {
   ShCoefficients openSky{};           ///< its diffuse light that comes in there
   const CubeMap* coverage = nullptr;  ///< what it lets through, in levels of plain means; null: not known yet
   std::uint32_t shadowLights = 0;     ///< a bit for each light that its coverage stands before
-  /// In place of the maps' coefficients, with its lamps; null: those. Not of a probe that lets the sky through.
+  /// In place of the maps' coefficients, with its lamps; null: those. The sky through openings is in it.
   std::shared_ptr<const DiffuseLattice> lattice = {};
   std::vector<SceneLamp> lamps = {};             ///< drawn as shapes
   std::shared_ptr<const ProbeSight> sight = {};  ///< what is seen of them and of light sources; null: all

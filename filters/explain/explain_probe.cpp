@@ -60,6 +60,39 @@ void explainOpening(ProbeExplanation& e, const RecordedLookups& record, const sh
   e.openSky = open > 0.0f ? sum / open : sum;
 }
 
+DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& positionProbe,
+                                  const glm::vec3& positionFromEye, const SurfacePoint& s) {
+  DiffuseExplanation e;
+  const DiffuseLattice& lattice = *probe.lattice;
+  const shading::LatticeShape shape = lattice.shape();
+  e.lattice = shading::latticeIrradiance(shape, positionProbe, s.normalWorld);
+  e.nodeCount = lattice.nodes;
+  const glm::vec3 place = shading::latticePlace(shape, positionProbe);
+  const glm::vec3 first = glm::min(glm::floor(place), shape.last - 1.0f), share = place - first;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 step(static_cast<float>(corner & 1), static_cast<float>(corner >> 1 & 1),
+                         static_cast<float>(corner >> 2));
+    const glm::vec3 weights = glm::mix(1.0f - share, share, step);
+    LatticeNodeAtPoint node;
+    node.node = glm::ivec3(first + step);
+    node.positionProbe = lattice.low + (lattice.high - lattice.low) * (first + step) / shape.last;
+    node.weight = weights.x * weights.y * weights.z;
+    if (node.weight > 0.0f) e.nodes.push_back(node);
+  }
+  std::stable_sort(e.nodes.begin(), e.nodes.end(), [](const auto& a, const auto& b) { return a.weight > b.weight; });
+  for (std::size_t i = 0; i < probe.lamps.size(); ++i) {
+    const SceneLamp& lamp = probe.lamps[i];
+    const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
+    const float seen = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
+    const float filled = seen * shading::lampDiffuse(&polygon, positionFromEye, s.normalWorld);
+    if (filled > 0.0f) e.lamps.push_back({lamp.node, filled * glm::vec3(lamp.radiance), filled});
+  }
+  const auto brightness = [](const LampAtPoint& lamp) { return lamp.light.x + lamp.light.y + lamp.light.z; };
+  std::stable_sort(e.lamps.begin(), e.lamps.end(),
+                   [&](const LampAtPoint& a, const LampAtPoint& b) { return brightness(a) > brightness(b); });
+  return e;
+}
+
 }  // namespace
 
 glm::vec3 irradianceAt(const glm::vec3& n, const ShCoefficients& c) {
@@ -159,13 +192,9 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
     }
   }
   if (probe.lattice) {
-    e.irradiance = shading::latticeIrradiance(probe.lattice->shape(), e.positionProbe, s.normalWorld);
-    for (std::size_t i = 0; i < probe.lamps.size(); ++i) {
-      const SceneLamp& lamp = probe.lamps[i];
-      const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
-      const float share = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
-      e.irradiance += share * shading::lampDiffuse(&polygon, position, s.normalWorld) * glm::vec3(lamp.radiance);
-    }
+    e.diffuse = explainDiffuse(probe, e.positionProbe, position, s);
+    e.irradiance = e.diffuse.lattice;
+    for (const LampAtPoint& lamp : e.diffuse.lamps) e.irradiance += lamp.light;
     return e;
   }
   const BakedMaps* diffuse = e.captured ? probe.maps : sky;

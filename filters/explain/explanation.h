@@ -13,6 +13,7 @@
 
 #include "filters/core/surface/lit_point.h"
 #include "filters/core/surface/surface_point.h"
+#include "filters/explain/diffuse_explanation.h"
 #include "filters/explain/glass_explanation.h"
 #include "filters/math/cube/cube_map.h"
 
@@ -48,6 +49,7 @@ struct ProbeExplanation : ProbeAtPoint {
   std::optional<float> occlusion;        ///< factor of `specular` by the hit's distance, if the probe has one
   glm::vec3 specular{0.0f};              ///< the technique's value, before weight, intensity and occlusion
   glm::vec3 irradiance{0.0f};            ///< over pi, before weight and intensity
+  DiffuseExplanation diffuse;            ///< what that is made of
   /// Of a probe that lets the sky through: how much of the lookups it covers, and the sky along R at the surface's own
   /// level, which shows for the rest.
   std::optional<float> coverage;

@@ -114,7 +114,10 @@ ExplanationSection sumSection(const Explanation& e) {
   auto& rows = section.rows;
   rows.push_back(light("direct", e.direct, "light sources"));
   rows.push_back(light("emissive", e.emissive, "the surface's own light"));
-  rows.push_back(light("diffuse", e.diffuse, "light from all directions around N, times the base colour"));
+  const float all = e.color.x + e.color.y + e.color.z;
+  const std::string share =
+      all > 0.0f ? "; " + percent((e.diffuse.x + e.diffuse.y + e.diffuse.z) / all) + " of the pixel" : std::string();
+  rows.push_back(light("diffuse", e.diffuse, "light from all directions around N, times the base colour" + share));
   rows.push_back(
       light("specular", e.specular,
             (e.glass ? "reflected light times F (A + B); A = " : "reflected light times F_0 A + F_90 B; A = ") +

@@ -129,6 +129,25 @@ ExplanationRow restRow(const ProbeExplanation& p, const std::vector<std::size_t>
                    " together, their mean; levels " + fixedText(low, 2) + " to " + fixedText(high, 2));
 }
 
+void addDiffuse(const DiffuseExplanation& d, std::vector<ExplanationRow>& rows) {
+  if (d.nodes.empty()) return;
+  const auto place = [](const glm::ivec3& n) {
+    return std::to_string(n.x) + ", " + std::to_string(n.y) + ", " + std::to_string(n.z);
+  };
+  for (const LampAtPoint& lamp : d.lamps) {
+    rows.push_back(light("E_lamp", lamp.light,
+                         "lamp \"" + lamp.node + "\" as a shape: it fills " + percent(lamp.filled) +
+                             " of the cosine hemisphere around N"));
+  }
+  std::string nodes;
+  for (const LatticeNodeAtPoint& node : d.nodes) {
+    nodes += (nodes.empty() ? "" : "; ") + place(node.node) + " by " + percent(node.weight);
+  }
+  rows.push_back(light("E_lattice", d.lattice,
+                       "everything else, from a lattice of " + std::to_string(d.nodeCount.x) + " x " +
+                           std::to_string(d.nodeCount.y) + " x " + std::to_string(d.nodeCount.z) + " nodes: " + nodes));
+}
+
 void addLookups(const Explanation& e, const ProbeExplanation& p, const ExplanationDetail& detail,
                 std::vector<ExplanationRow>& rows) {
   std::vector<std::size_t> order(p.lookups.size());
@@ -168,6 +187,7 @@ void addLookups(const Explanation& e, const ProbeExplanation& p, const Explanati
                              : "the sky along R, not box-projected, at mip level " + fixedText(p.openSkyLevel, 2)));
   }
   if (p.occlusion) rows.push_back(scalar("o", *p.occlusion, "", "factor of L_spec: box occlusion by the distance d"));
+  addDiffuse(p.diffuse, rows);
   rows.push_back(light("E/pi", p.irradiance, "its light from all directions around N, for the diffuse part"));
 }
 

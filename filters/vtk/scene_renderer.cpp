@@ -41,7 +41,7 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
 void SceneRenderer::setView(const SurfaceViewSettings& settings) {
   if (view() == settings) return;
   impl_->view.set(settings);
-  impl_->probes.programs().setMoving(false);
+  impl_->probes.tuning().setMoving(false);
   impl_->applyView();
 }
 
@@ -70,8 +70,14 @@ void SceneRenderer::lightAsVtk(int columns, int rows, const std::vector<glm::vec
 }
 
 void SceneRenderer::drawGenerally(bool generally) {
-  impl_->state->resources.general = generally;
-  impl_->renderer->SetLeavingOut(!generally);
+  tune(generally ? TuningParts{0} : TuningParts{kAllTuning});
+}
+
+void SceneRenderer::tune(TuningParts parts) {
+  impl_->makeCurrent();
+  impl_->probes.tuning().setParts(parts);
+  impl_->probes.setTuned(parts != 0);
+  impl_->renderer->SetLeavingOut((parts & kTunedHidden) != 0);
 }
 
 void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& objects, bool sky) {
@@ -97,20 +103,21 @@ std::vector<DrawnProgram> SceneRenderer::drawnPrograms() const {
 }
 
 void SceneRenderer::setEditable(bool editable) {
-  impl_->probes.programs().setEditable(editable);
+  impl_->probes.tuning().setEditable(editable);
+  impl_->state->resources.latticesBeside = editable;
 }
 
 void SceneRenderer::allowStandIns(bool allowed) {
   impl_->makeCurrent();
-  impl_->probes.programs().allowStandIns(allowed);
+  impl_->probes.tuning().allowStandIns(allowed);
 }
 
 bool SceneRenderer::setMoving(bool moving) {
-  return impl_->probes.programs().setMoving(moving && !impl_->view.any());
+  return impl_->probes.tuning().setMoving(moving && !impl_->view.any());
 }
 
 void SceneRenderer::foldConstants() {
-  impl_->probes.programs().foldConstants();
+  impl_->probes.tuning().makeConstants();
 }
 
 bool SceneRenderer::workPending() const {

@@ -29,6 +29,7 @@
 #include "filters/explain/explanation.h"
 #include "filters/vtk/capture/work_times.h"
 #include "filters/vtk/draw/frame_parts.h"
+#include "filters/vtk/draw/tuning_parts.h"
 #include "filters/vtk/frame/frame_count.h"
 #include "filters/vtk/frame/frame_report.h"
 #include "filters/vtk/inspect/preview_settings.h"
@@ -98,6 +99,8 @@ class BOXPROBE_EXPORT SceneRenderer {
   /// true: every program works out all there is, whatever its materials make needless. The pictures are the same to
   /// 1/255; this is for tests and measurements that compare them.
   void drawGenerally(bool generally);
+  /// Only these parts of what is done for the driver's sake, to find what each gains; 0 is drawGenerally(true).
+  void tune(TuningParts parts);
 
   /// To find what they cost, frames are drawn without `parts` of these objects (their places, see drawnPrograms();
   /// none: of all) and without the sky. The pictures are wrong until it is called with nothing left out.

@@ -9,6 +9,7 @@
 #include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
 #include "filters/core/geometry/model_placement.h"
+#include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/maps/content_hash.h"
 
@@ -114,7 +115,7 @@ void SceneParts::endFrame() {
   const bool culls = renderer->GetPass() == nullptr;  // a pass draws what it is given
   state->counts.counters.drawsLeftOut = culls ? renderer->GetLeftOut() : 0;
   state->counts.counters.skyLeftOut = culls && renderer->GetBackdropLeftOut();
-  state->counts.counters.programsGivenBack += state->programs.trim(window);
+  if (state->tuning != nullptr) state->tuning->frameEnded(window);
   if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
   seen = renderer->GetDrawnGeneration();
   std::vector<std::size_t> objects;
@@ -149,10 +150,9 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   }
   // Of many objects none has been seen yet: the first frame will tell.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
-  const auto lampsBefore = content.lamps;
-  if (objects || changes.lights) content.findLamps();
+  const bool otherLamps = (objects || changes.lights) && content.findLamps();
   state->resources.lamps = content.lamps;
-  if (models || changes.lights || content.lamps != lampsBefore) content.rebuildLights(renderer);
+  if (models || changes.lights || otherLamps) content.rebuildLights(renderer);
   if (changes.sky) content.rebuildSky();
   if (lit) {
     shadows.sceneChanged();
@@ -217,7 +217,8 @@ void SceneParts::updateCaptures() {
   }
   inputs.world = captureWorld(content.scene, objects, skyPixels, probes.plan().entries().places());
   // Lamps drawn as shapes light what a capture shows, those that it does not show included.
-  if (content.lamps) inputs.world.lights += " " + lampsKey(*content.lamps);
+  inputs.world.lattices = content.lamps != nullptr;
+  if (content.lamps && !content.lamps->lamps.empty()) inputs.world.lights += " " + lampsKey(*content.lamps);
   if (content.lamps && content.sightLines) inputs.world.lights += " shadowed " + hidingKey();
   inputs.sky = inputs.world.sky;
   if (content.skyImage) inputs.skyColumns = content.skyImage->width;
@@ -266,7 +267,7 @@ std::vector<Explanation> SceneParts::explain(const std::vector<glm::ivec2>& pixe
 ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
                                     const std::function<void(int)>& beforeFrame) {
   window->MakeCurrent();
-  probes.programs().setMoving(false);
+  probes.tuning().setMoving(false);
   prepareDraws();
   std::vector<vtkProp*> props = content.shownProps(renderer);
   // The sky has no value in the debug view: it stays transparent.

@@ -1,5 +1,6 @@
 // Lamps of the draw's probes, drawn as shapes (shared/lamp.glsl): relative to the eye, world axes. Needs gpu/probe_shares.glsl.
-uniform int bpLampCount;
+uniform int bpLampCount;                // turns: lamps that turn their backs on one another share one
+uniform int bpLampOther[BP_LAMPS];      // of each turn the lamp that counts where the first cannot be seen
 uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
@@ -44,9 +45,13 @@ float bpLampWeight(int lamp)
 vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 {
   vec3 sum = vec3(0.0f);
-  for (int i = 0; i < bpLampCount; ++i)
+  int i = 0;
+  // The end is asked for last: software renderers work a turn out before they leave a loop.
+  do
   {
-    sum += bpLampWeight(i) * lampDiffuse(i, position, normal) * bpLampLight[i];
-  }
+    int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];
+    sum += bpLampWeight(lamp) * lampDiffuse(lamp, position, normal) * bpLampLight[lamp];
+    ++i;
+  } while (i < bpLampCount);
   return sum;
 }

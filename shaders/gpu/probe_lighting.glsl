@@ -13,7 +13,8 @@
 //   BP_MIRROR    defined if the surface is a planar mirror with a picture of what moves
 //   BP_ANISOTROPIC defined if the surface is brushed: light from all around is that of bpUnbentNormal, not of the lookup's normal
 //   BP_FLAT_MAPS defined if maps are flat pictures (gpu/flat_lookup.glsl), else they are cubemaps
-//   BP_LATTICE   1 if diffuse light of some of them is a lattice's and, with that, of lamps drawn as shapes
+//   BP_LATTICE   1 if diffuse light of some of them is a lattice's
+//   BP_LAMP_SHAPES 1 if, with that, it is of lamps drawn as shapes
 //   BP_SIGHTS    1 if some of their lamps or light sources are hidden from some places (gpu/sight.glsl)
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
@@ -130,7 +131,7 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   bpFindSights(position, BP_FACING);
 #endif
 //BP::AddSlots
-#if BP_LATTICE
+#if BP_LAMP_SHAPES
   light.irradiance += bpLampsIrradiance(position, BP_FACING);
 #endif
 

@@ -27,8 +27,8 @@ float lampSide(LAMP_SLOT lamp, vec3 position)
   vec3 n = cross(along, up);
   float height = dot(n, position - a);
   float least = 1.0e-5f * length(n) * (length(along) + length(up));
-  if (height > least) { return 1.0f; }
-  return height < -least && lampShinesBothSides(lamp) ? -1.0f : 0.0f;
+  float side = height > least ? 1.0f : (height < -least ? -1.0f : 0.0f);
+  return lampShinesBothSides(lamp) ? side : max(side, 0.0f);
 }
 
 // Where the edge from a point above the horizon to one below it meets the horizon.
@@ -37,43 +37,73 @@ vec3 lampAtHorizon(vec3 above, float heightAbove, vec3 below, float heightBelow)
   return above + (heightAbove / max(heightAbove - heightBelow, 1.0e-30f)) * (below - above);
 }
 
+// The way along a polygon's edges, so far.
+struct LampOutline
+{
+  vec3 from;      // corner reached last, relative to the position
+  float height;   // its height above the horizon, in units of the first corner's distance: products stay within a float's range
+  float square;   // of its distance
+  float sum;      // over edges, as far as they are above the horizon: angle in turns times the cosine of their plane's normal
+  vec3 leaves;    // directions where the polygon goes below the horizon and where it comes up again; 0: it does not
+  vec3 enters;
+};
+
+// An angle in turns over its sine, by its cosine, within 2e-6 of it; atan costs software renderers three times as much.
+float lampTurnOverSine(float cosine)
+{
+  float x = min(abs(cosine), 1.0f);
+  float acute = (0.8543985f + (0.4965155f + 0.0145206f * x) * x) / (3.417594f + (4.1616724f + x) * x);
+  return cosine > 0.0f ? acute : 0.5f / sqrt(max(1.0f - x * x, 1.0e-12f)) - acute;
+}
+
+// Adds the edge to the corner `to`, relative to the position. `upright`: the normal over the unit of heights. An edge that is cut by the
+// horizon ends where it crosses it, a share of one end's direction and of the other's; its plane stays.
+LampOutline lampAlong(LampOutline way, vec3 to, vec3 normal, vec3 upright)
+{
+  float height = dot(to, upright);
+  float square = dot(to, to);
+  bool fromAbove = way.height >= 0.0f;
+  bool toAbove = height >= 0.0f;
+  vec3 plane = cross(way.from, to - way.from);  // by the offset, because the cross product of nearly equal vectors cancels
+  float share = fromAbove ? (toAbove ? 1.0f : way.height) : height;
+  float beyond = fromAbove ? (toAbove ? 0.0f : height * way.square) : way.height * square;
+  float c = share * dot(way.from, to) - beyond;
+  float unit = 1.0f / sqrt(max(c * c + share * share * dot(plane, plane), 1.0e-36f));
+  way.sum += fromAbove || toAbove ? lampTurnOverSine(c * unit) * share * unit * dot(plane, normal) : 0.0f;
+  vec3 crossing = way.height * to - height * way.from;
+  way.leaves = fromAbove && !toAbove ? crossing : way.leaves;
+  way.enters = toAbove && !fromAbove ? crossing : way.enters;
+  way.from = to;
+  way.height = height;
+  way.square = square;
+  return way;
+}
+
 // Irradiance over pi at `position`: the share of the hemisphere's cosine about the unit `normal` that the lamp fills, 0 to 1.
 float lampDiffuse(LAMP_SLOT lamp, vec3 position, vec3 normal)
 {
-  float side = lampSide(lamp, position);
-  // No corner of a lamp that is not seen: software renderers work out both sides of a branch, and leave a loop that has ended.
-  int count = side == 0.0f ? 0 : lampCornerCount(lamp);
-  vec3 a = lampCorner(lamp, max(count - 1, 0)) - position;
-  float heightA = dot(a, normal);
-  float sum = 0.0f;
-  vec3 leaves = vec3(0.0f);  // where the polygon goes below the horizon and where it comes up again
-  vec3 enters = vec3(0.0f);
-  for (int i = 0; i < count; ++i)
+  int count = max(lampCornerCount(lamp), 1);
+  LampOutline way;
+  way.from = lampCorner(lamp, count - 1) - position;
+  way.square = dot(way.from, way.from);
+  vec3 upright = normal / sqrt(max(way.square, 1.0e-36f));
+  way.height = dot(way.from, upright);
+  way.sum = 0.0f;
+  way.leaves = vec3(0.0f);
+  way.enters = vec3(0.0f);
+  // By fours, the last corner again and again where there are no more: software renderers pay for each turn of a loop.
+  int i = 0;
+  do
   {
-    vec3 b = lampCorner(lamp, i) - position;
-    float heightB = dot(b, normal);
-    if (heightA >= 0.0f || heightB >= 0.0f)
-    {
-      vec3 from = a;
-      vec3 to = b;
-      if (heightA < 0.0f)
-      {
-        from = lampAtHorizon(b, heightB, a, heightA);
-        enters = from;
-      }
-      if (heightB < 0.0f)
-      {
-        to = lampAtHorizon(a, heightA, b, heightB);
-        leaves = to;
-      }
-      float unit = 1.0f / max(length(from), 1.0e-30f);
-      sum += dot(lampEdge(unit * from, unit * (to - from)), normal);
-    }
-    a = b;
-    heightA = heightB;
-  }
+    way = lampAlong(way, lampCorner(lamp, min(i, count - 1)) - position, normal, upright);
+    way = lampAlong(way, lampCorner(lamp, min(i + 1, count - 1)) - position, normal, upright);
+    way = lampAlong(way, lampCorner(lamp, min(i + 2, count - 1)) - position, normal, upright);
+    way = lampAlong(way, lampCorner(lamp, min(i + 3, count - 1)) - position, normal, upright);
+    i += 4;
+  } while (i < count);
   // The arc that closes it along the horizon, less than half a turn, in the direction of the others.
-  float closing = abs(atan(dot(normal, cross(leaves, enters)), dot(leaves, enters)));
-  bool cut = dot(leaves, leaves) > 0.0f && dot(enters, enters) > 0.0f;
-  return clamp(kLampPerTurn * ((cut ? closing : 0.0f) - side * sum), 0.0f, 1.0f);
+  float closing = abs(atan(dot(normal, cross(way.leaves, way.enters)), -dot(way.leaves, way.enters)));
+  bool cut = dot(way.leaves, way.leaves) > 0.0f && dot(way.enters, way.enters) > 0.0f;
+  float side = lampSide(lamp, position);
+  return side == 0.0f ? 0.0f : clamp((cut ? kLampPerTurn * closing : 0.0f) - side * way.sum, 0.0f, 1.0f);
 }

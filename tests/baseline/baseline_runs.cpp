@@ -187,6 +187,9 @@ void addFields(Runs& runs) {
        "odd --camera low --set objects.mover.translation=[-0.9,0.3,-0.4] --set materials.silver.roughness=0.11"},
       {"building", "building --set probes.room.faceSize=64"},
       {"building-corner", "building --camera corner --technique impostor --set probes.room.faceSize=64"},
+      {"flat",
+       "flat --set probes.living.faceSize=32 --set probes.kitchen.faceSize=32 --set probes.living.bounces=1 --set "
+       "probes.kitchen.bounces=1 --camera doorway"},
       {"gallery", "gallery --technique footprint8 --set probes.gallery.faceSize=64"},
       {"furnished", "furnished --technique impostor+footprint4 --set probes.room.faceSize=64"},
       {"impostor-24",

@@ -1,7 +1,7 @@
 // bench_frame: CPU time of a frame with box-projected reflections over that of stock VTK with image-based lighting,
 // (or, with --probes off, of a frame without either), or over our own general programs, those without constants, or
-// without light over lit;
-// drawn in turn in one process and window. CPU time of all threads: software OpenGL draws in this process.
+// without light over lit; with --tuning, over frames without each part of the tuning for drivers; drawn in turn in one
+// process and window. CPU time of all threads: software OpenGL draws in this process.
 #include <vtkOpenGLRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -44,6 +44,7 @@ struct BenchOptions : bench::FrameOptions {
   std::string against = "stock";
   bool noConstants = false;
   bool drawHidden = false;
+  bool tuning = false;
   int lamps = 0;
 };
 
@@ -129,6 +130,53 @@ void runAgainstOurs(const CLI::App& program, const BenchOptions& options, const 
   });
 }
 
+/// What a scene's captures take, programs compiled anew.
+double captureSeconds(const CLI::App& program, const BenchOptions& options, const LoadedScene& loaded,
+                      TuningParts parts) {
+  OffscreenScene captured(windowSettings(program, options));
+  captured.renderer().tune(parts);
+  const double start = processCpuSeconds();
+  bench::prepare(captured, loaded.scene, loaded.models);
+  return processCpuSeconds() - start;
+}
+
+/// What each part of the tuning for drivers gains: with all of it over without the part, as rows of a table.
+void printTuning(const CLI::App& program, const BenchOptions& options, const LoadedScene& loaded) {
+  const auto row = [](const char* name, const bench::Comparison& result) {
+    std::printf("| %s | %.2f (%.2f to %.2f) |\n", name, result.ratio.value, result.ratio.low, result.ratio.high);
+    std::fflush(stdout);
+  };
+  const std::pair<const char*, TuningParts> frames[] = {{"material's facts", kTunedFacts},
+                                                        {"constants at rest, flat maps with them", kTunedConstants},
+                                                        {"flat maps alone", kTunedFlatMaps},
+                                                        {"what a view at rest hides", kTunedHidden},
+                                                        {"all of it", kAllTuning}};
+  OffscreenScene tuned(windowSettings(program, options));
+  bench::prepare(tuned, loaded.scene, loaded.models);
+  tuned.rest();
+  bench::printHeader(options, tuned);
+  std::printf("| part | time with it over without |\n|---|---|\n");
+  for (const auto& [name, part] : frames) {
+    OffscreenScene without{vtkSmartPointer<vtkOpenGLRenderWindow>(tuned.window())};
+    without.renderer().tune(kAllTuning & ~part);
+    bench::prepare(without, loaded.scene, loaded.models);
+    without.rest();
+    const auto frame = [&](bool all) {
+      bench::drawOnly(all ? tuned : without, {&tuned, &without});
+      return tuned.timedFrame();
+    };
+    row(name, bench::compare(
+                  3, options.frames, [&] { return frame(true); }, [&] { return frame(false); }));
+    tuned.requireHealthy();
+    without.requireHealthy();
+  }
+  constexpr int kCaptures = 5;  // pairs
+  row("first captures without lookups",
+      bench::compare(
+          1, kCaptures, [&] { return captureSeconds(program, options, loaded, kAllTuning); },
+          [&] { return captureSeconds(program, options, loaded, kAllTuning & ~kTunedFirstBounce); }));
+}
+
 void run(const CLI::App& program, const BenchOptions& options) {
   LoadedScene loaded = loadScene(options.scene);
   chooseTechnique(loaded.scene, options.technique);
@@ -136,6 +184,10 @@ void run(const CLI::App& program, const BenchOptions& options) {
     OffscreenScene measured(windowSettings(program, options));
     measured.show(loaded.scene, loaded.models);
     placeLamps(loaded.scene, measured.renderer().bounds(), options.lamps);
+  }
+  if (options.tuning) {
+    printTuning(program, options, loaded);
+    return;
   }
   if (options.against != "stock") {
     runAgainstOurs(program, options, loaded);
@@ -188,6 +240,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"stock", "general", "uniforms", "lit"}))
       ->capture_default_str();
   program.add_flag("--draw-hidden", options.drawHidden, "Frames draw what nothing shows of, too, as after each move");
+  program.add_flag("--tuning", options.tuning, "What each part of the tuning for drivers gains, as a table");
   program.add_flag("--no-constants", options.noConstants, "Numbers of probes and materials stay uniforms");
   program.add_option("--lamps", options.lamps, "That many point lights in place of the scene's lights");
   program.add_option("--pictures", options.pictures, "Folder for ours.png and stock.png, to look at");

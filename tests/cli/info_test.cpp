@@ -106,6 +106,20 @@ TEST(Info, ListsOverridesAndWhatTheyMiss) {
   }
 }
 
+TEST(Info, TellsLampsAndWhereDiffuseLightComesFrom) {
+  const json gallery = infoJson({demoScene("gallery")});
+  ASSERT_FALSE(gallery["lamps"].empty());
+  EXPECT_EQ(gallery["lamps"][0]["object"], "window");
+  EXPECT_EQ(gallery["lamps"][0]["polygons"], 1);
+  EXPECT_NEAR(gallery["lamps"][0]["area"].get<double>(), 0.96, 0.01);
+  EXPECT_EQ(gallery["probes"][0]["diffuseLight"], "lamps and lattice");
+  const json inMap = infoJson({demoScene("gallery"), "--set", "lamps=in-map"});
+  EXPECT_TRUE(inMap["lamps"].empty());
+  EXPECT_EQ(inMap["probes"][0]["diffuseLight"], "coefficients");
+  const Outcome text = runProgram({"info", demoScene("building")}, DisplayKind::Unset);
+  EXPECT_THAT(text.out, HasSubstr("objects.far hills: a curved lamp"));
+}
+
 TEST(Info, SetIsAppliedFirst) {
   const json report = infoJson({demoScene("room"), "--set", "exposure=2", "--set", "sky.color=[4,5,6]"});
   EXPECT_EQ(report["sky"], json({{"kind", "color"}, {"color", {4, 5, 6}}}));

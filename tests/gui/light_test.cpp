@@ -68,6 +68,20 @@ TEST_F(LightTest, LightsAreAddedColouredAimedAndDeleted) {
   EXPECT_FALSE(document().canUndo());
 }
 
+TEST_F(LightTest, LampsAreShapesUnlessTheyAreChosenToLieInTheMap) {
+  auto* lamps = window_->findChild<QComboBox*>("lamps");
+  ASSERT_NE(lamps, nullptr);
+  EXPECT_EQ(lamps->currentIndex(), 0);
+  EXPECT_EQ(document().scene().lamps, LampForm::Shapes);
+  choose("lamps", 1);
+  EXPECT_EQ(document().scene().lamps, LampForm::InMap);
+  EXPECT_EQ(document().undoLabel(), "Set lamps");
+  waitUntilIdle();
+  document().undo();
+  EXPECT_EQ(lamps->currentIndex(), 0);
+  EXPECT_FALSE(document().canUndo());
+}
+
 TEST_F(LightTest, TheSkyIsTurnedInOneStep) {
   auto* turn = window_->findChild<ValueField*>("skyTurn");
   ASSERT_NE(turn, nullptr);

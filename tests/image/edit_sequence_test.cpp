@@ -52,8 +52,7 @@ std::vector<Edit> editsOf(Of of, const Scene& scene) {
                              [](Scene& s) -> ObjectOverride& { return s.objects["floor"]; });
     return edits;
   }
-  // `lamps` alone is edited by shapes_picture_test and edited_test: a lattice for each step here would take minutes.
-  addEdits<Scene>(edits, "scene", sceneFields(), [](Scene& s) -> Scene& { return s; }, {"lamps"});
+  addEdits<Scene>(edits, "scene", sceneFields(), [](Scene& s) -> Scene& { return s; });
   addEdits<ModelFile>(edits, "model", modelFields(), [](Scene& s) -> ModelFile& { return s.models[0]; });
   addEdits<Camera>(edits, "camera", cameraFields(), [](Scene& s) -> Camera& { return s.cameras[0]; });
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {

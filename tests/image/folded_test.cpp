@@ -11,8 +11,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "filters/vtk/draw/constant_plans.h"
-#include "filters/vtk/draw/program_shelf.h"
+#include "filters/vtk/draw/constants.h"
+#include "filters/vtk/draw/program_cache.h"
 #include "filters/vtk/draw/surface_facts.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "tests/support/scene_names.h"
@@ -173,7 +173,7 @@ TEST(FoldedConstants, OfLongAgoAreGivenBack) {
   for (; edits < 200 && counters.programsGivenBack < 20; ++edits) rest(edits);
   ASSERT_GE(counters.programsGivenBack, 20u) << "after " << edits << " edits nothing was given back";
   EXPECT_LE(counters.programsCompiled - before - counters.programsGivenBack,
-            ProgramShelf::kMost + counters.surfacePrograms);
+            ProgramCache::kMost + counters.surfacePrograms);
   EXPECT_EQ(worst(rest(0), first), 0);
   EXPECT_EQ(picture.renderer->error(), "");
 }
@@ -239,26 +239,26 @@ TEST(FoldedConstants, AreDoneWithoutWhereTheyAreRefused) {
 }
 
 TEST(FoldConstants, TurnsDeclarationsIntoConstants) {
-  RestingValues values;
-  values.add("a", 0.1f);
-  values.add("b", glm::vec3(1.0f, -2.5f, 1e30f));
+  Constants values;
+  values.read("a", 0.1f);
+  values.read("b", glm::vec3(1.0f, -2.5f, 1e30f));
   const float c[] = {1.0f, 2.0f, 3.0f, 4.0f};
-  values.add("c", 2, c, 2);
-  values.add("infinite", std::numeric_limits<float>::infinity());
-  values.add("absent", 1.0f);
+  values.read("c", 2, c, 2);
+  values.read("infinite", std::numeric_limits<float>::infinity());
+  values.read("absent", 1.0f);
   std::string text =
       "uniform float ab;\nuniform float a; // first\nuniform vec3 b;\nuniform vec2 c[SLOTS];\nuniform float "
       "infinite;\n";
-  EXPECT_EQ(foldConstants(text, values), 3);
+  EXPECT_EQ(writeConstants(text, values), 3);
   EXPECT_EQ(text,
             "uniform float ab;\nconst float a = 0.1f; // first\nconst vec3 b = vec3(1.0f, -2.5f, 1e+30f);\n"
             "const vec2[2] c = vec2[2](vec2(1.0f, 2.0f), vec2(3.0f, 4.0f));\nuniform float infinite;\n");
 }
 
-RestingValues numbers(float shared, float own) {
-  RestingValues values;
-  values.add("bpShared", shared);
-  values.add("bpOwn", own);
+Constants numbers(float shared, float own) {
+  Constants values;
+  values.read("bpShared", shared);
+  values.read("bpOwn", own);
   return values;
 }
 
@@ -266,18 +266,18 @@ TEST(FoldConstants, AreSharedByValue) {
   std::vector<ConstantUse> uses;
   for (int i = 0; i < 5; ++i) uses.push_back({"a", numbers(1.0f, 2.0f)});
   for (int i = 0; i < 40; ++i) uses.push_back({"a", numbers(1.0f, static_cast<float>(3 + i))});
-  auto plans = foldableConstants(uses, 0);
+  auto plans = planConstants(uses, 0);
   for (const auto& plan : plans) {
     EXPECT_EQ(plan, plans.front()) << "no further program";
     EXPECT_NE(plan->find("bpShared"), nullptr);
     EXPECT_EQ(plan->find("bpOwn"), nullptr) << "many that differ keep it as a uniform";
   }
-  plans = foldableConstants(uses, 1);
+  plans = planConstants(uses, 1);
   EXPECT_NE(plans[0]->find("bpOwn"), nullptr) << "most objects gain here";
   EXPECT_EQ(plans[0], plans[4]);
   EXPECT_EQ(plans[5]->find("bpOwn"), nullptr);
   EXPECT_EQ(plans[5], plans.back());
-  EXPECT_TRUE(foldableConstants({}, 3).empty());
+  EXPECT_TRUE(planConstants({}, 3).empty());
 }
 
 // What all objects of a program share is free; dividing programs is not, and goes where it pays.
@@ -285,21 +285,21 @@ TEST(FoldableFacts, AreBoughtWithAtMostHalfAsManyProgramsAgain) {
   std::vector<FactUse> uses;
   for (int i = 0; i < 5; ++i) uses.push_back({"a", kNoMetal | kNoEmission});
   uses.push_back({"a", kAllMetal | kSmooth | kNoEmission});
-  std::vector<SurfaceFacts> facts = foldableFacts(uses);
+  std::vector<SurfaceFacts> facts = planFacts(uses);
   for (const SurfaceFacts f : facts) EXPECT_EQ(f, kNoEmission) << "one program cannot be one and a half";
 
   uses.push_back({"b", kNoMetal});
-  facts = foldableFacts(uses);
+  facts = planFacts(uses);
   EXPECT_EQ(facts[0], kNoMetal | kNoEmission);
   EXPECT_EQ(facts[5], kAllMetal | kSmooth | kNoEmission);
   EXPECT_EQ(facts[6], SurfaceFacts{kNoMetal});
 
   uses.push_back({"b", kSmooth});
-  facts = foldableFacts(uses);
+  facts = planFacts(uses);
   EXPECT_EQ(facts[0], kNoMetal | kNoEmission) << "more objects gain here";
   EXPECT_EQ(facts[6], 0u);
   EXPECT_EQ(facts[7], 0u);
-  EXPECT_TRUE(foldableFacts({}).empty());
+  EXPECT_TRUE(planFacts({}).empty());
 }
 
 }  // namespace

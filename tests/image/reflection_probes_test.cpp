@@ -266,6 +266,27 @@ TEST(ReflectionProbes, InStepsThePictureStaysUntilTheMapsAreWhole) {
   expectNear(room.mirrored(), {0, 255, 255}, 2);
 }
 
+TEST(ReflectionProbes, FacesThatShowNothingOfAChangeAreKept) {
+  const LitRoom room;
+  room.probes->AutoUpdateOff();
+  room.window->Render();  // now there is a context
+  const auto steps = [&room] {
+    int count = 1;
+    while (room.probes->UpdateStep()) ++count;
+    return count;
+  };
+  const int first = steps();
+  room.others[2]->GetProperty()->SetColor(0.25, 0.5, 0.75);  // behind the origin: neither floor, ceiling nor front
+  const int again = steps();
+  std::printf("%d steps, and %d after one wall was painted\n", first, again);
+  EXPECT_EQ(first - again, 3);
+  const LitRoom fresh;
+  fresh.others[2]->GetProperty()->SetColor(0.25, 0.5, 0.75);
+  EXPECT_EQ(room.picture().pixels, fresh.picture().pixels);
+  room.probes->Capture();  // all of it, asked for
+  EXPECT_EQ(room.picture().pixels, fresh.picture().pixels);
+}
+
 TEST(ReflectionProbes, NothingIsLeftOfThem) {
   Room room;
   const ImageRgba8 stock = room.picture();

@@ -1,10 +1,15 @@
 // Diffuse light drawn from lamps as shapes and a lattice (`"lamps": "shapes"`), against quadrature over the walls and
 // the lamp of a room: long double, of tests/support/lamp_truth.
 #include <gtest/gtest.h>
+#include <vtkLightCollection.h>
+#include <vtkRenderer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <set>
+#include <string>
 
 #include "tests/image/quad_world.h"
 #include "tests/support/lamp_truth.h"
@@ -143,9 +148,9 @@ TEST(ShapesPicture, EditsAreFollowed) {
   EXPECT_NE(seen(world, point).x, first.x);
   world.editAndFinish([&](Scene& s) { s.probes[0].box.max.x -= 3.0; });
   EXPECT_NEAR(seen(world, point).x, first.x, 1e-4 * first.x);
-  const std::uint64_t faces = world.faces();
+  const std::uint64_t faces = world.faces() + world.reused();
   world.editAndFinish([&](Scene& s) { s.lamps = LampForm::InMap; });
-  EXPECT_EQ(world.faces(), faces + 6);  // the floor in it is lit otherwise
+  EXPECT_EQ(world.faces() + world.reused(), faces + 6);  // the floor in it is lit otherwise: as by the unlit lamp
   EXPECT_GT(std::abs(seen(world, point).x / first.x - 1.0), 0.1);
 }
 
@@ -160,6 +165,192 @@ TEST(ShapesPicture, ATurnedBoxGivesTheSameLight) {
   for (const dvec3& point : kPoints) {
     const dvec3 t = truth(point), drawn = seen(world, point);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c] / t[c], 1.0, 0.03) << point.x << " " << point.z;
+  }
+}
+
+// An explanation names the lamp and the nodes, and what they give adds up.
+TEST(ShapesPicture, AnExplanationNamesLampsAndNodes) {
+  QuadWorld world(scene(LampForm::Shapes), {room()}, 64, 48);
+  world.show();
+  Camera camera;
+  camera.position = {1.2, 1.5, 1.4};
+  camera.target = {-0.4, 0.0, -0.2};
+  world.renderer->applyCamera(camera);
+  const Explanation e = world.renderer->explain(33, 21, 64, 48);
+  ASSERT_EQ(e.surface.object, "floor");
+  const DiffuseExplanation& diffuse = e.probes.at(0).diffuse;
+  ASSERT_EQ(diffuse.lamps.size(), 1u);
+  EXPECT_EQ(diffuse.lamps[0].node, "lamp");
+  EXPECT_EQ(diffuse.nodeCount, glm::ivec3(5, 4, 5));  // 4.4 x 2.7 x 3.5 m
+  float weights = 0.0f;
+  dvec3 place(0.0);
+  for (const LatticeNodeAtPoint& node : diffuse.nodes) {
+    weights += node.weight;
+    place += static_cast<double>(node.weight) * dvec3(node.positionProbe);
+  }
+  EXPECT_NEAR(weights, 1.0f, 1e-5f);
+  // The floor lies below the lowest nodes, which are 15 cm above it; along the other axes the nodes' mean is the point.
+  EXPECT_NEAR(place.x, static_cast<double>(e.probes[0].positionProbe.x), 1e-3);
+  EXPECT_NEAR(place.y, 0.15 - 1.1, 1e-3);
+  EXPECT_NEAR(place.z, static_cast<double>(e.probes[0].positionProbe.z), 1e-3);
+  const dvec3 sum = dvec3(diffuse.lamps[0].light) + dvec3(diffuse.lattice), point(e.surface.positionWorld);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(kAlbedo[c] * sum[c] / truth(point)[c], 1.0, 0.03);
+}
+
+TEST(ShapesPicture, AnEditOfWhatDoesNotShineLeavesLightsAlone) {
+  Scene lit = scene(LampForm::Shapes);
+  Light light;
+  light.type = LightType::Point;
+  light.position = {-0.6, 2.6, 0.4};  // at the lamp's place
+  light.intensity = 7.0f;
+  lit.lights = {light};
+  QuadWorld world(lit, {room()});
+  world.show();
+  const auto first = [&] { return world.renderer->renderer()->GetLights()->GetItemAsObject(0); };
+  const vtkSmartPointer<vtkObject> before = first();
+  world.edit([](Scene& s) { s.materials["floor"].roughness = 0.6f; });
+  world.edit([](Scene& s) { s.materials["floor"].baseColor = glm::vec3(0.2f, 0.4f, 0.3f); });
+  world.edit([](Scene& s) { s.objects["west"].translation = dvec3(0.0, 0.1, 0.0); });
+  EXPECT_NE(first(), before.GetPointer()) << "a wall that glows may be a lamp";
+  const vtkSmartPointer<vtkObject> moved = first();
+  world.edit([](Scene& s) { s.objects["floor"].translation = dvec3(0.0, -0.1, 0.0); });
+  EXPECT_EQ(first(), moved.GetPointer());
+  world.edit([](Scene& s) { s.materials["lamp"].emissive = vec3(20.0f, 21.0f, 22.0f); });
+  EXPECT_NE(first(), moved.GetPointer());
+}
+
+// Without any lamp the first bounce is the same in both forms, and the second is not: its floor is lit by probes.
+TEST(ShapesPicture, LaterBouncesAreLitByLattices) {
+  QuadWorld world(scene(LampForm::Shapes), {room()});
+  world.scene.materials["lamp"].emissive = vec3(0.2f);
+  world.scene.probes[0].bounces = 2;
+  world.show();
+  const std::uint64_t faces = world.faces() + world.reused();
+  EXPECT_EQ(faces, 12u);
+  world.editAndFinish([](Scene& s) { s.lamps = LampForm::InMap; });
+  EXPECT_EQ(world.faces() + world.reused(), faces + 6);
+}
+
+// What a window does: a frame does not wait, and the one after the work has the lattice.
+TEST(ShapesPicture, AFrameDoesNotWaitForALattice) {
+  QuadWorld plain(scene(LampForm::Shapes), {room()}, 48, 40), window(scene(LampForm::Shapes), {room()}, 48, 40);
+  window.renderer->setEditable(true);
+  Camera camera;
+  camera.position = {1.2, 1.5, 1.4};
+  camera.target = {-0.4, 0.0, -0.2};
+  for (QuadWorld* world : {&plain, &window}) {
+    world->renderer->applyCamera(camera);
+    world->show();
+  }
+  const ImageRgba8 right = plain.renderer->renderDisplay(), early = window.renderer->renderDisplay();
+  EXPECT_NE(early.pixels, right.pixels) << "coefficients show";
+  EXPECT_TRUE(window.renderer->workPending());
+  window.renderer->finishWork();
+  EXPECT_EQ(window.renderer->renderDisplay().pixels, right.pixels);
+  EXPECT_FALSE(window.renderer->workPending());
+  // Another box is lit by the lattice of the one before, until its own is there.
+  for (QuadWorld* world : {&plain, &window}) world->edit([](Scene& s) { s.probes[0].box.max.x += 2.5; });
+  plain.renderer->finishWork();
+  const ImageRgba8 wider = plain.renderer->renderDisplay(), between = window.renderer->renderDisplay();
+  EXPECT_NE(wider.pixels, right.pixels);
+  EXPECT_EQ(between.pixels, right.pixels);
+  window.renderer->finishWork();
+  EXPECT_EQ(window.renderer->renderDisplay().pixels, wider.pixels);
+}
+
+// Faces of a lamp that is a box are worked out in pairs; an explanation takes each by itself.
+TEST(ShapesPicture, ABoxOfALampShinesFromAllItsFaces) {
+  Model model = room();
+  const vec3 center(0.9f, 1.4f, 0.5f);
+  const float h = 0.15f;
+  const vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float side : {1.0f, -1.0f}) {
+      const vec3 n = side * axes[axis], up = axes[(axis + 1) % 3];
+      Material material = glowing(vec3(9.0f + static_cast<float>(axis), 8.0f - 2.0f * side, 7.0f));
+      material.doubleSided = false;
+      addSquare(model, "cube" + std::to_string(2 * axis + (side > 0.0f ? 1 : 0)), center + h * n, h * glm::cross(up, n),
+                h * up, material);
+    }
+  }
+  QuadWorld world(scene(LampForm::Shapes), {model}, 64, 48);
+  world.show();
+  Camera camera;
+  camera.position = {-1.2, 2.2, -1.4};
+  camera.target = {0.4, 0.0, 0.2};
+  world.renderer->applyCamera(camera);
+  std::set<std::string> shining;
+  for (const glm::ivec2& pixel : {glm::ivec2(30, 24), glm::ivec2(14, 35), glm::ivec2(50, 30), glm::ivec2(32, 44)}) {
+    const Explanation e = world.renderer->explain(pixel.x, pixel.y, 64, 48);
+    ASSERT_EQ(e.surface.object, "floor") << pixel.x;
+    for (const LampAtPoint& lamp : e.probes.at(0).diffuse.lamps) shining.insert(lamp.node);
+    EXPECT_LT(glm::length(e.color - *e.rendered), 2.0e-3f * (1.0f + glm::length(*e.rendered))) << pixel.x;
+  }
+  EXPECT_GE(shining.size(), 4u);
+}
+
+TEST(ShapesPicture, ARealtimeProbeHasFewerRaysAndTheSameLight) {
+  QuadWorld world(scene(LampForm::Shapes), {room()});
+  world.scene.probes[0].mode = ProbeMode::Realtime;
+  world.show();
+  for (const dvec3& point : kPoints) {
+    const dvec3 t = truth(point), drawn = seen(world, point);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c] / t[c], 1.0, 0.05) << point.x << " " << point.z;
+  }
+}
+
+// A sky in the colour of the ceiling, and no ceiling.
+TEST(ShapesPicture, TheSkyShinesThroughOpenings) {
+  Model open = room();
+  open.instances.erase(std::remove_if(open.instances.begin(), open.instances.end(),
+                                      [](const Instance& instance) { return instance.node == "ceiling"; }),
+                       open.instances.end());
+  Scene outside = scene(LampForm::Shapes);
+  outside.sky = SkyColor{panels()[4].radiance};
+  outside.probes[0].clear = ClearToOpen{};
+  QuadWorld world(outside, {open});
+  world.show();
+  for (const dvec3& point : kPoints) {
+    const dvec3 t = truth(point), drawn = seen(world, point);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn[c] / t[c], 1.0, 0.03) << point.x << " " << point.z;
+  }
+  const dvec3 point = kPoints[2], first = seen(world, point);
+  world.editAndFinish([](Scene& s) { s.sky = SkyColor{{2.0f, 1.0f, 0.5f}}; });
+  EXPECT_GT(seen(world, point).x, first.x + 0.3);
+}
+
+// No lamp, one of a million, one around the probe: finite light, and of the last what its inside sends.
+TEST(ShapesPicture, OddLampsGiveFiniteLight) {
+  const dvec3 point = kPoints[1];
+  QuadWorld world(scene(LampForm::Shapes), {room()});
+  world.show();
+  const dvec3 usual = seen(world, point);
+  world.editAndFinish([](Scene& s) { s.materials["lamp"].emissive = vec3(0.0f); });
+  const dvec3 unlit = seen(world, point);
+  world.editAndFinish([](Scene& s) { s.materials["lamp"].emissive = vec3(1.0e6f); });
+  // The capture's half floats end at 65504; the lamp is drawn from its shape.
+  EXPECT_NEAR(seen(world, point).x / (1.0e6 / 30.0 * (usual.x - unlit.x)), 1.0, 0.02);
+  world.editAndFinish([](Scene& s) {
+    for (const Panel& panel : panels()) s.materials[panel.name].emissive = vec3(0.0f);
+  });
+  EXPECT_EQ(seen(world, point), dvec3(0.0));
+}
+
+TEST(ShapesPicture, AProbeInsideALampShowsWhatIsThere) {
+  Model model = room();
+  Material material = glowing(vec3(9.0f, 8.0f, 7.0f));
+  const vec3 center(0.5f, 1.1f, -0.3f);
+  const float h = 0.2f;
+  for (const vec3& n : {vec3(1, 0, 0), vec3(-1, 0, 0), vec3(0, 1, 0), vec3(0, -1, 0), vec3(0, 0, 1), vec3(0, 0, -1)}) {
+    const vec3 up(n.y, n.z, n.x);
+    addSquare(model, "cube" + std::to_string(model.instances.size()), center + h * n, h * glm::cross(up, n), h * up,
+              material);
+  }
+  QuadWorld world(scene(LampForm::Shapes), {model});
+  world.show();
+  for (const dvec3& at : kPoints) {
+    const dvec3 drawn = seen(world, at);
+    for (int c = 0; c < 3; ++c) EXPECT_TRUE(std::isfinite(drawn[c]) && drawn[c] > 0.0 && drawn[c] < 10.0) << drawn[c];
   }
 }
 

@@ -48,6 +48,7 @@ SUBJECTS = [
     ("filters/stress/", ["stress_test"]),
     ("filters/vtk/import/", ["model_reader_test", "baseline_test", "cli_test:BadModel*"]),
     ("filters/vtk/inspect/", ["frame_report_test", "baseline_test", "gui_test:FramePanel*", "cli_test:Info*", "explain_test"]),
+    ("filters/vtk/charts/", ["frame_report_test:FrontChart*", "gui_test:CostPanel*"]),
     ("filters/vtk/actors/", ["actor_probes_test", "vtk_program_test"]),
     ("filters/vtk/widgets/", ["gui_geometry_test", "probe_widget_test"]),
     ("filters/vtk/surface/", ["vtk_text_test", "baseline_test", "splice_test", "edited_test", "draw_ways_test", "glass_test", "explain_test"]),

@@ -37,6 +37,29 @@ TEST(ExplanationJson, HoldsTheDocumentedFields) {
   EXPECT_FALSE(lookup["texels"].empty());
 }
 
+TEST(ExplanationJson, TellsLampsAndNodesOfDiffuseLight) {
+  Explanation e = ExplainedRoom().explain();
+  e.diffuse = {0.3f, 0.2f, 0.1f};
+  e.color = {0.6f, 0.5f, 0.4f};
+  const auto before = nlohmann::json::parse(explanationJson(e));
+  EXPECT_FALSE(before["probes"].at(0).contains("diffuse")) << "of nine coefficients there is nothing to tell";
+  EXPECT_NEAR(before["diffuseShare"].get<double>(), 0.4, 1e-6);
+  DiffuseExplanation& d = e.probes[0].diffuse;
+  d.lamps = {{"ceiling lamp", {0.5f, 0.4f, 0.3f}, 0.06f}};
+  d.nodes = {{{2, 0, 1}, {0.1f, -0.9f, 0.7f}, 0.75f}, {{3, 0, 1}, {1.1f, -0.9f, 0.7f}, 0.25f}};
+  d.nodeCount = {5, 4, 7};
+  d.lattice = {0.11f, 0.12f, 0.13f};
+  const auto diffuse = nlohmann::json::parse(explanationJson(e))["probes"].at(0)["diffuse"];
+  EXPECT_EQ(diffuse["lamps"].at(0)["object"], "ceiling lamp");
+  EXPECT_NEAR(diffuse["lamps"].at(0)["light"][1].get<double>(), 0.4, 1e-6);
+  EXPECT_NEAR(diffuse["lamps"].at(0)["filled"].get<double>(), 0.06, 1e-6);
+  EXPECT_EQ(diffuse["lattice"]["nodes"], nlohmann::json({5, 4, 7}));
+  EXPECT_NEAR(diffuse["lattice"]["light"][2].get<double>(), 0.13, 1e-6);
+  EXPECT_EQ(diffuse["lattice"]["at"].at(1)["node"], nlohmann::json({3, 0, 1}));
+  EXPECT_EQ(diffuse["lattice"]["at"].at(1)["weight"], 0.25);
+  EXPECT_NEAR(diffuse["lattice"]["at"].at(1)["positionProbe"][0].get<double>(), 1.1, 1e-6);
+}
+
 TEST(ExplanationJson, WhatIsUndefinedIsNull) {
   ExplainedRoom room;
   room.probe.technique = "infinite";

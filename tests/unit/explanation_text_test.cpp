@@ -52,6 +52,20 @@ TEST(ExplanationText, ShowsTheSlabFactorsAndMarksTheSmallest) {
   EXPECT_THAT(lineOf(text, "H - C"), ContainsRegex("2\\.0000 +0\\.5000 +0\\.0000"));
 }
 
+TEST(ExplanationText, NamesLampsAndNodesOfDiffuseLight) {
+  Explanation e = ExplainedRoom().explain();
+  e.diffuse = {0.3f, 0.2f, 0.1f};
+  e.color = {0.5f, 0.4f, 0.3f};
+  DiffuseExplanation& d = e.probes[0].diffuse;
+  d.lamps = {{"ceiling lamp", {0.5f, 0.4f, 0.3f}, 0.0625f}};
+  d.nodes = {{{2, 0, 1}, {0.1f, -0.9f, 0.7f}, 0.75f}, {{3, 0, 1}, {1.1f, -0.9f, 0.7f}, 0.25f}};
+  d.nodeCount = {5, 4, 7};
+  const std::string text = explanationText(e);
+  EXPECT_THAT(lineOf(text, "E_lamp"), ContainsRegex("0\\.5000 +0\\.4000 +0\\.3000 .*\"ceiling lamp\".* 6\\.[23] %"));
+  EXPECT_THAT(lineOf(text, "E_lattice"), ContainsRegex("5 x 4 x 7 nodes: 2, 0, 1 by 75\\.0 %; 3, 0, 1 by 25\\.0 %"));
+  EXPECT_THAT(lineOf(text, "diffuse"), HasSubstr("50.0 % of the pixel"));
+}
+
 TEST(ExplanationText, NumbersStandUnderEachOther) {
   const std::string text = explanationText(ExplainedRoom().explain());
   const auto column = [&](const std::string& symbol) { return lineOf(text, symbol).find("  scene units"); };

@@ -68,6 +68,7 @@ std::string probeLine(const Json& p) {
                      (p["projection"].get<bool>() ? "" : " (projection off)") + ", " + word(p["faceSize"]) +
                      " texels a face, " + word(p["bounces"]) + " bounce" + (p["bounces"] == 1 ? "" : "s") + ", " +
                      mebibytes(p["textureBytes"]) + "\n    origin " + vector3(p["origin"]) + ", box " + box(p["box"]);
+  line += "\n    diffuse light: " + word(p["diffuseLight"]);
   if (p["influence"] != p["box"]) line += "\n    influence " + box(p["influence"]);
   return line;
 }
@@ -87,6 +88,12 @@ std::string lightLine(const Json& l) {
   const bool directional = l["type"] == "directional";
   return word(l["type"]) + (directional ? ", direction " + vector3(l["direction"]) : ", at " + vector3(l["position"])) +
          ", colour " + vector3(l["color"]) + ", intensity " + numberText(l["intensity"].get<double>());
+}
+
+std::string lampLine(const Json& l) {
+  const bool one = l["polygons"] == 1;
+  return word(l["object"]) + ": " + word(l["polygons"]) + (one ? " polygon" : " polygons") + ", radiance " +
+         vector3(l["radiance"]) + ", power " + numberText(l["power"].get<double>());
 }
 
 template <class Line>
@@ -112,7 +119,9 @@ std::string sceneReportText(const Json& report) {
   return fitText(report) + section("models", report["models"], modelLine) +
          section("objects", report["objects"], objectLine) + section("probes", report["probes"], probeLine) +
          "sky\n  " + skyLine(report["sky"]) + "\n" + section("cameras", report["cameras"], cameraLine) +
-         section("lights", report["lights"], lightLine) + section("skipped or not used", report["warnings"], word);
+         section("lights", report["lights"], lightLine) + section("lamps as shapes", report["lamps"], lampLine) +
+         (report["lampRemarks"].empty() ? "" : section("remarks on lamps", report["lampRemarks"], word)) +
+         section("skipped or not used", report["warnings"], word);
 }
 
 }  // namespace boxprobe

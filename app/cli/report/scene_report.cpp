@@ -1,10 +1,12 @@
 // See scene_report.h.
 #include "app/cli/report/scene_report.h"
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 #include <variant>
 
+#include "filters/core/geometry/scene_lamps.h"
 #include "filters/io/cube/sky_picture.h"
 #include "filters/vtk/capture/prefilter.h"
 
@@ -112,8 +114,36 @@ Json objectsReport(const LoadedScene& loaded) {
   return objects;
 }
 
-Json probeReport(const Probe& probe) {
+/// Objects that are drawn as lamps, the most powerful first.
+Json lampsReport(const SceneLamps& lamps) {
+  Json report = Json::array();
+  for (const SceneLamp& lamp : lamps.lamps) {
+    const auto same =
+        std::find_if(report.begin(), report.end(), [&](const Json& known) { return known["object"] == lamp.node; });
+    if (same == report.end()) {
+      report.push_back({{"object", lamp.node},
+                        {"polygons", 1},
+                        {"area", lamp.area},
+                        {"radiance", vector3(lamp.radiance)},
+                        {"power", lamp.power}});
+      continue;
+    }
+    (*same)["polygons"] = (*same)["polygons"].get<int>() + 1;
+    (*same)["area"] = (*same)["area"].get<double>() + lamp.area;
+    (*same)["power"] = (*same)["power"].get<double>() + lamp.power;
+  }
+  return report;
+}
+
+/// What diffuse light of a probe is made of.
+std::string diffuseLightOf(const Scene& scene, const Probe& probe) {
+  if (scene.lamps != LampForm::Shapes) return "coefficients";
+  return probe.mode == ProbeMode::Custom ? "lattice" : "lamps and lattice";
+}
+
+Json probeReport(const Scene& scene, const Probe& probe) {
   return {{"name", probe.name},
+          {"diffuseLight", diffuseLightOf(scene, probe)},
           {"origin", vector3(probe.origin)},
           {"box", boxReport(probe.box)},
           {"influence", boxReport(probe.influenceBox())},
@@ -202,11 +232,15 @@ Json sceneReport(const LoadedScene& loaded) {
     report["models"].push_back(modelReport(scene.models[i], *loaded.models[i]));
   }
   report["objects"] = objectsReport(loaded);
-  for (const Probe& probe : scene.probes) report["probes"].push_back(probeReport(probe));
+  for (const Probe& probe : scene.probes) report["probes"].push_back(probeReport(scene, probe));
   report["sky"] = skyReport(scene.sky);
   if (scene.skyRotationDegrees != 0.0) report["sky"]["rotationDegrees"] = scene.skyRotationDegrees;
   for (const Camera& camera : scene.cameras) report["cameras"].push_back(cameraReport(camera));
   for (const Light& light : scene.lights) report["lights"].push_back(lightReport(light));
+  SceneLamps lamps;
+  if (scene.lamps == LampForm::Shapes) lamps = sceneLamps(scene, loaded.models);
+  report["lamps"] = lampsReport(lamps);
+  report["lampRemarks"] = lamps.remarks;
   report["exposure"] = scene.exposure;
   if (loaded.fit) {
     report["fit"] = fitReport(*loaded.fit);

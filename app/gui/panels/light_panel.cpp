@@ -77,6 +77,15 @@ void LightPanel::addSky(QFormLayout* form) {
           [this, turned](double value) { editor_.preview({turn_}, tr("Turn the sky"), turned(value)); });
   connect(turn_, &ValueField::committed, this,
           [this, turned](double value) { editor_.commit({turn_}, tr("Turn the sky"), turned(value)); });
+  const auto& lamps = fieldNamed(sceneFields(), "lamps");
+  lamps_ = addProbeChoice(form, tr("Lamps"),
+                          {{tr("As shapes"), static_cast<int>(LampForm::Shapes), choiceTip(lamps, LampForm::Shapes)},
+                           {tr("In the map"), static_cast<int>(LampForm::InMap), choiceTip(lamps, LampForm::InMap)}},
+                          fieldTip(lamps), [this](int value) {
+                            editor_.commit({lamps_}, tr("Set lamps"),
+                                           [value](Scene& scene) { scene.lamps = static_cast<LampForm>(value); });
+                          });
+  lamps_->setObjectName("lamps");
 }
 
 void LightPanel::addPlace(QFormLayout* form) {
@@ -253,6 +262,7 @@ void LightPanel::edit(const void* control, bool preview, const QString& what, co
 void LightPanel::update() {
   const Scene& scene = editor_.scene();
   turn_->show(scene.skyRotationDegrees);
+  showChoice(lamps_, static_cast<int>(scene.lamps));
   if (lights_->count() != static_cast<int>(scene.lights.size())) {
     const QSignalBlocker quiet(lights_);
     const int row = std::max(lights_->currentIndex(), 0);

@@ -264,7 +264,7 @@ struct Scene {
   std::vector<Probe> probes;    ///< names unique
   double exposure = 1.0;        ///< display = (exposure * linear)^(1/2.2)
   Energy energy = Energy::Single;
-  LampForm lamps = LampForm::InMap;
+  LampForm lamps = LampForm::Shapes;
 
   bool operator==(const Scene&) const;
 };

@@ -62,7 +62,7 @@ const std::vector<FieldRow<Scene>>& sceneFields() {
           .choose({{"single", "it is lost: rough metals darken"},
                    {"multiple", "it is added back, of lamps and probes alike (Turquin 2019)"}})
           .changing({&Changes::lights}),
-      field<&Scene::lamps>("lamps", "", "How shining objects light diffuse surfaces in baked probes.")
+      field<&Scene::lamps>("lamps", "", "How shining objects light diffuse surfaces.")
           .choose({{"in-map", "from the probe's map, alike all over its box"},
                    {"shapes", "flat lamps by their shapes, everything else by a lattice in the box"}})
           .changing({&Changes::lights}),

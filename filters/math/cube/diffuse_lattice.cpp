@@ -24,7 +24,8 @@ constexpr double kFolded[9] = {
     0.298415518297304 / 4.0};
 
 struct LatticeRay {
-  glm::vec3 direction;         // unit, probe frame
+  glm::vec3 direction;  // unit, probe frame
+  glm::vec3 directionWorld;
   std::array<float, 9> basis;  // of the direction in the world, with what is folded and the solid angle
 };
 
@@ -37,10 +38,19 @@ std::vector<LatticeRay> latticeRays(int count, const glm::mat3& worldFromProbe) 
     const double r = std::sqrt(std::max(1.0 - z * z, 0.0));
     LatticeRay ray;
     ray.direction = glm::vec3(glm::dvec3(r * std::cos(phi), r * std::sin(phi), z));
-    ray.basis = latticeBasis(glm::normalize(worldFromProbe * ray.direction), solidAngle);
+    ray.directionWorld = glm::normalize(worldFromProbe * ray.direction);
+    ray.basis = latticeBasis(ray.directionWorld, solidAngle);
     rays.push_back(ray);
   }
   return rays;
+}
+
+// All nodes' together: a room of five metres has as many by itself. Beyond that each node has fewer.
+constexpr int kRaysInAll = 1 << 18;
+
+int raysOfNode(int wanted, std::size_t nodes) {
+  const int share = kRaysInAll / static_cast<int>(std::max<std::size_t>(nodes, 1));
+  return std::clamp(share, std::max(wanted / 8, 1), std::max(wanted, 1));
 }
 
 // Node i of n between two ends.
@@ -99,6 +109,26 @@ glm::ivec3 latticeNodes(const glm::vec3& size, float spacing) {
   return nodes;
 }
 
+CubeMap latticeCapture(const CubeMap& capture) {
+  constexpr int kMost = 128;
+  const int size = std::min(capture.faceSize(), kMost);
+  if (capture.empty() || capture.faceSize() % size != 0) return capture;
+  const int step = capture.faceSize() / size;
+  CubeMap reduced(size, 1);
+  const float share = 1.0f / static_cast<float>(step * step);
+  for (int face = 0; face < 6; ++face) {
+    for (int row = 0; row < size; ++row) {
+      for (int column = 0; column < size; ++column) {
+        glm::vec4 sum(0.0f);
+        for (int k = 0; k < step * step; ++k)
+          sum += capture.texel(0, face, column * step + k % step, row * step + k / step);
+        reduced.setTexel(0, face, column, row, share * sum);
+      }
+    }
+  }
+  return reduced;
+}
+
 CubeMap plainMeans(const CubeMap& capture) {
   const int faceSize = capture.faceSize();
   CubeMap means(faceSize, fullLevels(faceSize));
@@ -129,7 +159,8 @@ CubeMap plainMeans(const CubeMap& capture) {
 }
 
 DiffuseLattice makeDiffuseLattice(const CubeMap& means, const shading::ProbeShape& probe, const glm::mat3& mapFromProbe,
-                                  const glm::mat3& worldFromProbe, const LatticeSettings& settings) {
+                                  const glm::mat3& worldFromProbe, const LatticeSettings& settings,
+                                  const CubeMap* sky) {
   DiffuseLattice lattice;
   if (means.empty()) return lattice;
   const glm::vec3 size = glm::max(probe.boxMax - probe.boxMin, glm::vec3(0.0f));
@@ -139,10 +170,12 @@ DiffuseLattice makeDiffuseLattice(const CubeMap& means, const shading::ProbeShap
   lattice.high = probe.boxMin + size - inset;
   const auto nodeCount = static_cast<std::size_t>(lattice.nodes.x * lattice.nodes.y * lattice.nodes.z);
   lattice.texels.resize(DiffuseLattice::kParts * nodeCount);
-  const std::vector<LatticeRay> rays = latticeRays(std::max(settings.rays, 1), worldFromProbe);
+  const std::vector<LatticeRay> rays = latticeRays(raysOfNode(settings.rays, nodeCount), worldFromProbe);
   const float faceSize = static_cast<float>(means.faceSize());
   // Solid angle of a ray over that of a texel, on average.
   const float texelsPerRay = 6.0f * faceSize * faceSize / static_cast<float>(rays.size());
+  const float skySide = sky != nullptr ? static_cast<float>(sky->faceSize()) : 1.0f;
+  const float skyLevel = 0.5f * std::log2(std::max(6.0f * skySide * skySide / static_cast<float>(rays.size()), 1.0f));
   tbb::parallel_for(std::size_t(0), nodeCount, [&](std::size_t node) {
     const int x = static_cast<int>(node) % lattice.nodes.x, rest = static_cast<int>(node) / lattice.nodes.x;
     const glm::vec3 place(nodeAt(lattice.low.x, lattice.high.x, x, lattice.nodes.x),
@@ -153,7 +186,10 @@ DiffuseLattice makeDiffuseLattice(const CubeMap& means, const shading::ProbeShap
       const shading::ProbeHit hit = shading::projectRay(probe, place, ray.direction, ray.direction);
       const float patch = texelsPerRay * shading::footprintScale(probe, hit, ray.direction);
       const float level = 0.5f * std::log2(std::max(patch, 1.0e-6f));
-      const glm::vec3 light(means.fetch(mapFromProbe * hit.direction, level));
+      const glm::vec4 seen = means.fetch(mapFromProbe * hit.direction, level);
+      glm::vec3 light(seen);
+      if (sky != nullptr && seen.w < 1.0f)
+        light += (1.0f - seen.w) * glm::vec3(sky->fetch(ray.directionWorld, skyLevel));
       for (std::size_t k = 0; k < 9; ++k) sums[k] += ray.basis[k] * light;
     }
     for (std::size_t i = 0; i < 4 * DiffuseLattice::kParts; ++i) {

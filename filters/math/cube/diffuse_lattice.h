@@ -17,7 +17,7 @@ namespace boxprobe {
 struct LatticeSettings {
   float spacing = 1.0f;  ///< of the nodes, about, scene units, > 0
   float inset = 0.15f;   ///< of the outermost nodes from the walls, scene units; at most a quarter of the box
-  int rays = 1024;       ///< a node
+  int rays = 1024;       ///< a node; fewer, down to an eighth, where there are more nodes than in a room
 };
 
 struct DiffuseLattice : shading::LatticeSampler {
@@ -44,15 +44,19 @@ glm::ivec3 latticeNodes(const glm::vec3& size, float spacing);
 /// down to one texel per face. Premultiplied by coverage as the capture is.
 CubeMap plainMeans(const CubeMap& capture);
 
+/// As much of a capture's level 0 as a lattice needs: plain means of at most 128 texels along a face.
+CubeMap latticeCapture(const CubeMap& capture);
+
 /// What light of radiance 1 from a unit direction, world axes, adds to a node's nine coefficients.
 std::array<float, 9> latticeBasis(const glm::vec3& directionWorld, double solidAngle);
 
 /// `means`: plainMeans() of a capture. `probe`: its box and projection, as techniques use them. Rotations:
 /// `mapFromProbe` of the box's axes into the map's, `worldFromProbe` into the world's, whose normals
-/// latticeIrradiance() takes.
+/// latticeIrradiance() takes. `sky`: plain means of what shows where the capture is not covered, far away and along the
+/// world's axes; null: nothing does.
 DiffuseLattice makeDiffuseLattice(const CubeMap& means, const shading::ProbeShape& probe,
                                   const glm::mat3& mapFromProbe = glm::mat3(1.0f),
                                   const glm::mat3& worldFromProbe = glm::mat3(1.0f),
-                                  const LatticeSettings& settings = {});
+                                  const LatticeSettings& settings = {}, const CubeMap* sky = nullptr);
 
 }  // namespace boxprobe

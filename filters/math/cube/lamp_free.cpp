@@ -19,7 +19,8 @@ constexpr int kPoints = 5;
 
 class LampView {
  public:
-  explicit LampView(const LampPolygon& lamp) : lamp_(lamp) {
+  // `margin`: radians.
+  LampView(const LampPolygon& lamp, float margin) : lamp_(lamp) {
     const auto corner = [&](int i) { return lamp.corners[static_cast<std::size_t>(i)]; };
     glm::vec3 sum(0.0f);
     for (int i = 0; i < lamp.count; ++i) sum += corner(i);
@@ -28,14 +29,13 @@ class LampView {
       const float size = glm::length(corner(i));
       cosine_ = size > 0.0f ? std::min(cosine_, glm::dot(corner(i), axis_) / size) : -1.0f;
     }
+    reach_ = std::cos(std::min(std::acos(std::clamp(cosine_, -1.0f, 1.0f)) + margin, 3.1415f));
     normal_ = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
     height_ = glm::dot(normal_, corner(0));
   }
 
-  // Could a direction within `margin` radians meet it?
-  bool near(const glm::vec3& unit, float margin) const {
-    return glm::dot(unit, axis_) >= std::cos(std::min(std::acos(std::clamp(cosine_, -1.0f, 1.0f)) + margin, 3.1415f));
-  }
+  // Could a direction within the margin meet it?
+  bool near(const glm::vec3& unit) const { return glm::dot(unit, axis_) >= reach_; }
 
   // Distance along the direction in its own lengths; negative: it does not meet the lamp's shining side.
   float meets(const glm::vec3& direction) const {
@@ -56,6 +56,7 @@ class LampView {
   const LampPolygon& lamp_;
   glm::vec3 axis_{0.0f}, normal_{0.0f};
   float cosine_ = 1.0f;  // of the corner farthest from the axis
+  float reach_ = -1.0f;  // the same with the margin
   float height_ = 0.0f;
 };
 
@@ -73,7 +74,7 @@ CubeMap withoutLamps(const CubeMap& capture, const CubeMap& distance, const std:
   const float texel = 4.0f / static_cast<float>(size);  // more than a texel's angle
   std::vector<LampView> views;
   for (const LampPolygon& lamp : lamps) {
-    if (lamp.count >= 3) views.emplace_back(lamp);
+    if (lamp.count >= 3) views.emplace_back(lamp, texel);
   }
   const auto seen = [&](const LampView& view, const glm::vec3& direction) {
     const float t = view.meets(direction);
@@ -85,8 +86,9 @@ CubeMap withoutLamps(const CubeMap& capture, const CubeMap& distance, const std:
   const auto shows = [&](int face, int row, int column) {
     const glm::vec3 middle = shading::cubeDirection(face, coordinate(static_cast<float>(column) + 0.5f, size),
                                                     coordinate(static_cast<float>(row) + 0.5f, size));
+    const glm::vec3 unit = glm::normalize(middle);
     for (const LampView& view : views) {
-      if (!view.near(glm::normalize(middle), texel)) continue;
+      if (!view.near(unit)) continue;
       for (int i = 0; i < kPoints * kPoints; ++i) {
         const float x = static_cast<float>(column) - 0.5f + 2.0f * static_cast<float>(i % kPoints) / (kPoints - 1);
         const float y = static_cast<float>(row) - 0.5f + 2.0f * static_cast<float>(i / kPoints) / (kPoints - 1);

@@ -86,9 +86,9 @@ class BOXPROBE_EXPORT ActorProbes {
   /// update() in steps of one face or one mip level, for windows that must stay live: call it between frames while it
   /// returns true. Maps are shown once they are whole.
   bool updateStep();
-  /// Do maps show another state than the renderer's now? Changed, added, moved, recoloured or removed actors and lights
-  /// make all of them stale, a probe's origin, axes or capture settings its own; a box does not. Lights that follow the
-  /// camera count as they are set, not where they are.
+  /// Do maps show another state than the renderer's now? Changed, added, moved, recoloured or removed actors make those
+  /// stale that show them, of which the other faces are kept; lights make all stale, a probe's origin, axes or capture
+  /// settings its own; a box does not. Lights that follow the camera count as they are set, not where they are.
   bool stale();
   /// Of captures, 0 to 1; null: nobody is told.
   void setProgress(std::function<void(double)> progress);

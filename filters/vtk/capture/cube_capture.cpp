@@ -146,6 +146,8 @@ void CubeCapture::captureFace(const CaptureSettings& settings, int face, const s
 void CubeCapture::drawOnce(const CaptureSettings& settings, const std::vector<vtkProp*>& props,
                            const std::vector<vtkLight*>& lights) {
   const glm::dvec3& o = settings.originWorld;
+  // Its picture is not looked at: nothing is worked out for it.
+  const PassScope scope(*state_, [](PassSettings& pass) { pass.dragging = true; });
   faceCamera_->SetPosition(o.x, o.y, o.z);
   faceCamera_->SetFocalPoint(o.x, o.y, o.z - 1.0);
   faceCamera_->SetViewUp(0.0, 1.0, 0.0);

@@ -1,6 +1,6 @@
 // What every draw of a renderer needs to know: shared by the renderer, its passes and the passes of its actors. Parts
-// that live differently long: what there is (resources), how a pass draws (pass), what was drawn (counts), with which
-// programs (programs), and the draw under way (drawing, bound).
+// that live differently long: what there is (resources), how a pass draws (pass), what was drawn (counts), what is done
+// for the driver's sake (tuning), and the draw under way (drawing, bound).
 #pragma once
 
 #include <vtkWeakPointer.h>
@@ -10,7 +10,6 @@
 
 #include "filters/vtk/draw/frame_counts.h"
 #include "filters/vtk/draw/pass_settings.h"
-#include "filters/vtk/draw/program_shelf.h"
 #include "filters/vtk/draw/scene_resources.h"
 #include "filters/vtk/gl/gl_objects.h"
 
@@ -18,12 +17,14 @@ class vtkRenderer;
 
 namespace boxprobe {
 
+class ProgramTuning;
+
 /// One for all surfaces of a renderer.
 class DrawState {
  public:
   SceneResources resources;
   FrameCounts counts;
-  ProgramShelf programs;
+  ProgramTuning* tuning = nullptr;  ///< null: none (program_tuning.h)
   /// Draws the window's picture: its camera's lights are uploaded again after a pass with another camera (PassScope).
   vtkWeakPointer<vtkRenderer> shown;
   /// What draws now; its camera is what uniforms go by. Null: nothing of ours, and surfaces have VTK's own programs.

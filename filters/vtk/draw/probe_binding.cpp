@@ -121,7 +121,7 @@ std::string ProbeBinding::variantKey() const {
   if (weights && onlyProbes) key += 'p';
   if (sky) key += 's';
   if (diffuse) key += 'd';
-  if (diffuse && shapes) key += 'l';
+  if (diffuse && shapes) key += lamps ? 'L' : 'l';
   if (firstBounce) key += 'k';
   const std::vector<int> group = groups();
   for (std::size_t i = 0; i < probes.size(); ++i) {

@@ -29,6 +29,8 @@ struct DrawnProbe {
   bool shapes = false;                      ///< its diffuse light is its lamps' and a lattice's
   std::vector<std::size_t> lamps;           ///< of the scene's, those drawn as shapes
   std::shared_ptr<const ProbeSight> sight;  ///< what is seen of those and of light sources; null: all, everywhere
+  bool realtime = false;                    ///< its maps are made over and over
+  mutable std::shared_ptr<const DiffuseLattice> latticeBefore;  ///< the last it was drawn with (probe_lattice.h)
 };
 
 enum class Lighting {
@@ -55,6 +57,7 @@ struct ProbeBinding {
   std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
   bool diffuse = true;      ///< false: the material is all metal
   bool shapes = false;      ///< some probe's diffuse light is its lamps' and a lattice's
+  bool lamps = false;       ///< some of these has lamps
 
   /// Are there shadows of lamps or light sources to look up?
   bool sights() const;

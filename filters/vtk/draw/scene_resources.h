@@ -37,8 +37,7 @@ struct SceneResources {
   LightForm lightForm = LightForm::Single;
   bool foreign = false;  ///< somebody else's actors: falloffs of lamps mean what they mean in VTK
   bool emission = true;  ///< emissive factors show without an emissive texture
-  bool general = false;  ///< programs take nothing for granted (surface_facts.h), to compare with
-  /// Resting programs look maps up in flat pictures of them (flat_texture.h): on software renderers.
+  /// Programs with constants look maps up in flat pictures of them (flat_texture.h): on software renderers.
   bool flatMaps = false;
   std::shared_ptr<std::size_t> flatBytes = std::make_shared<std::size_t>(0);  ///< of all such pictures
   GLuint blueNoise = 0;                     ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
@@ -47,6 +46,7 @@ struct SceneResources {
   std::shared_ptr<const SceneLamps> lamps;  ///< null unless they are drawn as shapes
   std::shared_ptr<const SightLines> sightLines;           ///< through the scene as it stands still; null: not traced
   std::shared_ptr<const std::vector<Light>> looseLights;  ///< those that shine and are not counted with a lamp
+  bool latticesBeside = false;                            ///< frames do not wait for lattices (draw/probe_lattice.h)
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::shared_ptr<SightAtlas> sights = std::make_shared<SightAtlas>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights

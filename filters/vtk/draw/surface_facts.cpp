@@ -63,7 +63,7 @@ SurfaceFacts surfaceFacts(const SurfaceMaterial& surface, vtkProperty* property)
   return facts;
 }
 
-std::vector<SurfaceFacts> foldableFacts(const std::vector<FactUse>& uses) {
+std::vector<SurfaceFacts> planFacts(const std::vector<FactUse>& uses) {
   std::map<std::string, Kinds> whole;
   for (const FactUse& use : uses) ++whole[use.program][use.facts];
   // Parts of programs; a part that is divided gives up one kind of its objects, which becomes a part of its own.
@@ -94,13 +94,13 @@ std::vector<SurfaceFacts> foldableFacts(const std::vector<FactUse>& uses) {
     parts.push_back({parts[from].program, {{kind, parts[from].kinds[kind]}}});
     parts[from].kinds.erase(kind);
   }
-  std::map<std::pair<std::string, SurfaceFacts>, SurfaceFacts> folded;
+  std::map<std::pair<std::string, SurfaceFacts>, SurfaceFacts> planned;
   for (const Part& part : parts) {
-    for (const auto& kind : part.kinds) folded[{*part.program, kind.first}] = shared(part.kinds);
+    for (const auto& kind : part.kinds) planned[{*part.program, kind.first}] = shared(part.kinds);
   }
   std::vector<SurfaceFacts> facts;
   facts.reserve(uses.size());
-  for (const FactUse& use : uses) facts.push_back(folded.at({use.program, use.facts}));
+  for (const FactUse& use : uses) facts.push_back(planned.at({use.program, use.facts}));
   return facts;
 }
 

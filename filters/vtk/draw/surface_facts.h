@@ -39,6 +39,6 @@ struct FactUse {
 /// Which facts each object's program may be made for, in the order of `uses`. Those that all objects of a program share
 /// cost no further program; beyond that programs are divided where most objects gain most, up to half as many again as
 /// there are without facts. O(n log n) in the number of objects.
-std::vector<SurfaceFacts> foldableFacts(const std::vector<FactUse>& uses);
+std::vector<SurfaceFacts> planFacts(const std::vector<FactUse>& uses);
 
 }  // namespace boxprobe

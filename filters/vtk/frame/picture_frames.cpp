@@ -27,7 +27,9 @@ bool PictureFrames::Key::operator==(const Key& o) const {
   return generation == o.generation && camera == o.camera && size == o.size &&
          std::equal(bindings.begin(), bindings.end(), o.bindings.begin(), o.bindings.end(),
                     sameOwner<const ProbeBinding>) &&
-         std::equal(maps.begin(), maps.end(), o.maps.begin(), o.maps.end(), sameOwner<const ProbeMaps>);
+         std::equal(maps.begin(), maps.end(), o.maps.begin(), o.maps.end(), sameOwner<const ProbeMaps>) &&
+         std::equal(lattices.begin(), lattices.end(), o.lattices.begin(), o.lattices.end(),
+                    sameOwner<const DiffuseLattice>);
 }
 
 const ProbeBinding* PictureFrames::drawn(const DrawnObject& object) const {
@@ -87,7 +89,11 @@ PictureFrames::Key PictureFrames::key() const {
     key.bindings.push_back(object.pass->GetSharedBinding());
     const ProbeBinding* binding = object.pass->GetBinding();
     if (binding == nullptr) continue;
-    for (const auto& probe : binding->probes) key.maps.push_back(probe->maps);
+    for (const auto& probe : binding->probes) {
+      key.maps.push_back(probe->maps);
+      // A frame that does not wait for a lattice is followed by frames with it.
+      if (state_->resources.latticesBeside) key.lattices.push_back(probe->latticeBefore);
+    }
   }
   key.maps.push_back(state_->resources.sky);
   return key;

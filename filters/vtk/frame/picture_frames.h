@@ -46,6 +46,7 @@ class PictureFrames {
     std::array<int, 3> size{};
     std::vector<std::weak_ptr<const ProbeBinding>> bindings;  ///< as drawn
     std::vector<std::weak_ptr<const ProbeMaps>> maps;
+    std::vector<std::weak_ptr<const DiffuseLattice>> lattices;
     bool operator==(const Key& o) const;
   };
   Key key() const;

@@ -20,7 +20,6 @@ std::vector<std::string> sceneRemarks(const SceneContent& content, const FrameRe
     texts.insert(texts.end(), lines.begin(), lines.begin() + static_cast<long>(std::min(lines.size(), kNamed)));
   };
   addFirst(glassRemarks(content));
-  if (content.lamps) addFirst(content.lamps->remarks);
   const std::vector<std::string> leftOut = leftOutLines(report);
   addFirst(leftOut);
   if (leftOut.size() > kNamed) {

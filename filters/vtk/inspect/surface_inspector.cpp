@@ -11,6 +11,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/math/technique/automatic.h"
+#include "filters/vtk/draw/probe_lattice.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/maps/cube_transfer.h"
 
@@ -205,8 +206,8 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     probe.openSky = drawn.openSky;
     probe.shadowLights = drawn.shadowLights;
     if (drawn.maps) probe.coverage = drawn.maps->coverage.chain().get();
-    if (drawn.maps && drawn.shapes && content_->lamps) {
-      probe.lattice = drawn.maps->lattice.latest();
+    probe.lattice = probeLattice(*state_, drawn);
+    if (probe.lattice) {
       for (const std::size_t lamp : drawn.lamps) {
         probe.lamps.push_back(content_->lamps->lamps[lamp]);
         if (drawn.sight) probe.lampChannels.push_back(drawn.sight->channelOfLamp(lamp));

@@ -1,12 +1,19 @@
 #include "filters/vtk/maps/lattice_maker.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
+#include <chrono>
 
 #include "filters/math/cube/lamp_free.h"
 
 namespace boxprobe {
 
 namespace {
+
+// Lattices of one probe that are kept, and rays for one that is derived over and over.
+constexpr std::size_t kKept = 2;
+constexpr int kFewRays = 256;
 
 CubeMap firstLevel(const CubeTexture& texture) {
   if (!texture.allocated()) return {};
@@ -19,29 +26,75 @@ bool sameLamp(const LampPolygon& a, const LampPolygon& b) {
   return a.count == b.count && a.bothSides == b.bothSides && a.corners == b.corners;
 }
 
+// What is read back from the maps, and the rest, in the hands of whichever thread derives.
+struct LatticeWork {
+  CubeMap radiance, distance;
+  LatticeSource source;
+
+  std::shared_ptr<const DiffuseLattice> derive() const {
+    shading::ProbeShape shape{};
+    shape.boxMin = source.boxMin;
+    shape.boxMax = source.boxMax;
+    shape.projection = source.projection;
+    LatticeSettings settings;
+    if (source.fewRays) settings.rays = kFewRays;
+    const CubeMap capture = latticeCapture(radiance);
+    const CubeMap sky = source.sky ? plainMeans(*source.sky) : CubeMap();
+    const CubeMap means = plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps));
+    const DiffuseLattice projected = makeDiffuseLattice(means, shape, source.mapFromProbe, source.worldFromProbe,
+                                                        settings, source.sky ? &sky : nullptr);
+    return std::make_shared<const DiffuseLattice>(tracedLattice(projected, means, source.traced));
+  }
+};
+
 }  // namespace
 
 bool LatticeSource::operator==(const LatticeSource& o) const {
   return boxMin == o.boxMin && boxMax == o.boxMax && mapFromProbe == o.mapFromProbe &&
-         worldFromProbe == o.worldFromProbe && projection == o.projection && traced == o.traced &&
-         std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
+         worldFromProbe == o.worldFromProbe && projection == o.projection && fewRays == o.fewRays && sky == o.sky &&
+         traced == o.traced && std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
+}
+
+void LatticeMaker::keep(LatticeSource source, Lattice lattice) {
+  if (made_.size() == kKept) made_.pop_back();
+  made_.insert(made_.begin(), {std::move(source), std::move(lattice)});
+}
+
+void LatticeMaker::takeNow() {
+  keep(std::move(besideSource_), beside_.get());
+  beside_ = {};
+}
+
+void LatticeMaker::take(int milliseconds) {
+  if (pending() && beside_.wait_for(std::chrono::milliseconds(milliseconds)) == std::future_status::ready) takeNow();
 }
 
 std::shared_ptr<const DiffuseLattice> LatticeMaker::of(const CubeTexture& radiance, const CubeTexture& distance,
-                                                       const LatticeSource& source, bool dragged) {
-  if (lattice_ && (dragged || source == source_)) return lattice_;
-  if (!radiance.allocated()) return nullptr;
-  CubeMap capture = firstLevel(radiance);
-  if (!source.lamps.empty()) capture = withoutLamps(capture, firstLevel(distance), source.lamps);
-  source_ = source;
-  shading::ProbeShape shape{};
-  shape.boxMin = source.boxMin;
-  shape.boxMax = source.boxMax;
-  shape.projection = source.projection;
-  const CubeMap means = plainMeans(capture);
-  const DiffuseLattice projected = makeDiffuseLattice(means, shape, source.mapFromProbe, source.worldFromProbe);
-  lattice_ = std::make_shared<const DiffuseLattice>(tracedLattice(projected, means, source.traced));
-  return lattice_;
+                                                       const LatticeSource& source, LatticeHaste haste) {
+  if (haste == LatticeHaste::Now && pending() && besideSource_ == source) takeNow();
+  const Lattice before = made_.empty() ? nullptr : made_.front().lattice;
+  if (haste == LatticeHaste::AsItIs) return before;
+  const auto known = std::find_if(made_.begin(), made_.end(), [&](const Made& made) { return made.source == source; });
+  if (known != made_.end()) {
+    std::rotate(made_.begin(), known, known + 1);
+    return made_.front().lattice;
+  }
+  // One at a time: where a source changes faster than lattices are derived, those between are left out.
+  if (!radiance.allocated() || (pending() && haste != LatticeHaste::Now)) return before;
+  auto work = std::make_shared<LatticeWork>();
+  work->radiance = firstLevel(radiance);
+  if (!source.lamps.empty()) work->distance = firstLevel(distance);
+  work->source = source;
+  if (haste != LatticeHaste::Beside) {
+    keep(source, work->derive());
+    return made_.front().lattice;
+  }
+  const auto task = std::make_shared<std::packaged_task<Lattice()>>([work] { return work->derive(); });
+  besideSource_ = source;
+  beside_ = task->get_future().share();
+  static tbb::task_arena arena;
+  arena.enqueue([task] { (*task)(); });
+  return before;
 }
 
 }  // namespace boxprobe

@@ -53,6 +53,7 @@ struct CaptureWorld {
   BoxTree tree;     ///< of their bounds
   std::string sky;  ///< skyKey
   std::string lights;
+  bool lattices = false;  ///< diffuse light of probes, in later bounces, is that of lattices
 };
 
 /// `skyPixels`: the fingerprint of the sky's image if it is one; `probes`: of the scene's.

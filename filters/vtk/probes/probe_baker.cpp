@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "filters/core/base/errors.h"
+#include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/maps/cube_transfer.h"
 #include "filters/vtk/probes/probe_binder.h"
 #include "filters/vtk/scene/scene_content.h"
@@ -28,7 +29,7 @@ void ProbeBaker::replan() {
     firstBouncePrograms_ = false;
   }
   if (!with_.plan->keepsCurrent()) abort();
-  if (with_.programs != nullptr) with_.programs->replanned();
+  if (with_.state->tuning != nullptr) with_.state->tuning->replanned();
 }
 
 bool ProbeBaker::pending() const {
@@ -105,7 +106,7 @@ void ProbeBaker::begin(const ProbeJob& job) {
   };
   item.faceSize = job.faceSize;
   item.bounce = job.bounce;
-  item.firstBouncePrograms = firstBouncePrograms_ && job.kind == JobKind::Bounce && !with_.state->resources.general;
+  item.firstBouncePrograms = firstBouncePrograms_ && job.kind == JobKind::Bounce && with_.state->tuning != nullptr;
   Probe as;  // as its capture begins
   if (const auto index = with_.plan->entries().find(job.name)) {
     as = with_.plan->entries().probe(*index);

@@ -7,6 +7,7 @@
 #include "filters/math/cube/openings.h"
 #include "filters/math/technique/automatic.h"
 #include "filters/math/technique/technique_errors.h"
+#include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/maps/cube_transfer.h"
 #include "filters/vtk/scene/glass_tint.h"
 #include "filters/vtk/scene/scene_content.h"
@@ -139,6 +140,7 @@ void ProbeBinder::release() {
   for (Shown& probe : probes_) {
     probe.openSkyOf = {};
     probe.drawn->maps.reset();
+    probe.drawn->latticeBefore.reset();
   }
   with_.state->resources.sky.reset();
 }
@@ -185,17 +187,22 @@ void ProbeBinder::updateShadowLights() {
   }
 }
 
-// Which probes' diffuse light is that of lamps drawn as shapes and of a lattice, and of which lamps. Not of realtime
-// probes and pictures, whose lamps are not known, nor of those that the sky shows through.
+// Which probes' diffuse light is that of lamps drawn as shapes and of a lattice, and of which lamps. Of pictures, whose
+// lamps are not known, the lattice alone.
 void ProbeBinder::updateLamps() {
   const SceneContent& content = *with_.content;
   std::vector<std::optional<SightTask>> tasks(probes_.size());
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     const Probe& probe = content.scene.probes[i];
     DrawnProbe& drawn = *probes_[i].drawn;
-    drawn.shapes =
-        content.lamps != nullptr && probe.mode == ProbeMode::Baked && !std::holds_alternative<ClearToOpen>(probe.clear);
-    if (drawn.shapes && content.sightLines) tasks[i] = sightTask(content.scene, *content.lamps, probe);
+    drawn.shapes = content.lamps != nullptr;
+    drawn.realtime = probe.mode == ProbeMode::Realtime;
+    if (!drawn.shapes) drawn.latticeBefore.reset();
+    static const SceneLamps kNotKnown;
+    const bool known = probe.mode != ProbeMode::Custom;
+    if (drawn.shapes && content.sightLines) {
+      tasks[i] = sightTask(content.scene, known ? *content.lamps : kNotKnown, probe);
+    }
   }
   sight_.ask(std::move(tasks), content.scene, content.given, content.sightLines);
   showSight();
@@ -216,9 +223,11 @@ void ProbeBinder::showSight() {
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     DrawnProbe& drawn = *probes_[i].drawn;
     drawn.sight = drawn.shapes ? sight_.of(i) : nullptr;
-    drawn.lamps = !drawn.shapes ? std::vector<std::size_t>()
+    const Probe& probe = with_.content->scene.probes[i];
+    const bool known = drawn.shapes && probe.mode != ProbeMode::Custom;
+    drawn.lamps = !known        ? std::vector<std::size_t>()
                   : drawn.sight ? drawn.sight->lamps
-                                : probeLamps(lamps->lamps, with_.content->scene.probes[i]);
+                                : probeLamps(lamps->lamps, probe);
   }
 }
 
@@ -248,16 +257,16 @@ void ProbeBinder::assign(std::size_t object) {
 
 // A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
 void ProbeBinder::assign(bool anyProgram) {
-  const bool waits = with_.programs != nullptr && with_.plan->interactive() && !anyProgram;
+  const bool waits = with_.state->tuning != nullptr && with_.plan->interactive() && !anyProgram;
   for (DrawnObject& object : with_.content->objects) {
     auto binding = bindingOf(object, with_.plan->interactive());
     const ProbeBinding* current = object.pass->GetBinding();
-    if (waits && current != nullptr && !with_.programs->known(*current, *binding)) continue;
+    if (waits && current != nullptr && !with_.state->tuning->known(*current, *binding)) continue;
     object.pass->SetBinding(std::move(binding));
   }
   recordUse();
   needs_.update();
-  if (with_.programs != nullptr) with_.programs->assigned();
+  if (with_.state->tuning != nullptr) with_.state->tuning->assigned();
 }
 
 std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& object, bool general) const {
@@ -316,6 +325,8 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   }
   binding->shapes =
       std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) { return probe->shapes; });
+  binding->lamps = std::any_of(binding->probes.begin(), binding->probes.end(),
+                               [](const auto& probe) { return !probe->lamps.empty(); });
   // A perfect mirror's lobe is one direction: whatever a technique of several samples does, it does for nothing there.
   for (Technique& technique : binding->techniques) {
     const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();

@@ -9,20 +9,7 @@ class DrawState;
 class ProbeBaker;
 class ProbeBinder;
 class ProbePlan;
-struct ProbeBinding;
 struct SceneContent;
-
-/// Sees to programs beside drawing with them (probe_programs.h). Without one each is compiled when it is first drawn.
-class ProgramWork {
- public:
-  virtual ~ProgramWork() = default;
-  /// May an object that is drawn by `now` be drawn by `next` without waiting for a program?
-  virtual bool known(const ProbeBinding& now, const ProbeBinding& next) const = 0;
-  /// Objects may have other bindings.
-  virtual void assigned() = 0;
-  /// Captures may have begun or ended.
-  virtual void replanned() = 0;
-};
 
 struct ProbeContext {
   SceneContent* content;
@@ -30,7 +17,6 @@ struct ProbeContext {
   ProbePlan* plan;
   ProbeBinder* binder;
   ProbeBaker* baker;
-  ProgramWork* programs;  ///< null: none
 };
 
 }  // namespace boxprobe

@@ -156,7 +156,7 @@ BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
       for (const std::size_t other : sees_[i]) shown.push_back(key(other, bounce - 1));
       std::sort(shown.begin(), shown.end());
       ContentHash hash;
-      hash.add(inputs_[i].view).add("lit by");
+      hash.add(inputs_[i].view).add(inputs_[i].lattices ? "lit by lattices" : "lit by");
       for (const std::string& text : shown) hash.add(text);
       keys_[i].push_back(shown.empty() ? inputs_[i].view : hash.text());
     }
@@ -188,6 +188,7 @@ BounceKeys::Input ProbePlan::input(std::size_t index) const {
     return input;
   }
   input.bounces = probe.bounces;
+  input.lattices = world_.lattices;
   input.imported = probe.mode == ProbeMode::Custom;
   input.realtime = probe.mode == ProbeMode::Realtime;
   CaptureView view = probeView(world_, probe);
@@ -277,13 +278,14 @@ std::string ProbePlan::faceKey(std::size_t index, int bounce, int face) const {
   ContentHash hash;
   hash.add(view.key);
   for (const std::string& key : lighting) hash.add(key);
+  if (world_.lattices && bounce > 1 && !lighting.empty()) hash.add("by lattices");
   return hash.text();
 }
 
 std::string ProbePlan::realtimeFaceKey(const Probe& probe, int face) const {
   const CaptureView view = faceView(world_, probe, face);
   ContentHash hash;
-  hash.add(view.key).add(probe.bounces > 1 ? "lit" : "dark");
+  hash.add(view.key).add(probe.bounces > 1 ? (world_.lattices ? "lit by lattices" : "lit") : "dark");
   for (const std::size_t other : view.lighting) {
     if (probe.bounces > 1 && !bounces_.input(other).realtime) hash.add(bounces_.finalKey(other));
   }

@@ -138,6 +138,7 @@ class BounceKeys {
     std::string view;  ///< of the capture (or import) itself; empty: nobody asks for this probe
     int bounces = 1;
     bool imported = false;              ///< from a picture: the same at every bounce
+    bool lattices = false;              ///< of probes light what its later bounces show
     bool realtime = false;              ///< not in other probes' bounces: it would make them stale at every frame
     std::vector<std::size_t> lighting;  ///< probes that light what the capture shows, as boxes are now
     std::optional<BakeRecord> record;   ///< of maps made from the same view before

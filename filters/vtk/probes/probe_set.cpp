@@ -14,18 +14,30 @@ constexpr std::size_t kKeptForUndo = std::size_t{256} << 20;
 }  // namespace
 
 ProbeSet::ProbeSet(SceneContent* content, const std::shared_ptr<DrawState>& state)
-    : with_{content, state, &plan_, &binder_, &baker_, &programs_},
+    : with_{content, state, &plan_, &binder_, &baker_},
       plan_(&content->scene, [this](const std::string& key) { return baker_.cache().find(key) != nullptr; }),
       baker_(with_, kKeptForUndo),
       binder_(with_),
-      programs_(with_) {}
+      tuning_(with_) {
+  state->tuning = &tuning_;
+}
+
+ProbeSet::~ProbeSet() {
+  if (with_.state->tuning == &tuning_) with_.state->tuning = nullptr;  // actors may outlive this
+}
+
+void ProbeSet::setTuned(bool tuned) {
+  if (tuned == (with_.state->tuning != nullptr)) return;
+  with_.state->tuning = tuned ? &tuning_ : nullptr;
+  if (tuned && plan_.entries().matched()) binder_.assign();
+}
 
 ProbeSet::ProbeSet(SceneContent* content, const std::shared_ptr<DrawState>& state, const Scene* captured)
-    : with_{content, state, &plan_, &binder_, &baker_, nullptr},
+    : with_{content, state, &plan_, &binder_, &baker_},
       plan_(captured, [this](const std::string& key) { return baker_.cache().find(key) != nullptr; }),
       baker_(with_, 0),
       binder_(with_),
-      programs_(with_) {
+      tuning_(with_) {
   binder_.needs().setAll(true);
 }
 
@@ -137,13 +149,21 @@ void ProbeSet::makeAnew(std::size_t index) {
 void ProbeSet::giveUp() {
   levelsMade_ = 0;
   baker_.giveUp();
-  programs_.giveUp();
+  tuning_.giveUp();
 }
 
 std::optional<std::size_t> ProbeSet::toMeasure() const {
   const bool never = with_.state->resources.foreign;  // their `auto` goes by what was measured elsewhere
-  if (never || plan_.interactive() || programs_.moving() || !plan_.enabled()) return std::nullopt;
+  if (never || plan_.interactive() || tuning_.moving() || !plan_.enabled()) return std::nullopt;
   return binder_.toMeasure();
+}
+
+const ProbeMaps* ProbeSet::latticePending() const {
+  for (std::size_t i = 0; i < binder_.size(); ++i) {
+    const ProbeMaps* maps = binder_.drawn(i).maps.get();
+    if (maps != nullptr && maps->lattice.pending()) return maps;
+  }
+  return nullptr;
 }
 
 void ProbeSet::step() {
@@ -163,8 +183,11 @@ void ProbeSet::doOne() {
   if (baker_.step()) return;
   if (const auto index = toMeasure()) {
     binder_.measure(*index);
-  } else if (programs_.pending()) {
-    programs_.prepareOne();
+  } else if (with_.state->tuning != nullptr && tuning_.pending()) {
+    tuning_.prepareOne();
+  } else if (const ProbeMaps* maps = latticePending()) {
+    constexpr int kTurnMilliseconds = 5;  // a window answers in between
+    maps->lattice.take(kTurnMilliseconds);
   }
 }
 

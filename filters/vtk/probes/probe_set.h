@@ -5,7 +5,7 @@
 //   ProbePlan     what has to be made, in which order, by key: no OpenGL, no VTK
 //   ProbeBaker    makes it and shows it
 //   ProbeBinder   who is lit by what
-//   ProbePrograms what is compiled ahead; other programs' actors go without
+//   DriverTuning  programs made for what is there, and ahead; other programs' actors go without
 //
 // A baked probe is made once for given inputs (capture_key.h), kept for undo, and taken from a file where one with the
 // same key lies. A realtime probe follows what it shows: one face per step, only faces that changed, and the new maps
@@ -18,10 +18,10 @@
 #include <string>
 #include <vector>
 
+#include "filters/vtk/probes/driver_tuning.h"
 #include "filters/vtk/probes/probe_baker.h"
 #include "filters/vtk/probes/probe_binder.h"
 #include "filters/vtk/probes/probe_plan.h"
-#include "filters/vtk/probes/probe_programs.h"
 
 namespace boxprobe {
 
@@ -32,6 +32,7 @@ class ProbeSet {
   /// Of somebody else's actors: captures take probes as `captured` has them, which stands beside the content's own; all
   /// mip levels are filtered, since nobody knows what the actors' materials will be; no map is kept for undo.
   ProbeSet(SceneContent* content, const std::shared_ptr<DrawState>& state, const Scene* captured);
+  ~ProbeSet();
   ProbeSet(const ProbeSet&) = delete;  // its parts know each other by address
   ProbeSet& operator=(const ProbeSet&) = delete;
 
@@ -41,7 +42,9 @@ class ProbeSet {
   const ProbeBaker& baker() const { return baker_; }
   ProbeBinder& binder() { return binder_; }
   const ProbeBinder& binder() const { return binder_; }
-  ProbePrograms& programs() { return programs_; }
+  DriverTuning& tuning() { return tuning_; }
+  /// Off, everything is drawn by general programs, each compiled when it is first drawn with.
+  void setTuned(bool tuned);
 
   /// Takes over boxes, weights and techniques from the scene: uniforms only. `origins`: where each probe of the list
   /// was before, if the caller knows; else they are known by their names. The caller assigns.
@@ -70,7 +73,8 @@ class ProbeSet {
   bool followsSeen() const { return plan_.enabled() && plan_.targets().empty(); }
 
   bool workPending() const {
-    return sightPending() || baker_.pending() || levelsPending() || toMeasure().has_value() || programs_.pending();
+    return sightPending() || baker_.pending() || levelsPending() || latticePending() != nullptr ||
+           toMeasure().has_value() || (with_.state->tuning != nullptr && tuning_.pending());
   }
   void step();
   /// From 0 to 1, of all that was planned since there last was nothing to do; below 1 while anything is pending.
@@ -91,6 +95,8 @@ class ProbeSet {
   /// Not while a handle is dragged, which is to change uniforms and no more: what it newly lights shows plain means of
   /// the capture until it is let go.
   bool levelsPending() const { return !plan_.interactive() && binder_.needs().lacking(); }
+  /// Maps whose lattice is being derived beside the frames; the frame after that shows it.
+  const ProbeMaps* latticePending() const;
   void doOne();
   void makeLevel();
   void makeAnew(std::size_t index);
@@ -99,7 +105,7 @@ class ProbeSet {
   ProbePlan plan_;
   ProbeBaker baker_;
   ProbeBinder binder_;
-  ProbePrograms programs_;
+  DriverTuning tuning_;
   int levelsMade_ = 0;  ///< since there last was nothing to do
   int given_ = 0;       ///< maps so far
 };

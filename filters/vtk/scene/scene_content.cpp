@@ -4,7 +4,9 @@
 
 #include "filters/core/geometry/divide_model.h"
 #include "filters/core/geometry/model_placement.h"
+#include "filters/core/scene/material_override.h"
 #include "filters/io/cube/sky_picture.h"
+#include "filters/vtk/maps/content_hash.h"
 #include "filters/vtk/scene/scene_lights.h"
 #include "filters/vtk/scene/vtkCulledRenderer.h"
 
@@ -24,6 +26,36 @@ bool SceneContent::placeObjects() {
 }
 
 namespace {
+
+// All that sceneLamps() goes by. What does not shine counts by its area alone, which no movement changes.
+std::string lampSourcesKey(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models) {
+  ContentHash hash;
+  for (std::size_t i = 0; i < models.size() && i < scene.models.size(); ++i) {
+    const Model& model = *models[i];
+    hash.add(scene.models[i].scale);
+    hash.add(static_cast<int>(scene.models[i].unit)).add(static_cast<int>(scene.models[i].upAxis));
+    const glm::dmat4 placement = worldFromFile(scene.models[i]);
+    std::vector<char> shines;
+    for (const Material& given : model.materials) {
+      const Material material = overriddenMaterial(given, scene);
+      const glm::vec3 light = material.unlit ? glm::vec3(material.baseColor) : material.emissive;
+      shines.push_back(light.x > 0.0f || light.y > 0.0f || light.z > 0.0f);
+      if (shines.back()) hash.addVector(light).add(material.doubleSided ? 1 : 0);
+    }
+    for (const Instance& instance : model.instances) {
+      const auto settings = scene.objects.find(instance.node);
+      const bool seen = settings == scene.objects.end() ||
+                        (settings->second.visible && settings->second.seenByProbes && !settings->second.dynamic);
+      hash.add(seen ? 1 : 0);
+      const int material = model.meshes[static_cast<std::size_t>(instance.mesh)].material;
+      if (!seen || material < 0 || !shines[static_cast<std::size_t>(material)]) continue;
+      const glm::dmat4 world = movedInstance(placement * instance.worldFromModel, scene, instance.node);
+      hash.addBytes(&world, sizeof world);
+    }
+  }
+  for (const Light& light : scene.lights) hash.add(static_cast<int>(light.type)).addVector(light.position);
+  return hash.text();
+}
 
 // From so many objects on it pays to find out which of them can be seen.
 constexpr std::size_t kMany = 64;
@@ -144,8 +176,14 @@ void SceneContent::rebuildObjects(vtkCulledRenderer* renderer, const std::shared
   renderer->SetBackdrop(sky);
 }
 
-void SceneContent::findLamps() {
-  lamps = scene.lamps == LampForm::Shapes ? std::make_shared<const SceneLamps>(sceneLamps(scene, given)) : nullptr;
+bool SceneContent::findLamps() {
+  std::string key;
+  if (scene.lamps == LampForm::Shapes) key = std::to_string(modelGeneration) + " " + lampSourcesKey(scene, given);
+  if (key == lampsKey_) return false;
+  lampsKey_ = std::move(key);
+  const auto before = lamps;
+  lamps = lampsKey_.empty() ? nullptr : std::make_shared<const SceneLamps>(sceneLamps(scene, given));
+  return lamps != before;
 }
 
 void SceneContent::rebuildLights(vtkRenderer* renderer) {

@@ -55,8 +55,9 @@ struct SceneContent {
   std::vector<std::size_t> culled;
   Box culledBounds;  ///< of them all
   void rebuildLights(vtkRenderer* renderer);
-  /// Finds the lamps that are drawn as shapes, before the lights are rebuilt.
-  void findLamps();
+  /// Finds the lamps that are drawn as shapes, before the lights are rebuilt; nothing unless what shines, where it
+  /// stands or a light source is another. Returns whether they are others.
+  bool findLamps();
   /// Reads the sky's image if it has one and it is not the one at hand. Throws InputError.
   void rebuildSky();
   const std::string& skyImageFile() const { return skyImageFile_; }
@@ -67,6 +68,7 @@ struct SceneContent {
   std::vector<std::shared_ptr<const Model>> builtModels_;  ///< what the objects were made from
   std::vector<std::string> builtFiles_;
   std::string skyImageFile_;
+  std::string lampsKey_;
 };
 
 }  // namespace boxprobe

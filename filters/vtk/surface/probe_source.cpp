@@ -157,7 +157,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
                            joinShaderSources({"shared/sight.glsl", "gpu/sight.glsl"})
                      : std::string());
   std::string lamps;
-  if (lattice) {
+  if (lattice && binding.lamps) {
     lamps = "#define BP_LAMPS " + std::to_string(ProbeBinding::kMaxLampsPerDraw) + "\n" +
             joinShaderSources({"shared/lamp_types.glsl", "gpu/lamps.glsl"});
     replaceOnce(lamps, "//BP::LampLight", std::string(shaderSource("shared/lamp.glsl")));
@@ -174,8 +174,9 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
          define("BP_CONSTANT_SHARES", binding.weights && !binding.shares.empty()) +
          define("BP_ONLY_PROBES", binding.onlyProbes) + define("BP_SKY", binding.sky) +
-         define("BP_DIFFUSE", binding.diffuse) + define("BP_LATTICE", lattice) + define("BP_SIGHTS", sights) +
-         define("BP_DEBUG", debug) + define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
+         define("BP_DIFFUSE", binding.diffuse) + define("BP_LATTICE", lattice) +
+         define("BP_LAMP_SHAPES", lattice && binding.lamps) + define("BP_SIGHTS", sights) + define("BP_DEBUG", debug) +
+         define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
          (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +

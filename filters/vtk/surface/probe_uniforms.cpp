@@ -1,15 +1,26 @@
 #include "filters/vtk/surface/probe_uniforms.h"
 
 #include <vtkCamera.h>
+#include <vtkMatrix3x3.h>
+#include <vtkMatrix4x4.h>
+#include <vtkOpenGLCamera.h>
 #include <vtkShaderProgram.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <map>
+#include <string>
 
+#include "filters/core/picture/probe_color.h"
+#include "filters/vtk/draw/probe_lattice.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/surface/camera_uniforms.h"
-#include "filters/vtk/surface/coverage_uniforms.h"
+#include "filters/vtk/surface/glass_draw.h"
 
 namespace boxprobe {
 
@@ -23,11 +34,6 @@ using PerSlot = std::array<T, kMax>;
 // During the first bounce no probe has been captured yet.
 const ProbeMaps* mapsOf(const DrawState& state, const DrawnProbe& probe) {
   return state.pass().firstBounce ? nullptr : probe.maps.get();
-}
-
-// The last level of a filtered chain has 4 texels along a face, as gpu/probe_lighting.glsl takes it.
-bool endsAtFour(const CubeTexture& chain) {
-  return chain.faceSize() >> (chain.levels() - 1) == 4;
 }
 
 void uploadSky(const UniformUpload& to, const SceneResources& resources, bool flatMaps) {
@@ -104,24 +110,62 @@ void uploadSampling(const UniformUpload& to, DrawState& state, const ProbeBindin
   if (to.used("bpFrame")) to.program->SetUniformi("bpFrame", state.pass().frame);
 }
 
-LatticeSource latticeSource(const SceneResources& resources, const DrawnProbe& probe) {
-  const SceneLamps& lamps = *resources.lamps;
-  const ProbeGeometry& g = probe.geometry;
-  LatticeSource source;
-  source.boxMin = g.boxMin;
-  source.boxMax = g.boxMax;
-  source.mapFromProbe = glm::mat3(g.mapFromProbe);
-  source.worldFromProbe = glm::mat3(g.worldFromProbe);
-  // What follows rays by the distances is for reflections: for light from all around the box is near enough.
-  const bool distances = projectionRows()[static_cast<std::size_t>(g.technique.projection)].distances;
-  source.projection = distances ? parseTechnique("box")->projection : g.technique.projection;
-  const glm::dmat3 worldFromMap = g.worldFromProbe * glm::transpose(g.mapFromProbe);
-  for (const std::size_t i : probe.lamps)
-    source.lamps.push_back(lampPolygon(lamps.lamps[i], g.originWorld, worldFromMap));
-  if (!resources.sightLines) return source;
-  source.traced = {resources.sightLines, g.originWorld, g.worldFromProbe,     g.mapFromProbe,
-                   resources.lamps,      probe.lamps,   resources.looseLights};
-  return source;
+// Nothing of the lamp reaches the object: it lies behind the lamp's plane, or so far away that the light is below a
+// fifth of the darkest step of an 8-bit picture. A capture is seen at any exposure.
+bool outOfReach(const SceneLamp& lamp, const UniformUpload& to, const PassSettings& pass) {
+  if (to.boundsWorld == nullptr || to.boundsWorld[0] > to.boundsWorld[1]) return false;
+  const double* b = to.boundsWorld;
+  double highest = -1.0e300, size = 0.0;
+  glm::dvec3 beyond(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = b[2 * axis], high = b[2 * axis + 1];
+    size += high - low;
+    beyond[axis] = std::max({low - lamp.middle[axis], lamp.middle[axis] - high, 0.0});
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 at(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2)]);
+    highest = std::max(highest, glm::dot(at - lamp.middle, lamp.normal));
+  }
+  if (!lamp.bothSides && highest < -1.0e-6 * size) return true;
+  if (pass.exposure == kLinearOutput) return false;
+  constexpr double kDarkestStep = 1.0 / (255.0 * 12.92), kPi = 3.14159265358979323846;
+  double radius = 0.0;
+  for (const glm::dvec3& corner : lamp.corners) radius = std::max(radius, glm::length(corner - lamp.middle));
+  const double distance = glm::length(beyond) - radius;
+  const double brightest = std::max({lamp.radiance.x, lamp.radiance.y, lamp.radiance.z});
+  return distance > 0.0 &&
+         static_cast<double>(pass.exposure) * brightest * lamp.area / (kPi * distance * distance) < 0.2 * kDarkestStep;
+}
+
+// Opposite faces of a lamp that is a box: where one is seen, the other is not, and both are worked out in one turn.
+// Orders `drawn` by turns, then the others of turns; returns how many turns there are.
+std::size_t pairLamps(const std::vector<SceneLamp>& lamps, std::vector<std::size_t>& drawn, int* other) {
+  const auto backToBack = [&](std::size_t a, std::size_t b) {
+    const SceneLamp &first = lamps[a], &second = lamps[b];
+    return !first.bothSides && !second.bothSides && glm::dot(first.normal, second.normal) < -0.9999999 &&
+           glm::dot(second.middle - first.middle, first.normal) <= 0.0;
+  };
+  std::vector<std::size_t> firsts, seconds;
+  std::vector<bool> paired(drawn.size(), false);
+  std::vector<std::ptrdiff_t> partner;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (paired[i]) continue;
+    firsts.push_back(drawn[i]);
+    partner.push_back(-1);
+    for (std::size_t k = i + 1; k < drawn.size(); ++k) {
+      if (paired[k] || !backToBack(drawn[i], drawn[k])) continue;
+      paired[k] = true;
+      partner.back() = static_cast<std::ptrdiff_t>(seconds.size());
+      seconds.push_back(drawn[k]);
+      break;
+    }
+  }
+  for (std::size_t i = 0; i < firsts.size(); ++i) {
+    other[i] = static_cast<int>(partner[i] < 0 ? i : firsts.size() + static_cast<std::size_t>(partner[i]));
+  }
+  drawn = firsts;
+  drawn.insert(drawn.end(), seconds.begin(), seconds.end());
+  return firsts.size();
 }
 
 // Where the visibility of a lamp stands in each slot's lattice.
@@ -143,37 +187,18 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   for (std::size_t i = 0; i < count && lamps != nullptr; ++i) {
     const DrawnProbe& probe = *binding.probes[i];
     if (!probe.shapes) continue;
-    const ProbeMaps* maps = mapsOf(state, probe);
-    if (maps != nullptr) {
-      const auto lattice = maps->lattice.of(maps->radiance, maps->distance, latticeSource(state.resources, probe),
-                                            state.pass().dragging);
-      if (!lattice || lattice->empty()) continue;
+    if (!state.pass().firstBounce) {
+      const auto lattice = probeLattice(state, probe);
+      if (!lattice) continue;
       const shading::LatticeShape shape = lattice->shape();
       at[i] = state.resources.lattices->place(lattice);
       low[i] = shape.low;
       perUnit[i] = shape.perUnit;
       last[i] = shape.last;
-    } else if (!state.pass().firstBounce) {
-      continue;
     }
-    for (const std::size_t lamp : probe.lamps) lampOf[lamp][static_cast<int>(i)] = 1.0f;
-  }
-  constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
-  std::array<glm::vec3, kLamps * kCorners> corners{};
-  std::array<glm::vec3, kLamps> light{};
-  std::array<glm::vec4, kLamps> slots{};
-  std::array<int, kLamps> shape{};
-  std::array<glm::vec4, kLamps> channels{};
-  std::size_t used = 0;
-  for (const auto& [index, of] : lampOf) {
-    if (used == kLamps) break;
-    const SceneLamp& lamp = lamps->lamps[index];
-    const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
-    std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(used * kCorners));
-    shape[used] = polygon.count + (polygon.bothSides ? 16 : 0);
-    light[used] = glm::vec3(lamp.radiance);
-    channels[used] = lampChannels(binding, index);
-    slots[used++] = of;
+    for (const std::size_t lamp : probe.lamps) {
+      if (!outOfReach(lamps->lamps[lamp], to, state.pass())) lampOf[lamp][static_cast<int>(i)] = 1.0f;
+    }
   }
   const auto vectors = [&](const char* name, const glm::vec3* values, std::size_t size) {
     to.program->SetUniform3fv(name, static_cast<int>(size), reinterpret_cast<const float(*)[3]>(values));
@@ -185,8 +210,30 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   const glm::vec3 texel = state.resources.lattices->texelSize();
   to.program->SetUniform3f("bpLatticeTexel", &texel.x);
   to.texture("bpLattices", GL_TEXTURE_3D, state.resources.lattices->handle());
-  to.program->SetUniformi("bpLampCount", static_cast<int>(used));
-  if (used == 0) return;
+  if (!binding.lamps) return;
+  constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
+  std::array<glm::vec3, kLamps * kCorners> corners{};
+  std::array<glm::vec3, kLamps> light{};
+  std::array<glm::vec4, kLamps> slots{}, channels{};
+  std::array<int, kLamps> shape{}, other{};
+  shape[0] = 3;  // the loop has one turn at least: of a lamp that is a point and gives nothing
+  std::vector<std::size_t> drawn;
+  for (const auto& entry : lampOf) {
+    if (drawn.size() < kLamps) drawn.push_back(entry.first);
+  }
+  const std::size_t turns = pairLamps(lamps->lamps, drawn, other.data());
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const SceneLamp& lamp = lamps->lamps[drawn[k]];
+    const LampPolygon polygon = lampPolygon(lamp, to.eyeWorld());
+    std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(k * kCorners));
+    shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
+    light[k] = glm::vec3(lamp.radiance);
+    slots[k] = lampOf[drawn[k]];
+    channels[k] = lampChannels(binding, drawn[k]);
+  }
+  const std::size_t used = std::max<std::size_t>(drawn.size(), 1);
+  to.program->SetUniformi("bpLampCount", static_cast<int>(turns));
+  to.program->SetUniform1iv("bpLampOther", static_cast<int>(used), other.data());
   vectors("bpLampCorner", corners.data(), used * kCorners);
   vectors("bpLampLight", light.data(), used);
   to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());
@@ -249,30 +296,46 @@ void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
                             reinterpret_cast<const float(*)[3]>(&origin[0].x));
 }
 
-}  // namespace
-
-// What is not captured yet has no picture, and what of the sky no draw of the binding looks up needs none.
-bool makeFlatMaps(DrawState& state, const ProbeBinding& binding) {
-  if (!state.resources.flatMaps || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
-  std::vector<const ProbeMaps*> all;
-  if (binding.sky || binding.open()) all.push_back(state.resources.sky.get());
-  for (const auto& probe : binding.probes) all.push_back(probe->maps.get());
-  std::size_t more = 0;
-  for (const ProbeMaps* maps : all) {
-    if (maps == nullptr || !FlatTexture::fits(maps->radiance) || !endsAtFour(maps->radiance)) return false;
-    more += maps->flat.bytesToMake(maps->radiance);
+// Lights, the probes' coverage, maps of what moves: shaders/gpu/coverage*.glsl and moving_shadow.glsl.
+void uploadCoverage(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding) {
+  std::vector<glm::vec4> lights;
+  for (const int light : binding.shadowLights) {
+    const auto i = static_cast<std::size_t>(light);
+    const bool known = i < state.resources.shadowLights.size();
+    const ShadowLight of = known ? state.resources.shadowLights[i] : ShadowLight{};
+    lights.emplace_back(of.size.tangent, of.size.radius, of.levelsPerUnit, 0.0f);
   }
-  if (more > 0 && *state.resources.flatBytes + more > FlatTexture::kMostBytes) return false;
-  return std::all_of(all.begin(), all.end(), [&state](const ProbeMaps* maps) {
-    const bool before = maps->flat.handle() != 0;
-    const bool there = maps->flat.make(maps->radiance, state.resources.flatBytes);
-    if (there && !before) ++state.counts.counters.mapsFlattened;
-    return there;
-  });
-}
-
-void uploadSplitSum(const UniformUpload& to, const SceneResources& resources) {
-  to.texture2d("bpBrdf", resources.brdfTable);
+  to.program->SetUniform4fv("bpShadowLight", static_cast<int>(lights.size()),
+                            reinterpret_cast<const float(*)[4]>(&lights[0].x));
+  std::array<int, ProbeBinding::kMaxProbesPerDraw> masks{};
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) {
+    const DrawnProbe& probe = *binding.probes[i];
+    const std::string slot = std::to_string(i);
+    masks[i] = static_cast<int>(probe.shadowLights);
+    // Before the first capture nothing is known of openings: nothing comes through.
+    const ProbeMaps* maps = state.pass().firstBounce ? nullptr : probe.maps.get();
+    if (maps != nullptr) maps->coverage.make(maps->radiance, maps->tint.get(), probe.imported);
+    to.cube("bpThroughMap" + slot, maps != nullptr ? maps->coverage.handle() : state.resources.blackCube);
+    to.program->SetUniformf(("bpThroughFaceSize" + slot).c_str(),
+                            maps != nullptr ? static_cast<float>(maps->radiance.faceSize()) : 1.0f);
+    const float maxLevel = maps != nullptr ? maps->coverage.chain()->maxLevel() : 0.0f;
+    to.program->SetUniformf(("bpThroughPerUnit" + slot).c_str(),
+                            levelsPerUnit(probe.geometry.boxMin, probe.geometry.boxMax, maxLevel));
+  }
+  to.program->SetUniform1iv("bpShadowMask", static_cast<int>(binding.probes.size()), masks.data());
+  for (const int light : binding.movingLights) {
+    const auto map = std::find_if(state.resources.movingShadows.begin(), state.resources.movingShadows.end(),
+                                  [&](const MovingShadow& shadow) { return shadow.light == light; });
+    const bool on = map != state.resources.movingShadows.end() && state.pass().movingShadowsOn;
+    const std::string n = std::to_string(light);
+    to.program->SetUniformf(("bpMovingOn" + n).c_str(), on ? 1.0f : 0.0f);
+    // A sampler of its kind needs a texture of its own kind, read or not.
+    const GLuint any = state.resources.movingShadows.empty() ? 0 : state.resources.movingShadows.front().texture;
+    to.texture2d("bpMovingMap" + n, on ? map->texture : any);
+    glm::mat4 matrix(1.0f);
+    if (on) matrix = glm::mat4(glm::translate(map->mapFromWorld, to.eyeWorld()));
+    to.program->SetUniformMatrix4x4(("bpMovingFromEye" + n).c_str(), &matrix[0][0]);
+  }
 }
 
 void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding,
@@ -282,20 +345,7 @@ void uploadSurroundings(const UniformUpload& to, const SceneResources& resources
   if (binding.sky || binding.open()) uploadSky(to, resources, flatMaps);
 }
 
-void uploadOutput(const UniformUpload& to, const PassSettings& pass) {
-  to.program->SetUniformf("bpExposure", pass.exposure);
-  to.program->SetUniformf("bpParallel", to.camera()->GetParallelProjection() ? 1.0f : 0.0f);
-}
-
-void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
-                    const RestingValues& resting, const RestingValues* constants, bool flatMaps) {
-  ++state.counts.counters.uniformUpdates;
-  uploadSurroundings(to, state.resources, binding, flatMaps);
-  uploadResting(to, resting, constants);
-  if (!binding.probes.empty()) uploadSlots(to, state, binding, debug, flatMaps);
-  if (!binding.shadowLights.empty()) uploadCoverage(to, state, binding);
-}
-
+// The slots' maps and origins; the debug view's own maps, too.
 void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug, bool flatMaps) {
   uploadLight(to, state, binding, flatMaps);
   if (debug) uploadDistances(to, state.resources, binding);
@@ -304,6 +354,146 @@ void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& 
   if (binding.shapes && binding.diffuse) uploadLampsAndLattices(to, state, binding);
   if (binding.sights()) uploadSights(to, state, binding);
   uploadOrigins(to, binding);
+}
+
+}  // namespace
+
+void uploadSplitSum(const UniformUpload& to, const SceneResources& resources) {
+  to.texture2d("bpBrdf", resources.brdfTable);
+}
+
+void uploadOutput(const UniformUpload& to, const PassSettings& pass) {
+  to.program->SetUniformf("bpExposure", pass.exposure);
+  to.program->SetUniformf("bpParallel", to.camera()->GetParallelProjection() ? 1.0f : 0.0f);
+}
+
+void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBinding& binding, bool debug,
+                    const Constants* constants, bool flatMaps) {
+  ++state.counts.counters.uniformUpdates;
+  uploadSurroundings(to, state.resources, binding, flatMaps);
+  NumberUpload numbers(to, constants);
+  readLighting(numbers, state, binding);
+  if (!binding.probes.empty()) uploadSlots(to, state, binding, debug, flatMaps);
+  if (!binding.shadowLights.empty()) uploadCoverage(to, state, binding);
+}
+
+void uploadView(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, int object) {
+  const DebugView& debug = state.pass().debug;
+  to.program->SetUniformi("bpView", debug.view);
+  to.program->SetUniformi("bpFinishShown", debug.finish ? 1 : 0);
+  const float range[2] = {debug.low, debug.high};
+  to.program->SetUniform2f("bpViewRange", range);
+  if (state.resources.viewColors != 0) to.texture2d("bpViewColors", state.resources.viewColors);
+  const auto& faces = faceColors();
+  to.program->SetUniform3fv("bpFaceColors", 6, reinterpret_cast<const float(*)[3]>(&faces[0].x));
+  to.program->SetUniformf("bpObject", static_cast<float>(object));
+  if (binding.lighting != Lighting::Probes) {
+    to.program->SetUniformMatrix3x3("bpViewToWorld", viewToWorldRotation(to.camera()).data());
+    return;
+  }
+  const glm::vec3 sky = skyColor();
+  to.program->SetUniform3f("bpSkyColor", &sky.x);
+  std::array<glm::vec3, kMax> color;
+  std::array<float, kMax> faceSize{};
+  const std::size_t count = binding.probes.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const DrawnProbe& probe = *binding.probes[i];
+    color[i] = probeColor(probe.index);
+    const bool known = probe.maps != nullptr && probe.maps->distance.allocated();
+    faceSize[i] = known ? static_cast<float>(probe.maps->distance.faceSize()) : 0.0f;
+  }
+  if (count == 0) return;
+  const int n = static_cast<int>(count);
+  to.program->SetUniform3fv("bpProbeColor", n, reinterpret_cast<const float(*)[3]>(&color[0].x));
+  to.program->SetUniform1fv("bpDistanceFaceSize", n, faceSize.data());
+}
+
+namespace {
+
+void uploadFinish(const UniformUpload& to, const MaterialFinish& finish) {
+  to.program->SetUniform3f("bpSpecularTint", &finish.specularTint.x);
+  to.program->SetUniformf("bpSpecularEdge", finish.specularEdge);
+  to.program->SetUniform3f("bpSheenColor", &finish.sheenColor.x);
+  to.program->SetUniformf("bpSheenRoughness", finish.sheenRoughness);
+  const float turn = finish.anisotropyRotation;
+  const glm::vec3 anisotropy(std::cos(turn), std::sin(turn), finish.anisotropy);
+  to.program->SetUniform3f("bpAnisotropy", &anisotropy.x);
+  const glm::vec4 film(finish.iridescence, finish.filmIor, finish.filmThicknessMin, finish.filmThicknessMax);
+  to.program->SetUniform4f("bpFilm", &film.x);
+}
+
+}  // namespace
+
+void uploadMaterial(const UniformUpload& to, const SurfaceMaterial& surface) {
+  to.program->SetUniformf("bpAlpha", surface.alpha);
+  to.program->SetUniformf("bpAlphaCutoff", surface.alphaCutoff);
+  to.program->SetUniformf("bpNormalScale", surface.normalScale);
+  to.program->SetUniformf("bpCoatNormalScale", surface.coatNormalScale);
+  if (surface.slots[kThicknessSlot].texture && to.used("bpThicknessScale")) {
+    to.program->SetUniformf("bpThicknessScale", surface.thicknessScale);
+  }
+  if (surface.finished()) uploadFinish(to, surface.finish);
+  for (std::size_t i = 0; i < surface.slots.size(); ++i) {
+    const SurfaceSlot& slot = surface.slots[i];
+    if (!slot.texture) continue;
+    const std::string name = surfaceSlotNames()[i];
+    // A slot that this variant does not read would only take a unit.
+    if (!to.used("bpTex" + name)) continue;
+    to.texture2d("bpTex" + name, slot.texture->handle());
+    if (!to.used("bpUv" + name)) continue;
+    const glm::mat3x2& m = slot.uvTransform;
+    const float rows[2][3] = {{m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}};
+    to.program->SetUniform3fv(("bpUv" + name).c_str(), 2, rows);
+  }
+}
+
+void uploadMirror(const UniformUpload& to, const MirrorPicture& mirror, const SceneResources& resources) {
+  to.program->SetUniformf("bpMirrorOn", mirror.shown ? 1.0f : 0.0f);
+  const GLuint none = resources.brdfTable;  // not read
+  to.texture2d("bpMirrorColor", mirror.shown ? mirror.color : none);
+  to.texture2d("bpMirrorHeight", mirror.shown ? mirror.height : none);
+  const shading::MirrorLook& look = mirror.look;
+  const std::array<glm::vec4, 3> places = {look.toU, look.toV, look.toW};
+  to.program->SetUniform4fv("bpMirrorPlaces", 3, reinterpret_cast<const float(*)[4]>(&places[0].x));
+  const glm::vec4 normal(look.normal, look.farHeight), eye(look.eye, look.texelSize);
+  to.program->SetUniform4f("bpMirrorNormal", &normal.x);
+  to.program->SetUniform4f("bpMirrorEye", &eye.x);
+  const glm::vec3 levels(look.parallel, look.maxLevel, look.sharpLevel);
+  to.program->SetUniform3f("bpMirrorLevels", &levels.x);
+  const glm::vec2 size(look.sizeX, look.sizeY);
+  to.program->SetUniform2f("bpMirrorSize", &size.x);
+}
+
+namespace {
+
+// By the very matrix that the vertices are placed with.
+void uploadBehind(const UniformUpload& to, const BehindPicture& behind, const SceneResources& resources) {
+  if (!to.used("bpBehindOn")) return;
+  const bool there = behind.color != 0;
+  to.program->SetUniformf("bpBehindOn", there ? 1.0f : 0.0f);
+  to.texture2d("bpBehindColor", there ? behind.color : resources.brdfTable);  // else not read
+  to.texture2d("bpBehindDepth", there ? behind.depth : resources.brdfTable);
+  vtkMatrix4x4 *clipFromWorld = nullptr, *viewFromWorld = nullptr, *clipFromView = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkOpenGLCamera::SafeDownCast(to.camera())
+      ->GetKeyMatrices(to.renderer, viewFromWorld, normals, clipFromView, clipFromWorld);
+  to.program->SetUniformMatrix("bpBehindClip", clipFromView);
+  const float size[2] = {static_cast<float>(behind.width), static_cast<float>(behind.height)};
+  to.program->SetUniform2f("bpBehindSize", size);
+}
+
+}  // namespace
+
+void uploadGlassOf(const UniformUpload& to, const GlassSurface& glass, const ProbeBinding& binding,
+                   const SceneResources& resources, const BehindPicture& behind) {
+  int faceSize = resources.sky ? resources.sky->radiance.faceSize() : 0;
+  for (const auto& probe : binding.probes) {
+    if (probe->maps) faceSize = std::max(faceSize, probe->maps->radiance.faceSize());
+  }
+  const bool followed = glass.shell && to.used("bpGlassShell");
+  const int unit = followed ? to.bind(GL_TEXTURE_CUBE_MAP, glass.shell->handle()) : -1;
+  uploadGlass(to.program, glass, to.eyeWorld(), faceSize, unit);
+  uploadBehind(to, behind, resources);
 }
 
 }  // namespace boxprobe

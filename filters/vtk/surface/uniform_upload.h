@@ -19,6 +19,7 @@ struct UniformUpload {
   vtkShaderProgram* program;
   vtkRenderer* renderer;
   std::vector<std::unique_ptr<BoundTexture>>& bound;  ///< for the piece being drawn
+  const double* boundsWorld = nullptr;                ///< of what is drawn, as VTK orders them; null: not known
 
   vtkOpenGLRenderWindow* window() const;
   vtkCamera* camera() const;

@@ -21,9 +21,6 @@
 #include "filters/vtk/gl/broken_shader.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/surface/probe_uniforms.h"
-#include "filters/vtk/surface/resting_uniforms.h"
-#include "filters/vtk/surface/surface_uniforms.h"
-#include "filters/vtk/surface/view_uniforms.h"
 #include "filters/vtk/surface/vtk_pbr_splice.h"
 
 using boxprobe::Lighting;
@@ -173,20 +170,20 @@ void vtkProbePass::SetBinding(std::shared_ptr<const boxprobe::ProbeBinding> bind
 }
 
 void vtkProbePass::SetStandIn(bool standIn) {
-  if (standIn != this->Asked.standIn) {
-    this->Asked.standIn = standIn;
+  if (standIn != this->Asked.tuning.standIn) {
+    this->Asked.tuning.standIn = standIn;
     this->UpdateDrawn();
   }
 }
 
 void vtkProbePass::UpdateDrawn() {
   Variant& made = this->Made;
-  made.binding = this->Asked.standIn && this->Asked.binding ? this->Asked.binding->standIn() : nullptr;
+  made.binding = this->Asked.tuning.standIn && this->Asked.binding ? this->Asked.binding->standIn() : nullptr;
   if (!made.binding) {
     made.binding = this->Asked.binding;
   }
-  if (made.firstBounce && made.binding != made.firstBounceOf) {
-    made.firstBounce = made.firstBounceOf = nullptr;
+  if (made.traits.firstBounce && made.binding != made.traits.firstBounceOf) {
+    made.traits.firstBounce = made.traits.firstBounceOf = nullptr;
     this->Built.Modified();
   }
   std::string key = made.binding ? made.binding->variantKey() : std::string();
@@ -235,19 +232,8 @@ void vtkProbePass::SetLeftOut(boxprobe::FrameParts parts) {
 }
 
 void vtkProbePass::SetConstants(std::shared_ptr<const boxprobe::ConstantsPlan> plan) {
-  this->Asked.constants = std::move(plan);
+  this->Asked.tuning.constants = std::move(plan);
   this->Last.constantsRefused = false;
-}
-
-boxprobe::RestingValues vtkProbePass::GetRestingValues(vtkActor* actor) const {
-  boxprobe::RestingValues values;
-  if (this->State && this->Made.binding) {
-    values = boxprobe::lightingValues(*this->State, *this->Made.binding);
-  }
-  if (this->Surface) {
-    values.add(boxprobe::materialValues(*this->Surface, actor->GetProperty()));
-  }
-  return values;
 }
 
 bool vtkProbePass::DrawsGlass() const {
@@ -290,68 +276,32 @@ void vtkProbePass::Prepare(vtkActor* actor) {
     this->Made.form = this->State->resources.lightForm;
     this->Rebuild();
   }
-  const boxprobe::SurfaceFacts facts = this->FactsOf(actor);
-  if (facts != this->Made.facts) {
-    this->Made.facts = facts;
-    this->Rebuild();
-  }
-  this->PrepareFirstBounce();
-  this->PrepareConstants(actor);
-  // Given back since it was drawn last (see program_shelf.h): made again, with its attributes.
-  if (this->Last.program != nullptr &&
-      this->State->programs.compilation(this->Last.program) != this->Last.compilation) {
+  this->ChooseTraits(actor);
+  // Released since it was drawn last: made again, with its attributes.
+  if (this->Last.program != nullptr && this->State->tuning != nullptr &&
+      this->State->tuning->compilation(this->Last.program) != this->Last.compilation) {
     this->Last.program = nullptr;
     this->Built.Modified();
   }
 }
 
 // The debug view shows what the calculation finds, all of it.
-boxprobe::SurfaceFacts vtkProbePass::FactsOf(vtkActor* actor) const {
-  if (this->State->resources.general || !this->Surface || this->Asked.debug) {
-    return 0;
-  }
-  return this->Asked.facts & boxprobe::surfaceFacts(*this->Surface, actor->GetProperty());
-}
-
-// A mirror's picture and glass look up more than probes.
-void vtkProbePass::PrepareFirstBounce() {
-  const boxprobe::PassSettings& pass = this->State->pass();
+void vtkProbePass::ChooseTraits(vtkActor* actor) {
   Variant& made = this->Made;
-  const bool wanted = made.binding && pass.firstBounce && pass.firstBouncePrograms && !this->State->resources.general &&
-                      !this->Asked.debug && !this->Asked.heights && !this->Mirror && !this->DrawsGlass();
-  if (wanted && made.firstBounceOf == made.binding) {
-    return;
+  boxprobe::ProgramTraits traits;
+  if (this->State->tuning != nullptr) {
+    const bool refused = this->Last.refused || this->Last.constantsRefused;
+    traits = this->State->tuning->choose({actor, this->Surface.get(), made.binding, made.key, this->Asked.tuning,
+                                          made.traits, !this->Asked.debug && !this->Asked.heights,
+                                          this->Mirror != nullptr || this->DrawsGlass(), refused});
   }
-  const bool before = made.firstBounce != nullptr;
-  made.firstBounce = wanted ? made.binding->forFirstBounce() : nullptr;
-  made.firstBounceOf = wanted ? made.binding : nullptr;
-  if (before || made.firstBounce) {
+  if (traits.facts != made.traits.facts) {
+    this->Rebuild();
+  } else if (traits.firstBounce != made.traits.firstBounce || traits.constants != made.traits.constants ||
+             traits.flatMaps != made.traits.flatMaps) {
     this->Built.Modified();
   }
-}
-
-// Whether the constants still hold is asked of the numbers themselves, so that no edit has to tell.
-void vtkProbePass::PrepareConstants(vtkActor* actor) {
-  Variant& made = this->Made;
-  const bool general = this->State->resources.general;
-  std::shared_ptr<const boxprobe::ConstantsPlan> constants = this->Asked.constants;
-  if (constants && (!made.binding || made.firstBounce || general || this->Last.refused || this->Last.constantsRefused ||
-                    this->Asked.debug || this->Asked.heights || constants->variant != made.key ||
-                    !this->GetRestingValues(actor).hold(constants->values))) {
-    constants = nullptr;
-  }
-  if (constants != made.constants) {
-    if (!constants && this->State->pass().countDraws && !general) {
-      ++this->State->counts.counters.constantsLeft;
-    }
-    made.constants = std::move(constants);
-    this->Built.Modified();
-  }
-  const bool flat = made.constants && boxprobe::makeFlatMaps(*this->State, *made.binding);
-  if (flat != made.flatMaps) {
-    made.flatMaps = flat;
-    this->Built.Modified();
-  }
+  made.traits = std::move(traits);
 }
 
 boxprobe::SurfaceOutput vtkProbePass::OutputOf(vtkActor* actor) const {
@@ -374,8 +324,8 @@ boxprobe::SurfaceOutput vtkProbePass::OutputOf(vtkActor* actor) const {
 bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, bool lit) {
   const boxprobe::SceneResources& resources = this->State->resources;
   boxprobe::SurfaceProgram program{this->Drawn(),           this->Surface.get(), this->OutputOf(actor),
-                                   this->Mirror != nullptr, this->Made.form,     this->Made.facts};
-  program.flatMaps = this->DrawsFlat();
+                                   this->Mirror != nullptr, this->Made.form,     this->Made.traits.facts};
+  program.flatMaps = this->Made.traits.flatMaps;
   program.foreign = resources.foreign;
   program.emission = resources.emission;
   const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, lit);
@@ -384,8 +334,8 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
     return false;
   }
   boxprobe::breakShaderIfAsked(sources.fragment, this->Asked.debug ? "debug" : "surface");
-  if (this->Made.constants) {
-    boxprobe::foldConstants(sources.fragment, this->Made.constants->values);
+  if (this->Made.traits.constants) {
+    boxprobe::writeConstants(sources.fragment, this->Made.traits.constants->values);
     boxprobe::breakShaderIfAsked(sources.fragment, "constants");
   }
   boxprobe::leaveOut(sources.fragment, this->Asked.leftOut);
@@ -467,8 +417,9 @@ bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geo
     return true;
   }
   bool compiles = this->Compiles(sources, mapper, actor);
-  if (!compiles && this->Made.constants) {
-    this->Made.constants = nullptr;
+  if (!compiles && this->Made.traits.constants) {
+    this->Made.traits.constants = nullptr;
+    this->Made.traits.flatMaps = false;
     this->Last.constantsRefused = true;
     sources = {vertex, geometry, fragment};
     // As a rule the same with uniforms has been drawn before, but facts may have changed with the constants.
@@ -491,17 +442,12 @@ bool vtkProbePass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMap
   }
   boxprobe::DrawState& state = *this->State;
   this->Last.run = true;
-  if (this->Made.firstBounce) {
-    ++state.counts.counters.objectsUnlit;
-  }
-  // Programs of other people's actors are not ours to give back.
-  if (!state.resources.foreign) {
-    state.counts.counters.programsCompiled += state.programs.use(program, this->Made.constants != nullptr) ? 1 : 0;
+  if (state.tuning != nullptr) {
     this->Last.program = program;
-    this->Last.compilation = state.programs.compilation(program);
+    this->Last.compilation = state.tuning->uses(program, this->Made.traits.constants != nullptr);
   }
   if (this->Made.binding && state.drawing != nullptr && program->IsUniformUsed("bpExposure")) {
-    this->Upload(program);
+    this->Upload(program, prop->GetBounds());
     this->Count(program);
   } else if (program->IsUniformUsed("bpLightOfDisplay")) {
     const bool capturing = state.pass().exposure == boxprobe::kLinearOutput;
@@ -510,19 +456,19 @@ bool vtkProbePass::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMap
   return true;
 }
 
-void vtkProbePass::Upload(vtkShaderProgram* program) {
+void vtkProbePass::Upload(vtkShaderProgram* program, const double* boundsWorld) {
   boxprobe::DrawState& state = *this->State;
   state.bound.clear();
-  const boxprobe::UniformUpload to{program, state.drawing, state.bound};
+  const boxprobe::UniformUpload to{program, state.drawing, state.bound, boundsWorld};
   boxprobe::uploadOutput(to, state.pass());
   if (this->Surface) {
     boxprobe::uploadMaterial(to, *this->Surface);
   }
   const boxprobe::ProbeBinding& binding = *this->Made.binding;
   if (binding.lighting == Lighting::Probes) {
-    boxprobe::uploadLighting(to, state, this->Drawn(), this->Asked.debug,
-                             boxprobe::lightingValues(state, this->Drawn()),
-                             this->Made.constants ? &this->Made.constants->values : nullptr, this->DrawsFlat());
+    const auto& constants = this->Made.traits.constants;
+    boxprobe::uploadLighting(to, state, this->Drawn(), this->Asked.debug, constants ? &constants->values : nullptr,
+                             this->Made.traits.flatMaps);
     if (this->Mirror) {
       boxprobe::uploadMirror(to, *this->Mirror, state.resources);
     }

@@ -37,8 +37,7 @@
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/draw/mirror_picture.h"
 #include "filters/vtk/draw/probe_binding.h"
-#include "filters/vtk/draw/resting_values.h"
-#include "filters/vtk/draw/surface_facts.h"
+#include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/draw/surface_material.h"
 
 class vtkActor;
@@ -98,15 +97,13 @@ class vtkProbePass : public vtkOpenGLRenderPass {
 
   /** What its program may take for granted, as far as it holds (see surface_facts.h); by default whatever holds. A
    * material that no longer has what its program is made for gets another program at the next draw. */
-  void SetFoldableFacts(boxprobe::SurfaceFacts facts) { this->Asked.facts = facts; }
-  boxprobe::SurfaceFacts GetFoldableFacts() const { return this->Asked.facts; }
-  /** Numbers its program may have as constants, as long as the draw's own are the same (see resting_values.h): where
+  void SetRequestedFacts(boxprobe::SurfaceFacts facts) { this->Asked.tuning.facts = facts; }
+  boxprobe::SurfaceFacts GetRequestedFacts() const { return this->Asked.tuning.facts; }
+  /** Numbers its program may have as constants, as long as the draw's own are the same (see constants.h): where
    * they differ, or for any other variant, it is drawn by the program that has them as uniforms. Null: none. */
   void SetConstants(std::shared_ptr<const boxprobe::ConstantsPlan> plan);
   /** Did the driver, or the memory, refuse the program with the constants set last? It is drawn without them. */
   bool GetConstantsRefused() const { return this->Last.constantsRefused; }
-  /** What the draw reads that rests between edits: lighting, then material. `actor` draws with this pass. */
-  boxprobe::RestingValues GetRestingValues(vtkActor* actor) const;
 
   /** Is the surface glass, and lit so that it can be drawn as such? */
   bool DrawsGlass() const;
@@ -150,21 +147,16 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   /** What the program is to be. */
   struct Request {
     std::shared_ptr<const boxprobe::ProbeBinding> binding;
-    bool standIn = false, separateSpecular = false, heights = false, debug = false;
+    bool separateSpecular = false, heights = false, debug = false;
     int objectNumber = 0;
     boxprobe::FrameParts leftOut = 0;
-    boxprobe::SurfaceFacts facts = boxprobe::kAnyFact;
-    std::shared_ptr<const boxprobe::ConstantsPlan> constants;
+    boxprobe::ProgramRequest tuning;
   };
   /** What it is made for. */
   struct Variant {
     std::shared_ptr<const boxprobe::ProbeBinding> binding;  ///< the one asked for, or its stand-in
     std::string key;                                        ///< of that
-    /// In its place, while captures show no reflection; and what that was made from.
-    std::shared_ptr<const boxprobe::ProbeBinding> firstBounce, firstBounceOf;
-    std::shared_ptr<const boxprobe::ConstantsPlan> constants;
-    bool flatMaps = false;  ///< of the last draw; only a program with constants looks flat pictures up
-    boxprobe::SurfaceFacts facts = 0;
+    boxprobe::ProgramTraits traits;
     boxprobe::LightForm form = boxprobe::LightForm::Single;
     int glass = 0;
   };
@@ -176,24 +168,21 @@ class vtkProbePass : public vtkOpenGLRenderPass {
     bool run = false;
     unsigned programNumber = 0;
     const vtkShaderProgram* program = nullptr;  ///< drawn with; looked up, never followed
-    std::uint64_t compilation = 0;              ///< of that, as the program shelf counts
+    std::uint64_t compilation = 0;              ///< of that, see ProgramTuning::uses()
     std::uint64_t frame = ~std::uint64_t{0};    ///< that drew it
   };
 
   bool IsFor(vtkProp* prop) const;
   void UpdateDrawn();
-  void PrepareFirstBounce();
-  void PrepareConstants(vtkActor* actor);
-  boxprobe::SurfaceFacts FactsOf(vtkActor* actor) const;
-  bool DrawsFlat() const { return this->Made.constants && this->Made.flatMaps; }
+  void ChooseTraits(vtkActor* actor);
   const boxprobe::ProbeBinding& Drawn() const {
-    return this->Made.firstBounce ? *this->Made.firstBounce : *this->Made.binding;
+    return this->Made.traits.firstBounce ? *this->Made.traits.firstBounce : *this->Made.binding;
   }
   boxprobe::SurfaceOutput OutputOf(vtkActor* actor) const;
   bool Splice(boxprobe::ShaderSources& sources, vtkActor* actor, bool lit);
   bool Compiles(const boxprobe::ShaderSources& sources, vtkAbstractMapper* mapper, vtkActor* actor) const;
   void Refuse(vtkAbstractMapper* mapper, vtkActor* actor);
-  void Upload(vtkShaderProgram* program);
+  void Upload(vtkShaderProgram* program, const double* boundsWorld);
   void Count(vtkShaderProgram* program);
 
   std::shared_ptr<boxprobe::DrawState> State;

@@ -33,7 +33,7 @@ void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
 boxprobe::FullScreenPass& vtkSkyProp::ChosenPass() {
   const boxprobe::SceneResources& resources = this->State->resources;
   std::string switches = this->Image ? "#define BP_SKY_IMAGE\n" : "";
-  if (!resources.general && resources.lightForm != boxprobe::LightForm::Vtk) {
+  if (this->State->tuning != nullptr && resources.lightForm != boxprobe::LightForm::Vtk) {
     switches += "#define BP_QUICK_OUTPUT\n";
   }
   const auto found = this->Passes.find(switches);

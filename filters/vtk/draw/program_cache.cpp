@@ -1,4 +1,4 @@
-#include "filters/vtk/draw/program_shelf.h"
+#include "filters/vtk/draw/program_cache.h"
 
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
@@ -24,7 +24,7 @@ void giveBack(vtkShaderProgram* program, vtkOpenGLRenderWindow* window) {
 
 }  // namespace
 
-bool ProgramShelf::use(vtkShaderProgram* program, bool constants) {
+bool ProgramCache::use(vtkShaderProgram* program, bool constants) {
   Kept& kept = kept_[program];
   // Another program may have come to stand where one was that VTK deleted.
   const bool compiled = kept.program != program;
@@ -35,12 +35,12 @@ bool ProgramShelf::use(vtkShaderProgram* program, bool constants) {
   return compiled;
 }
 
-std::uint64_t ProgramShelf::compilation(const vtkShaderProgram* program) const {
+std::uint64_t ProgramCache::compilation(const vtkShaderProgram* program) const {
   const auto kept = kept_.find(program);
   return kept != kept_.end() ? kept->second.compiled : 0;
 }
 
-std::size_t ProgramShelf::trim(vtkOpenGLRenderWindow* window, std::size_t most) {
+std::size_t ProgramCache::trim(vtkOpenGLRenderWindow* window, std::size_t most) {
   const std::uint64_t since = usesTrimmed_;
   // A frame that draws nothing anew says nothing of what the picture needs.
   if (uses_ == since) return 0;

@@ -1,5 +1,5 @@
-// The programs that surfaces have been drawn with, so that those of edits long past are given back: each rest of an
-// edited scene makes programs with its own numbers as constants, of some megabytes each with a software driver.
+// An LRU cache of the programs that surfaces have been drawn with: each rest of an edited scene makes programs with its
+// own numbers as constants, of some megabytes each with a software driver, and those of edits long past are released.
 #pragma once
 
 #include <vtkWeakPointer.h>
@@ -12,7 +12,7 @@ class vtkShaderProgram;
 
 namespace boxprobe {
 
-class ProgramShelf {
+class ProgramCache {
  public:
   /// Kept from frame to frame beside those that frames draw with.
   static constexpr std::size_t kMost = 64;

@@ -1,4 +1,4 @@
-#include "filters/vtk/surface/resting_uniforms.h"
+#include "filters/vtk/surface/draw_numbers.h"
 
 #include <vtkProperty.h>
 #include <vtkShaderProgram.h>
@@ -18,25 +18,25 @@ constexpr std::size_t kMostSlots = ProbeBinding::kMaxProbesPerDraw;
 template <typename T>
 using SlotValues = std::array<T, kMostSlots>;
 
-void add(RestingValues& to, const char* name, std::size_t count, const SlotValues<float>& values) {
-  to.add(name, 1, values.data(), count);
+void add(NumberReader& to, const char* name, std::size_t count, const SlotValues<float>& values) {
+  to.read(name, 1, values.data(), count);
 }
 
-void add(RestingValues& to, const char* name, std::size_t count, const SlotValues<glm::vec3>& values) {
-  to.add(name, 3, &values[0].x, count);
+void add(NumberReader& to, const char* name, std::size_t count, const SlotValues<glm::vec3>& values) {
+  to.read(name, 3, &values[0].x, count);
 }
 
-void addSky(RestingValues& to, const SceneResources& resources) {
+void addSky(NumberReader& to, const SceneResources& resources) {
   const auto& sky = resources.sky;
-  to.add("bpSkyMaxLevel", sky ? sky->maxLevel() : 0.0f);
-  to.add("bpSkyIntensity", sky ? 1.0f : 0.0f);
+  to.read("bpSkyMaxLevel", sky ? sky->maxLevel() : 0.0f);
+  to.read("bpSkyIntensity", sky ? 1.0f : 0.0f);
   ShCoefficients sh{};
   if (sky) sh = sky->irradiance;
-  to.add("bpSkySh", 3, &sh[0].x, 9);
+  to.read("bpSkySh", 3, &sh[0].x, 9);
 }
 
 // The captured light of each slot: its levels, and its diffuse light as spherical harmonics.
-void addLight(RestingValues& to, const DrawState& state, const ProbeBinding& binding) {
+void addLight(NumberReader& to, const DrawState& state, const ProbeBinding& binding) {
   const std::size_t count = binding.probes.size();
   SlotValues<float> intensity{}, maxLevel{};
   std::array<glm::vec3, 9 * kMostSlots> sh{};
@@ -57,10 +57,10 @@ void addLight(RestingValues& to, const DrawState& state, const ProbeBinding& bin
   }
   add(to, "bpIntensity", count, intensity);
   add(to, "bpMaxLevel", count, maxLevel);
-  to.add("bpSh", 3, &sh[0].x, 9 * count);
+  to.read("bpSh", 3, &sh[0].x, 9 * count);
 }
 
-void addBoxes(RestingValues& to, const ProbeBinding& binding) {
+void addBoxes(NumberReader& to, const ProbeBinding& binding) {
   const std::size_t count = binding.probes.size();
   SlotValues<glm::vec3> boxMin, boxMax, influenceMin, influenceMax, rateMin, rateMax;
   SlotValues<glm::mat3> worldFromProbe{}, mapFromProbe{};
@@ -81,12 +81,12 @@ void addBoxes(RestingValues& to, const ProbeBinding& binding) {
   add(to, "bpInfluenceMax", count, influenceMax);
   add(to, "bpRateMin", count, rateMin);
   add(to, "bpRateMax", count, rateMax);
-  to.add("bpWorldFromProbe", 9, &worldFromProbe[0][0].x, count);
-  to.add("bpMapFromProbe", 9, &mapFromProbe[0][0].x, count);
+  to.read("bpWorldFromProbe", 9, &worldFromProbe[0][0].x, count);
+  to.read("bpMapFromProbe", 9, &mapFromProbe[0][0].x, count);
 }
 
 // What not every binding has: parameters of its techniques, bevelled boxes, occlusion, shares in place of weights.
-void addChoices(RestingValues& to, const ProbeBinding& binding) {
+void addChoices(NumberReader& to, const ProbeBinding& binding) {
   const std::size_t count = binding.probes.size();
   for (const ParameterRow* row : binding.parameters()) {
     if (row->number == nullptr) continue;
@@ -100,7 +100,7 @@ void addChoices(RestingValues& to, const ProbeBinding& binding) {
       const ProbeGeometry& g = binding.probes[i]->geometry;
       bevel[i] = glm::vec2(g.bevelRadius, g.bevelFromRoughness);
     }
-    to.add("bpBevel", 2, &bevel[0].x, count);
+    to.read("bpBevel", 2, &bevel[0].x, count);
   }
   if (binding.occluded()) {
     SlotValues<glm::vec3> occlusion{};
@@ -108,8 +108,8 @@ void addChoices(RestingValues& to, const ProbeBinding& binding) {
     add(to, "bpOcclusion", count, occlusion);
   }
   if (binding.weights && !binding.shares.empty()) {
-    to.add("bpShare", 1, binding.shares.data(), count);
-    to.add("bpSkyShare", binding.skyShare);
+    to.read("bpShare", 1, binding.shares.data(), count);
+    to.read("bpSkyShare", binding.skyShare);
   }
 }
 
@@ -117,71 +117,57 @@ glm::vec3 floats(const double* v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
 }
 
-// VTK sets one matrix a call; array elements have names of their own, but for the first. As the program was made: what
-// a box is turned by, or against its maps, may have come to 0 since.
-void uploadMatrices(const UniformUpload& to, const RestingValue& value) {
-  if (!to.used(value.name)) return;
-  std::vector<float> numbers = value.values;
-  for (std::size_t i = 0; i < numbers.size() / 9; ++i) {
-    const std::string name = i == 0 ? value.name : value.name + "[" + std::to_string(i) + "]";
-    to.program->SetUniformMatrix3x3(name.c_str(), &numbers[9 * i]);
-  }
-}
-
 }  // namespace
 
-RestingValues lightingValues(const DrawState& state, const ProbeBinding& binding) {
-  RestingValues values;
-  if (binding.lighting != Lighting::Probes) return values;
-  values.reserve(24);
-  if (binding.sky || binding.open()) addSky(values, state.resources);
-  if (binding.probes.empty()) return values;
-  addLight(values, state, binding);
-  addBoxes(values, binding);
-  addChoices(values, binding);
-  return values;
+void readLighting(NumberReader& to, const DrawState& state, const ProbeBinding& binding) {
+  if (binding.lighting != Lighting::Probes) return;
+  if (binding.sky || binding.open()) addSky(to, state.resources);
+  if (binding.probes.empty()) return;
+  addLight(to, state, binding);
+  addBoxes(to, binding);
+  addChoices(to, binding);
 }
 
-RestingValues materialValues(const SurfaceMaterial& surface, vtkProperty* property) {
-  RestingValues values;
-  values.reserve(16);
-  const auto number = [&values](const char* name, double value) { values.add(name, static_cast<float>(value)); };
+void readMaterial(NumberReader& to, const SurfaceMaterial& surface, vtkProperty* property) {
+  const auto number = [&to](const char* name, double value) { to.read(name, static_cast<float>(value)); };
   number("bpAlpha", surface.alpha);
   number("bpAlphaCutoff", surface.alphaCutoff);
   number("opacityUniform", property->GetOpacity());
-  values.add("emissiveFactorUniform", floats(property->GetEmissiveFactor()));
+  to.read("emissiveFactorUniform", floats(property->GetEmissiveFactor()));
   // Vertices and edges are drawn in colours of their own by the same names.
   if (property->GetVertexVisibility() == 0 && property->GetEdgeVisibility() == 0) {
     number("ambientIntensity", property->GetAmbient());
     number("diffuseIntensity", property->GetDiffuse());
-    values.add("ambientColorUniform", floats(property->GetAmbientColor()));
-    values.add("diffuseColorUniform", floats(property->GetDiffuseColor()));
+    to.read("ambientColorUniform", floats(property->GetAmbientColor()));
+    to.read("diffuseColorUniform", floats(property->GetDiffuseColor()));
   }
-  if (surface.unlit) return values;
+  if (surface.unlit) return;
   number("roughnessUniform", property->GetRoughness());
   number("metallicUniform", property->GetMetallic());
   number("aoStrengthUniform", property->GetOcclusionStrength());
   number("baseF0Uniform", property->ComputeReflectanceOfBaseLayer());
-  values.add("edgeTintUniform", floats(property->GetEdgeTint()));
+  to.read("edgeTintUniform", floats(property->GetEdgeTint()));
   number("bpNormalScale", surface.normalScale);
   if (property->GetCoatStrength() > 0.0) {
     number("coatStrengthUniform", property->GetCoatStrength());
     number("coatRoughnessUniform", property->GetCoatRoughness());
     number("bpCoatNormalScale", surface.coatNormalScale);
   }
-  return values;
 }
 
-void uploadResting(const UniformUpload& to, const RestingValues& values, const RestingValues* constants) {
-  for (const RestingValue& value : values.all()) {
-    if (constants != nullptr && constants->find(value.name) != nullptr) continue;
-    const int count = static_cast<int>(value.values.size()) / value.components;
-    const char* name = value.name.c_str();
-    const float* numbers = value.values.data();
-    if (value.components == 1) to.program->SetUniform1fv(name, count, numbers);
-    if (value.components == 2) to.program->SetUniform2fv(name, count, reinterpret_cast<const float(*)[2]>(numbers));
-    if (value.components == 3) to.program->SetUniform3fv(name, count, reinterpret_cast<const float(*)[3]>(numbers));
-    if (value.components == 9) uploadMatrices(to, value);
+void NumberUpload::read(const char* name, int components, const float* values, std::size_t count) {
+  if (constants_ != nullptr && constants_->find(name) != nullptr) return;
+  const int n = static_cast<int>(count);
+  vtkShaderProgram* program = to_.program;
+  if (components == 1) program->SetUniform1fv(name, n, values);
+  if (components == 2) program->SetUniform2fv(name, n, reinterpret_cast<const float(*)[2]>(values));
+  if (components == 3) program->SetUniform3fv(name, n, reinterpret_cast<const float(*)[3]>(values));
+  if (components != 9 || !to_.used(name)) return;
+  // VTK sets one matrix a call; array elements have names of their own, but for the first. As the program was made:
+  // what a box is turned by, or against its maps, may have come to 0 since.
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string element = i == 0 ? name : std::string(name) + "[" + std::to_string(i) + "]";
+    program->SetUniformMatrix3x3(element.c_str(), const_cast<float*>(values + 9 * i));
   }
 }
 

@@ -1,0 +1,33 @@
+// Where a probe's diffuse light at a point comes from: its lamps drawn as shapes and the nodes of its lattice. Plain
+// values; lengths in scene units, light linear, before exposure.
+#pragma once
+
+#include <glm/ext/vector_int3.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace boxprobe {
+
+/// A polygon of a lamp; several of one object are several of these.
+struct LampAtPoint {
+  std::string node;       ///< the object it belongs to
+  glm::vec3 light{0.0f};  ///< irradiance over pi from it
+  float filled = 0.0f;    ///< share of the cosine hemisphere about N that it fills, as far as it is seen, 0 to 1
+};
+
+struct LatticeNodeAtPoint {
+  glm::ivec3 node{0};             ///< along the axes of the box, from 0
+  glm::vec3 positionProbe{0.0f};  ///< relative to the capture origin, box axes
+  float weight = 0.0f;
+};
+
+struct DiffuseExplanation {
+  std::vector<LampAtPoint> lamps;  ///< those that give any light here, the brightest first
+  std::vector<LatticeNodeAtPoint>
+      nodes;                ///< those that count, the heaviest first; none: nine coefficients of the capture
+  glm::ivec3 nodeCount{0};  ///< of the lattice along each axis
+  glm::vec3 lattice{0.0f};  ///< irradiance over pi from it
+};
+
+}  // namespace boxprobe

@@ -1,0 +1,54 @@
+#include "filters/vtk/draw/probe_lattice.h"
+
+namespace boxprobe {
+
+namespace {
+
+LatticeSource latticeSource(const DrawState& state, const SceneLamps& lamps, const DrawnProbe& probe) {
+  const ProbeGeometry& g = probe.geometry;
+  LatticeSource source;
+  source.boxMin = g.boxMin;
+  source.boxMax = g.boxMax;
+  source.mapFromProbe = glm::mat3(g.mapFromProbe);
+  source.worldFromProbe = glm::mat3(g.worldFromProbe);
+  // What follows rays by the distances is for reflections: for light from all around the box is near enough.
+  const bool distances = projectionRows()[static_cast<std::size_t>(g.technique.projection)].distances;
+  source.projection = distances ? parseTechnique("box")->projection : g.technique.projection;
+  const glm::dmat3 worldFromMap = g.worldFromProbe * glm::transpose(g.mapFromProbe);
+  for (const std::size_t i : probe.lamps) {
+    source.lamps.push_back(lampPolygon(lamps.lamps[i], g.originWorld, worldFromMap));
+  }
+  source.fewRays = probe.realtime;
+  if (probe.open && state.resources.sky && state.resources.sky->openings) {
+    source.sky = std::shared_ptr<const CubeMap>(state.resources.sky, &state.resources.sky->openings->reduced);
+  }
+  // Not what is derived over and over, nor what the sky shows through, which rays know nothing of.
+  if (!state.resources.sightLines || probe.realtime || source.sky) return source;
+  source.traced = {state.resources.sightLines, g.originWorld, g.worldFromProbe,           g.mapFromProbe,
+                   state.resources.lamps,      probe.lamps,   state.resources.looseLights};
+  return source;
+}
+
+// A handle that is held changes uniforms alone, and a draw that only compiles a program needs none.
+LatticeHaste haste(const DrawState& state) {
+  if (state.pass().dragging) return LatticeHaste::AsItIs;
+  const bool picture = state.pass().exposure == kLinearOutput;
+  return state.resources.latticesBeside && !picture ? LatticeHaste::Beside : LatticeHaste::Now;
+}
+
+}  // namespace
+
+std::shared_ptr<const DiffuseLattice> probeLattice(const DrawState& state, const DrawnProbe& probe) {
+  const SceneLamps* lamps = state.resources.lamps.get();
+  const ProbeMaps* maps = probe.maps.get();
+  if (!probe.shapes || lamps == nullptr || maps == nullptr) return nullptr;
+  auto lattice = maps->lattice.of(maps->radiance, maps->distance, latticeSource(state, *lamps, probe), haste(state));
+  // Other maps of the probe than before are lit by what these had, until theirs is there.
+  if (lattice)
+    probe.latticeBefore = lattice;
+  else
+    lattice = probe.latticeBefore;
+  return lattice && !lattice->empty() ? lattice : nullptr;
+}
+
+}  // namespace boxprobe
