@@ -40,7 +40,8 @@ void bpFindSights(vec3 position, vec3 normal)
 float bpSeen(int slot, float channel)
 {
   int c = int(channel);
-  return c < 0 ? channel + 2.0f : sightShare(bpSeenShares[4 * slot + c / 4][c - 4 * (c / 4)], bpSeenShares[4 * slot].x);
+  if (c < 0 || bpSightParts[slot] == 0) { return c == -2 ? 0.0f : 1.0f; }  // the texture had no room left
+  return sightShare(bpSeenShares[4 * slot + c / 4][c - 4 * (c / 4)], bpSeenShares[4 * slot].x);
 }
 
 #if BP_SIGHT_LIGHTS > 0
