@@ -7,6 +7,7 @@
 
 #include "app/session/vtk_messages.h"
 #include "filters/core/base/errors.h"
+#include "filters/fit/rays/triangle_sight.h"
 #include "filters/vtk/gl/cpu_time.h"
 
 namespace boxprobe {
@@ -14,7 +15,9 @@ namespace boxprobe {
 OffscreenScene::OffscreenScene(const OffscreenSettings& settings) : OffscreenScene(openOffscreenWindow(settings)) {}
 
 OffscreenScene::OffscreenScene(vtkSmartPointer<vtkOpenGLRenderWindow> window)
-    : window_(std::move(window)), renderer_(std::make_unique<SceneRenderer>(window_)) {}
+    : window_(std::move(window)), renderer_(std::make_unique<SceneRenderer>(window_)) {
+  renderer_->setSightLines(traceSightLines);
+}
 
 OffscreenScene::~OffscreenScene() {
   window_->MakeCurrent();
@@ -71,6 +74,7 @@ void OffscreenScene::forget() {
   window_->MakeCurrent();
   renderer_.reset();
   renderer_ = std::make_unique<SceneRenderer>(window_);
+  renderer_->setSightLines(traceSightLines);
   shown_.reset();
   models_.clear();
   bakedFolder_.clear();

@@ -13,7 +13,7 @@ namespace boxprobe {
 struct LampAtPoint {
   std::string node;       ///< the object it belongs to
   glm::vec3 light{0.0f};  ///< irradiance over pi from it
-  float filled = 0.0f;    ///< share of the cosine hemisphere about N that it fills, 0 to 1
+  float filled = 0.0f;    ///< share of the cosine hemisphere about N that it fills, as far as it is seen, 0 to 1
 };
 
 struct LatticeNodeAtPoint {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/geometry/lamp_sight.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/picture/baked_probe.h"
@@ -33,7 +34,9 @@ struct ExplainedProbe {
   std::uint32_t shadowLights = 0;     ///< a bit for each light that its coverage stands before
   /// In place of the maps' coefficients, with its lamps; null: those. The sky through openings is in it.
   std::shared_ptr<const DiffuseLattice> lattice = {};
-  std::vector<SceneLamp> lamps = {};  ///< drawn as shapes
+  std::vector<SceneLamp> lamps = {};             ///< drawn as shapes
+  std::shared_ptr<const ProbeSight> sight = {};  ///< what is seen of them and of light sources; null: all
+  std::vector<int> lampChannels = {};            ///< of each of `lamps` in `sight`
   /// What a rough surface looks up in place of `maps`: without those lamps, the mean of their colours in alpha. Null:
   /// `maps`.
   const BakedMaps* lampFree = nullptr;
@@ -65,6 +68,7 @@ struct ExplainInput {
   const shading::MirrorLook* mirror = nullptr;
   std::vector<int> shadowLights;  ///< those that this draw asks a probe's coverage about
   std::vector<MovingMap> movingMaps;
+  std::vector<int> sightLights;  ///< those that some place of a probe's box does not see whole
 };
 
 }  // namespace boxprobe

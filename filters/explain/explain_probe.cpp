@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "filters/explain/explain_shadow.h"
 #include "filters/explain/lookup_record.h"
 #include "filters/math/cube/distance_cube.h"
 #include "filters/math/shared/coverage.h"
@@ -79,9 +80,11 @@ DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& 
     if (node.weight > 0.0f) e.nodes.push_back(node);
   }
   std::stable_sort(e.nodes.begin(), e.nodes.end(), [](const auto& a, const auto& b) { return a.weight > b.weight; });
-  for (const SceneLamp& lamp : probe.lamps) {
+  for (std::size_t i = 0; i < probe.lamps.size(); ++i) {
+    const SceneLamp& lamp = probe.lamps[i];
     const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
-    const float filled = shading::lampDiffuse(&polygon, positionFromEye, s.normalWorld);
+    const float seen = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
+    const float filled = seen * shading::lampDiffuse(&polygon, positionFromEye, s.normalWorld);
     if (filled > 0.0f) e.lamps.push_back({lamp.node, filled * glm::vec3(lamp.radiance), filled});
   }
   const auto brightness = [](const LampAtPoint& lamp) { return lamp.light.x + lamp.light.y + lamp.light.z; };
@@ -175,9 +178,11 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
     if (probe.lampFree != nullptr) {
       e.lampsInMap = record.value.a;
       const shading::LampLobe lobe = shading::lampLobe(s.normalWorld, s.viewWorld, roughness);
-      for (const SceneLamp& lamp : probe.lamps) {
+      for (std::size_t i = 0; i < probe.lamps.size(); ++i) {
+        const SceneLamp& lamp = probe.lamps[i];
         const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
-        const glm::vec2 lit = shading::lampGlossy(&polygon, position, lobe);
+        const float seen = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
+        const glm::vec2 lit = seen * shading::lampGlossy(&polygon, position, lobe);
         e.lampsF0 += lit.x * glm::vec3(lamp.radiance);
         e.lampsF90 += lit.y * glm::vec3(lamp.radiance);
       }

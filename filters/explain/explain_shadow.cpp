@@ -48,6 +48,24 @@ std::pair<glm::vec3, float> wayTo(const Light& light, const glm::dvec3& position
   return {to / std::max(distance, 1.0e-18f), distance};
 }
 
+/// How the pixel is divided between the draw's probes and the sky.
+ProbeShares sharesAt(const ExplainInput& in) {
+  const SurfacePoint& s = in.surface;
+  std::vector<float> influences;
+  std::vector<int> groups;
+  for (const ExplainedProbe& probe : in.probes) {
+    const ProbeGeometry& g = probe.geometry;
+    const glm::vec3 offset = glm::vec3(s.positionWorld - s.eyeWorld) - glm::vec3(g.originWorld - s.eyeWorld);
+    const glm::vec3 p = g.rotated ? glm::transpose(glm::mat3(g.worldFromProbe)) * offset : offset;
+    influences.push_back(shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax));
+    groups.push_back(probe.group);
+  }
+  ProbeShares shares =
+      in.shares.empty() ? shareOut(influences, groups, in.onlyProbes) : ProbeShares{in.shares, in.skyShare};
+  if (!in.weights) shares = {std::vector<float>(in.probes.size(), 1.0f), 0.0f};
+  return shares;
+}
+
 }  // namespace
 
 ShadowRay shadowRay(const ExplainedProbe& probe, const glm::dvec3& positionWorld, const glm::dvec3& eyeWorld,
@@ -81,21 +99,33 @@ float movingShadowAt(const MovingMap& map, const glm::dvec3& positionWorld) {
   return sum / 9.0f;
 }
 
+float seenShare(const ExplainedProbe& probe, const SurfacePoint& surface, int channel) {
+  if (channel < 0 || !probe.sight) return channel == kSeenByNone ? 0.0f : 1.0f;
+  const ProbeGeometry& g = probe.geometry;
+  const glm::mat3 probeFromWorld = glm::transpose(glm::mat3(g.worldFromProbe));
+  const glm::vec3 offset =
+      glm::vec3(surface.positionWorld - surface.eyeWorld) - glm::vec3(g.originWorld - surface.eyeWorld);
+  const glm::vec3 place = shading::sightPlace(sightShape(*probe.sight, g), g.rotated ? probeFromWorld * offset : offset,
+                                              g.rotated ? probeFromWorld * surface.normalWorld : surface.normalWorld);
+  const SightLattice& lattice = probe.sight->lattice;
+  return shading::sightShare(lattice.fetchSight(place, channel / 4)[channel % 4], lattice.fetchSight(place, 0).x);
+}
+
+float lightSeen(const ExplainInput& in, int light) {
+  if (std::find(in.sightLights.begin(), in.sightLights.end(), light) == in.sightLights.end()) return 1.0f;
+  const ProbeShares shares = sharesAt(in);
+  float seen = shares.sky;
+  for (std::size_t i = 0; i < in.probes.size(); ++i) {
+    const auto& sight = in.probes[i].sight;
+    const int channel = sight ? sight->channelOfSource(static_cast<std::size_t>(light)) : kSeenByAll;
+    seen += shares.probes[i] * seenShare(in.probes[i], in.surface, channel);
+  }
+  return seen;
+}
+
 std::vector<LightShadow> explainShadows(const ExplainInput& in) {
   const SurfacePoint& s = in.surface;
-  std::vector<float> influences;
-  std::vector<int> groups;
-  for (const ExplainedProbe& probe : in.probes) {
-    const ProbeGeometry& g = probe.geometry;
-    const glm::vec3 offset = glm::vec3(s.positionWorld - s.eyeWorld) - glm::vec3(g.originWorld - s.eyeWorld);
-    const glm::vec3 p = g.rotated ? glm::transpose(glm::mat3(g.worldFromProbe)) * offset : offset;
-    influences.push_back(shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax));
-    groups.push_back(probe.group);
-  }
-  ProbeShares shares =
-      in.shares.empty() ? shareOut(influences, groups, in.onlyProbes) : ProbeShares{in.shares, in.skyShare};
-  if (!in.weights) shares = {std::vector<float>(in.probes.size(), 1.0f), 0.0f};
-
+  const ProbeShares shares = sharesAt(in);
   std::vector<LightShadow> result;
   for (const int index : in.shadowLights) {
     const Light& light = in.lights[static_cast<std::size_t>(index)];

@@ -12,6 +12,11 @@ namespace boxprobe {
 /// One entry for each of `in.shadowLights`.
 std::vector<LightShadow> explainShadows(const ExplainInput& in);
 
+/// What the surface sees of a lamp or light source: of a channel of the probe's sight, or kSeenByAll, kSeenByNone.
+float seenShare(const ExplainedProbe& probe, const SurfacePoint& surface, int channel);
+/// The same of a light source by all probes' shares; 1 of one that is not among `in.sightLights`.
+float lightSeen(const ExplainInput& in, int light);
+
 struct ShadowRay {
   glm::vec3 toLight{0.0f};  ///< unit, world
   ProbeShadow shadow;

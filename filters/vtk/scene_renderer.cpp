@@ -30,6 +30,10 @@ void SceneRenderer::setModels(std::vector<std::shared_ptr<const Model>> models) 
   impl_->givenAnew = true;
 }
 
+void SceneRenderer::setSightLines(SightLinesMaker lines) {
+  impl_->content.sightLines = std::move(lines);
+}
+
 void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
   impl_->sync(scene, changes);
 }

@@ -20,6 +20,7 @@
 
 #include "filters/core/base/counters.h"
 #include "filters/core/base/export.h"
+#include "filters/core/geometry/sight_lines.h"
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/scene/document.h"
 #include "filters/core/scene/model.h"
@@ -51,6 +52,11 @@ class BOXPROBE_EXPORT SceneRenderer {
 
   /// The geometry; `models` in the order of scene.models. Replaces all actors.
   void setModels(std::vector<std::shared_ptr<const Model>> models);
+
+  /// What traces the shadows of lamps drawn as shapes (Scene::lamps), and of point and spot lights beside them: for
+  /// programs that link a ray tracer, traceSightLines (filters/fit/rays/triangle_sight.h). Before sync(); without it
+  /// they shine through everything.
+  void setSightLines(SightLinesMaker lines);
 
   /// Brings actors, lights, uniforms and the list of stale captures up to `scene`. Draws nothing.
   void sync(const Scene& scene, const Changes& changes);

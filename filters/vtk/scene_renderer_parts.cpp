@@ -4,8 +4,11 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 
+#include <algorithm>
+
 #include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/geometry/model_placement.h"
 #include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/draw/static_textures.h"
 #include "filters/vtk/maps/content_hash.h"
@@ -162,6 +165,30 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   if (lit || changes.sky || changes.exposure) frames.sceneChanged();
 }
 
+// Anything that stands still may throw a lamp's shadow into a capture, whether the capture shows it or not.
+std::string SceneParts::hidingKey() {
+  const bool same = hidingModels.size() == content.given.size() &&
+                    std::equal(content.given.begin(), content.given.end(), hidingModels.begin(),
+                               [](const auto& now, const auto& before) { return now == before.lock(); });
+  if (!same || hidingModelsKey.empty()) {
+    hidingModels.assign(content.given.begin(), content.given.end());
+    ContentHash hash;
+    for (const std::string& key : objectContentKeys(content.given, content.scene.models.size())) hash.add(key);
+    hidingModelsKey = hash.text();
+  }
+  ContentHash hash;
+  hash.add(hidingModelsKey);
+  for (const ModelFile& file : content.scene.models) {
+    const glm::dmat4 placed = worldFromFile(file);
+    hash.addBytes(&placed, sizeof placed);
+  }
+  for (const auto& [node, object] : content.scene.objects) {
+    hash.add(node).add(object.visible ? 1 : 0).add(object.dynamic ? 1 : 0);
+    if (!object.dynamic) hash.addVector(object.translation).addVector(object.rotationDegrees);
+  }
+  return hash.text();
+}
+
 // What captures of the scene show now.
 void SceneParts::updateCaptures() {
   if (contentKeysOf != content.modelGeneration) {
@@ -192,6 +219,7 @@ void SceneParts::updateCaptures() {
   // Lamps drawn as shapes light what a capture shows, those that it does not show included.
   inputs.world.lattices = content.lamps != nullptr;
   if (content.lamps && !content.lamps->lamps.empty()) inputs.world.lights += " " + lampsKey(*content.lamps);
+  if (content.lamps && content.sightLines) inputs.world.lights += " shadowed " + hidingKey();
   inputs.sky = inputs.world.sky;
   if (content.skyImage) inputs.skyColumns = content.skyImage->width;
   probes.plan().sources().skyLevels = content.skyImage ? skyLevelsFile(content.skyImageFile()) : std::string();
@@ -265,6 +293,7 @@ void SceneParts::releaseGraphics() {
   probes.release();
   inspector.release();
   state->resources.lattices->release();
+  state->resources.sights->release();
   releaseStaticTextures(state->resources);
   for (const DrawnObject& object : content.objects) {
     for (const SurfaceSlot& slot : object.surface->slots) {

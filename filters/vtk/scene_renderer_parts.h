@@ -46,8 +46,10 @@ struct SceneParts {
   bool interactive = false;
   bool givenAnew = false;  ///< content.given was replaced since it was last taken
   /// Fingerprints that are worked out once for a set of models and an image of the sky.
-  std::vector<std::string> contentKeys;  ///< of the objects
-  int contentKeysOf = -1;                ///< content.modelGeneration
+  std::vector<std::string> contentKeys;                  ///< of the objects
+  int contentKeysOf = -1;                                ///< content.modelGeneration
+  std::vector<std::weak_ptr<const Model>> hidingModels;  ///< those of hidingModelsKey
+  std::string hidingModelsKey;                           ///< contents of what can hide a lamp
   std::weak_ptr<const ImageRgbaF> skyPixelsOf;
   std::string skyPixels;
 
@@ -57,6 +59,7 @@ struct SceneParts {
   void lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table);
   /// Finds out which captures are stale.
   void updateCaptures();
+  std::string hidingKey();
   void step();
   std::vector<Explanation> explain(const std::vector<glm::ivec2>& pixels, int width, int height);
   ImageRgbaF renderLinear(int width, int height, int samplesPerPixel, int frameLimit,

@@ -4,8 +4,11 @@ uniform int bpLampOther[BP_LAMPS];      // of each turn the lamp that counts whe
 uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
-uniform float bpLampLeast;              // share of each: 1 in a first capture, whose direct light no box divides, else 0
+uniform float bpLampsWhole;             // 1 in a first capture, whose direct light no box divides, else 0
 uniform vec4 bpLampOf[BP_LAMPS];        // 1 for each of the draw's probes whose lamp it is
+#if BP_SIGHTS
+uniform vec4 bpLampChannel[BP_LAMPS];   // in each of them, where its visibility stands: gpu/sight.glsl
+#endif
 
 int lampCornerCount(int lamp)
 {
@@ -29,14 +32,25 @@ uniform float bpLampColors;             // 1 if the lamps are of several
 
 //BP::LampLight
 
-// What a lamp's light at a place is multiplied by, diffuse and glossy alike. `shares`: of the probes.
+// The factor of all of a lamp's light here, diffuse and glossy alike: what the probes whose lamp it is have of the pixel, by their `shares`,
+// and what is seen of it from here. After bpShareOut and bpFindSights.
 float bpLampWeight(int lamp, vec4 shares)
 {
-  return max(dot(shares, bpLampOf[lamp]), bpLampLeast);
+  float sum = 0.0f;
+  float whole = 0.0f;
+  for (int slot = 0; slot < BP_SLOTS; ++slot)
+  {
+    float seen = bpLampOf[lamp][slot];
+#if BP_SIGHTS
+    seen *= bpSeen(slot, bpLampChannel[lamp][slot]);
+#endif
+    sum += shares[slot] * seen;
+    whole = max(whole, seen);
+  }
+  return bpLampsWhole > 0.5f ? whole : sum;
 }
 
 #if BP_LAMP_SHAPES
-// After bpShareOut.
 vec3 bpLampsIrradiance(vec3 position, vec3 normal)
 {
   vec4 shares = vec4(0.0f);

@@ -16,6 +16,7 @@
 //   BP_LATTICE   1 if diffuse light of some of them is a lattice's
 //   BP_LAMP_SHAPES 1 if, with that, it is of lamps drawn as shapes
 //   BP_LAMP_LOBES 1 if reflections of some of them show lamps by their shapes
+//   BP_SIGHTS    1 if some of their lamps or light sources are hidden from some places (gpu/sight.glsl)
 //   BP_DIFFUSE   0 if the material is all metal, which has no use for irradiance
 // and puts, at the marks below, gpu/probe_slot.glsl and gpu/probe_weight.glsl once for each slot.
 // Everything is relative to the camera: the host subtracts in double, so a scene far from the origin looks the same.
@@ -104,6 +105,8 @@ struct BpLight
 
 //BP::ShareOut
 
+//BP::Sights
+
 //BP::Lamps
 
 BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float roughness, float fresnel,
@@ -137,6 +140,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
 #endif
 
   float remaining = bpShareOut(position);
+#if BP_SIGHTS
+  bpFindSights(position, BP_FACING);
+#endif
 //BP::AddSlots
 #if BP_LAMP_SHAPES
   light.irradiance += bpLampsIrradiance(position, BP_FACING);

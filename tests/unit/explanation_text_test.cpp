@@ -62,8 +62,7 @@ TEST(ExplanationText, NamesLampsAndNodesOfDiffuseLight) {
   d.nodeCount = {5, 4, 7};
   const std::string text = explanationText(e);
   EXPECT_THAT(lineOf(text, "E_lamp"), ContainsRegex("0\\.5000 +0\\.4000 +0\\.3000 .*\"ceiling lamp\".* 6\\.[23] %"));
-  EXPECT_THAT(lineOf(text, "E_lattice"),
-              ContainsRegex("5 x 4 x 7 nodes: 2, 0, 1 by 75\\.0 %; 3, 0, 1 by 25\\.0 %"));
+  EXPECT_THAT(lineOf(text, "E_lattice"), ContainsRegex("5 x 4 x 7 nodes: 2, 0, 1 by 75\\.0 %; 3, 0, 1 by 25\\.0 %"));
   EXPECT_THAT(lineOf(text, "diffuse"), HasSubstr("50.0 % of the pixel"));
 }
 

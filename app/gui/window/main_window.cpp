@@ -39,17 +39,25 @@
 #include "app/gui/window/status_line.h"
 #include "app/gui/window/view_tools.h"
 #include "filters/core/geometry/probe_at.h"
+#include "filters/fit/rays/triangle_sight.h"
 #include "filters/io/files/data_folder.h"
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/widgets/vtkReflectionProbeRepresentation.h"
 
 namespace boxprobe {
 
+// The shadows of lamps drawn as shapes are traced by what fits boxes.
+static std::unique_ptr<SceneRenderer> tracingRenderer(vtkOpenGLRenderWindow* window) {
+  auto renderer = std::make_unique<SceneRenderer>(window);
+  renderer->setSightLines(traceSightLines);
+  return renderer;
+}
+
 MainWindow::MainWindow()
     : views_(document_),
       editor_(std::make_unique<Editor>(document_)),
       viewport_(new Viewport(this)),
-      renderer_(std::make_unique<SceneRenderer>(viewport_->window3d())),
+      renderer_(tracingRenderer(viewport_->window3d())),
       shownHandles_(vtkSmartPointer<vtkReflectionProbeRepresentation>::New()),
       surfaces_(std::make_unique<SceneSurfaces>(document_)),
       probeWidget_(new ProbeWidget(

@@ -31,7 +31,10 @@ struct Counters {
   std::uint64_t objectsUnlit = 0;   ///< of objectsCaptured: drawn by programs without any lookup of a probe
   std::uint64_t errorsMeasured = 0;  ///< probes whose own errors `auto` goes by, each time their box or picture changed
   std::uint64_t reliefsBounded =
-      0;  ///< probes whose distances' least and greatest were made, for rays that are followed
+      0;                           ///< probes whose distances' least and greatest were made, for rays that are followed
+  std::uint64_t sightsTraced = 0;  ///< probes of which it was traced where their lamps are hidden
+  std::uint64_t sightRays = 0;     ///< that this took
+  std::uint64_t lampsSeenWhole = 0;     ///< lamps and light sources of such probes that nothing hides: not looked up
   std::uint64_t sourcesFlattened = 0;   ///< captures laid out flat to filter fine levels of them, on software renderers
   std::uint64_t mapsFlattened = 0;      ///< filtered chains laid out flat, for programs of software renderers at rest
   std::uint64_t programsCompiled = 0;   ///< GL programs this program caused; again, if one had been given back

@@ -34,4 +34,17 @@ inline void intersectOne(RTCScene scene, RTCRayHit* query) {
 #endif
 }
 
+/// Does the ray meet anything up to its tfar?
+inline bool occludedOne(RTCScene scene, RTCRay* ray) {
+  if (!canBeTraced(*ray)) return false;
+#if RTC_VERSION_MAJOR >= 4
+  rtcOccluded1(scene, ray);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, ray);
+#endif
+  return ray->tfar < 0.0f;
+}
+
 }  // namespace boxprobe

@@ -16,6 +16,7 @@ struct SurfaceHit {
   glm::dvec3 normalWorld{0.0};  ///< unit, on the side that was met
   double roughness = 0.0;       ///< perceptual; 0 where it is not known
   double reflectance = 0.04;    ///< share of light reflected straight on, mean of the colours
+  glm::vec3 albedo{0.0f};       ///< light scattered all over, a metal's reflection included; 0 where it is not known
 };
 
 class SurfaceRays {

@@ -17,6 +17,7 @@
 #include "filters/core/geometry/embree.h"
 #include "filters/core/geometry/model_placement.h"
 #include "filters/core/scene/material_override.h"
+#include "filters/math/cube/srgb.h"
 
 namespace boxprobe {
 
@@ -87,7 +88,15 @@ bool hidesWhatIsBehind(const Mesh& mesh, const Model& model) {
 }
 
 bool seen(const ObjectOverride& object, SeenBy seenBy) {
-  return seenBy == SeenBy::Eyes ? object.visible : object.seenByProbes && !object.dynamic;
+  switch (seenBy) {
+    case SeenBy::Eyes:
+      return object.visible;
+    case SeenBy::Probes:
+      return object.seenByProbes && !object.dynamic;
+    case SeenBy::Lamps:
+      return object.visible && !object.dynamic;
+  }
+  return false;
 }
 
 std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Models& models, SeenBy seenBy,
@@ -125,19 +134,35 @@ double meanOf(const TextureUse& texture, std::size_t channel) {
 
 struct ReflectingLook {
   double roughness = 0.0, reflectance = 0.0;
+  glm::vec3 albedo{0.0f};
 };
+
+/// Linear mean of a texture's colours, from some hundred texels; white without one.
+glm::vec3 meanColorOf(const TextureUse& texture) {
+  if (!texture.image || texture.image->pixels.size() < 4) return glm::vec3(1.0f);
+  const std::vector<std::uint8_t>& pixels = texture.image->pixels;
+  const std::size_t texels = pixels.size() / 4, stride = std::max<std::size_t>(1, texels / 509);
+  glm::vec3 sum(0.0f);
+  float count = 0.0f;
+  for (std::size_t i = 0; i < texels; i += stride, count += 1.0f) {
+    for (int c = 0; c < 3; ++c) sum[c] += linearOfSrgb(pixels[4 * i + static_cast<std::size_t>(c)]);
+  }
+  return sum / count;
+}
 
 /// As the scene has the material; of one with a coat the coat.
 ReflectingLook reflectingLook(const Material& original, const Scene& scene) {
   const Material material = overriddenMaterial(original, scene);
-  if (material.unlit) return {1.0, 0.0};
+  if (material.unlit) return {1.0, 0.0, glm::vec3(0.0f)};
   const double ior = material.reflectedIor(), dielectric = std::pow((ior - 1.0) / (ior + 1.0), 2.0);
   const double metallic = material.metallic * meanOf(material.metallicRoughnessTexture, 2);
   const double color = (material.baseColor.x + material.baseColor.y + material.baseColor.z) / 3.0;
-  ReflectingLook look{material.roughness * meanOf(material.metallicRoughnessTexture, 1),
-                      dielectric + metallic * (color - dielectric)};
+  ReflectingLook look{
+      material.roughness * meanOf(material.metallicRoughnessTexture, 1), dielectric + metallic * (color - dielectric),
+      glm::min(glm::vec3(material.baseColor) * meanColorOf(material.baseColorTexture), glm::vec3(1.0f))};
   if (material.coat > 0.0f && material.coatRoughness < look.roughness) {
-    look = {material.coatRoughness, std::max(0.04 * material.coat, look.reflectance)};
+    look.roughness = material.coatRoughness;
+    look.reflectance = std::max(0.04 * material.coat, look.reflectance);
   }
   return look;
 }
@@ -218,7 +243,8 @@ TriangleRays::TriangleRays(const Scene& scene, const Models& models, SeenBy seen
   for (const PlacedMesh& each : placed) {
     const auto [look, added] = known.try_emplace(each.material);
     if (added) look->second = reflectingLook(each.material != nullptr ? *each.material : Material{}, scene);
-    looks_.push_back({static_cast<std::uint32_t>(triangles_), look->second.roughness, look->second.reflectance});
+    looks_.push_back({static_cast<std::uint32_t>(triangles_), look->second.roughness, look->second.reflectance,
+                      look->second.albedo});
     triangles_ += each.mesh->indices.size() / 3;
     positions += each.mesh->positions.size();
     bounds_ = united(bounds_, each.bounds);
@@ -293,7 +319,14 @@ std::optional<SurfaceHit> TriangleRays::first(const glm::dvec3& origin, const gl
   const auto after = std::upper_bound(looks_.begin(), looks_.end(), query.hit.primID,
                                       [](std::uint32_t id, const Look& look) { return id < look.firstTriangle; });
   const Look& look = *std::prev(after);
-  return SurfaceHit{query.ray.tfar, back, back ? -unit : unit, look.roughness, look.reflectance};
+  return SurfaceHit{query.ray.tfar, back, back ? -unit : unit, look.roughness, look.reflectance, look.albedo};
+}
+
+bool TriangleRays::between(const glm::dvec3& from, const glm::dvec3& to) const {
+  if (empty()) return false;
+  const glm::vec3 start(from - anchor_), way(to - from);
+  RTCRay ray{start.x, start.y, start.z, 0.0f, way.x, way.y, way.z, 0.0f, 1.0f, ~0u, 0u, 0u};
+  return occludedOne(structure_->scene, &ray);
 }
 
 }  // namespace boxprobe

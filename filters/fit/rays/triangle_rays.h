@@ -16,6 +16,7 @@ namespace boxprobe {
 enum class SeenBy {
   Eyes,    ///< every visible object
   Probes,  ///< what captures show: stand-ins too, neither what moves nor what is hidden from probes
+  Lamps,   ///< what throws their shadows: every visible object that does not move
 };
 
 /// Every triangle that is drawn and hides what is behind it, where the scene puts it. Left out: objects that are not
@@ -40,6 +41,8 @@ class TriangleRays : public SurfaceRays {
   const Box& core() const { return core_; }
 
   std::optional<SurfaceHit> first(const glm::dvec3& origin, const glm::dvec3& direction) const override;
+  /// Does any surface stand between two points?
+  bool between(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
   struct Structure;
@@ -50,6 +53,7 @@ class TriangleRays : public SurfaceRays {
   struct Look {
     std::uint32_t firstTriangle = 0;
     double roughness = 0.0, reflectance = 0.0;
+    glm::vec3 albedo{0.0f};
   };
   std::vector<Look> looks_;  ///< of one placed mesh after another
 };

@@ -24,7 +24,7 @@ constexpr double kFolded[9] = {
     0.298415518297304 / 4.0};
 
 struct LatticeRay {
-  glm::vec3 direction;         // unit, probe frame
+  glm::vec3 direction;  // unit, probe frame
   glm::vec3 directionWorld;
   std::array<float, 9> basis;  // of the direction in the world, with what is folded and the solid angle
 };
@@ -39,12 +39,7 @@ std::vector<LatticeRay> latticeRays(int count, const glm::mat3& worldFromProbe) 
     LatticeRay ray;
     ray.direction = glm::vec3(glm::dvec3(r * std::cos(phi), r * std::sin(phi), z));
     ray.directionWorld = glm::normalize(worldFromProbe * ray.direction);
-    const glm::dvec3 n(ray.directionWorld);
-    const double polynomials[9] = {
-        1.0, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0, n.x * n.z, n.x * n.x - n.y * n.y};
-    for (std::size_t k = 0; k < 9; ++k) {
-      ray.basis[k] = static_cast<float>(polynomials[k] * kFolded[k] * solidAngle);
-    }
+    ray.basis = latticeBasis(ray.directionWorld, solidAngle);
     rays.push_back(ray);
   }
   return rays;
@@ -64,6 +59,15 @@ float nodeAt(float low, float high, int i, int n) {
 }
 
 }  // namespace
+
+std::array<float, 9> latticeBasis(const glm::vec3& directionWorld, double solidAngle) {
+  const glm::dvec3 n(directionWorld);
+  const double polynomials[9] = {
+      1.0, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0, n.x * n.z, n.x * n.x - n.y * n.y};
+  std::array<float, 9> basis{};
+  for (std::size_t k = 0; k < 9; ++k) basis[k] = static_cast<float>(polynomials[k] * kFolded[k] * solidAngle);
+  return basis;
+}
 
 glm::vec4 DiffuseLattice::fetchLattice(const glm::vec3& place, int part) const {
   if (empty()) return glm::vec4(0.0f);
@@ -184,7 +188,8 @@ DiffuseLattice makeDiffuseLattice(const CubeMap& means, const shading::ProbeShap
       const float level = 0.5f * std::log2(std::max(patch, 1.0e-6f));
       const glm::vec4 seen = means.fetch(mapFromProbe * hit.direction, level);
       glm::vec3 light(seen);
-      if (sky != nullptr && seen.w < 1.0f) light += (1.0f - seen.w) * glm::vec3(sky->fetch(ray.directionWorld, skyLevel));
+      if (sky != nullptr && seen.w < 1.0f)
+        light += (1.0f - seen.w) * glm::vec3(sky->fetch(ray.directionWorld, skyLevel));
       for (std::size_t k = 0; k < 9; ++k) sums[k] += ray.basis[k] * light;
     }
     for (std::size_t i = 0; i < 4 * DiffuseLattice::kParts; ++i) {

@@ -4,6 +4,7 @@
 // what it is for: a lamp is seen too coarsely from its map. CPU only; knows no VTK.
 #pragma once
 
+#include <array>
 #include <glm/ext/vector_int3.hpp>
 #include <glm/mat3x3.hpp>
 #include <vector>
@@ -45,6 +46,9 @@ CubeMap plainMeans(const CubeMap& capture);
 
 /// As much of a capture's level 0 as a lattice needs: plain means of at most 128 texels along a face.
 CubeMap latticeCapture(const CubeMap& capture);
+
+/// What light of radiance 1 from a unit direction, world axes, adds to a node's nine coefficients.
+std::array<float, 9> latticeBasis(const glm::vec3& directionWorld, double solidAngle);
 
 /// `means`: plainMeans() of a capture. `probe`: its box and projection, as techniques use them. Rotations:
 /// `mapFromProbe` of the box's axes into the map's, `worldFromProbe` into the world's, whose normals

@@ -13,6 +13,12 @@ bool ProbeBinding::rotated() const {
                      [](const auto& probe) { return probe->geometry.rotated || probe->geometry.mapTurned; });
 }
 
+bool ProbeBinding::sights() const {
+  return !sightLights.empty() || std::any_of(probes.begin(), probes.end(), [](const auto& probe) {
+    return probe->sight && !probe->sight->lattice.empty();
+  });
+}
+
 bool ProbeBinding::bevelled() const {
   return std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return probe->geometry.bevelled; });
 }
@@ -145,6 +151,8 @@ std::string ProbeBinding::variantKey() const {
   }
   for (const int light : shadowLights) key += " L" + std::to_string(light);
   for (const int light : movingLights) key += " M" + std::to_string(light);
+  if (sights()) key += " v";
+  for (const int light : sightLights) key += " V" + std::to_string(light);
   return key;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "filters/core/geometry/lamp_sight.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/math/sampling/filter_lobe.h"
 #include "filters/math/technique/automatic.h"
@@ -22,14 +23,15 @@ struct DrawnProbe {
   std::shared_ptr<const ProbeMaps> maps;
   /// What `auto` goes by; null: by what was measured elsewhere.
   std::shared_ptr<const TechniqueErrors> errors;
-  bool open = false;               ///< the sky shows where the probe saw nothing, and there is such a place
-  ShCoefficients openSky{};        ///< its diffuse light that comes in there, to be added to the maps'
-  std::uint32_t shadowLights = 0;  ///< a bit for each light that asks for shadows and lies outside of its box
-  bool imported = false;           ///< from a picture, which may have no coverage
-  bool shapes = false;             ///< its diffuse light is its lamps' and a lattice's
-  std::vector<std::size_t> lamps;  ///< of the scene's, those drawn as shapes
-  PrefilterSettings prefilter;     ///< of its maps
-  bool realtime = false;           ///< its maps are made over and over
+  bool open = false;                        ///< the sky shows where the probe saw nothing, and there is such a place
+  ShCoefficients openSky{};                 ///< its diffuse light that comes in there, to be added to the maps'
+  std::uint32_t shadowLights = 0;           ///< a bit for each light that asks for shadows and lies outside of its box
+  bool imported = false;                    ///< from a picture, which may have no coverage
+  bool shapes = false;                      ///< its diffuse light is its lamps' and a lattice's
+  std::vector<std::size_t> lamps;           ///< of the scene's, those drawn as shapes
+  std::shared_ptr<const ProbeSight> sight;  ///< what is seen of those and of light sources; null: all, everywhere
+  PrefilterSettings prefilter;              ///< of its maps
+  bool realtime = false;                    ///< its maps are made over and over
   mutable std::shared_ptr<const DiffuseLattice> latticeBefore;  ///< the last it was drawn with (probe_lattice.h)
 };
 
@@ -52,6 +54,8 @@ struct ProbeBinding {
   float skyShare = 1.0f;      ///< beside `shares`
   /// Lights that a probe's coverage stands before, and those of them with maps of what moves; in the scene's order.
   std::vector<int> shadowLights, movingLights;
+  /// Light sources, in the scene's order, that some place of a probe's box does not see whole.
+  std::vector<int> sightLights;
   std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
   bool diffuse = true;      ///< false: the material is all metal
   bool shapes = false;      ///< some probe's diffuse light is its lamps' and a lattice's
@@ -60,6 +64,9 @@ struct ProbeBinding {
   /// up.
   bool lampLobes = false;
   float roughnessMin = 0.0f, roughnessMax = 1.0f;  ///< of the object
+
+  /// Are there shadows of lamps or light sources to look up?
+  bool sights() const;
 
   /// No probe has been captured yet, so that none gives a reflection: nothing is looked up. For captures alone.
   bool firstBounce = false;

@@ -22,6 +22,10 @@ LatticeSource latticeSource(const DrawState& state, const SceneLamps& lamps, con
   if (probe.open && state.resources.sky && state.resources.sky->openings) {
     source.sky = std::shared_ptr<const CubeMap>(state.resources.sky, &state.resources.sky->openings->reduced);
   }
+  // Not what is derived over and over, nor what the sky shows through, which rays know nothing of.
+  if (!state.resources.sightLines || probe.realtime || source.sky) return source;
+  source.traced = {state.resources.sightLines, g.originWorld, g.worldFromProbe,           g.mapFromProbe,
+                   state.resources.lamps,      probe.lamps,   state.resources.looseLights};
   return source;
 }
 

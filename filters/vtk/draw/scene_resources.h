@@ -10,11 +10,13 @@
 
 #include "filters/core/geometry/light_shadow.h"
 #include "filters/core/geometry/scene_lamps.h"
+#include "filters/core/geometry/sight_lines.h"
 #include "filters/math/sampling/filter_lobe.h"
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/maps/lattice_atlas.h"
 #include "filters/vtk/maps/probe_maps.h"
+#include "filters/vtk/maps/sight_atlas.h"
 
 namespace boxprobe {
 
@@ -43,8 +45,11 @@ struct SceneResources {
   std::shared_ptr<const SceneLamps> lamps;  ///< null unless they are drawn as shapes
   /// Filters levels of a chain from its level 0. Set by who captures; does nothing without a context.
   std::function<void(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings)> filterLevels;
-  bool latticesBeside = false;  ///< frames do not wait for lattices (draw/probe_lattice.h)
+  std::shared_ptr<const SightLines> sightLines;           ///< through the scene as it stands still; null: not traced
+  std::shared_ptr<const std::vector<Light>> looseLights;  ///< those that shine and are not counted with a lamp
+  bool latticesBeside = false;                            ///< frames do not wait for lattices (draw/probe_lattice.h)
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
+  std::shared_ptr<SightAtlas> sights = std::make_shared<SightAtlas>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
   std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about
   std::vector<MovingShadow> movingShadows;

@@ -209,8 +209,12 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     probe.lattice = probeLattice(*state_, drawn);
     if (drawn.maps && binding.lampFree(i)) probe.lampFree = onCpu(drawn.maps->lampFree.maps).get();
     if (probe.lattice || probe.lampFree != nullptr) {
-      for (const std::size_t lamp : drawn.lamps) probe.lamps.push_back(content_->lamps->lamps[lamp]);
+      for (const std::size_t lamp : drawn.lamps) {
+        probe.lamps.push_back(content_->lamps->lamps[lamp]);
+        if (drawn.sight) probe.lampChannels.push_back(drawn.sight->channelOfLamp(lamp));
+      }
     }
+    probe.sight = drawn.sight;
     in.probes.push_back(std::move(probe));
   }
   in.weights = binding.weights;
@@ -239,6 +243,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
     in.mirror = &look;
   }
   in.shadowLights = binding.shadowLights;
+  in.sightLights = binding.sightLights;
   in.movingMaps = movingMaps_;
   Explanation e = explainPixel(in);
   e.rendered = pixel.color;

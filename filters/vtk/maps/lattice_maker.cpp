@@ -40,9 +40,10 @@ struct LatticeWork {
     if (source.fewRays) settings.rays = kFewRays;
     const CubeMap capture = latticeCapture(radiance);
     const CubeMap sky = source.sky ? plainMeans(*source.sky) : CubeMap();
-    return std::make_shared<const DiffuseLattice>(
-        makeDiffuseLattice(plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps)),
-                           shape, source.mapFromProbe, source.worldFromProbe, settings, source.sky ? &sky : nullptr));
+    const CubeMap means = plainMeans(source.lamps.empty() ? capture : withoutLamps(capture, distance, source.lamps));
+    const DiffuseLattice projected = makeDiffuseLattice(means, shape, source.mapFromProbe, source.worldFromProbe,
+                                                        settings, source.sky ? &sky : nullptr);
+    return std::make_shared<const DiffuseLattice>(tracedLattice(projected, means, source.traced));
   }
 };
 
@@ -51,7 +52,7 @@ struct LatticeWork {
 bool LatticeSource::operator==(const LatticeSource& o) const {
   return boxMin == o.boxMin && boxMax == o.boxMax && mapFromProbe == o.mapFromProbe &&
          worldFromProbe == o.worldFromProbe && projection == o.projection && fewRays == o.fewRays && sky == o.sky &&
-         std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
+         traced == o.traced && std::equal(lamps.begin(), lamps.end(), o.lamps.begin(), o.lamps.end(), sameLamp);
 }
 
 void LatticeMaker::keep(LatticeSource source, Lattice lattice) {

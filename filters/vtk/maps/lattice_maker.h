@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "filters/core/geometry/probe_geometry.h"
+#include "filters/core/geometry/traced_lattice.h"
 #include "filters/math/cube/diffuse_lattice.h"
 #include "filters/vtk/gl/gl_objects.h"
 
@@ -19,6 +20,7 @@ struct LatticeSource {
   int projection = 0;              ///< row of the projection table
   bool fewRays = false;            ///< it is derived over and over
   std::vector<LampPolygon> lamps;  ///< those left out: relative to the capture origin, along the map's axes
+  LatticeSurroundings traced;      ///< what nodes see besides the capture; without lines: nothing
   std::shared_ptr<const CubeMap>
       sky;  ///< that shows through the capture's openings, along the world's axes; may be null
   bool operator==(const LatticeSource& o) const;

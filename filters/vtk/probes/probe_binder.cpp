@@ -192,17 +192,59 @@ void ProbeBinder::updateShadowLights() {
 // Which probes' diffuse light is that of lamps drawn as shapes and of a lattice, and of which lamps. Of pictures, whose
 // lamps are not known, the lattice alone.
 void ProbeBinder::updateLamps() {
-  const SceneLamps* lamps = with_.content->lamps.get();
+  const SceneContent& content = *with_.content;
+  std::vector<std::optional<SightTask>> tasks(probes_.size());
   for (std::size_t i = 0; i < probes_.size(); ++i) {
-    const Probe& probe = with_.content->scene.probes[i];
+    const Probe& probe = content.scene.probes[i];
     DrawnProbe& drawn = *probes_[i].drawn;
-    drawn.shapes = lamps != nullptr;
+    drawn.shapes = content.lamps != nullptr;
     drawn.prefilter = prefilterSettings(probe);
     drawn.realtime = probe.mode == ProbeMode::Realtime;
-    const bool known = drawn.shapes && probe.mode != ProbeMode::Custom;
-    drawn.lamps = known ? probeLamps(lamps->lamps, probe) : std::vector<std::size_t>();
     if (!drawn.shapes) drawn.latticeBefore.reset();
+    static const SceneLamps kNotKnown;
+    const bool known = probe.mode != ProbeMode::Custom;
+    if (drawn.shapes && content.sightLines) {
+      tasks[i] = sightTask(content.scene, known ? *content.lamps : kNotKnown, probe);
+    }
   }
+  sight_.ask(std::move(tasks), content.scene, content.given, content.sightLines);
+  showSight();
+}
+
+// What is known by now of what probes see of their lamps.
+void ProbeBinder::showSight() {
+  const SceneLamps* lamps = with_.content->lamps.get();
+  SceneResources& resources = with_.state->resources;
+  resources.sightLines = lamps != nullptr ? sight_.lines() : nullptr;
+  auto loose = std::make_shared<std::vector<Light>>();
+  for (std::size_t i = 0; lamps != nullptr && i < with_.content->scene.lights.size(); ++i) {
+    const bool counted = std::any_of(lamps->lamps.begin(), lamps->lamps.end(),
+                                     [i](const SceneLamp& lamp) { return lamp.light && *lamp.light == i; });
+    if (!counted) loose->push_back(with_.content->scene.lights[i]);
+  }
+  resources.looseLights = std::move(loose);
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
+    DrawnProbe& drawn = *probes_[i].drawn;
+    drawn.sight = drawn.shapes ? sight_.of(i) : nullptr;
+    const Probe& probe = with_.content->scene.probes[i];
+    const bool known = drawn.shapes && probe.mode != ProbeMode::Custom;
+    drawn.lamps = !known        ? std::vector<std::size_t>()
+                  : drawn.sight ? drawn.sight->lamps
+                                : probeLamps(lamps->lamps, probe);
+  }
+}
+
+bool ProbeBinder::makeSight() {
+  constexpr std::chrono::milliseconds kTurn(5);  // a window answers in between
+  if (!sight_.proceed(kTurn)) return false;
+  Counters& counters = with_.state->counts.counters;
+  for (const auto& sight : sight_.made()) {
+    ++counters.sightsTraced;
+    counters.sightRays += sight->rays;
+    counters.lampsSeenWhole += sight->unshadowed;
+  }
+  showSight();
+  return true;
 }
 
 void ProbeBinder::addTint(std::size_t index, const ProbeMaps& maps) const {
@@ -310,6 +352,12 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
                                    [](const auto& entry) { return entry.second.dynamic && entry.second.visible; });
     if (moves && scene.lights[light].shadows == LightShadows::CoverageAndMap)
       binding->movingLights.push_back(static_cast<int>(light));
+  }
+  for (std::size_t light = 0; light < scene.lights.size(); ++light) {
+    const bool hidden = std::any_of(binding->probes.begin(), binding->probes.end(), [&](const auto& probe) {
+      return probe->sight && probe->sight->channelOfSource(light) != kSeenByAll;
+    });
+    if (hidden) binding->sightLights.push_back(static_cast<int>(light));
   }
   if (object.settings.weights == WeightMode::Object && binding->weights && !order.empty()) {
     std::vector<float> weights;

@@ -15,6 +15,7 @@
 #include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/probes/probe_context.h"
 #include "filters/vtk/probes/probe_plan.h"
+#include "filters/vtk/probes/sight_work.h"
 
 namespace boxprobe {
 
@@ -108,6 +109,13 @@ class ProbeBinder {
   /// Adds to maps that are new what their coverage does not tell.
   void addTint(std::size_t index, const ProbeMaps& maps) const;
 
+  /// What is seen of lamps is traced, unless a box is dragged: captures wait for it.
+  void holdSight(bool held) { sight_.hold(held); }
+  bool sightPending() const { return sight_.pending(); }
+  /// Begins that or waits a little. True: probes see their lamps otherwise than before, and assign() follows. Throws
+  /// WorkError.
+  bool makeSight();
+
   // What a capture sees while it is drawn.
   /// Until seeAgain() every probe is drawn with the maps that `maps` has for it; null: it gives nothing.
   void see(const std::function<std::shared_ptr<const ProbeMaps>(std::size_t index)>& maps);
@@ -155,6 +163,7 @@ class ProbeBinder {
   ProbeGeometry geometry(std::size_t index, const ProbeMaps* maps) const;
   void updateShadowLights();
   void updateLamps();
+  void showSight();
   bool updateOpenings();
   bool errorsStale(std::size_t index) const;
   void recordUse();
@@ -163,6 +172,7 @@ class ProbeBinder {
   LevelNeeds needs_;
   std::vector<Shown> probes_;  ///< in the order of scene.probes
   ProbeIndex places_;          ///< of their influence boxes
+  SightWork sight_;
   std::uint64_t generation_ = 0;
   std::vector<Seen> windowSees_;              ///< put aside while a capture sees other maps
   std::shared_ptr<const ProbeMaps> skyKept_;  ///< put aside while a capture goes without

@@ -81,6 +81,7 @@ void ProbeSet::setInteractive(bool interactive) {
   if (plan_.interactive() == interactive) return;
   plan_.setInteractive(interactive);
   with_.state->setDragging(interactive);
+  binder_.holdSight(interactive);
   binder_.assign(true);
   baker_.replan();
 }
@@ -172,6 +173,11 @@ void ProbeSet::step() {
 
 void ProbeSet::doOne() {
   if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return giveUp();
+  // Before anything is captured, which their shadows are part of.
+  if (sightPending()) {
+    if (binder_.makeSight()) binder_.assign();
+    return;
+  }
   // First, because what is drawn meanwhile shows too little of a blur.
   if (levelsPending()) return makeLevel();
   if (baker_.step()) return;

@@ -73,8 +73,8 @@ class ProbeSet {
   bool followsSeen() const { return plan_.enabled() && plan_.targets().empty(); }
 
   bool workPending() const {
-    return baker_.pending() || levelsPending() || latticePending() != nullptr || toMeasure().has_value() ||
-           (with_.state->tuning != nullptr && tuning_.pending());
+    return sightPending() || baker_.pending() || levelsPending() || latticePending() != nullptr ||
+           toMeasure().has_value() || (with_.state->tuning != nullptr && tuning_.pending());
   }
   void step();
   /// From 0 to 1, of all that was planned since there last was nothing to do; below 1 while anything is pending.
@@ -91,6 +91,7 @@ class ProbeSet {
 
  private:
   std::optional<std::size_t> toMeasure() const;
+  bool sightPending() const { return plan_.enabled() && binder_.sightPending(); }
   /// Not while a handle is dragged, which is to change uniforms and no more: what it newly lights shows plain means of
   /// the capture until it is let go.
   bool levelsPending() const { return !plan_.interactive() && binder_.needs().lacking(); }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "filters/core/geometry/scene_lamps.h"
+#include "filters/core/geometry/sight_lines.h"
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
 #include "filters/vtk/scene/model_actors.h"
@@ -30,6 +31,7 @@ struct SceneContent {
   vtkNew<vtkSkyProp> sky;
   vtkSkyProp* skyLight = nullptr;              ///< what lights in its place; null: it does
   std::shared_ptr<const SceneLamps> lamps;     ///< null unless they are drawn as shapes
+  SightLinesMaker sightLines;                  ///< traces what hides lamps; null: nothing does
   std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
   std::size_t skyTexelsNotFinite = 0;          ///< of that image; they were set to 0
 

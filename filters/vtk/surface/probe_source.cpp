@@ -154,15 +154,18 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   replaceOnce(lighting, "//BP::Slots",
               techniqueSources(binding, debug) + parameterDeclarations(binding) +
                   perSlot(shaderSource("gpu/probe_slot.glsl"), binding));
-  const bool lattice = binding.shapes && binding.diffuse;
+  const bool lattice = binding.shapes && binding.diffuse, sights = binding.sights();
   replaceOnce(lighting, "//BP::Lattice",
-              lattice
-                  ? joinShaderSources({"shared/lattice_types.glsl", "gpu/fetch_lattice.glsl", "shared/lattice.glsl"})
-                  : std::string());
+              (lattice || sights ? joinShaderSources({"shared/lattice_types.glsl"}) : std::string()) +
+                  (lattice ? joinShaderSources({"gpu/fetch_lattice.glsl", "shared/lattice.glsl"}) : std::string()));
   replaceOnce(lighting, "//BP::LampFree",
               binding.lampLobes ? joinShaderSources({"shared/lobe_frame.glsl", "shared/lamp_types.glsl",
                                                      "shared/lamp_fade.glsl", "gpu/lamp_free.glsl"})
                                 : std::string());
+  replaceOnce(lighting, "//BP::Sights",
+              sights ? "#define BP_SIGHT_LIGHTS " + std::to_string(binding.sightLights.size()) + "\n" +
+                           joinShaderSources({"shared/sight.glsl", "gpu/sight.glsl"})
+                     : std::string());
   std::string lamps;
   if (binding.lampsDrawn()) {
     lamps = "#define BP_LAMPS " + std::to_string(ProbeBinding::kMaxLampsPerDraw) + "\n" +
@@ -187,7 +190,8 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          define("BP_ONLY_PROBES", binding.onlyProbes) + define("BP_SKY", binding.sky) +
          define("BP_DIFFUSE", binding.diffuse) + define("BP_LATTICE", lattice) +
          define("BP_LAMP_SHAPES", lattice && binding.lamps) + define("BP_LAMP_LOBES", binding.lampLobes) +
-         define("BP_DEBUG", debug) + define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
+         define("BP_SIGHTS", sights) + define("BP_DEBUG", debug) +
+         define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
          (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +

@@ -168,6 +168,16 @@ std::size_t pairLamps(const std::vector<SceneLamp>& lamps, std::vector<std::size
   return firsts.size();
 }
 
+// Where the visibility of a lamp stands in each slot's lattice.
+glm::vec4 lampChannels(const ProbeBinding& binding, std::size_t lamp) {
+  glm::vec4 channels(static_cast<float>(kSeenByAll));
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) {
+    const auto& sight = binding.probes[i]->sight;
+    if (sight) channels[static_cast<int>(i)] = static_cast<float>(sight->channelOfLamp(lamp));
+  }
+  return channels;
+}
+
 // Of each slot its lattice; with that, and where nothing is captured yet, its lamps as shapes. Where maps show no
 // lamps, so that reflections need them, those as well.
 void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
@@ -215,14 +225,13 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   constexpr std::size_t kLamps = ProbeBinding::kMaxLampsPerDraw, kCorners = shading::kLampCorners;
   std::array<glm::vec3, kLamps * kCorners> corners{};
   std::array<glm::vec3, kLamps> light{};
-  std::array<glm::vec4, kLamps> slots{};
+  std::array<glm::vec4, kLamps> slots{}, channels{};
   std::array<int, kLamps> shape{}, other{};
   shape[0] = 3;  // the loop has one turn at least: of a lamp that is a point and gives nothing
   std::vector<std::size_t> drawn;
   for (const auto& entry : lampOf) {
     if (drawn.size() < kLamps) drawn.push_back(entry.first);
   }
-  const bool first = state.pass().firstBounce;
   const std::size_t turns = pairLamps(lamps->lamps, drawn, other.data());
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     const SceneLamp& lamp = lamps->lamps[drawn[k]];
@@ -230,7 +239,8 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     std::copy(polygon.corners.begin(), polygon.corners.end(), corners.begin() + static_cast<long>(k * kCorners));
     shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
     light[k] = glm::vec3(lamp.radiance);
-    slots[k] = first ? glm::vec4(0.0f) : lampOf[drawn[k]];
+    slots[k] = lampOf[drawn[k]];
+    channels[k] = lampChannels(binding, drawn[k]);
   }
   const std::size_t used = std::max<std::size_t>(drawn.size(), 1);
   if (binding.lampLobes) {
@@ -240,13 +250,59 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     });
     to.program->SetUniformf("bpLampColors", several ? 1.0f : 0.0f);
   }
-  to.program->SetUniformf("bpLampLeast", first && !drawn.empty() ? 1.0f : 0.0f);
+  to.program->SetUniformf("bpLampsWhole", state.pass().firstBounce ? 1.0f : 0.0f);
   to.program->SetUniformi("bpLampCount", static_cast<int>(turns));
   to.program->SetUniform1iv("bpLampOther", static_cast<int>(used), other.data());
   vectors("bpLampCorner", corners.data(), used * kCorners);
   vectors("bpLampLight", light.data(), used);
   to.program->SetUniform1iv("bpLampShape", static_cast<int>(used), shape.data());
   to.program->SetUniform4fv("bpLampOf", static_cast<int>(used), reinterpret_cast<const float(*)[4]>(&slots[0].x));
+  if (!binding.sights()) return;
+  to.program->SetUniform4fv("bpLampChannel", static_cast<int>(used),
+                            reinterpret_cast<const float(*)[4]>(&channels[0].x));
+}
+
+// Of each slot its lattice of visibilities, and where those of light sources stand.
+void uploadSights(const UniformUpload& to, DrawState& state, const ProbeBinding& binding) {
+  const std::size_t count = binding.probes.size();
+  PerSlot<glm::vec3> at{}, low{}, perUnit{}, last{};
+  PerSlot<int> parts{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const DrawnProbe& probe = *binding.probes[i];
+    const auto place = state.resources.sights->place(probe.sight);
+    if (!place) continue;
+    const shading::LatticeShape shape = sightShape(*probe.sight, probe.geometry);
+    at[i] = *place;
+    low[i] = shape.low;
+    perUnit[i] = shape.perUnit;
+    last[i] = shape.last;
+    parts[i] = probe.sight->lattice.parts();
+  }
+  const auto vectors = [&](const char* name, const PerSlot<glm::vec3>& values) {
+    to.program->SetUniform3fv(name, static_cast<int>(count), reinterpret_cast<const float(*)[3]>(&values[0].x));
+  };
+  vectors("bpSightAt", at);
+  vectors("bpSightLow", low);
+  vectors("bpSightPerUnit", perUnit);
+  vectors("bpSightLast", last);
+  to.program->SetUniform1iv("bpSightParts", static_cast<int>(count), parts.data());
+  to.texture("bpSights", GL_TEXTURE_3D, state.resources.sights->handle());
+  const glm::vec3 texel = state.resources.sights->texelSize();
+  to.program->SetUniform3f("bpSightTexel", &texel.x);
+  std::vector<glm::vec4> channels;
+  for (const int light : binding.sightLights) {
+    glm::vec4 of(static_cast<float>(kSeenByAll));
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& sight = binding.probes[i]->sight;
+      if (sight) {
+        of[static_cast<int>(i)] = static_cast<float>(sight->channelOfSource(static_cast<std::size_t>(light)));
+      }
+    }
+    channels.push_back(of);
+  }
+  if (channels.empty()) return;
+  to.program->SetUniform4fv("bpSightChannel", static_cast<int>(channels.size()),
+                            reinterpret_cast<const float(*)[4]>(&channels[0].x));
 }
 
 void uploadOrigins(const UniformUpload& to, const ProbeBinding& binding) {
@@ -315,6 +371,7 @@ void uploadSlots(const UniformUpload& to, DrawState& state, const ProbeBinding& 
   if (binding.distances() && !binding.firstBounce) uploadRelief(to, state, binding);
   if (!binding.firstBounce) uploadSampling(to, state, binding);
   if (binding.shapes && (binding.diffuse || binding.lampLobes)) uploadLampsAndLattices(to, state, binding);
+  if (binding.sights()) uploadSights(to, state, binding);
   uploadOrigins(to, binding);
 }
 

@@ -86,6 +86,17 @@ void applyCoverage(std::string& text, const ProbeBinding& binding, bool position
   }
 }
 
+// Each light source that a probe's nodes do not see whole, times what is seen of it. None of them asks for coverage.
+void applySights(std::string& text, const ProbeBinding& binding, bool positional, AnchorEdits& edits) {
+  for (std::size_t k = 0; k < binding.sightLights.size(); ++k) {
+    const std::string n = std::to_string(binding.sightLights[k]);
+    const std::string radiance = "radiance = lightColor" + n + (positional ? " * attenuation;" : ";");
+    edits.replace(text, "light's visibility",
+                  {{radiance, radiance + (k == 0 ? "\n  bpFindLightSights(vertexVC.xyz, N);" : "") +
+                                  "\n  radiance *= bpLightSeen(" + std::to_string(k) + ");"}});
+  }
+}
+
 void spliceVertices(ShaderSources& sources, const SurfaceMaterial& surface, AnchorEdits& edits) {
   const bool edges = !sources.geometry.empty();
   const std::string out = edges ? "V" : "F";
@@ -142,6 +153,7 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
   }
   if (program.probes()) {
     applyCoverage(text, program.binding, lights.positional, edits);
+    applySights(text, program.binding, lights.positional, edits);
     applyAnchors(text, lightingAnchors(), coat, edits);
   }
   if (program.surface != nullptr) {

@@ -1,0 +1,216 @@
+#include "filters/core/geometry/traced_lattice.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "filters/math/shared/shared_math.h"
+
+namespace boxprobe {
+
+namespace {
+
+constexpr double kTracePi = 3.14159265358979323846;
+// A node that sees more backs than this, of all it sees, is within something.
+constexpr double kMostBacks = 0.3;
+// Rays of all nodes together; more nodes have fewer each.
+constexpr int kRaysOfAll = 1 << 18, kFewestRays = 128;
+
+class NodeTracer {
+ public:
+  NodeTracer(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in, int rays)
+      : base_(base), means_(means), in_(in) {
+    const auto count = static_cast<int>(base.texels.size() / DiffuseLattice::kParts);
+    rays_ = std::clamp(kRaysOfAll / std::max(count, 1), std::min(kFewestRays, rays), rays);
+    const glm::vec3 size = base.high - base.low;
+    margin_ = 3.0e-4 * static_cast<double>(std::max({size.x, size.y, size.z}));
+    far_ = 1.0e4 * static_cast<double>(std::max({size.x, size.y, size.z}));
+    // The lattice's box: its nodes are 0.15 within, at most a quarter of it (LatticeSettings::inset).
+    const glm::vec3 inset = glm::min(glm::vec3(0.15f), 0.5f * size);
+    low_ = base.low - inset;
+    high_ = base.high + inset;
+    for (const std::size_t lamp : in.drawn) {
+      polygons_.push_back(lampPolygon(in.lamps->lamps[lamp], in.originWorld));
+    }
+    const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+    for (int i = 0; i < rays_; ++i) {
+      const double z = 1.0 - (2.0 * i + 1.0) / rays_, phi = 2.0 * kTracePi * (i * golden - std::floor(i * golden));
+      const double r = std::sqrt(std::max(1.0 - z * z, 0.0));
+      directions_.push_back(glm::normalize(in.worldFromProbe * glm::dvec3(r * std::cos(phi), r * std::sin(phi), z)));
+      basis_.push_back(latticeBasis(glm::vec3(directions_.back()), 4.0 * kTracePi / rays_));
+    }
+    const auto side = static_cast<double>(means.faceSize());
+    texelsPerRay_ = 6.0 * side * side / rays_;
+  }
+
+  // False: the node lies within something.
+  bool trace(const glm::vec3& place, std::array<glm::vec3, 9>& sums) const {
+    const glm::dvec3 from = in_.originWorld + in_.worldFromProbe * glm::dvec3(place);
+    int met = 0, backs = 0;
+    for (std::size_t i = 0; i < directions_.size(); ++i) {
+      const auto hit = in_.lines->first(from, directions_[i]);
+      met += hit ? 1 : 0;
+      backs += hit && hit->back ? 1 : 0;
+      const glm::vec3 light = hit ? ofSurface(from, directions_[i], *hit) : ofMap(directions_[i], texelsPerRay_);
+      for (std::size_t k = 0; k < 9; ++k) sums[k] += basis_[i][k] * light;
+    }
+    return backs <= kMostBacks * met;
+  }
+
+ private:
+  glm::vec3 ofMap(const glm::dvec3& directionWorld, double texels) const {
+    const glm::dvec3 inMap = in_.mapFromProbe * (glm::transpose(in_.worldFromProbe) * directionWorld);
+    return glm::vec3(means_.fetch(glm::vec3(inMap), static_cast<float>(0.5 * std::log2(std::max(texels, 1.0e-6)))));
+  }
+
+  glm::vec3 ofSurface(const glm::dvec3& from, const glm::dvec3& direction, const SightLines::Met& hit) const {
+    const glm::dvec3 at = from + hit.distance * direction, off = at + margin_ * hit.normal, way = at - in_.originWorld;
+    const double length = glm::length(way);
+    if (length > 0.0 && glm::dot(way, hit.normal) < 0.0 && !in_.lines->blocked(in_.originWorld, off, true)) {
+      const double towards = std::max(-glm::dot(hit.normal, direction), 0.05);
+      const double seen = -glm::dot(hit.normal, way) / length, ratio = hit.distance / length;
+      return ofMap(way / length, texelsPerRay_ * ratio * ratio * seen / towards);
+    }
+    if (const auto seen = throughOpening(from, direction, hit.distance)) return ofMap(*seen, texelsPerRay_);
+    return hit.albedo * arriving(off, hit.normal);
+  }
+
+  // Of a ray that leaves the box, through a door: towards where it does, if the origin sees that. Its map has the next
+  // room's light there, which nothing else here knows.
+  std::optional<glm::dvec3> throughOpening(const glm::dvec3& from, const glm::dvec3& direction, double distance) const {
+    const glm::dmat3 probeFromWorld = glm::transpose(in_.worldFromProbe);
+    const glm::dvec3 start = probeFromWorld * (from - in_.originWorld), along = probeFromWorld * direction;
+    double leaves = 1.0e300;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(along[axis]) < 1.0e-9) continue;
+      const auto side = static_cast<double>(along[axis] > 0.0 ? high_[axis] : low_[axis]);
+      leaves = std::min(leaves, (side - start[axis]) / along[axis]);
+    }
+    if (!(leaves > 0.0) || distance < leaves + 20.0 * margin_) return std::nullopt;
+    const glm::dvec3 at = from + leaves * direction, way = at - in_.originWorld;
+    const double length = glm::length(way);
+    if (!(length > 0.0) || in_.lines->blocked(in_.originWorld, at, true)) return std::nullopt;
+    return way / length;
+  }
+
+  // Irradiance over pi at a place that the capture origin does not see.
+  glm::vec3 arriving(const glm::dvec3& at, const glm::dvec3& normal) const {
+    const glm::vec3 n(normal), position(at - in_.originWorld);
+    const glm::vec3 inProbe(glm::transpose(in_.worldFromProbe) * (at - in_.originWorld));
+    glm::vec3 sum = glm::max(shading::latticeIrradiance(base_.shape(), inProbe, n), glm::vec3(0.0f));
+    for (std::size_t i = 0; i < polygons_.size(); ++i) {
+      const float share = shading::lampDiffuse(&polygons_[i], position, n);
+      if (share <= 1.0e-6f) continue;
+      const SceneLamp& lamp = in_.lamps->lamps[in_.drawn[i]];
+      const glm::dvec3 to = lamp.middle + (at - lamp.middle) * 1.0e-3;
+      if (!in_.lines->blocked(at, to, true)) sum += share * glm::vec3(lamp.radiance);
+    }
+    static const std::vector<Light> kNone;
+    for (const Light& light : in_.lights ? *in_.lights : kNone) {
+      const bool sun = light.type == LightType::Directional;
+      const glm::dvec3 way = sun ? -glm::normalize(light.direction) * far_ : light.position - at;
+      const double distance = std::max(glm::length(way), 1.0e-9), cosine = glm::dot(way, normal) / distance;
+      if (cosine <= 0.0) continue;
+      double falls = 1.0;
+      if (!sun) {
+        const auto perRange = static_cast<float>(light.range > 0.0 ? 1.0 / light.range : 0.0);
+        falls = static_cast<double>(shading::distanceFalloff(static_cast<float>(distance), perRange));
+        if (light.type == LightType::Spot) {
+          const auto cosineOf = [](double degrees) { return static_cast<float>(std::cos(glm::radians(degrees))); };
+          const auto axis = static_cast<float>(-glm::dot(way / distance, glm::normalize(light.direction)));
+          falls *= static_cast<double>(
+              shading::coneFalloff(axis, cosineOf(light.outerConeDegrees), cosineOf(light.innerConeDegrees)));
+        }
+      }
+      if (falls <= 0.0 || in_.lines->blocked(at, at + 0.999 * way, false)) continue;
+      sum += static_cast<float>(falls * cosine / kTracePi) * light.intensity * light.color;
+    }
+    return sum;
+  }
+
+  const DiffuseLattice& base_;
+  const CubeMap& means_;
+  const LatticeSurroundings& in_;
+  int rays_ = 0;
+  double margin_ = 0.0, far_ = 0.0, texelsPerRay_ = 1.0;
+  glm::vec3 low_{0.0f}, high_{0.0f};    // of the box, probe frame
+  std::vector<LampPolygon> polygons_;   // relative to the capture origin, world axes
+  std::vector<glm::dvec3> directions_;  // world
+  std::vector<std::array<float, 9>> basis_;
+};
+
+// Nodes that are not known take the mean of those around them that are, layer by layer; all as they were if none is.
+void fillNodes(DiffuseLattice& lattice, std::vector<char> known) {
+  const glm::ivec3 n = lattice.nodes;
+  const std::size_t count = known.size();
+  for (bool more = true; more;) {
+    more = false;
+    std::vector<char> next = known;
+    for (std::size_t node = 0; node < count; ++node) {
+      if (known[node] != 0) continue;
+      const auto i = static_cast<int>(node);
+      const glm::ivec3 p(i % n.x, i / n.x % n.y, i / (n.x * n.y));
+      std::array<glm::vec4, DiffuseLattice::kParts> sum{};
+      float weight = 0.0f;
+      for (int k = 0; k < 27; ++k) {
+        const glm::ivec3 step(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1), q = p + step;
+        if (q.x < 0 || q.y < 0 || q.z < 0 || q.x >= n.x || q.y >= n.y || q.z >= n.z) continue;
+        const auto other = static_cast<std::size_t>((q.z * n.y + q.y) * n.x + q.x);
+        if (known[other] == 0) continue;
+        const float w = 1.0f / static_cast<float>(std::abs(step.x) + std::abs(step.y) + std::abs(step.z));
+        for (std::size_t part = 0; part < sum.size(); ++part) sum[part] += w * lattice.texels[part * count + other];
+        weight += w;
+      }
+      if (weight <= 0.0f) continue;
+      for (std::size_t part = 0; part < sum.size(); ++part) lattice.texels[part * count + node] = sum[part] / weight;
+      next[node] = 1;
+      more = true;
+    }
+    known.swap(next);
+  }
+}
+
+}  // namespace
+
+bool LatticeSurroundings::operator==(const LatticeSurroundings& o) const {
+  if (lines != o.lines || originWorld != o.originWorld || worldFromProbe != o.worldFromProbe ||
+      mapFromProbe != o.mapFromProbe || drawn.size() != o.drawn.size()) {
+    return false;
+  }
+  if (lights != o.lights && !(lights && o.lights && *lights == *o.lights)) return false;
+  if (lamps == o.lamps) return drawn == o.drawn;
+  return std::equal(drawn.begin(), drawn.end(), o.drawn.begin(), [&](std::size_t i, std::size_t k) {
+    const SceneLamp &a = lamps->lamps[i], &b = o.lamps->lamps[k];
+    return a.corners == b.corners && a.radiance == b.radiance && a.bothSides == b.bothSides;
+  });
+}
+
+DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,
+                             int rays) {
+  DiffuseLattice lattice = base;
+  if (base.empty() || means.empty() || !in.lines || in.lines->empty()) return lattice;
+  const NodeTracer tracer(base, means, in, std::max(rays, 1));
+  const std::size_t count = base.texels.size() / DiffuseLattice::kParts;
+  std::vector<char> known(count, 1);
+  const glm::vec3 step = (base.high - base.low) / glm::vec3(base.nodes - 1);
+  tbb::parallel_for(std::size_t(0), count, [&](std::size_t node) {
+    const auto i = static_cast<int>(node);
+    const glm::ivec3 p(i % base.nodes.x, i / base.nodes.x % base.nodes.y, i / (base.nodes.x * base.nodes.y));
+    std::array<glm::vec3, 9> sums{};
+    known[node] = tracer.trace(base.low + glm::vec3(p) * step, sums) ? 1 : 0;
+    for (std::size_t k = 0; k < 4 * DiffuseLattice::kParts; ++k) {
+      lattice.texels[(k / 4) * count + node][static_cast<int>(k % 4)] =
+          k < 27 ? sums[k / 3][static_cast<int>(k % 3)] : 0.0f;
+    }
+  });
+  // Where hardly a node is known, fronts and backs mean nothing in this scene.
+  if (4 * static_cast<std::size_t>(std::count(known.begin(), known.end(), 1)) >= count) fillNodes(lattice, known);
+  return lattice;
+}
+
+}  // namespace boxprobe

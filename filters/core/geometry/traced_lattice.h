@@ -1,0 +1,34 @@
+// A probe's lattice of diffuse light whose nodes see what stands in the box: their rays are traced in the scene, where
+// makeDiffuseLattice (filters/math/cube/diffuse_lattice.h) has the probe's projection alone. Deterministic; called
+// where lattices are derived, on any thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "filters/core/geometry/scene_lamps.h"
+#include "filters/core/geometry/sight_lines.h"
+#include "filters/math/cube/diffuse_lattice.h"
+
+namespace boxprobe {
+
+/// What a lattice is traced in. Equal ones give the same lattice.
+struct LatticeSurroundings {
+  std::shared_ptr<const SightLines> lines;  ///< null: nothing is traced
+  glm::dvec3 originWorld{0.0};              ///< where the map was captured
+  glm::dmat3 worldFromProbe{1.0};           ///< rotations
+  glm::dmat3 mapFromProbe{1.0};
+  std::shared_ptr<const SceneLamps> lamps;  ///< of the scene
+  std::vector<std::size_t> drawn;           ///< those of them that are drawn as shapes, and left out of the map
+  std::shared_ptr<const std::vector<Light>> lights;  ///< those that shine and are not counted with a lamp; may be null
+  bool operator==(const LatticeSurroundings& o) const;
+};
+
+/// `base`: the lattice by projection, whose nodes and format this has. What the capture origin sees of a ray's end is
+/// looked up in `means` (plainMeans() of the capture without lamps). What it does not see scatters, by the mean albedo
+/// of its material, the light of lamps and light sources that reach it and the light that `base` has there. Nodes
+/// within things take the mean of their neighbours.
+DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,
+                             int rays = 1024);
+
+}  // namespace boxprobe

@@ -1,0 +1,137 @@
+#include "filters/vtk/probes/sight_work.h"
+
+#include <algorithm>
+
+namespace boxprobe {
+
+namespace {
+
+// Bytes and time of all probes together stay bounded.
+constexpr int kMostNodesOfAll = 8'000'000, kFewestNodes = 1000;
+
+}  // namespace
+
+void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& scene, const Models& models,
+                    const SightLinesMaker& lines) {
+  Surroundings surroundings;
+  const bool any = lines && std::any_of(tasks.begin(), tasks.end(), [](const auto& task) {
+                     return task && !(task->lamps.empty() && task->sources.empty());
+                   });
+  if (any) {
+    surroundings.models = models;
+    surroundings.files = scene.models;
+    for (const auto& [node, object] : scene.objects) {
+      ObjectOverride placed;
+      placed.visible = object.visible;
+      placed.dynamic = object.dynamic;
+      placed.translation = object.translation;
+      placed.rotationDegrees = object.rotationDegrees;
+      if (!(placed == ObjectOverride{})) surroundings.objects.emplace(node, placed);
+    }
+    for (const auto& model : models) {
+      for (const Material& material : model->materials) {
+        const auto found = scene.materials.find(material.name);
+        if (found == scene.materials.end() || !found->second.emissive) continue;
+        const bool shines = *found->second.emissive != glm::vec3(0.0f);
+        if (shines != (material.emissive != glm::vec3(0.0f))) surroundings.shining[material.name] = shines;
+      }
+    }
+  } else {
+    for (auto& task : tasks) task.reset();
+  }
+  const bool same = surroundings == surroundings_;
+  std::vector<Known> known(tasks.size());
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    Known& now = known[i];
+    now.task = std::move(tasks[i]);
+    if (!now.task) {
+      now.current = true;
+      continue;
+    }
+    const auto equal = std::find_if(known_.begin(), known_.end(), [&](const Known& before) {
+      return before.sight && before.task && *before.task == *now.task;
+    });
+    if (equal != known_.end()) {
+      now.sight = equal->sight;
+      now.current = same && equal->current;
+    } else if (i < known_.size() && known_[i].task && known_[i].task->lamps == now.task->lamps &&
+               known_[i].task->sources == now.task->sources) {
+      now.sight = known_[i].sight;
+    }
+  }
+  const bool wanted = std::any_of(known.begin(), known.end(), [](const Known& k) { return !k.current; });
+  const bool unchanged = same && known.size() == known_.size() &&
+                         std::equal(known.begin(), known.end(), known_.begin(), [](const Known& a, const Known& b) {
+                           return a.task == b.task && a.current == b.current;
+                         });
+  known_ = std::move(known);
+  if (unchanged && open_ == wanted) return;  // what runs is still what is asked for
+  cancel();
+  if (!same) lines_.reset();
+  surroundings_ = std::move(surroundings);
+  open_ = wanted;
+  maker_ = lines;
+  scene_ = wanted ? std::make_shared<const Scene>(scene) : nullptr;
+}
+
+SightWork::~SightWork() {
+  cancel();
+  for (const auto& ending : ending_) ending.wait();
+}
+
+void SightWork::cancel() {
+  if (!running_.valid()) return;
+  *cancelled_ = true;
+  ending_.push_back(std::move(running_));
+}
+
+void SightWork::start() {
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  std::vector<std::optional<SightTask>> tasks;
+  int count = 0;
+  for (const Known& known : known_) {
+    tasks.push_back(known.current ? std::nullopt : known.task);
+    count += known.task ? 1 : 0;
+  }
+  SightSettings settings;
+  settings.mostNodes = std::clamp(kMostNodesOfAll / std::max(count, 1), kFewestNodes, settings.mostNodes);
+  running_ = std::async(std::launch::async, [tasks = std::move(tasks), scene = scene_, models = surroundings_.models,
+                                             maker = maker_, lines = lines_, cancelled = cancelled_, settings] {
+    Done done{lines, {}};
+    done.sights.resize(tasks.size());
+    if (!done.lines) done.lines = maker(*scene, models);
+    for (std::size_t i = 0; i < tasks.size() && !*cancelled; ++i) {
+      if (!tasks[i]) continue;
+      done.sights[i] = std::make_shared<const ProbeSight>(probeSight(*done.lines, *tasks[i], *cancelled, settings));
+    }
+    return done;
+  });
+}
+
+bool SightWork::proceed(std::chrono::milliseconds wait) {
+  if (!pending()) return false;
+  while (!ending_.empty()) {
+    if (ending_.back().wait_for(wait) != std::future_status::ready) return false;
+    ending_.pop_back();
+  }
+  if (!running_.valid()) start();
+  if (running_.wait_for(wait) != std::future_status::ready) return false;
+  open_ = false;
+  for (Known& known : known_) known.current = true;
+  const Done done = running_.get();
+  lines_ = done.lines;
+  made_.clear();
+  for (std::size_t i = 0; i < known_.size() && i < done.sights.size(); ++i) {
+    if (!done.sights[i]) continue;
+    known_[i].sight = done.sights[i];
+    made_.push_back(done.sights[i]);
+  }
+  scene_.reset();
+  return true;
+}
+
+std::shared_ptr<const ProbeSight> SightWork::of(std::size_t probe) const {
+  return probe < known_.size() ? known_[probe].sight : nullptr;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,83 @@
+// Tracing of what probes see of their lamps (filters/core/geometry/lamp_sight.h), beside everything else: in a thread
+// of its own, again only for what has changed. Called by ProbeLight; OpenGL is not.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "filters/core/geometry/lamp_sight.h"
+
+namespace boxprobe {
+
+class SightWork {
+ public:
+  using Models = std::vector<std::shared_ptr<const Model>>;
+
+  SightWork() = default;
+  ~SightWork();
+  SightWork(const SightWork&) = delete;
+  SightWork& operator=(const SightWork&) = delete;
+
+  /// What is to be known from now on: a task for each probe, nothing for those that need none. `lines` traces; null:
+  /// nothing is. What is known already is kept.
+  void ask(std::vector<std::optional<SightTask>> tasks, const Scene& scene, const Models& models,
+           const SightLinesMaker& lines);
+  /// While a box is dragged nothing is begun.
+  void hold(bool held) { held_ = held; }
+  /// Is something asked for that is not known?
+  bool pending() const { return !held_ && open_; }
+  /// Begins what is asked for, or waits a little for it. True: more is known than before. Throws WorkError, after which
+  /// it counts as known.
+  bool proceed(std::chrono::milliseconds wait);
+  /// Of the last proceed() that returned true: the probes traced.
+  const std::vector<std::shared_ptr<const ProbeSight>>& made() const { return made_; }
+  /// Of a probe: what it sees, or what it saw of the same lamps before its box or the scene was changed; null: not
+  /// known yet.
+  std::shared_ptr<const ProbeSight> of(std::size_t probe) const;
+  /// Through the scene that was asked for last; null: not known yet, or nothing is to be traced.
+  const std::shared_ptr<const SightLines>& lines() const { return lines_; }
+  /// What runs ends soon; nothing begins before it has.
+  void cancel();
+
+ private:
+  // What rays can meet: two that are equal need one tracer.
+  struct Surroundings {
+    Models models;
+    std::vector<ModelFile> files;
+    std::map<std::string, ObjectOverride> objects;
+    std::map<std::string, bool> shining;  ///< of materials whose emission is another than the file's
+    bool operator==(const Surroundings& o) const {
+      return models == o.models && files == o.files && objects == o.objects && shining == o.shining;
+    }
+  };
+  struct Known {
+    std::optional<SightTask> task;
+    std::shared_ptr<const ProbeSight> sight;
+    bool current = false;  ///< of the task and the surroundings that are asked for
+  };
+  struct Done {
+    std::shared_ptr<const SightLines> lines;
+    std::vector<std::shared_ptr<const ProbeSight>> sights;  ///< null: not asked
+  };
+
+  void start();
+
+  std::vector<Known> known_;  ///< of each probe
+  Surroundings surroundings_;
+  std::shared_ptr<const Scene> scene_;
+  SightLinesMaker maker_;
+  std::shared_ptr<const SightLines> lines_;  ///< of the surroundings; null: not built yet
+  bool held_ = false, open_ = false;
+  std::vector<std::shared_ptr<const ProbeSight>> made_;
+  std::future<Done> running_;
+  std::shared_ptr<std::atomic<bool>> cancelled_;
+  std::vector<std::future<Done>> ending_;  ///< cancelled ones, which nobody waits for while there is something to draw
+};
+
+}  // namespace boxprobe
