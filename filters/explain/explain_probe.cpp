@@ -181,8 +181,8 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
       for (std::size_t i = 0; i < probe.lamps.size(); ++i) {
         const SceneLamp& lamp = probe.lamps[i];
         const LampPolygon polygon = lampPolygon(lamp, s.eyeWorld);
-        const float seen = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
-        const glm::vec2 lit = seen * shading::lampGlossy(&polygon, position, lobe);
+        const float share = i < probe.lampChannels.size() ? seenShare(probe, s, probe.lampChannels[i]) : 1.0f;
+        const glm::vec2 lit = share * shading::lampGlossy(&polygon, position, lobe);
         e.lampsF0 += lit.x * glm::vec3(lamp.radiance);
         e.lampsF90 += lit.y * glm::vec3(lamp.radiance);
       }
