@@ -40,10 +40,13 @@ BakeRunner::BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState>
       capture_(capture),
       times_(times),
       prefilter_(window, &state_->counts.counters),
-      later_(std::make_shared<LevelFilter>(window, &state_->counts.counters)) {
-  state_->resources.filterLevels = [later = std::weak_ptr<LevelFilter>(later_)](
+      later_(std::make_shared<LevelFilter>(window, &prefilter_)) {
+  // Counted are the levels of what is captured.
+  state_->resources.filterLevels = [later = std::weak_ptr<LevelFilter>(later_), counters = &state_->counts.counters](
                                        const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings) {
+    const auto counted = counters->levelsFiltered;
     if (const auto filter = later.lock()) filter->make(chain, levels, settings);
+    counters->levelsFiltered = counted;
   };
 }
 
@@ -164,11 +167,13 @@ void BakeRunner::beginFilter(int levels) {
   if (!item_->levels || !keepsCapture) return;
   maps_->filtered = item_->levels(levels) | 1u;
   if (maps_->missing(kAllLevels) == 0) return;
-  maps_->filterLevels = [later = std::weak_ptr<LevelFilter>(later_), settings = item_->prefilter](const ProbeMaps& maps,
-                                                                                                  LevelMask missing) {
+  maps_->filterLevels = [later = std::weak_ptr<LevelFilter>(later_), counters = &state_->counts.counters,
+                         settings = item_->prefilter](const ProbeMaps& maps, LevelMask missing) {
     const auto filter = later.lock();
-    if (filter) filter->make(maps.radiance, missing, settings);
-    return filter != nullptr;
+    if (!filter) return false;
+    filter->make(maps.radiance, missing, settings);
+    for (LevelMask rest = missing; rest != 0; rest &= rest - 1) ++counters->levelsMadeLater;
+    return true;
   };
 }
 

@@ -6,25 +6,23 @@
 
 namespace boxprobe {
 
-LevelFilter::LevelFilter(vtkOpenGLRenderWindow* window, Counters* counters)
-    : window_(window), counters_(counters), prefilter_(window, counters) {}
+LevelFilter::LevelFilter(vtkOpenGLRenderWindow* window, Prefilter* prefilter)
+    : window_(window), prefilter_(prefilter) {}
 
 void LevelFilter::make(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings) {
   window_->MakeCurrent();
   source_.allocate(chain.faceSize(), fullLevels(chain.faceSize()), GL_RGBA16F);
-  prefilter_.copyLevel(chain, source_, 0);
-  prefilter_.makeSourceLevels(source_);
+  prefilter_->copyLevel(chain, source_, 0);
+  prefilter_->makeSourceLevels(source_);
   for (int level = 1; level < chain.levels(); ++level) {
     if ((levels >> level & 1u) == 0) continue;
-    prefilter_.filterLevel(source_, chain, level, settings);
-    ++counters_->levelsMadeLater;
+    prefilter_->filterLevel(source_, chain, level, settings);
   }
-  prefilter_.forgetSource();
+  prefilter_->forgetSource();
   source_.release();
 }
 
 void LevelFilter::release() {
-  prefilter_.release();
   source_.release();
 }
 

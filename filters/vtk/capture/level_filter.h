@@ -8,7 +8,8 @@ namespace boxprobe {
 
 class LevelFilter {
  public:
-  LevelFilter(vtkOpenGLRenderWindow* window, Counters* counters);
+  /// `prefilter`: with its programs; must outlive this.
+  LevelFilter(vtkOpenGLRenderWindow* window, Prefilter* prefilter);
 
   /// `chain` holds its capture in level 0, unblurred. Makes the window's context current.
   void make(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings);
@@ -16,8 +17,7 @@ class LevelFilter {
 
  private:
   vtkOpenGLRenderWindow* window_;
-  Counters* counters_;
-  Prefilter prefilter_;
+  Prefilter* prefilter_;
   CubeTexture source_;
 };
 

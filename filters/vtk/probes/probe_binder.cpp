@@ -456,7 +456,6 @@ void LevelNeeds::update() {
       sky_.all |= binding->openByLookup(slot);
       Need& need = needs_[index];
       need.all |= glass;
-      if (binding->lampFree(slot)) continue;  // other maps of it, which are filtered when they are drawn
       for (const Technique& technique : {binding->technique(slot), standInFor(binding->technique(slot))}) {
         need.add({technique, own.low, own.high});
       }
