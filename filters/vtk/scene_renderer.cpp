@@ -145,8 +145,7 @@ bool SceneRenderer::finishWork(const std::function<bool(double)>& progress) {
 }
 
 void SceneRenderer::setProbesEnabled(bool enabled) {
-  impl_->makeCurrent();
-  impl_->probes.setEnabled(enabled);
+  impl_->setProbesEnabled(enabled);
 }
 
 void SceneRenderer::applyCamera(const Camera& camera) {

@@ -19,9 +19,10 @@ namespace {
 
 std::string lampsKey(const SceneLamps& lamps) {
   ContentHash hash;
-  hash.add("lamps as shapes, in rough reflections too");
+  hash.add("lamps as shapes, in rough reflections too, in place of light sources");
   for (const SceneLamp& lamp : lamps.lamps) {
     hash.add(static_cast<double>(lamp.corners.size())).add(lamp.bothSides ? 1 : 0).addVector(lamp.radiance);
+    hash.add(lamp.light ? 1 : 0);
     for (const glm::dvec3& corner : lamp.corners) hash.addVector(corner);
   }
   return hash.text();
@@ -150,7 +151,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   }
   // Of many objects none has been seen yet: the first frame will tell.
   if (models) probes.setSeen(content.many ? std::optional<std::vector<std::size_t>>(std::in_place) : std::nullopt);
-  const bool otherLamps = (objects || changes.lights) && content.findLamps();
+  const bool otherLamps = (objects || changes.lights || anyProbe || changes.probeCapture) && content.findLamps();
   state->resources.lamps = content.lamps;
   if (models || changes.lights || otherLamps) content.rebuildLights(renderer);
   if (changes.sky) content.rebuildSky();
@@ -231,6 +232,19 @@ void SceneParts::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>&
   makeStaticTextures(window, state->resources, state->counts);
   uploadSplitSumTable(window, state->resources.brdfTable, columns, rows, table);
   state->resources.lightForm = LightForm::Vtk;
+}
+
+void SceneParts::setProbesEnabled(bool enabled) {
+  makeCurrent();
+  content.probesDrawn = enabled;
+  const bool otherLamps = content.findLamps();
+  if (otherLamps) {
+    state->resources.lamps = content.lamps;
+    content.rebuildLights(renderer);
+    probes.updateShapes();
+    updateCaptures();
+  }
+  probes.setEnabled(enabled);
 }
 
 void SceneParts::setInteractive(bool active) {

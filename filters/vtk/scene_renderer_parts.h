@@ -55,6 +55,7 @@ struct SceneParts {
 
   /// The SceneRenderer's functions of these names.
   void sync(const Scene& scene, const Changes& changes);
+  void setProbesEnabled(bool enabled);
   void setInteractive(bool active);
   void lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table);
   /// Finds out which captures are stale.

@@ -69,7 +69,7 @@ TEST(Bench, FilesOfASmallRunAgreeWithEachOther) {
   const TemporaryFolder folder;
   const Outcome outcome = runProgram({"bench", demoScene("gallery"), "-o", folder.path("out"), "--quick",
                                       "--techniques", "infinite,footprint1,footprint8", "--roughness", "0.25,0.75",
-                                      "--camera", "main,low", "--size", "96x54", "--quiet"},
+                                      "--camera", "main,low", "--size", "96x54", "--quiet", "--set", "lamps=in-map"},
                                      DisplayKind::Unset);  // charts, too, are drawn without one
   ASSERT_EQ(outcome.exitStatus, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");

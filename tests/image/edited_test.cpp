@@ -173,8 +173,6 @@ Found expectFresh(const OddRoom& room, const std::vector<Step>& steps) {
 TEST(Edited, EveryFieldOfAProbeShowsWhatAFreshStartShows) {
   OddRoom room = oddRoom();
   room.scene.sky = SkyColor{};
-  // Of lamps drawn as shapes a first capture has those of the probes that reach an object, by their boxes as they were.
-  room.scene.lamps = LampForm::InMap;
   const Found found = expectFresh(room, probeSteps(room.scene));
   EXPECT_GE(found.visible, 20);
   EXPECT_GE(found.recaptured, 4);

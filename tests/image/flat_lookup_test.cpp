@@ -132,6 +132,7 @@ TEST(FlatLookup, IsNotMadeOfEverySize) {
 // uniforms.
 TEST(FlatMaps, AreMadeWhenAProgramNeedsThem) {
   ScenePicture picture = ScenePicture::fromFile("scenes/room.boxprobe.json", 64, 36);
+  picture.scene.lamps = LampForm::InMap;  // rough surfaces look up the probe's own map
   picture.scene.probes.front().faceSize = 32;
   picture.scene.probes.front().bounces = 1;
   picture.show(picture.scene.cameras.front());

@@ -147,7 +147,8 @@ TEST(GlossyLamps, TheMapGivesWayToTheShapesWithoutAStep) {
   // Each of the two lamps is of another colour, which alpha does not hold.
   for (const auto& [edge, most] : {std::pair{0.1f, 0.03f}, std::pair{0.2f, 0.02f}}) {
     const float below = at(world, edge - 0.0005f), above = at(world, edge + 0.0005f);
-    std::printf("  at %.1f: %.4f, %.4f\n", static_cast<double>(edge), static_cast<double>(below), static_cast<double>(above));
+    std::printf("  at %.1f: %.4f, %.4f\n", static_cast<double>(edge), static_cast<double>(below),
+                static_cast<double>(above));
     EXPECT_NEAR(above / below, 1.0f, most) << edge;
   }
 }

@@ -18,6 +18,7 @@ constexpr int kWidth = 96, kHeight = 54;
 
 inline Scene noisyRoom(double samples) {
   Scene scene = ScenePicture::fromFile("scenes/room.boxprobe.json", 8, 8).scene;
+  scene.lamps = LampForm::InMap;  // what rays find in the map is smoothed, not what stands for them
   Probe& probe = scene.probes.at(0);
   probe.faceSize = 64;
   probe.samplesPerPixel = 1;

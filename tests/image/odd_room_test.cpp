@@ -109,8 +109,11 @@ ScenePicture shownRoom(const OddRoom& room) {
   return picture;
 }
 
-TEST(OddRoom, WeightsHitsAndPixelsFollowTheFormulas) {
-  const OddRoom room = oddRoom();
+class OddRoomForms : public ::testing::TestWithParam<LampForm> {};
+
+TEST_P(OddRoomForms, WeightsHitsAndPixelsFollowTheFormulas) {
+  OddRoom room = oddRoom();
+  room.scene.lamps = GetParam();
   ScenePicture picture = shownRoom(room);
   std::size_t weighed = 0, between = 0, hits = 0;
   Real farthestWeight = 0.0L, farthestShare = 0.0L, farthestHit = 0.0L, farthestRay = 0.0L;
@@ -171,6 +174,8 @@ TEST(OddRoom, WeightsHitsAndPixelsFollowTheFormulas) {
   EXPECT_LE(farthestHit, 2e-5L);
   EXPECT_LE(farthestColor, 2e-3f) << "the picture is not what is explained";
 }
+
+INSTANTIATE_TEST_SUITE_P(OddRoom, OddRoomForms, ::testing::Values(LampForm::InMap, LampForm::Shapes));
 
 // Of two impostors on one surface the second finds its own distances: where the first has no weight, it shows what it
 // shows alone.

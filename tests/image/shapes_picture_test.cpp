@@ -219,6 +219,45 @@ TEST(ShapesPicture, AnEditOfWhatDoesNotShineLeavesLightsAlone) {
   EXPECT_NE(first(), moved.GetPointer());
 }
 
+// A light source in a lamp's place gives way to the lamp, but only where a probe draws that.
+TEST(ShapesPicture, ALightAtALampShinesWhereNoProbeDrawsTheLamp) {
+  const auto lit = [](LampForm form, bool withProbe) {
+    Scene made = scene(form);
+    Light light;
+    light.type = LightType::Point;
+    light.position = {-0.6, 2.6, 0.4};
+    light.intensity = 7.0f;
+    made.lights = {light};
+    if (!withProbe) made.probes.clear();
+    return made;
+  };
+  QuadWorld without(lit(LampForm::InMap, false), {room()}), world(lit(LampForm::Shapes, true), {room()});
+  QuadWorld alone(scene(LampForm::Shapes), {room()});
+  without.show();
+  world.show();
+  alone.show();
+  const dvec3 point = kPoints[1], byLight = seen(without, point), byLamp = seen(alone, point);
+  ASSERT_GT(std::abs(byLight.x / byLamp.x - 1.0), 0.05) << "to tell them apart";
+  EXPECT_NEAR(seen(world, point).x, byLamp.x, 1e-4 * byLamp.x) << "once, not twice";
+  world.renderer->setProbesEnabled(false);
+  EXPECT_NEAR(seen(world, point).x, byLight.x, 1e-4 * byLight.x);
+  world.renderer->setProbesEnabled(true);
+  world.renderer->finishWork();
+  EXPECT_NEAR(seen(world, point).x, byLamp.x, 1e-4 * byLamp.x);
+  const std::vector<Probe> probes = world.scene.probes;
+  world.editAndFinish([](Scene& s) { s.probes.clear(); });
+  EXPECT_NEAR(seen(world, point).x, byLight.x, 1e-4 * byLight.x);
+  world.editAndFinish([&](Scene& s) {
+    s.probes = probes;  // a box that the lamp is not in
+    s.probes[0].box.min.y -= 9.0;
+    s.probes[0].box.max.y -= 9.0;
+    s.probes[0].origin.y -= 9.0;
+  });
+  EXPECT_NEAR(seen(world, point).x, byLight.x, 1e-4 * byLight.x);
+  world.editAndFinish([&](Scene& s) { s.probes = probes; });
+  EXPECT_NEAR(seen(world, point).x, byLamp.x, 1e-4 * byLamp.x);
+}
+
 // Without any lamp the first bounce is the same in both forms, and the second is not: its floor is lit by probes.
 TEST(ShapesPicture, LaterBouncesAreLitByLattices) {
   QuadWorld world(scene(LampForm::Shapes), {room()});

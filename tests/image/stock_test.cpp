@@ -150,6 +150,7 @@ TEST(Stock, InfiniteEqualsVtksOwnLightingWithTheSameMaps) {
   GTEST_SKIP() << "from 9.6.1 on VTK's own image-based lighting adds multiple scattering by a form of its own";
 #endif
   Scene scene;
+  scene.lamps = LampForm::InMap;  // diffuse light of nine coefficients, as VTK has it
   scene.models.push_back({"spheres", {}, {}, 1.0});
   scene.sky = SkyGradient{{0.15f, 0.3f, 0.9f}, {0.9f, 0.8f, 0.7f}, {0.25f, 0.15f, 0.05f}};
   Probe probe;

@@ -17,6 +17,7 @@ QuadWorld roughFloor(const std::string& technique) {
   addSquare(model, "floor", {0, -1, 0}, {1, 0, 0}, {0, 0, -1}, floor);
   addSquare(model, "lamp", {0, -0.7f, -1}, {0.3f, 0, 0}, {0, 0.3f, 0}, glowing({4, 2, 1}));
   Scene scene = darkScene();
+  scene.lamps = LampForm::InMap;  // the techniques' lookups are to show it
   scene.probes = {cubeProbe("probe", glm::dvec3(0.0), 1.0, 64)};
   scene.probes[0].technique = technique;
   return QuadWorld(scene, {model});

@@ -129,7 +129,7 @@ TEST(SceneParse, ReadsOverridesAndExposure) {
     "objects": {"mirror": {"visible": false, "seenByProbes": false, "dynamic": true, "probeMode": "simple",
                            "weights": "object", "translation": [1, 2, 3], "rotationDegrees": [0, 90, 0]}},
     "mirrors": {"mirror": {"enabled": false, "maxRoughness": 0.5, "resolution": 2}}, "mirrorBudget": 1000000,
-    "lamps": "shapes")");
+    "lamps": "in-map")");
   EXPECT_EQ(scene.exposure, 2.0);
   const MaterialOverride& floor = scene.materials.at("floor");
   EXPECT_EQ(floor.baseColor, glm::vec3(1.0f, 0.5f, 0.0f));
@@ -149,8 +149,8 @@ TEST(SceneParse, ReadsOverridesAndExposure) {
             (ObjectOverride{false, false, true, ProbeUsage::Simple, WeightMode::Object, {1, 2, 3}, {0, 90, 0}}));
   EXPECT_EQ(scene.mirrors.at("mirror"), (PlanarMirror{false, 0.5, 2.0}));
   EXPECT_EQ(scene.mirrorBudget, 1.0e6);
-  EXPECT_EQ(scene.lamps, LampForm::Shapes);
-  EXPECT_EQ(parsed("").lamps, LampForm::InMap);
+  EXPECT_EQ(scene.lamps, LampForm::InMap);
+  EXPECT_EQ(parsed("").lamps, LampForm::Shapes);
   EXPECT_NE(errorText([] { parsed(R"("lamps": "shape")"); }).find("lamps: must be one of \"in-map\", \"shapes\", not"),
             std::string::npos);
 }

@@ -71,11 +71,12 @@ Json modelReport(const ModelFile& file, const Model& model) {
   return report;
 }
 
-/// What one probe holds on the graphics side once captured: the prefiltered chain (RGBA16F) and distances (R32F).
-std::size_t probeTextureBytes(int faceSize) {
+/// What one probe holds on the graphics side once captured: the prefiltered chain (RGBA16F), without lamps once more if
+/// it has some, and distances (R32F).
+std::size_t probeTextureBytes(int faceSize, bool lamps) {
   const auto texels = [](int size) { return 6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size); };
   std::size_t bytes = 4 * texels(faceSize);
-  for (int level = 0; level < prefilterLevels(faceSize); ++level) bytes += 8 * texels(faceSize >> level);
+  for (int level = 0; level < prefilterLevels(faceSize); ++level) bytes += (lamps ? 16 : 8) * texels(faceSize >> level);
   return bytes;
 }
 
@@ -141,7 +142,8 @@ std::string diffuseLightOf(const Scene& scene, const Probe& probe) {
   return probe.mode == ProbeMode::Custom ? "lattice" : "lamps and lattice";
 }
 
-Json probeReport(const Scene& scene, const Probe& probe) {
+Json probeReport(const Scene& scene, const SceneLamps& lamps, const Probe& probe) {
+  const bool lit = probe.mode != ProbeMode::Custom && !probeLamps(lamps.lamps, probe).empty();
   return {{"name", probe.name},
           {"diffuseLight", diffuseLightOf(scene, probe)},
           {"origin", vector3(probe.origin)},
@@ -152,7 +154,7 @@ Json probeReport(const Scene& scene, const Probe& probe) {
           {"projection", probe.projection},
           {"faceSize", probe.faceSize},
           {"bounces", probe.bounces},
-          {"textureBytes", probeTextureBytes(probe.faceSize)}};
+          {"textureBytes", probeTextureBytes(probe.faceSize, lit)}};
 }
 
 Json skyReport(const Sky& sky) {
@@ -232,13 +234,13 @@ Json sceneReport(const LoadedScene& loaded) {
     report["models"].push_back(modelReport(scene.models[i], *loaded.models[i]));
   }
   report["objects"] = objectsReport(loaded);
-  for (const Probe& probe : scene.probes) report["probes"].push_back(probeReport(scene, probe));
   report["sky"] = skyReport(scene.sky);
   if (scene.skyRotationDegrees != 0.0) report["sky"]["rotationDegrees"] = scene.skyRotationDegrees;
   for (const Camera& camera : scene.cameras) report["cameras"].push_back(cameraReport(camera));
   for (const Light& light : scene.lights) report["lights"].push_back(lightReport(light));
   SceneLamps lamps;
   if (scene.lamps == LampForm::Shapes) lamps = sceneLamps(scene, loaded.models);
+  for (const Probe& probe : scene.probes) report["probes"].push_back(probeReport(scene, lamps, probe));
   report["lamps"] = lampsReport(lamps);
   report["lampRemarks"] = lamps.remarks;
   report["exposure"] = scene.exposure;

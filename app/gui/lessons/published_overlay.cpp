@@ -71,9 +71,14 @@ void PublishedOverlay::place() {
 
 void PublishedOverlay::turn() {
   // The end of the captures invalidates again.
-  if (!viewport_.readyToDraw() || renderer_.workPending() || document_.previewing()) return;
+  if (!viewport_.readyToDraw() || document_.previewing()) return;
   try {
     viewport_.window3d()->MakeCurrent();
+    // What is looked at here may begin a lattice of its own, of which no frame knows.
+    if (renderer_.workPending()) {
+      renderer_.step();
+      return timer_.start(0);
+    }
     if (!drawing_) {
       const double aspect = static_cast<double>(viewport_.width()) / std::max(viewport_.height(), 1);
       const int width = std::max(static_cast<int>(std::lround(std::sqrt(kPixels * aspect))), 1);

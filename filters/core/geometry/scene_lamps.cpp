@@ -27,6 +27,8 @@ constexpr double kLampPi = 3.14159265358979323846;
 constexpr double kLampStandsOut = 4.0;
 // A light source belongs to a lamp from which it stands less than this away, in parts of the root of its area.
 constexpr double kAtItsPlace = 0.5;
+// It stands for the lamp unless that gives less than this share of its power: a spot light before a wall that glows.
+constexpr double kLeastOfALight = 0.1;
 
 double meanColor(const glm::dvec3& c) {
   return (c.x + c.y + c.z) / 3.0;
@@ -173,8 +175,13 @@ void countOnce(const Scene& scene, std::vector<SceneLamp>& lamps, LampRemarks& r
     const auto nearest = std::min_element(lamps.begin(), lamps.end(), [&](const SceneLamp& a, const SceneLamp& b) {
       return distanceToPolygon(a, light.position) < distanceToPolygon(b, light.position);
     });
-    if (nearest->light || distanceToPolygon(*nearest, light.position) > kAtItsPlace * std::sqrt(nearest->area))
+    if (nearest->light || distanceToPolygon(*nearest, light.position) > kAtItsPlace * std::sqrt(nearest->area)) {
       continue;
+    }
+    double power = 0.0;
+    for (const SceneLamp& lamp : lamps) power += lamp.group == nearest->group ? lamp.power : 0.0;
+    const double own = 4.0 * kLampPi * static_cast<double>(light.intensity) * meanColor(glm::dvec3(light.color));
+    if (power < kLeastOfALight * own) continue;
     nearest->light = i;
     remarks.say({"lights", "[" + std::to_string(i) + "]"},
                 "stands at the place of the lamp " + nearest->node + " and is counted once, by the lamp's shape.");

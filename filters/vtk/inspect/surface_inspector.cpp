@@ -225,6 +225,9 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.skyMaps = onCpu(state_->resources.sky).get();
   in.energy = content_->scene.energy;
   in.lights = content_->scene.lights;
+  for (std::size_t i = 0; content_->lamps && i < content_->lamps->lamps.size(); ++i) {
+    if (const auto light = content_->lamps->lamps[i].light) in.lights[*light].intensity = 0.0f;  // the lamp counts
+  }
   if (object.pass->DrawsGlass()) {
     int faceSize = state_->resources.sky ? state_->resources.sky->radiance.faceSize() : 0;
     for (const auto& probe : binding.probes) {

@@ -177,13 +177,39 @@ void SceneContent::rebuildObjects(vtkCulledRenderer* renderer, const std::shared
 }
 
 bool SceneContent::findLamps() {
+  const auto before = lamps;
   std::string key;
   if (scene.lamps == LampForm::Shapes) key = std::to_string(modelGeneration) + " " + lampSourcesKey(scene, given);
-  if (key == lampsKey_) return false;
-  lampsKey_ = std::move(key);
-  const auto before = lamps;
-  lamps = lampsKey_.empty() ? nullptr : std::make_shared<const SceneLamps>(sceneLamps(scene, given));
+  const bool others = key != lampsKey_;
+  if (others) {
+    lampsKey_ = std::move(key);
+    foundLamps_ = lampsKey_.empty() ? nullptr : std::make_shared<const SceneLamps>(sceneLamps(scene, given));
+  }
+  std::vector<bool> alone = lightsAlone();
+  if (!others && alone == lightsAlone_) return false;
+  lightsAlone_ = std::move(alone);
+  lamps = foundLamps_;
+  if (std::find(lightsAlone_.begin(), lightsAlone_.end(), true) != lightsAlone_.end()) {
+    auto counted = std::make_shared<SceneLamps>(*foundLamps_);
+    for (std::size_t i = 0; i < lightsAlone_.size(); ++i) {
+      if (lightsAlone_[i]) counted->lamps[i].light.reset();
+    }
+    lamps = std::move(counted);
+  }
   return lamps != before;
+}
+
+std::vector<bool> SceneContent::lightsAlone() const {
+  if (!foundLamps_) return {};
+  const std::vector<SceneLamp>& all = foundLamps_->lamps;
+  std::vector<bool> alone(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) alone[i] = all[i].light.has_value();
+  for (const Probe& probe : scene.probes) {
+    if (!probesDrawn || std::find(alone.begin(), alone.end(), true) == alone.end()) break;
+    if (probe.mode == ProbeMode::Custom) continue;  // draws no lamps
+    for (const std::size_t lamp : probeLamps(all, probe)) alone[lamp] = false;
+  }
+  return alone;
 }
 
 void SceneContent::rebuildLights(vtkRenderer* renderer) {

@@ -56,19 +56,24 @@ struct SceneContent {
   Box culledBounds;  ///< of them all
   void rebuildLights(vtkRenderer* renderer);
   /// Finds the lamps that are drawn as shapes, before the lights are rebuilt; nothing unless what shines, where it
-  /// stands or a light source is another. Returns whether they are others.
+  /// stands, a light source or a probe's box is another. A light source in the place of a lamp that no probe draws is
+  /// counted with none. Returns whether they are others.
   bool findLamps();
+  bool probesDrawn = true;  ///< false: no probe is drawn with, and so no lamp as a shape
   /// Reads the sky's image if it has one and it is not the one at hand. Throws InputError.
   void rebuildSky();
   const std::string& skyImageFile() const { return skyImageFile_; }
 
  private:
   bool placeObjects();
+  std::vector<bool> lightsAlone() const;  // of each lamp found: has it a light source, and no probe that draws it?
 
   std::vector<std::shared_ptr<const Model>> builtModels_;  ///< what the objects were made from
   std::vector<std::string> builtFiles_;
   std::string skyImageFile_;
   std::string lampsKey_;
+  std::shared_ptr<const SceneLamps> foundLamps_;
+  std::vector<bool> lightsAlone_;
 };
 
 }  // namespace boxprobe
