@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "filters/math/cube/cube_filter.h"
+#include "filters/math/cube/openings.h"
 
 namespace boxprobe {
 
@@ -113,20 +114,7 @@ CubeMap latticeCapture(const CubeMap& capture) {
   constexpr int kMost = 128;
   const int size = std::min(capture.faceSize(), kMost);
   if (capture.empty() || capture.faceSize() % size != 0) return capture;
-  const int step = capture.faceSize() / size;
-  CubeMap reduced(size, 1);
-  const float share = 1.0f / static_cast<float>(step * step);
-  for (int face = 0; face < 6; ++face) {
-    for (int row = 0; row < size; ++row) {
-      for (int column = 0; column < size; ++column) {
-        glm::vec4 sum(0.0f);
-        for (int k = 0; k < step * step; ++k)
-          sum += capture.texel(0, face, column * step + k % step, row * step + k / step);
-        reduced.setTexel(0, face, column, row, share * sum);
-      }
-    }
-  }
-  return reduced;
+  return reducedCube(capture, kMost);
 }
 
 CubeMap plainMeans(const CubeMap& capture) {

@@ -6,8 +6,8 @@
 
 namespace boxprobe {
 
-CubeMap reducedCube(const CubeMap& cube) {
-  const int size = std::min(cube.faceSize(), kOpeningsFaceSize), step = cube.faceSize() / size;
+CubeMap reducedCube(const CubeMap& cube, int most) {
+  const int size = std::min(cube.faceSize(), most), step = cube.faceSize() / size;
   CubeMap reduced(size, 1);
   const float share = 1.0f / static_cast<float>(step * step);
   for (int face = 0; face < 6; ++face) {

@@ -12,8 +12,8 @@ namespace boxprobe {
 
 constexpr int kOpeningsFaceSize = 32;
 
-/// Level 0 of `cube`, averaged down to at most kOpeningsFaceSize texels per side. One level.
-CubeMap reducedCube(const CubeMap& cube);
+/// Level 0 of `cube`, averaged down to at most `most` texels per side, which divide its own. One level.
+CubeMap reducedCube(const CubeMap& cube, int most = kOpeningsFaceSize);
 
 /// Is any texel's alpha, its coverage, less than a whole? Of a cube as captured: averages of half floats lose a crack.
 bool anyOpening(const CubeMap& coverage);
