@@ -299,6 +299,22 @@ TEST(SceneLamps, ALightSourceAtALampsPlaceIsCountedOnce) {
   EXPECT_THAT(found.remarks, ElementsAre(HasSubstr("lights[2]: stands at the place of the lamp panel")));
 }
 
+// A lamp's light in all is pi times radiance and area; a point light's, 4 pi times its intensity.
+TEST(SceneLamps, ALightTenTimesAsStrongAsTheLampStandsForItself) {
+  World world;
+  world.add("panel", panel(2, 1, world.material(shining("lamp", vec3(7.0f)))));
+  const double area = world.lamps().lamps.at(0).area;
+  Light below;
+  below.type = LightType::Point;
+  below.position = {0.3, 2.2, 0.1};
+  below.color = {0.9f, 0.6f, 0.3f};
+  for (const auto& [times, counted] : {std::pair(9.5, true), std::pair(10.5, false)}) {
+    below.intensity = static_cast<float>(times * 7.0 * area / (4.0 * 0.6));
+    world.scene.lights = {below};
+    EXPECT_EQ(world.lamps().lamps.at(0).light.has_value(), counted) << times;
+  }
+}
+
 TEST(SceneLamps, FacesTurnedOverShineTheOtherWay) {
   World world;
   const int lamp = world.material(shining("lamp", vec3(7.0f)));
