@@ -35,6 +35,13 @@ TEST(Refinement, StagesHaveFourTimesTheRaysAndEndWithThoseAskedFor) {
   }
 }
 
+TEST(Refinement, AGoodFrameIsNotReplacedByFewRays) {
+  Refinement refinement;
+  refinement.begin(endingAt(256), 64);
+  EXPECT_EQ(refinement.rays().inAll, 64);
+  EXPECT_LT(refinement.share(1), 0.2);
+}
+
 TEST(Refinement, AStageGrowsIntoThePictureAndStandsForItAtItsEnd) {
   Refinement refinement;
   refinement.begin(endingAt(256), 5);

@@ -20,7 +20,7 @@ bool sameOwner(const std::weak_ptr<T>& a, const std::weak_ptr<T>& b) {
 // How many rays of the lobe a frame by the technique is as near to the truth as.
 int raysWorth(const Technique& technique) {
   const std::string_view id = evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id;
-  return id == "footprint8" || id == "footprint16" ? 16 : id == "footprint4" ? 8 : 4;
+  return id == "footprint8" || id == "footprint16" ? 64 : id == "footprint4" ? 16 : 4;
 }
 
 }  // namespace

@@ -14,9 +14,12 @@ constexpr int kMostAFrame = 8;
 // A stage of 4 times the rays has about 0.6 of the error of the one before, which is what is left of their difference.
 constexpr double kLeftOfChange = 0.8;
 
-std::vector<int> stagesTo(int rays) {
+// None that is worse than the frame it replaces.
+std::vector<int> stagesTo(int rays, int firstGuess) {
   std::vector<int> stages;
-  for (int n = kFirstStage; n < rays; n *= kTimes) stages.push_back(n);
+  int first = kFirstStage;
+  while (first < firstGuess) first *= kTimes;
+  for (int n = first; n < rays; n *= kTimes) stages.push_back(n);
   if (rays > 0) stages.push_back(rays);
   return stages;
 }
@@ -34,7 +37,7 @@ double shown(double light) {
 
 void Refinement::begin(const RefineSettings& settings, int firstGuess) {
   settings_ = settings;
-  stages_ = stagesTo(settings.rays);
+  stages_ = stagesTo(settings.rays, firstGuess);
   stage_ = 0;
   firstGuess_ = std::max(firstGuess, 1);
   left_ = -1.0;
