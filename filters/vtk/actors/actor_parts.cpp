@@ -229,7 +229,7 @@ void ActorParts::ready() {
   if (nothing) throw InputError("probes need a renderer; they were made with a null one");
   auto* shownIn = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (shownIn == nullptr) {
-    throw InputError("probes need a renderer that belongs to a vtkOpenGLRenderWindow; call AddRenderer() first");
+    throw InputError("probes need a renderer in a vtkOpenGLRenderWindow; call the window's AddRenderer() first");
   }
   if (waitsForContext(shownIn)) throw WorkError(kNoContext);
   if (window != shownIn) {
