@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkRenderPass.h>
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -60,10 +61,11 @@ class vtkPicturePass : public vtkRenderPass {
   void DrawInOrder(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
   void DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool clear, bool blend);
   void Present(vtkRenderer* renderer);
+  boxprobe::FullScreenPass& PresentedBy(boxprobe::Tone tone);
 
   std::shared_ptr<boxprobe::DrawState> State;
   std::unique_ptr<boxprobe::FrameAverage> Average;
-  std::unique_ptr<boxprobe::FullScreenPass> Presented;
+  std::map<boxprobe::Tone, boxprobe::FullScreenPass> Presented;
   std::unique_ptr<boxprobe::ReflectionBlur> Blur;
   std::unique_ptr<boxprobe::BehindFrame> BehindCopy;
   boxprobe::FrameTarget Frame;
