@@ -64,6 +64,23 @@ TruthRow TruthStage::techniqueRow(const TruthPicture& picture, const BenchTechni
   return compareWithTruth(index_, picture, from, technique.label(), boxAveraged(fine, kTruthFineness));
 }
 
+TruthRow TruthStage::refinedRow(const TruthPicture& picture, const BenchTechnique& technique, int rays, double* left) {
+  constexpr int kFineness = 2;
+  const Camera& from = camera(picture.camera);
+  shown_.show(withTechnique(scene_, technique), models_, {from});
+  SceneRenderer& renderer = shown_.renderer();
+  RefineSettings settings;
+  settings.rays = rays;
+  renderer.refine(settings);
+  captureShown();
+  const ImageRgbaF fine = renderer.renderRefined(kFineness * index_.width, kFineness * index_.height, 1, settings);
+  if (left != nullptr) *left = renderer.refineState().left;
+  renderer.refine({});
+  shown_.requireHealthy();
+  return compareWithTruth(index_, picture, from, technique.label() + " refined " + std::to_string(rays),
+                          boxAveraged(fine, kFineness));
+}
+
 void TruthStage::captureShown() {
   bool going = true;
   shown_.capture([&](double share) { return going = !progress_ || progress_(share); });

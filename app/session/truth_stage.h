@@ -33,6 +33,9 @@ class TruthStage {
   TruthRow boxRow(const TruthPicture& picture, const TruthEffort& effort);
   /// Captured as the scene has it.
   TruthRow techniqueRow(const TruthPicture& picture, const BenchTechnique& technique);
+  /// The same refined at rest by `rays` a pixel, and what is estimated to be left after them; four samples a pixel of
+  /// the truth.
+  TruthRow refinedRow(const TruthPicture& picture, const BenchTechnique& technique, int rays, double* left = nullptr);
 
   const ReferenceScene& reference() const { return *reference_; }
   /// Throws InputError if the scene has none of that name.

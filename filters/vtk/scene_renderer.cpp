@@ -40,6 +40,7 @@ void SceneRenderer::sync(const Scene& scene, const Changes& changes) {
 
 void SceneRenderer::setView(const SurfaceViewSettings& settings) {
   if (view() == settings) return;
+  impl_->frames.dropRays();
   impl_->view.set(settings);
   impl_->probes.tuning().setMoving(false);
   impl_->applyView();
@@ -113,10 +114,12 @@ void SceneRenderer::allowStandIns(bool allowed) {
 }
 
 bool SceneRenderer::setMoving(bool moving) {
+  impl_->frames.dropRays();
   return impl_->probes.tuning().setMoving(moving && !impl_->view.any());
 }
 
 void SceneRenderer::foldConstants() {
+  impl_->frames.dropRays();
   impl_->probes.tuning().makeConstants();
 }
 
@@ -188,6 +191,25 @@ void SceneRenderer::setFrameLimit(std::optional<int> frames) {
 ImageRgbaF SceneRenderer::renderLinear(int width, int height, int samplesPerPixel, int frames,
                                        const std::function<void(int)>& beforeFrame) {
   return impl_->renderLinear(width, height, samplesPerPixel, frames, beforeFrame);
+}
+
+void SceneRenderer::refine(const RefineSettings& settings) {
+  impl_->makeCurrent();
+  impl_->refine(settings);
+}
+
+const RefineSettings& SceneRenderer::refineSettings() const {
+  return impl_->frames.refineSettings();
+}
+
+RefineState SceneRenderer::refineState() const {
+  const Refinement& stages = impl_->frames.refinement();
+  return {stages.raysDone(), stages.more(), stages.left()};
+}
+
+ImageRgbaF SceneRenderer::renderRefined(int width, int height, int samplesPerPixel, const RefineSettings& settings,
+                                        const std::function<void(int)>& beforeFrame) {
+  return impl_->renderRefined(width, height, samplesPerPixel, settings, beforeFrame);
 }
 
 std::shared_ptr<const BakedMaps> SceneRenderer::mapsOnCpu(const std::string& probeName) {

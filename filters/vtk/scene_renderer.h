@@ -32,6 +32,7 @@
 #include "filters/vtk/draw/tuning_parts.h"
 #include "filters/vtk/frame/frame_count.h"
 #include "filters/vtk/frame/frame_report.h"
+#include "filters/vtk/frame/refinement.h"
 #include "filters/vtk/inspect/preview_settings.h"
 #include "filters/vtk/probes/bake_state.h"
 
@@ -137,6 +138,17 @@ class BOXPROBE_EXPORT SceneRenderer {
   void restartPicture();
   /// The mean is of so many frames; nothing: of as many as the technique's rays ask for (see framesWanted).
   void setFrameLimit(std::optional<int> frames);
+
+  /// A view that rests goes on to the truth, whatever technique its probes have: from the next frame on each adds rays
+  /// of the whole lobe, until there are as many as asked for or nothing more would show. Anything that changes begins
+  /// the picture again; captures come first. frameCount() tells how far it is. `rays` 0: frames are the techniques'.
+  void refine(const RefineSettings& settings);
+  const RefineSettings& refineSettings() const;
+  /// How far the picture drawn last has come, renderRefined()'s included.
+  RefineState refineState() const;
+  /// As renderLinear(), refined. Mip levels that are not filtered yet are made by finishWork() after refine().
+  ImageRgbaF renderRefined(int width, int height, int samplesPerPixel, const RefineSettings& settings,
+                           const std::function<void(int)>& beforeFrame = {});
 
   /// What the surfaces are coloured by: a row of surfaceViews(). Row 0, the picture, costs nothing; any other compiles
   /// further programs when it is first drawn.

@@ -97,7 +97,7 @@ void SceneParts::beginFrame() {
   counters.drawsByProbeCount = {};
   counters.drawsWithOpenSky = counters.drawsWithCoverage = 0;
   counters.glassDraws = counters.glassPasses = 0;
-  frames.beginFrame(view.any());
+  frames.beginFrame(view.any(), probes.workPending());
   if (sphere.shown()) {
     const auto index = findProbe(content.scene, sphere.settings().probe);
     const auto maps = probes.maps(sphere.settings().probe);
@@ -126,6 +126,7 @@ void SceneParts::endFrame() {
 
 void SceneParts::sync(const Scene& scene, const Changes& changes) {
   makeCurrent();
+  frames.dropRays();
   content.scene = scene;
   if (state->resources.lightForm != LightForm::Vtk) {
     state->resources.lightForm = scene.energy == Energy::Multiple ? LightForm::Multiple : LightForm::Single;
@@ -250,6 +251,7 @@ void SceneParts::setProbesEnabled(bool enabled) {
 
 void SceneParts::setInteractive(bool active) {
   makeCurrent();
+  frames.dropRays();
   interactive = active;
   probes.setInteractive(active);
   if (active || !content.divideModels()) return;
@@ -260,6 +262,7 @@ void SceneParts::setInteractive(bool active) {
 }
 
 void SceneParts::step() {
+  frames.dropRays();
   makeStaticTextures(window, state->resources, state->counts);
   try {
     probes.step();
@@ -272,6 +275,7 @@ void SceneParts::step() {
 
 std::vector<Explanation> SceneParts::explain(const std::vector<glm::ivec2>& pixels, int width, int height) {
   window->MakeCurrent();
+  frames.dropRays();
   prepareDraws();
   const AtEnd hidden([this] { mirrors.hide(); });
   drawMirrors(static_cast<double>(width) / height, width, height, kMirrorSamples);
@@ -279,9 +283,11 @@ std::vector<Explanation> SceneParts::explain(const std::vector<glm::ivec2>& pixe
   return inspector.explain(renderer->GetActiveCamera(), width, height, pixels);
 }
 
-ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
+ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel,
+                                    const std::function<vtkPicturePass*()>& picture,
                                     const std::function<void(int)>& beforeFrame) {
   window->MakeCurrent();
+  frames.dropRays();
   probes.tuning().setMoving(false);
   prepareDraws();
   std::vector<vtkProp*> props = content.shownProps(renderer);
@@ -289,13 +295,31 @@ ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, 
   if (!view.any()) props.push_back(content.sky);
   const AtEnd released([this] {
     mirrors.hide();
+    frames.dropRays();
     frames.releaseLinear();
   });
-  vtkPicturePass* pass = !view.any() ? frames.linearPass(frameLimit) : nullptr;
+  vtkPicturePass* pass = !view.any() ? picture() : nullptr;
   const int finer = samplesPerSide(samplesPerPixel);
   drawMirrors(static_cast<double>(width) / height, width * finer, height * finer, finer > 1 ? 1 : kMirrorSamples);
   return probes.baker().capture()->renderFrame(renderer->GetActiveCamera(), width, height, finer, props,
                                                content.lightPointers(), pass, beforeFrame);
+}
+
+ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
+                                    const std::function<void(int)>& beforeFrame) {
+  const auto pass = [&] { return frames.linearPass(frameLimit); };
+  return renderLinear(width, height, samplesPerPixel, pass, beforeFrame);
+}
+
+ImageRgbaF SceneParts::renderRefined(int width, int height, int samplesPerPixel, const RefineSettings& settings,
+                                     const std::function<void(int)>& beforeFrame) {
+  const auto pass = [&] { return frames.refinedPass(settings); };
+  return renderLinear(width, height, samplesPerPixel, pass, beforeFrame);
+}
+
+void SceneParts::refine(const RefineSettings& settings) {
+  frames.refine(settings);
+  probes.binder().needs().setRefined(settings.rays > 0);
 }
 
 void SceneParts::releaseGraphics() {

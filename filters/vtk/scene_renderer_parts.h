@@ -65,6 +65,9 @@ struct SceneParts {
   std::vector<Explanation> explain(const std::vector<glm::ivec2>& pixels, int width, int height);
   ImageRgbaF renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
                           const std::function<void(int)>& beforeFrame);
+  void refine(const RefineSettings& settings);
+  ImageRgbaF renderRefined(int width, int height, int samplesPerPixel, const RefineSettings& settings,
+                           const std::function<void(int)>& beforeFrame);
   void releaseGraphics();
 
   /// Maps that are replaced, and those under way that are given up, are deleted, which needs their context.
@@ -72,6 +75,8 @@ struct SceneParts {
   void applyView() { view.apply(content, *state, renderer); }
 
  private:
+  ImageRgbaF renderLinear(int width, int height, int samplesPerPixel, const std::function<vtkPicturePass*()>& pass,
+                          const std::function<void(int)>& beforeFrame);
   void beginFrame();
   void endFrame();
   /// What is made for any picture through the active camera; with the context current.

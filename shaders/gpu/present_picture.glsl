@@ -2,7 +2,9 @@
 // by it. Needs output_uniforms.glsl and output.glsl.
 uniform sampler2D bpColor;
 uniform sampler2D bpDepth;
-uniform float bpScale;    // 1 / frames
+uniform float bpScale;    // 1 / frames, times their share of the picture
+uniform sampler2D bpBefore;    // the picture that these frames replace
+uniform float bpBeforeScale;   // the same of that; 0: there is none
 uniform int bpFiner;      // texels along each side of a pixel
 
 void main()
@@ -14,6 +16,7 @@ void main()
     for (int x = 0; x < bpFiner; ++x) { sum += texelFetch(bpColor, at + ivec2(x, y), 0); }
   }
   vec4 mean = sum * (bpScale / float(bpFiner * bpFiner));
+  if (bpBeforeScale > 0.0f) { mean += bpBeforeScale * texelFetch(bpBefore, at, 0); }
   gl_FragData[0] = vec4(bpOutput(mean.rgb), mean.a);
   gl_FragDepth = texelFetch(bpDepth, at, 0).r;
 }

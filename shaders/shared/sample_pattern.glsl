@@ -4,6 +4,7 @@
 //                    pixels around, so that what noise is left is fine-grained and the eye or a small blur averages it out
 //   2 r2             evenly spread, shifted by a hash of the pixel
 //   3 deterministic  the same in every pixel: no noise, but ghost copies of small lamps where the samples are too few
+//   4 refined        as r2, shifted by the blue-noise mask: of pictures that go on until all rays are there; no scene asks for it
 // x becomes the angle about the lobe's middle, y the area around it (visible_normal.glsl). Both are 32-bit fractions, so that adding
 // wraps around by itself and nothing is lost after many frames. Frames continue the sequence, or shift by it: 64 frames of one
 // sample fill the lobe as 64 samples of one frame do. Needs shared/hash.glsl; the host supplies fetchBlueNoise.
@@ -30,6 +31,12 @@ SamplePattern samplePattern(ShadingPoint point, int pattern, int samples)
     vec2 mask = fetchBlueNoise(point.pixel);
     result.shiftX = result.shiftX + (uint(mask.x * 16777216.0f) << 8u);
     result.shiftY = (result.shiftY + (uint(mask.y * 16777216.0f) << 8u)) / count;
+  }
+  if (pattern == 4)
+  {
+    vec2 mask = fetchBlueNoise(point.pixel);
+    result.shiftX = uint(mask.x * 16777216.0f) << 8u;
+    result.shiftY = uint(mask.y * 16777216.0f) << 8u;
   }
   if (pattern == 2)
   {

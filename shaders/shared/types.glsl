@@ -12,6 +12,7 @@ struct TechniqueParameters
   float power;            // > 0
   int fresnel;            // 0: (1 - N.V)^power, 1: the surface's own
   float samples;          // a whole number, >= 1
+  float total;            // of all frames of a mean, a whole number; 0: of one
   int pattern;            // row of the choices of parameter `pattern`
   int levelOffset;        // 0 or 1
   int filtered;           // 0 or 1

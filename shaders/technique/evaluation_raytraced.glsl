@@ -6,6 +6,8 @@
 //                     the share of alpha that falls to one sample
 //   filtered          the level of the patch of wall that the sample stands for, by its own solid angle; each sample blurs, so the
 //                     rays are drawn from a narrower lobe, and both together are as wide as the surface's
+// Of a picture that is a mean of frames `total` says how many rays there will be in all: each is then blurred for that many, and the
+// mean of the frames is what one frame of all the rays would show.
 // With sampling `luminance` half of the rays are drawn from the lobe and half from the probe's brightness; each counts by how likely
 // both ways together were to draw it (the balance heuristic, Veach and Guibas 1995). At level 0 only: a blurred sample finds lamps
 // beside it by itself, and would count their light a second time.
@@ -52,10 +54,11 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
   if (probe.parameters.sampling == 1 && sharp && lightAimable(probe, point, mirrored)) { lightSize = probeLightSize(probe); }
   int count = int(clamp(probe.parameters.samples, lightSize > 0 ? 2.0f : 1.0f, 256.0f));  // at least one ray each way
   float number = float(count);
+  float inAll = max(number, probe.parameters.total);
   ShadingPoint drawn = point;
-  if (probe.parameters.filtered == 1) { drawn.roughness = narrowedRoughness(point.roughness, number); }
+  if (probe.parameters.filtered == 1) { drawn.roughness = narrowedRoughness(point.roughness, inAll); }
   FootprintLobe lobe = footprintLobe(drawn, 1.0f);
-  float alphaEach = min(1.6f * lobe.alpha / sqrt(number), 1.0f);
+  float alphaEach = min(1.6f * lobe.alpha / sqrt(inAll), 1.0f);
 
   // Of an odd number of rays the last goes one way or the other; on average each way has half.
   uint seed = probe.parameters.pattern == 3 ? 0u : pixelHash(point.pixel);
@@ -90,11 +93,19 @@ vec4 evaluateRaytraced(PROBE_MAP map, ProbeShape probe, ShadingPoint point)
         float expected = lobeNumber + lightNumber * density * s.solidAngle;
         float facet = sqrt(max(0.5f + 0.5f * dot(point.view, s.direction), 0.0f));  // V.H
         float share = s.weight * facetReflectance(point.f0, facet, 1.0f) / expected;
-        float level = sharp ? 0.0f : sampleLevel(probe, hit, s.direction, alphaEach, s.solidAngle / expected);
+        float level = sharp ? 0.0f : sampleLevel(probe, hit, s.direction, alphaEach, s.solidAngle * number / (expected * inAll));
         sum = sum + share * fetchProbe(map, probe, hit.direction, level);
         weights = weights + share;
       }
     }
+  }
+  if (inAll > number)
+  {
+    // A part of the rays of a mean: as below, but by the lobe that was drawn from, and never the own weights, whose quotients would not
+    // average to the quotient of all rays.
+    vec2 part = splitSumAt(lobe.view.z, drawn.roughness);
+    float whole = point.f0 * part.x + part.y;
+    return (sum + (whole - weights) * evaluateFootprint1(map, probe, point)) / max(whole, 1.0e-6f);
   }
   if (count >= kFewSamples && weights > 0.0f) { return sum / weights; }
   // Divided by the mean of all weights there could be, so that frames average to the integral.

@@ -13,6 +13,7 @@
 #include "app/gui/view/motion_preview.h"
 #include "app/gui/view/picture_work.h"
 #include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/rest_refinement.h"
 #include "app/gui/view/viewport.h"
 #include "filters/vtk/scene_renderer.h"
 
@@ -68,6 +69,7 @@ void WindowTest::SetUp() {
   if (!sharedWindow()) sharedWindow() = std::make_unique<MainWindow>();
   window_ = sharedWindow().get();
   window_->pictureWork().setRest(kNeverMilliseconds);
+  window_->refinement().setRest(kNeverMilliseconds);
   window_->resize(1200, 700);
   window_->showScene(scene());
   window_->show();

@@ -179,6 +179,7 @@ Subcommand addBenchCommand(CLI::App& program) {
   const auto options = std::make_shared<BenchOptions>();
   addBenchOptions(*command, *options);
   return {command, [options] {
+            if (options->refine > 0 && options->truthPath.empty()) throw InputError("--refine is for --truth alone");
             if (options->whole && !options->truthPath.empty()) {
               throw InputError("--whole is not for --truth: leave one of them out");
             }

@@ -23,10 +23,13 @@ void writePicture(OffscreenScene& shown, const RenderOptions& options, bool line
     interrupt.check();
     beforeFrame();
   };
+  const RefineSettings refine = renderer.refineSettings();
   if (linear) {
     const FrameSize size = parseFrameSize(options.size);
     const ImageRgbaF image =
-        renderer.renderLinear(size.width, size.height, options.samples, mean ? options.frames : 1, before);
+        refine.rays > 0
+            ? renderer.renderRefined(size.width, size.height, options.samples, refine, before)
+            : renderer.renderLinear(size.width, size.height, options.samples, mean ? options.frames : 1, before);
     shown.requireHealthy();
     interrupt.check();
     saveExr(options.outputPath, image);
@@ -37,6 +40,13 @@ void writePicture(OffscreenScene& shown, const RenderOptions& options, bool line
     for (int i = 0; mean && i < options.frames; ++i) {
       before(i);
       if (i + 1 < options.frames) shown.window()->Render();
+    }
+    if (refine.rays > 0) {
+      // The last one is drawn by renderDisplay, too: it finds nothing left to add.
+      do {
+        interrupt.check();
+        shown.window()->Render();
+      } while (renderer.frameCount().more());
     }
     const ImageRgba8 image = sheet ? renderViewSheet(renderer, [&] { interrupt.check(); }) : renderer.renderDisplay();
     shown.requireHealthy();

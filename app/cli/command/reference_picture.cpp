@@ -249,6 +249,7 @@ void refuseReferenceOptions(const RenderOptions& options) {
 
 void renderReference(const RenderOptions& options, bool linear) {
   if (!options.view.empty()) refuse("--view " + options.view, options);
+  if (!options.refine.empty()) refuse("--refine", options);
   if (options.frames > 0) refuse("--frames " + std::to_string(options.frames), options);
   if (options.probes != "on") refuse("--probes " + options.probes, options);
   const bool box = options.technique == kBox, path = options.technique == kPath;

@@ -32,6 +32,42 @@ void warnOfSamples(const OffscreenScene& shown, int wanted) {
                  " samples per pixel; the picture is drawn with that many"});
 }
 
+void refuseBesideRefine(const RenderOptions& options) {
+  const auto refuse = [](const std::string& option, const char* why) {
+    throw InputError("--refine beside " + option + ": " + why);
+  };
+  if (!options.view.empty()) refuse("--view " + options.view, "a debug view shows numbers, which rays do not change");
+  if (options.frames > 0) refuse("--frames", "the picture has as many frames as its rays take");
+  if (options.probes != "on") refuse("--probes off", "there are no reflections to refine");
+}
+
+/// What rests is refined; what never does is told.
+void warnOfUnrest(const Scene& scene) {
+  for (const Probe& probe : scene.probes) {
+    if (probe.mode != ProbeMode::Realtime) continue;
+    printWarnings({"--refine: probe " + probe.name +
+                   " is realtime, so that a window never rests; the picture is refined with what it shows now"});
+    return;
+  }
+}
+
+std::string percentText(double relative) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100.0 * relative);
+  return text;
+}
+
+/// What became of --refine, for the summary. Warns of a percentage that was not reached.
+std::string refinedText(const RefineSettings& asked, const RefineState& state) {
+  if (state.rays == 0) return "nothing to refine";
+  const std::string left = state.left < 0.0 ? "" : ", an estimated " + percentText(state.left) + " left";
+  if (asked.until > 0.0 && state.left > asked.until) {
+    printWarnings({"--refine=" + percentText(asked.until) + ": not reached; after " + std::to_string(state.rays) +
+                   " rays a pixel, the most there are, an estimated " + percentText(state.left) + " are left"});
+  }
+  return "refined by " + std::to_string(state.rays) + " rays a pixel" + left;
+}
+
 void runRender(const RenderOptions& options) {
   useLargePages();
   const bool linear = requireExtension("-o", options.outputPath, {".png", ".exr"}) == ".exr";
@@ -40,6 +76,8 @@ void runRender(const RenderOptions& options) {
     throw InputError("-o " + options.outputPath +
                      ": a sheet of all views must be a .png; an .exr holds the numbers of one view");
   }
+  const RefineSettings refine = parseRefine(options.refine);
+  if (refine.rays > 0) refuseBesideRefine(options);
   requireWritable("-o", options.outputPath);
   if (!options.report.statsPath.empty()) requireWritable("--stats", options.report.statsPath);
 
@@ -66,10 +104,15 @@ void runRender(const RenderOptions& options) {
   OffscreenScene& shown = *kept;
   if (!linear && !options.report.quiet) warnOfSamples(shown, options.samples);
   const ShownSettings settings{camera, options.probes == "on", BakeFolder::besideScene(options.scenePath), {}, view};
+  if (refine.rays > 0 && !options.report.quiet) warnOfUnrest(loaded.scene);
   shown.show(loaded.scene, loaded.models, settings);
+  shown.renderer().refine(refine);
   captureShown(shown, interrupt, options.report.quiet);
   if (!linear) exposeAutomatically(shown, loaded, settings, aspect);
   const PictureTimes times = drawPicture(shown, options, linear, interrupt);
+
+  const std::string refined =
+      refine.rays > 0 && !options.report.quiet ? refinedText(refine, shown.renderer().refineState()) : std::string();
 
   RunStats stats = collectStats(shown.renderer(), shown.window());
   stats.startToFirstFrameCpuSeconds = times.firstFrame;
@@ -82,8 +125,8 @@ void runRender(const RenderOptions& options) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.1f", times.firstFrame);
     printResult(options.outputPath + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                ", camera " + camera.name + ", " + std::to_string(stats.counters.facesCaptured) + " faces captured, " +
-                seconds + " s of CPU time\n");
+                ", camera " + camera.name + ", " + (refine.rays > 0 ? refined + ", " : std::string()) +
+                std::to_string(stats.counters.facesCaptured) + " faces captured, " + seconds + " s of CPU time\n");
   }
 }
 

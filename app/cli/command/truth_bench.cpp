@@ -105,7 +105,10 @@ void runTruthBench(const BenchOptions& options) {
       last = picture;
       add(stage->sceneRow(*picture, effort));
       if (index.isBox(picture->scene)) add(stage->boxRow(*picture, effort));
-      for (const BenchTechnique& technique : techniques) add(stage->techniqueRow(*picture, technique));
+      for (const BenchTechnique& technique : techniques) {
+        add(stage->techniqueRow(*picture, technique));
+        if (options.refine > 0) add(stage->refinedRow(*picture, technique, options.refine));
+      }
     }
   } catch (const TruthStage::Stopped&) {
     complete = false;

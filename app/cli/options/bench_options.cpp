@@ -7,6 +7,7 @@
 
 #include "app/session/output_check.h"
 #include "filters/core/base/errors.h"
+#include "filters/vtk/frame/refinement.h"
 
 namespace boxprobe {
 
@@ -96,6 +97,11 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
   command.add_flag("--whole", options.whole,
                    "Compare whole pictures, diffuse light and all, with the path tracer's instead; without SCENE of "
                    "every scene that comes with the program; writes whole.json");
+  command
+      .add_option("--refine", options.refine,
+                  "With --truth: each technique's picture also as it is refined at rest by N rays a pixel")
+      ->check(CLI::Range(1, RefineSettings::kMostRays).description(""))
+      ->type_name("N");
   command.add_option("--seed", options.seed, "Seed of the references' rays")->capture_default_str();
   command.add_option("--set", options.assignments, "Change a field of the scene first (repeatable)")
       ->type_name("FIELD=VALUE")

@@ -24,6 +24,7 @@ struct BenchOptions {
   std::string size;
   std::optional<int> rooms;  ///< of the study; none: as the plan has it
   std::string truthPath;     ///< of the truth pictures' file, or kOwnTruth; empty: a benchmark without them
+  int refine = 0;            ///< rays a pixel of refined pictures; 0: none
   bool whole = false;        ///< whole pictures against the path tracer's
   std::uint64_t seed = 1;
   std::vector<std::string> assignments;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "filters/core/base/errors.h"
 #include "filters/math/technique/technique_table.h"
@@ -97,6 +98,11 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->check(CLI::Range(0, 100000).description(""))
       ->type_name("N");
   command
+      .add_flag("--refine{256}", options.refine,
+                "The picture as the window shows it at rest, whatever the technique: =N by N rays of the whole lobe a "
+                "pixel (default 256), =P% until P % are estimated to be left. Prints what is left")
+      ->type_name("[=N|P%]");
+  command
       .add_option("--view", options.view,
                   "Draw a debug view (PNG: with its scale; EXR: the numbers, -1 where undefined); all: a sheet of "
                   "every view: " +
@@ -117,7 +123,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       "  boxprobe render data/scenes/room.boxprobe.json -o room.exr --technique infinite --set "
       "materials.floor.roughness=0.25\n"
       "  boxprobe render data/scenes/room.boxprobe.json -o truth.exr --technique reference-scene --rays 1024\n"
-      "  boxprobe render data/scenes/furnished.boxprobe.json -o light.png --technique reference-path --bounces all");
+      "  boxprobe render data/scenes/furnished.boxprobe.json -o light.png --technique reference-path --bounces all\n"
+      "  boxprobe render data/scenes/room.boxprobe.json -o still.png --refine=2%");
 }
 
 FrameSize parseFrameSize(const std::string& text) {
@@ -153,6 +160,26 @@ SurfaceViewSettings parseView(const std::string& id, const std::string& range) {
   }
   settings.low = low;
   settings.high = high;
+  return settings;
+}
+
+RefineSettings parseRefine(const std::string& text) {
+  RefineSettings settings;
+  if (text.empty()) return settings;
+  const auto refused = [&] {
+    return InputError("--refine=" + text + ": expected a number of rays from 1 to " +
+                      std::to_string(RefineSettings::kMostRays) +
+                      ", or what may be left in percent, above 0 and below 100, as in --refine=256 or --refine=2%");
+  };
+  const bool percent = text.back() == '%';
+  const std::string number = percent ? text.substr(0, text.size() - 1) : text;
+  if (number.empty() || number.find_first_not_of(percent ? "0123456789." : "0123456789") != std::string::npos) {
+    throw refused();
+  }
+  const double value = std::strtod(number.c_str(), nullptr);
+  if (!(value > 0.0) || value > (percent ? 99.99 : RefineSettings::kMostRays)) throw refused();
+  settings.rays = percent ? RefineSettings::kMostRays : static_cast<int>(value);
+  if (percent) settings.until = value / 100.0;
   return settings;
 }
 

@@ -8,6 +8,7 @@
 #include "filters/core/scene/scene.h"
 #include "filters/core/scene/surface_view.h"
 #include "filters/fit/fit_model.h"
+#include "filters/vtk/frame/refinement.h"
 
 namespace boxprobe {
 
@@ -39,9 +40,10 @@ struct RenderOptions {
   int rays = kDefaultReferenceRays;  ///< of a reference: reflection rays per pixel
   bool full = false;                 ///< of reference-scene: reflection rays see what the picture shows
   std::string bounces;               ///< of reference-path: a number or "all"; empty: the scene's
-  std::string shard;  ///< of reference-scene and reference-path: I/N or auto; empty: alone, or as mpiexec says
-  std::string view;   ///< id of a row of surfaceViews(); empty: the picture
-  std::string range;  ///< LOW,HIGH; empty: the view's own
+  std::string shard;   ///< of reference-scene and reference-path: I/N or auto; empty: alone, or as mpiexec says
+  std::string refine;  ///< a number of rays or an error in percent; empty: the picture is not refined
+  std::string view;    ///< id of a row of surfaceViews(); empty: the picture
+  std::string range;   ///< LOW,HIGH; empty: the view's own
   std::vector<std::string> assignments;
   FitOptions fit;
   ReportOptions report;
@@ -58,6 +60,9 @@ inline constexpr const char* kAllViews = "all";
 
 /// A row of the debug view's table and its range. Throws InputError listing the ids there are.
 SurfaceViewSettings parseView(const std::string& id, const std::string& range);
+
+/// What --refine says; nothing for an empty text. Throws InputError.
+RefineSettings parseRefine(const std::string& text);
 
 /// The camera of that name; without a name "main", else the first, else the default camera. Throws InputError listing
 /// the names there are.

@@ -18,6 +18,8 @@ namespace {
 void exportLinear(const std::string& path, SceneRenderer& renderer, const int* size) {
   constexpr int kSamples = 4;
   // Several samples per pixel have as many rays in as many frames fewer.
+  const RefineSettings refined = renderer.refineSettings();
+  if (refined.rays > 0) return saveExr(path, renderer.renderRefined(size[0], size[1], kSamples, refined));
   const int frames = (renderer.frameCount().wanted + kSamples - 1) / kSamples;
   saveExr(path, renderer.renderLinear(size[0], size[1], kSamples, std::max(frames, 1)));
 }

@@ -3,11 +3,13 @@
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
 #include "app/gui/view/motion_preview.h"
 #include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/rest_refinement.h"
 #include "app/gui/view/viewport.h"
 #include "app/session/fit_scene.h"
 #include "filters/vtk/scene_renderer.h"
@@ -34,7 +36,18 @@ PictureWork::PictureWork(const Document& document, SceneRenderer& renderer, View
           this)),
       motion_(new MotionPreview({[this](bool allowed) { renderer_.allowStandIns(allowed); },
                                  [this](bool moving) { return renderer_.setMoving(moving); }},
-                                this)) {
+                                this)),
+      refinement_(new RestRefinement({[this] { return everRests(); },
+                                      [this] {
+                                        return viewport_.readyToDraw() && !document_.previewing() &&
+                                               !motion_->active() && scheduler_->idle() && !renderer_.workPending();
+                                      },
+                                      [this](bool refined) {
+                                        RefineSettings settings;
+                                        if (refined) settings.rays = RefineSettings::kRays;
+                                        guarded([&] { renderer_.refine(settings); });
+                                      }},
+                                     this)) {
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMilliseconds);
   connect(&rest_, &QTimer::timeout, this, &PictureWork::rested);
@@ -42,6 +55,8 @@ PictureWork::PictureWork(const Document& document, SceneRenderer& renderer, View
   connect(scheduler_, &RenderScheduler::rendered, this, &PictureWork::tellError);
   connect(motion_, &MotionPreview::enabledChanged, scheduler_, &RenderScheduler::sceneChanged);
   connect(motion_, &MotionPreview::cameToRest, scheduler_, &RenderScheduler::requestRender);
+  connect(&viewport_, &Viewport::cameraMoved, refinement_, &RestRefinement::moved);
+  connect(refinement_, &RestRefinement::switched, scheduler_, &RenderScheduler::requestRender);
   connect(&viewport_, &Viewport::cameraMoved, scheduler_, &RenderScheduler::requestRender);
   connect(&viewport_, &Viewport::cameraMoved, motion_, &MotionPreview::moved);
   connect(&viewport_, &Viewport::becameReady, scheduler_, &RenderScheduler::requestRender);
@@ -59,6 +74,13 @@ void PictureWork::rested() {
   }
   guarded([this] { renderer_.foldConstants(); });
   if (renderer_.workPending()) scheduler_->wake();
+}
+
+// A realtime probe is captured over and over, and its picture with it.
+bool PictureWork::everRests() const {
+  const auto& probes = document_.scene().probes;
+  return !(plain_ && plain_()) && std::none_of(probes.begin(), probes.end(),
+                                               [](const Probe& probe) { return probe.mode == ProbeMode::Realtime; });
 }
 
 template <typename Work>
@@ -96,6 +118,7 @@ void PictureWork::setRest(int milliseconds) {
 
 void PictureWork::syncScene(const Changes& changes) {
   rest_.start();
+  refinement_->moved();
   if (document_.previewing()) {
     motion_->moved();
     renderer_.setInteractive(true);
@@ -105,12 +128,14 @@ void PictureWork::syncScene(const Changes& changes) {
 }
 
 void PictureWork::editSettled() {
+  refinement_->moved();
   motion_->rest();
   renderer_.setInteractive(document_.previewing());
   scheduler_->requestRender();
 }
 
 void PictureWork::setReflectionsShown(bool shown) {
+  refinement_->moved();
   renderer_.setProbesEnabled(shown);
   scheduler_->requestRender();
 }
@@ -126,6 +151,7 @@ void PictureWork::resetCamera() {
 }
 
 void PictureWork::place(const Camera& camera) {
+  refinement_->moved();
   renderer_.applyCamera(camera);
   emit cameraPlaced();
   scheduler_->requestRender();

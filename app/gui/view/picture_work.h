@@ -14,6 +14,7 @@ namespace boxprobe {
 
 class MotionPreview;
 class RenderScheduler;
+class RestRefinement;
 class SceneRenderer;
 class Viewport;
 
@@ -27,6 +28,9 @@ class PictureWork : public QObject {
 
   RenderScheduler& scheduler() { return *scheduler_; }
   MotionPreview& motion() { return *motion_; }
+  RestRefinement& refinement() { return *refinement_; }
+  /// What is shown is to show its techniques as they are, such as a lesson: asked before a picture is refined.
+  void setPlainWhere(std::function<bool()> plain) { plain_ = std::move(plain); }
 
   /// Before any view of the document asks the renderer. While something is dragged the renderer puts off what only the
   /// final value needs: programs, further bounces.
@@ -56,6 +60,7 @@ class PictureWork : public QObject {
   void tellError();
   void place(const Camera& camera);
   void rested();
+  bool everRests() const;
 
   const Document& document_;
   SceneRenderer& renderer_;
@@ -63,6 +68,8 @@ class PictureWork : public QObject {
   std::function<void()> beforePicture_;
   RenderScheduler* scheduler_;
   MotionPreview* motion_;
+  RestRefinement* refinement_;
+  std::function<bool()> plain_;
   QTimer rest_;  ///< since the last edit
   bool firstPictureDone_ = false;
   std::string toldError_;

@@ -14,11 +14,20 @@ constexpr const char* kDocks = "windowDocks";
 constexpr const char* kFolded = "foldedSections";
 constexpr const char* kTheme = "theme";
 constexpr const char* kCheaperWhileMoving = "cheaperWhileMoving";
+constexpr const char* kRefinesAtRest = "refinesAtRest";
 
 }  // namespace
 
 std::unique_ptr<QSettings> preferences() {
   return openSettings("preferences.ini");
+}
+
+bool refinesAtRest() {
+  return preferences()->value(kRefinesAtRest, true).toBool();
+}
+
+void keepRefinesAtRest(bool on) {
+  preferences()->setValue(kRefinesAtRest, on);
 }
 
 std::optional<bool> cheaperWhileMoving() {

@@ -16,6 +16,10 @@ std::unique_ptr<QSettings> preferences();
 std::optional<bool> cheaperWhileMoving();
 void keepCheaperWhileMoving(bool on);
 
+/// Pictures that rest go on to the truth; on until the user has chosen.
+bool refinesAtRest();
+void keepRefinesAtRest(bool on);
+
 /// The look of the window, as Theme counts; nothing until the user has chosen.
 std::optional<int> chosenTheme();
 void keepTheme(int theme);

@@ -22,6 +22,7 @@
 #include "app/gui/view/picture_export.h"
 #include "app/gui/view/picture_work.h"
 #include "app/gui/view/render_scheduler.h"
+#include "app/gui/view/rest_refinement.h"
 #include "app/gui/view/viewport.h"
 #include "app/gui/widgets/preferences.h"
 #include "app/gui/widgets/recent_files.h"
@@ -171,6 +172,10 @@ MotionPreview& MainWindow::motionPreview() {
   return work_->motion();
 }
 
+RestRefinement& MainWindow::refinement() {
+  return work_->refinement();
+}
+
 Projector& MainWindow::projector() {
   return lessonDock_->projector();
 }
@@ -250,6 +255,11 @@ void MainWindow::connectPicture() {
   connect(menu_, &MenuBar::reflectionsShown, work_, &PictureWork::setReflectionsShown);
   connect(menu_, &MenuBar::motionPreviewSwitched, &motionPreview(), &MotionPreview::setEnabled);
   connect(&motionPreview(), &MotionPreview::enabledChanged, menu_, &MenuBar::showMotionPreview);
+  RestRefinement& refinement = work_->refinement();
+  work_->setPlainWhere([this] { return !lessons_->sceneName().isEmpty(); });
+  menu_->showRefinement(refinement.enabled());
+  connect(menu_, &MenuBar::refinementSwitched, &refinement, &RestRefinement::setEnabled);
+  connect(&refinement, &RestRefinement::enabledChanged, menu_, &MenuBar::showRefinement);
   connect(work_, &PictureWork::failed, status_, &StatusLine::showError);
   connect(work_, &PictureWork::firstPictureComplete, this, &MainWindow::firstPictureComplete);
   connect(&scheduler(), &RenderScheduler::workProgressed, status_, &StatusLine::showProgress);

@@ -34,6 +34,7 @@ class ProbeExporter;
 class ProbeWidget;
 class Projector;
 class RenderScheduler;
+class RestRefinement;
 class SceneRenderer;
 class SceneSurfaces;
 class StatusLine;
@@ -68,6 +69,7 @@ class MainWindow : public QMainWindow {
   Projector& projector();
   ModelFitter& modelFitter() { return *fitter_; }
   MotionPreview& motionPreview();
+  RestRefinement& refinement();
   PictureWork& pictureWork() { return *work_; }
   ViewTools& tools() { return *tools_; }
   /// Who is told of which changes of the document.

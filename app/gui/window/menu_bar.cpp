@@ -72,6 +72,9 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
   motionPreview_ = addToggle(view_, tr("C&heaper techniques while moving"), {}, &MenuBar::motionPreviewSwitched);
   motionPreview_->setToolTip(tr("Draws expensive techniques by a cheaper one while the camera or a handle moves"));
   motionPreview_->setChecked(false);
+  refinement_ = addToggle(view_, tr("Refi&ne at rest"), {}, &MenuBar::refinementSwitched);
+  refinement_->setToolTip(
+      tr("While nothing moves, reflections go on to what rays of the whole lobe show, whatever the technique"));
   projector_ = addToggle(view_, tr("&Projector: the picture and the lesson alone"), QKeySequence("F11"),
                          &MenuBar::projectorSwitched);
   projector_->setChecked(false);
@@ -263,6 +266,10 @@ void MenuBar::showVariants(const QStringList& names, const QString& shown) {
 
 void MenuBar::showExplainTool(bool on) {
   explain_->setChecked(on);
+}
+
+void MenuBar::showRefinement(bool on) {
+  refinement_->setChecked(on);
 }
 
 void MenuBar::showMotionPreview(bool on) {

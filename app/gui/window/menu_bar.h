@@ -33,6 +33,7 @@ class MenuBar : public QObject {
   /// Names of the model's other sets of materials; `shown` may be empty, for its own.
   void showVariants(const QStringList& names, const QString& shown);
   void showMotionPreview(bool on);
+  void showRefinement(bool on);
   /// As if the user had switched them.
   void setBoxesShown(bool shown);
   void setReflectionsShown(bool shown);
@@ -105,6 +106,7 @@ class MenuBar : public QObject {
   void boxesShown(bool shown);
   void reflectionsShown(bool shown);
   void motionPreviewSwitched(bool on);
+  void refinementSwitched(bool on);
   void explainToolSwitched(bool on);
   void copyTextRequested();
   void copyJsonRequested();
@@ -141,7 +143,8 @@ class MenuBar : public QObject {
   QMenu* variants_;
   std::vector<std::string> cameraNames_;
   QAction *undo_, *redo_, *duplicate_, *delete_, *copy_, *fit_, *frame_, *lookFrom_, *keys_, *flip_, *difference_,
-      *endCompare_, *views_, *bake_, *export_, *explain_, *motionPreview_, *boxes_, *reflections_, *projector_;
+      *endCompare_, *views_, *bake_, *export_, *explain_, *motionPreview_, *refinement_, *boxes_, *reflections_,
+      *projector_;
 };
 
 }  // namespace boxprobe

@@ -52,6 +52,9 @@ void StatusLine::showPicture(const FrameCount& frames, bool preview) {
   if (preview) {
     picture_->setText(tr("moving preview"));
     picture_->setToolTip(tr("A cheaper technique is shown while something moves (View menu)"));
+  } else if (frames.refined) {
+    picture_->setText(frames.more() ? tr("refining: %1 %").arg(100 * frames.averaged / frames.wanted) : tr("refined"));
+    picture_->setToolTip(tr("The picture rests and goes on to what rays of the whole lobe show (View menu)"));
   } else if (frames.wanted > 0) {
     picture_->setText(tr("%1 of %2 frames averaged").arg(frames.averaged).arg(frames.wanted));
     picture_->setToolTip(tr("Mean since the last visible change"));

@@ -16,6 +16,18 @@ const std::vector<ParameterRow>& parameterRows() {
        64,
        {},
        &Values::samples},
+      {"total",
+       "Rays in all",
+       "",
+       "Of an animated picture: rays per pixel of all frames that are averaged, which each ray's blur is made for. 0: "
+       "of "
+       "one frame, whose blur stays however many frames there are.",
+       Kind::WholeNumber,
+       0,
+       65536,
+       0,
+       {},
+       &Values::total},
       {"pattern",
        "Pattern",
        "",

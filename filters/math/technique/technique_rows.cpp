@@ -276,7 +276,7 @@ const std::vector<EvaluationRow>& evaluationRows() {
        {"shared/lobe_frame.glsl", "shared/footprint.glsl", "shared/hash.glsl", "shared/sample_pattern.glsl",
         "shared/visible_normal.glsl", "shared/cube.glsl", "shared/light_sampling.glsl",
         "technique/evaluation_footprint1.glsl"},
-       {"samples", "pattern", "animated", "levelOffset", "filtered", "sampling", "blur"},
+       {"samples", "total", "pattern", "animated", "levelOffset", "filtered", "sampling", "blur"},
        false,
        "footprint1"},
       {"auto",

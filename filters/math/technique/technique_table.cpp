@@ -73,7 +73,9 @@ std::vector<const ParameterRow*> parametersOf(Technique technique) {
 bool chooses(Technique technique, const shading::TechniqueParameters& values, std::string_view parameter,
              std::string_view choice) {
   for (const ParameterRow* row : parametersOf(technique)) {
-    if (row->name == parameter) return row->choices.at(static_cast<std::size_t>(values.*row->choice)) == choice;
+    if (row->name != parameter) continue;
+    const auto at = static_cast<std::size_t>(values.*row->choice);  // refined pictures have a pattern beyond the list
+    return at < row->choices.size() && row->choices[at] == choice;
   }
   return false;
 }

@@ -172,7 +172,7 @@ ImageRgbaF CubeCapture::renderFrame(vtkCamera* camera, int width, int height, in
     picture->Height = h;
     picture->Props = props;
     renderer_->SetPass(picture);
-    for (int frame = 0; frame < picture->Limit; ++frame) {
+    for (int frame = 0; picture->Advance ? picture->Advance() : frame < picture->Limit; ++frame) {
       if (beforeFrame) beforeFrame(frame);
       draw(shaped);
     }

@@ -4,6 +4,12 @@
 
 namespace boxprobe {
 
+namespace {
+
+constexpr int kRefinedPattern = 4;  // of shared/sample_pattern.glsl
+
+}  // namespace
+
 Technique ProbeBinding::technique(std::size_t slot) const {
   return slot < techniques.size() ? techniques[slot] : probes[slot]->geometry.technique;
 }
@@ -56,13 +62,12 @@ bool ProbeBinding::distances() const {
 }
 
 bool ProbeBinding::marches(std::size_t slot) const {
-  return projectionRows()[static_cast<std::size_t>(technique(slot).projection)].distances &&
-         probes[slot]->geometry.parameters.steps > 3.5f;
+  return projectionRows()[static_cast<std::size_t>(technique(slot).projection)].distances && values(slot).steps > 3.5f;
 }
 
 bool ProbeBinding::chooses(std::string_view parameter, std::string_view choice) const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    if (boxprobe::chooses(technique(i), probes[i]->geometry.parameters, parameter, choice)) return true;
+    if (boxprobe::chooses(technique(i), values(i), parameter, choice)) return true;
   }
   return false;
 }
@@ -86,8 +91,41 @@ std::shared_ptr<const ProbeBinding> ProbeBinding::forFirstBounce() const {
   return unlit;
 }
 
+std::shared_ptr<const ProbeBinding> ProbeBinding::refined(int samples, int total) const {
+  if (lighting != Lighting::Probes || firstBounce) return nullptr;
+  constexpr float kStepsAtRest = 24.0f;
+  static const int rays = parseTechnique("raytraced")->evaluation;
+  static const int alongNormal = parseTechnique("normal")->projection;
+  auto made = std::make_shared<ProbeBinding>(*this);
+  made->techniques.clear();
+  made->refinedValues.clear();
+  bool differs = false;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    Technique t = technique(i);
+    shading::TechniqueParameters of = values(i);
+    // Along the normal every ray looks up the same; of a mirror there is one.
+    if (t.projection != alongNormal && roughnessMax > 0.0f) {
+      t.evaluation = rays;
+      of.samples = static_cast<float>(samples);
+      of.total = static_cast<float>(total);
+      of.pattern = kRefinedPattern;
+      of.filtered = 1;
+      of.levelOffset = of.sampling = 0;
+      differs = true;
+    }
+    if (projectionRows()[static_cast<std::size_t>(t.projection)].distances && of.steps < kStepsAtRest) {
+      of.steps = kStepsAtRest;
+      differs = true;
+    }
+    made->techniques.push_back(t);
+    made->refinedValues.push_back(of);
+  }
+  return differs ? made : nullptr;
+}
+
 int ProbeBinding::animatedSamples() const {
   int samples = 0;
+  if (!refinedValues.empty()) return samples;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const ProbeGeometry& g = probes[i]->geometry;
     if (!g.animated || !(technique(i) == g.technique)) continue;
@@ -97,7 +135,7 @@ int ProbeBinding::animatedSamples() const {
 }
 
 bool ProbeBinding::blurred(std::size_t slot) const {
-  return probes[slot]->geometry.blurred && technique(slot) == probes[slot]->geometry.technique;
+  return refinedValues.empty() && probes[slot]->geometry.blurred && technique(slot) == probes[slot]->geometry.technique;
 }
 
 int ProbeBinding::blurredSamples() const {
@@ -141,7 +179,7 @@ std::string ProbeBinding::variantKey() const {
   for (std::size_t i = 0; i < probes.size(); ++i) {
     key += " " + std::to_string(group[i]) + ":" + techniqueId(technique(i)) + (blurred(i) ? "~" : "");
     for (const ParameterRow* row : parametersOf(technique(i))) {
-      if (row->choice != nullptr) key += "/" + std::to_string(probes[i]->geometry.parameters.*row->choice);
+      if (row->choice != nullptr) key += "/" + std::to_string(values(i).*row->choice);
     }
     if (marches(i)) key += 'm';
     if (lampFree(i)) key += 'f';

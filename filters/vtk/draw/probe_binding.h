@@ -74,11 +74,19 @@ struct ProbeBinding {
   /// What draws each: the probe's own technique, or what `auto` chose for this object. Empty: their own.
   std::vector<Technique> techniques;
   Technique technique(std::size_t slot) const;
+  /// Parameters that each is drawn with, of a refined picture. Empty: the probes' own.
+  std::vector<shading::TechniqueParameters> refinedValues;
+  const shading::TechniqueParameters& values(std::size_t slot) const {
+    return slot < refinedValues.size() ? refinedValues[slot] : probes[slot]->geometry.parameters;
+  }
 
   /// Equal keys share a program: techniques, importance groups, and what can be left out.
   std::string variantKey() const;
   /// The same by what stands in for its techniques while something moves; null if nothing does.
   std::shared_ptr<const ProbeBinding> standIn() const;
+  /// The same by rays of the whole lobe, `samples` of each of its frames, which are `total` in all; impostors follow
+  /// rays. Null where that would show nothing else.
+  std::shared_ptr<const ProbeBinding> refined(int samples, int total) const;
   /// The same for captures in which no probe reflects anything; null where that would not spare any lookup, or where
   /// what is looked up does not depend on the probes alone.
   std::shared_ptr<const ProbeBinding> forFirstBounce() const;

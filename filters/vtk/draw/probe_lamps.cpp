@@ -19,7 +19,7 @@ void makeLampFree(const DrawState& state, const ProbeBinding& binding) {
     for (const std::size_t lamp : probe.lamps) {
       lamps.push_back(lampPolygon(resources.lamps->lamps[lamp], g.originWorld, worldFromMap));
     }
-    const LevelMask levels = levelsRead(binding.technique(i), g.parameters, static_cast<double>(binding.roughnessMin),
+    const LevelMask levels = levelsRead(binding.technique(i), binding.values(i), static_cast<double>(binding.roughnessMin),
                                         static_cast<double>(binding.roughnessMax), maps.radiance.levels());
     const bool made = makeLampFreeMaps(
         maps, lamps, levels, state.pass().dragging,

@@ -19,9 +19,16 @@ class vtkShaderProgram;
 
 namespace boxprobe {
 
+/// Rays a pixel of a picture that goes on at rest: of a frame, and of all frames that are averaged. 0: none.
+struct RefinedRays {
+  int aFrame = 0, inAll = 0;
+  bool operator==(const RefinedRays& o) const { return aFrame == o.aFrame && inAll == o.inAll; }
+};
+
 /// What an object asks for, of itself or because it was planned for it.
 struct ProgramRequest {
   bool standIn = false;  ///< by what stands in for its techniques (see EvaluationRow)
+  RefinedRays refined;   ///< by rays in place of its techniques (see ProbeBinding::refined)
   SurfaceFacts facts = kAnyFact;
   std::shared_ptr<const ConstantsPlan> constants;  ///< null: none
 };

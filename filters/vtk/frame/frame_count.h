@@ -5,7 +5,8 @@ namespace boxprobe {
 
 struct FrameCount {
   int averaged = 0;
-  int wanted = 0;  ///< 0: the picture is no mean of frames
+  int wanted = 0;        ///< 0: the picture is no mean of frames
+  bool refined = false;  ///< of rays that go on at rest, not of a technique's own frames
   bool more() const { return averaged < wanted; }
 };
 

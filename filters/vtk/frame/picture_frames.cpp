@@ -17,6 +17,12 @@ bool sameOwner(const std::weak_ptr<T>& a, const std::weak_ptr<T>& b) {
   return !a.owner_before(b) && !b.owner_before(a);
 }
 
+// How many rays of the lobe a frame by the technique is as near to the truth as.
+int raysWorth(const Technique& technique) {
+  const std::string_view id = evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id;
+  return id == "footprint8" || id == "footprint16" ? 16 : id == "footprint4" ? 8 : 4;
+}
+
 }  // namespace
 
 PictureFrames::PictureFrames(vtkOpenGLRenderWindow* window, vtkCulledRenderer* renderer,
@@ -66,6 +72,13 @@ int PictureFrames::wanted() const {
 
 FrameCount PictureFrames::count() const {
   FrameCount count;
+  if (refining_ && !plain_) {
+    count.refined = true;
+    count.wanted = stages_.framesInAll();
+    count.averaged =
+        guessing_ ? screen_->GetFrames() : stages_.framesBefore() + (stages_.more() ? screen_->GetFrames() : 0);
+    return count;
+  }
   count.wanted = plain_ ? 0 : wanted();
   if (count.wanted > 0 && active_) count.averaged = std::min(screen_->GetFrames(), count.wanted);
   return count;
@@ -105,9 +118,103 @@ vtkSmartPointer<vtkPicturePass> PictureFrames::makePass() const {
   return pass;
 }
 
-void PictureFrames::beginFrame(bool plain) {
-  const int frames = wanted();
+void PictureFrames::setRays(RefinedRays rays) {
+  for (const DrawnObject& object : content_->objects) object.pass->SetRefined(rays);
+}
+
+void PictureFrames::dropRays() {
+  setRays({});
+}
+
+void PictureFrames::refine(const RefineSettings& settings) {
+  if (settings == settings_) return;
+  settings_ = settings;
+  refining_ = tried_ = false;
+  shown_ = {};
+  dropRays();
+}
+
+int PictureFrames::firstGuess() const {
+  int worth = 0;
+  for (const DrawnObject& object : content_->objects) {
+    const ProbeBinding* binding = object.settings.visible ? object.pass->GetBinding() : nullptr;
+    if (binding == nullptr || !binding->refined(1, 1)) continue;
+    for (std::size_t slot = 0; slot < binding->probes.size(); ++slot) {
+      const int of = raysWorth(binding->technique(slot));
+      worth = worth == 0 ? of : std::min(worth, of);
+    }
+  }
+  return worth;
+}
+
+void PictureFrames::beginRefinement(vtkPicturePass* pass, const RefineSettings& settings) {
+  const int worth = firstGuess();
+  stages_.begin(worth > 0 ? settings : RefineSettings{}, worth);
+  guessing_ = true;
+  setRays({});
+  pass->Restart();
+  pass->Limit = 1;
+  pass->Share = [this](int frames) { return stages_.share(frames); };
+}
+
+// Before a frame: what it draws. False if there is nothing to add to what there is.
+bool PictureFrames::advance(vtkPicturePass* pass, bool hold) {
+  const int frames = pass->GetFrames();
+  const int wanted = guessing_ ? 1 : stages_.frames();
+  if (frames > 0 && hold) {
+    pass->Limit = frames;
+    return false;
+  }
+  if (frames >= wanted && stages_.more()) {
+    if (!guessing_) stages_.endStage(pass->GetChange(window_, state_->exposure()));
+    guessing_ = false;
+    if (stages_.more()) pass->Promote();
+  }
+  if (!guessing_) setRays(stages_.rays());
+  pass->Limit = guessing_ ? 1 : stages_.more() ? stages_.frames() : std::max(frames, 1);
+  return pass->GetFrames() < pass->Limit;
+}
+
+// The picture through the pass, in the window.
+void PictureFrames::show(int rays, bool behind) {
+  screen_->Props = content_->shownProps(renderer_);
+  screen_->Props.push_back(content_->sky);
+  screen_->Sky = content_->sky;
+  screen_->BlurredRays = rays;
+  screen_->Behind = behind;
+  screen_->Width = shown_.size[0];
+  screen_->Height = shown_.size[1];
+  screen_->Samples = shown_.size[2];
+  renderer_->SetPass(screen_);
+}
+
+void PictureFrames::beginFrame(bool plain, bool hold) {
   plain_ = plain;
+  if (settings_.rays > 0 && !plain) {
+    Key now = key();
+    if (!(now == shown_) || !tried_) {
+      shown_ = std::move(now);
+      tried_ = true;
+      refining_ = firstGuess() > 0;
+      if (refining_) {
+        if (!screen_) screen_ = makePass();
+        beginRefinement(screen_, settings_);
+      }
+    }
+    if (refining_) {
+      active_ = true;
+      const bool behind = looksBehind();
+      for (const DrawnObject& object : content_->objects) object.pass->SetSeparateSpecular(false);
+      advance(screen_, hold);
+      return show(0, behind);
+    }
+  } else if (refining_) {
+    refining_ = tried_ = false;
+    shown_ = {};
+    dropRays();
+  }
+  if (screen_) screen_->Share = nullptr;
+  const int frames = wanted();
   const int rays = plain ? 0 : blurredRays();
   const bool behind = !plain && looksBehind();
   active_ = !plain && (frames > 0 || rays > 0 || behind);
@@ -123,16 +230,21 @@ void PictureFrames::beginFrame(bool plain) {
     screen_->Restart();
     shown_ = std::move(now);
   }
-  screen_->Props = content_->shownProps(renderer_);
-  screen_->Props.push_back(content_->sky);
-  screen_->Sky = content_->sky;
-  screen_->BlurredRays = rays;
-  screen_->Behind = behind;
-  screen_->Width = shown_.size[0];
-  screen_->Height = shown_.size[1];
-  screen_->Samples = shown_.size[2];
   screen_->Limit = std::max(frames, 1);
-  renderer_->SetPass(screen_);
+  show(rays, behind);
+}
+
+vtkPicturePass* PictureFrames::refinedPass(const RefineSettings& settings) {
+  if (firstGuess() == 0) return nullptr;
+  for (const DrawnObject& object : content_->objects) object.pass->SetSeparateSpecular(false);
+  if (!linear_) linear_ = makePass();
+  linear_->Behind = looksBehind();
+  linear_->BlurredRays = 0;
+  linear_->Sky = content_->sky;
+  beginRefinement(linear_, settings);
+  tried_ = refining_ = false;  // the window's begins again
+  linear_->Advance = [this] { return linear_->GetFrames() == 0 || advance(linear_, false); };
+  return linear_;
 }
 
 vtkPicturePass* PictureFrames::linearPass(int frames) {
@@ -142,6 +254,8 @@ vtkPicturePass* PictureFrames::linearPass(int frames) {
   if (rays == 0 && (frames <= 1 || !averages()) && !behind) return nullptr;
   if (!linear_) linear_ = makePass();
   linear_->Restart();
+  linear_->Share = nullptr;
+  linear_->Advance = nullptr;
   linear_->Limit = averages() ? frames : 1;
   linear_->BlurredRays = rays;
   linear_->Behind = behind;
@@ -155,7 +269,7 @@ void PictureFrames::releaseLinear() {
 
 void PictureFrames::release() {
   renderer_->SetPass(nullptr);
-  active_ = false;
+  active_ = refining_ = tried_ = false;
   for (const auto& pass : {screen_, linear_}) {
     if (pass) pass->ReleaseGraphicsResources(window_);
   }

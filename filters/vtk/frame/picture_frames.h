@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "filters/vtk/frame/frame_count.h"
+#include "filters/vtk/frame/refinement.h"
 #include "filters/vtk/frame/vtkPicturePass.h"
 #include "filters/vtk/scene/scene_content.h"
 
@@ -26,13 +27,22 @@ class PictureFrames {
   /// The scene is another one than in the frame before.
   void sceneChanged() { ++generation_; }
   /// Before each frame of the window, whose surfaces are then as they will be drawn. `plain`: no surface shows a
-  /// picture of a technique (a debug view).
-  void beginFrame(bool plain);
+  /// picture of a technique (a debug view). `hold`: captures come first, a refinement waits for them.
+  void beginFrame(bool plain, bool hold);
   /// Does a technique that is drawn ask for a mean of frames?
   bool averages() const { return raysAFrame() > 0; }
   FrameCount count() const;
   /// In place of what the techniques' numbers of rays ask for.
   void setLimit(std::optional<int> frames) { limit_ = frames; }
+  /// Frames go on to the truth from the next one on, as long as nothing changes (refinement.h).
+  void refine(const RefineSettings& settings);
+  const RefineSettings& refineSettings() const { return settings_; }
+  /// What the window's picture, or the last linear one, has come to.
+  const Refinement& refinement() const { return stages_; }
+  /// Whatever draws next draws by the techniques; a refined picture goes on with its next frame.
+  void dropRays();
+  /// For a linear picture that is refined; null if the plain way draws the same. To be given back when it is drawn.
+  vtkPicturePass* refinedPass(const RefineSettings& settings);
   /// For a linear picture of `frames` frames; null if the plain way draws the same. To be given back when it is drawn.
   vtkPicturePass* linearPass(int frames);
   void releaseLinear();
@@ -56,6 +66,12 @@ class PictureFrames {
   bool looksBehind() const;
   int wanted() const;
   vtkSmartPointer<vtkPicturePass> makePass() const;
+  void setRays(RefinedRays rays);
+  /// Rays that the techniques' own frame is worth; 0: there is nothing to refine.
+  int firstGuess() const;
+  void beginRefinement(vtkPicturePass* pass, const RefineSettings& settings);
+  bool advance(vtkPicturePass* pass, bool hold);
+  void show(int rays, bool behind);
 
   vtkOpenGLRenderWindow* window_;
   vtkCulledRenderer* renderer_;
@@ -65,6 +81,11 @@ class PictureFrames {
   bool active_ = false, plain_ = false;
   int generation_ = 0;
   std::optional<int> limit_;
+  RefineSettings settings_;  ///< of the window's picture
+  Refinement stages_;
+  bool refining_ = false;  ///< the window's picture, since it is as it is
+  bool tried_ = false;     ///< whether there is anything to refine was asked for what is shown
+  bool guessing_ = false;  ///< the frame is the technique's own
   Key shown_;
 };
 

@@ -11,13 +11,18 @@
 #include <vtkNew.h>
 #include <vtkRenderPass.h>
 
+<<<<<<< HEAD
 #include <map>
+=======
+#include <functional>
+>>>>>>> 47f99f9edadea491d59be4ce12fd5e3cecddee5e
 #include <memory>
 #include <vector>
 
 #include "filters/vtk/draw/draw_state.h"
 #include "filters/vtk/frame/behind_frame.h"
 #include "filters/vtk/frame/frame_average.h"
+#include "filters/vtk/frame/refinement.h"
 #include "filters/vtk/frame/reflection_blur.h"
 
 class vtkProp;
@@ -41,9 +46,18 @@ class vtkPicturePass : public vtkRenderPass {
   vtkProp* Sky = nullptr;     ///< of Props: what has no reflection to keep apart and is drawn behind all others
   int Limit = 1;              ///< frames; once there are as many, further renders show what there is
 
+  /** The share in the picture of a mean of so many frames, the rest being the mean before it; empty: all. */
+  std::function<double(int)> Share;
+  /** Called before each frame of a linear picture: is there one more? Empty: until the limit. */
+  std::function<bool()> Advance;
+
   /** What is shown changed: the next frame is the first. */
   void Restart() { this->Average->restart(); }
   int GetFrames() const { return this->Average ? this->Average->frames() : 0; }
+  /** The next frame is the first of a mean that replaces this one. */
+  void Promote() { this->Average->promote(); }
+  /** How far the mean is from the one before it. Reads both back. */
+  boxprobe::PictureChange GetChange(vtkWindow* window, double exposure) const;
 
   void Render(const vtkRenderState* s) override;
   /** The pictures, not the programs. */

@@ -446,6 +446,7 @@ void LevelNeeds::update() {
     if (!object.settings.visible || binding == nullptr || binding->lighting != Lighting::Probes) continue;
     const bool glass = object.surface && object.surface->glass.drawn;
     const Lookup own{{}, object.roughnessMin, object.roughnessMax};
+    const bool rays = refined_ && binding->refined(1, 1) != nullptr;
     if (binding->sky || binding->open()) {
       sky_.add(own);
       sky_.all |= glass;
@@ -453,14 +454,20 @@ void LevelNeeds::update() {
     for (std::size_t slot = 0; slot < binding->probes.size(); ++slot) {
       const auto index = static_cast<std::size_t>(binding->probes[slot]->index);
       if (index >= needs_.size() || !shown_->has(*binding->probes[slot])) continue;
-      sky_.all |= binding->openByLookup(slot);
+      sky_.all |= binding->openByLookup(slot) || (rays && binding->probes[slot]->open);
       Need& need = needs_[index];
-      need.all |= glass;
+      need.all |= glass || rays;
       for (const Technique& technique : {binding->technique(slot), standInFor(binding->technique(slot))}) {
         need.add({technique, own.low, own.high});
       }
     }
   }
+}
+
+void LevelNeeds::setRefined(bool refined) {
+  if (refined == refined_) return;
+  refined_ = refined;
+  update();
 }
 
 LevelMask LevelNeeds::ofProbe(std::size_t probe, int levels) const {

@@ -41,6 +41,8 @@ class LevelNeeds {
 
   /// Levels that something beside the scene's objects samples; of one chain at a time, null for none.
   void also(const std::shared_ptr<const ProbeMaps>& maps, LevelMask levels);
+  /// Pictures are refined by rays, which sample all levels.
+  void setRefined(bool refined);
   /// How many levels are lacking.
   int left() const;
 
@@ -75,7 +77,7 @@ class LevelNeeds {
   const SceneContent* content_;
   const ProbeBinder* shown_;
   const DrawState* state_;
-  bool all_ = false;
+  bool all_ = false, refined_ = false;
   std::vector<Need> needs_;  ///< of each probe
   Need sky_;
   std::weak_ptr<const ProbeMaps> alsoOf_;

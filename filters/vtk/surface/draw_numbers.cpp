@@ -91,7 +91,7 @@ void addChoices(NumberReader& to, const ProbeBinding& binding) {
   for (const ParameterRow* row : binding.parameters()) {
     if (row->number == nullptr) continue;
     SlotValues<float> values{};
-    for (std::size_t i = 0; i < count; ++i) values[i] = binding.probes[i]->geometry.parameters.*row->number;
+    for (std::size_t i = 0; i < count; ++i) values[i] = binding.values(i).*row->number;
     add(to, parameterUniform(*row).c_str(), count, values);
   }
   if (binding.bevelled()) {

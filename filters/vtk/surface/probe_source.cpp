@@ -26,11 +26,10 @@ std::string parameterDeclarations(const ProbeBinding& binding) {
 // those not chosen.
 std::string parameterAssignments(const ProbeBinding& binding, std::size_t slot) {
   if (binding.firstBounce) return {};
-  const DrawnProbe& probe = *binding.probes[slot];
   std::string text;
   for (const ParameterRow* row : parametersOf(binding.technique(slot))) {
     if (row->number == nullptr && row->choice == nullptr) continue;  // of the picture, not of the lookup
-    const std::string value = row->choice != nullptr ? std::to_string(probe.geometry.parameters.*row->choice)
+    const std::string value = row->choice != nullptr ? std::to_string(binding.values(slot).*row->choice)
                                                      : parameterUniform(*row) + "[" + std::to_string(slot) + "]";
     text += "  probe.parameters." + std::string(row->name) + " = " + value + ";\n";
   }
@@ -192,7 +191,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
          define("BP_LAMP_SHAPES", lattice && binding.lamps) + define("BP_LAMP_LOBES", binding.lampLobes) +
          define("BP_SIGHTS", sights) + define("BP_DEBUG", debug) +
          define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
-         define("BP_BLUE_NOISE", binding.chooses("pattern", "blue")) +
+         define("BP_BLUE_NOISE", binding.chooses("pattern", "blue") || !binding.refinedValues.empty()) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +
          (binding.bevelled() ? "#define BP_BEVEL\n" : "") + define("BP_OCCLUSION", binding.occluded()) +
          "#define BP_SLOTS " + std::to_string(binding.probes.size()) + "\n#define BP_GROUPS " +

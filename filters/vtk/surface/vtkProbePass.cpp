@@ -182,9 +182,22 @@ void vtkProbePass::SetStandIn(bool standIn) {
   }
 }
 
+void vtkProbePass::SetRefined(boxprobe::RefinedRays rays) {
+  if (!(rays == this->Asked.tuning.refined)) {
+    this->Asked.tuning.refined = rays;
+    this->UpdateDrawn();
+  }
+}
+
 void vtkProbePass::UpdateDrawn() {
   Variant& made = this->Made;
-  made.binding = this->Asked.tuning.standIn && this->Asked.binding ? this->Asked.binding->standIn() : nullptr;
+  const boxprobe::RefinedRays rays = this->Asked.tuning.refined;
+  made.binding = nullptr;
+  if (this->Asked.binding && this->Asked.tuning.standIn) {
+    made.binding = this->Asked.binding->standIn();
+  } else if (this->Asked.binding && rays.aFrame > 0) {
+    made.binding = this->Asked.binding->refined(rays.aFrame, rays.inAll);
+  }
   if (!made.binding) {
     made.binding = this->Asked.binding;
   }

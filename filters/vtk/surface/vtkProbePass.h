@@ -76,7 +76,10 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   std::shared_ptr<const boxprobe::ProbeBinding> GetSharedBinding() const { return this->Asked.binding; }
   /** Draws by what stands in for the binding's techniques (see EvaluationRow), which the binding itself keeps. */
   void SetStandIn(bool standIn);
-  /** The binding as it is drawn: its stand-in, if that was asked for. */
+  /** Draws by so many rays in place of the binding's techniques, where that shows anything else and no stand-in is
+   * asked for. */
+  void SetRefined(boxprobe::RefinedRays rays);
+  /** The binding as it is drawn: its stand-in or its rays, if those were asked for. */
   const boxprobe::ProbeBinding* GetDrawnBinding() const { return this->Made.binding.get(); }
 
   /** Keeps what techniques sample apart from the rest, in further attachments (see reflection_apart.glsl). */

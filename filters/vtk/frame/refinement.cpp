@@ -1,0 +1,111 @@
+// See refinement.h.
+#include "filters/vtk/frame/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace boxprobe {
+
+namespace {
+
+constexpr int kFirstStage = 16, kTimes = 4;
+// So few that a frame does not keep a hand waiting that takes the camera again.
+constexpr int kMostAFrame = 8;
+// A stage of 4 times the rays has about 0.6 of the error of the one before, which is what is left of their difference.
+constexpr double kLeftOfChange = 0.8;
+
+std::vector<int> stagesTo(int rays) {
+  std::vector<int> stages;
+  for (int n = kFirstStage; n < rays; n *= kTimes) stages.push_back(n);
+  if (rays > 0) stages.push_back(rays);
+  return stages;
+}
+
+int framesOf(int rays) {
+  const int aFrame = std::clamp(rays / 4, 1, kMostAFrame);
+  return (rays + aFrame - 1) / aFrame;
+}
+
+double shown(double light) {
+  return 255.0 * std::pow(std::clamp(light, 0.0, 1.0), 1.0 / 2.2);
+}
+
+}  // namespace
+
+void Refinement::begin(const RefineSettings& settings, int firstGuess) {
+  settings_ = settings;
+  stages_ = stagesTo(settings.rays);
+  stage_ = 0;
+  firstGuess_ = std::max(firstGuess, 1);
+  left_ = -1.0;
+}
+
+// The technique's own frame is of another kind: what the first stage changes says nothing of what it leaves.
+void Refinement::endStage(const PictureChange& change) {
+  const bool first = stage_ == 0;
+  if (!first) left_ = kLeftOfChange * change.relativeRms;
+  ++stage_;
+  const bool nothingShows = change.stepsOf8Bits < kNothingShows && settings_.until <= 0.0;
+  const bool enough = settings_.until > 0.0 && left_ >= 0.0 && left_ <= settings_.until;
+  if (nothingShows && first) left_ = 0.0;
+  if (nothingShows || enough) stages_.resize(stage_);
+}
+
+RefinedRays Refinement::rays() const {
+  if (!more()) return {};
+  const int inAll = stages_[stage_], frames = framesOf(inAll);
+  return {(inAll + frames - 1) / frames, inAll};
+}
+
+int Refinement::frames() const {
+  return more() ? framesOf(stages_[stage_]) : 0;
+}
+
+double Refinement::share(int framesDone) const {
+  if (!more()) return 1.0;
+  const double all = frames(), done = std::min<double>(framesDone, all);
+  const double before = (stage_ == 0 ? firstGuess_ : stages_[stage_ - 1]) / static_cast<double>(rays().aFrame);
+  return done / (done + before * (1.0 - done / all));
+}
+
+int Refinement::framesInAll() const {
+  int sum = 1;
+  for (const int stage : stages_) sum += framesOf(stage);
+  return sum;
+}
+
+int Refinement::framesBefore() const {
+  int sum = 1;
+  for (std::size_t i = 0; i < stage_; ++i) sum += framesOf(stages_[i]);
+  return sum;
+}
+
+PictureChange pictureChange(const std::vector<float>& before, const std::vector<float>& after, double exposure) {
+  double squares = 0.0, changes = 0.0;
+  std::vector<float> steps;
+  const std::size_t pixels = std::min(before.size(), after.size()) / 4;
+  steps.reserve(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    double most = 0.0, change = 0.0, square = 0.0;
+    for (std::size_t c = 4 * i; c < 4 * i + 3; ++c) {
+      const double a = before[c], b = after[c], difference = b - a;
+      change += difference * difference;
+      square += b * b;
+      most = std::max(most, std::abs(shown(exposure * b) - shown(exposure * a)));
+    }
+    steps.push_back(static_cast<float>(most));
+    // What no ray reached is the same to rounding.
+    if (!(change > 1.0e-10 * square)) continue;
+    changes += change;
+    squares += square;
+  }
+  PictureChange result;
+  if (steps.empty()) return result;
+  const auto at = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() * 999 / 1000);
+  std::nth_element(steps.begin(), at, steps.end());
+  result.stepsOf8Bits = static_cast<double>(*at);
+  if (squares > 0.0) result.relativeRms = std::sqrt(changes / squares);
+  return result;
+}
+
+}  // namespace boxprobe

@@ -1,0 +1,178 @@
+// A picture at rest goes on to the truth: the box's lobes integrated on the CPU judge it.
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <cstdio>
+
+#include "filters/core/scene/document.h"
+#include "filters/reference/measure/metrics.h"
+#include "tests/image/noisy_room.h"
+
+namespace {
+
+using namespace boxprobe;
+using namespace boxprobe::test;
+
+RefineSettings by(int rays) {
+  RefineSettings settings;
+  settings.rays = rays;
+  return settings;
+}
+
+Scene restingRoom(const std::string& technique) {
+  Scene scene = noisyRoom(1);
+  scene.probes[0].technique = technique;
+  scene.probes[0].parameters.clear();
+  return scene;
+}
+
+/// Relative to the truth, where a probe reflects in something rough: RMSE, and the mean.
+struct Error {
+  double rmse = 0.0, light = 0.0;
+};
+Error errorOf(const ImageRgbaF& picture, const NoisyRoomTruth& truth) {
+  double squares = 0.0, truths = 0.0, light = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < truth.rough.size(); ++i) {
+    if (!truth.rough[i] || truth.edges[i]) continue;
+    for (std::size_t c = 4 * i; c < 4 * i + 3; ++c) {
+      const double t = truth.picture.pixels[c], p = picture.pixels[c];
+      squares += (p - t) * (p - t);
+      truths += t * t;
+      light += p;
+      all += t;
+    }
+  }
+  return {std::sqrt(squares / truths), light / all};
+}
+
+/// What the window shows, in linear light as far as 8 bits hold it.
+Error shownError(const ImageRgba8& shown, double exposure, const NoisyRoomTruth& truth) {
+  ImageRgbaF linear{shown.width, shown.height, {}};
+  for (const unsigned char value : shown.pixels) {
+    linear.pixels.push_back(static_cast<float>(std::pow(value / 255.0, 2.2) / exposure));
+  }
+  return errorOf(linear, truth);
+}
+
+TEST(RefinedPicture, FallsAtEveryStageAndEndsWhereAllRaysOfOneFrameEnd) {
+  ScenePicture picture(restingRoom("footprint8"), kWidth, kHeight);
+  picture.show(mainCamera(picture.scene));
+  const NoisyRoomTruth truth = truthOf(picture);
+  for (const char* technique : {"footprint8", "box", "hdrp"}) {
+    picture.scene.probes[0].technique = technique;
+    picture.scene.probes[0].parameters.clear();
+    picture.renderer->refine({});
+    picture.show(mainCamera(picture.scene));
+    const Error own = errorOf(picture.linear(1), truth);
+    std::printf("  %-10s own %.4f/%.3f", technique, own.rmse, own.light);
+    picture.renderer->refine(by(256));
+    picture.renderer->finishWork();
+    double last = own.rmse;
+    Error error;
+    for (const int rays : {16, 64, 256}) {
+      error = errorOf(picture.renderer->renderRefined(kWidth, kHeight, 1, by(rays)), truth);
+      std::printf(", %d rays %.4f/%.3f", rays, error.rmse, error.light);
+      EXPECT_LT(error.rmse, last) << technique << " " << rays;
+      EXPECT_NEAR(error.light, 1.0, 0.01) << technique << " " << rays;
+      last = error.rmse;
+    }
+    const double left = picture.renderer->refineState().left;
+    std::printf(", estimated %.4f\n", left);
+    EXPECT_EQ(picture.renderer->refineState().rays, 256);
+    EXPECT_LT(left, 2.0 * error.rmse);
+    EXPECT_GT(left, 0.4 * error.rmse);
+
+    picture.renderer->refine({});
+    picture.scene.probes[0].technique = "raytraced";
+    setParameters(picture, {{"samples", 256.0}, {"filtered", true}, {"pattern", std::string("r2")}});
+    const Error atOnce = errorOf(picture.linear(1), truth);
+    std::printf("  in one frame %.4f/%.3f\n", atOnce.rmse, atOnce.light);
+    EXPECT_NEAR(error.rmse, atOnce.rmse, 0.15 * atOnce.rmse);
+    EXPECT_NEAR(error.light, atOnce.light, 0.003);
+  }
+}
+
+// Frame after frame in the window: nothing jumps, and what is there at the end stays and costs nothing.
+TEST(RefinedPicture, GrowsFrameByFrameAndStaysAsItIs) {
+  ScenePicture picture(restingRoom("footprint8"), kWidth, kHeight);
+  picture.show(mainCamera(picture.scene));
+  const NoisyRoomTruth truth = truthOf(picture);
+  picture.renderer->refine(by(256));
+  picture.renderer->finishWork();
+  Error before;
+  double worst = 0.0;
+  int frames = 0;
+  ImageRgba8 shown;
+  do {
+    shown = picture.display();
+    const Error error = shownError(shown, picture.scene.exposure, truth);
+    if (frames++ > 0) {
+      EXPECT_LT(error.rmse, before.rmse + 0.003) << "frame " << frames;
+      EXPECT_NEAR(error.light, before.light, 0.01) << "frame " << frames;
+      worst = std::max(worst, std::abs(error.light - before.light));
+    }
+    if (frames == 1 || frames % 8 == 0) std::printf("  frame %d: %.4f/%.3f\n", frames, error.rmse, error.light);
+    before = error;
+    ASSERT_LT(frames, 100);
+  } while (picture.renderer->frameCount().more());
+  std::printf("  %d frames, largest step of light %.4f\n", frames, worst);
+  EXPECT_TRUE(picture.renderer->frameCount().refined);
+  EXPECT_EQ(picture.renderer->frameCount().wanted, frames);
+
+  const std::uint64_t draws = picture.renderer->counters().drawsByProbeCount[1];
+  EXPECT_GT(draws, 0u);
+  for (int i = 0; i < 3; ++i) {
+    const ImageRgba8 again = picture.display();
+    EXPECT_EQ(again.pixels, shown.pixels);
+    EXPECT_EQ(picture.renderer->counters().drawsByProbeCount[1], 0u) << "no surface is drawn again";
+  }
+  EXPECT_EQ(picture.renderer->refineState().rays, 256);
+  EXPECT_FALSE(picture.renderer->refineState().more);
+  const ImageRgbaF linear = picture.renderer->renderRefined(kWidth, kHeight, 1, by(256));
+  EXPECT_LE(largestDifference(shown, linear, picture.scene.exposure), 0.6) << "rounding and no more";
+}
+
+TEST(RefinedPicture, WhateverChangesBeginsAgainAndOffIsTheTechniquesOwn) {
+  ScenePicture picture(restingRoom("footprint4"), kWidth, kHeight);
+  picture.show(mainCamera(picture.scene));
+  const ImageRgba8 own = picture.display();
+  picture.renderer->refine(by(64));
+  picture.renderer->finishWork();
+  for (int i = 0; i < 6; ++i) picture.display();
+  EXPECT_GT(picture.renderer->frameCount().averaged, 2);
+
+  vtkCamera* camera = picture.renderer->renderer()->GetActiveCamera();
+  camera->Azimuth(7.0);
+  picture.display();
+  EXPECT_EQ(picture.renderer->frameCount().averaged, 1) << "camera";
+  for (int i = 0; i < 3; ++i) picture.display();
+  picture.scene.materials["floor"].roughness = 0.5f;
+  picture.renderer->sync(picture.scene, Changes::all());
+  picture.renderer->finishWork();
+  picture.display();
+  EXPECT_EQ(picture.renderer->frameCount().averaged, 1) << "material";
+
+  picture.renderer->refine({});
+  picture.scene.materials["floor"].roughness = 0.35f;
+  picture.show(mainCamera(picture.scene));
+  EXPECT_EQ(picture.display().pixels, own.pixels);
+  EXPECT_FALSE(picture.renderer->frameCount().refined);
+}
+
+TEST(RefinedPicture, AMirrorsRoomHasNothingToRefine) {
+  Scene scene = restingRoom("box");
+  for (auto& [name, material] : scene.materials) material.roughness = 0.0f;
+  scene.materials["floor"].roughness = 0.0f;
+  scene.probes[0].technique = "normal";
+  ScenePicture picture(scene, kWidth, kHeight);
+  picture.show(mainCamera(picture.scene));
+  const ImageRgba8 own = picture.display();
+  picture.renderer->refine(by(256));
+  picture.renderer->finishWork();
+  EXPECT_EQ(picture.display().pixels, own.pixels);
+  EXPECT_FALSE(picture.renderer->frameCount().more());
+  EXPECT_EQ(picture.renderer->refineState().rays, 0);
+}
+
+}  // namespace

@@ -1,0 +1,76 @@
+// Pictures that rest, against an independent path tracer: from the technique's own frame through every stage. Prints
+// the error over the stages.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "app/session/offscreen_scene.h"
+#include "app/session/truth_stage.h"
+
+namespace {
+
+using namespace boxprobe;
+
+/// Of `scene`, pictures of every camera, metals and dielectrics; `accept` is asked for each, and told the last row.
+template <typename Wanted, typename Judge>
+void eachPicture(const std::string& scene, const std::string& technique, const Wanted& wanted, const Judge& judge) {
+  const TruthIndex index = loadTruthIndex(BOXPROBE_SOURCE_DIR "/tests/truth/truth.json");
+  OffscreenScene shown({"refine_truth_test", 2 * index.width, 2 * index.height, 1, true});
+  TruthStage stage(index, scene, shown);
+  const BenchTechnique own = chooseBenchTechniques(technique).at(0);
+  const TruthPicture* set = nullptr;
+  for (const TruthPicture& picture : index.pictures) {
+    if (picture.whole || picture.scene != scene || picture.kind == "coat" || !wanted(picture)) continue;
+    if (set == nullptr || set->kind != picture.kind || set->roughness != picture.roughness) stage.setFloor(picture);
+    set = &picture;
+    std::printf("  %-9s %-10s %-6s %.2f ", scene.c_str(), picture.kind.c_str(), picture.camera.c_str(),
+                picture.roughness);
+    double before = 1.0, left = -1.0;
+    TruthRow row;
+    for (const int rays : {16, 64, 256}) {
+      row = stage.refinedRow(picture, own, rays, &left);
+      std::printf(" %d: %.3f/%.4f", rays, row.meanLight, row.relativeRmse);
+      // What the capture's texels cost stays, however many rays there are.
+      EXPECT_LT(row.relativeRmse, before + 0.001) << picture.camera << " " << picture.roughness << " " << rays;
+      before = row.relativeRmse;
+    }
+    std::printf(", estimated %.4f\n", left);
+    judge(picture, row, left);
+  }
+}
+
+/// One row of cameras and roughnesses, or with BOXPROBE_TRUTH_ALL all of them.
+bool chosen(const TruthPicture& picture) {
+  if (picture.roughness == 0.0) return false;
+  if (std::getenv("BOXPROBE_TRUTH_ALL") != nullptr) return true;
+  return (picture.camera == "low" && picture.roughness == 0.5) ||
+         (picture.camera == "slant" && picture.roughness == 0.1) ||
+         (picture.camera == "middle" && picture.roughness == 0.25) ||
+         (picture.camera == "steep" && picture.roughness == 0.75);
+}
+
+TEST(RefinedTruth, TheEmptyRoomIsTheTruthToThreePercentAndItsLightToOne) {
+  eachPicture("empty", "footprint8", chosen, [](const TruthPicture& picture, const TruthRow& row, double left) {
+    const bool grazing = picture.camera == "low" || picture.camera == "slant";
+    EXPECT_LE(row.relativeRmse, grazing ? 0.045 : 0.034) << picture.camera << " " << picture.roughness;
+    EXPECT_NEAR(row.meanLight, 1.0, 0.016) << picture.camera << " " << picture.roughness;
+    EXPECT_LT(left, 2.5 * row.relativeRmse);
+  });
+}
+
+TEST(RefinedTruth, ImpostorsFollowTheirRays) {
+  const auto mirrors = [](const TruthPicture& picture) {
+    return picture.roughness == 0.0 && picture.kind != "dielectric" &&
+           (std::getenv("BOXPROBE_TRUTH_ALL") != nullptr || picture.camera == "middle");
+  };
+  eachPicture("furnished", "impostor", mirrors, [](const TruthPicture& picture, const TruthRow& row, double) {
+    EXPECT_LE(row.relativeRmse, 0.10) << picture.camera;
+  });
+  eachPicture("arcade", "impostor", mirrors, [](const TruthPicture& picture, const TruthRow& row, double) {
+    EXPECT_LE(row.relativeRmse, 0.15) << picture.camera;
+  });
+}
+
+}  // namespace
