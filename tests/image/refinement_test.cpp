@@ -8,6 +8,7 @@
 #include "filters/core/scene/document.h"
 #include "filters/reference/measure/metrics.h"
 #include "tests/image/noisy_room.h"
+#include "tests/support/shown_light.h"
 
 namespace {
 
@@ -50,7 +51,7 @@ Error errorOf(const ImageRgbaF& picture, const NoisyRoomTruth& truth) {
 Error shownError(const ImageRgba8& shown, double exposure, const NoisyRoomTruth& truth) {
   ImageRgbaF linear{shown.width, shown.height, {}};
   for (const unsigned char value : shown.pixels) {
-    linear.pixels.push_back(static_cast<float>(std::pow(value / 255.0, 2.2) / exposure));
+    linear.pixels.push_back(static_cast<float>(lightShown(value / 255.0) / exposure));
   }
   return errorOf(linear, truth);
 }
