@@ -76,6 +76,7 @@ void LessonPlayer::open(const Lesson& lesson) {
   work_.clear();
   pictures_.clear();
   lookups_.clear();
+  errors_.clear();
 }
 
 void LessonPlayer::showScene(std::size_t step, Scene scene) {
@@ -188,8 +189,11 @@ double LessonPlayer::measure(const LessonMeasure& measure, std::optional<std::si
       const bool published = measure.step && !lesson_->steps[step].published.empty();
       ShownScene shown = shownScene();
       if (published) shown.picture = &linear(step);
-      value = measureShown(shown, measure);
+      const bool kept = measure.step && measure.kind == MeasureKind::Error;
+      const auto known = errors_.find({step, measure.box, measure.region});
+      value = kept && known != errors_.end() ? known->second : measureShown(shown, measure);
       if (goOn_ && !goOn_()) throw WorkError(kStopped);
+      if (kept && value) errors_[{step, measure.box, measure.region}] = *value;
     }
   }
   if (!value) throw WorkError(lesson_->path + ": a measure is not defined where the lesson asks for it");

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "app/lessons/lesson_measure.h"
@@ -93,6 +94,8 @@ class LessonPlayer {
   std::map<std::size_t, Counters> work_;        ///< of each step, when it was first shown
   std::map<std::size_t, ImageRgbaF> pictures_;  ///< linear, for differences and published forms
   std::map<std::size_t, Lookups> lookups_;      ///< of the latter
+  /// Step, against the box world?, region: claims of a lesson compare several steps with the same one.
+  std::map<std::tuple<std::size_t, bool, PictureRegion>, double> errors_;
 };
 
 }  // namespace boxprobe

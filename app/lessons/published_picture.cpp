@@ -19,6 +19,7 @@
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/scene/lesson.h"
 #include "filters/math/published/published_math.h"
+#include "filters/math/shared/display_math.h"
 #include "filters/vtk/scene_renderer.h"
 
 namespace boxprobe {
@@ -182,10 +183,8 @@ ImageRgba8 PublishedPicture::display(int scale) const {
     for (int x = 0; x < image.width; ++x) {
       const std::size_t at = static_cast<std::size_t>(y / scale) * static_cast<std::size_t>(picture_.width) +
                              static_cast<std::size_t>(x / scale);
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double shown = std::clamp(scene_.exposure * static_cast<double>(picture_.pixels[4 * at + c]), 0.0, 1.0);
-        image.pixels.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::pow(shown, 1.0 / 2.2))));
-      }
+      const float* p = &picture_.pixels[4 * at];
+      for (const std::uint8_t byte : displayBytes({p[0], p[1], p[2]}, scene_.exposure)) image.pixels.push_back(byte);
       image.pixels.push_back(255);
     }
   }

@@ -359,7 +359,7 @@ class Writer {
     }
     OrderedJson surface = OrderedJson::array();
     for (const char* name : {"shared/weights.glsl", "shared/fresnel.glsl", "shared/split_sum.glsl", "shared/sh.glsl",
-                             "shared/light_falloff.glsl", "web/surface.glsl"}) {
+                             "shared/light_falloff.glsl", "shared/display.glsl", "web/surface.glsl"}) {
       pieces.texts[name] = std::string(shaderSource(name));
       surface.push_back(name);
     }

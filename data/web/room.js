@@ -250,7 +250,7 @@
     drawSky({ right, up, back }, tangents, exposure) {
       const { gl, scene } = this, { texts } = scene.shaders;
       const corner = 'out vec2 texCoord;\nvoid main()\n{\n  texCoord = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);\n  gl_Position = vec4(2.0 * texCoord - 1.0, 0.0, 1.0);\n}\n';
-      const program = this.program('sky', corner, texts['shared/sky.glsl'] + texts['web/sky.glsl']);
+      const program = this.program('sky', corner, texts['shared/sky.glsl'] + texts['shared/display.glsl'] + texts['web/sky.glsl']);
       gl.useProgram(program.program);
       gl.disable(gl.CULL_FACE);
       gl.depthMask(false);

@@ -233,6 +233,7 @@ void SceneParts::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>&
   makeStaticTextures(window, state->resources, state->counts);
   uploadSplitSumTable(window, state->resources.brdfTable, columns, rows, table);
   state->resources.lightForm = LightForm::Vtk;
+  state->resources.tone = Tone::AsVtk;
 }
 
 void SceneParts::setProbesEnabled(bool enabled) {

@@ -1,4 +1,4 @@
-// What a browser's scene shows where nothing stands, along the unit direction of a pixel. Needs shared/sky.glsl.
+// What a browser's scene shows where nothing stands, along the unit direction of a pixel. Needs shared/sky.glsl and display.glsl.
 uniform vec3 bpSkyTop;
 uniform vec3 bpSkyHorizon;
 uniform vec3 bpSkyGround;
@@ -14,5 +14,5 @@ void main()
 {
   vec3 d = normalize(bpWorldFromView * vec3((2.0f * texCoord - 1.0f) * bpTangents, -1.0f));
   vec3 color = bpSkyPicture > 0.5f ? textureLod(bpSkyMap, d, 0.0f).rgb : skyGradient(d, bpSkyTop, bpSkyHorizon, bpSkyGround);
-  bpColor = vec4(bpExposure >= 0.0f ? pow(color * bpExposure, vec3(1.0f / 2.2f)) : color, 0.0f);
+  bpColor = vec4(bpExposure >= 0.0f ? srgbEncoded(color * bpExposure) : color, 0.0f);
 }

@@ -12,6 +12,7 @@
 #include "app/session/offscreen_choice.h"
 #include "filters/io/image/image_file.h"
 #include "tests/cli/program.h"
+#include "tests/support/shown_light.h"
 
 namespace boxprobe::test {
 namespace {
@@ -163,7 +164,7 @@ TEST_F(Render, ExrIsTheLinearSideOfThePng) {
   for (std::size_t i = 0; i < linear.pixels.size(); ++i) {
     if (i % 4 == 3) continue;
     brightest = std::max(brightest, linear.pixels[i]);
-    const double expected = 255.0 * std::pow(std::clamp(linear.pixels[i], 0.0f, 1.0f), 1.0 / 2.2);
+    const double expected = 255.0 * shownLight(linear.pixels[i]);
     ++compared;
     if (std::abs(expected - display.pixels[i]) <= 1.5) ++agreeing;
   }
@@ -307,9 +308,7 @@ TEST_F(Render, FramesOfAnAnimatedTechniqueAreAveraged) {
   double noise = 0.0, difference = 0.0;
   for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
     if (i % 4 == 3) continue;
-    const auto display = [](float x) {
-      return std::min(255.0, 255.0 * std::pow(std::max(0.0, static_cast<double>(x)), 1.0 / 2.2));
-    };
+    const auto display = [](float x) { return 255.0 * shownLight(x); };
     noise = std::max(noise, std::abs(display(one.pixels[i]) - display(mean.pixels[i])));
     difference = std::max(difference, std::abs(display(mean.pixels[i]) - shown.pixels[i]));
   }

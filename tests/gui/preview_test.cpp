@@ -23,9 +23,12 @@
 #include "filters/vtk/scene_renderer.h"
 #include "tests/gui/pictures.h"
 #include "tests/gui/window_test.h"
+#include "tests/support/shown_light.h"
 
 namespace boxprobe {
 namespace {
+
+using test::shownLight;
 
 class PreviewTest : public WindowTest {
  protected:
@@ -101,9 +104,11 @@ class PreviewTest : public WindowTest {
         const glm::dvec3 normal = (toEye + (-along - std::sqrt(radius * radius - d2)) * direction) / radius;
         const glm::vec4 light = maps.radiance.fetch(glm::vec3(glm::reflect(direction, normal)), 0.0f);
         const QColor seen = image.pixelColor(pixel);
-        errors.push_back(std::max({std::abs(seen.red() - displayByte(light.r, exposure)),
-                                   std::abs(seen.green() - displayByte(light.g, exposure)),
-                                   std::abs(seen.blue() - displayByte(light.b, exposure))}));
+        const auto byte = [exposure](float of) {
+          return static_cast<int>(std::lround(255 * shownLight(of * exposure)));
+        };
+        errors.push_back(std::max({std::abs(seen.red() - byte(light.r)), std::abs(seen.green() - byte(light.g)),
+                                   std::abs(seen.blue() - byte(light.b))}));
       }
     }
     std::sort(errors.begin(), errors.end());

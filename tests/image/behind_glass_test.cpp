@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tests/support/scene_picture.h"
+#include "tests/support/shown_light.h"
 
 namespace {
 
@@ -81,7 +82,7 @@ TEST(BehindGlass, IsSeenOnTheScreen) {
   double sum = 0.0, wanted = 0.0;
   for (std::size_t i = 0; i < shown.pixels.size(); i += 4) {
     sum += shown.pixels[i + 1] / 255.0;
-    wanted += std::pow(std::min(static_cast<double>(linear.pixels[i + 1]) * picture.scene.exposure, 1.0), 1.0 / 2.2);
+    wanted += shownLight(linear.pixels[i + 1] * picture.scene.exposure);
   }
   EXPECT_NEAR(sum / wanted, 1.0, 0.01);
 }

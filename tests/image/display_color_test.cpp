@@ -1,4 +1,4 @@
-// Display colours made by roots are those of the power 1 / 2.2, to a twentieth of an 8-bit step.
+// Display colours made by roots are those of sRGB's curve, to a fiftieth of an 8-bit step.
 #include <gtest/gtest.h>
 #include <vtkOpenGLState.h>
 
@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <vector>
 
+#include "filters/vtk/draw/display_source.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/gl/gl_objects.h"
 #include "filters/vtk/gl/opengl.h"
 #include "tests/support/gpu_window.h"
+#include "tests/support/shown_light.h"
 
 namespace {
 
@@ -29,12 +31,12 @@ void main()
 }
 )";
 
-TEST(DisplayColor, OfRootsIsThePower) {
+TEST(DisplayColor, OfRootsIsTheCurve) {
   const auto window = makeWindow();
   FloatTarget target;
   target.allocate(kSide, kSide);
-  FullScreenPass pass("display colour", "#define BP_QUICK_OUTPUT\n" +
-                                            joinShaderSources({"gpu/output_uniforms.glsl", "gpu/output.glsl"}) + kMain);
+  FullScreenPass pass("display colour",
+                      joinShaderSources({"gpu/output_uniforms.glsl"}) + displaySource(Tone::None, true) + kMain);
   std::vector<float> values(4 * static_cast<std::size_t>(kSide) * kSide);
   {
     const PassState saved(window);
@@ -50,11 +52,11 @@ TEST(DisplayColor, OfRootsIsThePower) {
     if (light > 1.0) {
       ASSERT_GE(shown, 1.0) << "of light " << light;  // also of infinite light, which no NaN may come of
     } else {
-      worst = std::max(worst, std::abs(shown - std::pow(light, 1.0 / 2.2)));
+      worst = std::max(worst, std::abs(shown - shownLight(light)));
     }
   }
   std::printf("  at most %.2e, %.3f of an 8-bit step\n", worst, 255.0 * worst);
-  EXPECT_LE(255.0 * worst, 0.05);
+  EXPECT_LE(255.0 * worst, 0.02);
 }
 
 }  // namespace

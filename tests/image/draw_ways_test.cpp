@@ -32,6 +32,7 @@
 #include "filters/vtk/scene_renderer.h"
 #include "filters/vtk/surface/vtkProbeActor.h"
 #include "tests/support/scene_picture.h"
+#include "tests/support/shown_light.h"
 
 namespace {
 
@@ -105,7 +106,15 @@ std::optional<Seen> seenAt(const Camera& camera, int x, int y) {
 }
 
 glm::vec3 encoded(const glm::vec3& linear) {
-  return glm::pow(linear, glm::vec3(1.0f / 2.2f));
+  glm::vec3 shown;
+  for (int c = 0; c < 3; ++c) shown[c] = static_cast<float>(shownLight(linear[c]));
+  return shown;
+}
+
+glm::vec3 decoded(const glm::vec3& shown) {
+  glm::vec3 linear;
+  for (int c = 0; c < 3; ++c) linear[c] = static_cast<float>(lightShown(shown[c]));
+  return linear;
 }
 
 glm::vec3 pixelOf(const ImageRgba8& image, int x, int y) {
@@ -234,7 +243,7 @@ TEST_F(DrawWays, ClearCoat) {
     const auto gainOf = [&](const glm::vec3& light) {
       return glm::dot(light, seen.reflected) / glm::dot(seen.reflected, seen.reflected);
     };
-    const glm::vec3 linear = glm::pow(pixel, glm::vec3(2.2f)), most = glm::pow(pixel + kAbove, glm::vec3(2.2f));
+    const glm::vec3 linear = decoded(pixel), most = decoded(pixel + kAbove);
     const float gain = gainOf(linear);
     return gainOf(most) > 0.99f && gain < 1.25f && near(linear, gain * seen.reflected, 0.02f);
   });

@@ -15,6 +15,7 @@
 #include "filters/core/scene/scene_fields.h"
 #include "tests/support/odd_room.h"
 #include "tests/support/scene_picture.h"
+#include "tests/support/shown_light.h"
 
 namespace boxprobe::test {
 
@@ -66,8 +67,7 @@ class Shown {
 inline int farthest(const ImageRgbaF& a, const ImageRgbaF& b) {
   double most = 0.0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    const auto display = [](float x) { return std::pow(std::clamp(static_cast<double>(x), 0.0, 1.0), 1.0 / 2.2); };
-    most = std::max(most, std::abs(display(a.pixels[i]) - display(b.pixels[i])));
+    most = std::max(most, std::abs(shownLight(a.pixels[i]) - shownLight(b.pixels[i])));
   }
   return static_cast<int>(std::lround(255.0 * most));
 }

@@ -11,6 +11,7 @@
 #include "filters/reference/light/reference_box.h"
 #include "filters/reference/trace/visible_normal_lobe.h"
 #include "tests/support/scene_picture.h"
+#include "tests/support/shown_light.h"
 
 namespace boxprobe::test {
 
@@ -86,8 +87,7 @@ inline double largestDifference(const ImageRgba8& shown, const ImageRgbaF& linea
   double largest = 0.0;
   for (std::size_t i = 0; i < shown.pixels.size(); ++i) {
     if (i % 4 == 3) continue;
-    const double exposed = std::max(0.0, static_cast<double>(linear.pixels[i]) * exposure);
-    const double expected = std::min(255.0, 255.0 * std::pow(exposed, 1.0 / 2.2));
+    const double expected = 255.0 * shownLight(linear.pixels[i] * exposure);
     largest = std::max(largest, std::abs(expected - shown.pixels[i]));
   }
   return largest;

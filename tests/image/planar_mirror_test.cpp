@@ -11,6 +11,7 @@
 #include "filters/io/gltf/model_file.h"
 #include "filters/reference/light/reference_scene.h"
 #include "tests/support/scene_picture.h"
+#include "tests/support/shown_light.h"
 
 namespace {
 
@@ -414,8 +415,7 @@ TEST(PlanarMirror, LooksTheSameHoweverItIsDrawn) {
   double sum = 0.0;
   for (std::size_t i = 0; i < fine.pixels.size(); ++i) {
     if (i % 4 == 3) continue;
-    const double linear = std::clamp(static_cast<double>(fine.pixels[i]), 0.0, 1.0);
-    const double d = std::pow(linear, 1.0 / 2.2) - window.pixels[i] / 255.0;
+    const double d = shownLight(fine.pixels[i]) - window.pixels[i] / 255.0;
     sum += d * d;
   }
   const double shown = -10.0 * std::log10(sum / (0.75 * static_cast<double>(fine.pixels.size())));

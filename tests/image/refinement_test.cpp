@@ -8,6 +8,7 @@
 #include "filters/core/scene/document.h"
 #include "filters/reference/measure/metrics.h"
 #include "tests/image/noisy_room.h"
+#include "tests/support/shown_light.h"
 
 namespace {
 
@@ -53,7 +54,9 @@ Error shownError(const ImageRgba8& shown, double exposure, const NoisyRoomTruth&
     value = static_cast<float>(std::pow(std::clamp(static_cast<double>(value) * exposure, 0.0, 1.0), 1.0 / 2.2));
   }
   ImageRgbaF picture{shown.width, shown.height, {}};
-  for (const unsigned char value : shown.pixels) picture.pixels.push_back(static_cast<float>(value) / 255.0f);
+  for (const unsigned char value : shown.pixels) {
+    picture.pixels.push_back(static_cast<float>(std::pow(lightShown(value / 255.0), 1.0 / 2.2)));
+  }
   return errorOf(picture, encoded);
 }
 

@@ -83,6 +83,14 @@ assert light_probe.data.use_custom_parallax and light_probe.data.parallax_type =
 boxprobe("render", scene_file, "-o", out / "boxprobe.exr", "--size", "%dx%d" % (WIDTH, HEIGHT), "--camera", "main", "--technique", "infinite",
          "--samples", "4", "--set", "materials.ball.roughness=0", "--set", 'energy="multiple"')
 draw(json.loads(scene_file.read_text())["cameras"]["main"])
+
+
+def display(linear):
+    """0 to 1, by the curve of sRGB."""
+    light = min(max(linear, 0.0), 1.0)
+    return 12.92 * light if light <= 0.0031308 else 1.055 * light ** (1 / 2.4) - 0.055
+
+
 theirs, ours = pixels(out / "blender.exr"), pixels(out / "boxprobe.exr")
 total, count = 0.0, 0
 shown = [[0.0] * 3 + [1.0] for _ in range(2 * WIDTH * HEIGHT)]  # ours and theirs side by side, where Blender drew the ball
@@ -92,8 +100,8 @@ for i in range(0, len(theirs), 4):
     count += 3
     at = i // 4 // WIDTH * 2 * WIDTH + i // 4 % WIDTH
     for c in range(3):
-        shown[at][c] = min(max(ours[i + c], 0) ** (1 / 2.2), 1)
-        shown[at + WIDTH][c] = min(max(theirs[i + c], 0) ** (1 / 2.2), 1)
+        shown[at][c] = display(ours[i + c])
+        shown[at + WIDTH][c] = display(theirs[i + c])
         total += (shown[at + WIDTH][c] - shown[at][c]) ** 2
 sheet = bpy.data.images.new("sheet", 2 * WIDTH, HEIGHT)
 sheet.pixels = [value for pixel in shown for value in pixel]

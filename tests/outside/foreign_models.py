@@ -33,7 +33,7 @@ def last_line(text):
 
 def mean_light(values):
     """Of the picture's middle, linear; `values` are display values."""
-    return sum(value**2.2 for value in values) / max(len(values), 1)
+    return sum(value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4 for value in values) / max(len(values), 1)
 
 
 def draw(options, number, model, path):

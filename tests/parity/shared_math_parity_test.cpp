@@ -183,7 +183,8 @@ std::string lightSources(const LightTable& light) {
   return "const vec4 lightCells[96] = vec4[96](" + cells +
          ");\nint probeLightSize(ProbeShape probe) { return 4; }\nvec4 fetchProbeLight(ProbeShape probe, int cell) { "
          "return "
-         "lightCells[cell]; }\nvec3 mapFromProbe(ProbeShape probe, vec3 d) { return d; }\nvec3 probeFromMap(ProbeShape "
+         "lightCells[clamp(cell, 0, 95)]; }\nvec3 mapFromProbe(ProbeShape probe, vec3 d) { return d; }\nvec3 "
+         "probeFromMap(ProbeShape "
          "probe, "
          "vec3 d) { return d; }\n";
 }

@@ -4,12 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <random>
+
+#include "filters/math/cube/srgb.h"
+#include "filters/math/shared/display_math.h"
+#include "tests/support/shown_light.h"
 
 namespace boxprobe {
 namespace {
+
+using test::lightShown;
+using test::shownLight;
 
 const glm::vec3 kAxes[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
 
@@ -94,7 +103,7 @@ TEST(CubePicture, EveryTexelIsDrawnWhereItsOutlineSaysSo) {
           const std::size_t pixel = 4 * (static_cast<std::size_t>(at.y) * 256 + static_cast<std::size_t>(at.x));
           const glm::vec4 texel = cube.texel(0, face, column, row);
           for (int c = 0; c < 3; ++c) {
-            EXPECT_NEAR(image.pixels[pixel + static_cast<std::size_t>(c)], displayByte(texel[c], 1.0f),
+            EXPECT_NEAR(image.pixels[pixel + static_cast<std::size_t>(c)], std::lround(255.0 * shownLight(texel[c])),
                         kind == CubePictureKind::Cross ? 0 : 14)
                 << face << " " << column << " " << row;
           }
@@ -110,6 +119,21 @@ TEST(CubePicture, EveryTexelIsDrawnWhereItsOutlineSaysSo) {
       }
     }
   }
+}
+
+TEST(DisplayBytes, AreThoseThatTheLightWasDecodedFrom) {
+  for (int byte = 0; byte < 256; ++byte) {
+    EXPECT_EQ(displayByte(lightShown(byte / 255.0)), byte);
+    EXPECT_EQ(displayByte(static_cast<double>(linearOfSrgb(static_cast<std::uint8_t>(byte)))), byte);
+  }
+  EXPECT_EQ(displayByte(-0.3), 0);
+  EXPECT_EQ(displayByte(1.0e30), 255);
+  EXPECT_EQ(displayByte(std::numeric_limits<double>::infinity()), 255);
+  EXPECT_EQ(displayByte(std::numeric_limits<double>::quiet_NaN()), 0);
+  const std::array<std::uint8_t, 3> shown = displayBytes({0.02f, 0.11f, 0.7f}, 0.5);
+  EXPECT_EQ(shown[0], std::lround(255.0 * shownLight(0.01)));
+  EXPECT_EQ(shown[1], std::lround(255.0 * shownLight(0.055)));
+  EXPECT_EQ(shown[2], std::lround(255.0 * shownLight(0.35)));
 }
 
 TEST(CubePicture, OutlinesOnTheLatLongMapNeverJumpAcrossIt) {
@@ -141,7 +165,7 @@ TEST(CubePicture, MakingItSmallerKeepsTheLight) {
   int count = 0;
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
     if (image.pixels[i + 3] == 0) continue;
-    shown += std::pow(image.pixels[i] / 255.0, 2.2);
+    shown += lightShown(image.pixels[i] / 255.0);
     ++count;
   }
   EXPECT_EQ(count, 6 * 8 * 8);
@@ -157,7 +181,7 @@ TEST(CubePicture, TheLatLongMapHoldsWhatLookupsGive) {
     const glm::vec4 expected = cube.fetch(*picture.direction({i % 128 + 0.5, i / 128 + 0.5}), 0.0f);
     for (int c = 0; c < 3; ++c) {
       EXPECT_EQ(image.pixels[4 * static_cast<std::size_t>(i) + static_cast<std::size_t>(c)],
-                displayByte(expected[c], 1.0f));
+                std::lround(255.0 * shownLight(expected[c])));
     }
   }
 }

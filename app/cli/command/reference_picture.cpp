@@ -26,6 +26,7 @@
 #include "filters/io/files/atomic_file.h"
 #include "filters/io/image/image_file.h"
 #include "filters/io/scene/scene_file.h"
+#include "filters/math/shared/display_math.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/path/reference_path.h"
 #include "filters/vtk/gl/cpu_time.h"
@@ -131,10 +132,10 @@ void savePicture(const std::string& path, const ReferencePicture& picture, bool 
     return;
   }
   ImageRgba8 display{picture.color.width, picture.color.height, {}, {}};
-  for (std::size_t i = 0; i < picture.color.pixels.size(); ++i) {
-    const double shown = std::clamp(exposure * picture.color.pixels[i], 0.0, 1.0);
-    display.pixels.push_back(i % 4 == 3 ? 255
-                                        : static_cast<std::uint8_t>(std::lround(255.0 * std::pow(shown, 1.0 / 2.2))));
+  for (std::size_t i = 0; i + 3 < picture.color.pixels.size(); i += 4) {
+    const float* p = &picture.color.pixels[i];
+    for (const std::uint8_t byte : displayBytes({p[0], p[1], p[2]}, exposure)) display.pixels.push_back(byte);
+    display.pixels.push_back(255);
   }
   savePng(path, display);
 }

@@ -13,6 +13,7 @@
 
 #include "filters/core/base/errors.h"
 #include "filters/core/base/number_text.h"
+#include "filters/math/shared/display_math.h"
 
 namespace boxprobe {
 
@@ -62,12 +63,7 @@ class Sheet {
 };
 
 Rgb displayed(const float* linear, double exposure) {
-  Rgb result{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double shown = std::clamp(exposure * linear[c], 0.0, 1.0);
-    result[c] = static_cast<std::uint8_t>(std::lround(255.0 * std::pow(shown, 1.0 / 2.2)));
-  }
-  return result;
+  return displayBytes({linear[0], linear[1], linear[2]}, exposure);
 }
 
 /// Lightness rises all the way, as in the debug view.

@@ -3,10 +3,11 @@
 
 #include <QRegularExpression>
 #include <QStringList>
-#include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdint>
 
 #include "app/gui/widgets/window_style.h"
+#include "filters/math/shared/display_math.h"
 
 namespace boxprobe {
 
@@ -77,11 +78,8 @@ QString noteHtml(const std::string& note) {
 }  // namespace
 
 QColor displayColor(const glm::vec3& linear, double exposure) {
-  const auto channel = [exposure](float value) {
-    const double shown = std::pow(std::max(exposure * static_cast<double>(value), 0.0), 1.0 / 2.2);
-    return static_cast<int>(std::lround(255.0 * std::clamp(shown, 0.0, 1.0)));
-  };
-  return {channel(linear.x), channel(linear.y), channel(linear.z)};
+  const std::array<std::uint8_t, 3> shown = displayBytes(linear, exposure);
+  return {shown[0], shown[1], shown[2]};
 }
 
 QString symbolHtml(const std::string& symbol) {

@@ -11,7 +11,7 @@
 
 namespace boxprobe {
 
-/// As the picture shows it: exposure, then gamma 2.2.
+/// As the picture shows it: exposure, then sRGB's curve.
 QColor displayColor(const glm::vec3& linear, double exposure);
 
 /// "t_x" as an italic letter with its subscript, "N.V" with a centred dot.

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -21,24 +22,23 @@
 #include "app/gui/widgets/quiet_combo.h"
 #include "app/gui/widgets/value_field.h"
 #include "app/gui/widgets/vector_row.h"
+#include "filters/math/cube/srgb.h"
+#include "filters/math/shared/display_math.h"
 
 namespace boxprobe {
 
 namespace {
 
-/// Light as it is shown, and back.
-int shownByte(float linear) {
-  return static_cast<int>(std::lround(255.0 * std::pow(std::clamp(static_cast<double>(linear), 0.0, 1.0), 1.0 / 2.2)));
+glm::vec3 linearOf(const QColor& shown) {
+  const auto linear = [](int byte) { return linearOfSrgb(static_cast<std::uint8_t>(byte)); };
+  return {linear(shown.red()), linear(shown.green()), linear(shown.blue())};
 }
 
-float linearOf(int byte) {
-  return static_cast<float>(std::pow(byte / 255.0, 2.2));
-}
-
+/// As the light is shown, its brightest component being white.
 QColor shownColor(const glm::vec3& color) {
   const float brightest = std::max({color.x, color.y, color.z, 1e-6F});
   const glm::vec3 c = color / brightest;
-  return {shownByte(c.x), shownByte(c.y), shownByte(c.z)};
+  return {displayByte(c.x), displayByte(c.y), displayByte(c.z)};
 }
 
 QString lightTypeName(LightType type) {
@@ -183,7 +183,7 @@ void LightPanel::aimByView() {
 void LightPanel::setColor(const QColor& color) {
   commit(tr("color"), [color](Light& light) {
     const float brightest = std::max({light.color.x, light.color.y, light.color.z, 1e-6F});
-    light.color = brightest * glm::vec3(linearOf(color.red()), linearOf(color.green()), linearOf(color.blue()));
+    light.color = brightest * linearOf(color);
   });
 }
 

@@ -17,6 +17,7 @@
 #include "app/gui/widgets/panel_layout.h"
 #include "app/gui/widgets/quiet_slider.h"
 #include "app/gui/widgets/value_field.h"
+#include "filters/math/cube/srgb.h"
 #include "filters/math/shared/shared_math.h"
 #include "filters/vtk/scene_renderer.h"
 
@@ -37,7 +38,7 @@ CubeMap greys(const CubeMap& distance, double farthest) {
     float* to = result.face(0, face);
     for (std::size_t i = 0; i < count; ++i) {
       // Undoes the display's curve: the grey itself is to be proportional.
-      const double grey = std::pow(std::min(from[4 * i] / std::max(farthest, 1e-30), 1.0), 2.2);
+      const double grey = linearOfSrgbValue(std::min(from[4 * i] / std::max(farthest, 1e-30), 1.0));
       for (std::size_t c = 0; c < 3; ++c) to[4 * i + c] = static_cast<float>(grey);
       to[4 * i + 3] = 1.0f;
     }

@@ -3,12 +3,13 @@
 
 #include <QMetaObject>
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <exception>
 #include <functional>
 
 #include "app/session/load_scene.h"
 #include "filters/core/base/at_end.h"
+#include "filters/math/shared/display_math.h"
 #include "filters/reference/light/reference_scene.h"
 #include "filters/reference/path/reference_path.h"
 
@@ -35,11 +36,9 @@ QImage displayImage(const ImageRgbaF& linear, double exposure) {
   for (int y = 0; y < linear.height; ++y) {
     auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
     for (int x = 0; x < linear.width; ++x, at += 4) {
-      const auto shown = [&](std::size_t channel) {
-        const double value = std::clamp(exposure * static_cast<double>(linear.pixels[at + channel]), 0.0, 1.0);
-        return static_cast<int>(std::lround(255.0 * std::pow(value, 1.0 / 2.2)));
-      };
-      row[x] = qRgb(shown(0), shown(1), shown(2));
+      const float* p = &linear.pixels[at];
+      const std::array<std::uint8_t, 3> shown = displayBytes({p[0], p[1], p[2]}, exposure);
+      row[x] = qRgb(shown[0], shown[1], shown[2]);
     }
   }
   return image;

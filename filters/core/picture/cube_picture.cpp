@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "filters/math/shared/display_math.h"
+
 namespace boxprobe {
 
 namespace {
@@ -155,11 +157,6 @@ std::vector<glm::dvec2> CubePicture::texelOutline(int faceSize, int face, int co
   return outline;
 }
 
-std::uint8_t displayByte(float linear, float exposure) {
-  const float light = std::clamp(linear * exposure, 0.0f, 1.0f);
-  return static_cast<std::uint8_t>(std::lround(255.0f * std::pow(light, 1.0f / 2.2f)));
-}
-
 ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& picture, float exposure) {
   ImageRgba8 image{picture.width(), picture.height(), {}, {}};
   image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
@@ -168,7 +165,8 @@ ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& pi
     std::uint8_t* out = &image.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                                        static_cast<std::size_t>(x)) *
                                       4];
-    for (int c = 0; c < 3; ++c) out[c] = displayByte(value[c], exposure);
+    const std::array<std::uint8_t, 3> shown = displayBytes(glm::vec3(value), exposure);
+    std::copy(shown.begin(), shown.end(), out);
     out[3] = 255;
   };
   if (picture.kind() == CubePictureKind::Cross) {

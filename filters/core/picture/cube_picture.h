@@ -50,9 +50,6 @@ class CubePicture {
   int width_;
 };
 
-/// (exposure * linear)^(1/2.2) as the program shows it, 0..255.
-std::uint8_t displayByte(float linear, float exposure);
-
 /// A level in display colours. Texels larger than a pixel are squares in the cross and interpolated, as lookups do, on
 /// the latitude-longitude map; smaller ones are averaged in linear light. Opaque but for the cross's empty corners.
 ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& picture, float exposure);

@@ -7,7 +7,7 @@
 
 namespace boxprobe {
 
-/// Display colours (gamma 2.2). Hues by the golden ratio: neighbours in the list are far apart, and a new probe changes
+/// Display colours. Hues by the golden ratio: neighbours in the list are far apart, and a new probe changes
 /// no other's.
 inline glm::vec3 probeColor(int index) {
   const double hue = std::fmod(0.58 + index * 0.6180339887498949, 1.0);

@@ -52,8 +52,7 @@ const std::vector<FieldRow<Scene>>& sceneFields() {
       field<&Scene::probes>("probes", "", "A list of reflection probes, at most 10000.")
           .writtenAs("list of objects")
           .leftOut("none"),  // its rows say what changes
-      field<&Scene::exposure>("exposure", "",
-                              "Factor on linear light before display: display = (exposure * linear)^(1/2.2).")
+      field<&Scene::exposure>("exposure", "", "Factor on linear light before display, which is by the curve of sRGB.")
           .atLeast(0)
           .usually(1e-6, 1e6)
           .changing({&Changes::exposure}),

@@ -6,12 +6,15 @@
 
 namespace boxprobe {
 
+double linearOfSrgbValue(double shown) {
+  return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+}
+
 float linearOfSrgb(std::uint8_t byte) {
   static const std::array<float, 256> table = [] {
     std::array<float, 256> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const double c = static_cast<double>(i) / 255.0;
-      values[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+      values[i] = static_cast<float>(linearOfSrgbValue(static_cast<double>(i) / 255.0));
     }
     return values;
   }();

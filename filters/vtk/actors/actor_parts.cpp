@@ -161,6 +161,7 @@ ActorParts::ActorParts(vtkRenderer* shown)
       state(std::make_shared<DrawState>()),
       probes(&content, state, &captured) {
   state->resources.foreign = true;
+  state->resources.tone = Tone::AsVtk;
   state->resources.emission = false;
   content.scene.sky = SkyColor{};
   content.sky->SetDrawState(state);
@@ -229,7 +230,7 @@ void ActorParts::ready() {
   if (nothing) throw InputError("probes need a renderer; they were made with a null one");
   auto* shownIn = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (shownIn == nullptr) {
-    throw InputError("probes need a renderer that belongs to a vtkOpenGLRenderWindow; call AddRenderer() first");
+    throw InputError("probes need a renderer in a vtkOpenGLRenderWindow; call the window's AddRenderer() first");
   }
   if (waitsForContext(shownIn)) throw WorkError(kNoContext);
   if (window != shownIn) {
@@ -344,7 +345,7 @@ void ActorParts::probesChanged() {
 // Of a sky that was given, captures see what lights; else they see the background, too, which lights nothing.
 void ActorParts::refreshSky() {
   if (skyGiven) return;
-  if (!surroundings.read(renderer)) return;
+  if (!surroundings.read(renderer, state->resources.tone)) return;
   state->counts.fail(surroundings.problem());
   const OrientedSky& backdrop = surroundings.backdrop();
   content.sky->SetSky(backdrop.sky, 0.0, backdrop.image);
@@ -520,7 +521,7 @@ std::string ActorParts::objectKey(const DrawnObject& object) const {
 std::string ActorParts::lightsKey() const {
   ContentHash hash;
   hash.add(state->exposure()).add(static_cast<double>(state->resources.emission));
-  hash.add(static_cast<double>(state->resources.lightForm));
+  hash.add(static_cast<double>(state->resources.lightForm)).add(state->resources.tone == Tone::AsVtk ? 1.0 : 0.0);
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator it;
   lights->InitTraversal(it);

@@ -97,8 +97,7 @@ bool ActorProbes::addActor(vtkActor* actor, bool seenByProbes) {
     return true;
   }
   if (vtkProbePass::HasOther(actor, nullptr)) {
-    parts_->state->counts.fail(
-        "addActor: another object lights this actor by its probes already; remove it there first");
+    parts_->state->counts.fail("another object lights this actor by its probes already; take the actor off that first");
     return false;
   }
   DrawnObject object;

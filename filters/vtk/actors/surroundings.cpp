@@ -16,6 +16,7 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
+#include "filters/math/cube/srgb.h"
 #include "filters/vtk/maps/content_hash.h"
 
 namespace boxprobe {
@@ -35,14 +36,13 @@ glm::dmat3 environmentFromWorld(vtkRenderer* renderer) {
   return glm::transpose(glm::dmat3(right, up, glm::cross(right, up)));
 }
 
-glm::vec3 linearOfDisplay(const double* color) {
+glm::vec3 linearOfDisplay(const double* color, Tone tone) {
   glm::vec3 linear;
-  for (int i = 0; i < 3; ++i) linear[i] = static_cast<float>(std::pow(std::max(color[i], 0.0), 2.2));
+  for (int i = 0; i < 3; ++i) {
+    const double shown = std::max(color[i], 0.0);
+    linear[i] = static_cast<float>(tone == Tone::AsVtk ? std::pow(shown, 2.2) : linearOfSrgbValue(shown));
+  }
   return linear;
-}
-
-float linearOfSrgb(float value) {
-  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
 /// Pixels of a texture's input as linear colours, rows from the bottom up as VTK has them.
@@ -77,7 +77,7 @@ Encoding encodingOf(vtkTexture* texture, vtkRenderer* renderer) {
 
 float linearOf(float value, Encoding encoding) {
   if (encoding == Encoding::Linear) return value;
-  return encoding == Encoding::Srgb ? linearOfSrgb(value) : std::pow(value, 2.2f);
+  return encoding == Encoding::Srgb ? static_cast<float>(linearOfSrgbValue(value)) : std::pow(value, 2.2f);
 }
 
 std::optional<Pixels> pixelsOf(vtkTexture* texture, int port, Encoding encoding) {
@@ -214,7 +214,7 @@ void RendererSurroundings::readTexture(vtkTexture* texture, vtkRenderer* rendere
   }
 }
 
-bool RendererSurroundings::read(vtkRenderer* renderer) {
+bool RendererSurroundings::read(vtkRenderer* renderer, Tone tone) {
   vtkTexture* texture = renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
   ContentHash hash;
   const std::string textureKey = texture != nullptr ? keyOf(texture, renderer) : std::string();
@@ -223,7 +223,7 @@ bool RendererSurroundings::read(vtkRenderer* renderer) {
                              renderer->GetBackground2()}) {
     for (int i = 0; i < 3; ++i) hash.add(axis[i]);
   }
-  hash.add(static_cast<double>(renderer->GetGradientBackground()));
+  hash.add(static_cast<double>(renderer->GetGradientBackground())).add(tone == Tone::AsVtk ? 1.0 : 0.0);
   const std::string key = hash.text();
   if (key == key_) return false;
   key_ = key;
@@ -238,7 +238,8 @@ bool RendererSurroundings::read(vtkRenderer* renderer) {
   const glm::dmat3 axes = environmentFromWorld(renderer);
   if (lit_) light_.pictureFromWorld = texture->GetCubeMap() ? axes : kQuarter * axes;
   background_ = {};
-  const glm::vec3 low = linearOfDisplay(renderer->GetBackground()), high = linearOfDisplay(renderer->GetBackground2());
+  const glm::vec3 low = linearOfDisplay(renderer->GetBackground(), tone),
+                  high = linearOfDisplay(renderer->GetBackground2(), tone);
   background_.sky = SkyColor{low};
   if (renderer->GetGradientBackground()) background_.sky = SkyGradient{high, 0.5f * (low + high), low};
   background_.pictureFromWorld = axes;

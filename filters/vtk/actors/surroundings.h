@@ -8,6 +8,7 @@
 
 #include "filters/core/scene/model.h"
 #include "filters/core/scene/scene.h"
+#include "filters/math/shared/display_math.h"
 
 class vtkRenderer;
 class vtkTexture;
@@ -24,8 +25,8 @@ struct OrientedSky {
 class RendererSurroundings {
  public:
   /// Reads what the renderer has now; a texture's image only where it is another one than the last time. Returns
-  /// whether anything changed. Not while it draws.
-  bool read(vtkRenderer* renderer);
+  /// whether anything changed. Not while it draws. `tone` tells the curve that display colours are encoded by.
+  bool read(vtkRenderer* renderer, Tone tone);
 
   /// What lights surfaces where no probe has weight: the environment texture while UseImageBasedLighting is on, along
   /// EnvironmentUp and EnvironmentRight as VTK takes them; nothing (null) without.

@@ -12,6 +12,7 @@
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/geometry/sight_lines.h"
 #include "filters/math/sampling/filter_lobe.h"
+#include "filters/math/shared/display_math.h"
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/maps/lattice_atlas.h"
@@ -37,6 +38,7 @@ struct SceneResources {
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
   LightForm lightForm = LightForm::Single;
+  Tone tone = Tone::None;                   ///< of display colours; linear pictures and captures are before it
   bool foreign = false;                     ///< somebody else's actors: falloffs of lamps mean what they mean in VTK
   bool emission = true;                     ///< emissive factors show without an emissive texture
   GLuint blueNoise = 0;                     ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it

@@ -16,8 +16,10 @@
 #include <vtkTranslucentPass.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "filters/core/base/errors.h"
+#include "filters/vtk/draw/display_source.h"
 #include "filters/vtk/draw/pass_scope.h"
 #include "filters/vtk/frame/vtkTargetPass.h"
 #include "filters/vtk/surface/glass_order.h"
@@ -43,9 +45,7 @@ void vtkPicturePass::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
   this->State = std::move(state);
   this->Average = std::make_unique<boxprobe::FrameAverage>(&this->State->counts.counters);
   this->Blur = std::make_unique<boxprobe::ReflectionBlur>(&this->State->counts.counters);
-  this->Presented = std::make_unique<boxprobe::FullScreenPass>(
-      std::vector<std::string>{"gpu/output_uniforms.glsl", "gpu/output.glsl", "gpu/present_picture.glsl"},
-      &this->State->counts.counters);
+  this->Presented.clear();
 }
 
 void vtkPicturePass::Render(const vtkRenderState* s) {
@@ -152,6 +152,20 @@ void vtkPicturePass::DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*
   this->Target->Render(&content);
 }
 
+boxprobe::FullScreenPass& vtkPicturePass::PresentedBy(boxprobe::Tone tone) {
+  const auto found = this->Presented.find(tone);
+  if (found != this->Presented.end()) {
+    return found->second;
+  }
+  const std::string source = boxprobe::joinShaderSources({"gpu/output_uniforms.glsl"}) +
+                             boxprobe::displaySource(tone, false) +
+                             boxprobe::joinShaderSources({"gpu/present_picture.glsl"});
+  return this->Presented
+      .emplace(std::piecewise_construct, std::forward_as_tuple(tone),
+               std::forward_as_tuple("gpu/present_picture.glsl", source, &this->State->counts.counters))
+      .first->second;
+}
+
 void vtkPicturePass::Present(vtkRenderer* renderer) {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
@@ -181,7 +195,7 @@ void vtkPicturePass::Present(vtkRenderer* renderer) {
                                       framesBefore > 0 ? this->Average->sumsBefore().texture(0) : sums.texture(0));
   const boxprobe::BoundTexture color(window, GL_TEXTURE_2D, blurred ? this->Blur->color() : sums.texture(0));
   const boxprobe::BoundTexture depth(window, GL_TEXTURE_2D, this->Frame.depth());
-  this->Presented->draw(window, [&](vtkShaderProgram* program) {
+  this->PresentedBy(this->State->resources.tone).draw(window, [&](vtkShaderProgram* program) {
     program->SetUniformi("bpColor", color.unit());
     program->SetUniformi("bpDepth", depth.unit());
     program->SetUniformi("bpFiner", this->Finer());
@@ -212,5 +226,5 @@ void vtkPicturePass::ReleaseGraphicsResources(vtkWindow* window) {
   if (this->Average) this->Average->release();
   if (this->Blur) this->Blur->release();
   if (this->BehindCopy) this->BehindCopy->release();
-  if (this->Presented) this->Presented->release();
+  for (auto& [tone, pass] : this->Presented) pass.release();
 }

@@ -11,7 +11,11 @@
 #include <vtkNew.h>
 #include <vtkRenderPass.h>
 
+<<<<<<< HEAD
+#include <map>
+=======
 #include <functional>
+>>>>>>> 47f99f9edadea491d59be4ce12fd5e3cecddee5e
 #include <memory>
 #include <vector>
 
@@ -71,10 +75,11 @@ class vtkPicturePass : public vtkRenderPass {
   void DrawInOrder(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
   void DrawProps(vtkRenderer* renderer, const std::vector<vtkProp*>& props, bool clear, bool blend);
   void Present(vtkRenderer* renderer);
+  boxprobe::FullScreenPass& PresentedBy(boxprobe::Tone tone);
 
   std::shared_ptr<boxprobe::DrawState> State;
   std::unique_ptr<boxprobe::FrameAverage> Average;
-  std::unique_ptr<boxprobe::FullScreenPass> Presented;
+  std::map<boxprobe::Tone, boxprobe::FullScreenPass> Presented;
   std::unique_ptr<boxprobe::ReflectionBlur> Blur;
   std::unique_ptr<boxprobe::BehindFrame> BehindCopy;
   boxprobe::FrameTarget Frame;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "filters/vtk/gl/texture_memory.h"
+#include "filters/vtk/scene/scene_content.h"
 
 namespace boxprobe {
 

@@ -2,6 +2,7 @@
 
 #include "filters/math/sampling/brdf_table.h"
 #include "filters/math/shared/shader_source.h"
+#include "filters/vtk/draw/display_source.h"
 #include "filters/vtk/gl/full_screen_pass.h"
 #include "filters/vtk/surface/finish_source.h"
 #include "filters/vtk/surface/material_source.h"
@@ -23,9 +24,8 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
                  : std::string(shaderSource("gpu/output_uniforms.glsl"));
   if (probes) text += coverageDeclarations(program.binding);
   // What has no probes is compared with VTK's own pictures, to the bit.
-  const bool quick = (program.facts & kQuickOutput) != 0 && program.form != LightForm::Vtk;
-  if (quick && program.binding.lighting != Lighting::Plain) text += "#define BP_QUICK_OUTPUT\n";
-  text += joinShaderSources({"gpu/output.glsl", "shared/light_falloff.glsl"});
+  const bool quick = (program.facts & kQuickOutput) != 0 && program.binding.lighting != Lighting::Plain;
+  text += displaySource(program.tone, quick) + joinShaderSources({"shared/light_falloff.glsl"});
   if (program.surface != nullptr) {
     text += materialDeclarations(*program.surface, program.facts) + finishDeclarations(*program.surface);
   }

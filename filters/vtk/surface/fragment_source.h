@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "filters/math/shared/display_math.h"
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/draw/probe_binding.h"
 #include "filters/vtk/draw/surface_facts.h"
@@ -26,6 +27,7 @@ struct SurfaceProgram {
   bool flatMaps = false;
   /// Emissive factors show without an emissive texture.
   bool emission = true;
+  Tone tone = Tone::None;
 
   bool probes() const { return binding.lighting == Lighting::Probes; }
   bool debug() const { return output == SurfaceOutput::Debug; }

@@ -17,6 +17,7 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
 
+#include "filters/math/shared/shader_source.h"
 #include "filters/vtk/draw/plain_surface.h"
 #include "filters/vtk/draw/probe_lamps.h"
 #include "filters/vtk/gl/broken_shader.h"
@@ -59,18 +60,22 @@ bool drawsPolygonsAlone(vtkAbstractMapper* mapper, vtkActor* actor) {
 constexpr const char* kLightOfDisplay = R"(
   if (bpLightOfDisplay > 0.0)
   {
-    gl_FragData[0].rgb = bpLightOfDisplay * pow(max(gl_FragData[0].rgb, vec3(0.0)), vec3(2.2));
+    vec3 bpShown = max(gl_FragData[0].rgb, vec3(0.0));
+    gl_FragData[0].rgb = bpLightOfDisplay * BP_DECODED;
   }
 )";
 
-void captureAsLight(std::string& fragment) {
+void captureAsLight(std::string& fragment, boxprobe::Tone tone) {
   const std::size_t main = fragment.find("void main()");
   const std::size_t end = fragment.rfind('}');
   if (main == std::string::npos || end == std::string::npos || end < main) {
     return;
   }
+  const bool asVtk = tone == boxprobe::Tone::AsVtk;
   fragment.insert(end, kLightOfDisplay);
-  fragment.insert(main, "uniform float bpLightOfDisplay;\n");
+  fragment.insert(main, std::string("uniform float bpLightOfDisplay;\n#define BP_DECODED ") +
+                            (asVtk ? "pow(bpShown, vec3(2.2))\n" : "srgbDecoded(bpShown)\n") +
+                            std::string(boxprobe::shaderSource("shared/display.glsl")));
 }
 
 int countOfPasses(vtkInformation* keys) {
@@ -286,8 +291,10 @@ void vtkProbePass::Prepare(vtkActor* actor) {
     this->Made.glass = glass;
     this->Built.Modified();
   }
-  if (this->State->resources.lightForm != this->Made.form) {
-    this->Made.form = this->State->resources.lightForm;
+  const boxprobe::SceneResources& resources = this->State->resources;
+  if (resources.lightForm != this->Made.form || resources.tone != this->Made.tone) {
+    this->Made.form = resources.lightForm;
+    this->Made.tone = resources.tone;
     this->Rebuild();
   }
   if (this->Made.binding) {
@@ -345,6 +352,7 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
   program.flatMaps = this->Made.traits.flatMaps;
   program.foreign = resources.foreign;
   program.emission = resources.emission;
+  program.tone = this->Made.tone;
   const boxprobe::SpliceReport report = boxprobe::splicePbr(sources, program, lit);
   this->State->counts.fail(report.failure);
   if (!report.needed || !report.failure.empty()) {
@@ -416,7 +424,7 @@ bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geo
   }
   vtkProperty* property = actor->GetProperty();
   if (property->GetInterpolation() != VTK_PBR || !property->GetLighting()) {
-    captureAsLight(fragment);
+    captureAsLight(fragment, this->State->resources.tone);
     return true;
   }
   const bool polygons = drawsPolygonsAlone(mapper, actor);
@@ -427,10 +435,11 @@ bool vtkProbePass::PostReplaceShaderValues(std::string& vertex, std::string& geo
     return true;
   }
   this->Made.form = this->State->resources.lightForm;
+  this->Made.tone = this->State->resources.tone;
   const bool lit = polygons && light;
   boxprobe::ShaderSources sources{vertex, geometry, fragment};
   if (!this->Splice(sources, actor, lit)) {
-    captureAsLight(fragment);
+    captureAsLight(fragment, this->State->resources.tone);
     return true;
   }
   bool compiles = this->Compiles(sources, mapper, actor);

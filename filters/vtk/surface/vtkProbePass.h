@@ -161,6 +161,7 @@ class vtkProbePass : public vtkOpenGLRenderPass {
     std::string key;                                        ///< of that
     boxprobe::ProgramTraits traits;
     boxprobe::LightForm form = boxprobe::LightForm::Single;
+    boxprobe::Tone tone = boxprobe::Tone::None;
     int glass = 0;
   };
   /** What became of it. */

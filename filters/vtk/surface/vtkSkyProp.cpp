@@ -14,6 +14,7 @@
 #include <tuple>
 #include <utility>
 
+#include "filters/vtk/draw/display_source.h"
 #include "filters/vtk/surface/camera_uniforms.h"
 
 vtkStandardNewMacro(vtkSkyProp);
@@ -32,18 +33,18 @@ void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
 // A program for what the sky is: software renderers work out both sides of a branch.
 boxprobe::FullScreenPass& vtkSkyProp::ChosenPass() {
   const boxprobe::SceneResources& resources = this->State->resources;
-  std::string switches = this->Image ? "#define BP_SKY_IMAGE\n" : "";
-  if (this->State->tuning != nullptr && resources.lightForm != boxprobe::LightForm::Vtk) {
-    switches += "#define BP_QUICK_OUTPUT\n";
-  }
-  const auto found = this->Passes.find(switches);
+  const std::string switches = this->Image ? "#define BP_SKY_IMAGE\n" : "";
+  const bool quick = this->State->tuning != nullptr;
+  const std::string key = switches + boxprobe::displayKey(resources.tone, quick);
+  const auto found = this->Passes.find(key);
   if (found != this->Passes.end()) {
     return found->second;
   }
-  const std::string source = switches + boxprobe::joinShaderSources({"shared/sky.glsl", "gpu/output_uniforms.glsl",
-                                                                     "gpu/output.glsl", "gpu/sky.glsl"});
+  const std::string source = switches + boxprobe::joinShaderSources({"shared/sky.glsl", "gpu/output_uniforms.glsl"}) +
+                             boxprobe::displaySource(resources.tone, quick) +
+                             boxprobe::joinShaderSources({"gpu/sky.glsl"});
   return this->Passes
-      .emplace(std::piecewise_construct, std::forward_as_tuple(switches),
+      .emplace(std::piecewise_construct, std::forward_as_tuple(key),
                std::forward_as_tuple("gpu/sky.glsl", source, &this->State->counts.counters, "gpu/sky_vertex.glsl"))
       .first->second;
 }

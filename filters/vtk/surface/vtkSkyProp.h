@@ -52,5 +52,5 @@ class vtkSkyProp : public vtkProp {
   std::shared_ptr<const boxprobe::ImageRgbaF> Image;
   unsigned int ImageTexture = 0;
   bool ImageChanged = false;
-  std::map<std::string, boxprobe::FullScreenPass> Passes;  // by the switches of their programs
+  std::map<std::string, boxprobe::FullScreenPass> Passes;  // by what their programs differ in
 };

@@ -45,11 +45,10 @@ for (const [name, scene, camera, node, probe, least] of [['ball', 'six-faces', '
   writeFileSync(path.join(folder, 'config.json'), JSON.stringify(config));
   const said = execFileSync('godot3', ['--path', folder, '--audio-driver', 'Dummy'], { timeout: 120000 }).toString();
   const ours = PNG.sync.read(readFileSync(path.join(folder, 'boxprobe.png'))).data, theirs = PNG.sync.read(readFileSync(path.join(folder, 'picture.png'))).data;
-  const linear = (v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4;
   const sheet = new PNG({ width: 2 * width, height });
   let sum = 0, count = 0;
   for (let i = 0; i < theirs.length; i += 4) {
-    const shown = [0, 1, 2].map((c) => 255 * linear(theirs[i + c] / 255) ** (1 / 2.2));
+    const shown = [0, 1, 2].map((c) => theirs[i + c]);
     const x = i / 4 % width, y = Math.floor(i / 4 / width);
     for (let c = 0; c < 4; c++) {
       sheet.data[4 * (y * 2 * width + x) + c] = ours[i + c];

@@ -2,7 +2,7 @@
 # The Python package, built in FOLDER/build, installed to FOLDER/prefix and used beside Debian's python3-vtk9:
 #   python_package.sh PROJECT FOLDER
 # What it does with a plain VTK program; the example's picture against that of the same example in C++, both built against the same
-# installation; and, where pybind11 is installed, the names of before.
+# installation; the same classes as a VTK module of another project; and, where pybind11 is installed, the names of before.
 set -euo pipefail
 project=$(realpath "$1")
 folder=$(mkdir -p "$2" && realpath "$2")
@@ -22,12 +22,18 @@ for component in Python Development; do cmake --install "$build" --prefix "$pref
 cmake -S "$project/tests/install/example" -B "$folder/example" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$prefix" >"$folder/configure.log"
 cmake --build "$folder/example" >"$folder/build.log" || { tail -30 "$folder/build.log"; exit 1; }
 
+cmake -S "$project/tests/install/module" -B "$folder/module" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON \
+  -DCMAKE_PREFIX_PATH="$prefix" -DPython3_EXECUTABLE=$python >"$folder/configure.log" 2>&1 || { tail -30 "$folder/configure.log"; exit 1; }
+ninja -C "$folder/module" >"$folder/build.log" || { tail -30 "$folder/build.log"; exit 1; }
+
 export PYTHONPATH=$prefix/lib/python3/dist-packages GALLIVM_PERF=nopt
 unset DISPLAY
 display=(xvfb-run -a -s "-screen 0 1600x1000x24 -noreset")
 "${display[@]}" $python "$here/python_probes.py"
 $python "$here/python_stubs.py" | cmp - "$project/filters/vtk/python/boxprobe/vtkBoxprobe.pyi" || {
   echo "the stubs are of other classes: ./run python tests/outside/python/python_stubs.py > filters/vtk/python/boxprobe/vtkBoxprobe.pyi"; exit 1; }
+extension=$(find "$folder/module/lib" -name 'vtkBoxprobeReflectionProbes*.so')
+$python "$project/tests/install/module/use_module.py" "$(dirname "$extension")"
 $python "$here/shining.py" "$project/data/scenes/six-faces.glb" "$folder/shining.glb"
 "${display[@]}" "$folder/example/probe_in_renderer" "$folder/shining.glb" "$folder/cpp.png"
 "${display[@]}" $python "$project/tests/install/example/probe_in_renderer.py" "$folder/shining.glb" "$folder/python.png"

@@ -170,6 +170,10 @@ class Calls(unittest.TestCase):
                 boxprobe.attach(thing)
         with self.assertRaisesRegex(TypeError, "no value face"):
             boxprobe.Probe(face=3)
+        with self.assertRaisesRegex(AttributeError, "Probe has no value face_sise"):
+            boxprobe.Probe().face_sise = 64
+        with self.assertRaisesRegex(AttributeError, "Probes has no value autoupdate"):
+            boxprobe.attach(vtkRenderer()).autoupdate = False
         with self.assertRaises(TypeError):
             boxprobe.Probe(bounds="a")
         probes = boxprobe.attach(vtkRenderer())

@@ -50,8 +50,17 @@ def _value(name, doc):
     return property(get, put, doc=doc)
 
 
+def _only_known(self, name, value):
+    """A misspelt property is an error; names that begin with _ are the caller's own."""
+    if not name.startswith("_") and not hasattr(type(self), name):
+        raise AttributeError(f"{type(self).__name__} has no value {name}")
+    object.__setattr__(self, name, value)
+
+
 class Probe(vtkReflectionProbe):
     """A place that is captured, and the box through which surfaces reflect it: Probe(bounds=(...), face_size=128)."""
+
+    __setattr__ = _only_known
 
     def __new__(cls, **values):
         return super().__new__(cls)
@@ -100,6 +109,8 @@ class Probe(vtkReflectionProbe):
 
 class Probes(vtkReflectionProbes):
     """The probes of one renderer. Deleted, it leaves no trace: keep it as long as they are to be seen."""
+
+    __setattr__ = _only_known
 
     auto_update = _value("AutoUpdate", "Stale maps are captured at the next Render().")
     steps_per_render = _value("StepsPerRender", "Units of work for each Render(); 0: all.")
