@@ -80,6 +80,8 @@ TechniqueParametersPanel::TechniqueParametersPanel(Editor& editor, QWidget* pare
   form_->setContentsMargins(0, 0, 0, 0);
   for (const ParameterRow& parameter : parameterRows()) {
     if (!someTechniqueReads(parameter)) continue;
+    // For scene files: a picture that rests in the window is refined with it by itself.
+    if (parameter.name == "total") continue;
     rows_.push_back(addField(parameter));
     Row& row = rows_.back();
     row.field->setObjectName(text(parameter.name));

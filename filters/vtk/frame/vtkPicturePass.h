@@ -11,11 +11,8 @@
 #include <vtkNew.h>
 #include <vtkRenderPass.h>
 
-<<<<<<< HEAD
-#include <map>
-=======
 #include <functional>
->>>>>>> 47f99f9edadea491d59be4ce12fd5e3cecddee5e
+#include <map>
 #include <memory>
 #include <vector>
 
