@@ -24,6 +24,8 @@ class FramePanelTest : public WindowTest {
   LoadedScene scene() const override { return smallBuilding({"probes.room.faceSize=64"}); }
   void SetUp() override {
     WindowTest::SetUp();
+    size_ = window_->size();
+    window_->resize(size_ / 2);  // costs are measured by some hundred frames
     dock_ = window_->findChild<QDockWidget*>("frame");
     ASSERT_NE(dock_, nullptr);
     dock_->show();
@@ -35,6 +37,8 @@ class FramePanelTest : public WindowTest {
   }
   void TearDown() override {
     window_->findChild<QDockWidget*>("probes")->raise();
+    window_->resize(size_);
+    waitUntilIdle();
     WindowTest::TearDown();
   }
   QTreeWidgetItem* find(QTreeWidgetItem* parent, const QString& name) const {
@@ -45,6 +49,7 @@ class FramePanelTest : public WindowTest {
   }
   QTreeWidgetItem* section(const QString& title) const { return tree_->findItems(title, Qt::MatchExactly).value(0); }
 
+  QSize size_;
   QDockWidget* dock_ = nullptr;
   QTreeWidget* tree_ = nullptr;
 };

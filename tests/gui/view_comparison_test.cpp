@@ -25,10 +25,18 @@ class ViewComparisonTest : public WindowTest {
     return loadScene(buildingPath(),
                      {"probes.room.faceSize=64", "probes.room.samplesPerPixel=1", "probes.room.bounces=1"});
   }
-  void TearDown() override {
-    views().setOn(false);
+  void SetUp() override {
+    WindowTest::SetUp();
+    size_ = window_->size();
+    window_->resize(size_ * 3 / 5);  // each view is drawn, traced and compared again and again
     waitUntilIdle();
   }
+  void TearDown() override {
+    views().setOn(false);
+    window_->resize(size_);
+    waitUntilIdle();
+  }
+  QSize size_;
   ViewComparison& views() { return window_->tools().sideBySide(); }
   QString numbers(int view) { return views().views().numbers(view); }
   bool made() {
