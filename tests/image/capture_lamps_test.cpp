@@ -197,6 +197,33 @@ TEST(CaptureLamps, AProbeWithinALampIsLitByItAllTheSame) {
   }
 }
 
+// A light source at a lamp's place is counted with it unless it is ten times as strong, which its colour may decide.
+TEST(CaptureLamps, ALightsColourMayTakeItOutOfItsLamp) {
+  Scene scene = sceneOf(probeIn({-0.7, 1.3, 0.2}, {dvec3(kLow), dvec3(kHigh)}));
+  Light light;
+  light.type = LightType::Point;
+  light.position = kWest.middle - dvec3(0.0, 0.05, 0.0);
+  light.color = {0.5f, 0.4f, 0.3f};
+  light.intensity = 9.0f;
+  scene.lights = {light};
+  TracedWorld edited(scene, twoHalves());
+  edited.show();
+  const std::string key = edited.key();
+  const vec3 before = edited.floorAt(-1.2, 0.5);
+  for (const float factor : {20.0f, 1.0f}) {
+    edited.editAndFinish([&](Scene& s) { s.lights[0].color = factor * light.color; });
+    TracedWorld fresh(edited.scene, twoHalves());
+    fresh.show();
+    EXPECT_EQ(edited.key(), fresh.key());
+    const vec3 shown = edited.floorAt(-1.2, 0.5), expected = fresh.floorAt(-1.2, 0.5);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(shown[c], expected[c], 1e-3f * expected[c]);
+    if (factor == 1.0f) continue;
+    EXPECT_NE(edited.key(), key);
+    EXPECT_GT(shown.x, 1.5f * before.x);
+  }
+  EXPECT_EQ(edited.key(), key);
+}
+
 // A lamp brighter than a map can hold still gives all of its light.
 TEST(CaptureLamps, AMillionIsALampLikeAnyOther) {
   const Lamp spark{{-0.4, 2.5, 0.3}, {0.012, 0, 0}, {0, 0, 0.009}};
