@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "filters/core/base/at_end.h"
+#include "filters/core/geometry/probe_diffuse.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/gl/software_driver.h"
 #include "filters/vtk/gl/window_pixels.h"
@@ -295,8 +296,16 @@ std::shared_ptr<const ProbeMaps> SceneRenderer::shownMaps(const std::string& pro
   return impl_->probes.maps(probeName);
 }
 
-std::optional<ShCoefficients> SceneRenderer::diffuseLight(const std::string& probeName) const {
-  return impl_->probes.diffuseLight(probeName);
+ProbesDiffuse SceneRenderer::probesDiffuse() const {
+  ProbesDiffuse diffuse;
+  for (std::size_t i = 0; i < impl_->content.scene.probes.size(); ++i) {
+    diffuse.probes.push_back(impl_->probes.diffuseLight(i));
+  }
+  if (!impl_->content.lamps) return diffuse;
+  for (const SceneLamp& lamp : impl_->content.lamps->lamps) {
+    if (lamp.light) diffuse.countedLights.insert(*lamp.light);
+  }
+  return diffuse;
 }
 
 void SceneRenderer::showPreviewSphere(const PreviewSphereSettings& settings) {

@@ -42,6 +42,7 @@ class vtkRenderer;
 namespace boxprobe {
 
 struct ProbeMaps;
+struct ProbesDiffuse;
 
 class BOXPROBE_EXPORT SceneRenderer {
  public:
@@ -201,8 +202,9 @@ class BOXPROBE_EXPORT SceneRenderer {
 
   /// What a probe shows now, on the graphics side; another object whenever it was made again. Null while it has none.
   std::shared_ptr<const ProbeMaps> shownMaps(const std::string& probeName) const;
-  /// A probe's diffuse light as it is drawn, through its openings the sky's as well; nothing while it has no maps.
-  std::optional<ShCoefficients> diffuseLight(const std::string& probeName) const;
+  /// The probes' diffuse light as the last frame drew it (filters/core/geometry/probe_diffuse.h): lamps and lattices,
+  /// or coefficients, through openings the sky's as well.
+  ProbesDiffuse probesDiffuse() const;
   /// A sphere at a probe's origin, lit by its maps alone; not in captures, explanations and renderLinear().
   void showPreviewSphere(const PreviewSphereSettings& settings);
   const PreviewSphereSettings& previewSphere() const;

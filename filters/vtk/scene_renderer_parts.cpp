@@ -19,7 +19,7 @@ namespace {
 
 std::string lampsKey(const SceneLamps& lamps) {
   ContentHash hash;
-  hash.add("lamps as shapes, in rough reflections too, in place of light sources");
+  hash.add("lamps as shapes, from the capture origin, in place of light sources");
   for (const SceneLamp& lamp : lamps.lamps) {
     hash.add(static_cast<double>(lamp.corners.size())).add(lamp.bothSides ? 1 : 0).addVector(lamp.radiance);
     hash.add(lamp.light ? 1 : 0);
@@ -187,6 +187,9 @@ std::string SceneParts::hidingKey() {
   for (const auto& [node, object] : content.scene.objects) {
     hash.add(node).add(object.visible ? 1 : 0).add(object.dynamic ? 1 : 0);
     if (!object.dynamic) hash.addVector(object.translation).addVector(object.rotationDegrees);
+  }
+  for (const auto& [name, material] : content.scene.materials) {  // a lampshade hides no light source within it
+    if (material.emissive) hash.add(name).add(*material.emissive != glm::vec3(0.0f) ? 1 : 0);
   }
   return hash.text();
 }

@@ -4,7 +4,7 @@ uniform int bpLampOther[BP_LAMPS];      // of each turn the lamp that counts whe
 uniform vec3 bpLampCorner[BP_LAMPS * 8];
 uniform int bpLampShape[BP_LAMPS];      // its corners, and 16 more if both sides shine
 uniform vec3 bpLampLight[BP_LAMPS];     // radiance
-uniform float bpLampsWhole;             // 1 in a first capture, whose direct light no box divides, else 0
+uniform float bpLampsWhole;             // 1 in a first capture, whose direct light no box divides, else 0: all is in slot 0 then
 uniform vec4 bpLampOf[BP_LAMPS];        // 1 for each of the draw's probes whose lamp it is
 #if BP_SIGHTS
 uniform vec4 bpLampChannel[BP_LAMPS];   // in each of them, where its visibility stands: gpu/sight.glsl
@@ -28,6 +28,7 @@ bool lampShinesBothSides(int lamp)
 uniform vec4 bpLampLit;                 // 1 for each of the probes whose diffuse light is lamps'
 #if BP_LAMP_LOBES
 uniform float bpLampColors;             // 1 if the lamps are of several
+uniform int bpLobeCount;                // turns of reflections; 0 in captures, which show lamps as maps do
 #endif
 
 //BP::LampLight
@@ -77,7 +78,7 @@ void bpAddLamps(inout BpLight light, vec3 position, vec3 normal, vec3 view, floa
   for (int slot = 0; slot < BP_SLOTS; ++slot) { shares[slot] = bpShareOf[slot] * bpIntensity[slot] * bpLampFree[slot]; }
   float byShape = lampsByShape(roughness);
   LampLobe lobe = lampLobe(normal, view, roughness);
-  int turns = byShape > 0.0f || bpLampColors > 0.5f ? bpLampCount : 0;
+  int turns = byShape > 0.0f || bpLampColors > 0.5f ? bpLobeCount : 0;
   for (int i = 0; i < turns; ++i)
   {
     int lamp = lampSide(i, position) != 0.0f ? i : bpLampOther[i];

@@ -8,6 +8,10 @@ uniform vec3 bpSightLow[BP_SLOTS];
 uniform vec3 bpSightPerUnit[BP_SLOTS];
 uniform vec3 bpSightLast[BP_SLOTS];
 uniform int bpSightParts[BP_SLOTS];    // fours; 0: the probe sees all of its lamps or nothing of them, everywhere
+#if BP_ROTATED
+uniform mat3 bpSightTurn[BP_SLOTS];    // from the lattice's axes to the world's
+#endif
+uniform float bpSightWhole;            // 1 in a first capture: slot 0 has what is seen from the capture origin, and counts alone
 
 vec4 bpSeenShares[4 * BP_SLOTS];
 
@@ -24,8 +28,8 @@ void bpFindSights(vec3 position, vec3 normal)
     vec3 from = position - bpOrigin[slot];
     vec3 n = normal;
 #if BP_ROTATED
-    from = transpose(bpWorldFromProbe[slot]) * from;
-    n = transpose(bpWorldFromProbe[slot]) * n;
+    from = transpose(bpSightTurn[slot]) * from;
+    n = transpose(bpSightTurn[slot]) * n;
 #endif
     vec3 texel = bpSightAt[slot] + sightPlace(lattice, from, n) + vec3(0.5f);
     for (int part = 0; part < bpSightParts[slot]; ++part)
@@ -52,14 +56,18 @@ float bpUnsighted;  // share of the pixel that no probe has: there all is seen
 void bpFindLightSights(vec3 positionView, vec3 normalView)
 {
   vec3 position = finiteOr(bpViewToWorld * positionView, vec3(0.0f));
-  bpUnsighted = bpShareOut(position);
+  bpUnsighted = (1.0f - bpSightWhole) * bpShareOut(position);
   bpFindSights(position, directionOr(bpViewToWorld * normalView, vec3(0.0f, 1.0f, 0.0f)));
 }
 
 float bpLightSeen(int light)
 {
   float seen = bpUnsighted;
-  for (int slot = 0; slot < BP_SLOTS; ++slot) { seen += bpShareOf[slot] * bpSeen(slot, bpSightChannel[light][slot]); }
+  for (int slot = 0; slot < BP_SLOTS; ++slot)
+  {
+    float share = mix(bpShareOf[slot], slot == 0 ? 1.0f : 0.0f, bpSightWhole);
+    seen += share * bpSeen(slot, bpSightChannel[light][slot]);
+  }
   return seen;
 }
 #endif

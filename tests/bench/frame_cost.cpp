@@ -12,6 +12,7 @@
 
 #include "app/cli/options/render_options.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/geometry/scene_lamps.h"
 #include "filters/io/image/image_file.h"
 #include "filters/vtk/gl/cpu_time.h"
 #include "tests/bench/harness.h"
@@ -45,6 +46,7 @@ struct BenchOptions : bench::FrameOptions {
   bool noConstants = false;
   bool drawHidden = false;
   bool tuning = false;
+  bool panels = false;
   int lamps = 0;
 };
 
@@ -60,6 +62,32 @@ void placeLamps(Scene& scene, const Box& bounds, int lamps) {
     light.intensity = 5.0f;
     scene.lights.push_back(light);
   }
+}
+
+/// Square panels that shine downwards, on a circle under the ceiling, in place of the lamps there are.
+Model lampPanels(const Box& bounds, int count) {
+  Model model;
+  Material shining;
+  shining.name = "panel";
+  shining.baseColor = {0.0f, 0.0f, 0.0f, 1.0f};
+  shining.metallic = 0.0f;
+  shining.emissive = glm::vec3(12.0f);
+  model.materials.push_back(shining);
+  const glm::dvec3 center = bounds.center(), around = 0.3 * bounds.size();
+  const double half = 0.02 * std::max(bounds.size().x, bounds.size().z);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * (i + 0.5) / count;
+    const glm::vec3 at(center + glm::dvec3(around.x * std::cos(angle), 1.4 * around.y, around.z * std::sin(angle)));
+    const glm::vec3 x(half, 0.0f, 0.0f), z(0.0f, 0.0f, half);
+    Mesh mesh;
+    mesh.positions = {at - x - z, at + x - z, at + x + z, at - x + z};
+    mesh.normals.assign(4, glm::vec3(0.0f, -1.0f, 0.0f));
+    mesh.indices = {0, 1, 2, 0, 2, 3};
+    mesh.material = 0;
+    model.instances.push_back({"panel " + std::to_string(i), i, glm::dmat4(1.0)});
+    model.meshes.push_back(std::move(mesh));
+  }
+  return model;
 }
 
 OffscreenScene::Models unlit(const OffscreenScene::Models& models) {
@@ -177,6 +205,44 @@ void printTuning(const CLI::App& program, const BenchOptions& options, const Loa
           [&] { return captureSeconds(program, options, loaded, kAllTuning & ~kTunedFirstBounce); }));
 }
 
+SkyGradient stockSky(const BenchOptions& options, const Scene& scene) {
+  if (const auto* color = std::get_if<SkyColor>(&scene.sky)) return {color->color, color->color, color->color};
+  if (const auto* gradient = std::get_if<SkyGradient>(&scene.sky)) return *gradient;
+  throw InputError(options.scene + ": sky: this benchmark wants a gradient or a colour");
+}
+
+/// What lamps drawn as shapes cost: a frame with none, one, four and eight of them over stock VTK's.
+void printPanels(const CLI::App& program, const BenchOptions& options, const LoadedScene& loaded) {
+  OffscreenScene measured(windowSettings(program, options));
+  measured.show(loaded.scene, loaded.models);
+  const Box bounds = measured.renderer().bounds();
+  for (const int count : {0, 1, 4, 8}) {
+    LoadedScene lit = loaded;
+    lit.scene.lamps = LampForm::Shapes;
+    for (const SceneLamp& lamp : sceneLamps(lit.scene, lit.models).lamps) {
+      lit.scene.materials[lamp.material].emissive = glm::vec3(0.0f);
+    }
+    if (count > 0) {
+      lit.scene.models.emplace_back();
+      lit.scene.models.back().file = "panels.glb";
+      lit.models.push_back(std::make_shared<const Model>(lampPanels(bounds, count)));
+    }
+    OffscreenScene ours(windowSettings(program, options));
+    ours.renderer().drawHidden(options.drawHidden);
+    bench::prepare(ours, lit.scene, lit.models);
+    const auto stock = bench::makeStockRenderer(ours.renderer().renderer(), stockSky(options, lit.scene));
+    if (!options.noConstants) restAndPrint(ours);
+    ours.window()->AddRenderer(stock);
+    std::printf("%d lamps\n", count);
+    compareAndPrint(options, ours, options.technique, "stock image-based lighting", [&](bool drawOurs) {
+      ours.setDrawn(drawOurs);
+      stock->SetDraw(drawOurs ? 0 : 1);
+      return ours.timedFrame();
+    });
+    ours.window()->RemoveRenderer(stock);
+  }
+}
+
 void run(const CLI::App& program, const BenchOptions& options) {
   LoadedScene loaded = loadScene(options.scene);
   chooseTechnique(loaded.scene, options.technique);
@@ -189,21 +255,19 @@ void run(const CLI::App& program, const BenchOptions& options) {
     printTuning(program, options, loaded);
     return;
   }
+  if (options.panels) {
+    printPanels(program, options, loaded);
+    return;
+  }
   if (options.against != "stock") {
     runAgainstOurs(program, options, loaded);
     return;
   }
-  const SkyGradient* sky = std::get_if<SkyGradient>(&loaded.scene.sky);
-  SkyGradient even;
-  if (const auto* color = std::get_if<SkyColor>(&loaded.scene.sky)) {
-    even = {color->color, color->color, color->color};
-    sky = &even;
-  }
-  if (sky == nullptr) throw InputError(options.scene + ": sky: this benchmark wants a gradient or a colour");
+  const SkyGradient sky = stockSky(options, loaded.scene);
   OffscreenScene ours(windowSettings(program, options));
   ours.renderer().drawHidden(options.drawHidden);
   bench::prepare(ours, loaded.scene, loaded.models);
-  const auto stock = bench::makeStockRenderer(ours.renderer().renderer(), *sky);
+  const auto stock = bench::makeStockRenderer(ours.renderer().renderer(), sky);
   const bool off = options.probes == "off";
   if (off) {
     ours.renderer().setProbesEnabled(false);
@@ -243,6 +307,7 @@ int main(int argc, char** argv) {
   program.add_flag("--tuning", options.tuning, "What each part of the tuning for drivers gains, as a table");
   program.add_flag("--no-constants", options.noConstants, "Numbers of probes and materials stay uniforms");
   program.add_option("--lamps", options.lamps, "That many point lights in place of the scene's lights");
+  program.add_flag("--panels", options.panels, "With 0, 1, 4 and 8 lamps as shapes in place of the scene's lamps");
   program.add_option("--pictures", options.pictures, "Folder for ours.png and stock.png, to look at");
   return bench::runProgram(program, argc, argv, [&] { run(program, options); });
 }

@@ -102,7 +102,6 @@ OddRoom oddRoom() {
   Scene& scene = room.scene;
   scene.models.emplace_back();
   scene.models.back().file = "odd-room.glb";
-  scene.lamps = LampForm::InMap;  // drawn as shapes, a first capture follows boxes, which no key holds
   scene.sky = SkyGradient{{0.12f, 0.31f, 0.67f}, {0.81f, 0.74f, 0.58f}, {0.17f, 0.09f, 0.05f}};
   Camera camera;
   camera.position = {2.4, 1.85, 2.2};

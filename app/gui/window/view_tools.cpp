@@ -186,11 +186,7 @@ void ViewTools::modelsReplaced() {
 }
 
 ProbesDiffuse ViewTools::shownDiffuse() const {
-  ProbesDiffuse diffuse;
-  for (const Probe& probe : parts_.document.scene().probes) {
-    diffuse.push_back(parts_.renderer.diffuseLight(probe.name));
-  }
-  return diffuse;
+  return parts_.renderer.probesDiffuse();
 }
 
 QImage ViewTools::barePicture() {

@@ -391,6 +391,58 @@ SightTask sightTask(const Scene& scene, const SceneLamps& lamps, const Probe& pr
   return task;
 }
 
+SightTask captureSightTask(const Scene& scene, const SceneLamps& lamps, const Probe& probe) {
+  static const SceneLamps kNone;
+  Probe at = probe;
+  at.box = {probe.origin, probe.origin};
+  at.rotationDegrees = glm::dvec3(0.0);
+  Scene lit;  // what is counted with a lamp has no ray of its own
+  lit.lights = scene.lights;
+  for (const SceneLamp& lamp : lamps.lamps) {
+    if (lamp.light) lit.lights[*lamp.light].intensity = 0.0f;
+  }
+  SightTask task = sightTask(lit, kNone, at);
+  task.from = probe.origin;
+  for (const std::size_t index : captureLamps(lamps.lamps, probe, kMostCandidates)) {
+    task.lamps.push_back(taskLamp(lamps, index));
+  }
+  return task;
+}
+
+ProbeSight untracedSight(const SceneLamps& lamps, const Probe& probe) {
+  ProbeSight sight;
+  sight.lamps = captureLamps(lamps.lamps, probe);
+  std::sort(sight.lamps.begin(), sight.lamps.end());
+  sight.lampChannel.assign(sight.lamps.size(), kSeenByAll);
+  return sight;
+}
+
+Box boxSeenFrom(const SightLines& lines, const glm::dvec3& from) {
+  constexpr int kDirections = 1024;
+  constexpr double kGolden = 2.39996322972865332;
+  constexpr double kLeftOut = 0.01;  // at either end of each axis: what lies behind a door ajar
+  std::array<std::vector<double>, 3> ends;
+  for (int i = 0; i < kDirections; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / kDirections, r = std::sqrt(1.0 - z * z);
+    const glm::dvec3 along(r * std::cos(kGolden * i), z, r * std::sin(kGolden * i));
+    const auto hit = lines.first(from, along);
+    if (!hit) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      ends[static_cast<std::size_t>(axis)].push_back(from[axis] + hit->distance * along[axis]);
+    }
+  }
+  Box box{from, from};
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double>& of = ends[static_cast<std::size_t>(axis)];
+    if (of.empty()) continue;
+    std::sort(of.begin(), of.end());
+    const auto skipped = static_cast<std::size_t>(kLeftOut * static_cast<double>(of.size()));
+    box.min[axis] = std::min(of[skipped], from[axis]);
+    box.max[axis] = std::max(of[of.size() - 1 - skipped], from[axis]);
+  }
+  return box;
+}
+
 ProbeSight probeSight(const SightLines& lines, const SightTask& task, const std::atomic<bool>& cancelled,
                       const SightSettings& settings) {
   ProbeSight sight;

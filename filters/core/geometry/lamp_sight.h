@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/ext/vector_int3.hpp>
 #include <glm/mat3x3.hpp>
+#include <optional>
 #include <vector>
 
 #include "filters/core/geometry/probe_geometry.h"
@@ -64,11 +65,13 @@ struct SightTask {
   };
   Box box;
   glm::dvec3 rotationDegrees{0.0};
+  /// Of a capture: the box is not given, but what is seen from here (boxSeenFrom).
+  std::optional<glm::dvec3> from;
   std::vector<Lamp> lamps;
   std::size_t own = 0;  ///< the first of them are the probe's; the others, of other rooms, are so if they are seen
   std::vector<Source> sources;
   bool operator==(const SightTask& o) const {
-    return box == o.box && rotationDegrees == o.rotationDegrees && lamps == o.lamps && own == o.own &&
+    return box == o.box && rotationDegrees == o.rotationDegrees && from == o.from && lamps == o.lamps && own == o.own &&
            sources == o.sources;
   }
 };
@@ -99,6 +102,15 @@ constexpr std::size_t kMostSightSources = 8;
 /// `lamps`: of the scene. A probe's own lamps (probeLamps) and the brightest of other rooms that shine towards it; of
 /// the scene's point and spot lights those that ask for no other shadows and are not counted with a lamp.
 SightTask sightTask(const Scene& scene, const SceneLamps& lamps, const Probe& probe);
+
+/// The same for what the probe's capture shows, whatever its box is: captureLamps, and sources by their distance from
+/// the capture origin.
+SightTask captureSightTask(const Scene& scene, const SceneLamps& lamps, const Probe& probe);
+/// What a capture goes by where nothing is traced: those lamps, seen from everywhere.
+ProbeSight untracedSight(const SceneLamps& lamps, const Probe& probe);
+
+/// A box along the world's axes around nearly all that is seen from a point: of the few farthest rays not the ends.
+Box boxSeenFrom(const SightLines& lines, const glm::dvec3& from);
 
 /// Nodes along each axis of a box of that size, 2 to SightLattice::kMostNodes, settings.mostNodes in all at most.
 glm::ivec3 sightNodes(const glm::dvec3& size, const SightSettings& settings = {});

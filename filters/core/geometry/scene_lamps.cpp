@@ -291,6 +291,35 @@ std::vector<std::size_t> probeLamps(const std::vector<SceneLamp>& lamps, const P
   return chosen;
 }
 
+std::vector<std::size_t> captureLamps(const std::vector<SceneLamp>& lamps, const Probe& probe, std::size_t most) {
+  struct Group {
+    double strength = 0.0;
+    bool hidden = false;
+    std::vector<std::size_t> members;
+  };
+  std::map<std::size_t, Group> groups;
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    const SceneLamp& lamp = lamps[i];
+    Group& group = groups[lamp.group];
+    const glm::dvec3 off = lamp.middle - probe.origin;
+    group.strength += lamp.power / std::max({glm::dot(off, off), lamp.area, 1.0e-12});
+    group.hidden |= std::find(probe.hides.begin(), probe.hides.end(), lamp.node) != probe.hides.end();
+    group.members.push_back(i);
+  }
+  std::vector<const Group*> order;
+  for (const auto& entry : groups) {
+    if (!entry.second.hidden) order.push_back(&entry.second);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Group* a, const Group* b) { return a->strength > b->strength; });
+  std::vector<std::size_t> chosen;
+  for (const Group* group : order) {
+    if (chosen.size() + group->members.size() > most) continue;
+    chosen.insert(chosen.end(), group->members.begin(), group->members.end());
+  }
+  return chosen;
+}
+
 LampPolygon lampPolygon(const SceneLamp& lamp, const glm::dvec3& originWorld, const glm::dmat3& worldFromFrame) {
   LampPolygon polygon;
   polygon.count = static_cast<int>(std::min<std::size_t>(lamp.corners.size(), shading::kLampCorners));

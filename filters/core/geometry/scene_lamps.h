@@ -59,6 +59,11 @@ SceneLamps sceneLamps(const Scene& scene, const std::vector<std::shared_ptr<cons
 std::vector<std::size_t> probeLamps(const std::vector<SceneLamp>& lamps, const Probe& probe,
                                     std::size_t most = kMostProbeLamps);
 
+/// The same whatever the probe's box: those that can give most at its capture origin, with no wall between, as indices,
+/// the strongest group first.
+std::vector<std::size_t> captureLamps(const std::vector<SceneLamp>& lamps, const Probe& probe,
+                                      std::size_t most = kMostProbeLamps);
+
 /// Relative to a point in the world, in the axes whose world coordinates are the columns of `worldFromFrame`.
 LampPolygon lampPolygon(const SceneLamp& lamp, const glm::dvec3& originWorld,
                         const glm::dmat3& worldFromFrame = glm::dmat3(1.0));

@@ -52,19 +52,51 @@ glm::vec3 CaptureLight::irradiance(const SurfacePoint& s, const ProbesDiffuse& d
     glm::vec3 lit(0.0f);
     for (; end < probes_.size() && probes_[end].importance == probes_[first].importance; ++end) {
       const LightingProbe& g = probes_[end];
-      if (g.index >= diffuse.size() || !diffuse[g.index]) continue;
+      if (g.index >= diffuse.probes.size() || !diffuse.probes[g.index]) continue;
       const glm::vec3 p(glm::transpose(g.worldFromProbe) * (s.positionWorld - g.originWorld));
       const float weight = shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
-      const ShCoefficients& c = *diffuse[g.index];
       sum += weight;
-      lit += weight * g.intensity *
-             shading::shIrradiance(s.normalWorld, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]);
+      if (weight > 0.0f) {
+        lit += weight * g.intensity * diffuseAt(*diffuse.probes[g.index], g, s.positionWorld, s.normalWorld);
+      }
     }
     result += left * shading::groupScale(sum) * lit;
     left = shading::remainingAfter(left, sum);
     first = end;
   }
   return result + left * sky_.irradiance(s.normalWorld);
+}
+
+std::vector<glm::vec3> CaptureLight::seenThrough(const SurfacePoint& s, const ProbesDiffuse& diffuse,
+                                                 const std::vector<glm::vec3>* through) const {
+  std::vector<glm::vec3> seen = through != nullptr ? *through : std::vector<glm::vec3>();
+  seen.resize(lights_.size(), glm::vec3(1.0f));
+  std::vector<float> shares(lights_.size(), 0.0f);
+  float left = 1.0f;
+  for (std::size_t first = 0; first < probes_.size();) {
+    std::size_t end = first;
+    float sum = 0.0f;
+    std::vector<float> here(lights_.size(), 0.0f);
+    for (; end < probes_.size() && probes_[end].importance == probes_[first].importance; ++end) {
+      const LightingProbe& g = probes_[end];
+      const glm::vec3 p(glm::transpose(g.worldFromProbe) * (s.positionWorld - g.originWorld));
+      const float weight = shading::influenceWeight(p, g.influenceMin, g.influenceMax, g.rateMin, g.rateMax);
+      sum += weight;
+      const bool known = g.index < diffuse.probes.size() && diffuse.probes[g.index];
+      const ProbeSight* sight = known ? diffuse.probes[g.index]->sight.get() : nullptr;
+      for (std::size_t i = 0; i < lights_.size() && weight > 0.0f; ++i) {
+        const int channel = sight != nullptr ? sight->channelOfSource(i) : kSeenByAll;
+        here[i] += weight * seenAt(sight, channel, g, s.positionWorld, s.normalWorld);
+      }
+    }
+    for (std::size_t i = 0; i < lights_.size(); ++i) shares[i] += left * shading::groupScale(sum) * here[i];
+    left = shading::remainingAfter(left, sum);
+    first = end;
+  }
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    seen[i] *= diffuse.countedLights.count(i) != 0 ? 0.0f : shares[i] + left;
+  }
+  return seen;
 }
 
 std::optional<glm::dvec3> CaptureLight::capturedFrom(const glm::dvec3& position) const {
@@ -113,6 +145,11 @@ glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std
   const SurfaceFresnel lit = surfaceFresnel(s, std::clamp(glm::dot(s.normalWorld, s.viewWorld), 1.0e-5f, 1.0f));
   const FresnelEnds ends{lit.f0, lit.f90};
   glm::vec3 sum = s.emissive;
+  std::vector<glm::vec3> seen;
+  if (diffuse != nullptr && !lights_.empty()) {
+    seen = seenThrough(s, *diffuse, through);
+    through = &seen;
+  }
   if (!lights_.empty()) sum += directLight(s, ends.f0, ends.f90, lights_, through, scattering(s, ends));
   if (s.metallic < 1.0f) {
     const float under = s.occlusion * static_cast<float>(sheenPasses(s));

@@ -7,18 +7,15 @@
 #include <optional>
 #include <vector>
 
+#include "filters/core/geometry/probe_diffuse.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/scene/scene.h"
 #include "filters/core/surface/direct_light.h"
 #include "filters/core/surface/surface_point.h"
-#include "filters/math/cube/spherical_harmonics.h"
 #include "filters/reference/light/reference_sky.h"
 #include "filters/reference/light/reflecting_layers.h"
 
 namespace boxprobe {
-
-/// Diffuse light of a scene's probes as its picture has it, in the scene's order; nothing for one without maps.
-using ProbesDiffuse = std::vector<std::optional<ShCoefficients>>;
 
 class CaptureLight {
  public:
@@ -30,7 +27,8 @@ class CaptureLight {
 
   const std::vector<Light>& lights() const { return lights_; }
   /// Emission, light sources and diffuse light. `through`: how much of each light arrives, null for all of it.
-  /// `diffuse`: of probes and sky as a picture has it; null: the sky's alone, as a first capture has it.
+  /// `diffuse`: of probes, lamps and sky as a picture has it, and of light sources what is seen; null: the sky's alone,
+  /// as a first capture has it.
   glm::vec3 unreflected(const SurfacePoint& surface, bool unlit, const std::vector<glm::vec3>* through = nullptr,
                         const ProbesDiffuse* diffuse = nullptr) const;
   /// That and the sky's reflection: what a capture shows.
@@ -47,6 +45,9 @@ class CaptureLight {
   };
   Shares shares(const glm::dvec3& positionWorld) const;
   glm::vec3 irradiance(const SurfacePoint& surface, const ProbesDiffuse& diffuse) const;
+  /// `through` times what the picture has of each light source there.
+  std::vector<glm::vec3> seenThrough(const SurfacePoint& surface, const ProbesDiffuse& diffuse,
+                                     const std::vector<glm::vec3>* through) const;
   Scattering scattering(const SurfacePoint& surface, const FresnelEnds& ends) const;
 
   ReferenceSky sky_;

@@ -132,6 +132,8 @@ void BakeRunner::captureFace(const FaceSource& source, int face) {
   {
     const Drawing drawing(*item_);
     const PassScope scope(*state_, [this](PassSettings& pass) {
+      pass.capture = !item_->sky;
+      pass.sight = item_->sight ? item_->sight() : nullptr;
       pass.firstBounce = item_->reflectNothing;
       pass.firstBouncePrograms = item_->reflectNothing && item_->firstBouncePrograms;
       pass.movingShadowsOn = false;

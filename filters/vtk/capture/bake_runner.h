@@ -36,6 +36,9 @@ struct BakeItem {
   bool reflectNothing = false;  ///< first bounce: no probe has been captured yet
   /// Then by programs without any lookup of a probe. They have to be compiled, which pays for many faces only.
   bool firstBouncePrograms = false;
+  /// What is seen of lamps from the capture origin, asked just before a face is made (PassSettings::sight). May be
+  /// null.
+  std::function<std::shared_ptr<const ProbeSight>()> sight;
   /// Small levels are filtered together, as one unit that costs less than the first level alone: fewer steps to wait
   /// for a map that follows something that moves.
   bool fewSteps = false;

@@ -20,8 +20,9 @@ bool ProbeBinding::rotated() const {
 }
 
 bool ProbeBinding::sights() const {
-  return !sightLights.empty() || std::any_of(probes.begin(), probes.end(), [](const auto& probe) {
-    return probe->sight && !probe->sight->lattice.empty();
+  const auto some = [](const std::shared_ptr<const ProbeSight>& sight) { return sight && !sight->lattice.empty(); };
+  return !sightLights.empty() || std::any_of(probes.begin(), probes.end(), [&some](const auto& probe) {
+    return some(probe->sight) || some(probe->captureSight);
   });
 }
 
@@ -48,9 +49,9 @@ bool ProbeBinding::lampFree(std::size_t slot) const {
          probe.prefilter.filter == FilterLobe::Kind::Ggx;
 }
 
-const ProbeMaps* ProbeBinding::lookedUp(std::size_t slot) const {
+const ProbeMaps* ProbeBinding::lookedUp(std::size_t slot, bool capture) const {
   const ProbeMaps* own = probes[slot]->maps.get();
-  const ProbeMaps* without = own != nullptr && lampFree(slot) ? own->lampFree.maps.get() : nullptr;
+  const ProbeMaps* without = own != nullptr && !capture && lampFree(slot) ? own->lampFree.maps.get() : nullptr;
   return without != nullptr ? without : own;
 }
 
@@ -88,6 +89,7 @@ std::shared_ptr<const ProbeBinding> ProbeBinding::forFirstBounce() const {
   if (lighting != Lighting::Probes || probes.empty() || open()) return nullptr;
   auto unlit = std::make_shared<ProbeBinding>(*this);
   unlit->firstBounce = true;
+  unlit->lampLobes = false;
   return unlit;
 }
 

@@ -33,6 +33,8 @@ struct DrawnProbe {
   PrefilterSettings prefilter;              ///< of its maps
   bool realtime = false;                    ///< its maps are made over and over
   mutable std::shared_ptr<const DiffuseLattice> latticeBefore;  ///< the last it was drawn with (probe_lattice.h)
+  /// The lamps that light what its first capture shows, by its capture origin alone. Null: none are drawn as shapes.
+  std::shared_ptr<const ProbeSight> captureSight;
 };
 
 enum class Lighting {
@@ -59,7 +61,7 @@ struct ProbeBinding {
   std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
   bool diffuse = true;      ///< false: the material is all metal
   bool shapes = false;      ///< some probe's diffuse light is its lamps' and a lattice's
-  bool lamps = false;       ///< some of these has lamps
+  bool lamps = false;       ///< some of these has lamps, or its first capture
   /// Reflections of the object are rough enough to show those lamps by their shapes. Then maps without them are looked
   /// up.
   bool lampLobes = false;
@@ -107,8 +109,8 @@ struct ProbeBinding {
   bool lampsDrawn() const { return (shapes && diffuse && lamps) || lampLobes; }
   /// Does a rough surface look this one's map up without lamps? Not where alpha is coverage, or maps do not last.
   bool lampFree(std::size_t slot) const;
-  /// The map that it looks up: that one, as soon as it is made. Null: not captured.
-  const ProbeMaps* lookedUp(std::size_t slot) const;
+  /// The map that it looks up: that one, as soon as it is made, but not in a capture. Null: not captured.
+  const ProbeMaps* lookedUp(std::size_t slot, bool capture) const;
   /// Does a technique of a probe fetch from its distance cubemap?
   bool distances() const;
   /// Does this one's follow rays through all of them: more than three steps of projection `impostor`?

@@ -8,7 +8,7 @@ namespace boxprobe {
 
 void makeLampFree(const DrawState& state, const ProbeBinding& binding) {
   const SceneResources& resources = state.resources;
-  if (!binding.lampLobes || !resources.lamps || !resources.filterLevels || state.pass().firstBounce) return;
+  if (!binding.lampLobes || !resources.lamps || !resources.filterLevels || state.pass().capture) return;
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
     const DrawnProbe& probe = *binding.probes[i];
     if (!binding.lampFree(i) || !probe.maps) continue;

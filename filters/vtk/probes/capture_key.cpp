@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
+#include <set>
 
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/math/shared/shared_math.h"
@@ -130,6 +131,10 @@ template <typename Meets>
 std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, const Probe& probe,
                                   const Meets& meets) {
   std::vector<std::size_t> lighting;
+  // A hidden lamp does not light what is captured, whether the capture would show it or not.
+  if (world.lattices) {
+    for (const std::string& hidden : std::set<std::string>(probe.hides.begin(), probe.hides.end())) hash.add(hidden);
+  }
   hash.add(world.lights);
   // What is drawn for an open probe has no light of the sky, which is added where the probe is looked up.
   if (!std::holds_alternative<ClearToOpen>(probe.clear)) hash.add(world.sky);

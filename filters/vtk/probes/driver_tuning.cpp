@@ -81,7 +81,7 @@ bool DriverTuning::makeFlatMaps(const ProbeBinding& binding) {
   if (!*onCpu_ || state.pass().firstBounce || binding.lighting != Lighting::Probes) return false;
   std::vector<const ProbeMaps*> all;
   if (binding.sky || binding.open()) all.push_back(state.resources.sky.get());
-  for (std::size_t i = 0; i < binding.probes.size(); ++i) all.push_back(binding.lookedUp(i));
+  for (std::size_t i = 0; i < binding.probes.size(); ++i) all.push_back(binding.lookedUp(i, state.pass().capture));
   std::size_t more = 0;
   for (const ProbeMaps* maps : all) {
     if (maps == nullptr || !FlatTexture::fits(maps->radiance) || !endsAtFour(maps->radiance)) return false;

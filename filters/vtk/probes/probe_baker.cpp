@@ -107,6 +107,10 @@ void ProbeBaker::begin(const ProbeJob& job) {
   item.faceSize = job.faceSize;
   item.bounce = job.bounce;
   item.firstBouncePrograms = firstBouncePrograms_ && job.kind == JobKind::Bounce && with_.state->tuning != nullptr;
+  item.sight = [this, name = job.name]() -> std::shared_ptr<const ProbeSight> {
+    const auto index = with_.plan->entries().find(name);
+    return index && !name.empty() ? with_.binder->drawn(*index).captureSight : nullptr;
+  };
   Probe as;  // as its capture begins
   if (const auto index = with_.plan->entries().find(job.name)) {
     as = with_.plan->entries().probe(*index);

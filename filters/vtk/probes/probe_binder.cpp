@@ -193,7 +193,7 @@ void ProbeBinder::updateShadowLights() {
 // lamps are not known, the lattice alone.
 void ProbeBinder::updateLamps() {
   const SceneContent& content = *with_.content;
-  std::vector<std::optional<SightTask>> tasks(probes_.size());
+  std::vector<std::optional<SightTask>> tasks(2 * probes_.size());  // of drawn probes, then of their captures
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     const Probe& probe = content.scene.probes[i];
     DrawnProbe& drawn = *probes_[i].drawn;
@@ -205,6 +205,7 @@ void ProbeBinder::updateLamps() {
     const bool known = probe.mode != ProbeMode::Custom;
     if (drawn.shapes && content.sightLines) {
       tasks[i] = sightTask(content.scene, known ? *content.lamps : kNotKnown, probe);
+      if (known) tasks[probes_.size() + i] = captureSightTask(content.scene, *content.lamps, probe);
     }
   }
   sight_.ask(std::move(tasks), content.scene, content.given, content.sightLines);
@@ -231,6 +232,10 @@ void ProbeBinder::showSight() {
     drawn.lamps = !known        ? std::vector<std::size_t>()
                   : drawn.sight ? drawn.sight->lamps
                                 : probeLamps(lamps->lamps, probe);
+    drawn.captureSight = !known ? nullptr : sight_.of(probes_.size() + i);
+    if (known && !drawn.captureSight) {
+      drawn.captureSight = std::make_shared<const ProbeSight>(untracedSight(*lamps, probe));
+    }
   }
 }
 
@@ -238,10 +243,11 @@ bool ProbeBinder::makeSight() {
   constexpr std::chrono::milliseconds kTurn(5);  // a window answers in between
   if (!sight_.proceed(kTurn)) return false;
   Counters& counters = with_.state->counts.counters;
-  for (const auto& sight : sight_.made()) {
+  for (const SightWork::Made& made : sight_.made()) {
+    counters.sightRays += made.sight->rays;
+    if (made.ofCapture) continue;
     ++counters.sightsTraced;
-    counters.sightRays += sight->rays;
-    counters.lampsSeenWhole += sight->unshadowed;
+    counters.lampsSeenWhole += made.sight->unshadowed;
   }
   showSight();
   return true;
@@ -328,8 +334,9 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   }
   binding->shapes =
       std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) { return probe->shapes; });
-  binding->lamps = std::any_of(binding->probes.begin(), binding->probes.end(),
-                               [](const auto& probe) { return !probe->lamps.empty(); });
+  binding->lamps = std::any_of(binding->probes.begin(), binding->probes.end(), [](const auto& probe) {
+    return !probe->lamps.empty() || (probe->captureSight && !probe->captureSight->lamps.empty());
+  });
   binding->roughnessMin = static_cast<float>(object.roughnessMin);
   binding->roughnessMax = static_cast<float>(object.roughnessMax);
   // Glass looks along bent rays, whose lobes have no shapes.
@@ -355,7 +362,8 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   }
   for (std::size_t light = 0; light < scene.lights.size(); ++light) {
     const bool hidden = std::any_of(binding->probes.begin(), binding->probes.end(), [&](const auto& probe) {
-      return probe->sight && probe->sight->channelOfSource(light) != kSeenByAll;
+      return (probe->sight && probe->sight->channelOfSource(light) != kSeenByAll) ||
+             (probe->captureSight && probe->captureSight->channelOfSource(light) != kSeenByAll);
     });
     if (hidden) binding->sightLights.push_back(static_cast<int>(light));
   }

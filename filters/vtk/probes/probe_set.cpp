@@ -220,14 +220,22 @@ std::shared_ptr<const ProbeMaps> ProbeSet::maps(const std::string& probeName) co
   return index ? maps(*index) : nullptr;
 }
 
-std::optional<ShCoefficients> ProbeSet::diffuseLight(const std::string& probeName) const {
-  const auto index = plan_.entries().find(probeName);
-  if (!index || !maps(*index)) return std::nullopt;
-  const DrawnProbe& drawn = binder_.drawn(*index);
-  ShCoefficients sum = drawn.maps->irradiance;
-  if (!drawn.open) return sum;
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += drawn.openSky[i];
-  return sum;
+std::optional<ProbeDiffuse> ProbeSet::diffuseLight(std::size_t index) const {
+  if (index >= binder_.size() || !maps(index)) return std::nullopt;
+  const DrawnProbe& drawn = binder_.drawn(index);
+  ProbeDiffuse diffuse;
+  diffuse.coefficients = drawn.maps->irradiance;
+  for (std::size_t i = 0; i < diffuse.coefficients.size() && drawn.open; ++i) {
+    diffuse.coefficients[i] += drawn.openSky[i];
+  }
+  diffuse.sight = drawn.sight;
+  if (!drawn.latticeBefore || drawn.latticeBefore->empty() || !with_.content->lamps) return diffuse;
+  diffuse.lattice = drawn.latticeBefore;
+  for (const std::size_t lamp : drawn.lamps) {
+    diffuse.lamps.push_back(with_.content->lamps->lamps[lamp]);
+    if (drawn.sight) diffuse.lampChannels.push_back(drawn.sight->channelOfLamp(lamp));
+  }
+  return diffuse;
 }
 
 std::size_t ProbeSet::memoryBytes() const {

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "filters/core/geometry/probe_diffuse.h"
 #include "filters/vtk/probes/driver_tuning.h"
 #include "filters/vtk/probes/probe_baker.h"
 #include "filters/vtk/probes/probe_binder.h"
@@ -83,7 +84,7 @@ class ProbeSet {
   /// What a probe shows now; null while it has none, or if there is no such probe.
   std::shared_ptr<const ProbeMaps> maps(const std::string& probeName) const;
   std::shared_ptr<const ProbeMaps> maps(std::size_t index) const { return binder_.drawn(index).maps; }
-  std::optional<ShCoefficients> diffuseLight(const std::string& probeName) const;
+  std::optional<ProbeDiffuse> diffuseLight(std::size_t index) const;
 
   std::size_t memoryBytes() const;
   /// Frees what the graphics side holds, with its context current. Everything is made again afterwards.

@@ -8,6 +8,9 @@ namespace {
 
 // Bytes and time of all probes together stay bounded.
 constexpr int kMostNodesOfAll = 8'000'000, kFewestNodes = 1000;
+// Captures are coarse, and are looked at in reflections.
+constexpr double kCaptureSpacing = 0.5;
+constexpr int kMostCaptureNodes = 4096;
 
 }  // namespace
 
@@ -55,7 +58,8 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
       now.sight = equal->sight;
       now.current = same && equal->current;
     } else if (i < known_.size() && known_[i].task && known_[i].task->lamps == now.task->lamps &&
-               known_[i].task->sources == now.task->sources) {
+               known_[i].task->sources == now.task->sources &&
+               known_[i].task->from.has_value() == now.task->from.has_value()) {
       now.sight = known_[i].sight;
     }
   }
@@ -91,7 +95,7 @@ void SightWork::start() {
   int count = 0;
   for (const Known& known : known_) {
     tasks.push_back(known.current ? std::nullopt : known.task);
-    count += known.task ? 1 : 0;
+    count += known.task && !known.task->from ? 1 : 0;
   }
   SightSettings settings;
   settings.mostNodes = std::clamp(kMostNodesOfAll / std::max(count, 1), kFewestNodes, settings.mostNodes);
@@ -102,7 +106,14 @@ void SightWork::start() {
     if (!done.lines) done.lines = maker(*scene, models);
     for (std::size_t i = 0; i < tasks.size() && !*cancelled; ++i) {
       if (!tasks[i]) continue;
-      done.sights[i] = std::make_shared<const ProbeSight>(probeSight(*done.lines, *tasks[i], *cancelled, settings));
+      SightTask task = *tasks[i];
+      SightSettings of = settings;
+      if (task.from) {
+        task.box = boxSeenFrom(*done.lines, *task.from);
+        of.spacing = kCaptureSpacing;
+        of.mostNodes = std::min(settings.mostNodes, kMostCaptureNodes);
+      }
+      done.sights[i] = std::make_shared<const ProbeSight>(probeSight(*done.lines, task, *cancelled, of));
     }
     return done;
   });
@@ -124,14 +135,14 @@ bool SightWork::proceed(std::chrono::milliseconds wait) {
   for (std::size_t i = 0; i < known_.size() && i < done.sights.size(); ++i) {
     if (!done.sights[i]) continue;
     known_[i].sight = done.sights[i];
-    made_.push_back(done.sights[i]);
+    made_.push_back({done.sights[i], known_[i].task && known_[i].task->from.has_value()});
   }
   scene_.reset();
   return true;
 }
 
-std::shared_ptr<const ProbeSight> SightWork::of(std::size_t probe) const {
-  return probe < known_.size() ? known_[probe].sight : nullptr;
+std::shared_ptr<const ProbeSight> SightWork::of(std::size_t task) const {
+  return task < known_.size() ? known_[task].sight : nullptr;
 }
 
 }  // namespace boxprobe

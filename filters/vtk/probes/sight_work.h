@@ -24,7 +24,7 @@ class SightWork {
   SightWork(const SightWork&) = delete;
   SightWork& operator=(const SightWork&) = delete;
 
-  /// What is to be known from now on: a task for each probe, nothing for those that need none. `lines` traces; null:
+  /// What is to be known from now on: tasks, nothing for probes that need none. `lines` traces; null:
   /// nothing is. What is known already is kept.
   void ask(std::vector<std::optional<SightTask>> tasks, const Scene& scene, const Models& models,
            const SightLinesMaker& lines);
@@ -35,11 +35,15 @@ class SightWork {
   /// Begins what is asked for, or waits a little for it. True: more is known than before. Throws WorkError, after which
   /// it counts as known.
   bool proceed(std::chrono::milliseconds wait);
-  /// Of the last proceed() that returned true: the probes traced.
-  const std::vector<std::shared_ptr<const ProbeSight>>& made() const { return made_; }
-  /// Of a probe: what it sees, or what it saw of the same lamps before its box or the scene was changed; null: not
+  struct Made {
+    std::shared_ptr<const ProbeSight> sight;
+    bool ofCapture = false;
+  };
+  /// Of the last proceed() that returned true: what was traced.
+  const std::vector<Made>& made() const { return made_; }
+  /// Of a task: what is seen, or what was seen of the same lamps before the box or the scene was changed; null: not
   /// known yet.
-  std::shared_ptr<const ProbeSight> of(std::size_t probe) const;
+  std::shared_ptr<const ProbeSight> of(std::size_t task) const;
   /// Through the scene that was asked for last; null: not known yet, or nothing is to be traced.
   const std::shared_ptr<const SightLines>& lines() const { return lines_; }
   /// What runs ends soon; nothing begins before it has.
@@ -68,13 +72,13 @@ class SightWork {
 
   void start();
 
-  std::vector<Known> known_;  ///< of each probe
+  std::vector<Known> known_;  ///< of each task
   Surroundings surroundings_;
   std::shared_ptr<const Scene> scene_;
   SightLinesMaker maker_;
   std::shared_ptr<const SightLines> lines_;  ///< of the surroundings; null: not built yet
   bool held_ = false, open_ = false;
-  std::vector<std::shared_ptr<const ProbeSight>> made_;
+  std::vector<Made> made_;
   std::future<Done> running_;
   std::shared_ptr<std::atomic<bool>> cancelled_;
   std::vector<std::future<Done>> ending_;  ///< cancelled ones, which nobody waits for while there is something to draw

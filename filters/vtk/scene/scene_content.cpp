@@ -53,7 +53,9 @@ std::string lampSourcesKey(const Scene& scene, const std::vector<std::shared_ptr
       hash.addBytes(&world, sizeof world);
     }
   }
-  for (const Light& light : scene.lights) hash.add(static_cast<int>(light.type)).addVector(light.position);
+  for (const Light& light : scene.lights) {  // its power decides whether a lamp stands for it
+    hash.add(static_cast<int>(light.type)).addVector(light.position).addVector(light.color).add(light.intensity);
+  }
   return hash.text();
 }
 

@@ -44,7 +44,7 @@ void uploadSky(const UniformUpload& to, const SceneResources& resources, bool fl
 // The captured light of each slot.
 void uploadLight(const UniformUpload& to, const DrawState& state, const ProbeBinding& binding, bool flatMaps) {
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
-    const ProbeMaps* maps = state.pass().firstBounce ? nullptr : binding.lookedUp(i);
+    const ProbeMaps* maps = state.pass().firstBounce ? nullptr : binding.lookedUp(i, state.pass().capture);
     const std::string name = "bpMap" + std::to_string(i);
     if (flatMaps) {
       to.texture2d(name, maps->flat.handle());
@@ -92,7 +92,7 @@ void uploadSampling(const UniformUpload& to, DrawState& state, const ProbeBindin
   if (binding.chooses("sampling", "luminance")) {
     PerSlot<int> size{};
     for (std::size_t i = 0; i < count; ++i) {
-      const ProbeMaps* maps = state.pass().firstBounce ? nullptr : binding.lookedUp(i);
+      const ProbeMaps* maps = state.pass().firstBounce ? nullptr : binding.lookedUp(i, state.pass().capture);
       if (maps != nullptr) {
         maps->light.make(maps->radiance);
         size[i] = maps->light.faceSize();
@@ -168,11 +168,19 @@ std::size_t pairLamps(const std::vector<SceneLamp>& lamps, std::vector<std::size
   return firsts.size();
 }
 
+// What the slot sees of lamps and light sources. In a first capture the first slot has what the capture does.
+const std::shared_ptr<const ProbeSight>& sightOf(const PassSettings& pass, const ProbeBinding& binding,
+                                                 std::size_t slot) {
+  static const std::shared_ptr<const ProbeSight> kNone;
+  if (!pass.firstBounce) return binding.probes[slot]->sight;
+  return slot == 0 ? pass.sight : kNone;
+}
+
 // Where the visibility of a lamp stands in each slot's lattice.
-glm::vec4 lampChannels(const ProbeBinding& binding, std::size_t lamp) {
+glm::vec4 lampChannels(const PassSettings& pass, const ProbeBinding& binding, std::size_t lamp) {
   glm::vec4 channels(static_cast<float>(kSeenByAll));
   for (std::size_t i = 0; i < binding.probes.size(); ++i) {
-    const auto& sight = binding.probes[i]->sight;
+    const auto& sight = sightOf(pass, binding, i);
     if (sight) channels[static_cast<int>(i)] = static_cast<float>(sight->channelOfLamp(lamp));
   }
   return channels;
@@ -187,6 +195,12 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
   PerSlot<float> free{};
   glm::vec4 lit(0.0f);                      // slots whose diffuse light is that of lamps
   std::map<std::size_t, glm::vec4> lampOf;  // by falling power
+  const auto addLamps = [&](const std::vector<std::size_t>& which, std::size_t slot) {
+    for (const std::size_t lamp : which) {
+      const bool reaches = !outOfReach(lamps->lamps[lamp], to, state.pass(), binding.lampLobes);
+      if (reaches) lampOf[lamp][static_cast<int>(slot)] = 1.0f;
+    }
+  };
   for (std::size_t i = 0; i < count && lamps != nullptr; ++i) {
     const DrawnProbe& probe = *binding.probes[i];
     if (!probe.shapes) continue;
@@ -198,14 +212,15 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
       perUnit[i] = shape.perUnit;
       last[i] = shape.last;
     }
-    lit[static_cast<int>(i)] = lattice || state.pass().firstBounce ? 1.0f : 0.0f;
-    const bool without = state.pass().firstBounce || binding.lookedUp(i) != probe.maps.get();
+    lit[static_cast<int>(i)] = lattice ? 1.0f : 0.0f;
+    const bool without = binding.lookedUp(i, state.pass().capture) != probe.maps.get();
     free[i] = binding.lampFree(i) && without ? 1.0f : 0.0f;
-    if (lit[static_cast<int>(i)] <= 0.0f && free[i] <= 0.0f) continue;
-    for (const std::size_t lamp : probe.lamps) {
-      const bool lobes = binding.lampLobes;
-      if (!outOfReach(lamps->lamps[lamp], to, state.pass(), lobes)) lampOf[lamp][static_cast<int>(i)] = 1.0f;
-    }
+    if (state.pass().firstBounce || (lit[static_cast<int>(i)] <= 0.0f && free[i] <= 0.0f)) continue;
+    addLamps(probe.lamps, i);
+  }
+  if (state.pass().firstBounce) {
+    lit = glm::vec4(1.0f);
+    if (lamps != nullptr && state.pass().sight) addLamps(state.pass().sight->lamps, 0);
   }
   const auto vectors = [&](const char* name, const glm::vec3* values, std::size_t size) {
     to.program->SetUniform3fv(name, static_cast<int>(size), reinterpret_cast<const float(*)[3]>(values));
@@ -240,7 +255,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
     shape[k] = polygon.count + (polygon.bothSides ? 16 : 0);
     light[k] = glm::vec3(lamp.radiance);
     slots[k] = lampOf[drawn[k]];
-    channels[k] = lampChannels(binding, drawn[k]);
+    channels[k] = lampChannels(state.pass(), binding, drawn[k]);
   }
   const std::size_t used = std::max<std::size_t>(drawn.size(), 1);
   if (binding.lampLobes) {
@@ -249,6 +264,7 @@ void uploadLampsAndLattices(const UniformUpload& to, DrawState& state, const Pro
       return glm::length(glm::normalize(l) - glm::normalize(light[0])) > 1.0e-3f;
     });
     to.program->SetUniformf("bpLampColors", several ? 1.0f : 0.0f);
+    to.program->SetUniformi("bpLobeCount", state.pass().capture ? 0 : static_cast<int>(turns));
   }
   to.program->SetUniformf("bpLampsWhole", state.pass().firstBounce ? 1.0f : 0.0f);
   to.program->SetUniformi("bpLampCount", static_cast<int>(turns));
@@ -267,16 +283,22 @@ void uploadSights(const UniformUpload& to, DrawState& state, const ProbeBinding&
   const std::size_t count = binding.probes.size();
   PerSlot<glm::vec3> at{}, low{}, perUnit{}, last{};
   PerSlot<int> parts{};
+  PerSlot<glm::mat3> turn;
+  turn.fill(glm::mat3(1.0f));
+  const bool first = state.pass().firstBounce;
   for (std::size_t i = 0; i < count; ++i) {
-    const DrawnProbe& probe = *binding.probes[i];
-    const auto place = state.resources.sights->place(probe.sight);
+    const auto& sight = sightOf(state.pass(), binding, i);
+    const auto place = state.resources.sights->place(sight);
     if (!place) continue;
-    const shading::LatticeShape shape = sightShape(*probe.sight, probe.geometry);
+    const ProbeGeometry& g = binding.probes[i]->geometry;
+    const shading::LatticeShape shape =
+        first ? sight->lattice.shape(g.originWorld - sight->middleWorld) : sightShape(*sight, g);
+    if (!first) turn[i] = glm::mat3(g.worldFromProbe);
     at[i] = *place;
     low[i] = shape.low;
     perUnit[i] = shape.perUnit;
     last[i] = shape.last;
-    parts[i] = probe.sight->lattice.parts();
+    parts[i] = sight->lattice.parts();
   }
   const auto vectors = [&](const char* name, const PerSlot<glm::vec3>& values) {
     to.program->SetUniform3fv(name, static_cast<int>(count), reinterpret_cast<const float(*)[3]>(&values[0].x));
@@ -286,6 +308,10 @@ void uploadSights(const UniformUpload& to, DrawState& state, const ProbeBinding&
   vectors("bpSightPerUnit", perUnit);
   vectors("bpSightLast", last);
   to.program->SetUniform1iv("bpSightParts", static_cast<int>(count), parts.data());
+  to.program->SetUniformf("bpSightWhole", first ? 1.0f : 0.0f);
+  for (std::size_t i = 0; i < count && binding.rotated(); ++i) {
+    to.program->SetUniformMatrix3x3(("bpSightTurn[" + std::to_string(i) + "]").c_str(), &turn[i][0].x);
+  }
   to.texture("bpSights", GL_TEXTURE_3D, state.resources.sights->handle());
   const glm::vec3 texel = state.resources.sights->texelSize();
   to.program->SetUniform3f("bpSightTexel", &texel.x);
@@ -293,7 +319,7 @@ void uploadSights(const UniformUpload& to, DrawState& state, const ProbeBinding&
   for (const int light : binding.sightLights) {
     glm::vec4 of(static_cast<float>(kSeenByAll));
     for (std::size_t i = 0; i < count; ++i) {
-      const auto& sight = binding.probes[i]->sight;
+      const auto& sight = sightOf(state.pass(), binding, i);
       if (sight) {
         of[static_cast<int>(i)] = static_cast<float>(sight->channelOfSource(static_cast<std::size_t>(light)));
       }
