@@ -75,7 +75,7 @@ TEST(Refinement, EndsWhereNothingMoreWouldShowOrEnoughIsReached) {
   refinement.endStage({0.2, 9.0});
   refinement.endStage({0.06, 5.0});
   EXPECT_TRUE(refinement.more());
-  refinement.endStage({0.018, 2.0});
+  refinement.endStage({0.015, 2.0});
   EXPECT_FALSE(refinement.more());
   EXPECT_GT(refinement.left(), 0.0);
   EXPECT_LE(refinement.left(), 0.02);
