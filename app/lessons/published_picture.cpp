@@ -184,7 +184,8 @@ ImageRgba8 PublishedPicture::display(int scale) const {
       const std::size_t at = static_cast<std::size_t>(y / scale) * static_cast<std::size_t>(picture_.width) +
                              static_cast<std::size_t>(x / scale);
       const float* p = &picture_.pixels[4 * at];
-      for (const std::uint8_t byte : displayBytes({p[0], p[1], p[2]}, scene_.exposure)) image.pixels.push_back(byte);
+      for (const std::uint8_t byte : displayBytes({p[0], p[1], p[2]}, scene_.exposure, scene_.tone))
+        image.pixels.push_back(byte);
       image.pixels.push_back(255);
     }
   }

@@ -10,15 +10,15 @@
 
 namespace boxprobe {
 
-double measuredExposure(SceneRenderer& renderer, bool skyToo, double aspect) {
+double measuredExposure(SceneRenderer& renderer, bool skyToo, double aspect, Tone tone) {
   constexpr int kHeight = 72;
   const int width = std::clamp(static_cast<int>(std::lround(kHeight * aspect)), 16, 4 * kHeight);
-  return keyedExposure(renderer.renderLinear(width, kHeight, 1), skyToo);
+  return keyedExposure(renderer.renderLinear(width, kHeight, 1), skyToo, tone);
 }
 
 void exposeAutomatically(OffscreenScene& shown, LoadedScene& loaded, const ShownSettings& settings, double aspect) {
   if (!loaded.exposureAutomatic) return;
-  loaded.scene.exposure = measuredExposure(shown.renderer(), loaded.fit->within, aspect);
+  loaded.scene.exposure = measuredExposure(shown.renderer(), loaded.fit->within, aspect, loaded.scene.tone);
   loaded.exposureAutomatic = false;
   shown.show(loaded.scene, loaded.models, settings);
 }

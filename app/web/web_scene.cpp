@@ -363,6 +363,10 @@ class Writer {
       pieces.texts[name] = std::string(shaderSource(name));
       surface.push_back(name);
     }
+    const std::string tone = toneFunction(scene_.tone);
+    pieces.texts["shared/display.glsl"] = "#define BP_TONE " + tone + "\n" +
+                                          (tone.empty() ? "" : std::string(shaderSource("shared/tone.glsl"))) +
+                                          std::string(shaderSource("shared/display.glsl"));
     for (const char* name :
          {"shared/sky.glsl", "web/surface_vertex.glsl", "web/sky.glsl", "gpu/full_screen_vertex.glsl",
           "shared/cube.glsl", "shared/lobe_frame.glsl", "shared/edge_fixup.glsl", "shared/source_level.glsl",

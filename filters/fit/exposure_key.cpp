@@ -6,9 +6,24 @@
 
 namespace boxprobe {
 
-double keyedExposure(const ImageRgbaF& picture, bool skyToo) {
-  constexpr double kMiddle = 0.20;  // 0.48 in display values
-  constexpr double kBright = 0.72;  // 0.86
+namespace {
+
+/// The grey that a tone shows as `shown`, linear both.
+double greyShownAs(double shown, Tone tone) {
+  double low = 0.0, high = 64.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (toneMapped(glm::vec3(static_cast<float>(middle)), tone).y < shown ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double keyedExposure(const ImageRgbaF& picture, bool skyToo, Tone tone) {
+  const bool cutOff = tone == Tone::None || tone == Tone::AsVtk;
+  const double kMiddle = greyShownAs(0.20, tone);                  // 0.48 in display values
+  const double kBright = greyShownAs(cutOff ? 0.72 : 0.85, tone);  // 0.87, 0.93
   constexpr float kCovered = 0.5f;
   std::vector<float> luminances;
   for (std::size_t i = 0; i + 3 < picture.pixels.size(); i += 4) {

@@ -89,6 +89,7 @@ void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& o
     all[i].pass->SetLeftOut(meant ? parts : 0);
   }
   impl_->content.sky->SetVisibility(sky ? 0 : 1);
+  impl_->ground->SetVisibility((parts & (kGroundPart | kObjectPart)) != 0 ? 0 : 1);
   impl_->renderer->ForgetHidden();
 }
 
@@ -125,7 +126,7 @@ void SceneRenderer::foldConstants() {
 }
 
 bool SceneRenderer::workPending() const {
-  return impl_->probes.workPending();
+  return impl_->workPending();
 }
 
 bool SceneRenderer::step() {

@@ -45,6 +45,7 @@ SceneParts::SceneParts(vtkOpenGLRenderWindow* shownIn)
   state->shown = renderer;
   probes.baker().setWindow(window);
   content.sky->SetDrawState(state);
+  ground->SetCounters(&state->counts.counters);
   renderer->AutomaticLightCreationOff();
   renderer->SetLightFollowCamera(false);
   renderer->SetBackground(0.0, 0.0, 0.0);
@@ -90,6 +91,14 @@ void SceneParts::drawMirrors(double aspect, int width, int height, int samples) 
 void SceneParts::beginFrame() {
   prepareDraws();
   view.upload(window, state->resources);
+  if (content.scene.background == Background::Blurred && state->resources.sky) {
+    state->resources.sky->need(LevelMask{1} << vtkSkyProp::BlurredLevel(*state->resources.sky));
+  }
+  try {
+    ground->SetShadow(view.any() ? nullptr : groundWork.shadow(std::chrono::milliseconds(0)));
+  } catch (const Error& failure) {
+    state->counts.fail(failure.what());
+  }
   window->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   state->setExposure(static_cast<float>(content.scene.exposure));
   Counters& counters = state->counts.counters;
@@ -130,6 +139,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   content.scene = scene;
   if (state->resources.lightForm != LightForm::Vtk) {
     state->resources.lightForm = scene.energy == Energy::Multiple ? LightForm::Multiple : LightForm::Single;
+    state->resources.tone = scene.tone;
   }
   const bool anyProbe = changes.probeList || changes.probeShape;
   // Not while a box is dragged: cutting makes geometry again. Other models than before are shown all the same.
@@ -142,6 +152,8 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   if (models) {
     state->counts.error.clear();
     content.rebuildObjects(renderer, state);
+    renderer->RemoveViewProp(ground);
+    renderer->AddViewProp(ground);  // over the sky, below glass
     inspector.forgetObjects();
     mirrors.forgetObjects();
   }
@@ -156,6 +168,13 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   state->resources.lamps = content.lamps;
   if (models || changes.lights || otherLamps) content.rebuildLights(renderer);
   if (changes.sky) content.rebuildSky();
+  content.sky->SetBackground(scene.background);
+  if (scene.groundShadow && content.sightLines && !content.objects.empty()) {
+    if (objects || changes.exposure)
+      groundWork.ask(hidingKey(), scene, content.given, content.sightLines, content.bounds());
+  } else {
+    groundWork.forget();
+  }
   if (lit) {
     shadows.sceneChanged();
     probes.updateShapes();
@@ -268,6 +287,10 @@ void SceneParts::step() {
   frames.dropRays();
   makeStaticTextures(window, state->resources, state->counts);
   try {
+    if (!probes.workPending()) {
+      groundWork.shadow(std::chrono::milliseconds(20));
+      return;
+    }
     probes.step();
   } catch (const WorkError& error) {
     // Not thrown on: a window goes on without what could not be made, and says so.
@@ -332,6 +355,7 @@ void SceneParts::releaseGraphics() {
   mirrors.release();
   shadows.release();
   sphere.release();
+  ground->ReleaseGraphicsResources(window);
   probes.release();
   inspector.release();
   state->resources.lattices->release();

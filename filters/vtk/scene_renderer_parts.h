@@ -19,8 +19,10 @@
 #include "filters/vtk/inspect/shown_view.h"
 #include "filters/vtk/inspect/surface_inspector.h"
 #include "filters/vtk/probes/probe_set.h"
+#include "filters/vtk/scene/ground_work.h"
 #include "filters/vtk/scene/scene_content.h"
 #include "filters/vtk/scene/vtkCulledRenderer.h"
+#include "filters/vtk/surface/vtkGroundShadow.h"
 
 namespace boxprobe {
 
@@ -43,6 +45,8 @@ struct SceneParts {
   PreviewSphere sphere;
   MovingShadows shadows;
   ShownView view;
+  GroundWork groundWork;
+  vtkNew<vtkGroundShadow> ground;
   bool interactive = false;
   bool givenAnew = false;  ///< content.given was replaced since it was last taken
   /// Fingerprints that are worked out once for a set of models and an image of the sky.
@@ -62,6 +66,7 @@ struct SceneParts {
   void updateCaptures();
   std::string hidingKey();
   void step();
+  bool workPending() const { return probes.workPending() || groundWork.pending(); }
   std::vector<Explanation> explain(const std::vector<glm::ivec2>& pixels, int width, int height);
   ImageRgbaF renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
                           const std::function<void(int)>& beforeFrame);

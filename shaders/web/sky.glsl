@@ -14,5 +14,5 @@ void main()
 {
   vec3 d = normalize(bpWorldFromView * vec3((2.0f * texCoord - 1.0f) * bpTangents, -1.0f));
   vec3 color = bpSkyPicture > 0.5f ? textureLod(bpSkyMap, d, 0.0f).rgb : skyGradient(d, bpSkyTop, bpSkyHorizon, bpSkyGround);
-  bpColor = vec4(bpExposure >= 0.0f ? srgbEncoded(color * bpExposure) : color, 0.0f);
+  bpColor = vec4(bpExposure >= 0.0f ? srgbEncoded(BP_TONE(color * bpExposure)) : color, 0.0f);
 }

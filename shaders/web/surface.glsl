@@ -1,6 +1,7 @@
 // A surface in a browser (WebGL2): what VTK's shader with this program's splice draws, after a technique's pieces
 // (filters/io/engines/technique_text.h) and shared/weights, fresnel, split_sum, sh, light_falloff and display. Written for data/web/room.js,
 // which defines
+//   BP_TONE   the scene's tone curve, or nothing
 //   BP_UNLIT, BP_BASE_MAP, BP_ROUGHNESS_MAP, BP_EMISSIVE_MAP   of the material
 //   BP_SLOTS, BP_GROUPS   probes of the object, most important first, and runs of equal importance; bpGroupOf where BP_SLOTS > 0
 //   BP_ONLY_PROBES, BP_SKY, BP_LIGHTS, BP_MULTIPLE, BP_BRDF_SIZE
@@ -62,7 +63,7 @@ out vec4 bpColor;
 
 vec4 bpShown(vec3 color)
 {
-  return vec4(bpExposure >= 0.0f ? srgbEncoded(max(color, vec3(0.0f)) * bpExposure) : color, 1.0f);
+  return vec4(bpExposure >= 0.0f ? srgbEncoded(BP_TONE(max(color, vec3(0.0f)) * bpExposure)) : color, 1.0f);
 }
 
 // What is cut out ends here.

@@ -238,5 +238,12 @@ TEST_F(BadInput, FileNameWithALineBreakStaysOneLine) {
   expectRefused({"info", folder.path("two\nlines.glb")}, {"lines.glb"});
 }
 
+TEST_F(BadInput, TonesThatAreNone) {
+  expectSceneRefused(R"({"format": "boxprobe-scene", "version": 1, "model": "model.gltf", "tone": "filmic"})",
+                     {"tone", "filmic", "neutral"});
+  expectSceneRefused(R"({"format": "boxprobe-scene", "version": 1, "model": "model.gltf", "exposure": 1e30})",
+                     {"exposure", "1e+30"});
+}
+
 }  // namespace
 }  // namespace boxprobe::test

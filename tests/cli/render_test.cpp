@@ -11,6 +11,7 @@
 
 #include "app/session/offscreen_choice.h"
 #include "filters/io/image/image_file.h"
+#include "filters/math/shared/display_math.h"
 #include "tests/cli/program.h"
 #include "tests/support/shown_light.h"
 
@@ -176,6 +177,69 @@ TEST_F(Render, SetChangesThePicture) {
   const ImageRgba8 mirror = loadImage8(render("room", "mirror.png", {"--set", "materials.floor.roughness=0"}));
   const ImageRgba8 rough = loadImage8(render("room", "rough.png", {"--set", "materials.floor.roughness=0.6"}));
   EXPECT_GT(differentPixels(mirror, rough), 500u);
+}
+
+// A tone is of display colours alone, drawn by the shader as the library has it.
+TEST_F(Render, TonesMapWhatIsShown) {
+  const auto bytesOf = [&](const std::string& tone) {
+    return loadImage8(render("room", "shown.png", {"--samples", "1", "--set", "exposure=2.3", "--tone", tone}));
+  };
+  const std::vector<std::string> linearly = {"--samples", "1", "--set", "exposure=2.3", "--tone"};
+  const auto lightOf = [&](const std::string& tone) {
+    std::vector<std::string> arguments = linearly;
+    arguments.push_back(tone);
+    return loadHdrImage(render("room", "light.exr", arguments));
+  };
+  const ImageRgbaF light = lightOf("none");
+  ImageRgba8 before = bytesOf("none");
+  const std::pair<const char*, Tone> tones[] = {{"neutral", Tone::Neutral}, {"agx", Tone::Agx}, {"aces", Tone::Aces}};
+  for (const auto& [name, tone] : tones) {
+    EXPECT_TRUE(lightOf(name).pixels == light.pixels) << name;
+    const ImageRgba8 shown = bytesOf(name);
+    EXPECT_GT(differentPixels(shown, before), 500u) << name;
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < shown.pixels.size(); i += 4) {
+      const glm::vec3 mapped =
+          toneMapped(2.3f * glm::vec3(light.pixels[i], light.pixels[i + 1], light.pixels[i + 2]), tone);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double expected = 255.0 * shownLight(mapped[static_cast<int>(c)]);
+        if (std::abs(expected - shown.pixels[i + c]) > 1.5) ++off;
+      }
+    }
+    EXPECT_LT(off, shown.pixels.size() / 100) << name;
+    before = shown;
+  }
+}
+
+// Of a bare object; light, and so linear pictures, knows nothing of it.
+TEST_F(Render, AGroundShadowDarkensTheGroundAlone) {
+  const std::string model = BOXPROBE_SOURCE_DIR "/tests/unit/models/torus.glb";
+  const auto drawn = [&](const std::string& output, const std::string& shadow) {
+    const std::string path = folder.path(output);
+    outcome = runProgram({"render", model, "-o", path, "--size", "160x90", "--set", "groundShadow=" + shadow});
+    EXPECT_EQ(outcome.exitStatus, 0) << outcome.err;
+    return path;
+  };
+  const ImageRgba8 with = loadImage8(drawn("with.png", "true")), without = loadImage8(drawn("without.png", "false"));
+  EXPECT_TRUE(loadHdrImage(drawn("with.exr", "true")).pixels == loadHdrImage(drawn("without.exr", "false")).pixels);
+  std::size_t darker = 0, brighter = 0, lowest = 0;
+  for (std::size_t i = 0; i < with.pixels.size(); i += 4) {
+    const int change = with.pixels[i + 1] - without.pixels[i + 1];
+    if (change < -3) ++darker, lowest = std::max(lowest, i / 4 / 160);
+    if (change > 0) ++brighter;
+  }
+  EXPECT_GT(darker, 100u);
+  EXPECT_EQ(brighter, 0u);
+  EXPECT_GT(lowest, 45u) << "below the middle";
+}
+
+TEST_F(Render, ABackgroundIsThePicturesAlone) {
+  const auto with = [&](const std::string& background, const std::string& output) {
+    return render("building", output, {"--samples", "1", "--set", "background=" + background});
+  };
+  const ImageRgba8 sky = loadImage8(with("environment", "sky.png")), plain = loadImage8(with("plain", "plain.png"));
+  EXPECT_GT(differentPixels(sky, plain), 100u);
+  EXPECT_TRUE(loadHdrImage(with("environment", "sky.exr")).pixels == loadHdrImage(with("plain", "plain.exr")).pixels);
 }
 
 TEST_F(Render, SetOfAVector) {

@@ -24,6 +24,9 @@ TEST_F(ByteReturn, GreysAndColoursAreShownAsStored) {
   for (const bool lit : {true, false}) {
     probes = lit;
     draw();
+    picture->scene.tone = Tone::None;  // a bare model has another one
+    picture->renderer->sync(picture->scene, Changes::all());
+    picture->renderer->finishWork();
     const ImageRgba8 shown = picture->display();
     int wrong = 0;
     for (int row = 0; row < kRows; ++row) {

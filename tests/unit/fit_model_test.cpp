@@ -327,6 +327,12 @@ TEST(Exposure, BringsTheMedianToGreyAndKeepsWhatIsBright) {
   EXPECT_EQ(keyedExposure(picture(5.0f, 5.0f, 0.0f), false), 1.0) << "nothing but sky";
   EXPECT_NEAR(keyedExposure(picture(5.0f, 5.0f, 0.0f), true), 0.04, 1e-6);
   EXPECT_EQ(keyedExposure(ImageRgbaF{}, true), 1.0);
+  // A tone shows the median as the same grey, and lets more of the light near white.
+  for (const Tone tone : {Tone::Neutral, Tone::Agx, Tone::Aces}) {
+    const auto median = static_cast<float>(2000.0 * keyedExposure(picture(2000.0f, 2000.0f), false, tone));
+    EXPECT_NEAR(toneMapped(glm::vec3(median), tone).y, 0.2, 2e-3);
+    EXPECT_GT(keyedExposure(picture(1.0f, 100.0f), false, tone), 0.0072);
+  }
 }
 
 }  // namespace

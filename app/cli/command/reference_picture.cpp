@@ -118,7 +118,7 @@ ReferencePicture boxPicture(const LoadedScene& loaded, const Camera& camera, con
   return picture;
 }
 
-void savePicture(const std::string& path, const ReferencePicture& picture, bool linear, double exposure) {
+void savePicture(const std::string& path, const ReferencePicture& picture, bool linear, const Scene& scene) {
   if (linear) {
     std::vector<ExtraChannel> errors;
     for (const std::size_t c : {0u, 1u, 2u}) {
@@ -134,7 +134,8 @@ void savePicture(const std::string& path, const ReferencePicture& picture, bool 
   ImageRgba8 display{picture.color.width, picture.color.height, {}, {}};
   for (std::size_t i = 0; i + 3 < picture.color.pixels.size(); i += 4) {
     const float* p = &picture.color.pixels[i];
-    for (const std::uint8_t byte : displayBytes({p[0], p[1], p[2]}, exposure)) display.pixels.push_back(byte);
+    for (const std::uint8_t byte : displayBytes({p[0], p[1], p[2]}, scene.exposure, scene.tone))
+      display.pixels.push_back(byte);
     display.pixels.push_back(255);
   }
   savePng(path, display);
@@ -283,10 +284,10 @@ void renderReference(const RenderOptions& options, bool linear) {
   const ReferencePicture& picture = *whole;
   if (!picture.complete) {
     const std::string partial = options.outputPath + ".partial";
-    savePicture(partial, picture, linear, loaded.scene.exposure);
+    savePicture(partial, picture, linear, loaded.scene);
     throw WorkError("interrupted; the partial picture is in " + partial);
   }
-  savePicture(options.outputPath, picture, linear, loaded.scene.exposure);
+  savePicture(options.outputPath, picture, linear, loaded.scene);
   if (share) removeBands(options.outputPath, share->count, key);
   const ErrorSummary error = summary(picture);
   const std::string json = referenceJson(options, loaded.scene, error, processCpuSeconds() - start);

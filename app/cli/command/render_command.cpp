@@ -136,7 +136,10 @@ Subcommand addRenderCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("render", "Render a scene to a picture file without a window");
   const auto options = std::make_shared<RenderOptions>();
   addRenderOptions(*command, *options);
-  return {command, [options] { runRender(*options); }};
+  return {command, [options] {
+            if (!options->tone.empty()) options->assignments.push_back("tone=" + options->tone);
+            runRender(*options);
+          }};
 }
 
 }  // namespace boxprobe

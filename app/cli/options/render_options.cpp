@@ -93,6 +93,11 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->check(CLI::IsMember({"on", "off"}).description(""))
       ->type_name("on|off");
   command
+      .add_option("--tone", options.tone,
+                  "Tone mapping of a PNG: none, neutral, agx or aces (default: the scene's; of a bare model neutral)")
+      ->check(CLI::IsMember({"none", "neutral", "agx", "aces"}).description(""))
+      ->type_name("TONE");
+  command
       .add_option("--frames", options.frames,
                   "Average N frames (animated techniques); otherwise draw N extra. --stats has their CPU times")
       ->check(CLI::Range(0, 100000).description(""))

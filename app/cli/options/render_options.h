@@ -36,6 +36,7 @@ struct RenderOptions {
   std::string technique;  ///< empty: as in the scene
   int samples = 4;
   std::string probes = "on";
+  std::string tone;  ///< empty: the scene's
   int frames = 0;
   int rays = kDefaultReferenceRays;  ///< of a reference: reflection rays per pixel
   bool full = false;                 ///< of reference-scene: reflection rays see what the picture shows

@@ -138,7 +138,7 @@ FrameCosts measureFrameCosts(SceneRenderer& renderer, int rounds, const std::fun
   const std::size_t material = measured.add({kMaterialPart, {}}), output = measured.add({kOutputPart, {}});
   // Without the sky, which would fill what the objects leave.
   const std::size_t fragment = measured.add({kFragmentPart, {}, true}), raster = measured.add({kRasterPart, {}, true});
-  const std::size_t empty = measured.add({kObjectPart, {}, true});
+  const std::size_t empty = measured.add({kObjectPart, {}, true}), ground = measured.add({kGroundPart, {}});
   std::vector<std::size_t> ofPrograms, ofObjects;
   for (std::size_t i = 0; i < std::min(programs.size(), kMostOfAKind); ++i) {
     Kind kind{kFragmentPart, {}};
@@ -168,6 +168,7 @@ FrameCosts measureFrameCosts(SceneRenderer& renderer, int rounds, const std::fun
       beyond(without(raster), without(fragment)));
   row("vertices", "vertices and VTK's calls for each object", beyond(without(empty), without(raster)));
   row("sky", "the sky behind everything", without(sky));
+  row("ground shadow", "the soft shadow below everything, if the scene has it", without(ground));
   row("window", "a frame of nothing: cleared, samples resolved, VTK's own work", measured.of(empty));
   for (std::size_t i = 0; i < ofPrograms.size(); ++i) {
     FrameCosts::Program program{{}, costOf(without(ofPrograms[i]))};

@@ -239,7 +239,8 @@ bool DebugView::unpin() {
 }
 
 void DebugView::show(const Explanation& explanation) {
-  card_->show(explanation, verdictOf(explanation, document_.scene()), document_.scene().exposure);
+  card_->show(explanation, verdictOf(explanation, document_.scene()), document_.scene().exposure,
+              document_.scene().tone);
   for (SchematicInset* plan : {schematic_, inset_}) {
     plan->show(explanation, QPointF(explanation.x, explanation.y) / pixelScale());
   }

@@ -79,10 +79,11 @@ ExplainCard::ExplainCard(MapsOf mapsOf, QWidget* parent)
   showHint({});
 }
 
-void ExplainCard::show(const Explanation& explanation, const Verdict& verdict, double exposure) {
+void ExplainCard::show(const Explanation& explanation, const Verdict& verdict, double exposure, Tone tone) {
   explanation_ = explanation;
   verdict_ = verdict;
   exposure_ = exposure;
+  tone_ = tone;
   stale_ = true;
   if (isVisible()) fill();
 }
@@ -119,7 +120,7 @@ void ExplainCard::fill() {
   showVerdict();
   // Who reads further down keeps his place while the numbers change.
   const int scrolled = text_->verticalScrollBar()->value();
-  text_->setHtml(explanationHtml(e, detail(), exposure_));
+  text_->setHtml(explanationHtml(e, detail(), exposure_, tone_));
   text_->verticalScrollBar()->setValue(scrolled);
   footprint_->setVisible(e.dominant >= 0);
   if (e.dominant >= 0) {

@@ -13,6 +13,7 @@
 #include "filters/explain/explanation.h"
 #include "filters/explain/explanation_sections.h"
 #include "filters/explain/verdict.h"
+#include "filters/math/shared/display_math.h"
 
 class QLabel;
 class QPushButton;
@@ -33,7 +34,7 @@ class ExplainCard : public QWidget {
   explicit ExplainCard(MapsOf mapsOf, QWidget* parent = nullptr);
 
   /// While the card is hidden it only remembers what to show.
-  void show(const Explanation& explanation, const Verdict& verdict, double exposure);
+  void show(const Explanation& explanation, const Verdict& verdict, double exposure, Tone tone = Tone::None);
   /// Nothing is explained; `hint` says how to.
   void showHint(const QString& hint);
   void setPinned(bool pinned);
@@ -67,6 +68,7 @@ class ExplainCard : public QWidget {
   std::optional<Explanation> explanation_;
   Verdict verdict_;
   double exposure_ = 1.0;
+  Tone tone_ = Tone::None;
   bool stale_ = false;
 };
 

@@ -30,16 +30,23 @@ QString cell(const QString& content, const QString& attributes = {}) {
   return "<td " + attributes + ">" + content + "</td>";
 }
 
-QString swatchCell(const ExplanationRow& row, double exposure) {
+/// As the picture shows light.
+struct Display {
+  double exposure;
+  Tone tone;
+};
+
+QString swatchCell(const ExplanationRow& row, const Display& display) {
   if (!row.color) return cell({});
-  return cell("&nbsp;", "width=\"26\" bgcolor=\"" + displayColor(*row.color, exposure).name() + "\"");
+  return cell("&nbsp;",
+              "width=\"26\" bgcolor=\"" + displayColor(*row.color, display.exposure, display.tone).name() + "\"");
 }
 
 QString small(const QString& html) {
   return QString("<span style=\"color:%1; font-size:small\">%2</span>").arg(styleColor(StyleColor::Dim).name(), html);
 }
 
-QString rowHtml(const ExplanationRow& row, double exposure) {
+QString rowHtml(const ExplanationRow& row, const Display& display) {
   const QString background =
       row.marked ? QString(" bgcolor=\"%1\"").arg(styleColor(StyleColor::Deciding).name()) : QString();
   QString html = "<tr" + background + ">";
@@ -51,7 +58,7 @@ QString rowHtml(const ExplanationRow& row, double exposure) {
   // One number leaves room for what it means beside it; three have it below.
   if (row.numbers.size() < 3) {
     if (row.numbers.empty()) {
-      html += cell(meaning, "colspan=\"3\"") + swatchCell(row, exposure);
+      html += cell(meaning, "colspan=\"3\"") + swatchCell(row, display);
     } else {
       html += cell(numberHtml(row.numbers[0]), "align=\"right\"") + cell(meaning, "colspan=\"3\"");
     }
@@ -61,7 +68,7 @@ QString rowHtml(const ExplanationRow& row, double exposure) {
     const QString text = row.detail ? small(numberHtml(number)) : numberHtml(number);
     html += cell(row.sum ? "<b>" + text + "</b>" : text, "align=\"right\"");
   }
-  html += swatchCell(row, exposure) + "</tr>";
+  html += swatchCell(row, display) + "</tr>";
   if (!row.meaning.empty()) {
     html += "<tr>" + cell(small("&emsp;&emsp;&emsp;") + meaning, QString("colspan=\"%1\"").arg(kColumns)) + "</tr>";
   }
@@ -77,8 +84,8 @@ QString noteHtml(const std::string& note) {
 
 }  // namespace
 
-QColor displayColor(const glm::vec3& linear, double exposure) {
-  const std::array<std::uint8_t, 3> shown = displayBytes(linear, exposure);
+QColor displayColor(const glm::vec3& linear, double exposure, Tone tone) {
+  const std::array<std::uint8_t, 3> shown = displayBytes(linear, exposure, tone);
   return {shown[0], shown[1], shown[2]};
 }
 
@@ -106,7 +113,7 @@ QString formulaHtml(const std::string& text) {
   return html;
 }
 
-QString explanationHtml(const Explanation& e, const ExplanationDetail& detail, double exposure) {
+QString explanationHtml(const Explanation& e, const ExplanationDetail& detail, double exposure, Tone tone) {
   const std::vector<ExplanationSection> sections = explanationSections(e, detail);
   // One table for all: numbers of all sections stand under each other.
   QStringList parts = {"<table width=\"100%\" cellpadding=\"1\" cellspacing=\"0\">"};
@@ -119,7 +126,7 @@ QString explanationHtml(const Explanation& e, const ExplanationDetail& detail, d
     if (i == 0) {
       for (const std::string& note : e.notes) parts += wide(noteHtml(note));
     }
-    for (const ExplanationRow& row : sections[i].rows) parts += rowHtml(row, exposure);
+    for (const ExplanationRow& row : sections[i].rows) parts += rowHtml(row, {exposure, tone});
   }
   parts += "</table><p>" +
            small("Lengths in scene units, directions without, colours linear; swatches as the picture shows them.") +

@@ -8,11 +8,12 @@
 #include <glm/vec3.hpp>
 
 #include "filters/explain/explanation_sections.h"
+#include "filters/math/shared/display_math.h"
 
 namespace boxprobe {
 
-/// As the picture shows it: exposure, then sRGB's curve.
-QColor displayColor(const glm::vec3& linear, double exposure);
+/// As the picture shows it: exposure, tone, then sRGB's curve.
+QColor displayColor(const glm::vec3& linear, double exposure, Tone tone = Tone::None);
 
 /// "t_x" as an italic letter with its subscript, "N.V" with a centred dot.
 QString symbolHtml(const std::string& symbol);
@@ -20,6 +21,6 @@ QString symbolHtml(const std::string& symbol);
 QString formulaHtml(const std::string& text);
 
 /// Notes first, in a box of their own.
-QString explanationHtml(const Explanation& e, const ExplanationDetail& detail, double exposure);
+QString explanationHtml(const Explanation& e, const ExplanationDetail& detail, double exposure, Tone tone = Tone::None);
 
 }  // namespace boxprobe

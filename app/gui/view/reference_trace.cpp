@@ -30,14 +30,14 @@ int bouncesOf(const Scene& scene) {
   return most;
 }
 
-QImage displayImage(const ImageRgbaF& linear, double exposure) {
+QImage displayImage(const ImageRgbaF& linear, double exposure, Tone tone) {
   QImage image(linear.width, linear.height, QImage::Format_RGB32);
   std::size_t at = 0;
   for (int y = 0; y < linear.height; ++y) {
     auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
     for (int x = 0; x < linear.width; ++x, at += 4) {
       const float* p = &linear.pixels[at];
-      const std::array<std::uint8_t, 3> shown = displayBytes({p[0], p[1], p[2]}, exposure);
+      const std::array<std::uint8_t, 3> shown = displayBytes({p[0], p[1], p[2]}, exposure, tone);
       row[x] = qRgb(shown[0], shown[1], shown[2]);
     }
   }
@@ -119,7 +119,7 @@ void ReferenceTrace::start(const Scene& scene, const std::vector<std::shared_ptr
             render(std::max(size.width() / pass.divisor, 1), std::max(size.height() / pass.divisor, 1), pass.rays));
         if (run->stop || !picture->complete) return;
         ++done;
-        const QImage image = displayImage(picture->color, scene.exposure);
+        const QImage image = displayImage(picture->color, scene.exposure, scene.tone);
         tell(image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation),
              static_cast<double>(done) / static_cast<double>(std::size(kTracePasses)),
              pass.divisor == 1 ? picture : nullptr, {});

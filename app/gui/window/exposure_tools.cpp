@@ -19,7 +19,7 @@ constexpr int kControlWidth = 230;
 }  // namespace
 
 ExposureTools::ExposureTools(Editor& editor, MenuBar& menu, QMainWindow* window)
-    : QObject(window), control_(new ExposureControl(editor)) {
+    : QObject(window), editor_(editor), menu_(menu), control_(new ExposureControl(editor)) {
   auto* bar = window->findChild<QToolBar*>("tools");
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -38,12 +38,16 @@ ExposureTools::ExposureTools(Editor& editor, MenuBar& menu, QMainWindow* window)
   bar->addWidget(automatic);
   connect(automatic, &QToolButton::clicked, this, &ExposureTools::automaticWanted);
   connect(&menu, &MenuBar::exposeRequested, this, &ExposureTools::automaticWanted);
+  connect(&menu, &MenuBar::toneChosen, this, [this](int tone) {
+    editor_.commit(tr("Set tone mapping"), [tone](Scene& scene) { scene.tone = static_cast<Tone>(tone); });
+  });
   connect(&menu, &MenuBar::brighterRequested, control_, [this] { control_->step(kStep); });
   connect(&menu, &MenuBar::darkerRequested, control_, [this] { control_->step(-kStep); });
 }
 
 void ExposureTools::update() {
   control_->update();
+  menu_.showTone(static_cast<int>(editor_.scene().tone));
 }
 
 }  // namespace boxprobe

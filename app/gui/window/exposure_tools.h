@@ -27,6 +27,8 @@ class ExposureTools : public QObject {
   void automaticWanted();
 
  private:
+  Editor& editor_;
+  MenuBar& menu_;
   ExposureControl* control_;
 };
 

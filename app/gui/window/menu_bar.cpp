@@ -139,6 +139,21 @@ void MenuBar::buildExposure() {
   add(menu, tr("&Brighter"), QKeySequence("]"), &MenuBar::brighterRequested);
   add(menu, tr("&Darker"), QKeySequence("["), &MenuBar::darkerRequested);
   add(menu, tr("&Expose automatically"), {}, &MenuBar::exposeRequested);
+  QMenu* tones = view_->addMenu(tr("To&ne mapping"));
+  tones->setObjectName("tones");
+  tones_ = new QActionGroup(this);
+  for (const QString& text : {tr("N&one"), tr("Khronos PBR &Neutral"), tr("&AgX"), tr("A&CES")}) {
+    QAction* action = tones->addAction(text);
+    action->setCheckable(true);
+    tones_->addAction(action);
+    const auto tone = static_cast<int>(tones_->actions().size()) - 1;
+    connect(action, &QAction::triggered, this, [this, tone] { emit toneChosen(tone); });
+  }
+}
+
+void MenuBar::showTone(int tone) {
+  const auto actions = tones_->actions();
+  if (tone >= 0 && tone < actions.size()) actions[tone]->setChecked(true);
 }
 
 void MenuBar::buildThemes() {

@@ -47,6 +47,7 @@ class MenuBar : public QObject {
   void showCompare(bool active);
   void showViews(bool on);
   void showTheme(int theme);
+  void showTone(int tone);
   void showDifference(bool on);
   /// What can be done with the selected probe, for other menus.
   std::vector<QAction*> probeActions() const { return {frame_, lookFrom_, fit_, bake_, duplicate_, copy_, delete_}; }
@@ -68,6 +69,7 @@ class MenuBar : public QObject {
   void undoRequested();
   void redoRequested();
   void historyChosen(int position);
+  void toneChosen(int tone);
   void brighterRequested();
   void darkerRequested();
   void exposeRequested();
@@ -139,6 +141,7 @@ class MenuBar : public QObject {
   QMenu* history_;
   QMenu* surfaces_;
   QActionGroup* surfaceViews_;
+  QActionGroup* tones_;   ///< in the order of Tone
   QActionGroup* themes_;  ///< in the order of Theme
   QMenu* variants_;
   std::vector<std::string> cameraNames_;

@@ -181,6 +181,7 @@ void ModelFitter::refit(const QString& label, const Document::Edit& first) {
     workBeside(parts_.picture->window(), tr("Fitting the model"), false,
                [&, wishes = wishes_](const BesideProgress&) { fit = fitModel(scene, models, wishes); });
     if (fit.lightKnown) scene.exposure = 1.0;
+    scene.groundShadow = fit.kind == ModelKind::Object;
     const std::size_t before = parts_.document.position();
     parts_.editor.commit(label, [&](Scene& edited) { edited = scene; });
     exposureWaits_ = !fit.lightKnown;
@@ -226,7 +227,7 @@ void ModelFitter::expose() {
   if ((borrowed_ && !asked) || parts_.document.scene().models.empty()) return;
   const bool within =
       fit_ && !borrowed_ ? fit_->within : inside(parts_.renderer.bounds(), parts_.renderer.currentCamera().position);
-  const double exposure = measuredExposure(parts_.renderer, within, parts_.aspect());
+  const double exposure = measuredExposure(parts_.renderer, within, parts_.aspect(), parts_.editor.scene().tone);
   const bool asOpened =
       !asked && !parts_.document.canUndo() && !parts_.document.canRedo() && !parts_.document.previewing();
   if (asOpened) {

@@ -157,7 +157,7 @@ std::vector<glm::dvec2> CubePicture::texelOutline(int faceSize, int face, int co
   return outline;
 }
 
-ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& picture, float exposure) {
+ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& picture, float exposure, Tone tone) {
   ImageRgba8 image{picture.width(), picture.height(), {}, {}};
   image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4);
   if (cube.empty()) return image;
@@ -165,7 +165,7 @@ ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& pi
     std::uint8_t* out = &image.pixels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                                        static_cast<std::size_t>(x)) *
                                       4];
-    const std::array<std::uint8_t, 3> shown = displayBytes(glm::vec3(value), exposure);
+    const std::array<std::uint8_t, 3> shown = displayBytes(glm::vec3(value), exposure, tone);
     std::copy(shown.begin(), shown.end(), out);
     out[3] = 255;
   };

@@ -52,6 +52,7 @@ class CubePicture {
 
 /// A level in display colours. Texels larger than a pixel are squares in the cross and interpolated, as lookups do, on
 /// the latitude-longitude map; smaller ones are averaged in linear light. Opaque but for the cross's empty corners.
-ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& picture, float exposure);
+ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& picture, float exposure,
+                           Tone tone = Tone::None);
 
 }  // namespace boxprobe

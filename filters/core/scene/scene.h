@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "filters/math/shared/display_math.h"
+
 namespace boxprobe {
 
 struct Model;
@@ -251,6 +253,13 @@ enum class LampForm {
   Shapes,  ///< lamps from their shapes, the rest from a lattice in the box
 };
 
+/// What stands behind everything in a picture. Probes, reflections and linear pictures have the sky as it is.
+enum class Background {
+  Environment,  ///< the sky
+  Blurred,      ///< the sky as a rough surface reflects it
+  Plain,        ///< a grey backdrop, brighter in the middle
+};
+
 struct Scene {
   std::vector<ModelFile> models;
   Sky sky;
@@ -262,7 +271,10 @@ struct Scene {
   std::map<std::string, PlanarMirror> mirrors;
   double mirrorBudget = 8.0e6;  ///< texels of all mirrors' pictures per frame, the largest on the screen first
   std::vector<Probe> probes;    ///< names unique
-  double exposure = 1.0;        ///< display = (exposure * linear)^(1/2.2)
+  double exposure = 1.0;        ///< factor on linear light before tone mapping and the display's curve
+  Tone tone = Tone::None;
+  Background background = Background::Environment;
+  bool groundShadow = false;  ///< below everything, on the picture alone
   Energy energy = Energy::Single;
   LampForm lamps = LampForm::Shapes;
 

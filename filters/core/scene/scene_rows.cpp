@@ -52,9 +52,26 @@ const std::vector<FieldRow<Scene>>& sceneFields() {
       field<&Scene::probes>("probes", "", "A list of reflection probes, at most 10000.")
           .writtenAs("list of objects")
           .leftOut("none"),  // its rows say what changes
-      field<&Scene::exposure>("exposure", "", "Factor on linear light before display, which is by the curve of sRGB.")
-          .atLeast(0)
+      field<&Scene::exposure>("exposure", "", "Factor on linear light before tone mapping and the curve of sRGB.")
+          .within(0, 1e12)
           .usually(1e-6, 1e6)
+          .changing({&Changes::exposure}),
+      field<&Scene::tone>("tone", "",
+                          "How light beyond a display's white is shown. Linear pictures, errors and explanations are "
+                          "before it.")
+          .choose({{"none", "it is white"},
+                   {"neutral", "Khronos PBR Neutral: base colours stay, highlights are compressed towards white"},
+                   {"agx", "AgX: a long shoulder, bright colours become white"},
+                   {"aces", "the Academy's contrast, by Hill's fit"}})
+          .changing({&Changes::exposure}),
+      field<&Scene::background>("background", "", "What a picture shows where nothing stands; probes see the sky.")
+          .choose({{"environment", "the sky"},
+                   {"blurred", "the sky as a rough surface reflects it"},
+                   {"plain", "a grey backdrop"}})
+          .changing({&Changes::exposure}),
+      field<&Scene::groundShadow>("groundShadow", "",
+                                  "Everything together casts a soft shadow of the sky's light on a plane below it, in "
+                                  "display colours only: no probe, mirror or linear picture shows it.")
           .changing({&Changes::exposure}),
       field<&Scene::energy>("energy", "",
                             "What becomes of light that meets more than one microfacet of a rough surface.")

@@ -34,6 +34,21 @@ glm::vec3 toneMapped(const glm::vec3& light, Tone tone) {
   return glm::clamp(light, glm::vec3(0.0f), glm::vec3(1.0f));
 }
 
+const char* toneFunction(Tone tone) {
+  switch (tone) {
+    case Tone::Neutral:
+      return "toneNeutral";
+    case Tone::Agx:
+      return "toneAgx";
+    case Tone::Aces:
+      return "toneAces";
+    case Tone::None:
+    case Tone::AsVtk:
+      break;
+  }
+  return "";
+}
+
 std::uint8_t displayByte(double light) {
   if (!(light > 0.0)) return 0;
   return static_cast<std::uint8_t>(

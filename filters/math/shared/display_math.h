@@ -32,6 +32,9 @@ enum class Tone {
 /// Light on a display, 0 to 1, of the light of a scene times the exposure. AsVtk is as None.
 glm::vec3 toneMapped(const glm::vec3& light, Tone tone);
 
+/// Its name in shaders/shared/tone.glsl; empty for none.
+const char* toneFunction(Tone tone);
+
 /// Byte that a display is sent for light from 0 to 1, by the curve of sRGB; clamped, 0 for what is no number. Off by
 /// less than 0.001 of a step before it is rounded.
 std::uint8_t displayByte(double light);

@@ -153,6 +153,10 @@ void ActorProbes::setExposure(double exposure) {
   parts_->state->setExposure(static_cast<float>(exposure));
 }
 
+void ActorProbes::setTone(Tone tone) {
+  parts_->state->resources.tone = tone;
+}
+
 void ActorProbes::setEmission(bool shown) {
   parts_->state->resources.emission = shown;
   for (DrawnObject& object : parts_->content.objects) object.pass->Rebuild();

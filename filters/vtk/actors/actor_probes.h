@@ -68,8 +68,11 @@ class BOXPROBE_EXPORT ActorProbes {
   void setSky(const Sky& sky, double rotationDegrees = 0.0);
   /// The renderer's own again.
   void clearSky();
-  /// Display colour = (exposure x linear light)^(1/2.2) of actors with probes; 1 unless set, which is VTK's.
+  /// Factor on the linear light of actors with probes before it is shown; 1 unless set, which is VTK's.
   void setExposure(double exposure);
+  /// How that light is shown. Tone::AsVtk unless set: by VTK's power of 1 / 2.2, as all other actors are; by the curve
+  /// of sRGB else.
+  void setTone(Tone tone);
   /// VTK up to 9.1 leaves emissive factors out where there is no emissive texture, and its properties' default factor
   /// is white. On, they show: for actors whose factors are meant, such as vtkGLTFImporter's. Off unless set.
   void setEmission(bool shown);

@@ -45,6 +45,7 @@ struct vtkReflectionProbes::Parts {
   std::vector<std::pair<vtkActor*, bool>> shown;  ///< the actors inside, and whether captures show each
   bool emission = false, scattering = false;
   double exposure = 1.0;
+  int tone = vtkReflectionProbes::TONE_AS_VTK;
   std::string lastError;
   std::string reported;                  ///< the last error of the object inside that was passed on
   std::set<std::string> remarked;        ///< warnings that were passed on
@@ -94,6 +95,7 @@ void vtkReflectionProbes::SetRenderer(vtkRenderer* renderer) {
   in.renderer = renderer;
   in.emission = in.scattering = false;
   in.exposure = 1.0;
+  in.tone = TONE_AS_VTK;
   in.reported.clear();
   if (renderer != nullptr) {
     in.actors = std::make_unique<boxprobe::ActorProbes>(renderer);
@@ -276,6 +278,12 @@ void vtkReflectionProbes::Sync() {
   if (in.exposure != this->Exposure) {
     in.exposure = this->Exposure;
     in.actors->setExposure(in.exposure);
+  }
+  if (in.tone != this->ToneMapping) {
+    constexpr boxprobe::Tone kTones[] = {boxprobe::Tone::AsVtk, boxprobe::Tone::None, boxprobe::Tone::Neutral,
+                                         boxprobe::Tone::Agx, boxprobe::Tone::Aces};
+    in.tone = this->ToneMapping;
+    in.actors->setTone(kTones[in.tone]);
   }
   if (in.emission != this->Emission) {
     in.emission = this->Emission;
@@ -474,6 +482,7 @@ void vtkReflectionProbes::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "AutoUpdate: " << this->AutoUpdate << "\n";
   os << indent << "StepsPerRender: " << this->StepsPerRender << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "ToneMapping: " << this->ToneMapping << "\n";
   os << indent << "Emission: " << this->Emission << "\n";
   os << indent << "MultipleScattering: " << this->MultipleScattering << "\n";
   os << indent << "LastError: " << in.lastError << "\n";

@@ -98,9 +98,17 @@ class BOXPROBE_EXPORT vtkReflectionProbes : public vtkObject {
   ///@}
 
   ///@{
-  /** Display colour = (exposure x linear light)^(1/2.2) of actors with probes. 1 by default, which is VTK's. */
+  /** Factor on the linear light of actors with probes before it is shown. 1 by default, which is VTK's. */
   vtkSetClampMacro(Exposure, double, 1.0e-6, 1.0e6)
   vtkGetMacro(Exposure, double)
+  ///@}
+  enum ToneMappings { TONE_AS_VTK = 0, TONE_NONE, TONE_NEUTRAL, TONE_AGX, TONE_ACES };
+  ///@{
+  /** How light of actors with probes is shown. TONE_AS_VTK (default): by VTK's power of 1 / 2.2, as all other actors are,
+   * white beyond 1. The others by the curve of sRGB: TONE_NONE white beyond 1, TONE_NEUTRAL Khronos PBR Neutral, TONE_AGX
+   * AgX, TONE_ACES the Academy's contrast by Hill's fit. */
+  vtkSetClampMacro(ToneMapping, int, TONE_AS_VTK, TONE_ACES)
+  vtkGetMacro(ToneMapping, int)
   ///@}
   ///@{
   /** Up to VTK 9.1 emissive factors show only with an emissive texture. On, they show: for actors whose factors are
@@ -138,6 +146,7 @@ class BOXPROBE_EXPORT vtkReflectionProbes : public vtkObject {
   bool AutoUpdate = true;
   int StepsPerRender = 0;
   double Exposure = 1.0;
+  int ToneMapping = TONE_AS_VTK;
   bool Emission = false;
   bool MultipleScattering = false;
 

@@ -5,25 +5,6 @@
 
 namespace boxprobe {
 
-namespace {
-
-const char* toneFunction(Tone tone) {
-  switch (tone) {
-    case Tone::Neutral:
-      return "toneNeutral";
-    case Tone::Agx:
-      return "toneAgx";
-    case Tone::Aces:
-      return "toneAces";
-    case Tone::None:
-    case Tone::AsVtk:
-      break;
-  }
-  return "";
-}
-
-}  // namespace
-
 std::string displaySource(Tone tone, bool quick) {
   std::string text;
   if (tone == Tone::AsVtk) text += "#define BP_VTK_CURVE\n";

@@ -15,6 +15,7 @@ enum FramePart : unsigned {
   kFragmentPart = 16u,   ///< all that is worked out for a pixel; it is one colour
   kRasterPart = 32u,     ///< nothing but vertices
   kObjectPart = 64u,     ///< not drawn at all
+  kGroundPart = 128u,    ///< the ground's shadow
 };
 using FrameParts = unsigned;  ///< of FramePart
 

@@ -242,7 +242,7 @@ void vtkProbePass::SetDebug(bool debug) {
 }
 
 void vtkProbePass::SetLeftOut(boxprobe::FrameParts parts) {
-  constexpr boxprobe::FrameParts written = ~(boxprobe::kRasterPart | boxprobe::kObjectPart);
+  constexpr boxprobe::FrameParts written = ~(boxprobe::kRasterPart | boxprobe::kObjectPart | boxprobe::kGroundPart);
   const bool another = (parts & written) != (this->Asked.leftOut & written);
   this->Asked.leftOut = parts;
   if (another) {

@@ -30,10 +30,23 @@ void vtkSkyProp::SetDrawState(std::shared_ptr<boxprobe::DrawState> state) {
   this->Passes.clear();
 }
 
+// Of the window's frames alone. A gradient is as blurred as it gets.
+boxprobe::Background vtkSkyProp::BackgroundNow() const {
+  if (!this->State->pass().countDraws || this->Shown == boxprobe::Background::Environment) {
+    return boxprobe::Background::Environment;
+  }
+  const bool blurs = this->Image && this->State->resources.sky;
+  return this->Shown == boxprobe::Background::Plain || blurs ? this->Shown : boxprobe::Background::Environment;
+}
+
 // A program for what the sky is: software renderers work out both sides of a branch.
 boxprobe::FullScreenPass& vtkSkyProp::ChosenPass() {
   const boxprobe::SceneResources& resources = this->State->resources;
-  const std::string switches = this->Image ? "#define BP_SKY_IMAGE\n" : "";
+  const boxprobe::Background background = this->BackgroundNow();
+  const std::string switches = background == boxprobe::Background::Plain     ? "#define BP_PLAIN\n"
+                               : background == boxprobe::Background::Blurred ? "#define BP_SKY_MAP\n"
+                               : this->Image                                 ? "#define BP_SKY_IMAGE\n"
+                                                                             : "";
   const bool quick = this->State->tuning != nullptr;
   const std::string key = switches + boxprobe::displayKey(resources.tone, quick);
   const auto found = this->Passes.find(key);
@@ -109,24 +122,39 @@ int vtkSkyProp::RenderOpaqueGeometry(vtkViewport* viewport) {
   // The quad lies in the middle of the depth range; push it to the far end.
   glDepthRange(1.0, 1.0);
 
-  std::unique_ptr<boxprobe::BoundTexture> image;
-  if (this->Image) {
+  std::unique_ptr<boxprobe::BoundTexture> image, map;
+  if (this->BackgroundNow() == boxprobe::Background::Blurred) {
+    map = std::make_unique<boxprobe::BoundTexture>(window, GL_TEXTURE_CUBE_MAP,
+                                                   this->State->resources.sky->radiance.handle());
+  } else if (this->Image) {
     image = std::make_unique<boxprobe::BoundTexture>(window, GL_TEXTURE_2D, this->ImageTexture);
   }
   this->ChosenPass().draw(window, [&](vtkShaderProgram* program) {
     program->SetUniform3f("bpSkyTop", &this->Gradient.top.x);
     program->SetUniform3f("bpSkyHorizon", &this->Gradient.horizon.x);
     program->SetUniform3f("bpSkyGround", &this->Gradient.ground.x);
-    std::array<float, 9> skyFromView = boxprobe::viewToTurnedRotation(camera, this->RotationDegrees);
-    if (this->SkyFromWorld != glm::dmat3(1.0)) {
+    // The map of a blurred sky lies along the world's axes.
+    std::array<float, 9> skyFromView =
+        boxprobe::viewToTurnedRotation(camera, map != nullptr ? 0.0 : this->RotationDegrees);
+    if (map == nullptr && this->SkyFromWorld != glm::dmat3(1.0)) {
       const glm::mat3 turned = glm::mat3(this->SkyFromWorld) * glm::make_mat3(skyFromView.data());
       std::copy_n(glm::value_ptr(turned), 9, skyFromView.begin());
     }
     program->SetUniformMatrix3x3("bpSkyFromView", skyFromView.data());
     program->SetUniform2f("bpTangents", tangents);
     program->SetUniformf("bpExposure", this->State->pass().exposure);
-    if (image) {
+    if (map != nullptr) {
+      program->SetUniformi("bpSkyMap", map->unit());
+      program->SetUniformf("bpSkyLevel", static_cast<float>(vtkSkyProp::BlurredLevel(*this->State->resources.sky)));
+    } else if (image) {
       program->SetUniformi("bpSkyImage", image->unit());
+    }
+    if (program->IsUniformUsed("bpPixelSize")) {
+      int shown[4];
+      state->vtkglGetIntegerv(GL_VIEWPORT, shown);
+      const float pixel[2] = {1.0f / static_cast<float>(shown[2]), 1.0f / static_cast<float>(shown[3])};
+      program->SetUniform2f("bpPixelSize", pixel);
+      program->SetUniformf("bpPlainLight", 1.0f / std::max(this->State->exposure(), 1.0e-12f));
     }
   });
   glDepthRange(0.0, 1.0);

@@ -9,6 +9,7 @@
 
 #include <vtkProp.h>
 
+#include <algorithm>
 #include <glm/mat3x3.hpp>
 #include <map>
 #include <memory>
@@ -30,6 +31,11 @@ class vtkSkyProp : public vtkProp {
   /** The axes the sky stands in, after `rotationDegrees`: takes a world direction to the one it is asked for. */
   void SetSkyFromWorld(const glm::dmat3& skyFromWorld);
 
+  /** What the picture shows in its place; captures and linear pictures show the sky. */
+  void SetBackground(boxprobe::Background background) { this->Shown = background; }
+  /** The level of the sky's map that a blurred background shows: fine enough to look even. */
+  static int BlurredLevel(const boxprobe::ProbeMaps& sky) { return std::max(sky.radiance.levels() - 5, 0); }
+
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   vtkTypeBool HasTranslucentPolygonalGeometry() override { return 0; }
   double* GetBounds() override { return nullptr; }  // at infinity: must not stretch the clipping range
@@ -43,6 +49,7 @@ class vtkSkyProp : public vtkProp {
   vtkSkyProp(const vtkSkyProp&) = delete;
   void operator=(const vtkSkyProp&) = delete;
 
+  boxprobe::Background BackgroundNow() const;
   boxprobe::FullScreenPass& ChosenPass();
 
   std::shared_ptr<boxprobe::DrawState> State;
@@ -52,5 +59,6 @@ class vtkSkyProp : public vtkProp {
   std::shared_ptr<const boxprobe::ImageRgbaF> Image;
   unsigned int ImageTexture = 0;
   bool ImageChanged = false;
+  boxprobe::Background Shown = boxprobe::Background::Environment;
   std::map<std::string, boxprobe::FullScreenPass> Passes;  // by what their programs differ in
 };

@@ -57,6 +57,9 @@ def _only_known(self, name, value):
     object.__setattr__(self, name, value)
 
 
+_TONES = ("vtk", "none", "neutral", "agx", "aces")
+
+
 class Probe(vtkReflectionProbe):
     """A place that is captured, and the box through which surfaces reflect it: Probe(bounds=(...), face_size=128)."""
 
@@ -114,9 +117,20 @@ class Probes(vtkReflectionProbes):
 
     auto_update = _value("AutoUpdate", "Stale maps are captured at the next Render().")
     steps_per_render = _value("StepsPerRender", "Units of work for each Render(); 0: all.")
-    exposure = _value("Exposure", "Display colour = (exposure x linear light)^(1/2.2).")
+    exposure = _value("Exposure", "Factor on linear light before it is shown.")
     emission = _value("Emission", "Emissive factors show without a texture.")
     multiple_scattering = _value("MultipleScattering", "Adds light that meets more than one microfacet.")
+
+    @property
+    def tone(self):
+        """How light is shown: "vtk" (default, VTK's power of 1 / 2.2), or by sRGB's curve "none", "neutral", "agx", "aces"."""
+        return _TONES[self.GetToneMapping()]
+
+    @tone.setter
+    def tone(self, name):
+        if name not in _TONES:
+            raise ValueError(f"tone: {name!r} is none of {', '.join(_TONES)}")
+        self.SetToneMapping(_TONES.index(name))
 
     def __len__(self):
         return self.GetNumberOfProbes()

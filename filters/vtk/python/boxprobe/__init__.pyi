@@ -35,6 +35,7 @@ class Probes(vtkReflectionProbes):
     auto_update: bool
     steps_per_render: int
     exposure: float
+    tone: str
     emission: bool
     multiple_scattering: bool
     @property

@@ -100,7 +100,7 @@ class ActorProbes:
         self._probes.set_sky(_fields(fields))
 
     def set_exposure(self, exposure):
-        """Display colour = (exposure x linear light)^(1/2.2) of actors with probes; 1 unless set, which is VTK's."""
+        """Factor on the linear light of actors with probes before it is shown; 1 unless set, which is VTK's."""
         try:
             exposure = float(exposure)
         except (TypeError, ValueError):
