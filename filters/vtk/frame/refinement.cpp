@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filters/math/shared/display_math.h"
+
 namespace boxprobe {
 
 namespace {
@@ -31,7 +33,7 @@ int framesOf(int rays) {
 }
 
 double shown(double light) {
-  return 255.0 * std::pow(std::clamp(light, 0.0, 1.0), 1.0 / 2.2);
+  return 255.0 * static_cast<double>(shading::srgbEncoded(static_cast<float>(std::clamp(light, 0.0, 1.0))));
 }
 
 }  // namespace
