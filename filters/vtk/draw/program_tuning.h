@@ -10,6 +10,7 @@
 
 #include "filters/vtk/draw/constants.h"
 #include "filters/vtk/draw/probe_binding.h"
+#include "filters/vtk/draw/refined_rays.h"
 #include "filters/vtk/draw/surface_facts.h"
 #include "filters/vtk/draw/tuning_parts.h"
 
@@ -18,12 +19,6 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
 namespace boxprobe {
-
-/// Rays a pixel of a picture that goes on at rest: of a frame, and of all frames that are averaged. 0: none.
-struct RefinedRays {
-  int aFrame = 0, inAll = 0;
-  bool operator==(const RefinedRays& o) const { return aFrame == o.aFrame && inAll == o.inAll; }
-};
 
 /// What an object asks for, of itself or because it was planned for it.
 struct ProgramRequest {

@@ -1,12 +1,12 @@
-// How a picture at rest goes on to the truth: stages of 16, 64, 256 rays a pixel and more, or from 64 on, each a mean of frames whose
-// rays are blurred for the number of the stage. A stage grows into the picture of the one before as its rays come in,
-// in place of which it stands at its end. So an end is the same however it was reached, nothing jumps, and what two
-// stages differ by tells how much is left. Arithmetic alone; called by PictureFrames, knows no graphics.
+// How a picture at rest goes on to the truth: stages of 16, 64, 256 rays a pixel and more, or from 64 on, each a mean
+// of frames whose rays are blurred for the number of the stage. A stage grows into the picture of the one before as its
+// rays come in, in place of which it stands at its end. So an end is the same however it was reached, nothing jumps,
+// and what two stages differ by tells how much is left. Arithmetic alone; called by PictureFrames, knows no graphics.
 #pragma once
 
 #include <vector>
 
-#include "filters/vtk/draw/program_tuning.h"
+#include "filters/vtk/draw/refined_rays.h"
 
 namespace boxprobe {
 
