@@ -20,6 +20,23 @@ constexpr double kTracePi = 3.14159265358979323846;
 constexpr double kMostBacks = 0.3;
 // Rays of all nodes together; more nodes have fewer each.
 constexpr int kRaysOfAll = 1 << 18, kFewestRays = 128;
+// Light goes from node to node until less than this of it changes, and at most so often.
+constexpr double kNodesAtRest = 0.002;
+constexpr int kMostNodeBounces = 32;
+
+// The end of a ray that the capture origin does not see: it scatters what the lattice itself has there.
+struct FarEnd {
+  glm::vec3 place{0.0f};   // probe frame
+  glm::vec3 normal{0.0f};  // world
+  glm::vec3 albedo{0.0f};
+  std::size_t ray = 0;
+};
+
+struct TracedNode {
+  std::array<glm::vec3, 9> sums{};  // of all light but that
+  std::vector<FarEnd> ends;
+  bool known = true;  // false: within something
+};
 
 class NodeTracer {
  public:
@@ -48,18 +65,32 @@ class NodeTracer {
     texelsPerRay_ = 6.0 * side * side / rays_;
   }
 
-  // False: the node lies within something.
-  bool trace(const glm::vec3& place, std::array<glm::vec3, 9>& sums) const {
+  TracedNode trace(const glm::vec3& place) const {
+    TracedNode node;
     const glm::dvec3 from = in_.originWorld + in_.worldFromProbe * glm::dvec3(place);
     int met = 0, backs = 0;
     for (std::size_t i = 0; i < directions_.size(); ++i) {
       const auto hit = in_.lines->first(from, directions_[i]);
       met += hit ? 1 : 0;
       backs += hit && hit->back ? 1 : 0;
-      const glm::vec3 light = hit ? ofSurface(from, directions_[i], *hit) : ofMap(directions_[i], texelsPerRay_);
-      for (std::size_t k = 0; k < 9; ++k) sums[k] += basis_[i][k] * light;
+      const glm::vec3 light = hit ? ofSurface(from, i, *hit, node.ends) : ofMap(directions_[i], texelsPerRay_);
+      for (std::size_t k = 0; k < 9; ++k) node.sums[k] += basis_[i][k] * light;
     }
-    return backs <= kMostBacks * met;
+    node.known = backs <= kMostBacks * met;
+    if (!node.known) node.ends.clear();
+    return node;
+  }
+
+  // All light of a node, where `lattice` is what its far ends receive beside lamps and light sources.
+  std::array<glm::vec3, 9> lit(const TracedNode& node, const DiffuseLattice& lattice) const {
+    std::array<glm::vec3, 9> sums = node.sums;
+    const shading::LatticeShape shape = lattice.shape();
+    for (const FarEnd& end : node.ends) {
+      const glm::vec3 arrives = shading::latticeIrradiance(shape, end.place, end.normal);
+      const glm::vec3 light = end.albedo * glm::max(arrives, glm::vec3(0.0f));
+      for (std::size_t k = 0; k < 9; ++k) sums[k] += basis_[end.ray][k] * light;
+    }
+    return sums;
   }
 
  private:
@@ -68,7 +99,9 @@ class NodeTracer {
     return glm::vec3(means_.fetch(glm::vec3(inMap), static_cast<float>(0.5 * std::log2(std::max(texels, 1.0e-6)))));
   }
 
-  glm::vec3 ofSurface(const glm::dvec3& from, const glm::dvec3& direction, const SightLines::Met& hit) const {
+  glm::vec3 ofSurface(const glm::dvec3& from, std::size_t ray, const SightLines::Met& hit,
+                      std::vector<FarEnd>& ends) const {
+    const glm::dvec3& direction = directions_[ray];
     const glm::dvec3 at = from + hit.distance * direction, off = at + margin_ * hit.normal, way = at - in_.originWorld;
     const double length = glm::length(way);
     if (length > 0.0 && glm::dot(way, hit.normal) < 0.0 && !in_.lines->blocked(in_.originWorld, off, true)) {
@@ -77,6 +110,8 @@ class NodeTracer {
       return ofMap(way / length, texelsPerRay_ * ratio * ratio * seen / towards);
     }
     if (const auto seen = throughOpening(from, direction, hit.distance)) return ofMap(*seen, texelsPerRay_);
+    const glm::dvec3 inProbe = glm::transpose(in_.worldFromProbe) * (off - in_.originWorld);
+    ends.push_back({glm::vec3(inProbe), glm::vec3(hit.normal), hit.albedo, ray});
     return hit.albedo * arriving(off, hit.normal);
   }
 
@@ -98,11 +133,10 @@ class NodeTracer {
     return way / length;
   }
 
-  // Irradiance over pi at a place that the capture origin does not see.
+  // Irradiance over pi of lamps and light sources at a place that the capture origin does not see.
   glm::vec3 arriving(const glm::dvec3& at, const glm::dvec3& normal) const {
     const glm::vec3 n(normal), position(at - in_.originWorld);
-    const glm::vec3 inProbe(glm::transpose(in_.worldFromProbe) * (at - in_.originWorld));
-    glm::vec3 sum = glm::max(shading::latticeIrradiance(base_.shape(), inProbe, n), glm::vec3(0.0f));
+    glm::vec3 sum(0.0f);
     for (std::size_t i = 0; i < polygons_.size(); ++i) {
       const float share = shading::lampDiffuse(&polygons_[i], position, n);
       if (share <= 1.0e-6f) continue;
@@ -175,6 +209,19 @@ void fillNodes(DiffuseLattice& lattice, std::vector<char> known) {
   }
 }
 
+// How much of all nodes' mean light is another.
+double changedBy(const DiffuseLattice& before, const DiffuseLattice& after) {
+  const std::size_t count = after.texels.size() / DiffuseLattice::kParts;
+  double change = 0.0, whole = 0.0;
+  for (std::size_t node = 0; node < count; ++node) {
+    for (int c = 0; c < 3; ++c) {
+      change += static_cast<double>(std::abs(after.texels[node][c] - before.texels[node][c]));
+      whole += static_cast<double>(std::abs(after.texels[node][c]));
+    }
+  }
+  return whole > 0.0 ? change / whole : 0.0;
+}
+
 }  // namespace
 
 bool LatticeSurroundings::operator==(const LatticeSurroundings& o) const {
@@ -196,20 +243,31 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
   if (base.empty() || means.empty() || !in.lines || in.lines->empty()) return lattice;
   const NodeTracer tracer(base, means, in, std::max(rays, 1));
   const std::size_t count = base.texels.size() / DiffuseLattice::kParts;
-  std::vector<char> known(count, 1);
+  std::vector<TracedNode> nodes(count);
   const glm::vec3 step = (base.high - base.low) / glm::vec3(base.nodes - 1);
   tbb::parallel_for(std::size_t(0), count, [&](std::size_t node) {
     const auto i = static_cast<int>(node);
     const glm::ivec3 p(i % base.nodes.x, i / base.nodes.x % base.nodes.y, i / (base.nodes.x * base.nodes.y));
-    std::array<glm::vec3, 9> sums{};
-    known[node] = tracer.trace(base.low + glm::vec3(p) * step, sums) ? 1 : 0;
-    for (std::size_t k = 0; k < 4 * DiffuseLattice::kParts; ++k) {
-      lattice.texels[(k / 4) * count + node][static_cast<int>(k % 4)] =
-          k < 27 ? sums[k / 3][static_cast<int>(k % 3)] : 0.0f;
-    }
+    nodes[node] = tracer.trace(base.low + glm::vec3(p) * step);
   });
+  std::vector<char> known(count, 1);
+  for (std::size_t node = 0; node < count; ++node) known[node] = nodes[node].known ? 1 : 0;
   // Where hardly a node is known, fronts and backs mean nothing in this scene.
-  if (4 * static_cast<std::size_t>(std::count(known.begin(), known.end(), 1)) >= count) fillNodes(lattice, known);
+  const bool fills = 4 * static_cast<std::size_t>(std::count(known.begin(), known.end(), 1)) >= count;
+  // What far ends receive is the light of the nodes around them, which see far ends themselves: again, until that makes
+  // no difference. Surfaces scatter less than they receive, so that it ends.
+  for (int bounce = 0; bounce < kMostNodeBounces; ++bounce) {
+    const DiffuseLattice before = lattice;
+    tbb::parallel_for(std::size_t(0), count, [&](std::size_t node) {
+      const std::array<glm::vec3, 9> sums = tracer.lit(nodes[node], before);
+      for (std::size_t k = 0; k < 4 * DiffuseLattice::kParts; ++k) {
+        lattice.texels[(k / 4) * count + node][static_cast<int>(k % 4)] =
+            k < 27 ? sums[k / 3][static_cast<int>(k % 3)] : 0.0f;
+      }
+    });
+    if (fills) fillNodes(lattice, known);
+    if (changedBy(before, lattice) < kNodesAtRest) break;
+  }
   return lattice;
 }
 

@@ -26,8 +26,9 @@ struct LatticeSurroundings {
 
 /// `base`: the lattice by projection, whose nodes and format this has. What the capture origin sees of a ray's end is
 /// looked up in `means` (plainMeans() of the capture without lamps). What it does not see scatters, by the mean albedo
-/// of its material, the light of lamps and light sources that reach it and the light that `base` has there. Nodes
-/// within things take the mean of their neighbours.
+/// of its material, the light of lamps and light sources that reach it and what the lattice itself has there: light
+/// goes from node to node until less than 0.2 % of it changes, at most 32 times. Nodes within things take the mean of
+/// their neighbours.
 DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, const LatticeSurroundings& in,
                              int rays = 1024);
 

@@ -1,0 +1,97 @@
+// All bounces of light where no capture sees: the room, its rays and its path tracer are this file's own.
+#include "filters/core/geometry/traced_lattice.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <random>
+
+namespace {
+
+using namespace boxprobe;
+using glm::dvec3;
+
+constexpr double kPi = 3.14159265358979323846;
+const dvec3 kLow(-1.9, -1.1, -1.4), kHigh(2.3, 1.5, 1.7);
+const glm::vec3 kAlbedo(0.8f, 0.6f, 0.3f);
+
+// A closed room of one albedo; the place of the capture is walled in, so that it sees nothing of the room.
+struct Room : SightLines {
+  bool empty() const override { return false; }
+  bool blocked(const dvec3& from, const dvec3&, bool) const override { return glm::length(from) < 1e-6; }
+  std::optional<Met> first(const dvec3& from, const dvec3& d) const override {
+    Met met;
+    met.distance = 1e300;
+    for (int a = 0; a < 3; ++a) {
+      const double to = d[a] > 0.0 ? (kHigh[a] - from[a]) / d[a] : d[a] < 0.0 ? (kLow[a] - from[a]) / d[a] : 1e300;
+      if (to >= met.distance) continue;
+      met.distance = to;
+      met.normal = dvec3(0.0);
+      met.normal[a] = d[a] > 0.0 ? -1.0 : 1.0;
+    }
+    met.albedo = kAlbedo;
+    return met;
+  }
+};
+
+// Mean radiance that arrives at a place from all around, the light source itself left out.
+dvec3 meanLight(const dvec3& place, const Light& light, int paths) {
+  const Room room;
+  std::mt19937 random(71);
+  std::uniform_real_distribution<double> any(0.0, 1.0);
+  dvec3 sum(0.0);
+  for (int i = 0; i < paths; ++i) {
+    const double z = 1.0 - 2.0 * (i + any(random)) / paths, phi = 2.0 * kPi * any(random);
+    dvec3 at = place, d(std::sqrt(1.0 - z * z) * std::cos(phi), std::sqrt(1.0 - z * z) * std::sin(phi), z), share(1.0);
+    for (int bounce = 0; bounce < 60; ++bounce) {
+      const auto met = room.first(at, d);
+      at += (met->distance - 1e-9) * d;
+      share *= dvec3(kAlbedo);
+      const dvec3 way = light.position - at;
+      const double d2 = glm::dot(way, way), cosine = std::max(glm::dot(way, met->normal), 0.0) / std::sqrt(d2);
+      sum += share * (static_cast<double>(light.intensity) * cosine / d2 / kPi) * dvec3(light.color);
+      const double height = std::sqrt(any(random)), turn = 2.0 * kPi * any(random),
+                   r = std::sqrt(1.0 - height * height);
+      const dvec3 side = std::abs(met->normal.x) > 0.5 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
+      d = height * met->normal + r * (std::cos(turn) * side + std::sin(turn) * glm::cross(met->normal, side));
+    }
+  }
+  return sum / static_cast<double>(paths);
+}
+
+TEST(TracedLattice, WhatNoCaptureSeesHasAllBounces) {
+  Light light;
+  light.type = LightType::Point;
+  light.position = {0.7, 0.4, -0.3};
+  light.intensity = 3.0f;
+  light.color = {1.0f, 0.8f, 0.5f};
+  LatticeSurroundings in;
+  in.lines = std::make_shared<const Room>();
+  in.lamps = std::make_shared<const SceneLamps>();
+  in.lights = std::make_shared<const std::vector<Light>>(std::vector<Light>{light});
+  CubeMap dark(8, 1);  // of the walled-in place
+  for (int face = 0; face < 6; ++face) std::fill_n(dark.face(0, face), 8 * 8 * 4, 0.0f);
+  const CubeMap means = plainMeans(dark);
+  shading::ProbeShape shape{};
+  shape.boxMin = glm::vec3(kLow);
+  shape.boxMax = glm::vec3(kHigh);
+  shape.projection = 0;
+  const DiffuseLattice lattice = tracedLattice(makeDiffuseLattice(means, shape), means, in);
+  ASSERT_FALSE(lattice.empty());
+  const glm::ivec3 n = lattice.nodes;
+  for (const glm::ivec3 p : {glm::ivec3(1, 1, 1), glm::ivec3(n.x - 1, 0, n.z - 2), glm::ivec3(2, n.y - 1, 0)}) {
+    const auto node = static_cast<std::size_t>((p.z * n.y + p.y) * n.x + p.x);
+    const glm::vec3 place = lattice.low + glm::vec3(p) * (lattice.high - lattice.low) / glm::vec3(n - 1);
+    const dvec3 truth = meanLight(dvec3(place), light, 20000);
+    const glm::vec3 first(lattice.texels[node]);
+    // The constant band's cosine over pi is 1: the coefficient is the mean of the light.
+    std::printf("node %d %d %d: %.4f %.4f %.4f, true %.4f %.4f %.4f\n", p.x, p.y, p.z, static_cast<double>(first.x),
+                static_cast<double>(first.y), static_cast<double>(first.z), truth.x, truth.y, truth.z);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(static_cast<double>(first[c]) / truth[c], 1.0, 0.04) << c;
+  }
+}
+
+}  // namespace
