@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "filters/core/scene/document.h"
+#include "filters/io/gltf/model_file.h"
 #include "filters/reference/measure/metrics.h"
 #include "tests/image/noisy_room.h"
 #include "tests/support/shown_light.h"
@@ -180,6 +181,38 @@ TEST(RefinedPicture, AMirrorsRoomHasNothingToRefine) {
   EXPECT_EQ(picture.display().pixels, own.pixels);
   EXPECT_FALSE(picture.renderer->frameCount().more());
   EXPECT_EQ(picture.renderer->refineState().rays, 0);
+}
+
+// Many objects are culled by the renderer itself, and are none of its own props.
+TEST(RefinedPicture, OfManyObjectsShowsWhatIsInView) {
+  const auto refined = [](int others) {
+    ScenePicture picture(restingRoom("footprint2"), kWidth, kHeight);
+    Model model = loadModelFile(picture.scene.models.at(0).file);
+    const Instance first = model.instances.at(0);
+    for (int i = 0; i < others; ++i) {
+      Instance below = first;
+      below.node = "below " + std::to_string(i);
+      below.worldFromModel[3] += glm::dvec4(0.7 * i, -31.0 - 1.3 * i, 0.4 * i, 0.0);
+      model.instances.push_back(below);
+    }
+    picture.show(mainCamera(picture.scene));
+    picture.renderer->setModels({std::make_shared<Model>(model)});
+    picture.show(mainCamera(picture.scene));
+    picture.renderer->refine(by(16));
+    picture.renderer->finishWork();
+    ImageRgba8 shown;
+    do {
+      shown = picture.display();
+    } while (picture.renderer->frameCount().more());
+    shown = picture.display();  // the stage ends
+    EXPECT_EQ(picture.renderer->refineState().rays, 16);
+    return shown;
+  };
+  const ImageRgba8 few = refined(0), many = refined(70);
+  int apart = 0;
+  for (std::size_t i = 0; i < few.pixels.size(); ++i) apart += std::abs(few.pixels[i] - many.pixels[i]) > 2 ? 1 : 0;
+  std::printf("  %d of %zu values are apart\n", apart, few.pixels.size());
+  EXPECT_LT(apart, static_cast<int>(few.pixels.size() / 200));
 }
 
 }  // namespace

@@ -179,6 +179,7 @@ bool PictureFrames::advance(vtkPicturePass* pass, bool hold) {
 void PictureFrames::show(int rays, bool behind) {
   screen_->Props = content_->shownProps(renderer_);
   screen_->Props.push_back(content_->sky);
+  screen_->Culled = content_->many;
   screen_->Sky = content_->sky;
   screen_->BlurredRays = rays;
   screen_->Behind = behind;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_set>
 
 #include "filters/core/base/errors.h"
 #include "filters/vtk/draw/display_source.h"
@@ -61,12 +62,16 @@ void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
   vtkRenderer* renderer = s->GetRenderer();
   std::vector<vtkProp*> pictured = this->Props, others;
   if (this->Framebuffer == 0) {
-    // In the renderer's order, less what its cullers took out.
-    pictured.clear();
+    // In the renderer's order, less what its cullers took out; objects that it culls itself are none of its props.
+    if (!this->Culled) pictured.clear();
+    const std::unordered_set<vtkProp*> all(this->Props.begin(), this->Props.end());
     for (int i = 0; i < s->GetPropArrayCount(); ++i) {
       vtkProp* prop = s->GetPropArray()[i];
-      const bool ours = std::find(this->Props.begin(), this->Props.end(), prop) != this->Props.end();
-      (ours ? pictured : others).push_back(prop);
+      if (all.count(prop) == 0) {
+        others.push_back(prop);
+      } else if (!this->Culled) {
+        pictured.push_back(prop);
+      }
     }
   }
   // Enough frames: what there is is shown again. But what is drawn on top is compared with its depth, so that has to be

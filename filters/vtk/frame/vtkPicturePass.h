@@ -41,6 +41,7 @@ class vtkPicturePass : public vtkRenderPass {
   bool Behind = false;        ///< some of Props is glass that is looked through at the rest (see behind_frame.h)
   int BlurredRays = 0;        ///< a pixel and frame, where what is sampled is smoothed; 0: it is not
   vtkProp* Sky = nullptr;     ///< of Props: what has no reflection to keep apart and is drawn behind all others
+  bool Culled = false;        ///< Props are what the view shows of many, in place of the renderer's own
   int Limit = 1;              ///< frames; once there are as many, further renders show what there is
 
   /** The share in the picture of a mean of so many frames, the rest being the mean before it; empty: all. */
