@@ -109,6 +109,7 @@ TEST_F(RoomOfOrdinaryActors, LookAsTheProgramDrawsThemByEveryTechnique) {
   keepPicture(stock, "actors_stock");
   ActorProbes probes(theirs_);
   probes.setEmission(true);
+  probes.setTone(Tone::None);  // the curve of the program's window
   probes.addProbe(room_.scene.probes.front());
   probes.setMaps(0, room_.renderer->shownMaps("room"));
   addAll(probes);
@@ -135,6 +136,7 @@ TEST_F(RoomOfOrdinaryActors, AreCapturedAsTheProgramCapturesThem) {
   const ImageRgba8 wanted = program();
   ActorProbes probes(theirs_);
   probes.setEmission(true);
+  probes.setTone(Tone::None);  // the curve of the program's window
   probes.addProbe(room_.scene.probes.front());
   vtkActorCollection* actors = ours_->GetActors();
   for (std::size_t i = 0; i < actors_.size(); ++i) {
@@ -184,6 +186,7 @@ TEST_F(RoomOfOrdinaryActors, LookTheSameUnderEachMapper) {
   const ImageRgba8 wanted = program();
   ActorProbes probes(theirs_);
   probes.setEmission(true);
+  probes.setTone(Tone::None);  // the curve of the program's window
   probes.addProbe(room_.scene.probes.front());
   probes.setMaps(0, room_.renderer->shownMaps("room"));
   addAll(probes);

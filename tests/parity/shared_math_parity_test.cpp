@@ -259,6 +259,18 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
     std::string shared;
     for (const std::string_view file : row.sharedFiles) shared += sources({file});
     for (const auto& parameters : everyChoice(row)) {
+      std::vector<vec4> splitSums = table;
+      if (parameters.total > parameters.samples) {
+        // Rays of a mean are drawn from a narrower lobe, and the table is asked for that one.
+        for (std::size_t i = 0; i < kCount; ++i) {
+          const shading::ShadingPoint point{
+              vec3(0.0f), vec3(in.normal[i]), vec3(view[i]), vec3(in.reflection[i]), view[i].w, {}, 0, 0.0f, 1.0f};
+          const float narrowed = view[i].w * std::max(1.0f - 0.56f / parameters.total, 0.775f);
+          const glm::vec2 split = splitSum(shading::footprintLobe(point, 1.0f).view.z, narrowed);
+          splitSums[i].x = split.x;
+          splitSums[i].y = split.y;
+        }
+      }
       const auto gpu = test::evaluateOnGpu(
           window,
           sources({"shared/types.glsl", "shared/slab.glsl", "shared/roughness.glsl", box.shaderFile}) +
@@ -277,7 +289,7 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
               "point.reflection = in2.xyz; point.roughness = in5.w; point.pixel = ivec2(gl_FragCoord.xy); "
               "point.frame = 3; point.fresnel = 0.09 * in6.x; point.f0 = in7.z;\n  out0 = " +
               std::string(row.function) + "(0, probe, point);\n",
-          {in.position, in.normal, in.reflection, in.boxMin, in.boxMax, view, other, table}, 1);
+          {in.position, in.normal, in.reflection, in.boxMin, in.boxMax, view, other, splitSums}, 1);
       double worst = 0.0;
       std::size_t otherWall = 0;
       for (std::size_t i = 0; i < kCount; ++i) {
@@ -297,7 +309,9 @@ TEST(Parity, EveryEvaluationLooksUpTheSame) {
         const vec4 d = glm::abs(gpu[0][i] - cpu);
         const double error = std::max({d.x, d.y, d.z, d.w});
         // A ray aimed at an edge of the box meets one wall here and the other there, from which it is as likely as not.
-        if (parameters.sampling == 1 && error > 2.0e-4 && ++otherWall <= kCount / 10000) continue;
+        // Weights of a part of a mean are not normed: of nearly nothing they tell less exactly.
+        const bool few = parameters.sampling == 1 || parameters.total > parameters.samples;
+        if (few && error > 2.0e-4 && ++otherWall <= kCount / 10000) continue;
         if (!(error <= worst)) worst = error;
       }
       std::printf("  %-12s %s: worst difference %.2g\n", std::string(row.id).c_str(),

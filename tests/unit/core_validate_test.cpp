@@ -162,7 +162,7 @@ TEST(Validate, RangesNameTheKeyTheValueAndTheRange) {
             "cameras.main.verticalFovDegrees: is 180 and must be greater than 0 and less than 180");
   EXPECT_EQ(problem([](Scene& s) { s.lights[0].intensity = -2; }), "lights[0].intensity: is -2 and must be 0 or more");
   EXPECT_EQ(problem([](Scene& s) { s.models[0].scale = 0; }), "models[0].scale: is 0 and must be greater than 0");
-  EXPECT_EQ(problem([](Scene& s) { s.exposure = -1; }), "exposure: is -1 and must be 0 or more");
+  EXPECT_EQ(problem([](Scene& s) { s.exposure = -1; }), "exposure: is -1 and must be from 0 to 1e+12");
   EXPECT_NE(problem([](Scene& s) { s.sky = SkyColor{{0, -1, 0}}; }), "");
 }
 
