@@ -1,5 +1,5 @@
-// Programs of tests that draw, on a machine without an X server: where DISPLAY is not set, VTK's windows are made on EGL,
-// as the program's own are. So the packed programs of a test run on a bare machine with a graphics card.
+// Programs of tests that draw, on a machine without an X server: where DISPLAY is not set, VTK's windows are made on
+// EGL, as the program's own are. So the packed programs of a test run on a bare machine with a graphics card.
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkVersion.h>

@@ -19,8 +19,9 @@ void makeLampFree(const DrawState& state, const ProbeBinding& binding) {
     for (const std::size_t lamp : probe.lamps) {
       lamps.push_back(lampPolygon(resources.lamps->lamps[lamp], g.originWorld, worldFromMap));
     }
-    const LevelMask levels = levelsRead(binding.technique(i), binding.values(i), static_cast<double>(binding.roughnessMin),
-                                        static_cast<double>(binding.roughnessMax), maps.radiance.levels());
+    const LevelMask levels =
+        levelsRead(binding.technique(i), binding.values(i), static_cast<double>(binding.roughnessMin),
+                   static_cast<double>(binding.roughnessMax), maps.radiance.levels());
     const bool made = makeLampFreeMaps(
         maps, lamps, levels, state.pass().dragging,
         [&](const CubeTexture& chain, LevelMask missing) { resources.filterLevels(chain, missing, probe.prefilter); });

@@ -13,8 +13,8 @@ namespace {
 constexpr int kFirstStage = 16, kTimes = 4;
 // So few that a frame does not keep a hand waiting that takes the camera again.
 constexpr int kMostAFrame = 8;
-// A stage of 4 times the rays has about half of the error of the one before; what is left is then as much as they differ
-// by, and more where both miss the same.
+// A stage of 4 times the rays has about half of the error of the one before; what is left is then as much as they
+// differ by, and more where both miss the same.
 constexpr double kLeftOfChange = 1.2;
 
 // None that is worse than the frame it replaces.
