@@ -1,14 +1,13 @@
 // The ray-traced scene, against which techniques are measured: what the camera sees, and what every reflecting surface
 // reflects, one bounce over its lobe. Exact definition:
 //
-// - Surfaces are lit as in a probe's first capture (CaptureLight): emission, the scene's lights (without shadows,
-// except
-//   for lights that request them, whose shadows are traced; see shadow_light.h), and the sky's diffuse light, also
-//   indoors, except where a probe is open to the sky. The picture of a technique has its probes' diffuse light instead,
-//   so errors have to be measured on metals, on the reflection alone, or with that light given (ReferenceSettings).
+// - Surfaces are lit as in a probe's first capture (CaptureLight): emission, the scene's lights (without
+//   shadows, except for lights that request them, whose shadows are traced; see shadow_light.h), and the sky's diffuse
+//   light, also indoors, except where a probe is open to the sky. The picture of a technique has its probes' diffuse
+//   light instead, so errors have to be measured on metals, on the reflection alone, or with that light given
+//   (ReferenceSettings).
 // - Reflections sample GGX's visible normals and evaluate distribution, height-correlated masking and Fresnel's term
-// per
-//   ray, without tables or mean weights. The hit of a reflection ray looks as in the first capture: a mirror in a
+//   per ray, without tables or mean weights. The hit of a reflection ray looks as in the first capture: a mirror in a
 //   mirror is black.
 // - Reflection rays see what probes see or, on request, what the picture shows. What probes see is lit as seen from the
 //   capture origin of the probe with the largest share at the ray's start, because no projection can move a highlight
