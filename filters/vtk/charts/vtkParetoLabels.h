@@ -20,7 +20,7 @@ class vtkParetoLabels : public vtkContextItem {
   static vtkParetoLabels* New();
   vtkTypeMacro(vtkParetoLabels, vtkContextItem)
 
-      /// Without a text: a place to keep clear.
+      /// Without a text: a position to keep clear.
       struct Label {
     double X = 0.0, Y = 0.0;  ///< in the chart's units
     std::string Text = {};
