@@ -36,13 +36,13 @@ class vtkPicturePass : public vtkRenderPass {
   std::vector<vtkProp*> Props;
   /** Where the picture goes; 0: to what is bound, in display colours, with the renderer's other props on top. */
   unsigned int Framebuffer = 0;
-  int Width = 1, Height = 1;  ///< pixels
-  int Samples = 0;            ///< a pixel, of every frame
-  bool Behind = false;        ///< some of Props is glass that is looked through at the rest (see behind_frame.h)
-  int BlurredRays = 0;        ///< a pixel and frame, where what is sampled is smoothed; 0: it is not
-  vtkProp* Sky = nullptr;     ///< of Props: what has no reflection to keep apart and is drawn behind all others
-  bool Culled = false;        ///< Props are what the view shows of many, in place of the renderer's own
-  int Limit = 1;              ///< frames; once there are as many, further renders show what there is
+  int Width = 1, Height = 1;  ///< in pixels
+  int Samples = 0;            ///< per pixel, in every frame
+  bool Behind = false;        ///< some of Props are glass, seen through to the others (see behind_frame.h)
+  int BlurredRays = 0;        ///< per pixel and frame, if samples are smoothed; 0: they are not
+  vtkProp* Sky = nullptr;     ///< among Props: has no reflection, and is drawn behind all others
+  bool Culled = false;        ///< Props are the visible ones of many, in place of the renderer's own
+  int Limit = 1;              ///< number of frames; then further renders show the result again
 
   /** The share in the picture of a mean of so many frames, the rest being the mean before it; empty: all. */
   std::function<double(int)> Share;
@@ -83,5 +83,5 @@ class vtkPicturePass : public vtkRenderPass {
   boxprobe::FrameTarget Frame;
   vtkNew<vtkTargetPass> Target;
   vtkNew<vtkSequencePass> OnTop;
-  double DepthRange[2] = {0.0, 0.0};  ///< clipping distances that the depth at hand belongs to
+  double DepthRange[2] = {0.0, 0.0};  ///< clipping distances of the current depth
 };

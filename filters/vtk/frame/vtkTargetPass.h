@@ -24,10 +24,10 @@ class vtkTargetPass : public vtkRenderPass {
   vtkTypeMacro(vtkTargetPass, vtkRenderPass)
 
       GLuint Framebuffer = 0;
-  /// x, y, width, height in pixels of the framebuffer; may reach beyond it, to draw a part of a larger picture.
+  /// x, y, width, height in pixels of the framebuffer; may extend beyond it, to draw a part of a larger picture.
   int Viewport[4] = {0, 0, 1, 1};
   bool Blend = true;
-  bool Clear = true;  ///< before it draws
+  bool Clear = true;  ///< before drawing
   std::vector<vtkProp*> Props;
 
   void Render(const vtkRenderState* s) override;

@@ -17,12 +17,12 @@ class vtkShaderProgram;
 
 namespace boxprobe {
 
-/// As the vertex shader reads it. A line without length is a dot of that width.
+/// Layout as in the vertex shader. A line without length is a dot of that width.
 struct DrawnLine {
   glm::vec3 from{0.0f}, to{0.0f};  ///< relative to the anchor
   glm::vec3 color{1.0f};           ///< display
   float widthPixels = 2.0f;
-  float arrow = 0.0f;  ///< 1: the shaft of an arrow to `to`; 2: its head, a line of its own
+  float arrow = 0.0f;  ///< 1: the shaft of an arrow to `to`; 2: its head, a separate line
 };
 
 }  // namespace boxprobe
@@ -54,7 +54,7 @@ class vtkRayLinesProp : public vtkProp {
   glm::dvec3 AnchorWorld{0.0};
   float PixelScale = 1.0f;
   bool LinesChanged = true;
-  vtkShaderProgram* Program = nullptr;  // the window's shader cache owns it
+  vtkShaderProgram* Program = nullptr;  // owned by the window's shader cache
   unsigned int VertexArray = 0;
   unsigned int Buffer = 0;
 };

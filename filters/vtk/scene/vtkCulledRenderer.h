@@ -90,7 +90,7 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   bool LeavingOut = true;
   boxprobe::StillView Still;
   vtkProp* Backdrop = nullptr;
-  boxprobe::OcclusionQuery::Rectangle BackdropShows;  // while it is known what the view hides
+  boxprobe::OcclusionQuery::Rectangle BackdropShows;  // if the hidden props of the view are known
   std::size_t LeftOut = 0;
   bool BackdropLeftOut = false;
   std::vector<vtkProp*> Others, Array;
