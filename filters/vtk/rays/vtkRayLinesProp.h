@@ -2,9 +2,9 @@
  * @class vtkRayLinesProp
  * @brief lines of constant width in pixels with a halo, over the scene they are in
  *
- * Drawn after everything else of its renderer, against its depth: what surfaces hide is dashed and faint, not lost. One
- * buffer of ends, colours and widths; new lines upload that buffer, a moved camera uploads nothing. Does not stretch
- * the camera's clipping range, is not picked. Knows nothing of rays: see RayLayer.
+ * Drawn after everything else of its renderer, with depth test: hidden parts are dashed and faint. Uses one buffer of
+ * ends, colours and widths, which is uploaded for new lines, but not for a moved camera. Does not affect the camera's
+ * clipping range, and is not pickable. RayLayer uses it for rays.
  */
 #pragma once
 
@@ -33,7 +33,7 @@ class vtkRayLinesProp : public vtkProp {
   vtkTypeMacro(vtkRayLinesProp, vtkProp)
 
       void SetLines(std::vector<boxprobe::DrawnLine> lines, const glm::dvec3& anchorWorld);
-  /** Device pixels a logical one, for screens of high density. */
+  /** Device pixels per logical pixel, for high-density screens. */
   void SetPixelScale(float scale);
 
   int RenderOverlay(vtkViewport* viewport) override;
