@@ -114,6 +114,8 @@ class ProbeBinder {
   /// What is seen of lamps is traced, unless a box is dragged: captures wait for it.
   void holdSight(bool held) { sight_.hold(held); }
   bool sightPending() const { return sight_.pending(); }
+  /// Of the probes that the plan asks for, and of no other: called whenever that may have changed.
+  void wantSight();
   /// Begins that or waits a little. True: probes see their lamps otherwise than before, and assign() follows. Throws
   /// WorkError.
   bool makeSight();

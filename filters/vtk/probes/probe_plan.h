@@ -65,13 +65,14 @@ struct ProbeSources {
 
 struct ProbeEntry {
   std::string name;
-  std::string shown;      ///< key of the maps it shows; empty: it shows none
-  std::string wanted;     ///< key of those it should show; empty: there is nothing it could show
-  FaceKeys faces;         ///< realtime: of the faces it shows
-  int passes = 0;         ///< realtime: further rounds until mirrors in mirrors have settled
-  bool used = false;      ///< some visible object is lit by it
-  bool seen = true;       ///< some object of the last frame is, or there are so few that all are made at once
-  bool again = false;     ///< asked for although nothing changed: no face is kept
+  std::string shown;   ///< key of the maps it shows; empty: it shows none
+  std::string wanted;  ///< key of those it should show; empty: there is nothing it could show
+  FaceKeys faces;      ///< realtime: of the faces it shows
+  int passes = 0;      ///< realtime: further rounds until mirrors in mirrors have settled
+  bool used = false;   ///< some visible object is lit by it
+  bool seen = true;    ///< some object of the last frame is, or there are so few that all are made at once
+  bool asked = false;  ///< its maps are wanted, or those of a probe that shows its light, as of the last updateKeys()
+  bool again = false;  ///< asked for although nothing changed: no face is kept
   bool fromFile = false;  ///< what it shows was read from a file
   std::string given;      ///< key of maps from elsewhere, shown in place of captures; empty: none
   bool needed() const { return (used && seen) || again; }

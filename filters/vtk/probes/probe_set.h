@@ -98,6 +98,7 @@ class ProbeSet {
   bool levelsPending() const { return !plan_.interactive() && binder_.needs().lacking(); }
   /// Maps whose lattice is being derived beside the frames; the frame after that shows it.
   const ProbeMaps* latticePending() const;
+  void updateKeys();
   void doOne();
   void makeLevel();
   void makeAnew(std::size_t index);
