@@ -209,7 +209,16 @@ void ProbeBinder::updateLamps() {
     }
   }
   sight_.ask(std::move(tasks), content.scene, content.given, content.sightLines);
+  wantSight();
   showSight();
+}
+
+void ProbeBinder::wantSight() {
+  std::vector<bool> wanted(2 * probes_.size(), false);
+  for (std::size_t i = 0; i < std::min(probes_.size(), with_.plan->entries().size()); ++i) {
+    wanted[i] = wanted[probes_.size() + i] = with_.plan->entries()[i].asked;
+  }
+  sight_.want(wanted);
 }
 
 // Applies the visibilities known so far.

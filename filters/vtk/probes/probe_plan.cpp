@@ -249,7 +249,8 @@ void ProbePlan::updateKeys() {
     ProbeEntry& entry = entries_[i];
     const Probe& probe = entries_.probe(i);
     const std::string before = entry.wanted;
-    if (bounces_.input(i).view.empty()) {
+    entry.asked = !bounces_.input(i).view.empty();
+    if (!entry.asked) {
       entry.wanted.clear();
       continue;
     }

@@ -71,6 +71,7 @@ struct ProbeEntry {
   int passes = 0;         ///< realtime: further rounds until mirrors in mirrors have converged
   bool used = false;      ///< some visible object is lit by it
   bool seen = true;       ///< it lights an object of the last frame, or there are few enough probes to make all
+  bool asked = false;     ///< the last updateKeys() found its maps, or its light in another's maps, necessary
   bool again = false;     ///< requested although nothing has changed: no face is reused
   bool fromFile = false;  ///< the current maps were read from a file
   std::string given;      ///< key of maps set from outside in place of captures; empty: none

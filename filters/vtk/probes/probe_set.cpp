@@ -57,8 +57,13 @@ void ProbeSet::updateCaptures(CaptureInputs inputs) {
   plan_.wantSky(inputs.sky, inputs.skyColumns);
   baker_.setProps(std::move(inputs.props));
   plan_.sources().pictures.update(with_.content->scene);
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
+}
+
+void ProbeSet::updateKeys() {
+  plan_.updateKeys();
+  binder_.wantSight();
 }
 
 void ProbeSet::give(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
@@ -67,14 +72,14 @@ void ProbeSet::give(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
   entry.shown = entry.given;
   binder_.show(index, maps);
   if (maps) baker_.cache().add(entry.given, {}, std::move(maps));
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
 }
 
 // If the scene's list has changed already, entries and plan follow with updateShapes().
 void ProbeSet::setSeen(std::optional<std::vector<std::size_t>> objects) {
   if (!plan_.entries().setSeen(std::move(objects)) || !plan_.entries().matched()) return;
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
 }
 
@@ -97,7 +102,7 @@ void ProbeSet::setEnabled(bool enabled) {
 void ProbeSet::setBakeTargets(const std::vector<std::string>& names) {
   plan_.setTargets({names.begin(), names.end()});
   binder_.needs().setAll(!names.empty());
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
 }
 
@@ -113,7 +118,7 @@ std::vector<std::string> ProbeSet::bakeKeys(const std::string& probeName) const 
 
 void ProbeSet::useBakedFiles(const std::string& folder) {
   plan_.sources().folder = folder.empty() ? BakeFolder() : BakeFolder(folder);
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
 }
 

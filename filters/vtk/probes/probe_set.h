@@ -96,6 +96,7 @@ class ProbeSet {
   bool levelsPending() const { return !plan_.interactive() && binder_.needs().lacking(); }
   /// Maps whose lattice is being derived on other threads; the frame after that shows it.
   const ProbeMaps* latticePending() const;
+  void updateKeys();
   void doOne();
   void makeLevel();
   void makeAnew(std::size_t index);
