@@ -25,7 +25,7 @@ struct LatticeNodeAtPoint {
 struct DiffuseExplanation {
   std::vector<LampAtPoint> lamps;  ///< those that give light here, the brightest first
   std::vector<LatticeNodeAtPoint>
-      nodes;                ///< those with weight, the heaviest first; empty: nine coefficients of the capture are used
+      nodes;                ///< those with weight, the heaviest first; none: the capture's nine coefficients
   glm::ivec3 nodeCount{0};  ///< of the lattice along each axis
   glm::vec3 lattice{0.0f};  ///< irradiance over pi from the lattice
 };

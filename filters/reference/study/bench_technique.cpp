@@ -39,7 +39,7 @@ double number(const Parameters& parameters, const std::string& name) {
   return row != nullptr ? parameterNumber(probe, *row) : 0.0;
 }
 
-/// Settings of a technique's parameters to measure, one at a time; the first is the default setting.
+/// Settings of a technique's parameters to measure, one at a time; the first is the one that a reader expects.
 std::vector<Parameters> variants(const std::vector<const ParameterRow*>& rows) {
   std::vector<Parameters> all;
   if (reads(rows, "samples")) {
