@@ -31,8 +31,7 @@ struct Counters {
   std::uint64_t objectsCulled = 0;     ///< objects outside a face's view, which were not drawn
   std::uint64_t objectsUnlit = 0;      ///< of objectsCaptured: drawn by programs without probe lookups
   std::uint64_t errorsMeasured = 0;    ///< errors of a probe measured for `auto`, once per change of its box or picture
-  std::uint64_t reliefsBounded =
-      0;  ///< probes whose distances were bounded, least and greatest, for rays that are followed
+  std::uint64_t reliefsBounded = 0;    ///< probes whose distances were bounded, for rays that are followed
   std::uint64_t sightsTraced = 0;      ///< probes whose lamps' visibilities were traced
   std::uint64_t sightRays = 0;         ///< rays traced for that
   std::uint64_t lampsSeenWhole = 0;    ///< lamps and light sources of such probes that nothing hides: no lookup

@@ -197,7 +197,8 @@ class ProbePlan {
   ProbeSources& sources() { return sources_; }
   const ProbeSources& sources() const { return sources_; }
 
-  // Sets what captures show; updateKeys() must follow. What a probe shows is only determined if it is requested.
+  // Keys. What a probe shows is only determined if it is requested.
+  /// Sets what captures show; updateKeys() must follow.
   void setWorld(CaptureWorld world) { world_ = std::move(world); }
   const CaptureWorld& world() const { return world_; }
   /// Sets the wanted keys of entries that are needed.
