@@ -287,7 +287,8 @@ class Placer {
     return true;
   }
 
-  /// Where influence boxes overlap, the more important probe is the one that reduces the error of both rooms.
+  /// Where influence boxes overlap, the more important probe is the one with which both rooms together have the smaller
+  /// error.
   void setImportance() {
     std::vector<PlacedProbe>& probes = placement_.probes;
     std::vector<std::pair<std::size_t, std::size_t>> above;  // the second above the first
