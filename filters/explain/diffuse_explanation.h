@@ -23,11 +23,10 @@ struct LatticeNodeAtPoint {
 };
 
 struct DiffuseExplanation {
-  std::vector<LampAtPoint> lamps;  ///< those that give light here, the brightest first
-  std::vector<LatticeNodeAtPoint>
-      nodes;                ///< those with weight, the heaviest first; empty: nine coefficients of the capture are used
-  glm::ivec3 nodeCount{0};  ///< of the lattice along each axis
-  glm::vec3 lattice{0.0f};  ///< irradiance over pi from the lattice
+  std::vector<LampAtPoint> lamps;         ///< those that give light here, the brightest first
+  std::vector<LatticeNodeAtPoint> nodes;  ///< those with weight, the heaviest first; none: the capture's coefficients
+  glm::ivec3 nodeCount{0};                ///< of the lattice along each axis
+  glm::vec3 lattice{0.0f};                ///< irradiance over pi from the lattice
 };
 
 }  // namespace boxprobe

@@ -58,9 +58,8 @@ struct ProbeExplanation : ProbeAtPoint {
   std::optional<float> coverage;
   glm::vec3 openSky{0.0f};
   float openSkyLevel = 0.0f;
-  int openLookups = 0;  ///< lookups of the sky for that
-  bool openByLookup =
-      false;  ///< the mean of the sky in each lookup's own direction; the level is that of the last lookup
+  int openLookups = 0;        ///< lookups of the sky for that
+  bool openByLookup = false;  ///< the mean of the sky in each lookup's direction; the level is the last one's
   std::vector<Lookup> lookups;
 };
 

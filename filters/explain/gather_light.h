@@ -14,9 +14,8 @@ namespace boxprobe {
 struct GatheredLight {
   glm::vec3 specular{0.0f};
   glm::vec3 irradiance{0.0f};
-  float lampsInMap = 0.0f;  ///< mean of the colours
-  glm::vec3 lampsF0{0.0f},
-      lampsF90{0.0f};  ///< reflected light of lamps as shapes: F0 times the first plus F90 times the second
+  float lampsInMap = 0.0f;                  ///< mean of the colours
+  glm::vec3 lampsF0{0.0f}, lampsF90{0.0f};  ///< reflected of lamps as shapes: F0 times the one plus F90 times the other
   /// That light divided by the surface's reflectance, to be added to the mean light of the lobe.
   glm::vec3 lampsMean(const glm::vec3& f0, const glm::vec3& f90, const glm::vec2& splitSum) const {
     return (f0 * lampsF0 + f90 * lampsF90) / glm::max(f0 * splitSum.x + f90 * splitSum.y, glm::vec3(1.0e-6f));

@@ -9,8 +9,7 @@
 namespace boxprobe {
 
 struct LitErrors {
-  double meanDegrees =
-      0.0;  ///< lookup error, at most 20; 20 where no probe gives light, or where its probe does not see the end
+  double meanDegrees = 0.0;  ///< lookup error, at most 20; 20 without a probe, or where its probe does not see the end
   double p95Degrees = 0.0;
   double hidden = 0.0;  ///< share of the reflections whose end the probes there do not see
   double unlit = 0.0;   ///< share of the reflections that no probe lights

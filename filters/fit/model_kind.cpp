@@ -68,7 +68,7 @@ std::string percent(double share) {
   return text;
 }
 
-// The limits separate about a hundred foreign models: rooms start at 0.47 (closed) or 0.15 (a cave with back faces
+// The limits separate about a hundred models by others: rooms start at 0.47 (closed) or 0.15 (a cave with back faces
 // outside); machines with cavities reach 0.28, with front faces outside.
 void decide(ModelSurvey& survey) {
   // Rooms are larger than the objects in them; smaller cavities are vases, cups and drawers.

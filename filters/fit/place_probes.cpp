@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kScoreRays = 2048;
 constexpr std::size_t kMostParts = 8;
-constexpr std::size_t kMostRanks = 8;  // of importance; ends if probes would have to be above each other in a cycle
+constexpr std::size_t kMostRanks = 8;  // of importance; a limit, should probes be above each other in a cycle
 constexpr double kLeastPart = 0.08;    // of its room's volume
 constexpr double kRoofed = 0.3, kLeastGloss = 0.02;
 constexpr double kLong = 1.5;  // rooms longer than this ratio are also tried in halves
@@ -287,7 +287,8 @@ class Placer {
     return true;
   }
 
-  /// Where influence boxes overlap, the more important probe is the one that reduces the error of both rooms.
+  /// Where influence boxes overlap, the more important probe is the one with which both rooms together have the smaller
+  /// error.
   void setImportance() {
     std::vector<PlacedProbe>& probes = placement_.probes;
     std::vector<std::pair<std::size_t, std::size_t>> above;  // the second above the first

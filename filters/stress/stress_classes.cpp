@@ -1,5 +1,5 @@
 // First draws an ordinary input: a room with the capture origin and the point inside, and a ray that leaves the
-// surface. Then a class changes its aspect. All values are drawn in double and rounded once.
+// surface. Then a class changes what it is about. All values are drawn in double and rounded once.
 #include "filters/stress/stress_classes.h"
 
 #include <algorithm>

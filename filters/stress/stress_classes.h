@@ -16,7 +16,7 @@ enum class Held {
   All,      ///< every bound
   ByReach,  ///< errors are relative to the distance to the box: float positions are no more accurate
   Finite,   ///< no others: sizes below the smallest normal float, or NaN inputs
-  Sliding   ///< all except the bevelled box's, whose exit is ill-conditioned there
+  Sliding   ///< all but the bevelled box, whose exit is ill-conditioned there: counted as a class of its own
 };
 
 struct StressClass {

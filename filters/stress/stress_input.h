@@ -13,13 +13,12 @@
 namespace boxprobe::stress {
 
 struct StressInput {
-  /// World axes are the box's own; the capture origin C, to which everything else is relative.
+  /// "World": along the box's own axes, but not relative to the capture origin C, which everything else is near to.
   glm::vec3 originWorld{0.0f};
   glm::vec3 boxMinWorld{-1.0f}, boxMaxWorld{1.0f};
   glm::vec3 positionWorld{0.0f};
-  glm::vec3 normal{0.0f, 1.0f, 0.0f}, view{0.0f, 1.0f, 0.0f},
-      reflection{0.0f, 1.0f, 0.0f};  ///< in the frame of position
-  glm::vec3 turn{0.0f};              ///< axis times angle (radians): rotation of the box against position, normal, view
+  glm::vec3 normal{0.0f, 1.0f, 0.0f}, view{0.0f, 1.0f, 0.0f}, reflection{0.0f, 1.0f, 0.0f};  ///< as position is
+  glm::vec3 turn{0.0f};  ///< axis times angle (radians): rotation of the box against position, normal, view
   float roughness = 0.25f;
   float maxLevel = 6.0f;
   float blendDistance = 1.0f;  ///< of all six faces, scene units

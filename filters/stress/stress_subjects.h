@@ -9,10 +9,9 @@
 namespace boxprobe::stress {
 
 /// The bounds. They do not apply to boxes below the smallest normal float, or to NaN inputs.
-constexpr double kSlabUlp = 2.0;         ///< slab factors, in ulps of the exact value
-constexpr double kHitBoxSizes = 6.0e-7;  ///< of the hit, relative to the box's longest side
-constexpr double kRoundedBoxSizes =
-    1.0e-3;  ///< of the hit on a box with rounded edges, unless the ray slides along a face
+constexpr double kSlabUlp = 2.0;                 ///< slab factors, in ulps of the exact value
+constexpr double kHitBoxSizes = 6.0e-7;          ///< of the hit, relative to the box's longest side
+constexpr double kRoundedBoxSizes = 1.0e-3;      ///< of the hit on a rounded box, where no ray slides along a face
 constexpr double kRoundedMostBoxSizes = 2.0e-4;  ///< the same for 99.99 % of the inputs of a class
 constexpr double kSphereBoxSizes = 1.0e-6;       ///< the same for the sphere, times the cosine between ray and normal
 constexpr double kTermRelative = 1.0e-6;         ///< solid-angle scale, GGX terms, weights

@@ -218,7 +218,7 @@ void measureRoundedBox(const LocalInput& in, const StressClass& c, float t, floa
 
 void measureReflection(const LocalInput& in, const StressClass& c, const glm::vec3& r, Trial& trial, TrialLog* log) {
   const exact::Vec n = exact::vec(in.point.normal), v = exact::vec(in.point.view), e = exact::vec(r);
-  // R has the length of the mirrored view, and is not below the surface, whichever way the normal faces.
+  // Mirrored with N at its given length, and not below the surface, whichever way the normal faces.
   const Real facing = std::max(exact::dot(n, v), 0.0L);
   Real off = 0;
   for (std::size_t i = 0; i < 3; ++i) off = std::max(off, std::abs(e[i] - (2 * facing * n[i] - v[i])));

@@ -177,8 +177,7 @@ Trial compare(const StressProgram& program, const StressClass& inputs, const Str
     trial.measure(what, by, 1.0, false);
     trial.severity = std::max(trial.severity, by);
   };
-  const double scale =
-      std::max(1.0, static_cast<double>(std::abs(cpu.value.x)));  // for terms without a size of their own
+  const double scale = std::max(1.0, static_cast<double>(std::abs(cpu.value.x)));  // for terms without a size
   differ(kRelative, farthest(glm::vec3(value), glm::vec3(cpu.value)) / (program.technique ? 1.0 : scale));
   differ(kLevels, std::abs(static_cast<double>(value.w) - static_cast<double>(cpu.value.w)));
   if (program.technique) {

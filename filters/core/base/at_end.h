@@ -1,4 +1,4 @@
-// Runs a function when a scope ends, also by an exception, where no class does so itself.
+// Runs a function when a scope ends, also by an exception, where no destructor would do it otherwise.
 #pragma once
 
 #include <functional>

@@ -12,8 +12,7 @@ namespace boxprobe {
 
 struct FlatPolygon {
   std::vector<glm::dvec3> corners;  ///< convex, no three in a line; in the winding order of the triangles
-  std::size_t component =
-      0;  ///< polygons connected by common vertices, directly or through others, have the same number
+  std::size_t component = 0;        ///< polygons that touch in a vertex, directly or through others, share the number
 };
 
 /// Triangles that share an edge and lie in one plane, within 0.1 degrees and 1e-4 of the whole's size, become one

@@ -16,8 +16,8 @@ namespace boxprobe {
 /// World space, in double.
 struct MirrorPlane {
   glm::dvec3 center{0.0};
-  glm::dvec3 normal{0.0, 0.0, 1.0};     ///< of a rectangle in the plane that contains it, in order around it
-  std::array<glm::dvec3, 4> corners{};  ///< the material is double-sided
+  glm::dvec3 normal{0.0, 0.0, 1.0};     ///< unit, on the reflecting side
+  std::array<glm::dvec3, 4> corners{};  ///< of a rectangle in the plane that holds all of it, in order around it
   bool bothSides = false;               ///< of a double-sided material
 };
 
@@ -26,7 +26,7 @@ struct MirrorPlane {
 std::optional<MirrorPlane> mirrorPlane(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
                                        const std::string& node);
 
-/// Checks every mirror of the scene as above: throws at the first that is not a plane.
+/// Checks every mirror of the scene as above: throws at the first that does not lie in one plane.
 void checkMirrors(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
 
 }  // namespace boxprobe

@@ -1,5 +1,4 @@
 // The rotation is about the box's centre, so moving one face of a rotated box moves the pivot, too.
-// too.
 #include "filters/core/geometry/probe_frame.h"
 
 #include <algorithm>

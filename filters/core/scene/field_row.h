@@ -100,8 +100,7 @@ constexpr FieldKind kindOf() {
 template <typename Part>
 struct FieldRow : FieldInfo {
   FieldValue (*get)(const Part&) = nullptr;  ///< null, as is `set`, for kind Parts
-  void (*set)(Part&,
-              FieldValue) = nullptr;  ///< takes what `get` returns; throws std::bad_variant_access for other types
+  void (*set)(Part&, FieldValue) = nullptr;  ///< takes what `get` returns; throws std::bad_variant_access for others
   bool (*equal)(const Part&, const Part&) = nullptr;  ///< null: it has no member of its own
 
   FieldRow& within(double lowest, double highest) { return ranged({lowest, highest, false, false}); }

@@ -40,9 +40,8 @@ struct LessonMeasure {
   std::size_t against = 0;  ///< Difference: the other step
   bool box = false;         ///< Error: against the integral over the box world, which leaves the technique's own error
   PictureRegion region{0.0, 0.0, 1.0, 1.0};
-  int channel = -1;  ///< Mean: 0 to 2; -1: the mean of all three
-  std::vector<PicturePoint>
-      points;  ///< Explain: one point, or none for the region's mean; Bend: three points on a line
+  int channel = -1;                  ///< Mean: 0 to 2; -1: the mean of all three
+  std::vector<PicturePoint> points;  ///< Explain: one, or none for the region's mean; Bend: three points on a line
   /// Explain, Fit: JSON pointer; View: its id; Counter: its name; Field: key path as in --set.
   std::string name;
 };

@@ -83,10 +83,9 @@ struct Light {
   glm::dvec3 position{0.0};              ///< point, spot
   glm::vec3 color{1.0f};
   float intensity = 1.0f;  ///< directional: irradiance at normal incidence; else radiant intensity, falls with 1/d²
-  double innerConeDegrees = 0.0;  ///< spot: half the angle of full intensity
-  double outerConeDegrees =
-      45.0;            ///< spot: half the angle beyond which there is no light; above the inner one, at most 90
-  double range = 0.0;  ///< not directional: the light fades to 0 towards it; 0: unlimited
+  double innerConeDegrees = 0.0;   ///< spot: half the angle of full intensity
+  double outerConeDegrees = 45.0;  ///< spot: half the angle beyond which it is dark; above the inner one, at most 90
+  double range = 0.0;              ///< not directional: the light fades to 0 towards it; 0: unlimited
   LightShadows shadows = LightShadows::None;
   double angleDegrees = 0.53;  ///< directional: apparent diameter of its disc; the default is the sun's
   double radius = 0.05;        ///< not directional: of its sphere, scene units

@@ -66,7 +66,7 @@ struct FieldInfo {
   FieldRange range;                      ///< allowed values of a number, or of each component
   std::optional<FieldRange> usual;       ///< range of a form's slider; empty: `range`
   std::vector<int> values;               ///< of an integer: all allowed values
-  bool powerOfTwo = false;               ///< describes `values`
+  bool powerOfTwo = false;               ///< are `values` powers of two?
   std::vector<FieldChoice> choices;      ///< in the order of the enumerators
   std::vector<bool Changes::*> changes;  ///< empty: those of the field that contains the part
   /// What to add if the key is missing ("add \"file\": ..."); empty: it may be left out.

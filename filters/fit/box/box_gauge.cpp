@@ -42,8 +42,7 @@ double errorOf(const LookupRay& ray, const OffsetBox& box) {
 }  // namespace
 
 double countedGain(double meanDegrees) {
-  constexpr double kLeast = 0.02,
-                   kShare = 0.02;  // degrees: a seventeenth of a texel of 256² faces; share of the mean error
+  constexpr double kLeast = 0.02, kShare = 0.02;  // degrees: a seventeenth of a texel of 256² faces; of the mean error
   return std::max(kLeast, kShare * meanDegrees);
 }
 

@@ -18,9 +18,8 @@ namespace {
 constexpr double kLeastWalls = 0.3;  // share of the horizon; with fewer walls there is nothing to fit to
 constexpr double kWeakYaw = 0.2;     // below it no direction stands out, and several yaws are tried
 constexpr double kSameYaw = 0.5;     // degrees
-constexpr double kNoGain =
-    0.005;  // degrees, a seventieth of a texel of 256² faces: smaller gains leave the box unchanged
-constexpr double kFree = 0.05;  // degrees of mean error per half box: faces with less influence are free
+constexpr double kNoGain = 0.005;    // degrees, a seventieth of a texel of 256² faces: smaller gains change no box
+constexpr double kFree = 0.05;       // degrees of mean error per half box: faces with less influence are free
 constexpr std::size_t kStarts = 8, kFinalists = 2;
 
 /// Axes along which a box is searched.

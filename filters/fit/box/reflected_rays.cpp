@@ -19,7 +19,7 @@ namespace {
 constexpr double kEvenShare = 0.2;
 constexpr double kAspect = 16.0 / 9.0;
 
-/// Is a surface point lit by the probe?
+/// Does a surface point get its reflections from the probe?
 class Lit {
  public:
   Lit(const FitPlace& place, const Probe& probe)

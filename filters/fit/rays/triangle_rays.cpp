@@ -56,8 +56,8 @@ Box worldBounds(const Mesh& mesh, const glm::dmat4& worldFromMesh) {
   return bounds;
 }
 
-/// Removes the largest mesh if it may be a sky dome: more than twice as large as all others together, except those
-/// named as skies or clouds.
+/// Removes the largest mesh, again and again, as long as it may be a sky dome: unlit or named as a sky, and more than
+/// twice as large as all others together, apart from those named as skies or clouds.
 void leaveOutSkyDomes(std::vector<PlacedMesh>& placed) {
   const auto extent = [](const Box& box) { return glm::length(box.size()); };
   while (placed.size() > 1) {
@@ -263,7 +263,7 @@ TriangleRays::TriangleRays(const Scene& scene, const Models& models, SeenBy seen
   s.scene = rtcNewScene(s.device);
   rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(s.scene, RTC_BUILD_QUALITY_LOW);
-  // Ten thousand triangles are enough to locate the surfaces.
+  // A few tens of thousands of triangles are enough to locate the surfaces.
   constexpr std::size_t kLooked = 30000;
   const std::size_t stride = std::max<std::size_t>(1, triangles_ / kLooked);
   std::array<std::vector<std::pair<float, float>>, 3> along;

@@ -81,8 +81,7 @@ DirectionSampler latLongSampler(const ImageRgbaF& picture, TexelPlacement placem
 }
 
 int samplesForRatio(double ratio) {
-  constexpr double kEqual =
-      1.05;  // tolerates faces with texels on the edges, whose step is longer by one texel's share
+  constexpr double kEqual = 1.05;  // a face of edge texels has a longer step, by one texel's share
   constexpr double kMost = 16.0;
   return ratio <= kEqual ? 1 : static_cast<int>(std::ceil(2.0 * std::min(ratio, kMost)));
 }

@@ -1,5 +1,5 @@
 // What an engine expects of a prefiltered cubemap: the number of levels, the roughness of each, and the axes. One row
-// per engine; the formulas are from the engines' sources, named beside each.
+// per engine, in ladderRows(); the formulas are from the engines' sources, named beside each.
 #pragma once
 
 #include <glm/vec3.hpp>

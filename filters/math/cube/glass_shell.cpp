@@ -11,7 +11,7 @@ namespace {
 
 // Rounding leaves a few texels along triangle edges uncovered; a shell with more has a hole.
 constexpr double kOpenShare = 1.0e-3;
-// Share of the surface that the middle may not see, or that faces it: the size of a dent of one hundredth.
+// At least this share of the surface must face away from the middle: a dent may take one hundredth.
 constexpr double kDescribedShare = 0.99;
 
 }  // namespace

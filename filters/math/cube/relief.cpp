@@ -148,8 +148,7 @@ Relief::Relief(const CubeMap& distance) : texels_(distance.faceSize(), 1) {
     const glm::vec3 alongS = shading::cubeDirection(f, 1.0f, 0.0f) - middle;
     const glm::vec3 alongT = shading::cubeDirection(f, 0.0f, 1.0f) - middle;
     const int step = far.step(), cells = (size + step - 1) / step;
-    std::vector<float> nearest(static_cast<std::size_t>(cells * cells),
-                               0.0f);  // 0 encodes one corner: made when needed
+    std::vector<float> nearest(static_cast<std::size_t>(cells * cells), 0.0f);  // 0 encodes a corner: made when needed
     std::vector<bool> made(nearest.size());
     for (int row = 0; row < size; ++row) {
       for (int column = 0; column < size; ++column) {

@@ -16,15 +16,13 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kCells =
-    48;  // along the box's longest side: finer than gaps between furniture, coarser than between texels
+constexpr int kCells = 48;  // along the longest side: finer than gaps between furniture, coarser than between texels
 constexpr float kOffWall = 0.02f;  // of the box's shortest side: skirtings, door frames and noise stay part of the wall
 constexpr float kInflate = 0.005f;     // of the same: gives a flat piece an inside to sample
-constexpr float kBeyond = 0.25f;       // of the same: pillars and beams this close to a wall are part of it
+constexpr float kBeyond = 0.25f;       // of the same: pillars and beams this close behind a wall are part of it
 constexpr float kOutsideCells = 2.0f;  // cells are this much larger outside the box, where surfaces are farther away
 constexpr float kFacing = 0.35f;  // cosine: flatter surfaces are ground, which would join everything that stands on it
-constexpr double kSmallest =
-    2.0e-4;  // share of the sphere of directions: smaller blocks cover few pixels but cost every ray
+constexpr double kSmallest = 2.0e-4;  // of the sphere of directions: smaller blocks cover few pixels but cost every ray
 
 struct Piece {
   glm::vec3 low{1.0e38f}, high{-1.0e38f};

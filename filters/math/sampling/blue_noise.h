@@ -1,7 +1,6 @@
 // The mask that shifts a pixel's samples for the pattern `blue`: 64 x 64 pixels, repeated over the picture, one
-// void-and-cluster mask for each of a sample's two coordinates. Made at the first use, in a few milliseconds, which is
-// faster than reading a file. The mask stays the same in every frame; the samples advance
-// (shaders/shared/sample_pattern.glsl).
+// void-and-cluster mask for each of a sample's two coordinates. Made at the first use, in a few milliseconds: too few
+// to be worth a file. The mask stays the same in every frame; the samples advance (shaders/shared/sample_pattern.glsl).
 #pragma once
 
 #include <glm/ext/vector_int2.hpp>

@@ -11,7 +11,7 @@ namespace {
 
 // Standard deviation of a pixel's influence. Below the published 1.5 masks get coarser; towards 2.5 lattices appear.
 constexpr double kSigma = 1.9;
-// Integers, so that influence can be added and removed exactly; 361 pixels of at most this sum fit into 31 bits.
+// Integers, so that influence can be added and removed exactly; a sum over all 361 pixels in reach stays below 2^31.
 constexpr double kUnit = 1 << 22;
 constexpr int kReach = 9;  // beyond this distance the influence is below 2e-5
 

@@ -14,7 +14,7 @@ namespace boxprobe {
 /// One technique as `boxprobe bench` measured it, with a box that is exactly the room.
 struct MeasuredTechnique {
   std::string_view id;
-  double cost = 1.0;  ///< frame time without that of a frame without reflections, relative to plain box projection's
+  double cost = 1.0;  ///< what it adds to a frame without reflections, relative to what plain box projection adds
   /// RMSE of (x/(1+x))^(1/2.2) against the integral over the box world, the larger of the gallery's and of random
   /// rooms', at the roughnesses of measuredRoughness().
   std::array<double, 6> error{};

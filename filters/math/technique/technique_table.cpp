@@ -74,8 +74,7 @@ bool chooses(Technique technique, const shading::TechniqueParameters& values, st
              std::string_view choice) {
   for (const ParameterRow* row : parametersOf(technique)) {
     if (row->name != parameter) continue;
-    const auto at =
-        static_cast<std::size_t>(values.*row->choice);  // refined pictures use a pattern that is not in the list
+    const auto at = static_cast<std::size_t>(values.*row->choice);  // refined pictures use a pattern beyond the list
     return at < row->choices.size() && row->choices[at] == choice;
   }
   return false;

@@ -1,5 +1,5 @@
-// Compares whole pictures with the path tracer's: errors on diffuse and glossy surfaces, behind lamps, in corners, by
-// roughness and by view angle.
+// Compares whole pictures with the path tracer's: errors on diffuse and glossy surfaces, where no lamp shines, in
+// corners, by roughness and by view angle.
 #pragma once
 
 #include <cstddef>
@@ -33,10 +33,9 @@ std::vector<SeenPoint> seenPoints(const Scene& scene, const SceneTracer& tracer,
 struct PartError {
   std::string part;  ///< "all", "diffuse", "glossy", "behind a lamp", "within 5 cm of a wall", "roughness 0-0.1", ...
   std::size_t pixels = 0;
-  double light = 1.0;  ///< mean of the picture over that of the reference; 1 for black on black
-  double relativeRmse =
-      0.0;  ///< root of the sum of squared differences over that of the reference's squares, noise subtracted
-  double noise = 0.0;  ///< of the reference, as relativeRmse
+  double light = 1.0;         ///< mean of the picture over that of the reference; 1 for black on black
+  double relativeRmse = 0.0;  ///< root of summed squared differences over the reference's squares, noise off
+  double noise = 0.0;         ///< of the reference, as relativeRmse
 };
 
 /// For every part that has pixels. The reference's noise, by its standard error, is subtracted from the squared

@@ -54,7 +54,7 @@ struct ReferenceBoxMaps {
 
   Energy energy = Energy::Single;  ///< the scene's
 
-  void findBright();  ///< from `probes`
+  void findBright();  ///< fills `bright` from `probes`
 };
 
 /// The surroundings of a pixel, with all of its probes and the sky.

@@ -55,8 +55,7 @@ class PathLobes {
   glm::dvec3 dielectricFresnel(double vDotH) const;
   /// `plain` with the covered share replaced by a film on a base that reflects `f0`.
   glm::dvec3 filmed(const PathFilm* film, const glm::dvec3& plain, const glm::dvec3& f0, double vDotH) const;
-  glm::dvec3 belowBase(
-      double vDotH) const;  ///< of the dielectric's share: what reaches the diffuse lobe or is transmitted
+  glm::dvec3 belowBase(double vDotH) const;  ///< of the dielectric's share: what reaches Lambert's law, or passes
   Sample mirrored(const Facets& f, const glm::dvec3& fresnel, double chance) const;
   std::optional<Sample> throughSheet(const glm::dvec2& u, double chance) const;
   std::optional<Sample> throughSolid(double which, const glm::dvec2& u, double chance) const;

@@ -39,7 +39,7 @@ double number(const Parameters& parameters, const std::string& name) {
   return row != nullptr ? parameterNumber(probe, *row) : 0.0;
 }
 
-/// Settings of a technique's parameters to measure, one at a time; the first is the default setting.
+/// Settings of a technique's parameters to measure, one at a time; the first is the one that a reader expects.
 std::vector<Parameters> variants(const std::vector<const ParameterRow*>& rows) {
   std::vector<Parameters> all;
   if (reads(rows, "samples")) {
@@ -165,7 +165,7 @@ std::vector<BenchTechnique> allBenchTechniques() {
     if (static_cast<int>(p) != box) addRows(list, {static_cast<int>(p), plain});
   }
   for (std::size_t e = 0; e < evaluationRows().size(); ++e) addRows(list, {box, static_cast<int>(e)});
-  // A refined hit gains further only with an evaluation that is close to the reference itself.
+  // A refined hit gains more only with an evaluation that is itself close to the reference.
   for (const char* id : {"impostor+footprint8"}) {
     if (const auto technique = parseTechnique(id)) addRows(list, *technique);
   }

@@ -53,7 +53,7 @@ struct RoomPoint {
   shading::ProbeShape probe;
   const PaddedCube* chain;
   glm::dvec3 truth;
-  int roughness;  ///< index of the nearest of kRoughnesses
+  int roughness;  ///< the bucket, of kRoughnesses, that its roughness is in or near
   int angle;      ///< from above, oblique, grazing
 };
 

@@ -26,7 +26,7 @@ float reflectanceOf(float iorTo, float iorFrom) {
   return r * r;
 }
 
-// The values of an attribute at the triangle's corners.
+// An attribute at a hit, interpolated between the triangle's three corners.
 template <typename Value>
 Value interpolated(const std::vector<Value>& values, const std::uint32_t* corners, const glm::dvec2& barycentric) {
   const auto v = static_cast<float>(barycentric.x), w = static_cast<float>(barycentric.y);

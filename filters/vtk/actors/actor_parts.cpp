@@ -95,8 +95,8 @@ bool waitsForContext(vtkRenderWindow* window) {
   return foreign != nullptr && !foreign->GetReadyForRendering();
 }
 
-/// Null: does nothing. `begun`: starts a widget's window, which may not have drawn yet. Throws WorkError without a
-/// context.
+/// Null: does nothing. Initializes a widget's window unless it has `begun`, since it may not have drawn yet. Throws
+/// WorkError without a context.
 void makeCurrent(vtkOpenGLRenderWindow* window, bool begun) {
   if (window == nullptr) return;
   if (waitsForContext(window)) throw WorkError(kNoContext);
@@ -570,8 +570,8 @@ CaptureInputs ActorParts::captureInputs() {
   return inputs;
 }
 
-// Not during captures: they show the scene as it was when they were planned, so that something in constant motion is
-// shown late instead of never.
+// Compares nothing during captures: they show the scene as it was when they were planned, so that something in constant
+// motion is shown late instead of never.
 bool ActorParts::anyStale() {
   if (nothing) return false;
   if (working) return true;

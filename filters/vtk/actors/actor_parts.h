@@ -100,9 +100,8 @@ struct ActorParts {
   SceneContent content;  ///< its scene holds probes and sky; its objects represent the actors
   Scene captured;        ///< its probes as captured: their state when captures were planned, with clipping distances
   ProbeSet probes;
-  bool assigned = false;  ///< all objects, to the current probes
-  std::map<vtkActor*, int>
-      framesWithout;  ///< consecutive frames that should have drawn the actor, but in which nothing used its pass
+  bool assigned = false;                   ///< all objects, to the current probes
+  std::map<vtkActor*, int> framesWithout;  ///< that should have drawn it, but in which nothing asked for its pass
   std::map<vtkProp*, ActorPlace> parts;
   /// Near distances found so far, in the order of the probes: a dragged box keeps its distance, and so its maps.
   std::vector<double> nearDistances;

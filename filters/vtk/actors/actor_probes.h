@@ -6,8 +6,8 @@
 //   ActorProbes probes(renderer);
 //   probes.addProbe(probe);       // a box, a capture origin, a technique: filters/core/scene/scene.h
 //   probes.addActor(actor);       // its property set to physically based shading
-//   probes.capture();             // six faces and a prefiltered chain for each probe, once the scene stands
-//   window->Render();             // the window's own, as ever
+//   probes.capture();             // six faces and a prefiltered chain for each probe, once the scene is complete
+//   window->Render();             // as usual
 //
 // vtkReflectionProbes (vtkReflectionProbes.h) offers the same as a vtkObject: it finds the renderer's actors and
 // captures changes by itself. Prefer it in new programs.

@@ -32,8 +32,7 @@ struct DrawnProbe {
   std::shared_ptr<const ProbeSight> sight;  ///< visibility of those and of light sources; null: all visible everywhere
   PrefilterSettings prefilter;              ///< of its maps
   bool realtime = false;                    ///< its maps are recaptured continuously
-  mutable std::shared_ptr<const DiffuseLattice>
-      latticeBefore;  ///< the last lattice it was drawn with (probe_lattice.h)
+  mutable std::shared_ptr<const DiffuseLattice> latticeBefore;  ///< the last one it had (probe_lattice.h)
   /// The lamps that light what its first capture shows, by its capture origin alone. Null: none are drawn as shapes.
   std::shared_ptr<const ProbeSight> captureSight;
 };
@@ -47,8 +46,7 @@ enum class Lighting {
 /// The probes of one actor, for which its program is compiled.
 struct ProbeBinding {
   Lighting lighting = Lighting::Plain;
-  std::vector<std::shared_ptr<const DrawnProbe>>
-      probes;  ///< in order of decreasing importance, at most kMaxProbesPerDraw
+  std::vector<std::shared_ptr<const DrawnProbe>> probes;  ///< most important first, at most kMaxProbesPerDraw
   static constexpr std::size_t kMaxProbesPerDraw = 4;
   static constexpr std::size_t kMaxLampsPerDraw = 16;  ///< of all its probes, by decreasing power
   bool weights = true;                                 ///< false: one probe, at full weight everywhere on the object

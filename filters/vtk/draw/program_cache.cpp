@@ -13,8 +13,8 @@ namespace boxprobe {
 
 namespace {
 
-// Otherwise VTK would assume that uniforms are already uploaded in the recompiled program, and that attributes match,
-// because vertex arrays are only updated if the program has changed.
+// Resets what VTK remembers of the program: it would take uniforms of the recompiled program for uploaded, and
+// attributes for those of the old one, which vertex arrays keep unless the program has changed.
 void giveBack(vtkShaderProgram* program, vtkOpenGLRenderWindow* window) {
   program->ReleaseGraphicsResources(window);
   program->Modified();

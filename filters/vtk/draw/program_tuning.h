@@ -60,7 +60,8 @@ class ProgramTuning {
   virtual std::uint64_t compilation(const vtkShaderProgram* program) const = 0;
   virtual void frameEnded(vtkOpenGLRenderWindow* window) = 0;
 
-  // Called between frames. May an object that is drawn with `now` be drawn with `next` without waiting for a program?
+  // Called between frames:
+  /// May an object that is drawn with `now` be drawn with `next` without waiting for a program?
   virtual bool known(const ProbeBinding& now, const ProbeBinding& next) const = 0;
   /// To be called when bindings may have changed.
   virtual void assigned() = 0;

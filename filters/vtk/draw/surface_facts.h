@@ -21,8 +21,7 @@ enum SurfaceFact : unsigned {
   kEmissionIsBase = 32u,         ///< base colour and emission share a texture, sampled once
   kOcclusionInRoughMetal = 64u,  ///< likewise occlusion, roughness and metalness
   kPlainUv = 128u,               ///< no texture has a coordinate transform
-  kQuickOutput =
-      256u,  ///< display colours may be off by a twentieth of a step: always, except for comparisons with VTK
+  kQuickOutput = 256u,           ///< display colours may be off by 1/20 of a step: always, except to compare with VTK
 };
 using SurfaceFacts = unsigned;  ///< of SurfaceFact
 constexpr SurfaceFacts kAnyFact = ~0u;

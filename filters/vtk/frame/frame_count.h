@@ -10,8 +10,8 @@ struct FrameCount {
   bool more() const { return averaged < wanted; }
 };
 
-/// Frames of an averaged picture by default: until a pixel has 4096 rays, but at least 16, which show that the pattern
-/// moves, and at most 1024.
+/// Frames of an averaged picture by default: until a pixel has had 4096 rays, but at least 16 frames, which show that
+/// the pattern moves, and at most 1024.
 inline int framesWanted(int raysAFrame) {
   const int frames = (4096 + raysAFrame - 1) / raysAFrame;
   return frames < 16 ? 16 : frames > 1024 ? 1024 : frames;

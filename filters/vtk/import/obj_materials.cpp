@@ -51,7 +51,7 @@ class MaterialLines {
       }
       if (word.rfind("map_", 0) == 0 || word == "bump" || word == "norm" || word == "disp" || word == "refl") {
         takePicture(word, words);
-      } else if (!material_.empty() &&  // VTK writes statements before the first material to a null pointer
+      } else if (!material_.empty() &&  // before the first material VTK has none to write to
                  std::find(std::begin(kRead), std::end(kRead), word) != std::end(kRead)) {
         result_.text += line + "\n";
       }

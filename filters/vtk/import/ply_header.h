@@ -37,10 +37,9 @@ struct PlyElementHead {
 struct PlyHeader {
   PlyFormat format = PlyFormat::Text;
   std::vector<PlyElementHead> elements;
-  std::size_t lines = 0;  ///< up to and including end_header
-  std::size_t body = 0;   ///< offset of the first byte of the body
-  std::vector<std::pair<std::size_t, std::size_t>>
-      longComments;  ///< byte ranges of comments longer than kLongestPlyLine
+  std::size_t lines = 0;                                          ///< up to and including end_header
+  std::size_t body = 0;                                           ///< offset of the first byte of the body
+  std::vector<std::pair<std::size_t, std::size_t>> longComments;  ///< byte ranges; longer than kLongestPlyLine
 };
 
 /// Throws InputError "PATH:LINE: reason"; line 0 omits the line.

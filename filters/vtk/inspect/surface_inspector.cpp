@@ -226,8 +226,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   in.energy = content_->scene.energy;
   in.lights = content_->scene.lights;
   for (std::size_t i = 0; content_->lamps && i < content_->lamps->lamps.size(); ++i) {
-    if (const auto light = content_->lamps->lamps[i].light)
-      in.lights[*light].intensity = 0.0f;  // the lamp counts instead
+    if (const auto light = content_->lamps->lamps[i].light) in.lights[*light].intensity = 0.0f;  // the lamp counts
   }
   if (object.pass->DrawsGlass()) {
     int faceSize = state_->resources.sky ? state_->resources.sky->radiance.faceSize() : 0;

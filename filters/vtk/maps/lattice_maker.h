@@ -20,7 +20,7 @@ struct LatticeSource {
   int projection = 0;              ///< index in the projection table
   bool fewRays = false;            ///< it is derived continuously
   std::vector<LampPolygon> lamps;  ///< those removed from the map: relative to the capture origin, along the map's axes
-  LatticeSurroundings traced;      ///< what the nodes' rays meet; without lines they are not traced
+  LatticeSurroundings traced;      ///< what nodes' rays see besides the capture; without lines: nothing
   std::shared_ptr<const CubeMap> sky;  ///< visible through the capture's openings, along the world's axes; may be null
   bool operator==(const LatticeSource& o) const;
 };

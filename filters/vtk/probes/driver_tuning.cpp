@@ -73,8 +73,8 @@ ProgramTraits DriverTuning::choose(const TunedDraw& draw) {
 }
 
 // Makes flat pictures of the maps that the binding samples, unless they exist, and counts each. False if it must use
-// cubemaps, because one of them cannot have such a picture or memory is short. Maps that are not captured yet need
-// none, nor does the sky if no draw of the binding samples it.
+// cubemaps, because one of them has no such picture (it is not captured yet, for instance) or memory is short. The sky
+// needs none if no draw of the binding samples it.
 bool DriverTuning::makeFlatMaps(const ProbeBinding& binding) {
   DrawState& state = *with_.state;
   if (!onCpu_) onCpu_ = drawsOnCpu();

@@ -92,7 +92,8 @@ class ProbeBinder {
   /// `with` and everything it points to must outlive this object.
   explicit ProbeBinder(const ProbeContext& with) : with_(with), needs_(with.content, this, with.state.get()) {}
 
-  // Applies a change of the scene's list of probes.
+  // What probes are drawn with:
+  /// Applies a change of the scene's list of probes.
   void rearrange(const ProbeEntries::Origins& origins);
   /// Applies boxes, weights, techniques and lights of the scene; assign() must follow.
   void updateShapes();
@@ -117,14 +118,16 @@ class ProbeBinder {
   /// WorkError.
   bool makeSight();
 
-  // Draws every probe with its maps from `maps` until seeAgain(); null: it gives no light. For captures.
+  // What a capture sees while it is drawn:
+  /// Draws every probe with its maps from `maps` until seeAgain(); null: it gives no light.
   void see(const std::function<std::shared_ptr<const ProbeMaps>(std::size_t index)>& maps);
   void seeAgain();
   /// For a capture that must not depend on the sky: wraps `drawing` so that there is no sky.
   std::function<void(bool)> withoutSky(std::function<void(bool)> drawing);
 
-  // Assigns to each object the probes whose influence meets it; during a drag only if programs exist, unless
-  // `anyProgram`.
+  // Which object is lit by which probe:
+  /// Assigns to each object the probes whose influence meets it; during a drag only if programs exist, unless
+  /// `anyProgram`.
   void assign(bool anyProgram = false);
   /// The same for one object, with any program.
   void assign(std::size_t object);
@@ -136,8 +139,9 @@ class ProbeBinder {
   LevelNeeds& needs() { return needs_; }
   const LevelNeeds& needs() const { return needs_; }
 
-  // The first probe whose errors, from which `auto` chooses, were measured with another picture or box. They are
-  // measured with a probe's own final picture in its own box: once after a bake and after a drag, never during one.
+  // The errors of the techniques that `auto` chooses from, measured with a probe's own final picture in its own box:
+  // once after a bake and after a drag, never during one.
+  /// The first probe whose errors were measured with another picture or box.
   std::optional<std::size_t> toMeasure() const;
   /// Objects are assigned again, because their techniques may change.
   void measure(std::size_t index);

@@ -56,8 +56,7 @@ struct ProbeSources {
   std::function<bool(const std::string& key)> cached;  ///< are the maps of that key available?
   BakeFolder folder;
   CustomPictures pictures;
-  std::string skyLevels =
-      {};  ///< the file beside the sky's picture; empty: the sky is not a picture, or the file is damaged
+  std::string skyLevels = {};  ///< the file beside the sky's picture; empty: no picture, or a damaged file
 
   /// Can a job use these maps instead of making them?
   bool have(const std::string& key) const { return cached(key) || folder.has(key); }
@@ -107,7 +106,7 @@ class ProbeEntries {
   const Probe& probe(std::size_t index) const { return scene_->probes[index]; }
   bool baked(std::size_t index) const { return probe(index).mode == ProbeMode::Baked; }
   std::optional<std::size_t> find(const std::string& name) const;
-  /// Of the influence boxes, as of the last match().
+  /// The index of the influence boxes, as of the last match().
   const ProbeIndex& places() const { return places_; }
 
   /// How all objects are drawn, in the scene's order: a probe that reaches an object but was left out of its draw does
@@ -198,7 +197,8 @@ class ProbePlan {
   ProbeSources& sources() { return sources_; }
   const ProbeSources& sources() const { return sources_; }
 
-  // Sets what captures show; updateKeys() must follow. What a probe shows is only determined if it is requested.
+  // Keys. What a probe shows is only determined if it is requested.
+  /// Sets what captures show; updateKeys() must follow.
   void setWorld(CaptureWorld world) { world_ = std::move(world); }
   const CaptureWorld& world() const { return world_; }
   /// Sets the wanted keys of entries that are needed.
