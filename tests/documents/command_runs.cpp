@@ -54,7 +54,7 @@ bool isCheap(const Command& command) {
   if (subcommand == "info" || subcommand == "explain" || subcommand == "bake") return true;
   if (subcommand == "render") return valueOf(command, "--technique").rfind("reference-", 0) != 0;
   if (subcommand == "stress") {
-    // Whole scenes are slow, and stress_test runs some of them.
+    // Whole scenes are slow; faults_test runs some of them.
     return std::atof(valueOf(command, "--count").c_str()) <= kManyInputs && !has(command, "--device") &&
            valueOf(command, "--class") != "extreme-scenes";
   }

@@ -8,8 +8,10 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "filters/vtk/widgets/wire_actors.h"
 

@@ -409,7 +409,7 @@ def invisible():
 
 
 def judged_before(seed, commit):
-    """Verdicts of an earlier run of this seed on this commit, by file, line, old and new: it was ended, and goes on."""
+    """Verdicts of an interrupted run of this seed on this commit, by file, line, old and new text."""
     verdicts = {}
     try:
         with open(os.path.join(BUILD, "log.jsonl"), encoding="utf-8") as stream:

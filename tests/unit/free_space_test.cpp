@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
 #include "filters/fit/rays/triangle_rays.h"
 #include "tests/unit/made_model.h"
