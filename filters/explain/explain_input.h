@@ -57,6 +57,7 @@ struct ExplainInput {
   std::vector<ExplainedProbe> probes;
   bool weights = true;        ///< false: one probe at full weight, nothing left for the sky
   bool sky = true;            ///< false: the probes leave nothing to it
+  bool diffuse = true;        ///< false: the material is all metal
   bool onlyProbes = false;    ///< what they leave to it goes to them, wherever one has weight
   std::vector<float> shares;  ///< of all of the object, in place of weights at the point; empty: those
   float skyShare = 1.0f;      ///< beside `shares`

@@ -13,6 +13,7 @@ enum class ViewKind {
   Picture,   ///< the surfaces as they are
   Scalar,    ///< a number through a colour map, with a scalar bar
   Color,     ///< three numbers shown as red, green, blue
+  Light,     ///< radiance, shown as the picture is: exposure and tone
   Category,  ///< one colour for each of a few values
 };
 
