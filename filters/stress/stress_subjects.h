@@ -16,7 +16,10 @@ constexpr double kRoundedBoxSizes =
 constexpr double kRoundedMostBoxSizes = 2.0e-4;  ///< the same for 99.99 % of the inputs of a class
 constexpr double kSphereBoxSizes = 1.0e-6;       ///< the same of the sphere, times the cosine at which the ray meets it
 constexpr double kTermRelative = 1.0e-6;         ///< solid-angle scale, GGX terms, weights
-constexpr double kLevelError = 1.0e-3;           ///< levels of the chain: a hundredth of what can be seen
+constexpr double kLampShare = 1.0e-2;            ///< of a lamp in the cosine hemisphere, shares of 1
+constexpr double kLampSideRounding = 1.0e-2;  ///< of the least height over a lamp that is seen: nearer, either is right
+constexpr double kLatticeLight = 1.0e-5;      ///< of nodes whose coefficients are up to 1
+constexpr double kLevelError = 1.0e-3;        ///< levels of the chain: a hundredth of what can be seen
 
 /// Every projection with every evaluation.
 const std::vector<StressSubject>& techniqueSubjects();
