@@ -36,13 +36,13 @@ Value hitError(const Explanation& e) {
   return scalar(std::abs(*p->hitDistance - *p->trueDistance));
 }
 
-// The angle, seen from the capture origin, between what is looked up and what should be.
+// The angle at the capture origin between the sampled direction and the correct one.
 Value directionError(const Explanation& e) {
   const ProbeExplanation* p = dominant(e);
   if (p == nullptr || !p->trueDistance) return std::nullopt;
   const glm::vec3 truth = p->positionProbe + *p->trueDistance * p->reflectionProbe;
   const glm::vec3 a = glm::normalize(p->lookupDirection), b = glm::normalize(truth);
-  // By the sine as well: the cosine alone has no digits left at small angles.
+  // From the sine as well: the cosine alone has no precision at small angles.
   return scalar(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 57.2957795f);
 }
 

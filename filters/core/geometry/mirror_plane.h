@@ -1,5 +1,4 @@
-// The plane of a scene's planar mirror: found from its geometry, or refused with the place of what is wrong. Called by
-// the loader of scenes, the scene renderer and the window; knows neither files nor VTK.
+// The plane of a planar mirror, found from its geometry, or an error that says where it is wrong.
 #pragma once
 
 #include <array>
@@ -17,17 +16,17 @@ namespace boxprobe {
 /// World space, in double.
 struct MirrorPlane {
   glm::dvec3 center{0.0};
-  glm::dvec3 normal{0.0, 0.0, 1.0};     ///< unit, on the reflecting side
-  std::array<glm::dvec3, 4> corners{};  ///< of a rectangle in the plane that holds all of it, in order around it
+  glm::dvec3 normal{0.0, 0.0, 1.0};     ///< of a rectangle in the plane that contains it, in order around it
+  std::array<glm::dvec3, 4> corners{};  ///< the material is double-sided
   bool bothSides = false;               ///< of a double-sided material
 };
 
-/// Of all geometry of that node. Nothing if no instance has the name (a remark, not an error: see unmatchedOverrides).
-/// Throws FieldError {"mirrors", NODE} if the geometry does not lie in one plane and face one way.
+/// The plane of all geometry of that node. Nothing if no instance has the name (a remark, not an error: see
+/// unmatchedOverrides). Throws FieldError {"mirrors", NODE} if the geometry does not lie in one plane and face one way.
 std::optional<MirrorPlane> mirrorPlane(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
                                        const std::string& node);
 
-/// Every mirror of the scene, as above: throws at the first that is none.
+/// Checks every mirror of the scene as above: throws at the first that is not a plane.
 void checkMirrors(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
 
 }  // namespace boxprobe
