@@ -57,6 +57,7 @@ struct ExplainInput {
   std::vector<ExplainedProbe> probes;
   bool weights = true;        ///< false: one probe at full weight, nothing left for the sky
   bool sky = true;            ///< false: the sky gets no share
+  bool diffuse = true;        ///< false: the material is all metal
   bool onlyProbes = false;    ///< probes share the sky's part, wherever one has weight
   std::vector<float> shares;  ///< for the whole object, in place of weights at the point; empty: those are used
   float skyShare = 1.0f;      ///< with `shares`

@@ -107,6 +107,7 @@ void lightByProbes(Explanation& e, const ExplainInput& in, const glm::vec3& edge
                             : gatherForBase(e, in, edge);
   e.specularFactor = s.occlusion * (e.f0 * e.brdf.x + edge * e.brdf.y) * baseFactor(e, in);
   e.specular = (light.specular + light.lampsMean(e.f0, edge, e.brdf)) * e.specularFactor;
+  if (in.diffuse) e.irradiance = light.irradiance;
   addDiffuse(e, s, light.irradiance);
   if (through) addGlass(e, in, *through, light.specular, edge);
   e.probes = std::move(light.probes);

@@ -172,6 +172,7 @@ Scene roomWithFloorOnly() {
     scene.objects[instance.node].visible = instance.node == "floor";
   }
   scene.probes[0].faceSize = 32;
+  scene.probes[0].bounces = 1;  // faces are counted
   return scene;
 }
 

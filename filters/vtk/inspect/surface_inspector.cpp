@@ -219,6 +219,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   }
   in.weights = binding.weights;
   in.sky = binding.sky;
+  in.diffuse = binding.diffuse;
   in.onlyProbes = binding.onlyProbes;
   in.shares = binding.shares;
   in.skyShare = binding.skyShare;
