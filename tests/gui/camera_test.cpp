@@ -3,10 +3,12 @@
 #include <vtkRenderer.h>
 
 #include <QAction>
+#include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QTest>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -156,6 +158,8 @@ TEST_F(CameraTest, StoredRenamedMovedAndDeletedCamerasAreStepsOfTheScene) {
   EXPECT_NEAR(glm::length(document().scene().cameras.back().position - here.position), 0.0, 1e-9);
   window_->tools().views().renameCamera(static_cast<int>(count), "desk");
   EXPECT_EQ(document().scene().cameras.back().name, "desk");
+  const QList<QAction*> offered = window_->findChild<QMenu*>("cameras")->actions();
+  EXPECT_TRUE(std::any_of(offered.begin(), offered.end(), [](const QAction* a) { return a->text().contains("desk"); }));
   window_->tools().views().renameCamera(static_cast<int>(count), "main");
   EXPECT_EQ(document().scene().cameras.back().name, "desk");
   EXPECT_TRUE(window_->statusBar()->currentMessage().contains("main")) << "the status bar must say why";

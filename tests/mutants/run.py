@@ -88,7 +88,7 @@ SUBJECTS = [
     ("app/gui/lessons/", ["gui_test:LessonList*", "cli_test:Lessons*", "lesson_test"]),
     ("app/gui/window/lessons_command", ["cli_test:Lessons*"]),
     ("app/gui/panels/", ["panel_values_test", "gui_test:*Panel*:Several*:Probe*:Light*:Material*:Object*"]),
-    ("app/gui/window/", ["gui_test:File*:Recovery*:LeftBehind*:Window*:Picture*"]),
+    ("app/gui/window/", ["gui_test:File*:Recovery*:LeftBehind*:Window*:Picture*:Camera*"]),
     ("app/gui/", ["gui_geometry_test", "schematic_test", "gui_test"]),
     ("app/lessons/", ["lesson_file_test", "cli_test:Lessons*", "lessons_test"]),
     ("app/", ["baseline_test", "cli_test"]),

@@ -57,6 +57,7 @@ MenuBar::MenuBar(QMainWindow* window) : QObject(window), window_(window) {
 
   view_ = window->menuBar()->addMenu(tr("&View"));
   cameras_ = view_->addMenu(tr("&Camera"));
+  cameras_->setObjectName("cameras");
   variants_ = view_->addMenu(tr("&Material variant"));
   variants_->setObjectName("variants");
   variants_->setEnabled(false);
