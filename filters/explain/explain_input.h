@@ -11,6 +11,7 @@
 #include "filters/core/geometry/lamp_sight.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/geometry/scene_lamps.h"
+#include "filters/core/geometry/sky_openness.h"
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/scene/scene.h"
 #include "filters/core/surface/surface_point.h"
@@ -61,6 +62,7 @@ struct ExplainInput {
   std::vector<float> shares;  ///< of all of the object, in place of weights at the point; empty: those
   float skyShare = 1.0f;      ///< beside `shares`
   const BakedMaps* skyMaps = nullptr;
+  std::shared_ptr<const SkyOpenness> openness = {};  ///< how much of it the scene leaves open; null: all
   Energy energy = Energy::Single;
   std::vector<Light> lights;
   std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as such

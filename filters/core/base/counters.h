@@ -20,6 +20,7 @@ struct MirrorCounters {
 
 struct Counters {
   std::uint64_t facesCaptured = 0;     ///< of probes
+  std::uint64_t coarseFaces = 0;       ///< captured in few texels, to be seen until those of facesCaptured are there
   std::uint64_t facesReused = 0;       ///< of probes captured again, taken from earlier maps that show the same
   std::uint64_t mapsLoaded = 0;        ///< probes (and sky) read from baked files in place of captures
   std::uint64_t skyFacesCaptured = 0;  ///< of the sky's own map
@@ -35,6 +36,7 @@ struct Counters {
   std::uint64_t sightsTraced = 0;  ///< probes of which it was traced where their lamps are hidden
   std::uint64_t sightRays = 0;     ///< that this took
   std::uint64_t lampsSeenWhole = 0;     ///< lamps and light sources of such probes that nothing hides: not looked up
+  std::uint64_t opennessRays = 0;       ///< traced to find how much of the sky is hidden from places (ambientOcclusion)
   std::uint64_t sourcesFlattened = 0;   ///< captures laid out flat to filter fine levels of them, on software renderers
   std::uint64_t mapsFlattened = 0;      ///< filtered chains laid out flat, for programs of software renderers at rest
   std::uint64_t programsCompiled = 0;   ///< GL programs this program caused; again, if one had been given back

@@ -258,6 +258,7 @@ enum class Background {
   Environment,  ///< the sky
   Blurred,      ///< the sky as a rough surface reflects it
   Plain,        ///< a grey backdrop, brighter in the middle
+  Color,        ///< one colour, Scene::backgroundColor
 };
 
 struct Scene {
@@ -274,7 +275,9 @@ struct Scene {
   double exposure = 1.0;        ///< factor on linear light before tone mapping and the display's curve
   Tone tone = Tone::None;
   Background background = Background::Environment;
-  bool groundShadow = false;  ///< below everything, on the picture alone
+  glm::vec3 backgroundColor{0.6f};  ///< linear, 0 to 1; shown as it is, whatever the exposure
+  bool groundShadow = false;        ///< below everything, on the picture alone
+  bool ambientOcclusion = false;    ///< what stands in the scene hides the sky from itself
   Energy energy = Energy::Single;
   LampForm lamps = LampForm::Shapes;
 

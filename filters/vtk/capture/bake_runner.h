@@ -32,6 +32,7 @@ struct BakeItem {
   CaptureSettings settings;
   int faceSize = 256;
   int bounce = 1;               ///< of its probe: what its cost is booked under
+  bool coarse = false;          ///< seen until others are there, and nothing is derived from it
   bool sky = false;             ///< the sky's own map: at infinity, so without distances
   bool reflectNothing = false;  ///< first bounce: no probe has been captured yet
   /// Then by programs without any lookup of a probe. They have to be compiled, which pays for many faces only.

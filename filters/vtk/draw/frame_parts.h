@@ -16,6 +16,7 @@ enum FramePart : unsigned {
   kRasterPart = 32u,     ///< nothing but vertices
   kObjectPart = 64u,     ///< not drawn at all
   kGroundPart = 128u,    ///< the ground's shadow
+  kOpennessPart = 256u,  ///< what hides the sky from places of the scene itself
 };
 using FrameParts = unsigned;  ///< of FramePart
 

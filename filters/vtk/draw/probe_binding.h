@@ -51,6 +51,7 @@ struct ProbeBinding {
   static constexpr std::size_t kMaxLampsPerDraw = 16;  ///< of all its probes, by power
   bool weights = true;                                 ///< false: one probe, at full weight all over the object
   bool sky = true;                                     ///< false: the probes leave nothing to it
+  bool openness = false;                               ///< of the sky, some is hidden by the scene (ambientOcclusion)
   bool onlyProbes = false;                             ///< what they leave to it goes to them, wherever one has weight
   std::vector<float> shares;  ///< of all of the object, in place of weights a pixel; empty: those
   float skyShare = 1.0f;      ///< beside `shares`

@@ -24,8 +24,8 @@ CubeMap readRadiance(const ProbeMaps& maps);
 /// Its level 0 alone into level 0 of `cube`, of the same face size.
 void readLevel0(const CubeTexture& texture, CubeMap& cube);
 
-/// The other way. Maps without distances stay without.
-std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps);
+/// The other way. Maps without distances stay without. `forTheTimeBeing`: see ProbeMaps.
+std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps, bool forTheTimeBeing = false);
 
 /// Of a sky.
 std::shared_ptr<const ProbeMaps> upload(const SkyLevels& levels);

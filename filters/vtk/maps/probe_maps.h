@@ -34,6 +34,8 @@ struct ProbeMaps {
   glm::dvec3 capturedAt{0.0};
   /// Of the box, in degrees: the maps lie along the axes it had; irradiance along the world's.
   glm::dvec3 capturedRotation{0.0};
+  /// Shown until others are there: no lattice is derived from them.
+  bool forTheTimeBeing = false;
   float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
   /// Levels of `radiance` that are filtered. The others hold plain means of the capture, which a lookup that comes too
   /// early may show, until something needs them.

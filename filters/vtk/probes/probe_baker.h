@@ -52,6 +52,9 @@ class ProbeBaker {
   /// Shows what is at hand, plans the rest, and ends what is under way unless that plan still wants it.
   void replan();
   bool pending() const;
+  /// Where coarse maps come first (ProbePlan::coarseFirst), probes that show nothing show what stands in for them, all
+  /// at once. False: there was none.
+  bool standIn();
   /// At most a face is captured, a level filtered or a file read; returns whether there was anything to do. Throws
   /// WorkError where the driver refuses; giveUp() is then due.
   bool step();
@@ -80,6 +83,7 @@ class ProbeBaker {
   // What becomes of finished maps.
   void finish(MadeMaps made);
   void publishDrag(MadeMaps made);
+  void publishCoarse(MadeMaps made);
   void publishRealtime(MadeMaps made);
   void publishFinal(MadeMaps made);
   void showCached();

@@ -32,6 +32,7 @@ enum class JobKind {
   SkyMap,    ///< the sky's own map, captured
   File,      ///< of a probe or the sky, read from the folder of baked files
   Picture,   ///< filtered from a picture of the user's
+  Coarse,    ///< of a probe that has nothing to show yet, in few texels, for the time being
   Drag,      ///< a first bounce for the time of a drag
   Bounce,    ///< a bounce of a baked probe
   Realtime,  ///< a further round of a probe that follows what it shows
@@ -49,6 +50,10 @@ struct ProbeJob {
 
 /// Ends the key of maps that are captured during a drag: they show at once but do not count as the final ones.
 constexpr const char* kDuringDrag = " during a drag";
+
+/// The same of maps of few texels that are seen until a probe's own are there.
+constexpr const char* kCoarse = " in few texels";
+constexpr int kCoarseFaceSize = 64;
 
 /// Where maps come from besides captures: those that were made before, the folder of baked files, pictures of the
 /// user's, the levels that come with a sky's picture.
@@ -221,6 +226,12 @@ class ProbePlan {
   /// A handle is held: baked probes are captured for the time being, a single bounce.
   void setInteractive(bool interactive) { interactive_ = interactive; }
   bool interactive() const { return interactive_; }
+  /// What has nothing to show yet is captured in few texels before anything else.
+  void setCoarseFirst(bool coarse) { coarseFirst_ = coarse; }
+  /// Is it, as things are? Not for files, and not beside realtime probes, which see whatever is shown.
+  bool coarseFirst() const;
+  /// Is such a capture planned or under way?
+  bool coarsePending() const;
   /// Names of baked probes that are made whether used or not, and nothing else; empty: whatever is needed.
   void setTargets(std::set<std::string> names) { targets_ = std::move(names); }
   const std::set<std::string>& targets() const { return targets_; }
@@ -264,6 +275,7 @@ class ProbePlan {
  private:
   BounceKeys::Input input(std::size_t index) const;
   BounceKeys askedBounces() const;
+  void planCoarse();
   void planSky();
   bool bakesAny() const;  ///< of the targets
   void planBounces();
@@ -274,7 +286,7 @@ class ProbePlan {
   CaptureWorld world_;
   BounceKeys bounces_;
   std::map<std::string, BakeRecord> records_;  ///< by view
-  bool enabled_ = true, interactive_ = false;
+  bool enabled_ = true, interactive_ = false, coarseFirst_ = false;
   std::set<std::string> targets_;
   std::string skyWanted_, skyShown_;
   int skyImageColumns_ = 0;

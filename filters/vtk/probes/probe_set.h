@@ -57,6 +57,8 @@ class ProbeSet {
 
   void setInteractive(bool interactive);
   void setEnabled(bool enabled);
+  /// See SceneRenderer::showCoarseFirst.
+  void setCoarseFirst(bool coarse);
   void setBakeTargets(const std::vector<std::string>& names);
   void useBakedFiles(const std::string& folder);
   /// These are made again although nothing changed; updateCaptures() follows.
@@ -80,6 +82,7 @@ class ProbeSet {
   void step();
   /// From 0 to 1, of all that was planned since there last was nothing to do; below 1 while anything is pending.
   double progress() const;
+  WorkNow workNow() const;
 
   /// What a probe shows now; null while it has none, or if there is no such probe.
   std::shared_ptr<const ProbeMaps> maps(const std::string& probeName) const;
