@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Twelve models of other people, of four kinds, drawn by boxprobe, F3D and three.js from the same camera, on sheets without names.
+"""Twelve models of other people, of four kinds, drawn by boxprobe, F3D and three.js from the same camera, on a sheet without names.
 
 usage: viewers_sheet.py BOXPROBE --from DIR --modules NODE_MODULES -o OUT [--seed N] [--size WxH] [--only TEXT]
        viewers_sheet.py --uncover OUT CHOICES
 
 DIR holds clones as foreign_models.py has them, NODE_MODULES the packages of engines/package.json. OUT gets sheet.png: a row for
 each model, its three pictures in an order that the seed shuffles. Judge that first: CHOICES names the best of each row by its
-place, say ABCAACBBABCA, with - for none. --uncover then says whom the choices are, kind by kind. Runs under the display it finds.
+place, say ABCAACBBABCA, with - for none. F3D has our studio as its environment, because it has none of its own;
+three.js has its neutral room. --uncover then says whom the choices are, kind by kind. Runs under the display it finds.
 """
 import argparse
 import json
@@ -30,7 +31,7 @@ MODELS = [  # kind, clone, file
     ("open", "playcanvas+engine", "examples/assets/models/terrain.glb"),
     ("product shot", "playcanvas+engine", "examples/assets/models/SunglassesKhronos.glb"),
     ("product shot", "immersive-web+webxr-samples", "media/gltf/headset/headset.gltf"),
-    ("product shot", "immersive-web+webxr-samples", "media/gltf/stereo/stereo.gltf"),
+    ("product shot", "immersive-web+webxr-samples", "media/gltf/controller/controller.gltf"),
 ]
 VIEWERS = ["boxprobe", "F3D", "three.js"]
 
@@ -58,9 +59,9 @@ def draw(options, number, model):
     pictures = [options.out / ("%02d-%s.png" % (number, viewer)) for viewer in VIEWERS]
     text = {name: ",".join("%.9g" % value for value in camera[name]) for name in ("position", "target", "up")}
     run([options.program, "render", model, "-o", pictures[0], "--size", options.size, "--quiet"])
-    run(["f3d", model, "--output", pictures[1], "--resolution", "%s,%s" % (width, height), "-t", "-q", "-a",
+    run(["f3d", model, "--output", pictures[1], "--resolution", "%s,%s" % (width, height), "-t", "-u", "-q", "-a", "--hdri", HERE.parents[1] / "data/environments/studio.hdr",
          "--camera-position", text["position"], "--camera-focal-point", text["target"], "--camera-view-up", text["up"],
-         "--camera-view-angle", camera["verticalFovDegrees"].__str__()])
+         "--camera-view-angle", str(camera["verticalFovDegrees"])])
     file = options.out / ("%02d-camera.json" % number)
     file.write_text(json.dumps(camera))
     run(["node", HERE / "engines" / "show_model.mjs", model, file, pictures[2], width, height, options.modules])
