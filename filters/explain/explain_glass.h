@@ -1,5 +1,4 @@
-// The glass in a pixel, calculated again as shaders/gpu/glass.glsl does. Called by explain_pixel, which lends its way
-// of gathering light; knows no GL.
+// Recomputes the glass in a pixel as shaders/gpu/glass.glsl does.
 #pragma once
 
 #include <functional>
@@ -11,7 +10,7 @@
 
 namespace boxprobe {
 
-/// A glass object as the inspector hands it over.
+/// A glass object as the surface inspector reads it.
 struct ExplainedGlass {
   std::string form;
   shading::GlassObject object;  ///< positions relative to the eye, world axes
@@ -23,7 +22,7 @@ struct ExplainedGlass {
   float behind = 0.0f;
 };
 
-/// Light that probes and sky show along a direction from a point, for a roughness.
+/// Light of probes and sky along a direction from a point, for a roughness.
 struct GatheredGlass {
   glm::vec3 specular{0.0f};
   int lookups = 0;
@@ -33,14 +32,14 @@ struct GatheredGlass {
 using GatherGlass =
     std::function<GatheredGlass(const glm::dvec3& positionWorld, const glm::vec3& direction, float roughness)>;
 
-/// Where it looks and, from within, mirrors: before any light is gathered.
+/// Where the view continues and, from inside, what it mirrors: computed before any light is gathered.
 shading::GlassView lookThrough(const ExplainedGlass& glass, const SurfacePoint& surface);
 
-/// `reflected`: the factor of the reflection, by which less passes.
+/// `reflected`: the factor of the reflection, which reduces the transmitted light.
 GlassExplanation explainGlass(const ExplainedGlass& glass, const SurfacePoint& surface, const shading::GlassView& seen,
                               float reflected, const GatherGlass& gather);
 
-/// Of what is mirrored within.
+/// Transmittance of what is mirrored inside.
 glm::vec3 mirrorTransmittance(const ExplainedGlass& glass, const SurfacePoint& surface, const shading::GlassView& seen);
 
 }  // namespace boxprobe

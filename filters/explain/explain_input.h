@@ -1,5 +1,4 @@
-// Everything the explanation of a pixel is calculated from: the surface, the draw's probes with their maps, lights,
-// glass, mirror. Plain values; filled by the surface inspector, read by explain_pixel and explain_shadow.
+// All inputs of a pixel's explanation: the surface, the draw's probes with their maps, lights, glass, mirror.
 #pragma once
 
 #include <cstdint>
@@ -26,25 +25,26 @@ struct ExplainedProbe {
   std::string name;
   int index = 0;                      ///< in the scene's list
   int group = 0;                      ///< of equal importance, from 0
-  ProbeGeometry geometry;             ///< its technique is what draws it
+  ProbeGeometry geometry;             ///< with the technique that draws it
   const BakedMaps* maps = nullptr;    ///< null: not captured yet
-  bool automatic = false;             ///< its technique was chosen for the object's roughness
-  bool open = false;                  ///< the sky shows where it saw nothing
-  ShCoefficients openSky{};           ///< its diffuse light that comes in there
-  const CubeMap* coverage = nullptr;  ///< what it lets through, in levels of plain means; null: not known yet
-  std::uint32_t shadowLights = 0;     ///< a bit for each light that its coverage stands before
-  /// In place of the maps' coefficients, with its lamps; null: those. The sky through openings is in it.
+  bool automatic = false;             ///< its technique was chosen by the object's roughness
+  bool open = false;                  ///< the sky shows where the probe saw nothing
+  ShCoefficients openSky{};           ///< diffuse light of the sky through openings
+  const CubeMap* coverage = nullptr;  ///< transmittance, in levels of plain means; null: unknown yet
+  std::uint32_t shadowLights = 0;     ///< one bit per light that its coverage shadows
+  /// Used in place of the maps' coefficients, with the lamps below; null: the coefficients are used. Includes the sky
+  /// through openings.
   std::shared_ptr<const DiffuseLattice> lattice = {};
   std::vector<SceneLamp> lamps = {};             ///< drawn as shapes
-  std::shared_ptr<const ProbeSight> sight = {};  ///< what is seen of them and of light sources; null: all
+  std::shared_ptr<const ProbeSight> sight = {};  ///< visibility of lamps and light sources; null: all visible
   std::vector<int> lampChannels = {};            ///< of each of `lamps` in `sight`
-  /// What a rough surface looks up in place of `maps`: without those lamps, the mean of their colours in alpha. Null:
-  /// `maps`.
+  /// Sampled by rough surfaces in place of `maps`: without those lamps, with the mean of the lamps' colours in alpha.
+  /// Null: `maps` is sampled.
   const BakedMaps* lampFree = nullptr;
   const BakedMaps* lookedUp() const { return lampFree != nullptr ? lampFree : maps; }
 };
 
-/// A depth map of what moves, as a light sees it.
+/// A depth map of moving objects from a light.
 struct MovingMap {
   int light = 0;
   int size = 0;
@@ -57,20 +57,21 @@ struct ExplainInput {
   enum class Lighting { Plain, Unlit, Probes } lighting = Lighting::Probes;
   std::vector<ExplainedProbe> probes;
   bool weights = true;        ///< false: one probe at full weight, nothing left for the sky
-  bool sky = true;            ///< false: the probes leave nothing to it
-  bool onlyProbes = false;    ///< what they leave to it goes to them, wherever one has weight
-  std::vector<float> shares;  ///< of all of the object, in place of weights at the point; empty: those
-  float skyShare = 1.0f;      ///< beside `shares`
+  bool sky = true;            ///< false: the sky gets no share
+  bool diffuse = true;        ///< false: the material is all metal
+  bool onlyProbes = false;    ///< probes share the sky's part, wherever one has weight
+  std::vector<float> shares;  ///< for the whole object, in place of weights at the point; empty: those are used
+  float skyShare = 1.0f;      ///< with `shares`
   const BakedMaps* skyMaps = nullptr;
   std::shared_ptr<const SkyOpenness> openness = {};  ///< how much of it the scene leaves open; null: all
   Energy energy = Energy::Single;
   std::vector<Light> lights;
-  std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as such
-  /// Of a planar mirror whose picture is shown, relative to the eye, its texels read back; null: none.
+  std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as glass
+  /// The planar mirror whose picture is shown, relative to the eye, with its texels; null: none.
   const shading::MirrorLook* mirror = nullptr;
-  std::vector<int> shadowLights;  ///< those that this draw asks a probe's coverage about
+  std::vector<int> shadowLights;  ///< those for which this draw samples a probe's coverage
   std::vector<MovingMap> movingMaps;
-  std::vector<int> sightLights;  ///< those that some place of a probe's box does not see whole
+  std::vector<int> sightLights;  ///< those not visible from everywhere in a probe's box
 };
 
 }  // namespace boxprobe

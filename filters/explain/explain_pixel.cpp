@@ -24,17 +24,17 @@ float coatNDotV(const SurfacePoint& s) {
   return std::clamp(glm::dot(s.coatNormalWorld, s.viewWorld), 1.0e-5f, 1.0f);
 }
 
-/// What the coat leaves to its base; 1 without one.
+/// Transmittance of the coat; 1 without one.
 float throughCoat(const SurfacePoint& s) {
   return s.coatStrength > 0.0f ? shading::coatPasses(s.coatStrength, s.coatF0, coatNDotV(s)) : 1.0f;
 }
 
-/// Of the base's reflection, beside the split sum: further reflections between its microfacets, and the coat's share.
+/// Factor of the base's reflection besides the split sum: multiple scattering, and the coat's transmittance.
 glm::vec3 baseFactor(const Explanation& e, const ExplainInput& in) {
   return throughCoat(in.surface) * passesSheen(in.surface, e.nDotV) * scattered(in, e.f0, e.brdf);
 }
 
-/// What glass reflects is less by what passes it, and what passes is looked up along the bent view.
+/// Glass reflects less by what it transmits; the transmitted light is sampled along the refracted view.
 void addGlass(Explanation& e, const ExplainInput& in, const shading::GlassView& through,
               const glm::vec3& reflectedLight, const glm::vec3& edge) {
   const SurfacePoint& s = in.surface;
@@ -51,7 +51,7 @@ void addGlass(Explanation& e, const ExplainInput& in, const shading::GlassView& 
   e.glass->passed *= s.occlusion;
 }
 
-/// The clear coat's own reflection, along its own normal.
+/// The clear coat's reflection, along its own normal.
 void addCoat(Explanation& e, const ExplainInput& in) {
   const SurfacePoint& s = in.surface;
   const float nDotV = coatNDotV(s);
@@ -65,7 +65,7 @@ void addCoat(Explanation& e, const ExplainInput& in) {
   e.brightestTexel = std::max(e.brightestTexel, coat.brightestTexel);
 }
 
-/// What probes and sky bring to a brushed surface: one lookup along the normal that stands for its streak.
+/// Light of probes and sky on a brushed surface: one lookup along the normal that stands for its streak.
 GatheredLight gatherForBase(const Explanation& e, const ExplainInput& in, const glm::vec3& edge) {
   const SurfacePoint& s = in.surface;
   const Reflectance reflectance{shading::meanFresnel(e.f0, edge, e.nDotV), shading::relativeF0(e.f0, edge)};
@@ -76,7 +76,7 @@ GatheredLight gatherForBase(const Explanation& e, const ExplainInput& in, const 
   return light;
 }
 
-/// Light from all around the normal, for what is broad: the base's diffuse light, and cloth's sheen over it.
+/// Light from the whole hemisphere: the base's diffuse light, and the sheen above it.
 void addDiffuse(Explanation& e, const SurfacePoint& s, const glm::vec3& irradiance) {
   const float under = passesSheen(s, e.nDotV), passes = s.occlusion * throughCoat(s);
   e.diffuse = passes * under * (1.0f - e.f0) * (1.0f - s.metallic) * irradiance * s.albedo;
@@ -107,6 +107,7 @@ void lightByProbes(Explanation& e, const ExplainInput& in, const glm::vec3& edge
                             : gatherForBase(e, in, edge);
   e.specularFactor = s.occlusion * (e.f0 * e.brdf.x + edge * e.brdf.y) * baseFactor(e, in);
   e.specular = (light.specular + light.lampsMean(e.f0, edge, e.brdf)) * e.specularFactor;
+  if (in.diffuse) e.irradiance = light.irradiance;
   addDiffuse(e, s, light.irradiance);
   if (through) addGlass(e, in, *through, light.specular, edge);
   e.probes = std::move(light.probes);

@@ -1,6 +1,5 @@
-// The calculation of one pixel, done again on the CPU with the shader's own mathematics: from what the surface is to
-// the linear colour, every step kept. Called by the scene renderer with what the GPU says about the surface; knows no
-// GL.
+// Recomputes one pixel on the CPU with the shader's own mathematics, from the surface to the linear colour, and keeps
+// every step.
 #pragma once
 
 #include "filters/explain/explain_input.h"
@@ -8,7 +7,7 @@
 
 namespace boxprobe {
 
-/// Total: whatever is undefined is left out and said in `notes`.
+/// Never throws: undefined steps are left out and mentioned in `notes`.
 Explanation explainPixel(const ExplainInput& input);
 
 }  // namespace boxprobe

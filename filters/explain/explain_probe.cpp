@@ -13,7 +13,7 @@ namespace boxprobe {
 
 namespace {
 
-/// Counts a technique's fetches from the distances.
+/// Counts a technique's distance lookups.
 class CountedRelief : public shading::ReliefSampler {
  public:
   explicit CountedRelief(const shading::ReliefSampler* relief) : relief_(relief) {}
@@ -29,8 +29,8 @@ class CountedRelief : public shading::ReliefSampler {
   mutable int count_ = 0;
 };
 
-/// The sky that shows where a probe's lookups cover nothing: along R for all of them, or each along its own way, as
-/// shaders/gpu/open_sky.glsl and fetch_probe_open.glsl.
+/// The sky that shows where a probe's lookups have no coverage: along R for all of them, or along each lookup's own
+/// direction, as in shaders/gpu/open_sky.glsl and fetch_probe_open.glsl.
 void explainOpening(ProbeExplanation& e, const RecordedLookups& record, const shading::ProbeShape& shape,
                     const shading::ShadingPoint& point, const BakedMaps& sky, const glm::vec3& reflection,
                     const glm::mat3* worldFromProbe, bool byLookup) {
@@ -66,6 +66,7 @@ DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& 
   const DiffuseLattice& lattice = *probe.lattice;
   const shading::LatticeShape shape = lattice.shape();
   e.lattice = shading::latticeIrradiance(shape, positionProbe, s.normalWorld);
+  e.known = shading::latticeKnown(shape, positionProbe);
   e.nodeCount = lattice.nodes;
   const glm::vec3 place = shading::latticePlace(shape, positionProbe);
   const glm::vec3 first = glm::min(glm::floor(place), shape.last - 1.0f), share = place - first;
@@ -77,6 +78,7 @@ DiffuseExplanation explainDiffuse(const ExplainedProbe& probe, const glm::vec3& 
     node.node = glm::ivec3(first + step);
     node.positionProbe = lattice.low + (lattice.high - lattice.low) * (first + step) / shape.last;
     node.weight = weights.x * weights.y * weights.z;
+    node.known = lattice.fetchLattice(first + step, DiffuseLattice::kParts - 1).w > 0.5f;
     if (node.weight > 0.0f) e.nodes.push_back(node);
   }
   std::stable_sort(e.nodes.begin(), e.nodes.end(), [](const auto& a, const auto& b) { return a.weight > b.weight; });
@@ -155,7 +157,7 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
   e.face = hit.face;
   constexpr float kNoHit = 1.0e38f;
   if (hit.face >= 0) {
-    // Of the box itself, whatever was made of it.
+    // Of the sharp box, also if its edges are rounded.
     e.slabFactors = shading::slabFactors(point.position, point.reflection, g.boxMin, g.boxMax);
     const float box = std::min({e.slabFactors->x, e.slabFactors->y, e.slabFactors->z});
     if (hit.distance != box) e.boxDistance = box;
@@ -196,7 +198,7 @@ ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& s
     if (distances) {
       const float reach = 2.0f * glm::length(g.boxMax - g.boxMin);
       const float faceSize = static_cast<float>(probe.maps->distance.faceSize());
-      // Looked for along the axes of the map.
+      // Searched along the axes of the map.
       const auto inMap = [&](const glm::vec3& v) { return g.mapTurned ? mapFromProbe * v : v; };
       const float t = shading::trueHitDistance(&*distances, shape, faceSize, inMap(e.positionProbe),
                                                inMap(e.reflectionProbe), reach);

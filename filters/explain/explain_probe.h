@@ -1,5 +1,4 @@
-// What one probe gives to a pixel: its technique run once more, every fetch recorded. Called where a pixel's light is
-// gathered; knows nothing of the probe's share.
+// What one probe contributes to a pixel: runs its technique again and records every lookup.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,18 +8,18 @@
 
 namespace boxprobe {
 
-/// What techniques know of a surface's reflectance, as ShadingPoint has it.
+/// The reflectance of a surface as techniques get it in ShadingPoint.
 struct Reflectance {
   float fresnel = 1.0f;
   float f0 = 1.0f;
 };
 
-/// `surface` with the normal that is looked up for; `reflection` is the view mirrored in it, `reflectance` the
-/// surface's there. `sky`: what shows where an open probe saw nothing; null: none. The weight is left at 0.
+/// `surface` has the normal to use; `reflection` is the view mirrored in it, `reflectance` the surface's there. `sky`:
+/// shown where an open probe saw nothing; null: none. The weight stays 0.
 ProbeExplanation explainProbe(const ExplainedProbe& probe, const SurfacePoint& surface, const glm::vec3& reflection,
                               float roughness, const Reflectance& reflectance, const BakedMaps* sky);
 
-/// A map's light from all around `normal`, over pi.
+/// Irradiance over pi of a map at `normal`.
 glm::vec3 irradianceAt(const glm::vec3& normal, const ShCoefficients& coefficients);
 
 }  // namespace boxprobe

@@ -14,7 +14,7 @@ namespace boxprobe {
 
 namespace {
 
-/// What the probe lets through of what comes from `toLight`.
+/// The probe's transmittance for light from `toLight`.
 ProbeShadow probeShadow(const ExplainedProbe& probe, const SurfacePoint& s, const glm::vec3& toLight, float tangent,
                         const Light& light) {
   const ProbeGeometry& g = probe.geometry;
@@ -40,7 +40,7 @@ ProbeShadow probeShadow(const ExplainedProbe& probe, const SurfacePoint& s, cons
   return shadow;
 }
 
-/// Unit direction and distance; of a directional light 1.
+/// Unit direction and distance; 1 for a directional light.
 std::pair<glm::vec3, float> wayTo(const Light& light, const glm::dvec3& positionWorld) {
   if (light.type == LightType::Directional) return {glm::vec3(-glm::normalize(light.direction)), 1.0f};
   const glm::vec3 to(light.position - positionWorld);
@@ -48,7 +48,7 @@ std::pair<glm::vec3, float> wayTo(const Light& light, const glm::dvec3& position
   return {to / std::max(distance, 1.0e-18f), distance};
 }
 
-/// How the pixel is divided between the draw's probes and the sky.
+/// The shares of the draw's probes and the sky in the pixel.
 ProbeShares sharesAt(const ExplainInput& in) {
   const SurfacePoint& s = in.surface;
   std::vector<float> influences;

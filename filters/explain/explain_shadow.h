@@ -1,5 +1,5 @@
-// What stands between a pixel's surface and each light whose shadows a probe's coverage throws, done again on the CPU
-// as shaders/gpu/coverage.glsl does it. Called by explainPixel.
+// Recomputes the shadows on a pixel, from each light that a probe's coverage shadows, as shaders/gpu/coverage.glsl
+// does.
 #pragma once
 
 #include <vector>
@@ -9,23 +9,24 @@
 
 namespace boxprobe {
 
-/// One entry for each of `in.shadowLights`.
+/// One entry per element of `in.shadowLights`.
 std::vector<LightShadow> explainShadows(const ExplainInput& in);
 
-/// What the surface sees of a lamp or light source: of a channel of the probe's sight, or kSeenByAll, kSeenByNone.
+/// Visibility of a lamp or light source from the surface, by its channel of the probe's sight, kSeenByAll or
+/// kSeenByNone.
 float seenShare(const ExplainedProbe& probe, const SurfacePoint& surface, int channel);
-/// The same of a light source by all probes' shares; 1 of one that is not among `in.sightLights`.
+/// The same for a light source, weighted by all probes' shares; 1 unless it is among `in.sightLights`.
 float lightSeen(const ExplainInput& in, int light);
 
 struct ShadowRay {
   glm::vec3 toLight{0.0f};  ///< unit, world
   ProbeShadow shadow;
 };
-/// Towards one light past one probe's coverage; its level is 0 and nothing comes through where that is not known.
+/// A ray towards a light through one probe's coverage; if that is unknown, the level is 0 and nothing passes.
 ShadowRay shadowRay(const ExplainedProbe& probe, const glm::dvec3& positionWorld, const glm::dvec3& eyeWorld,
                     const Light& light);
 
-/// Of nine interpolated comparisons with a map of what moves: 0 in its shadow, 1 out of it.
+/// The mean of nine interpolated depth comparisons with a map of moving objects: 0 in shadow, 1 lit.
 float movingShadowAt(const MovingMap& map, const glm::dvec3& positionWorld);
 
 }  // namespace boxprobe

@@ -1,5 +1,4 @@
-// What is to be said of a pixel beside its numbers: what is undefined there, left out or out of the ordinary. Called by
-// explainPixel.
+// Remarks on a pixel: what is undefined, left out or unusual.
 #pragma once
 
 #include "filters/explain/explain_input.h"
@@ -7,7 +6,7 @@
 
 namespace boxprobe {
 
-/// Adds to `e.notes` one sentence each, of a pixel that is lit by probes.
+/// Adds one sentence each to `e.notes`, for a pixel that is lit by probes.
 void addNotes(Explanation& e, const ExplainInput& in);
 
 }  // namespace boxprobe

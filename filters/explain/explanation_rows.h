@@ -1,5 +1,4 @@
-// Lines of an explanation, and how they are made of values: numbers as text, a scalar, a vector, light. Called by the
-// sections and by what sets them; knows no layout.
+// Rows of an explanation, formatted from values: scalars, vectors, light.
 #pragma once
 
 #include <algorithm>
@@ -17,17 +16,17 @@ struct ExplanationRow {
   std::string symbol;                ///< "P", "t_x": what follows an underscore is a subscript
   std::vector<std::string> numbers;  ///< none, one or three
   std::string unit;                  ///< "" for a pure number
-  std::string meaning;               ///< what it is, or the formula with its numbers
-  std::optional<glm::vec3> color;    ///< linear light to be shown beside the numbers
-  bool marked = false;               ///< this one decides: the smallest slab factor
-  bool sum = false;                  ///< what the rows above add up to
+  std::string meaning;               ///< description, or the formula with its numbers
+  std::optional<glm::vec3> color;    ///< linear light, shown as a swatch
+  bool marked = false;               ///< decisive: the smallest slab factor
+  bool sum = false;                  ///< the sum of the rows above
   bool detail = false;               ///< belongs to the row above: a texel of a lookup
 };
 
 struct ExplanationSection {
   std::string title;
   std::vector<ExplanationRow> rows;
-  int probe = -1;  ///< position in Explanation::probes of the one it is about
+  int probe = -1;  ///< index in Explanation::probes of the section's probe
 };
 
 /// "-x" .. "+z" for a ProbeExplanation's face.
@@ -39,7 +38,7 @@ namespace explained {
 
 inline constexpr const char* kLength = "scene units";
 
-/// Components that are only rounding beside the largest are shown as 0.
+/// Components that are rounding errors relative to the largest are shown as 0.
 template <typename Vector>
 std::vector<std::string> numbers(const Vector& v) {
   constexpr double kRounding = 1e-6;
@@ -57,7 +56,7 @@ template <typename Vector>
 ExplanationRow vector(std::string symbol, const Vector& value, std::string unit, std::string meaning) {
   return row(std::move(symbol), numbers(value), std::move(unit), std::move(meaning));
 }
-/// With its colour beside the numbers.
+/// With a swatch of its colour.
 ExplanationRow light(std::string symbol, const glm::vec3& value, std::string meaning);
 
 }  // namespace explained

@@ -1,6 +1,5 @@
-// The calculation of a pixel as what is said of it, line by line: symbols, formulas with the numbers put in, units,
-// meanings. The text of `boxprobe explain` and the window's card both set these lines, so that they say the same.
-// Plain values; knows no layout.
+// The explanation of a pixel, line by line: symbols, formulas with their numbers, units, meanings. `boxprobe explain`
+// and the window's card both lay out these lines, so that they agree.
 #pragma once
 
 #include <optional>
@@ -12,12 +11,11 @@
 
 namespace boxprobe {
 
-/// Pixel, surface, each probe (the largest share first), the sky, the sum. Notes are left to the caller: they come
-/// first.
+/// Pixel, surface, each probe (the largest share first), the sky, the sum. Without the notes, which callers show first.
 std::vector<ExplanationSection> explanationSections(const Explanation& e, const ExplanationDetail& detail = {});
 
-/// Largest difference of a component between computed and rendered colour, relative to the brightest texel fetched (to
-/// the colour itself where nothing was fetched); nothing if the pixel was not drawn.
+/// The largest difference of a component between computed and rendered colour, relative to the brightest texel sampled
+/// (or to the colour if nothing was sampled); nothing if the pixel was not drawn.
 std::optional<float> relativeDifference(const Explanation& e);
 
 }  // namespace boxprobe

@@ -16,7 +16,7 @@ struct Widths {
   std::size_t unit = 0;
 };
 
-/// One set of columns for the whole text: numbers of all sections stand under each other.
+/// One set of columns for the whole text, so that the numbers of all sections align.
 Widths columnWidths(const std::vector<ExplanationSection>& sections) {
   Widths widths;
   for (const ExplanationSection& section : sections) {

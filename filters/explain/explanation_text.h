@@ -1,4 +1,4 @@
-// The calculation of a pixel as plain text in aligned columns: what `boxprobe explain` prints and the window copies.
+// The explanation of a pixel as plain text in aligned columns: printed by `boxprobe explain`, copied by the window.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace boxprobe {
 
-/// Lines ended by line breaks. The verdict comes first, then notes, each on a line that starts with "! "; "> " marks
-/// what decides.
+/// Lines with line breaks. The verdict comes first, then notes, each on a line that starts with "! "; "> " marks
+/// decisive rows.
 std::string explanationText(const Explanation& e, const ExplanationDetail& detail = {},
                             const std::optional<Verdict>& verdict = {});
 

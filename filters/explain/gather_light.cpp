@@ -25,7 +25,7 @@ float brightest(const std::vector<Lookup>& lookups, const CubeMap& map) {
   return result;
 }
 
-/// The lookup in a planar mirror's picture, as at the end of bpGatherLight.
+/// The lookup of a planar mirror's picture, as at the end of bpGatherLight.
 MirrorExplanation explainMirror(const shading::MirrorLook& look, const SurfacePoint& s, const glm::vec3& normal,
                                 float roughness) {
   MirrorExplanation e;
@@ -76,7 +76,7 @@ GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float
     ProbeExplanation& p = out.probes[i];
     p.weight = in.weights ? shares.probes[i] : 1.0f;
     const float share = p.weight * p.intensity;
-    // Less cannot show and is not fetched.
+    // A smaller share is invisible and not sampled.
     if (in.weights && share <= 1.0e-5f) {
       p.lookups.clear();
       p.distanceLookups = 0;

@@ -1,5 +1,4 @@
-// Light that a draw's probes, the sky and a planar mirror's picture bring to a point: shared out and summed as
-// bpGatherLight does. Called by explainPixel for the surface, its coat and what glass is looked through.
+// Light of a draw's probes, the sky and a planar mirror's picture at a point: shared and summed as in bpGatherLight.
 #pragma once
 
 #include <glm/common.hpp>
@@ -17,7 +16,7 @@ struct GatheredLight {
   glm::vec3 irradiance{0.0f};
   float lampsInMap = 0.0f;                  ///< mean of the colours
   glm::vec3 lampsF0{0.0f}, lampsF90{0.0f};  ///< reflected of lamps as shapes: F0 times the one plus F90 times the other
-  /// That over what the surface reflects at all: beside the mean light of its lobe.
+  /// That light divided by the surface's reflectance, to be added to the mean light of the lobe.
   glm::vec3 lampsMean(const glm::vec3& f0, const glm::vec3& f90, const glm::vec2& splitSum) const {
     return (f0 * lampsF0 + f90 * lampsF90) / glm::max(f0 * splitSum.x + f90 * splitSum.y, glm::vec3(1.0e-6f));
   }
@@ -29,15 +28,15 @@ struct GatheredLight {
   std::optional<MirrorExplanation> mirror;
 };
 
-/// For a normal and a perceptual roughness at the input's surface; `reflectance`: its own there.
+/// For a normal and a perceptual roughness at the input's surface; `reflectance`: the surface's there.
 GatheredLight gatherLight(const ExplainInput& in, const glm::vec3& normal, float roughness,
                           const Reflectance& reflectance);
 
-/// The same from another place, round about a direction: what glass is looked through, and mirrors within.
+/// The same at another position, around a direction: the refracted view through glass, and reflections inside it.
 GatheredLight gatherAlong(const ExplainInput& in, const glm::dvec3& positionWorld, const glm::vec3& direction,
                           float roughness);
 
-/// That as glass has it, with the names of what it comes from.
+/// The same for glass, with the names of the light's sources.
 GatheredGlass gatherForGlass(const ExplainInput& in, const glm::dvec3& positionWorld, const glm::vec3& direction,
                              float roughness);
 

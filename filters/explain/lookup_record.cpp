@@ -35,7 +35,7 @@ class Recorder : public shading::CubeSampler {
   const ProbeGeometry* geometry_;
 };
 
-// Returns 1 in one channel for each of four fetches, 0 for all others.
+// Returns 1 in one channel for each of four lookups, 0 for all others.
 class Impulse : public shading::CubeSampler {
  public:
   explicit Impulse(std::size_t first) : first_(first) {}

@@ -1,5 +1,4 @@
-// What a technique fetches, whatever technique it is: it is run with a map that writes down every fetch. Used by
-// explanations and by the ray filter, so a new technique shows up in both by itself.
+// Records the lookups of any technique, by running it with a map that logs them. New techniques need no code here.
 #pragma once
 
 #include <vector>
@@ -17,8 +16,8 @@ struct RecordedLookups {
 
 using Evaluate = glm::vec4 (*)(shading::ProbeMap, shading::ProbeShape, shading::ShadingPoint);
 
-/// Runs `evaluate` on `map`, which is laid out along the axes it was captured with. A technique's value is linear
-/// in what it fetches; so the weight of a fetch is what comes out when it alone returns 1.
+/// Runs `evaluate` on `map`, which lies along the axes of its capture. A technique's value is linear in its lookups, so
+/// the weight of a lookup is the result when it alone returns 1.
 RecordedLookups recordLookups(Evaluate evaluate, const CubeMap& map, const ProbeGeometry& geometry,
                               const shading::ProbeShape& shape, const shading::ShadingPoint& point);
 

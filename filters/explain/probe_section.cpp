@@ -13,10 +13,10 @@ using namespace explained;
 namespace {
 
 constexpr char kAxisNames[] = "xyz";
-/// Slab factors from here on stand for "never": the ray runs along that plane.
+/// Slab factors from here on mean "never": the ray is parallel to that plane.
 constexpr float kNever = 1e30f;
 
-/// A number to be subtracted: its own sign in brackets.
+/// A number to be subtracted: negative numbers in brackets.
 std::string subtrahend(double value) {
   return value < 0.0 ? "(" + fixedText(value) + ")" : fixedText(value);
 }
@@ -113,7 +113,7 @@ std::string levelText(const Lookup& lookup, float maxLevel) {
          fixedText(lookup.roughness, 3);
 }
 
-/// What the fetches that are not shown bring together.
+/// The sum of the lookups that are not shown.
 ExplanationRow restRow(const ProbeExplanation& p, const std::vector<std::size_t>& rest) {
   glm::vec3 sum(0.0f);
   float share = 0.0f, low = p.maxLevel, high = 0.0f;
@@ -141,7 +141,8 @@ void addDiffuse(const DiffuseExplanation& d, std::vector<ExplanationRow>& rows) 
   }
   std::string nodes;
   for (const LatticeNodeAtPoint& node : d.nodes) {
-    nodes += (nodes.empty() ? "" : "; ") + place(node.node) + " by " + percent(node.weight);
+    nodes += (nodes.empty() ? "" : "; ") + place(node.node) + " by " + percent(node.weight) +
+             (node.known ? "" : " (within something: filled from its neighbours)");
   }
   rows.push_back(light("E_lattice", d.lattice,
                        "everything else, from a lattice of " + std::to_string(d.nodeCount.x) + " x " +
@@ -154,7 +155,7 @@ void addLookups(const Explanation& e, const ProbeExplanation& p, const Explanati
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::size_t shown = order.size();
   if (order.size() > detail.lookupsPerProbe) {
-    // Too many to read: those that bring most of the light.
+    // Too many to list: shows those with most of the light.
     const auto brings = [&p](std::size_t i) {
       const glm::vec3& v = p.lookups[i].value;
       return p.lookups[i].weight * std::max({v.x, v.y, v.z});

@@ -29,7 +29,7 @@ struct Ray {
   std::optional<glm::dvec3> hit, trueHit;
   glm::dvec3 lookup;
   std::optional<glm::vec3> slab;
-  double reach = 1.0;  ///< a length that reads well: half of what the box measures
+  double reach = 1.0;  ///< a suitable length for drawings: half of the box's size
 };
 
 Ray rayOf(const Explanation& e, const ProbeExplanation& p) {
@@ -45,7 +45,7 @@ Ray rayOf(const Explanation& e, const ProbeExplanation& p) {
   r.boxMax = p.boxMax;
   r.hasBox = p.slabFactors.has_value();
   r.slab = p.slabFactors;
-  // The hit as the lookup has it: pulled on to the box where P lies outside.
+  // The hit as the lookup uses it: moved onto the box if P is outside.
   if (p.hitDistance) r.hit = glm::dvec3(p.lookupDirection);
   if (p.trueDistance) r.trueHit = r.position + static_cast<double>(*p.trueDistance) * r.reflection;
   r.lookup = p.lookupDirection;
@@ -58,7 +58,7 @@ int smallestAxis(const glm::vec3& t) {
   return t.x <= t.y && t.x <= t.z ? 0 : t.y <= t.z ? 1 : 2;
 }
 
-/// As far as the ray stays in the box, whether or not the technique asks it; without a box, a length that reads well.
+/// The ray's length inside the box, whether or not the technique uses the box; without a box, a suitable length.
 double wayOut(const Ray& r, const glm::dvec3& from, const glm::dvec3& along) {
   double way = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
@@ -101,7 +101,7 @@ class ViewBuilder {
     view_.boxUsed = r.hasBox;
     const glm::dvec3 none(0.0);
     for (const glm::dvec3& p : {r.position, none, r.hit.value_or(none), r.trueHit.value_or(none)}) see(paper(p));
-    // An eye far off would shrink the drawing: its line leaves the paper.
+    // An eye far away would shrink the drawing: its line leaves the paper instead.
     const glm::dvec2 size = view_.high - view_.low;
     see(glm::clamp(paper(r.eye), view_.low - 0.5 * size, view_.high + 0.5 * size));
     const auto line = [&](SchematicLine kind, const glm::dvec3& from, const glm::dvec3& to, const char* label) {
@@ -158,7 +158,7 @@ class ViewBuilder {
       line(SchematicLine::Lookup, glm::dvec3(0.0), *r.hit, "H - C");
       line(SchematicLine::Reflected, r.position, *r.hit, "d");
     } else {
-      // A direction has no length of its own: it is drawn as long as reads well.
+      // A direction has no length: it is drawn with a suitable one.
       line(SchematicLine::Lookup, glm::dvec3(0.0), r.reach * glm::normalize(r.lookup), "L");
       line(SchematicLine::Reflected, r.position, r.position + r.reach * r.reflection, "");
     }
@@ -166,7 +166,7 @@ class ViewBuilder {
     if (r.trueHit && r.hit) line(SchematicLine::TrueHit, *r.hit, *r.trueHit, "");
   }
 
-  /// Of the planes that this view shows edge-on: where the prolonged ray crosses each.
+  /// For the planes that this view shows edge-on: where the extended ray crosses each.
   void addPlanes(const Ray& r) {
     const int smallest = smallestAxis(*r.slab);
     for (const int axis : {view_.right, view_.up}) {
@@ -179,13 +179,13 @@ class ViewBuilder {
       glm::dvec3 crossing = r.position + t * r.reflection;
       if (axis == smallest && r.hit) crossing = *r.hit;
       const std::string label = std::string("t_") + kAxisLetters[axis] + " = " + fixedText(t, kDecimals);
-      // The third axis of `from` and `to` vanishes on paper.
+      // The third axis of `from` and `to` is perpendicular to the paper.
       glm::dvec2 a = paper(from), b = paper(to);
       view_.planes.push_back({a, b, paper(crossing), label, axis == smallest});
       if (axis == smallest) continue;
       view_.lines.push_back({SchematicLine::Slab, paper(r.hit.value_or(r.position)), paper(crossing), "", 1.0});
       view_.points.push_back({SchematicPoint::SlabPlane, paper(crossing), label, {}});
-      // A crossing far off would only shrink the drawing: its line leaves the paper.
+      // A distant crossing would shrink the drawing: its line leaves the paper instead.
       constexpr double kRoom = 0.4;
       const glm::dvec2 room = kRoom * (*view_.boxHigh - *view_.boxLow);
       see(glm::clamp(paper(crossing), *view_.boxLow - room, *view_.boxHigh + room));
@@ -201,8 +201,7 @@ class ViewBuilder {
     for (auto& point : view_.points) point.labelDirection = freeDirection(point.at);
   }
 
-  /// Of eight directions the one that stays farthest, by angle, from every line that leaves `at` and from the other
-  /// points close by.
+  /// Of eight directions, the one with the largest angle to every line that leaves `at` and to nearby points.
   glm::dvec2 freeDirection(const glm::dvec2& at) const {
     const double near = 1e-6 * (glm::length(view_.high - view_.low) + 1e-30);
     std::vector<glm::dvec2> taken;
@@ -222,7 +221,7 @@ class ViewBuilder {
     glm::dvec2 best(0.0, 1.0);
     double bestCosine = 2.0;
     constexpr double kDiagonal = 0.7071067811865476;
-    // Diagonals first: box edges and many rays run along the axes.
+    // Diagonals first: box edges and many rays are parallel to the axes.
     static const std::array<glm::dvec2, 8> directions = {glm::dvec2(kDiagonal, kDiagonal),
                                                          {-kDiagonal, kDiagonal},
                                                          {kDiagonal, -kDiagonal},
@@ -257,7 +256,7 @@ std::string caption(const ProbeExplanation& p) {
   return "d = min(t_x, t_y, t_z) = min(" + t(0) + ", " + t(1) + ", " + t(2) + ") = " + d;
 }
 
-/// The probe that is drawn; null: there is nothing to draw.
+/// The probe to draw; null: none.
 const ProbeExplanation* drawnProbe(const Explanation& e) {
   if (!e.hit || e.surface.normalWorld == glm::vec3(0.0f) || e.probes.empty()) return nullptr;
   return &e.probes[static_cast<std::size_t>(std::max(e.dominant, 0))];
@@ -267,7 +266,7 @@ ViewBuilder planOf() {
   return {"Plan (from above)", 0, 2, false, true};
 }
 
-/// Looking along -z at the front (x to the right), or from the +x side (-z to the right, as one walks round).
+/// Looking along -z at the front (x to the right), or from the +x side (-z to the right).
 ViewBuilder elevationOf(const Ray& r) {
   const bool alongX = std::abs(r.reflection.x) >= std::abs(r.reflection.z);
   return alongX ? ViewBuilder("Elevation (from the front)", 0, 1, false, false)

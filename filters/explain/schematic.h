@@ -1,6 +1,5 @@
-// The plan and the side elevation of one pixel's projection, as a textbook draws them: box, capture origin, ray, hit.
-// Geometry only, in scene units along the box's axes relative to the capture origin; the window paints it. Plain
-// values.
+// Plan and side elevation of one pixel's projection, as in a textbook: box, capture origin, ray, hit. Geometry only, in
+// scene units along the box's axes relative to the capture origin; the window paints it.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -15,34 +14,34 @@ namespace boxprobe {
 enum class SchematicLine { Eye, Normal, Reflected, Lookup, TrueHit, Slab };
 enum class SchematicPoint { Eye, Shading, Hit, Origin, TrueHit, SlabPlane };
 
-/// One of the two drawings. Points are (right, up) on the paper, scene units.
+/// One of the two drawings. Points are (right, up) on the paper, in scene units.
 struct SchematicView {
   std::string title;          ///< "Plan", "Elevation"
-  int right = 0, up = 1;      ///< which axis of the box each direction of the paper is
+  int right = 0, up = 1;      ///< the box axis of each direction of the paper
   bool rightFlipped = false;  ///< towards the negative axis
   bool upFlipped = false;
-  glm::dvec2 low{0.0}, high{0.0};  ///< what has to be seen: box, P, C, H
+  glm::dvec2 low{0.0}, high{0.0};  ///< extent to show: box, P, C, H
   std::optional<glm::dvec2> boxLow, boxHigh;
-  bool boxUsed = true;  ///< false: the technique does not ask it
+  bool boxUsed = true;  ///< false: the technique does not use it
 
   struct Line {
     SchematicLine kind;
     glm::dvec2 from, to;
-    std::string label;            ///< beside it; may be empty
-    double foreshortening = 1.0;  ///< its length on the paper over its length in space
+    std::string label;            ///< shown beside the line; may be empty
+    double foreshortening = 1.0;  ///< length on the paper over length in space
   };
   struct Point {
     SchematicPoint kind;
     glm::dvec2 at;
     std::string label;
-    glm::dvec2 labelDirection{0.0, 1.0};  ///< unit: where no line leaves the point
+    glm::dvec2 labelDirection{0.0, 1.0};  ///< unit: away from the lines at the point
   };
-  /// A plane of the box seen edge-on: where the ray, prolonged, crosses it.
+  /// A plane of the box seen edge-on, where the extended ray crosses it.
   struct Plane {
     glm::dvec2 from, to;
     glm::dvec2 crossing;
     std::string label;      ///< "t_x = 2.12"
-    bool smallest = false;  ///< the one that decides
+    bool smallest = false;  ///< the decisive plane
   };
   std::vector<Line> lines;
   std::vector<Point> points;
@@ -51,16 +50,16 @@ struct SchematicView {
 
 struct Schematic {
   SchematicView plan;       ///< from above: x to the right, z towards the reader
-  SchematicView elevation;  ///< from the side in which the ray is least foreshortened, y upwards
+  SchematicView elevation;  ///< from the side with the least foreshortening of the ray, y upwards
   std::string caption;      ///< "d = min(t_x, t_y, t_z) = 2.12", or why there is none
 };
 
 /// Nothing without a surface, a normal or a probe to draw.
 std::optional<Schematic> schematic(const Explanation& e);
 
-/// The same ray in one small drawing for the corner of a picture: box, eye, P, C, the ray and what is sampled; neither
-/// normals nor distances. A technique without a hit has its ray drawn to what it meets, and R once more from C. Seen
-/// from above, or in elevation. Nothing where schematic() has nothing.
+/// The same ray in one small drawing for the corner of a picture: box, eye, P, C, the ray and what is sampled, without
+/// normals or distances. For a technique without a hit it draws the ray to the surface it meets, and R again from C.
+/// From above, or in elevation. Nothing if schematic() returns nothing.
 std::optional<SchematicView> insetView(const Explanation& e, bool elevation);
 
 }  // namespace boxprobe

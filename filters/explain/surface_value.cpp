@@ -36,13 +36,13 @@ Value hitError(const Explanation& e) {
   return scalar(std::abs(*p->hitDistance - *p->trueDistance));
 }
 
-// The angle, seen from the capture origin, between what is looked up and what should be.
+// The angle at the capture origin between the sampled direction and the correct one.
 Value directionError(const Explanation& e) {
   const ProbeExplanation* p = dominant(e);
   if (p == nullptr || !p->trueDistance) return std::nullopt;
   const glm::vec3 truth = p->positionProbe + *p->trueDistance * p->reflectionProbe;
   const glm::vec3 a = glm::normalize(p->lookupDirection), b = glm::normalize(truth);
-  // By the sine as well: the cosine alone has no digits left at small angles.
+  // From the sine as well: the cosine alone has no precision at small angles.
   return scalar(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 57.2957795f);
 }
 
@@ -90,6 +90,20 @@ Value picture(const Explanation& e) {
   return e.hit ? Value(e.color) : std::nullopt;
 }
 
+Value diffuseLight(const Explanation& e) {
+  return e.hit ? e.irradiance : std::nullopt;
+}
+
+Value nodeValidity(const Explanation& e) {
+  float share = 0.0f, known = 0.0f;
+  for (const ProbeExplanation& p : e.probes) {
+    if (!e.irradiance || p.diffuse.nodes.empty()) continue;
+    share += p.weight;
+    known += p.weight * p.diffuse.known;
+  }
+  return share > 0.0f ? scalar(known / share) : std::nullopt;
+}
+
 struct ViewValue {
   std::string_view id;
   Value (*value)(const Explanation&);
@@ -107,6 +121,8 @@ constexpr ViewValue kValues[] = {
     {"weights", weights},
     {"face", face},
     {"lookups", lookups},
+    {"diffuse-light", diffuseLight},
+    {"node-validity", nodeValidity},
 };
 
 }  // namespace

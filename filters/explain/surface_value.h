@@ -1,5 +1,5 @@
-// What a view of the surfaces shows of one pixel, from its explanation: the same number that
-// shaders/gpu/surface_view.glsl writes. Called by measures, by the debug view's readout and by tests; knows no GL.
+// The value that a view of the surfaces shows for one pixel, from its explanation: the same number as in
+// shaders/gpu/surface_view.glsl.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace boxprobe {
 
-/// The value in the row's unit; nothing where it is not defined (background, no probe at the pixel).
+/// In the row's unit; nothing where it is undefined (background, no probe at the pixel).
 std::optional<glm::vec3> surfaceValue(const SurfaceViewRow& row, const Explanation& explanation);
 
 }  // namespace boxprobe

@@ -21,11 +21,11 @@ namespace {
 
 using explained::percent;
 
-/// Below it a lookup is right for all that an eye can tell in a mirror.
+/// Below this angle a lookup counts as right: the difference is invisible in a mirror.
 constexpr double kRightDegrees = 1.0;
-/// An edit is offered if it leaves at most this share of the error at the pixel.
+/// An edit is offered if at most this share of the error at the pixel remains.
 constexpr double kWorthwhile = 0.5;
-/// No face is moved farther than this share of the box: what a ray meets so far off is no wall of this box.
+/// Faces are moved by at most this share of the box: a surface farther away is not a wall of this box.
 constexpr double kLargestMove = 0.5;
 
 double brightness(const glm::vec3& light) {
@@ -53,10 +53,10 @@ BoxFace faceOf(int face) {
   return {face / 2, face % 2 == 1};
 }
 
-// How a point lies to an influence box: by face, in the order of explanations (-x +x -y ...), metres.
+// The position of a point relative to an influence box: by face, in the order of explanations (-x +x -y ...), metres.
 struct Reach {
   const Probe* probe = nullptr;
-  std::array<double, 6> inside{};  ///< to the face; negative beyond it
+  std::array<double, 6> inside{};  ///< distance to the face; negative outside
   double outside = 0.0;            ///< distance from the box; 0 inside
 };
 
@@ -82,7 +82,7 @@ Reach reachOf(const Probe& probe, const glm::dvec3& pointWorld) {
   return reach;
 }
 
-// Widens the influence box until the point has the probe's full weight, and says by how much.
+// Widens the influence box until the point has the probe's full weight; returns the edit with its description.
 std::optional<Mend> widened(const Reach& reach) {
   Mend mend;
   mend.probe = reach.probe->name;
@@ -141,12 +141,12 @@ Verdict ofTheSky(const Explanation& e, const Scene& scene) {
           widened(nearest)};
 }
 
-// The hit that the captured distances hold, as seen from the capture origin.
+// The hit in the captured distances, as seen from the capture origin.
 glm::dvec3 trueDirection(const ProbeExplanation& p) {
   return glm::dvec3(p.positionProbe) + double(*p.trueDistance) * glm::dvec3(p.reflectionProbe);
 }
 
-// Error in degrees that a box of these bounds would have; nothing where the ray does not leave it forwards.
+// The error in degrees with a box of these bounds; nothing if the ray does not leave it forwards.
 std::optional<double> errorWith(const glm::dvec3& low, const glm::dvec3& high, const ProbeExplanation& p) {
   double exit = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
@@ -166,7 +166,7 @@ std::optional<Mend> movedFace(const ProbeExplanation& p, const Probe& probe, dou
   const double out = (trueDirection(p)[face.axis] - plane) * face.sign();
   if (std::abs(out) > kLargestMove * probe.box.size()[face.axis]) return std::nullopt;
   plane += out * face.sign();
-  // The capture origin, which is 0 here, stays within.
+  // The capture origin, which is 0 here, must stay inside.
   if (low[face.axis] > -kMinimumThickness || high[face.axis] < kMinimumThickness) return std::nullopt;
   const std::optional<double> left = errorWith(low, high, p);
   if (!left || *left > kWorthwhile * error) return std::nullopt;
@@ -213,7 +213,7 @@ Verdict ofProbe(const ProbeExplanation& p, const Probe& probe) {
           movedFace(p, probe, error)};
 }
 
-// What else the light comes from, where reflections are a small part; empty where they are not.
+// Other sources of light, if reflections are a small part; otherwise empty.
 std::string notReflected(const Explanation& e) {
   const double all = brightness(e.color);
   if (all <= 0.0) return {};

@@ -1,6 +1,5 @@
-// What decides a pixel, in one sentence, and the edit of a probe that would mend it where there is one. Stands first in
-// what `boxprobe explain` prints and on the window's card, which offers the edit as a button. Plain values; reads the
-// scene and changes nothing.
+// The main fact about a pixel in one sentence and, if there is one, the probe edit that fixes it. `boxprobe explain`
+// prints it first; the window's card offers the edit as a button.
 #pragma once
 
 #include <optional>
@@ -11,10 +10,10 @@
 
 namespace boxprobe {
 
-/// An edit of one probe. It mends this pixel: whether it serves the others, the error view shows.
+/// An edit of one probe. It fixes this pixel; the error view shows its effect on others.
 struct Mend {
-  std::string words;  ///< what it does, in the imperative: "Move the +x face of \"room\" out by 0.41 m"
-  std::string probe;  ///< by its name
+  std::string words;  ///< description in the imperative: "Move the +x face of \"room\" out by 0.41 m"
+  std::string probe;  ///< name of the probe
   Probe after;
 };
 
@@ -23,8 +22,8 @@ struct Verdict {
   std::optional<Mend> mend;
 };
 
-/// `scene`: what the pixel was drawn from. Lengths in metres; angles as seen from the capture origin, between where the
-/// technique looks and where the probe's captured distances have the reflected ray's hit.
+/// `scene`: the scene that the pixel was drawn from. Lengths in metres. Angles at the capture origin, between the
+/// sampled direction and the reflected ray's hit in the probe's captured distances.
 Verdict verdictOf(const Explanation& explanation, const Scene& scene);
 
 }  // namespace boxprobe

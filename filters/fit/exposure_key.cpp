@@ -8,7 +8,7 @@ namespace boxprobe {
 
 namespace {
 
-/// The grey that a tone shows as `shown`, linear both.
+/// The grey that a tone curve displays as `shown`; both linear.
 double greyShownAs(double shown, Tone tone) {
   double low = 0.0, high = 64.0;
   for (int i = 0; i < 60; ++i) {

@@ -1,4 +1,4 @@
-// The exposure that a picture asks for. Called where a bare model is first drawn.
+// Chooses the exposure of a picture.
 #pragma once
 
 #include "filters/core/scene/model.h"
@@ -6,10 +6,10 @@
 
 namespace boxprobe {
 
-/// Factor on linear light so that the display is readable: the median of the covered pixels
-/// comes to a middle grey, unless their 95th percentile would then come too near white, which comes first: a tone that
-/// compresses highlights lets it come nearer. `picture` is linear with coverage in alpha; `skyToo` counts the sky that
-/// is seen. 1 where the picture is black or empty. Three digits are kept.
+/// The factor on linear light that makes a picture readable: the median of the covered pixels becomes middle grey, or
+/// less if their 95th percentile would come too close to white; a tone curve that compresses highlights allows more.
+/// `picture` is linear with coverage in alpha; `skyToo` includes the visible sky. 1 for a black or empty picture.
+/// Rounded to three digits.
 double keyedExposure(const ImageRgbaF& picture, bool skyToo, Tone tone = Tone::None);
 
 }  // namespace boxprobe

@@ -17,8 +17,8 @@ namespace boxprobe {
 
 namespace {
 
-/// Points whose hull holds every visible triangle, nearly: of a large model some, in the world. `blending`: of the
-/// surfaces that let light through, or of all others.
+/// Points whose hull contains nearly every visible triangle, in the world; a sample of large models. `blending`: of
+/// transparent surfaces, or of all others.
 std::vector<glm::dvec3> cornersOf(const Scene& scene, const TriangleRays::Models& models, bool blending) {
   constexpr std::size_t kMost = 200000;
   std::size_t all = 0;
@@ -58,7 +58,7 @@ Box boundsOf(const std::vector<glm::dvec3>& corners) {
   return bounds;
 }
 
-/// All that a picture should show: a shadow or a glow that blends and reaches far beyond the rest does not count.
+/// Everything that a picture should show: a blended shadow or glow that extends far beyond the rest does not count.
 std::vector<glm::dvec3> shownCorners(const Scene& scene, const TriangleRays::Models& models) {
   const std::vector<glm::dvec3> firm = cornersOf(scene, models, false);
   std::vector<glm::dvec3> all = cornersOf(scene, models, true);
@@ -83,7 +83,8 @@ std::vector<Camera> fileCameras(const Scene& scene, const TriangleRays::Models& 
   return cameras;
 }
 
-/// What lights the scene, and why in words. `stand` and `probe`: of an interior or a court where one can stand.
+/// Lights the scene, and returns the reason in words. `stand` and `probe`: of an interior or a court with room to
+/// stand.
 std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const FitWishes& wishes,
                   const std::vector<Light>& ofFile, const StandingPoint* stand, const Probe* probe) {
   std::vector<Light> through;
@@ -131,7 +132,7 @@ std::string light(Scene& scene, ModelFit& fit, const TriangleRays& rays, const F
   return {};
 }
 
-/// "6,500 m wide: is the unit mm? --set models.0.unit=mm", for a size that metres make unlikely.
+/// "6,500 m wide: is the unit mm? --set models.0.unit=mm", for a size that is unlikely in metres.
 std::string sizeRemark(ModelKind kind, const Box& bounds, const ModelFile& file) {
   const glm::dvec3 size = bounds.size();
   const double largest = std::max({size.x, size.y, size.z});
@@ -147,7 +148,7 @@ std::string sizeRemark(ModelKind kind, const Box& bounds, const ModelFile& file)
   return {};
 }
 
-/// Scanners and printers put Z up as often as Y, and these files do not say.
+/// Scanners and printers use Z up as often as Y, and these formats do not say.
 std::string upRemark(const ModelFile& file) {
   const std::string extension = lowerExtension(file.file);
   if (file.upAxis != UpAxis::Y || (extension != ".stl" && extension != ".ply")) return {};
@@ -169,7 +170,7 @@ ModelFit fitModel(Scene& scene, const TriangleRays::Models& models, const FitWis
   std::optional<Probe> probe;
   if (!stands.empty()) {
     probe = roomProbe(rays, stands.front());
-    // It lights the whole model; its box is fitted to the room about it.
+    // It lights the whole model, but its box is fitted to the surrounding room.
     const std::optional<Box> whole = std::exchange(probe->influence, std::nullopt);
     fit.box = fitBox({rays, rays, fileCameras(scene, models)}, *probe, wishes.box);
     probe = fit.box->probe;

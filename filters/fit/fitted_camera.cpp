@@ -27,7 +27,7 @@ glm::dvec3 horizontally(double azimuthDegrees, double elevationDegrees) {
   return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation)};
 }
 
-/// From the target to the camera. What is flat is seen more from its broad side.
+/// The direction from the target to the camera. Flat objects are seen more from their broad side.
 glm::dvec3 flatteringSide(const glm::dvec3& size) {
   const double width = std::max(size.x, 1e-12), height = std::max(size.y, 1e-12), depth = std::max(size.z, 1e-12);
   const double flat = std::min(1.0, 4.0 * depth / std::max(width, height));  // 0: a picture on a wall
@@ -36,7 +36,8 @@ glm::dvec3 flatteringSide(const glm::dvec3& size) {
   return horizontally(90.0 - (90.0 - (10.0 + 22.0 * flat)) * thin, 18.0 + 22.0 * lying);
 }
 
-/// What a picture of a few rays from `eye` is worth: far fronts all over it, at many distances, nothing close.
+/// Rates the view from `eye` by a few rays: it should show front faces everywhere, at many distances, and nothing
+/// close.
 double worthOfView(const TriangleRays& rays, const glm::dvec3& eye, const ViewAxes& axes, double tangent, double aspect,
                    double unit) {
   constexpr int kColumns = 9, kRows = 5;
@@ -48,7 +49,7 @@ double worthOfView(const TriangleRays& rays, const glm::dvec3& eye, const ViewAx
       const double y = (2.0 * (row + 0.5) / kRows - 1.0) * tangent;
       const std::optional<SurfaceHit> hit =
           rays.first(eye, glm::normalize(axes.forward + x * axes.right + y * axes.up));
-      if (!hit) continue;  // sky: neither good nor bad
+      if (!hit) continue;  // sky is neutral
       const double distance = hit->distance / unit, far = std::log2(1.0 + distance);
       close += hit->back || distance < 0.35 ? 2.0 : distance < 0.6 ? 0.7 : 0.0;
       sum += far;
@@ -68,7 +69,7 @@ Camera objectCamera(const std::vector<glm::dvec3>& corners, const Box& bounds, d
   const ViewAxes axes = axesTowards(-flatteringSide(bounds.size()));
   const double tangent = std::tan(0.5 * glm::radians(camera.verticalFovDegrees));
   const double tall = kFilled * tangent, wide = std::min(kFilled, 0.94) * tangent * std::max(aspect, 0.1);
-  // Every corner lies between the picture's edges: |x - eye| <= wide * (depth + distance), and so for y.
+  // Every corner lies between the picture's edges: |x - eye| <= wide * (depth + distance), and likewise for y.
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   double right = kNone, left = kNone, top = kNone, bottom = kNone, nearest = kNone;
   const glm::dvec3 center = bounds.center();

@@ -20,20 +20,20 @@ double largestSide(const Box& bounds) {
   return std::max({size.x, size.y, size.z});
 }
 
-/// Metres, of the longest side of what people model.
+/// Limits in metres for the longest side of typical models.
 struct Plausible {
-  double most;         ///< beyond that a unit was taken for another
-  double centimetres;  ///< up to that, centimetres
+  double most;         ///< larger models probably have the wrong unit
+  double centimetres;  ///< up to this size the unit is probably the centimetre
 };
 
 Plausible plausibleSize(ModelKind kind, bool saysMetres) {
   if (kind == ModelKind::Interior) return {120.0, 6000.0};
   if (kind == ModelKind::Open) return {3000.0, 6000.0};
-  // A glTF file says that it is in metres: only what can hardly be is asked about.
+  // glTF files are in metres by definition: only extreme sizes are questioned.
   return saysMetres ? Plausible{150.0, 500.0} : Plausible{20.0, 500.0};
 }
 
-/// Area of all triangles as seen along each axis of the world.
+/// The projected area of all triangles along each world axis.
 glm::dvec3 areasAlongAxes(const Scene& scene, const TriangleRays::Models& models) {
   glm::dvec3 areas(0.0);
   for (std::size_t i = 0; i < models.size(); ++i) {
@@ -54,18 +54,18 @@ glm::dvec3 areasAlongAxes(const Scene& scene, const TriangleRays::Models& models
   return areas;
 }
 
-/// Does it begin at 0 along this axis, as what stands on a floor does?
+/// Does it begin at 0 along this axis, as objects on a floor do?
 bool standsOn(const Box& bounds, int axis) {
   return std::abs(bounds.min[axis]) <= 0.02 * bounds.size()[axis];
 }
 
-/// Is it +Z that the file takes for up, rather than +Y?
+/// Is the file's up axis +Z rather than +Y?
 bool zIsUp(const Scene& scene, const TriangleRays::Models& models, const std::string& extension, ModelKind kind,
            const Box& bounds) {
   const glm::dvec3 size = bounds.size();
   const bool onY = standsOn(bounds, 1), onZ = standsOn(bounds, 2);
   const bool saysUp = extension == ".glb" || extension == ".gltf";
-  // Standing on z = 0 and reaching below y = 0. A picture on a wall does so too, but not in metres with Y up.
+  // Stands on z = 0 and extends below y = 0. So does a picture on a wall, but rarely in metres with Y up.
   if (onZ && !onY && bounds.min.y < -0.2 * size.y && (!saysUp || kind == ModelKind::Interior)) return true;
   if (onY && !onZ) return false;
   // Rooms are lower than wide, and have more floor and ceiling than wall along any one axis.
@@ -83,7 +83,7 @@ LengthUnit likelyUnit(const std::string& file, ModelKind kind, double largest) {
   const bool saysMetres = extension == ".glb" || extension == ".gltf";
   const Plausible size = plausibleSize(kind, saysMetres);
   if (largest <= size.most) return LengthUnit::Metre;
-  // What is printed in three dimensions is drawn in millimetres.
+  // Models for 3D printing are drawn in millimetres.
   if (extension == ".stl" && kind == ModelKind::Object) return LengthUnit::Millimetre;
   return largest <= size.centimetres ? LengthUnit::Centimetre : LengthUnit::Millimetre;
 }

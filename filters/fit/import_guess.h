@@ -1,5 +1,5 @@
-// Is a model file likely in another unit, or with another axis up, than it was read with? Formats but glTF say neither,
-// and programs write glTF files wrongly, too. Called where a bare model is fitted; proposes, changes nothing.
+// Guesses whether a model file has another unit or up axis than assumed. Only glTF defines them, and some glTF files
+// are wrong.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,19 @@
 
 namespace boxprobe {
 
-/// How a file is likely meant.
+/// The likely unit and up axis of a file.
 struct ImportGuess {
   LengthUnit unit = LengthUnit::Metre;
   UpAxis upAxis = UpAxis::Y;
-  std::string reason;  ///< a clause or two: "In metres it would be 940 m wide, and it seems to lie on its side"
+  std::string reason;  ///< one or two clauses: "In metres it would be 940 m wide, and it seems to lie on its side"
 };
 
-/// The unit that makes `largest`, the longest side in metres as the file was read, plausible for what a model of this
-/// kind shows; `file`'s extension says who writes such files.
+/// The unit in which `largest`, the longest side in metres as read, is plausible for a model of this kind; the
+/// extension of `file` tells what kind of program wrote it.
 LengthUnit likelyUnit(const std::string& file, ModelKind kind, double largest);
 
-/// Nothing where the model is not too large and stands as it should, or where the scene already says how the file is to
-/// be read. `bounds`: of everything, in the world, as the file was read. Only the first model is asked about.
+/// Nothing if the model is not too large and stands upright, or if the scene already sets unit or up axis. `bounds`: of
+/// everything, in the world, as read. Considers the first model only.
 std::optional<ImportGuess> guessImport(const Scene& scene, const TriangleRays::Models& models, ModelKind kind,
                                        const Box& bounds);
 

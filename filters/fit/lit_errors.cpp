@@ -25,7 +25,7 @@ struct LitProbe {
   const SurfaceRays* captured = nullptr;
 };
 
-/// Degrees; nothing where the origin does not see the ray's end.
+/// In degrees; nothing if the origin does not see the ray's end.
 std::optional<double> errorOf(const LitProbe& probe, const ReflectedRay& ray) {
   const glm::dvec3 origin = probe.geometry.originWorld, target = ray.hit - origin;
   const double distance = glm::length(target);

@@ -1,5 +1,5 @@
-// How wrong the reflections of a place are with all of its probes: each surface point looks up what its probes share,
-// as it is drawn. Called by place_probes, which chooses by it, and by its report.
+// The error of a place's reflections with all of its probes: each surface point samples the probes that it blends when
+// drawn.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,13 @@
 namespace boxprobe {
 
 struct LitErrors {
-  double meanDegrees =
-      0.0;  ///< lookup error, at most 20; what no probe lights and what its probe does not see counts 20
+  double meanDegrees = 0.0;  ///< lookup error, at most 20; 20 without a probe, or where its probe does not see the end
   double p95Degrees = 0.0;
-  double hidden = 0.0;  ///< share of the reflections whose end the probes that light them do not see
+  double hidden = 0.0;  ///< share of the reflections whose end the probes there do not see
   double unlit = 0.0;   ///< share of the reflections that no probe lights
 };
 
-/// Of rays by reflectedRays; `probes` need not be in the scene.
+/// `rays` are from reflectedRays; `probes` need not be in the scene.
 LitErrors litErrors(ProbeFitter& fitter, const ReflectedRays& rays, const std::vector<Probe>& probes);
 
 }  // namespace boxprobe

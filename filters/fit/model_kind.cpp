@@ -12,7 +12,7 @@ namespace boxprobe {
 namespace {
 
 constexpr int kAcross = 7, kLayers = 5;  // points: 7 x 5 x 7
-constexpr int kSurveyRays = 64;          // from each
+constexpr int kSurveyRays = 64;          // per point
 
 SurveyedPoint surveyed(const TriangleRays& rays, const glm::dvec3& from, const std::vector<glm::dvec3>& directions) {
   SurveyedPoint point;
@@ -43,7 +43,7 @@ SurveyedPoint surveyed(const TriangleRays& rays, const glm::dvec3& from, const s
   return point;
 }
 
-/// Of rays from a sphere about the core towards points in it, those that meet a back among those that meet anything.
+/// The share of back faces among the hits of rays from a sphere around the core towards points in it.
 double backFromOutside(const TriangleRays& rays) {
   constexpr int kOutside = 512;
   const Box core = rays.core();
@@ -68,10 +68,10 @@ std::string percent(double share) {
   return text;
 }
 
-// The limits are between what some hundred models of other people show: rooms from 0.47 (closed in) or 0.15 (a cave,
-// back sides outside), machines with hollows up to 0.28 with fronts outside.
+// The limits separate about a hundred models by others: rooms start at 0.47 (closed) or 0.15 (a cave with back faces
+// outside); machines with cavities reach 0.28, with front faces outside.
 void decide(ModelSurvey& survey) {
-  // What people stand in is larger than what they hold; smaller hollows are vases, cups and drawers.
+  // Rooms are larger than the objects in them; smaller cavities are vases, cups and drawers.
   constexpr double kRoom = 1.5;
   const bool large = survey.largest >= kRoom;
   const bool shell = survey.backOutside >= 0.4;

@@ -52,7 +52,7 @@ std::vector<Light> openingLights(const TriangleRays& rays, const Probe& probe) {
   };
   std::array<Side, 6> sides;
   for (const glm::dvec3& direction : evenDirections(kRays)) {
-    // Where the ray leaves the box, and through which face.
+    // Where, and through which face, the ray leaves the box.
     double leaves = 1e300;
     std::size_t face = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -83,7 +83,7 @@ std::vector<Light> openingLights(const TriangleRays& rays, const Probe& probe) {
     inward[static_cast<int>(face / 2)] = face % 2 == 0 ? 1.0 : -1.0;
     Light light;
     light.type = LightType::Spot;
-    // As far behind the opening as it is wide: close to a point the light would glare on the window frame.
+    // As far behind the opening as it is wide: near a point light, the window frame would be overexposed.
     light.position = side.middle / side.open - std::sqrt(side.area) * inward;
     light.direction = inward - (std::abs(inward.y) > 0.5 ? glm::dvec3(0.0) : glm::dvec3(0.0, 0.35, 0.0));
     light.color = sky.horizon / radiance;

@@ -1,4 +1,4 @@
-// Light for a model whose file has none. Called by fit_model.
+// Lights for a model whose file has none.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ enum class FitLight {
   File,      ///< the lights of the model files
   Studio,    ///< a studio environment alone: key, rim, fill
   Ceiling,   ///< soft lamps under the ceiling
-  Openings,  ///< the sky's light through the openings of a room
+  Openings,  ///< skylight through the openings of a room
   Daylight,  ///< gradient sky and a sun
 };
 
@@ -21,12 +21,12 @@ enum class FitLight {
 const char* fitLightId(FitLight light);
 const std::vector<FitLight>& allFitLights();
 
-/// One lamp for each square of the room, four at most, at three quarters of its height.
+/// One lamp per square part of the room, at most four, at three quarters of its height.
 std::vector<Light> ceilingLights(const Probe& probe, const StandingPoint& stand);
 
-/// For each side of the probe's box through which the sky is seen from its origin, a spot that stands behind the
-/// opening's middle and shines inwards, as strong as the opening's area times the sky's radiance at the horizon. Empty:
-/// the room is closed, which it is where less than 0.8 % of the rays of a side leave.
+/// For each side of the probe's box through which its origin sees the sky, a spot light behind the middle of the
+/// opening that shines inwards. Its intensity is the opening's area times the sky's radiance at the horizon. Empty for
+/// a closed room, where less than 0.8 % of the rays of each side leave.
 std::vector<Light> openingLights(const TriangleRays& rays, const Probe& probe);
 
 /// A sun, 50 degrees high.

@@ -13,11 +13,11 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kSkin = 0.018;    // of the rooms' height, behind a wall: less than half of a thin one
-constexpr double kMostGap = 0.25;  // of the rooms' height: a wall is no thicker
+constexpr double kSkin = 0.018;    // of the rooms' height, behind a wall: less than half of a thin wall
+constexpr double kMostGap = 0.25;  // of the rooms' height: the maximum thickness of a wall
 
-/// Boxes of a probe are given as if it were not turned about the middle of its projection box; `axes` are turned about
-/// the world's origin.
+/// Boxes of a probe are given as if not rotated about the middle of its projection box; `axes` are rotated about the
+/// world's origin.
 Box alongAxes(const Box& box, const Probe& probe) {
   const glm::dvec3 pivot = probe.box.center();
   const glm::dvec3 off = glm::transpose(rotationMatrix(probe.rotationDegrees)) * pivot - pivot;
@@ -34,7 +34,7 @@ double side(const Box& box, int axis, bool upper) {
   return (upper ? box.max : box.min)[axis];
 }
 
-/// Where the walls about some cells stand, along the axes of a probe: where rays from the cells end near the last ones.
+/// The walls around some cells, along the axes of a probe: where rays from the cells end close to the outermost ones.
 Box wallsOf(const SurfaceRays& rays, const FreeSpace& space, const std::vector<std::size_t>& cells,
             const Probe& probe) {
   constexpr std::size_t kLooks = 400, kLeast = 5;
@@ -65,7 +65,7 @@ Box wallsOf(const SurfaceRays& rays, const FreeSpace& space, const std::vector<s
   return walls;
 }
 
-/// The axis along which a doorway leads, seen along other axes than the grid's.
+/// The axis along which a doorway leads, in other axes than the grid's.
 glm::dvec3 alongProbe(const FreeSpace& space, const glm::dvec3& normalGrid, const Probe& probe) {
   return glm::transpose(rotationMatrix(probe.rotationDegrees)) * (space.worldFromGrid * normalGrid);
 }
@@ -147,7 +147,7 @@ std::vector<std::pair<std::size_t, std::size_t>> overlaps(const std::vector<Plac
   for (std::size_t i = 0; i < probes.size(); ++i) {
     const Box a = alongAxes(probes[i].probe.influenceBox(), probes[i].probe);
     for (std::size_t k = i + 1; k < probes.size(); ++k) {
-      // Of boxes turned against each other, bounds along the first one's axes.
+      // For boxes rotated against each other: bounds along the first one's axes.
       Probe other = probes[k].probe;
       const Box upright = influenceBounds(other);
       other.rotationDegrees = probes[i].probe.rotationDegrees;

@@ -1,5 +1,5 @@
-// Which surfaces a placed probe lights: its room up to the walls, through door frames up to the next room, a part of a
-// room with a soft edge. Called by place_probes.
+// Which surfaces a placed probe lights: its room up to the walls, through door frames up to the next room; for a part
+// of a room, with a soft edge.
 #pragma once
 
 #include <utility>
@@ -10,21 +10,20 @@
 
 namespace boxprobe {
 
-/// Gives `probe` the rotation, the box of some cells along its axes, and an influence that reaches a cell further.
+/// Sets the rotation of `probe`, its box around some cells along these axes, and an influence box one cell larger.
 void setBoxAbout(Probe& probe, const FreeSpace& space, const std::vector<std::size_t>& cells,
                  const glm::dvec3& rotationDegrees);
 
-/// Influences of the first probes of rooms, one for each. They end a little behind the walls that rays meet; where a
-/// door leads to the next room, at that room's wall, so that the two probes fade into each other within the door's
-/// frame.
+/// Influence boxes of the first probes of rooms, one per room. They end a little behind the walls that rays meet or, at
+/// a door to the next room, at that room's wall, so that the two probes blend within the door frame.
 void setInfluences(const SurfaceRays& rays, const Rooms& rooms, std::vector<PlacedProbe>& probes);
 
-/// Influence of a probe for a part of a room: as that of the room's probe where it reaches the room's walls, else with
-/// a soft edge. It is more important than the room's.
+/// The influence box of a probe for a part of a room: as that of the room's probe at the room's walls, elsewhere with a
+/// soft edge. The probe gets a higher importance than the room's.
 void setPartInfluence(const SurfaceRays& rays, const FreeSpace& space, const std::vector<std::size_t>& cells,
                       const Probe& ofRoom, Probe& ofPart);
 
-/// Pairs of probes whose influences overlap by more than a twentieth of the smaller one.
+/// Pairs of probes whose influence boxes overlap by more than a twentieth of the smaller one.
 std::vector<std::pair<std::size_t, std::size_t>> overlaps(const std::vector<PlacedProbe>& probes);
 
 }  // namespace boxprobe

@@ -20,10 +20,10 @@ namespace {
 
 constexpr int kScoreRays = 2048;
 constexpr std::size_t kMostParts = 8;
-constexpr std::size_t kMostRanks = 8;  // of importance, should probes be above each other in a circle
+constexpr std::size_t kMostRanks = 8;  // of importance; a limit, should probes be above each other in a cycle
 constexpr double kLeastPart = 0.08;    // of its room's volume
 constexpr double kRoofed = 0.3, kLeastGloss = 0.02;
-constexpr double kLong = 1.5;  // a room so much longer than wide is also tried in halves
+constexpr double kLong = 1.5;  // rooms longer than this ratio are also tried in halves
 
 using Clock = std::chrono::steady_clock;
 
@@ -38,7 +38,7 @@ std::string sentence(const char* format, Values... values) {
   return text;
 }
 
-/// Every direction from a point meets mostly back sides: where faces are inverted this is a room.
+/// Do rays in every direction meet mostly back faces? With inverted faces this is a room.
 bool amongBacks(const SurfaceRays& rays, const glm::dvec3& position) {
   constexpr int kLooks = 96;
   int backs = 0;
@@ -49,13 +49,13 @@ bool amongBacks(const SurfaceRays& rays, const glm::dvec3& position) {
   return backs > 0.8 * kLooks;
 }
 
-/// Rooms are fitted for whoever stands in them: a camera sees the one that it stands in, and that from one place.
+/// Rooms are fitted for people standing in them: a camera sees only the room that it is in, from one place.
 Scene withoutCameras(Scene scene) {
   scene.cameras.clear();
   return scene;
 }
 
-/// Share of what people see reflected that smooth surfaces reflect.
+/// The share of visible reflections that is from smooth surfaces.
 double glossOf(const ReflectedRays& rays) {
   double smooth = 0.0, all = 0.0;
   for (const ReflectedRay& ray : rays.rays) {
@@ -201,7 +201,7 @@ class Placer {
     return true;
   }
 
-  /// What more probes of a room could be for: what lies between narrow places, and the halves of a long room.
+  /// Parts of a room that could get more probes: those between narrow places, and the halves of a long room.
   std::vector<std::vector<std::size_t>> partsOf(const Room& room) const {
     std::vector<std::vector<std::size_t>> parts;
     const double least = kLeastPart * static_cast<double>(room.cells.size());
@@ -241,7 +241,7 @@ class Placer {
     std::vector<Probe> chosen = {placement_.probes[first].probe};
     double error = litErrors(fitter_, rays_[room], chosen).meanDegrees;
     const auto needed = [&] { return settings_.leastGain * (kHiddenDegrees - error); };
-    if (error <= needed()) return true;  // not even perfection would gain enough
+    if (error <= needed()) return true;  // even a perfect probe would not gain enough
     std::vector<PlacedProbe> candidates;
     const std::vector<std::vector<std::size_t>> parts = partsOf(rooms_.rooms[room]);
     for (const std::vector<std::size_t>& cells : parts) {
@@ -287,10 +287,11 @@ class Placer {
     return true;
   }
 
-  /// Where influences overlap, that probe counts more with which the two rooms are better off.
+  /// Where influence boxes overlap, the more important probe is the one with which both rooms together have the smaller
+  /// error.
   void setImportance() {
     std::vector<PlacedProbe>& probes = placement_.probes;
-    std::vector<std::pair<std::size_t, std::size_t>> above;  // the second over the first
+    std::vector<std::pair<std::size_t, std::size_t>> above;  // the second above the first
     for (const auto& [a, b] : overlaps(probes)) {
       if (probes[a].room == probes[b].room) {
         if (probes[a].part != probes[b].part) above.emplace_back(probes[a].part ? b : a, probes[a].part ? a : b);
@@ -361,8 +362,8 @@ class Placer {
   ProbeFitter fitter_;
   Rooms rooms_;
   std::optional<RoomFitter> roomFits_;
-  std::vector<ReflectedRays> rays_;  ///< to choose by, of each room
-  std::vector<std::size_t> held_;    ///< rooms that hold a probe which is kept
+  std::vector<ReflectedRays> rays_;  ///< for choosing, one per room
+  std::vector<std::size_t> held_;    ///< rooms that contain a probe to keep
   Placement placement_;
 };
 

@@ -1,5 +1,4 @@
-// Probes for a whole model: its rooms, a fitted box for each, and more probes in a room as long as they gain. Called by
-// `boxprobe place` and by the window, in a thread of its own.
+// Places probes for a whole model: finds its rooms, fits a box to each, and adds probes to a room while they gain.
 #pragma once
 
 #include <string>
@@ -12,42 +11,42 @@
 namespace boxprobe {
 
 struct PlaceSettings {
-  std::size_t most = 64;    ///< probes, those that are kept included
-  double leastGain = 0.02;  ///< of a further probe in a room, of what its probes gain in all
-  bool keep = false;        ///< the scene's probes stay, and rooms that hold one get no other
-  bool inverted = false;    ///< back sides may be walls, even where no camera stands among them
-  int rays = 4096;          ///< of each fit
+  std::size_t most = 64;    ///< maximum number of probes, including those kept
+  double leastGain = 0.02;  ///< minimum gain of a further probe in a room, relative to what its probes gain in total
+  bool keep = false;        ///< keep the scene's probes; rooms that contain one get no other
+  bool inverted = false;    ///< allow back faces as walls, even if no camera is among them
+  int rays = 4096;          ///< per fit
 };
 
-/// A room as the report has it.
+/// A room in the report.
 struct PlacedRoom {
-  Box extent;  ///< of its free space, along axes turned by `yawDegrees` about the world's +y axis
+  Box extent;  ///< of its free space, along axes rotated by `yawDegrees` about the world's +y axis
   double yawDegrees = 0.0;
   glm::dvec3 middleWorld{0.0};
   double volume = 0.0;
   std::vector<Doorway> doorways;       ///< `a` is this room
-  bool reflects = true;                ///< else it has no ceiling and only rough surfaces, and counts for nothing
-  std::size_t parts = 1;               ///< between narrow places
-  LitErrors before, after;             ///< with the scene's own probes; with the probes placed
-  std::vector<std::string> decisions;  ///< sentences without a full stop: every probe that was tried, and why not
+  bool reflects = true;                ///< false: it has no ceiling and only rough surfaces, and is ignored
+  std::size_t parts = 1;               ///< number of parts between narrow places
+  LitErrors before, after;             ///< with the scene's own probes; with the placed probes
+  std::vector<std::string> decisions;  ///< sentences without a full stop: every probe that was tried, and the result
 };
 
 struct Placement {
-  std::vector<PlacedRoom> rooms;    ///< the largest first
+  std::vector<PlacedRoom> rooms;    ///< in order of decreasing size
   std::vector<PlacedProbe> probes;  ///< in the order of the rooms
-  std::vector<Probe> kept;          ///< of the scene; without a room all of them
-  LitErrors before, after;          ///< of all rooms, by volume
+  std::vector<Probe> kept;          ///< of the scene; all of them if there are no rooms
+  LitErrors before, after;          ///< of all rooms, weighted by volume
   std::vector<std::string> remarks;
-  double cell = 0.0;  ///< size of a cell of the free space, scene units
+  double cell = 0.0;  ///< cell size of the free space, scene units
   std::size_t cells = 0;
   double roomSeconds = 0.0, seconds = 0.0;
 
-  /// The kept ones and those placed.
+  /// The kept probes and the placed ones.
   std::vector<Probe> all() const;
 };
 
-/// Judged by people who stand in the rooms, not by the scene's cameras. Deterministic. Nothing, if `progress` stopped
-/// it. Throws WorkError where the ray tracer cannot take the models.
+/// Rated for people standing in the rooms, not for the scene's cameras. Deterministic. Nothing if `progress` stopped
+/// it. Throws WorkError if the ray tracer cannot take the models.
 std::optional<Placement> placeProbes(const Scene& scene, const TriangleRays::Models& models,
                                      const PlaceSettings& settings = {}, const FitProgress& progress = {});
 

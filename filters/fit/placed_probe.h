@@ -1,4 +1,4 @@
-// A probe that was placed, and why. Called by place_probes and what it is made of.
+// A placed probe with the reason for it.
 #pragma once
 
 #include "filters/fit/box/fit_box.h"
@@ -8,8 +8,8 @@ namespace boxprobe {
 struct PlacedProbe {
   Probe probe;
   std::size_t room = 0;
-  bool part = false;         ///< of a part of its room; else of all of it
-  double gainDegrees = 0.0;  ///< of the room's mean error, when it was chosen
+  bool part = false;         ///< covers a part of its room instead of all of it
+  double gainDegrees = 0.0;  ///< reduction of the room's mean error when it was chosen
   BoxFit fit;
 };
 

@@ -1,4 +1,4 @@
-// One probe for some cells of the free space: captured where that is best, its box fitted. Called by place_probes.
+// Fits one probe to some cells of the free space: finds the best capture origin and the box.
 #pragma once
 
 #include "filters/fit/fit_probe.h"
@@ -6,18 +6,18 @@
 
 namespace boxprobe {
 
-/// Of rays to choose by and to report: not those that boxes are fitted with.
+/// For rays that choose and report: different from those that boxes are fitted with.
 inline constexpr double kScoreTurn = 0.37;
 
 class RoomFitter {
  public:
-  /// `fitter` and `rooms` must outlive this; `rays` as BoxFitSettings has them.
+  /// `fitter` and `rooms` must outlive this object; `rays` as in BoxFitSettings.
   RoomFitter(ProbeFitter& fitter, const Rooms& rooms, int rays) : fitter_(fitter), rooms_(rooms), rays_(rays) {}
 
-  /// In the deepest of the cells, with the box about all of them and an influence that reaches a cell further.
+  /// A probe in the deepest of the cells, with the box around all of them and an influence box one cell larger.
   Probe start(const std::vector<std::size_t>& cells) const;
 
-  /// From the best of sixteen origins, by litErrors of that box. Nothing, if `progress` stopped it.
+  /// From the best of sixteen origins, by litErrors of the fitted box. Nothing if `progress` stopped it.
   std::optional<BoxFit> fit(const std::vector<std::size_t>& cells, const FitProgress& progress) const;
 
  private:

@@ -42,8 +42,8 @@ Probe roomProbe(const TriangleRays& rays, const StandingPoint& stand) {
       (end == 1 ? probe.box.max : probe.box.min)[axis] = origin[axis] + (end == 1 ? distance : -distance);
     }
   }
-  // Other rooms, alcoves and what stands behind the median wall have no probe of their own: this one is nearer to the
-  // truth there than the sky.
+  // Other rooms, alcoves and what is behind the median wall have no probe of their own: this one is closer to the truth
+  // there than the sky.
   const Box whole{glm::min(bounds.min - margin, probe.box.min), glm::max(bounds.max + margin, probe.box.max)};
   probe.influence = whole;
   probe.blendDistance = {glm::dvec3(0.0), glm::dvec3(0.0)};

@@ -10,9 +10,9 @@ namespace boxprobe {
 namespace {
 
 constexpr double kEyeHeight = 1.6;     // metres
-constexpr double kTallestRoom = 60.0;  // metres: a higher one is in another unit
+constexpr double kTallestRoom = 60.0;  // metres: a higher room is in another unit
 
-/// Scene units. A room of 60 m is in another unit: in the one that makes it 2 to 8 m high, if there is such a one.
+/// In scene units. For a room above 60 m, in the unit that makes it 2 to 8 m high, if there is one.
 double eyeHeight(double height) {
   const double most = 0.6 * height;
   if (height <= kTallestRoom) return std::clamp(kEyeHeight, 0.25 * height, most);
@@ -24,7 +24,7 @@ double eyeHeight(double height) {
   return most;
 }
 
-/// At eye height over what is below `from`; the share of the height holds where metres cannot be what the file is in.
+/// At eye height above the floor below `from`; as a share of the room's height if the file cannot be in metres.
 std::optional<StandingPoint> standingBelow(const TriangleRays& rays, const glm::dvec3& from) {
   const glm::dvec3 up(0.0, 1.0, 0.0);
   const std::optional<SurfaceHit> below = rays.first(from, -up);
@@ -38,7 +38,7 @@ std::optional<StandingPoint> standingBelow(const TriangleRays& rays, const glm::
   return point;
 }
 
-/// Distance of what is nearest, on the level of the eyes and above; nothing within or behind a surface.
+/// Distance to the nearest surface at eye level and above; nothing inside or behind a surface.
 std::optional<double> clearanceAt(const TriangleRays& rays, const glm::dvec3& eye) {
   constexpr int kRays = 96;
   double nearest = glm::length(rays.bounds().size());
@@ -59,8 +59,8 @@ double medianOf(const std::vector<StandingPoint>& points, double StandingPoint::
   return *median;
 }
 
-/// Keeps those on the floor on which most stand, under the ceiling that most have: the others stand on tables or lie
-/// below them, or are in another storey.
+/// Keeps the points on the most common floor below the most common ceiling: others are on or under tables, or in
+/// another storey.
 void leaveFurniture(std::vector<StandingPoint>& points) {
   const double floor = medianOf(points, &StandingPoint::floor), height = medianOf(points, &StandingPoint::height);
   const auto elsewhere = [floor, height](const StandingPoint& point) {

@@ -22,7 +22,7 @@ Vec minus(const Vec& a, const Vec& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// Of the ray's own length: a float ray is of unit length to rounding only, and is what it is.
+// Uses the ray's actual length: a float ray is unit length only up to rounding.
 Vec along(const Vec& p, Real t, const Vec& ray) {
   return {p[0] + t * ray[0], p[1] + t * ray[1], p[2] + t * ray[2]};
 }
@@ -91,7 +91,7 @@ Real roundedBoxExit(const Vec& position, const Vec& ray, const Vec& low, const V
   };
   if (!outside(exit)) return exit;
   Real in = 0, out = exit;
-  for (int i = 0; i < 64; ++i) {  // all the digits there are
+  for (int i = 0; i < 64; ++i) {  // exhausts the precision
     const Real t = (in + out) / 2;
     (outside(t) ? out : in) = t;
   }
@@ -191,7 +191,7 @@ Real levelGodot(int curve, Real roughness, Real maxLevel, Real distance, Real ha
                 Real power) {
   const Real p = within(roughness, 0, 1);
   const Real fresnel = std::pow(1 - within(facing, 0, 1), power);
-  // No further than a million lengths: a ray without a hit has a distance, too.
+  // At most a million lengths: a ray without a hit also has a distance.
   const Real lengths = std::min(distance / hardeningLength, 1.0e6L);
   const Real q = within(lengths * (1 - fresnel) + (1 - fresnel) * p, 0, 1);
   const Real alpha = p * p;

@@ -1,5 +1,5 @@
-// See stress_classes.h. An ordinary input (a room with the capture origin and the point inside, a ray that leaves the
-// surface) is drawn first; a class then changes what it is about. Everything is drawn in double and rounded once.
+// First draws an ordinary input: a room with the capture origin and the point inside, and a ray that leaves the
+// surface. Then a class changes what it is about. All values are drawn in double and rounded once.
 #include "filters/stress/stress_classes.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ glm::dvec3 unit(const glm::dvec3& v) {
   return length > 0.0 ? v / length : glm::dvec3(0.0, 0.0, 1.0);
 }
 
-/// R as given; N somewhere in its hemisphere and V what is mirrored into R.
+/// Sets R as given, N somewhere in its hemisphere, and V to the mirrored R.
 void aim(StressInput& in, StressRandom& random, const glm::dvec3& r) {
   glm::dvec3 n = random.direction();
   if (glm::dot(n, r) < 0.0) n = -n;
@@ -70,7 +70,7 @@ StressInput ordinary(StressRandom& random) {
   return in;
 }
 
-/// Puts `count` coordinates of the point onto faces; the axes it chose come first in the result.
+/// Moves `count` coordinates of the point onto faces; the chosen axes come first in the result.
 glm::ivec3 ontoFaces(StressInput& in, StressRandom& random, int count) {
   const int first = random.below(3), turn = random.chance(0.5) ? 1 : 2;
   const glm::ivec3 axes(first, (first + turn) % 3, (first + 2 * turn) % 3);
@@ -127,7 +127,7 @@ void ulpInside(StressInput& in, StressRandom& random) {
 void ulpOutside(StressInput& in, StressRandom& random) {
   nextTo(in, random, true);
 }
-/// Outside by a share of the box, along one to three axes.
+/// Outside by a fraction of the box, along one to three axes.
 void outsideBy(StressInput& in, StressRandom& random, double least, double most) {
   const int count = 1 + random.below(3);
   const double size = side(in);
@@ -146,7 +146,7 @@ void outside(StressInput& in, StressRandom& random) {
 }
 void farOutside(StressInput& in, StressRandom& random) {
   outsideBy(in, random, 2.0, 1e18);
-  // Half of them so that the ray meets the box: otherwise nearly all would pass it.
+  // Aims half of the rays at the box: otherwise nearly all would miss it.
   if (random.chance(0.5)) aim(in, random, unit(within(in, random) - glm::dvec3(in.positionWorld)));
 }
 void flat(StressInput& in, StressRandom& random) {
@@ -168,7 +168,7 @@ void needle(StressInput& in, StressRandom& random) {
   sides[random.below(3)] = 1.0;
   setBox(in, random, random.logBetween(1.0, 100.0) * sides);
 }
-/// A box of about this size, everything else to its scale.
+/// A box of about this size, with everything else in proportion.
 void scaled(StressInput& in, StressRandom& random, double least, double most) {
   const double s = random.logBetween(least, most);
   setBox(in, random, s * glm::dvec3(random.between(0.5, 2.0), random.between(0.5, 2.0), random.between(0.5, 2.0)));
@@ -184,7 +184,7 @@ void huge(StressInput& in, StressRandom& random) {
 void denormal(StressInput& in, StressRandom& random) {
   scaled(in, random, 1e-44, 1e-38);
 }
-/// The same room elsewhere: rounded where it is, so that box, point and origin are exact floats there.
+/// The same room elsewhere, rounded there, so that box, point and origin are exact floats.
 void far(StressInput& in, StressRandom& random, double distance) {
   setBox(in, random, {random.between(4.0, 30.0), random.between(4.0, 30.0), random.between(4.0, 30.0)});
   in.originWorld = glm::vec3(random.direction() * distance * random.between(0.5, 1.5));
@@ -213,7 +213,7 @@ void towardsEdge(StressInput& in, StressRandom& random) {
   ontoFaces(target, random, 2 + random.below(2));
   aim(in, random, unit(glm::dvec3(target.positionWorld) - glm::dvec3(in.positionWorld)));
 }
-/// N.V from -1 to 1, most of them next to 0.
+/// N.V from -1 to 1, mostly close to 0.
 void viewAt(StressInput& in, StressRandom& random, double facing) {
   const glm::dvec3 n = random.direction();
   const glm::dvec3 t = unit(glm::cross(n, random.direction()));
@@ -277,7 +277,7 @@ void atOrigin(StressInput& in, StressRandom& random) {
 }
 void rotated(StressInput& in, StressRandom& random) {
   in.turn = glm::vec3(random.direction() * random.between(0.0, 3.14));
-  // Quarter turns are what editors make; they leave components that are nearly, not exactly, 0.
+  // Editors often make quarter turns, which leave components that are nearly, but not exactly, 0.
   if (random.chance(0.3)) {
     in.turn = glm::vec3(0.0f);
     in.turn[random.below(3)] = static_cast<float>(random.sign() * 1.5707963267948966);
@@ -327,7 +327,7 @@ void drawParameter(StressInput& in, StressRandom& random, const ParameterRow& ro
     const int count = row.kind == ParameterKind::Switch ? 2 : std::max(1, static_cast<int>(row.choices.size()));
     in.parameters.*row.choice = random.below(count);
   } else if (row.number != nullptr && row.kind == ParameterKind::WholeNumber) {
-    // Few of what costs time, now and then the most there may be.
+    // Mostly few of what costs time, occasionally the maximum.
     const double u = random.unit();
     in.parameters.*row.number = static_cast<float>(std::floor(row.min * std::pow(row.max / row.min, u * u * u)));
   } else if (row.number != nullptr) {

@@ -1,5 +1,5 @@
-// The classes of inputs that the stress test draws from: each a place where projection mathematics is known to break.
-// One row each; the runner, the command line and the tests iterate them. Knows no technique and no error bound.
+// The classes of stress inputs, each a known weakness of projection mathematics. One row each; the runner, the command
+// line and the tests iterate them.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace boxprobe::stress {
 
-/// What of the promise a class is held to beside "finite, and levels within the chain", which all are.
+/// The bounds that a class must meet besides "finite, and levels within the chain", which apply to all.
 enum class Held {
   All,      ///< every bound
-  ByReach,  ///< errors count in units of the distance to the box: no float position is known better
-  Finite,   ///< no more: sizes below the smallest normal float, or input that is NaN
+  ByReach,  ///< errors are relative to the distance to the box: float positions are no more accurate
+  Finite,   ///< no others: sizes below the smallest normal float, or NaN inputs
   Sliding   ///< all but the bevelled box, whose exit is ill-conditioned there: counted as a class of its own
 };
 
@@ -28,7 +28,7 @@ struct StressClass {
 
 const std::vector<StressClass>& stressClasses();
 
-/// Input number `index` of a class, for one subject: depends on nothing else. `parameters`: what is drawn beside.
+/// Input number `index` of a class, for one subject: deterministic. `parameters`: drawn as well.
 StressInput makeInput(const StressClass& c, std::string_view subject, std::uint64_t seed, std::uint64_t index,
                       const std::vector<const ParameterRow*>& parameters);
 

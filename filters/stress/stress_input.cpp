@@ -10,7 +10,7 @@ namespace boxprobe::stress {
 
 namespace {
 
-// Every number an input has, once: printing and reading walk the same list.
+// Visits every number of an input once, so that printing and parsing use the same list.
 template <typename Input, typename Visit>
 void eachVector(Input& in, const Visit& visit) {
   visit("origin", in.originWorld);
@@ -66,7 +66,7 @@ LocalInput unguardedInput(const StressInput& in) {
                  in.roughness,
                  in.pixel,
                  in.frame,
-                 in.roughness,  // any number will do for the reflectances
+                 in.roughness,  // reflectances: any values work
                  1.0f};
   if (in.turn != glm::vec3(0.0f)) {
     const glm::mat3 probeFromWorld = glm::transpose(worldFromProbe(in.turn));
@@ -87,8 +87,8 @@ LocalInput localInput(const StressInput& in) {
   p.roughness = shading::roughnessWithin(p.roughness);
   p.fresnel = shading::roughnessWithin(p.fresnel);
   p.f0 = std::max(p.roughness, 1.0e-2f);
-  // Inputs name R itself, so that its components can be exactly what a class asks for; R is what N and V make of it as
-  // soon as one of the three is broken.
+  // Inputs contain R itself, so that its components can be exactly what a class needs. If any of the three is broken, R
+  // is computed from N and V.
   p.reflection = shading::directionOr(given, shading::reflectedView(p.normal, p.view));
   return local;
 }

@@ -1,5 +1,5 @@
-// One input of the stress test: a probe, a pixel and a technique's parameters as plain floats, and the same as a row of
-// numbers that can be printed and typed in again. Made by stress_classes, used by stress_subjects; knows neither.
+// One input of the stress test: a probe, a pixel and a technique's parameters as floats, convertible to a row of
+// numbers that can be printed and typed in again.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -13,12 +13,12 @@
 namespace boxprobe::stress {
 
 struct StressInput {
-  /// "World": the box's own axes, but for the capture origin C, which everything else is near to.
+  /// "World": along the box's own axes, but not relative to the capture origin C, which everything else is near to.
   glm::vec3 originWorld{0.0f};
   glm::vec3 boxMinWorld{-1.0f}, boxMaxWorld{1.0f};
   glm::vec3 positionWorld{0.0f};
   glm::vec3 normal{0.0f, 1.0f, 0.0f}, view{0.0f, 1.0f, 0.0f}, reflection{0.0f, 1.0f, 0.0f};  ///< as position is
-  glm::vec3 turn{0.0f};  ///< axis times angle (radians): how the box is turned against position, normal, view
+  glm::vec3 turn{0.0f};  ///< axis times angle (radians): rotation of the box against position, normal, view
   float roughness = 0.25f;
   float maxLevel = 6.0f;
   float blendDistance = 1.0f;  ///< of all six faces, scene units
@@ -28,28 +28,28 @@ struct StressInput {
   shading::TechniqueParameters parameters = standardParameters();
 };
 
-/// What a technique gets: relative to C, along the box's axes, computed in float as the shader computes it. Broken
-/// pixels are mended as both hosts mend them (shaders/shared/finite.glsl). `slot` is not set.
+/// The inputs of a technique: relative to C, along the box's axes, computed in float as in the shader. Broken pixels
+/// are repaired as by both hosts (shaders/shared/finite.glsl). `slot` is not set.
 struct LocalInput {
   shading::ProbeShape probe{};
   shading::ShadingPoint point{};
 };
 LocalInput localInput(const StressInput& input);
 
-/// The rotation that `turn` stands for, rounded to float as the host hands it to the shader.
+/// The rotation of `turn`, rounded to float as the host passes it to the shader.
 glm::mat3 worldFromProbe(const glm::vec3& turn);
 
-/// As localInput, before broken pixels are mended: what programs without a guard work on.
+/// As localInput, without the repair of broken pixels: the input of programs without a guard.
 LocalInput unguardedInput(const StressInput& input);
 
-/// Names of the numbers, in the order of numbersOf(); parameters of the technique at hand last.
+/// Names of the numbers, in the order of numbersOf(); the technique's parameters come last.
 std::vector<std::string> numberNames(const std::vector<const ParameterRow*>& parameters);
-/// Whole numbers are exact in a float, so is everything else: it was one.
+/// Exact: integers fit into a float, and everything else is one.
 std::vector<float> numbersOf(const StressInput& input, const std::vector<const ParameterRow*>& parameters);
-/// The inverse. Throws std::invalid_argument unless there are as many numbers as names.
+/// The inverse. Throws std::invalid_argument unless the counts match.
 StressInput inputFrom(const std::vector<float>& numbers, const std::vector<const ParameterRow*>& parameters);
 
-/// Longest side of the box; of a box that is a point, of no length, the distance to it.
+/// Longest side of the box; for a degenerate box the distance to it.
 double boxSize(const shading::ProbeShape& probe, const glm::vec3& position);
 
 }  // namespace boxprobe::stress

@@ -1,6 +1,5 @@
-// A probe's maps for the stress test: computed, not stored, and watching what is asked of them. Smooth, so that CPU and
-// GPU can be compared; shaders/stress/echo.glsl is the same on the GPU's side. One for each input; not shared by
-// threads.
+// A probe's maps for the stress test, computed on the fly; they check their lookups. Smooth, so that CPU and GPU can be
+// compared; shaders/stress/echo.glsl is the GPU version. One per input; not thread-safe.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +35,7 @@ class StressMap : public shading::CubeSampler, public shading::DistanceSampler, 
     return glm::vec4(direction / largest(direction), level);
   }
 
-  /// The box's walls as seen from the capture origin, uneven, with a hole towards +Z: where nothing was seen.
+  /// The box's walls as seen from the capture origin, uneven, with a hole towards +Z where nothing was seen.
   float fetchDistance(const glm::vec3& direction) const override {
     const glm::vec3 q = direction / largest(direction);
     if (q.z > 0.9f) return 0.0f;
@@ -45,8 +44,8 @@ class StressMap : public shading::CubeSampler, public shading::DistanceSampler, 
     return std::min(t, 1.0e30f) * glm::length(q) * (0.8f + 0.2f * q.x * q.y);
   }
 
-  /// Planes across the directions of those distances; what is far lies upwards, where nothing else does.
-  /// From level 1 on blocks as deep as half of that.
+  /// Planes perpendicular to the directions of those distances; what is far lies upwards only. From level 1 on blocks
+  /// are half as deep.
   glm::vec4 fetchRelief(const glm::vec3& direction, float level) const override {
     const glm::vec3 q = direction / largest(direction);
     const float seen = fetchDistance(direction);
@@ -80,7 +79,7 @@ class StressMap : public shading::CubeSampler, public shading::DistanceSampler, 
   mutable float level_ = 0.0f;
 };
 
-/// What a technique was given, for the replay.
+/// Logs a technique's inputs for the replay.
 inline void logLocal(const LocalInput& in, TrialLog& log) {
   log.add("box min (probe frame)", in.probe.boxMin);
   log.add("box max (probe frame)", in.probe.boxMax);

@@ -1,5 +1,5 @@
-// Random numbers for stress inputs: a generator for each input, seeded by what the input is, so that an input does not
-// depend on how many threads there are or which others were drawn. splitmix64 (Steele, Lea, Flood 2014).
+// Random numbers for stress inputs. Each input has a generator seeded by its identity, so that it does not depend on
+// threads or other inputs. splitmix64 (Steele, Lea, Flood 2014).
 #pragma once
 
 #include <cmath>
@@ -23,12 +23,12 @@ class StressRandom {
   /// [0, 1)
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * unit(); }
-  /// Even in the logarithm; both ends positive.
+  /// Uniform in the logarithm; both ends positive.
   double logBetween(double low, double high) { return low * std::pow(high / low, unit()); }
   int below(int count) { return static_cast<int>(next() % static_cast<std::uint64_t>(count)); }
   bool chance(double p) { return unit() < p; }
   double sign() { return (next() & 1) != 0 ? 1.0 : -1.0; }
-  /// Even over the sphere.
+  /// Uniform over the sphere.
   glm::dvec3 direction() {
     const double z = between(-1.0, 1.0), phi = between(0.0, 6.283185307179586), r = std::sqrt(1.0 - z * z);
     return {r * std::cos(phi), r * std::sin(phi), z};
@@ -38,7 +38,7 @@ class StressRandom {
   std::uint64_t state_;
 };
 
-/// FNV-1a: ids, not their places in a table, choose the inputs, so that a new row leaves the others' inputs alone.
+/// FNV-1a of ids, not indices: a new row leaves the inputs of others unchanged.
 constexpr std::uint64_t idHash(std::string_view id) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char c : id) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;

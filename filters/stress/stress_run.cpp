@@ -11,7 +11,7 @@ namespace boxprobe::stress {
 
 namespace {
 
-// Long enough that a task's own cost vanishes, short enough that Ctrl-C is answered at once.
+// Large enough to hide a task's overhead, small enough to react to Ctrl-C at once.
 constexpr std::uint64_t kChunk = 2048;
 
 struct Chunk {
@@ -56,7 +56,7 @@ std::vector<StressCell> runStress(const StressPlan& plan, const std::function<bo
       chunks.push_back({cell, first, std::min(first + kChunk, count)});
     }
   }
-  std::mutex mutex;  // of the cells, and of `progress`
+  std::mutex mutex;  // of the cells and of `progress`
   std::atomic<bool> stopped{false};
   std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {

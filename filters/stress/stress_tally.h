@@ -1,5 +1,5 @@
-// What many inputs of one class showed of one subject. Adding and merging give the same tally in any order, so the
-// report does not depend on threads.
+// Results of one subject on many inputs of one class. Adding and merging are order-independent, so the report does not
+// depend on threads.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace boxprobe::stress {
 
-/// Errors counted by their size: eight bins an octave, so a quantile is known to 9 %.
+/// Errors binned by size, eight bins per octave: quantiles are accurate to 9 %.
 class ErrorHistogram {
  public:
   void add(double error);
   void merge(const ErrorHistogram& other);
   bool measured() const { return count_ > 0; }
   double worst() const { return worst_; }
-  /// The upper end of the bin that holds it, and never more than the worst.
+  /// The upper end of the bin that contains the quantile, but at most the largest error.
   double quantile(double share) const;
 
  private:
@@ -29,13 +29,13 @@ class ErrorHistogram {
 
 struct StressTally {
   std::uint64_t count = 0;
-  std::uint64_t nonFinite = 0;   ///< inputs with a result that is NaN or infinite
-  std::uint64_t badLookups = 0;  ///< inputs with a lookup without direction or outside the chain
-  std::uint64_t broken = 0;      ///< inputs that break the promise, the above among them
-  std::uint64_t wrong = 0;       ///< inputs whose result is so far off that it shows
+  std::uint64_t nonFinite = 0;   ///< inputs with a NaN or infinite result
+  std::uint64_t badLookups = 0;  ///< inputs with a lookup that has no direction or is outside the chain
+  std::uint64_t broken = 0;      ///< inputs that exceed a bound, including the above
+  std::uint64_t wrong = 0;       ///< inputs with a visible error
   std::array<ErrorHistogram, kMeasures> errors;
   double worstSeverity = -1.0;
-  std::uint64_t worstIndex = 0;  ///< which input that was
+  std::uint64_t worstIndex = 0;  ///< the input with the largest error
 
   void add(const Trial& trial, std::uint64_t index);
   void merge(const StressTally& other);

@@ -10,7 +10,7 @@ namespace boxprobe::stress {
 
 namespace {
 
-// Nine digits tell any two floats apart.
+// Nine digits distinguish all floats.
 std::string text(double value) {
   char buffer[40];
   std::snprintf(buffer, sizeof buffer, "%.9g", value);

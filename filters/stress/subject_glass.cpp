@@ -1,5 +1,5 @@
-// The way of the view through glass, in every form, for every normal, view and index: all of it finite, directions
-// unit, shares shares. Its values are held to geometry by tests; here it is what it must never be.
+// The view through glass, in every form, for all normals, views and indices: results must be finite, directions unit,
+// shares in [0, 1]. Other tests check the values against geometry.
 #include "filters/stress/subject_glass.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace boxprobe::stress {
 
 namespace {
 
-/// A ball as large as the input's box, seen from its middle.
+/// A sphere as large as the input's box, seen from its centre.
 struct BallShell : shading::ShellSampler {
   float radius = 1.0f;
   glm::vec4 fetchShell(const glm::vec3& direction) const override {
@@ -32,7 +32,7 @@ Trial tryGlass(const StressInput& input, const StressClass&, TrialLog* log) {
   BallShell ball;
   const auto size = static_cast<float>(std::min(boxSize(in.probe, in.point.position), 1.0e15));
   ball.radius = 0.5f * size;
-  // From an index that mirrors all to one that bends all, 1 itself and its neighbours among them.
+  // From total reflection to the strongest refraction, including 1 and its neighbours.
   const float iors[] = {1.0e-30f, 1.0e-3f, 0.7f, 0.99999994f, 1.0f, 1.0000001f, 1.33f, 1.5f, 2.4f, 1.0e18f};
   shading::GlassObject glass{};
   glass.ior = iors[static_cast<unsigned>(input.pixel.x) % 10u];
@@ -40,7 +40,7 @@ Trial tryGlass(const StressInput& input, const StressClass&, TrialLog* log) {
   glass.sheet = input.frame % 5 == 4;
   glass.thickness = input.blendDistance > 0.0f && input.blendDistance < 1.0e15f ? input.blendDistance : 0.0f;
   glass.radius = ball.radius;
-  // The surface may lie anywhere beside the object: what is drawn and what the shell says need not agree.
+  // The surface may lie anywhere: what is drawn and the shell need not agree.
   const glm::vec3 position = glm::length(in.point.position) < 1.0e15f ? in.point.position : glm::vec3(0.0f);
   const bool back = (input.pixel.x & 64) != 0;
   const shading::GlassView seen = shading::lookThroughGlass(&ball, glass, position, in.point.normal, in.point.view,

@@ -1,4 +1,4 @@
-// Glass under test: see subject_glass.cpp. Called by the table of terms.
+// Glass under test: see subject_glass.cpp.
 #pragma once
 
 #include "filters/stress/stress_trial.h"

@@ -1,5 +1,4 @@
-// Forms published elsewhere under the same test as the program's own. They have no guard, so they get pixels as they
-// come.
+// Published forms in the same test as the program's own. They have no guard, so they get broken pixels unrepaired.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -27,7 +26,7 @@ Trial tryBox(const Project& project, const StressInput& input, const StressClass
   const ProbeHit hit = project(in);
   Trial trial;
   trial.require(finite(hit.direction) && std::isfinite(hit.distance));
-  // Their slab factors are the planes' of the far side; the least of them is what can be compared.
+  // Their slab factors are those of the far planes; the smallest can be compared.
   const exact::BoxExit exit = exact::boxExit(exact::vec(in.point.position), exact::vec(in.point.reflection),
                                              exact::vec(in.probe.boxMin), exact::vec(in.probe.boxMax));
   ProbeHit compared = hit;
@@ -56,7 +55,7 @@ Trial tryBoxWorld(const StressInput& input, const StressClass& c, TrialLog* log)
         shading::ProbeShape world = in.probe;
         world.boxMin = input.boxMinWorld;
         world.boxMax = input.boxMaxWorld;
-        // A turned box is not far away: its point is the turned one.
+        // A rotated box is not far away: its point is the rotated one.
         const bool turned = input.turn != glm::vec3(0.0f);
         const glm::vec3 position = turned ? in.point.position : input.positionWorld;
         return shading::publishedBoxWorld(world, input.originWorld, position, in.point.reflection);
@@ -82,7 +81,7 @@ Trial trySphere(const StressInput& input, const StressClass& c, TrialLog* log) {
   return trial;
 }
 
-// On the program's own hit: this is about the quotient alone.
+// Uses the program's own hit, to test the quotient alone.
 Trial tryDistanceRatio(const StressInput& input, const StressClass& c, TrialLog* log) {
   const LocalInput guarded = localInput(input);
   const ProbeHit hit = boxHit(guarded);

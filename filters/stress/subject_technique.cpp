@@ -1,4 +1,4 @@
-// Techniques under test: the hit against the exact one, what is looked up, and whether anything is not a number.
+// Techniques under test: the hit against the exact one, the lookups, and finite results.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -22,7 +22,7 @@ bool held(const StressClass& c) {
 void measureLevel(const EvaluationRow& row, const LocalInput& in, const ProbeHit& hit, const StressMap& map,
                   const StressClass& c, Trial& trial, TrialLog* log) {
   const shading::TechniqueParameters& a = in.probe.parameters;
-  // The three-level curve mixes two lookups; a surface's own Fresnel is no function of these inputs.
+  // The three-level curve mixes two lookups; a surface's own Fresnel term does not depend on these inputs.
   const bool knowsCurve = std::find(row.parameters.begin(), row.parameters.end(), "curve") != row.parameters.end();
   if (!knowsCurve || a.curve == 5 || a.fresnel != 0 || map.lookups() != 1) return;
   const exact::Real p = in.point.roughness, most = in.probe.maxLevel, d = hit.distance;
@@ -34,7 +34,7 @@ void measureLevel(const EvaluationRow& row, const LocalInput& in, const ProbeHit
   } else if (row.id == "hdrp") {
     level = exact::levelHdrp(a.curve, p, most, d, exact::length(exact::vec(hit.direction)));
   } else if (row.id == "godot") {
-    // As given: next to N = V a power of 1 - N.V makes any difference of the last bit.
+    // As given: close to N = V, a power of 1 - N.V amplifies the last bit.
     const exact::Real facing = glm::dot(in.point.normal, in.point.view);
     level = exact::levelGodot(a.curve, p, most, d, a.hardeningLength, facing, a.power);
   } else {
@@ -75,7 +75,7 @@ Trial tryTechnique(const Technique& technique, const StressInput& input, const S
     log->add("value", glm::vec3(value));
   }
 
-  // With rounded edges evaluations get other hits; every second input, for that is what takes the time.
+  // With rounded edges evaluations get other hits. Tests every second input only, because this takes most of the time.
   if (input.pixel.y % 2 == 0) return trial;
   in.probe.bevel = input.bevel;
   const glm::vec4 rounded = evaluation.evaluate(&map, in.probe, in.point);
@@ -132,8 +132,8 @@ void measureBox(const LocalInput& in, const StressClass& c, const ProbeHit& hit,
 void measureSphere(const LocalInput& in, const StressClass& c, const ProbeHit& hit, Trial& trial, TrialLog* log) {
   const exact::SphereExit exit = exact::sphereExit(exact::vec(in.point.position), exact::vec(in.point.reflection),
                                                    exact::vec(in.probe.boxMin), exact::vec(in.probe.boxMax));
-  // A ray that only touches moves its exit without bound when the input moves by a rounding: in these units a rounding
-  // is a rounding everywhere.
+  // For a tangent ray, rounding the input can move the exit without bound: these units take the conditioning into
+  // account.
   const double conditioned =
       static_cast<double>(exact::farthest(hit.direction, exit.hit) * std::min(exit.steepness, 1.0L));
   trial.measure(kBoxSizes, conditioned / lengthScale(in, c), kSphereBoxSizes, held(c));

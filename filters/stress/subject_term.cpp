@@ -1,4 +1,4 @@
-// Terms under test: what techniques are made of, one at a time, each against its definition.
+// Terms under test: the parts of techniques, each against its definition.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,6 +8,7 @@
 #include "filters/stress/stress_map.h"
 #include "filters/stress/stress_subjects.h"
 #include "filters/stress/subject_glass.h"
+#include "filters/stress/subject_lamp.h"
 
 namespace boxprobe::stress {
 
@@ -16,7 +17,7 @@ namespace {
 using exact::Real;
 using shading::ProbeHit;
 
-/// A projection's row by its id; these are the table's, and there as long as the program is.
+/// The index of a projection by its id, which must be in the table.
 int projectionIndex(const char* id) {
   return parseTechnique(id)->projection;
 }
@@ -50,7 +51,7 @@ float alphaOf(const LocalInput& in) {
   return in.point.roughness * in.point.roughness;
 }
 
-// Half of the half vectors where the lobe is, the other half anywhere: N stands in for a direction, V for two numbers.
+// Half of the half vectors are inside the lobe, the others anywhere: N provides a direction, V two numbers.
 Trial tryDistribution(const StressInput& input, const StressClass& c, TrialLog* log) {
   const LocalInput in = localInput(input);
   const float alpha = alphaOf(in);
@@ -59,7 +60,7 @@ Trial tryDistribution(const StressInput& input, const StressClass& c, TrialLog* 
   const float d = shading::ggxDistribution(h, alpha);
   trial.require(finite(h) && std::isfinite(d));
   if (log != nullptr) log->add("half vector", h);
-  // Below this the lobe is narrower than a float's step around its middle, and D beyond what a float holds.
+  // Below this the lobe is narrower than a float's resolution around its axis, and D exceeds float's range.
   if (alpha >= 1.0e-12f) measureTerm(c, "D", d, exact::ggxDistribution(exact::vec(h), alpha), trial, log);
   return trial;
 }
@@ -103,7 +104,7 @@ Trial tryReflection(const StressInput& input, const StressClass& c, TrialLog* lo
   return trial;
 }
 
-// roughnessForLevel and levelForRoughness undo each other.
+// roughnessForLevel and levelForRoughness must be inverse to each other.
 Trial tryLevel(const StressInput& input, const StressClass& c, TrialLog* log) {
   const LocalInput in = localInput(input);
   const float level = in.point.roughness * in.probe.maxLevel;
@@ -166,14 +167,14 @@ void measureFootprintScale(const LocalInput& in, const StressClass& c, const Pro
                            TrialLog* log) {
   using exact::vec;
   const glm::dvec3 a = glm::abs(glm::dvec3(hit.direction));
-  // At the wall itself the definition takes the limit: no nearer than a billionth of the way from C.
+  // At the wall itself the definition takes the limit: at least a billionth of the way from C.
   const Real t = std::max<Real>(hit.distance, std::max<Real>(1.0e-9L * std::max({a.x, a.y, a.z}), 1.0e-37L));
   const exact::Vec low = vec(in.probe.boxMin), high = vec(in.probe.boxMax), ray = vec(in.point.reflection);
   Real definition = 0, size = 0;
   if (hit.face >= 0) {
     definition = exact::solidAngleScaleBox(vec(hit.direction), t, vec(hit.slabFactors), ray, low, high);
-    // With C outside, walls seen from behind count against the others, and what is left of the difference is no
-    // better than its terms: C's distances from the walls without their signs.
+    // With C outside, walls seen from behind cancel others; the difference is only as accurate as its terms, C's
+    // absolute distances from the walls.
     exact::Vec near = low, far = high;
     for (std::size_t i = 0; i < 3; ++i) {
       near[i] = -std::abs(low[i]);
@@ -182,7 +183,7 @@ void measureFootprintScale(const LocalInput& in, const StressClass& c, const Pro
     size = exact::solidAngleScaleBox(vec(hit.direction), t, vec(hit.slabFactors), ray, near, far);
   } else {
     definition = exact::solidAngleScaleSphere(vec(hit.direction), t, ray, low, high);
-    // Seen or met at a shallow angle the cosines are what is left of a difference: in units of what a rounding does.
+    // At grazing angles the cosines are small differences: measured in units of their rounding errors.
     const exact::Vec p = vec(hit.direction);
     const exact::Vec n = {p[0] - (low[0] + high[0]) / 2, p[1] - (low[1] + high[1]) / 2, p[2] - (low[2] + high[2]) / 2};
     const Real slope = exact::dot(n, p) / exact::length(p) * exact::dot(n, ray) / exact::dot(n, n);
@@ -202,7 +203,7 @@ void measureRoundedBox(const LocalInput& in, const StressClass& c, float t, floa
   const glm::vec3 p = in.point.position;
   const bool inside =
       glm::all(glm::greaterThanEqual(p, in.probe.boxMin)) && glm::all(glm::lessThanEqual(p, in.probe.boxMax));
-  // What leaves a start outside has no definition, only bounds.
+  // A ray from outside has no defined exit, only bounds.
   if (!inside) return;
   const Real definition = exact::roundedBoxExit(vec(p), vec(in.point.reflection), vec(in.probe.boxMin),
                                                 vec(in.probe.boxMax), in.probe.bevel, exit);
@@ -218,7 +219,7 @@ void measureRoundedBox(const LocalInput& in, const StressClass& c, float t, floa
 
 void measureReflection(const LocalInput& in, const StressClass& c, const glm::vec3& r, Trial& trial, TrialLog* log) {
   const exact::Vec n = exact::vec(in.point.normal), v = exact::vec(in.point.view), e = exact::vec(r);
-  // Mirrored at the normal's own length, and not below the surface, whichever way the normal faces.
+  // Mirrored with N at its given length, and not below the surface, whichever way the normal faces.
   const Real facing = std::max(exact::dot(n, v), 0.0L);
   Real off = 0;
   for (std::size_t i = 0; i < 3; ++i) off = std::max(off, std::abs(e[i] - (2 * facing * n[i] - v[i])));
@@ -234,7 +235,7 @@ glm::vec2 lobeNumbers(const StressInput& in) {
   return {static_cast<float>(in.pixel.y) / 4096.0f, static_cast<float>(in.pixel.x) / 4096.0f};
 }
 
-// As filters/core/geometry/probe_geometry makes it: no narrower than 1e-5 of the box.
+// As in filters/core/geometry/probe_geometry: at least 1e-5 of the box.
 float blendRate(const StressInput& in) {
   const LocalInput local = unguardedInput(in);
   const double least = std::max(1.0e-5 * boxSize(local.probe, local.point.position), 1.0e-30);
@@ -257,6 +258,9 @@ const std::vector<StressSubject>& termSubjects() {
       {"term:lobe-frame", {}, tryFrame, nullptr, 0.0, {}},
       {"term:texel-centre", {}, tryTexelCentre, nullptr, 0.0, {}},
       {"term:glass", {}, tryGlass, nullptr, 0.0, {}},
+      {"term:lamp-diffuse", {}, tryLampDiffuse, nullptr, 0.0, {}},
+      {"term:lamp-glossy", {}, tryLampGlossy, nullptr, 0.0, {}},
+      {"term:lattice", {}, tryLattice, nullptr, 0.0, {}},
       {"term:true-hit", {}, tryTrueHit, nullptr, 0.0, {}},
   };
   return subjects;

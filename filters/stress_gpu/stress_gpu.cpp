@@ -27,14 +27,14 @@ using namespace stress;
 
 namespace {
 
-// A batch: as many inputs as one pass draws.
+// A batch: the inputs that one pass draws.
 constexpr int kWidth = 512, kHeight = 512;
 constexpr std::size_t kBatch = static_cast<std::size_t>(kWidth) * kHeight;
-constexpr int kFixedTextures = 8;  // what every input has; parameters follow, four a texture
+constexpr int kFixedTextures = 8;  // for every input; parameters follow, four per texture
 
 using Texels = std::vector<glm::vec4>;
 
-/// As numbers in textures: exact, and no driver's constant folding sees them.
+/// As texels: exact, and invisible to a driver's constant folding.
 void pack(const StressInput& input, const std::vector<const ParameterRow*>& parameters, std::size_t at,
           std::vector<Texels>& textures) {
   const LocalInput in = unguardedInput(input);
@@ -75,7 +75,7 @@ std::string sourceOf(const StressProgram& program, const std::vector<const Param
     text += "  probe.parameters." + std::string(row.name) + " = " +
             (row.number != nullptr ? value : "int(" + value + ")") + ";\n";
   }
-  // The order of bpGatherLight in gpu/probe_lighting.glsl, but for R, which inputs name.
+  // The order of bpGatherLight in gpu/probe_lighting.glsl, except for R, which inputs contain.
   text +=
       "  ShadingPoint point;\n  point.position = finiteOr(in0.xyz, vec3(0.0));\n"
       "  point.view = directionOr(in2.xyz, vec3(0.0, 0.0, 1.0));\n  point.normal = directionOr(in1.xyz, point.view);\n"
@@ -89,7 +89,7 @@ std::string sourceOf(const StressProgram& program, const std::vector<const Param
   return text;
 }
 
-/// Float textures of one size, gone with this object.
+/// Float textures of one size, released by the destructor.
 class Textures {
  public:
   Textures(vtkOpenGLRenderWindow* window, int count) : window_(window), handles_(static_cast<std::size_t>(count)) {
@@ -106,7 +106,7 @@ class Textures {
   Textures(const Textures&) = delete;
   Textures& operator=(const Textures&) = delete;
 
-  /// The lowest `rows`.
+  /// Uploads the lowest `rows`.
   void upload(std::size_t i, const Texels& texels, int rows) {
     const BoundTexture bound(window_, GL_TEXTURE_2D, handles_[i]);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kWidth, rows, GL_RGBA, GL_FLOAT, texels.data());
@@ -125,7 +125,7 @@ class Targets {
     framebuffer_.attach({textureImage(textures_[0]), textureImage(textures_[1])}, {}, floatRefusal("stress inputs"));
   }
 
-  /// Of the lowest `rows` alone.
+  /// Draws the lowest `rows` only.
   std::array<Texels, 2> draw(FullScreenPass& pass, const Textures& inputs, int count, int rows) {
     const PassState saved(window_);
     window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.handle());
@@ -177,8 +177,7 @@ Trial compare(const StressProgram& program, const StressClass& inputs, const Str
     trial.measure(what, by, 1.0, false);
     trial.severity = std::max(trial.severity, by);
   };
-  const double scale =
-      std::max(1.0, static_cast<double>(std::abs(cpu.value.x)));  // of terms without a size of their own
+  const double scale = std::max(1.0, static_cast<double>(std::abs(cpu.value.x)));  // for terms without a size
   differ(kRelative, farthest(glm::vec3(value), glm::vec3(cpu.value)) / (program.technique ? 1.0 : scale));
   differ(kLevels, std::abs(static_cast<double>(value.w) - static_cast<double>(cpu.value.w)));
   if (program.technique) {
@@ -188,7 +187,7 @@ Trial compare(const StressProgram& program, const StressClass& inputs, const Str
   return trial;
 }
 
-/// Where an input of a batch belongs.
+/// The cell and index of an input in a batch.
 struct Place {
   std::size_t cell;
   std::uint64_t index;
@@ -216,7 +215,7 @@ std::vector<StressCell> runStressGpu(vtkOpenGLRenderWindow* window, const Stress
 
     std::vector<Place> batch;
     const auto flush = [&] {
-      // Few inputs draw few rows: a short run does not wait for a whole target.
+      // Short runs draw only the rows they need.
       const int rows = static_cast<int>((batch.size() + kWidth - 1) / kWidth);
       std::vector<StressInput> made(batch.size());
       const auto each = [&batch](const auto& work) { tbb::parallel_for(std::size_t{0}, batch.size(), work); };

@@ -1,6 +1,5 @@
-// The stress test on the GPU: the same inputs, in float textures, through the shader text that draws, into float
-// targets, and compared with what C++ makes of them. Called by the command line and the tests, with the window's
-// context current.
+// The stress test on the GPU: the same inputs, in float textures, go through the shaders that draw, into float targets,
+// and are compared with the results of C++. Needs the window's OpenGL context current.
 #pragma once
 
 #include <functional>
@@ -12,11 +11,11 @@ class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
 
-/// Subjects of `plan` that have shader text, which is every technique and most terms; the others are left out. Of a
-/// cell's tally `nonFinite` and `broken` count results of the GPU that are NaN; errors are differences from C++:
-/// of the hit in box sizes, of the looked-up direction (`kRelative`, its largest component being 1) or a term's value,
-/// and of the level. They are held to nothing: drivers differ in the last digits. `progress` returns false to stop, and
-/// then the result is empty. Throws WorkError where the driver refuses a shader.
+/// Runs the subjects of `plan` that have shader text: every technique and most terms. In a cell's tally, `nonFinite`
+/// and `broken` count NaN results of the GPU; errors are differences from C++: of the hit in box sizes, of the sampled
+/// direction (`kRelative`, whose largest component is 1) or a term's value, and of the level. They have no bounds,
+/// because drivers differ in the last digits. If `progress` returns false, the run stops and the result is empty.
+/// Throws WorkError if the driver refuses a shader.
 std::vector<stress::StressCell> runStressGpu(vtkOpenGLRenderWindow* window, const stress::StressPlan& plan,
                                              const std::function<bool(double)>& progress);
 

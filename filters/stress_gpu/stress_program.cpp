@@ -73,7 +73,7 @@ struct Term {
   glm::vec4 (*onCpu)(const LocalInput& in, const StressInput& input);
 };
 
-// `extra`: two numbers to draw a half vector with, the rate of the blend, and which half of the half vectors.
+// `extra`: two numbers from which a half vector is drawn, the blend rate, and which half of the half vectors.
 const std::vector<Term>& terms() {
   using shading::ShadingPoint;
   static const std::vector<Term> rows = {
@@ -160,7 +160,7 @@ const std::vector<Term>& terms() {
 
 std::optional<StressProgram> stressProgram(const StressSubject& subject) {
   if (subject.technique) {
-    // `auto` is chosen in C++, an object at a time: what it chooses has a row of its own.
+    // `auto` is resolved in C++, per object; the techniques it chooses have rows of their own.
     const auto& row = evaluationRows()[static_cast<std::size_t>(subject.technique->evaluation)];
     return row.function.empty() ? std::nullopt : std::optional<StressProgram>(techniqueProgram(*subject.technique));
   }

@@ -1,4 +1,4 @@
-// Shader text and C++ of what the stress test compares: one program for a technique or a term. Knows no OpenGL.
+// GLSL and C++ versions of the stress test's subjects: one program per technique or term.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace boxprobe {
 
-/// Two vectors a pixel: of a technique what it looked up and (hit, distance), of a term its value.
+/// Two vectors per pixel: for a technique the lookup and (hit, distance), for a term its value.
 struct StressValues {
   glm::vec4 value{0.0f}, hit{0.0f};
 };
@@ -22,7 +22,7 @@ struct StressProgram {
   bool technique = false;  ///< out1 is a hit
 };
 
-/// Nothing if a subject has no shader text of its own.
+/// Nothing if the subject has no shader text.
 std::optional<StressProgram> stressProgram(const stress::StressSubject& subject);
 
 }  // namespace boxprobe

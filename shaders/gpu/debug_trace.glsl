@@ -16,6 +16,9 @@ struct BpTrace
 
 BpTrace bpBest;
 vec3 bpWeightColor = vec3(0.0f);
+vec3 bpDiffuseLight = vec3(-1.0f); // irradiance over pi
+float bpNodeShare = 0.0f;  // of the pixel, of probes with a lattice
+float bpNodeKnown = 0.0f;  // the part of it whose nodes are valid
 float bpLookups = 0.0f;    // of the pixel
 float bpLevelSum = 0.0f;   // of the probe being evaluated
 float bpFetches = 0.0f;

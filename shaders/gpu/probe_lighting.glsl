@@ -195,6 +195,9 @@ BpLight bpGatherLight(vec3 positionView, vec3 normalView, vec3 viewView, float r
   }
 #endif
 #if BP_DEBUG
+#if BP_DIFFUSE
+  if (!bpCoat) { bpDiffuseLight = light.irradiance; }
+#endif
   bpCoat = true;  // the next call, if there is one, is for the clear coat
 #endif
   return light;

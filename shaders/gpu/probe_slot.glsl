@@ -56,6 +56,11 @@ void bpAddSlot@SLOT@(inout BpLight light, float weight, vec3 position, vec3 norm
   if (bpLatticeLast[@SLOT@].x > 0.0f)
   {
     light.irradiance += weight * latticeIrradiance(bpLatticeShape(@SLOT@), point.position, BP_FACING);
+#if BP_DEBUG
+    float nodes = bpCoat ? 0.0f : weight / max(bpIntensity[@SLOT@], 1.0e-30f);
+    bpNodeShare += nodes;
+    bpNodeKnown += nodes * latticeKnown(bpLatticeShape(@SLOT@), point.position);
+#endif
   }
   else
 #endif

@@ -32,6 +32,8 @@ vec3 bpViewValue()
   if (bpView == 7) { return traced ? 0.5f * normalize(bpBest.lookup) + 0.5f : kUndefined; }
   if (bpView == 8) { return bpWeightColor; }
   if (bpView == 9) { return traced ? vec3(float(bpBest.hit.face)) : kUndefined; }
+  if (bpView == 11) { return bpDiffuseLight; }
+  if (bpView == 12) { return bpNodeShare > 0.0f ? vec3(bpNodeKnown / bpNodeShare) : kUndefined; }
   return vec3(bpLookups);
 }
 #else
@@ -55,6 +57,7 @@ vec3 bpViewColor(vec3 color)
   }
   if (bpView == 9) { return bpFaceColors[int(value.x + 0.5f)]; }
   if (bpView == 7 || bpView == 8) { return value; }
+  if (bpView == 11) { return bpOutput(value); }
   float x = clamp((value.x - bpViewRange.x) / max(bpViewRange.y - bpViewRange.x, 1.0e-30f), 0.0f, 1.0f);
   return texture(bpViewColors, vec2((x * 255.0f + 0.5f) / 256.0f, 0.5f)).rgb;
 }

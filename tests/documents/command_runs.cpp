@@ -54,7 +54,9 @@ bool isCheap(const Command& command) {
   if (subcommand == "info" || subcommand == "explain" || subcommand == "bake") return true;
   if (subcommand == "render") return valueOf(command, "--technique").rfind("reference-", 0) != 0;
   if (subcommand == "stress") {
-    return std::atof(valueOf(command, "--count").c_str()) <= kManyInputs && !has(command, "--device");
+    // Whole scenes are slow, and stress_test runs some of them.
+    return std::atof(valueOf(command, "--count").c_str()) <= kManyInputs && !has(command, "--device") &&
+           valueOf(command, "--class") != "extreme-scenes";
   }
   if (subcommand == "lessons") {
     const bool named = command.arguments.size() > 1 && command.arguments[1][0] != '-';

@@ -55,7 +55,7 @@ int differentPixels(const ImageRgba8& a, const ImageRgba8& b, int tolerance) {
 
 TEST_F(ManyProbes, TheSameViewCostsTheSameHoweverManyThereAre) {
   ImageRgba8 first;
-  std::uint64_t faces = 0, drawn = 0, uploads = 0;
+  std::uint64_t faces = 0, drawn = 0, uploads = 0, sights = 0;
   for (const int rooms : {32, 128, 512}) {
     ScenePicture picture(makeApartments(rooms), kWidth, kHeight);
     EXPECT_EQ(picture.scene.probes.size(), static_cast<std::size_t>(rooms + rooms / 4));
@@ -65,14 +65,18 @@ TEST_F(ManyProbes, TheSameViewCostsTheSameHoweverManyThereAre) {
     const Counters before = picture.renderer->counters();
     picture.display();
     const Counters& counters = picture.renderer->counters();
-    std::printf("  %d rooms: %llu faces captured, %llu draws a frame\n", rooms,
+    std::printf("  %d rooms: %llu faces captured, %llu draws a frame, %llu probes' shadows traced\n", rooms,
                 static_cast<unsigned long long>(counters.facesCaptured),
-                static_cast<unsigned long long>(draws(counters)));
+                static_cast<unsigned long long>(draws(counters)),
+                static_cast<unsigned long long>(counters.sightsTraced));
     EXPECT_EQ(counters.facesCaptured, before.facesCaptured);
     if (first.pixels.empty()) {
       first = image;
       faces = counters.facesCaptured;
       drawn = draws(counters);
+      sights = counters.sightsTraced;
+      EXPECT_GE(sights, 2u);
+      EXPECT_LE(sights, 6u);
       uploads = counters.uniformUpdates - before.uniformUpdates;
       EXPECT_GE(faces, 12u);
       EXPECT_LE(faces, 30u) << "of the room, its corridor and what is seen through doors";
@@ -80,6 +84,7 @@ TEST_F(ManyProbes, TheSameViewCostsTheSameHoweverManyThereAre) {
     }
     EXPECT_EQ(counters.facesCaptured, faces);
     EXPECT_EQ(draws(counters), drawn);
+    EXPECT_EQ(counters.sightsTraced, sights);
     EXPECT_EQ(counters.uniformUpdates - before.uniformUpdates, uploads);
     // What lies in the view but is hidden moves the far plane, and with it the depth at which two surfaces meet.
     EXPECT_LE(differentPixels(image, first, 1), kWidth * kHeight / 1000);
@@ -167,6 +172,7 @@ Scene roomWithFloorOnly() {
     scene.objects[instance.node].visible = instance.node == "floor";
   }
   scene.probes[0].faceSize = 32;
+  scene.probes[0].bounces = 1;  // faces are counted
   return scene;
 }
 

@@ -408,8 +408,24 @@ def invisible():
     return known
 
 
+def judged_before(seed, commit):
+    """Verdicts of an earlier run of this seed on this commit, by file, line, old and new: it was ended, and goes on."""
+    verdicts = {}
+    try:
+        with open(os.path.join(BUILD, "log.jsonl"), encoding="utf-8") as stream:
+            for line in stream:
+                entry = json.loads(line)
+                if entry.get("seed") == seed and entry.get("commit") == commit:
+                    verdicts[entry["file"], entry["line"], entry["old"], entry["new"]] = entry["verdict"]
+    except FileNotFoundError:
+        pass
+    return verdicts
+
+
 def campaign(arguments, tests, log):
     chance = random.Random(arguments.seed)
+    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "HEAD"], capture_output=True, text=True, check=True).stdout.strip()
+    before = judged_before(arguments.seed, commit)
     prefixes = arguments.only or FOLDERS
     share = -(-arguments.count // len(prefixes))
     known = invisible()
@@ -432,6 +448,10 @@ def campaign(arguments, tests, log):
             if why:
                 counts[prefix]["invisible"] += 1
                 continue
+            if verdict := before.get((path, number + 1, old.strip(), new.strip())):
+                counts[prefix][verdict] += 1
+                done += verdict != "does not compile"
+                continue
             tests.prepare(tests_of(path))
             try:
                 found, seconds = tests.notice(tests_of(path), lambda: Planted(path, old, new, number))
@@ -439,7 +459,7 @@ def campaign(arguments, tests, log):
                 put_back()
             verdict = "survived" if found is None else found if found == "does not compile" else "noticed"
             counts[prefix][verdict] += 1
-            entry.update(verdict=verdict, by=found, seconds=round(seconds, 1))
+            entry.update(verdict=verdict, by=found, seconds=round(seconds, 1), seed=arguments.seed, commit=commit)
             log.write(json.dumps(entry) + "\n")
             log.flush()
             print(f"{verdict:17} {path}:{number + 1} {kind}: {old.strip()}  ->  {new.strip()}"

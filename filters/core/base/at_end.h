@@ -1,4 +1,4 @@
-// What has to happen when a scope ends, by an exception too, where no object of a class of its own does it.
+// Runs a function when a scope ends, also by an exception, where no destructor would do it otherwise.
 #pragma once
 
 #include <functional>

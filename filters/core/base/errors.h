@@ -1,5 +1,5 @@
-// The one exception family of the program. Thrown by anything that reads, writes or validates; caught once, in main,
-// which prints what() as a single line. Functions of mathematics never throw.
+// The one exception family of the program. Whatever reads, writes or validates throws it; main catches it and prints
+// what() as a single line. Mathematical functions never throw.
 #pragma once
 
 #include <stdexcept>

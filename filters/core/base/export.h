@@ -1,4 +1,4 @@
-// Marks what programs call. Everything else is hidden: a shared library that holds these libraries offers no more.
+// Marks exported symbols. Everything else is hidden, also in a shared library made of these libraries.
 #pragma once
 
 #if defined(_WIN32)

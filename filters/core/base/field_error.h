@@ -1,5 +1,5 @@
-// Where in a scene something is wrong: thrown by validate() and by the reader of scene files. Knows nothing of files,
-// so it names values by key path and leaves line numbers to whoever has the text.
+// Where in a scene something is wrong: thrown by validate() and by the reader of scene files. Values are named by key
+// path; line numbers are added by whoever has the text.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace boxprobe {
 
-/// Where a value stands in a scene: {"probes", "room", "box"}. Named entries go by name, or by "[2]" where the name is
-/// what is wrong; elements of arrays are "[0]", too.
+/// The place of a value in a scene: {"probes", "room", "box"}. Named entries are given by name, or as "[2]" where the
+/// name itself is wrong; array elements are "[0]", too.
 using KeyPath = std::vector<std::string>;
 
 /// "probes.room.box", "lights[0].color".
 std::string keyPathText(const KeyPath& path);
 
-/// An InputError about one value: what() is "probes.room.box: reason", both parts also apart, so that a reader of files
-/// can add the line.
+/// An InputError about one value. what() is "probes.room.box: reason"; both parts are also available separately, so
+/// that a reader of files can add the line.
 class FieldError : public InputError {
  public:
   FieldError(KeyPath path, const std::string& reason);

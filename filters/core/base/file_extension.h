@@ -1,4 +1,4 @@
-// What kind of file a name says it is. Called by readers and by commands that write.
+// The kind of a file by its name.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace boxprobe {
 
-/// With its dot, in small letters: ".exr" of "Sky.EXR"; "" without one.
+/// The extension in lower case with its dot: ".exr" for "Sky.EXR"; "" without one.
 inline std::string lowerExtension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),

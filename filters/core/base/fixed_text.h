@@ -1,5 +1,5 @@
-// Numbers of a calculation as text for people: so many decimals, an exponent where those would show nothing or run on;
-// whatever the locale. Called by the explanation's sections and by the debug view's legends and readouts.
+// Numbers as text for people, independent of the locale: a fixed number of decimals, or an exponent where those would
+// show only zeros or too many digits.
 #pragma once
 
 #include <charconv>

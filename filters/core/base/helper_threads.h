@@ -1,5 +1,4 @@
-// Threads that help the caller's own with work that any number of them can share. Used by whatever reads or resamples
-// pictures; knows nothing of the work.
+// Threads that help the caller's thread with work that any number of threads can share.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +9,15 @@
 
 namespace boxprobe {
 
-/// How many threads may share work that is worth `most` of them, the caller's own included.
+/// How many threads should share work that can use `most` of them, the caller's included.
 inline std::size_t threadsFor(std::size_t most) {
   return std::max<std::size_t>(1, std::min<std::size_t>(std::thread::hardware_concurrency(), most));
 }
 
 class HelperThreads {
  public:
-  /// `count` threads at most, each of which runs `work` once, which must not throw. Fewer, or none, where the system
-  /// gives no more: the caller does the work then.
+  /// Runs `work`, which must not throw, once on each of at most `count` threads. There are fewer, or none, if the
+  /// system refuses more; the caller then does the work.
   HelperThreads(std::size_t count, const std::function<void()>& work) {
     threads_.reserve(count);
     try {

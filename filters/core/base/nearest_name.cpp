@@ -1,4 +1,4 @@
-// Edit distance over names; see the header. Names are short, so the plain quadratic table is fast enough for thousands.
+// Edit distance between names. Names are short, so the quadratic table is fast enough for thousands.
 #include "filters/core/base/nearest_name.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearestName(const std::string& name, const std::vector<std::string>& candidates) {
-  constexpr std::size_t kLongestName = 64;  // longer ones are no typing errors
+  constexpr std::size_t kLongestName = 64;  // longer names are not typing errors
   std::string best;
   std::size_t bestDistance = 0;
   if (name.size() > kLongestName) return best;

@@ -1,5 +1,4 @@
-// Numbers as the shortest text that reads back equal, whatever the locale. Called by messages (core) and by the writer
-// of scene files (io).
+// Numbers as the shortest text that parses back to the same value, independent of the locale.
 #pragma once
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// Errors are one line that people read, whatever a name in a file or a library's message holds.
+// Keeps error messages on one readable line, whatever a name in a file or a library's message contains.
 #pragma once
 
 #include <cstddef>
@@ -6,10 +6,11 @@
 
 namespace boxprobe {
 
-/// The beginning and the end of a text of more than `most` bytes: what is wrong stands in front, what to do at the end.
+/// The beginning and end of a text of more than `most` bytes: messages begin with what is wrong and end with what to
+/// do.
 inline std::string elided(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
-  // Not in the middle of a character: its further bytes are 10xxxxxx in UTF-8.
+  // Not in the middle of a character: continuation bytes are 10xxxxxx in UTF-8.
   const auto inside = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80; };
   std::size_t head = most / 2, tail = text.size() - most / 2;
   while (head > 0 && inside(head)) --head;
@@ -17,7 +18,7 @@ inline std::string elided(const std::string& text, std::size_t most) {
   return text.substr(0, head) + " ... " + text.substr(tail);
 }
 
-/// Control characters (line ends, escape sequences for terminals) as spaces; of pages on end the first and last lines.
+/// Replaces control characters (line ends, escape sequences) by spaces; of very long texts only both ends stay.
 inline std::string oneLine(const std::string& text) {
   constexpr std::size_t kMost = 1000;
   std::string line = elided(text, kMost);

@@ -6,7 +6,8 @@ namespace boxprobe {
 
 namespace {
 
-/// Bytes of the well-formed UTF-8 sequence at `at`, its value in `code`; 0: none starts here (Unicode 15, table 3-7).
+/// The number of bytes of the well-formed UTF-8 sequence at `at`, and its value in `code`; 0 if none starts here
+/// (Unicode 15, table 3-7).
 std::size_t sequenceAt(const std::string& text, std::size_t at, std::uint32_t& code) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
   const unsigned first = byte(at);

@@ -17,7 +17,7 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) : boxes_(boxes), items_(boxes.si
   if (!boxes_.empty()) build(0, static_cast<int>(boxes_.size()));
 }
 
-// Halves by number along the longest side of the middles: no heuristic is needed for boxes that fill space like rooms.
+// Splits at the median along the longest side of the centres: boxes that fill space like rooms need no cost heuristic.
 int BoxTree::build(int first, int count) {
   const int at = static_cast<int>(nodes_.size());
   nodes_.emplace_back();

@@ -1,5 +1,5 @@
-// Many axis-aligned boxes, found by place: a bounding volume hierarchy, so that asking which of a thousand probes or
-// objects meet something costs what is near, not what there is. Built by the probe set and the renderer; knows neither.
+// A bounding volume hierarchy over axis-aligned boxes: finding which of a thousand probes or objects meet something
+// takes time that depends on what is near.
 #pragma once
 
 #include <cstddef>
@@ -21,14 +21,14 @@ class BoxTree {
   explicit BoxTree(const std::vector<Box>& boxes);
 
   bool empty() const { return nodes_.empty(); }
-  /// The root comes first.
+  /// The root is the first node.
   const std::vector<Node>& nodes() const { return nodes_; }
-  /// Indices into the boxes it was built from, those of a node side by side.
+  /// Indices into the boxes the tree was built from; those of a node are contiguous.
   const std::vector<std::size_t>& items() const { return items_; }
   const Box& box(std::size_t index) const { return boxes_[index]; }
 
-  /// Calls visit(index) for each box that `meets(box)` says yes to, in no particular order. `meets` must say yes to a
-  /// box that holds one it says yes to.
+  /// Calls visit(index) for each box for which `meets(box)` is true, in no particular order. `meets` must be true for
+  /// every box that contains one for which it is true.
   template <typename Meets, typename Visit>
   void search(const Meets& meets, const Visit& visit) const {
     if (nodes_.empty()) return;

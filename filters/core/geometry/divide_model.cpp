@@ -13,7 +13,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kDeepest = 8;  // 256 pieces of an object
+constexpr int kDeepest = 8;  // at most 256 pieces per object
 
 Box worldBoundsOf(const Mesh& mesh, const glm::dmat4& worldFromModel) {
   Box box;
@@ -24,7 +24,7 @@ Box worldBoundsOf(const Mesh& mesh, const glm::dmat4& worldFromModel) {
   return box;
 }
 
-/// Probes that compete for what lies in a box: none less important than one that covers it.
+/// The number of probes that compete for a box: all but those less important than a probe that covers it.
 std::size_t competing(const std::vector<Probe>& probes, const ProbeIndex& index, const Box& box) {
   const std::vector<std::size_t> meeting = index.meeting(box);
   double least = -1.0e300;
@@ -35,7 +35,7 @@ std::size_t competing(const std::vector<Probe>& probes, const ProbeIndex& index,
       std::count_if(meeting.begin(), meeting.end(), [&](std::size_t i) { return probes[i].importance >= least; }));
 }
 
-/// Vertices copied, as far as triangles use them.
+/// One half of a mesh: copies the vertices that its triangles use.
 class Half {
  public:
   Half(const Mesh& from, Mesh& to) : from_(from), to_(to), known_(from.positions.size(), kNone) {
@@ -53,7 +53,7 @@ class Half {
     }
     return known_[i];
   }
-  /// On the edge from i to j (i < j, so that either triangle at the edge makes the same), a share `t` of the way.
+  /// The vertex a fraction `t` along the edge from i to j, with i < j so that both triangles at the edge make the same.
   std::uint32_t between(std::uint32_t i, std::uint32_t j, double t) {
     const auto found = cut_.find({i, j});
     if (found != cut_.end()) return found->second;
@@ -110,7 +110,8 @@ class Divider {
   }
 
  private:
-  /// In the middle of the axis where the worse half has fewest; nothing where none has fewer.
+  /// The axis and position of the cut, in the middle of the box, whose worse half has the fewest probes; nothing if no
+  /// cut reduces them.
   std::optional<std::pair<int, double>> bestCut(const Box& box, std::size_t here) const {
     std::optional<std::pair<int, double>> best;
     std::size_t fewest = here;

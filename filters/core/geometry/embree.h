@@ -1,4 +1,4 @@
-// Embree 3 or 4: what differs between them for a single ray. For the rooms that link Embree; this one does not.
+// The differences between Embree 3 and 4 for single rays. For the rooms that link Embree; this one does not.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
@@ -12,7 +12,7 @@
 
 namespace boxprobe {
 
-/// Embree ends the program at a ray with a coordinate beyond this (its FLT_LARGE), or with one that is no number.
+/// Embree aborts the program at ray coordinates beyond this (its FLT_LARGE) and at NaN.
 constexpr float kLargestRayCoordinate = 1.8e18f;
 
 inline bool canBeTraced(const RTCRay& ray) {
@@ -22,7 +22,7 @@ inline bool canBeTraced(const RTCRay& ray) {
   return true;
 }
 
-/// A ray that cannot be traced meets nothing.
+/// Intersects one ray. A ray that cannot be traced meets nothing.
 inline void intersectOne(RTCScene scene, RTCRayHit* query) {
   if (!canBeTraced(query->ray)) return;
 #if RTC_VERSION_MAJOR >= 4

@@ -26,7 +26,7 @@ struct FlatTriangle {
   glm::dvec3 normal{0.0};  // unit
 };
 
-// Equal positions have one number.
+// Equal positions get the same number.
 std::vector<int> weldedVertices(const std::vector<glm::dvec3>& positions) {
   std::map<std::array<double, 3>, int> first;
   std::vector<int> same;
@@ -53,7 +53,7 @@ class JoinedVertices {
   std::vector<int> parent_;
 };
 
-// One plane's triangles.
+// The triangles of one plane.
 class FlatRegion {
  public:
   FlatRegion(const std::vector<glm::dvec3>& positions, std::vector<FlatTriangle> triangles, double size)
@@ -83,7 +83,7 @@ class FlatRegion {
 
   static double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-  // The outline, if it is a single one that touches itself nowhere; else empty.
+  // The outline if there is exactly one and it does not touch itself; else empty.
   FlatLoop onlyOutline() const {
     std::set<FlatEdge> edges;
     for (const FlatTriangle& t : triangles_) {
@@ -123,7 +123,7 @@ class FlatRegion {
     return kept;
   }
 
-  // Counterclockwise, once around, nowhere inwards.
+  // Is the loop counterclockwise and convex, with one turn?
   bool convex(const FlatLoop& loop) const {
     const std::size_t n = loop.size();
     if (n < 3) return false;
@@ -137,7 +137,8 @@ class FlatRegion {
     return std::abs(turn - 4.0 * std::acos(0.0)) < 1.0e-3;
   }
 
-  // Two loops without the edge (a, b) of the first between them, and without further edges that they share beside it.
+  // Two loops merged without the edge (a, b) of the first between them, and without the other edges they share next to
+  // it.
   static FlatLoop joined(const FlatLoop& first, const FlatLoop& second, int a, int b) {
     const auto from = [](const FlatLoop& loop, int start, int end) {  // along the loop, with both ends
       FlatLoop way;
@@ -151,7 +152,7 @@ class FlatRegion {
     FlatLoop all = from(first, b, a);
     const FlatLoop other = from(second, a, b);
     all.insert(all.end(), other.begin() + 1, other.end() - 1);
-    // There and back again.
+    // Removes spikes, which go to a vertex and straight back.
     for (bool found = true; found && all.size() > 2;) {
       found = false;
       for (std::size_t i = 0; i < all.size(); ++i) {
@@ -166,7 +167,7 @@ class FlatRegion {
     return all;
   }
 
-  // Edges between two polygons are taken out, the longest first, while what is left is convex (Hertel and Mehlhorn).
+  // Removes edges between two polygons, the longest first, while the result is convex (Hertel and Mehlhorn).
   std::vector<FlatLoop> mergedTriangles() const {
     std::vector<FlatLoop> loops;
     std::map<FlatEdge, int> owner;
@@ -228,7 +229,7 @@ std::vector<FlatPolygon> flatPolygons(const std::vector<glm::dvec3>& positions,
     }
     const glm::dvec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
     const double area = glm::length(n), longest = std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[0])});
-    // Of rounding, and no number, fail this.
+    // Rejects areas that are rounding errors, and NaN.
     if (!(area > 1.0e-12 * longest * longest) || !std::isfinite(area)) continue;
     std::rotate(corners.vertex.begin(), std::min_element(corners.vertex.begin(), corners.vertex.end()),
                 corners.vertex.end());

@@ -1,5 +1,5 @@
-// Triangles as the flat convex polygons they were made from: what a modeller draws as a rectangle comes as two or two
-// hundred triangles. Called for the lamps of a scene; plain geometry.
+// Recovers flat convex polygons from triangles: a rectangle of a modelling program arrives as two or two hundred
+// triangles.
 #pragma once
 
 #include <array>
@@ -11,21 +11,21 @@
 namespace boxprobe {
 
 struct FlatPolygon {
-  std::vector<glm::dvec3> corners;  ///< convex, none on the line between its neighbours; as the triangles go round
-  std::size_t component = 0;        ///< polygons that touch in a vertex, directly or by others, have the same number
+  std::vector<glm::dvec3> corners;  ///< convex, no three in a line; in the winding order of the triangles
+  std::size_t component = 0;        ///< polygons that touch in a vertex, directly or through others, share the number
 };
 
-/// Triangles that share an edge and lie in one plane, within 0.1 degrees and 1e-4 of the whole's size, are one polygon;
-/// where that is not convex or has holes, several. Vertices are the same if their positions are equal. Triangles
-/// without area and repeated ones are left out; both sides of a sheet are two polygons.
+/// Triangles that share an edge and lie in one plane, within 0.1 degrees and 1e-4 of the whole's size, become one
+/// polygon, or several if that is not convex or has holes. Vertices are the same if their positions are equal.
+/// Degenerate and repeated triangles are left out; both sides of a sheet are two polygons.
 std::vector<FlatPolygon> flatPolygons(const std::vector<glm::dvec3>& positions,
                                       const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-/// The polygon with at most `most` corners, of the same area: corners that change it least go first, then it grows
-/// about its centroid.
+/// The polygon simplified to at most `most` corners, of the same area: removes the corners that change it least, then
+/// scales it about its centroid.
 std::vector<glm::dvec3> withFewerCorners(std::vector<glm::dvec3> corners, std::size_t most);
 
-/// Of a flat polygon: half the sum of its corners' cross products. Its length is the area, its direction the normal.
+/// Half the sum of the cross products of a flat polygon's corners. Its length is the area, its direction the normal.
 glm::dvec3 areaVector(const std::vector<glm::dvec3>& corners);
 glm::dvec3 polygonCentroid(const std::vector<glm::dvec3>& corners);
 

@@ -13,11 +13,11 @@ namespace boxprobe {
 
 namespace {
 
-/// How far geometry may stand off the plane, in parts of its own size: above the rounding of single-precision
-/// positions, below what moves a reflected edge by a pixel.
+/// How far geometry may deviate from the plane, relative to its size: above the rounding of single-precision positions,
+/// below what moves a reflected edge by a pixel.
 constexpr double kFlat = 1.0e-4;
 
-/// A node's triangles in the world, and whether they are seen from both sides.
+/// A node's triangles in the world, and whether they are double-sided.
 struct Surface {
   std::vector<std::array<glm::dvec3, 3>> triangles;
   bool bothSides = true;
@@ -68,7 +68,7 @@ std::optional<MirrorPlane> mirrorPlane(const Scene& scene, const std::vector<std
   }
   const double size = glm::length(high - low);
   plane.center = 0.5 * (low + high);
-  // Of triangles that face all ways nothing is left; of those of one plane, everything.
+  // Normals of triangles that face all ways cancel out; those of one plane add up.
   if (!(area > 0.0) || glm::length(sum) < 0.5 * area) {
     fail("is not a planar mirror: its triangles face different ways; name a node that is one flat surface");
   }
@@ -77,18 +77,18 @@ std::optional<MirrorPlane> mirrorPlane(const Scene& scene, const std::vector<std
   for (const auto& t : surface.triangles) {
     for (const glm::dvec3& p : t) off = std::max(off, std::fabs(glm::dot(p - plane.center, plane.normal)));
   }
-  // Against the middle of the bounds, which for a flat surface lies in the plane.
+  // Relative to the centre of the bounds, which lies in the plane of a flat surface.
   if (off > kFlat * size) {
     fail("is not planar: its geometry stands " + numberText(static_cast<float>(off)) +
          " off its plane, and may no more than " + numberText(static_cast<float>(kFlat * size)) +
          "; name a node that is one flat surface");
   }
-  // Along its longest edge: for a rectangle its own sides.
+  // Along the longest edge: for a rectangle, one of its sides.
   glm::dvec3 along(0.0);
   for (const auto& t : surface.triangles) {
     for (std::size_t c = 0; c < 3; ++c) {
       const glm::dvec3 edge = t[(c + 1) % 3] - t[c];
-      // Both diagonals of a quad are longer than its sides: the legs at a right angle are what counts.
+      // A quad's diagonals are longer than its sides: only legs at a right angle count.
       const glm::dvec3 other = t[(c + 2) % 3] - t[(c + 1) % 3];
       const bool square = std::fabs(glm::dot(edge, other)) < 1.0e-3 * glm::length(edge) * glm::length(other);
       const bool longer = glm::dot(edge, edge) > glm::dot(along, along);

@@ -1,5 +1,4 @@
-// The plane of a scene's planar mirror: found from its geometry, or refused with the place of what is wrong. Called by
-// the loader of scenes, the scene renderer and the window; knows neither files nor VTK.
+// The plane of a planar mirror, found from its geometry, or an error that says where it is wrong.
 #pragma once
 
 #include <array>
@@ -22,12 +21,12 @@ struct MirrorPlane {
   bool bothSides = false;               ///< of a double-sided material
 };
 
-/// Of all geometry of that node. Nothing if no instance has the name (a remark, not an error: see unmatchedOverrides).
-/// Throws FieldError {"mirrors", NODE} if the geometry does not lie in one plane and face one way.
+/// The plane of all geometry of that node. Nothing if no instance has the name (a remark, not an error: see
+/// unmatchedOverrides). Throws FieldError {"mirrors", NODE} if the geometry does not lie in one plane and face one way.
 std::optional<MirrorPlane> mirrorPlane(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
                                        const std::string& node);
 
-/// Every mirror of the scene, as above: throws at the first that is none.
+/// Checks every mirror of the scene as above: throws at the first that does not lie in one plane.
 void checkMirrors(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
 
 }  // namespace boxprobe

@@ -21,7 +21,7 @@ void setRow(glm::dmat4& m, int i, const glm::dvec4& values) {
   for (int column = 0; column < 4; ++column) m[column][i] = values[column];
 }
 
-/// Sutherland and Hodgman: what of a polygon lies where dot(plane, p) >= 0.
+/// Sutherland-Hodgman: the part of a polygon where dot(plane, p) >= 0.
 std::vector<glm::dvec4> clipped(const std::vector<glm::dvec4>& polygon, const glm::dvec4& plane) {
   std::vector<glm::dvec4> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -33,7 +33,7 @@ std::vector<glm::dvec4> clipped(const std::vector<glm::dvec4>& polygon, const gl
   return result;
 }
 
-/// The same with the crop to `rect` in front: x and y of it from -1 to 1.
+/// The projection followed by a crop to `rect`: its x and y range from -1 to 1.
 glm::dmat4 cropped(const glm::dmat4& clipFromView, const PictureView& view, const MirrorRect& rect) {
   const auto axis = [&](int i, int first, int size, int whole) {
     const double low = 2.0 * first / whole - 1.0, high = 2.0 * (first + size) / whole - 1.0;
@@ -64,7 +64,7 @@ bool facesEye(MirrorPlane& plane, const PictureView& view) {
     plane.normal = -plane.normal;
     return true;
   }
-  // In the plane itself nothing is seen of it; the mirrored eye would lie on its own near plane.
+  // An eye in the plane sees nothing of it, and the mirrored eye would lie on its own near plane.
   const double size = glm::distance(plane.corners[0], plane.corners[2]);
   return facing > 1.0e-6 * (view.parallel ? 1.0 : size);
 }
@@ -73,7 +73,8 @@ std::vector<glm::dvec2> visiblePart(const MirrorPlane& plane, const PictureView&
   const glm::dmat4 clipFromEye = view.clipFromView * view.viewFromEye();
   std::vector<glm::dvec4> polygon;
   for (const glm::dvec3& corner : plane.corners) polygon.push_back(clipFromEye * glm::dvec4(corner - view.eye, 1.0));
-  // Before the eye first: the sides' planes say nothing of what lies behind it. Relative to how far the corners are.
+  // Clip in front of the eye first: the side planes do not exclude what lies behind it. Relative to the corners'
+  // distance.
   double reach = 0.0;
   for (const glm::dvec4& corner : polygon) reach = std::max(reach, std::fabs(corner.w));
   for (glm::dvec4& corner : polygon) corner.w -= 1.0e-6 * reach;
@@ -100,7 +101,7 @@ double areaOf(const std::vector<glm::dvec2>& polygon, const PictureView& view) {
 MirrorRect mirroredRect(const std::vector<glm::dvec2>& polygon, const PictureView& view, double margin) {
   glm::dvec2 low(1.0), high(-1.0);
   for (const glm::dvec2& p : polygon) {
-    const glm::dvec2 flipped(-p.x, p.y);  // left and right are exchanged
+    const glm::dvec2 flipped(-p.x, p.y);  // left and right are swapped
     low = glm::min(low, flipped);
     high = glm::max(high, flipped);
   }
@@ -123,8 +124,8 @@ PictureView mirroredView(const MirrorPlane& plane, const PictureView& view, cons
   result.eye = view.eye - 2.0 * height * plane.normal;
   result.forward = mirrored(view.forward, plane.normal);
   result.up = mirrored(view.up, plane.normal);
-  // A far plane of its own: what the mirror shows lies further from the mirrored eye than the scene from the eye. The
-  // near one is replaced below; here it only has to be one.
+  // A far plane of its own: what the mirror shows is farther from the mirrored eye than the scene is from the eye. The
+  // near plane is replaced below; here it only has to be valid.
   glm::dmat4 projection = view.clipFromView;
   const double far = farDistance, near = 1.0e-3 * farDistance;
   if (view.parallel) {
@@ -144,7 +145,7 @@ glm::dmat4 withNearPlane(const glm::dmat4& clipFromView, const glm::dvec4& plane
   const glm::dmat4 viewFromClip = glm::inverse(clipFromView);
   const glm::dvec4 planeClip = glm::transpose(viewFromClip) * planeView;
   const auto sign = [](double x) { return x < 0.0 ? -1.0 : 1.0; };
-  // The corner of the frustum farthest on the seen side: the far plane goes on through it, so that depth is used up.
+  // The far plane passes through the farthest visible corner of the frustum, to use the depth range fully.
   const glm::dvec4 corner = viewFromClip * glm::dvec4(sign(planeClip.x), sign(planeClip.y), 1.0, 1.0);
   const glm::dvec4 last = row(clipFromView, 3);
   glm::dmat4 result = clipFromView;

@@ -11,7 +11,7 @@ namespace boxprobe {
 
 namespace {
 
-// A quarter turn that takes the file's up axis to +Y.
+// The quarter turn that takes the file's up axis to +Y.
 glm::dmat4 upright(UpAxis up) {
   const double quarter = std::acos(0.0);
   glm::dmat4 turn(1.0);

@@ -20,7 +20,7 @@ double influenceVolume(const Probe& probe) {
   return size.x * size.y * size.z;
 }
 
-/// Scene units to the influence box; 0 within.
+/// Distance to the influence box in scene units; 0 inside.
 double influenceDistance(const Probe& probe, const glm::dvec3& pointWorld) {
   const glm::dvec3 pivot = probe.box.center();
   const glm::dvec3 point = pivot + glm::transpose(rotationMatrix(probe.rotationDegrees)) * (pointWorld - pivot);

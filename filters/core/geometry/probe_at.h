@@ -1,4 +1,4 @@
-// Which probe lights a place. Called by the window: a click, and where one stands, select a probe.
+// Which probe lights a place.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,11 +9,11 @@
 
 namespace boxprobe {
 
-/// The probe with the largest share of the light reflected at `pointWorld`; of equal shares the smaller influence box.
-/// Nothing where no probe has any weight: the sky lights that place.
+/// The probe with the largest share of the light reflected at `pointWorld`; among equal shares the one with the smaller
+/// influence box. Nothing where no probe has any weight and the sky lights the place.
 std::optional<std::size_t> probeLighting(const std::vector<Probe>& probes, const glm::dvec3& pointWorld);
 
-/// The same; where none has any weight, the probe whose influence box is nearest. Nothing without probes.
+/// The same, but where none has any weight the probe whose influence box is nearest. Nothing without probes.
 std::optional<std::size_t> probeNearest(const std::vector<Probe>& probes, const glm::dvec3& pointWorld);
 
 }  // namespace boxprobe

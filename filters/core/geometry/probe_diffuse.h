@@ -1,6 +1,6 @@
-// Diffuse light of a scene's probes as its picture has it: of each its coefficients, or, with lamps drawn as shapes,
-// these and the lattice. The same mathematics as the shader's, for references that take everything but the reflection
-// from the picture. Plain values; knows neither VTK nor rays.
+// Diffuse light of a scene's probes as its picture has it: the coefficients of each or, with lamps as shapes, the lamps
+// and the lattice. The same mathematics as in the shader, for references that take everything but the reflection from
+// the picture.
 #pragma once
 
 #include <memory>
@@ -18,22 +18,22 @@ namespace boxprobe {
 
 struct ProbeDiffuse {
   ShCoefficients coefficients{};
-  std::shared_ptr<const DiffuseLattice> lattice;  ///< in place of the coefficients, with `lamps`; null: those
+  std::shared_ptr<const DiffuseLattice> lattice;  ///< with `lamps`: used in place of the coefficients unless null
   std::vector<SceneLamp> lamps;
   std::vector<int> lampChannels;            ///< of each of `lamps` in `sight`
-  std::shared_ptr<const ProbeSight> sight;  ///< what is seen of lamps and light sources; null: all of them
+  std::shared_ptr<const ProbeSight> sight;  ///< visibility of lamps and light sources; null: all visible
 };
 
 struct ProbesDiffuse {
-  std::vector<std::optional<ProbeDiffuse>> probes;  ///< in the scene's order; nothing for one without maps
-  std::set<std::size_t> countedLights;              ///< of the scene, those that a lamp stands for: they give nothing
+  std::vector<std::optional<ProbeDiffuse>> probes;  ///< in the scene's order; empty for probes without maps
+  std::set<std::size_t> countedLights;              ///< of the scene: those that a lamp stands for, which give no light
 };
 
 /// Irradiance over pi at a point (world), before weight and intensity. `probe`: as it is drawn.
 glm::vec3 diffuseAt(const ProbeDiffuse& diffuse, const ProbeGeometry& probe, const glm::dvec3& positionWorld,
                     const glm::vec3& normalWorld);
 
-/// Share that a channel of the sight says is seen from there; kSeenByAll and kSeenByNone are channels, too.
+/// The visibility, 0 to 1, in a channel of the sight at a point; kSeenByAll and kSeenByNone are valid channels.
 float seenAt(const ProbeSight* sight, int channel, const ProbeGeometry& probe, const glm::dvec3& positionWorld,
              const glm::vec3& normalWorld);
 

@@ -1,5 +1,4 @@
-// See probe_frame.h. The rotation is about the box's centre, so that moving one face of a rotated box moves the pivot
-// too.
+// The rotation is about the box's centre, so moving one face of a rotated box moves the pivot, too.
 #include "filters/core/geometry/probe_frame.h"
 
 #include <algorithm>
@@ -81,14 +80,14 @@ void setBox(Probe& probe, const Box& box) {
 Box withFaceMoved(const Box& box, const glm::dvec3& rotationDegrees, const BoxFace& face, double offset, bool symmetric,
                   double minimumThickness) {
   const double size = box.size()[face.axis];
-  // A box that a file made thinner than the minimum may stay so, but not be made thinner still.
+  // A box that a file made thinner than the minimum may stay so, but not become thinner.
   const double thinnest = std::min(minimumThickness, size);
   const double sides = symmetric ? 2.0 : 1.0;
   const double outwards = std::max(offset, (thinnest - size) / sides);
 
   Box moved = box;
   if (rotationDegrees == glm::dvec3(0.0)) {
-    // Apart from the rotated case so that the other five numbers stay bit for bit what they were.
+    // Separate from the rotated case, so that the other five numbers stay bit-identical.
     if (face.positive || symmetric) moved.max[face.axis] = box.max[face.axis] + outwards;
     if (!face.positive || symmetric) moved.min[face.axis] = box.min[face.axis] - outwards;
     return moved;

@@ -1,5 +1,4 @@
-// A probe's boxes as points in the world: corners, faces, the axes a face moves along. Called by the handles, their
-// pictures and the drags; plain mathematics that knows neither VTK nor Qt.
+// A probe's boxes as points in the world: corners, faces, the axes along which a face moves.
 #pragma once
 
 #include <array>
@@ -25,10 +24,10 @@ constexpr std::array<BoxFace, 6> kBoxFaces = {{{0, true}, {0, false}, {1, true},
 /// "+X"
 const char* faceName(const BoxFace& face);
 
-/// Where the point `pointBox`, given as if the box were not rotated, is in the world: turned about `pivot`.
+/// World position of `pointBox`, given as if the box were not rotated: rotates it about `pivot`.
 glm::dvec3 worldFromBox(const glm::dmat3& rotation, const glm::dvec3& pivot, const glm::dvec3& pointBox);
 
-/// Corner i has the maximum along X, Y, Z where bit 0, 1, 2 of i is set.
+/// Corner i has the maximum along X, Y, Z if bit 0, 1, 2 of i is set.
 std::array<glm::dvec3, 8> boxCornersWorld(const Box& box, const glm::dmat3& rotation, const glm::dvec3& pivot);
 
 /// The twelve edges as pairs of corner indices.
@@ -38,21 +37,22 @@ glm::dvec3 faceCenterWorld(const Probe& probe, const BoxFace& face);
 /// Unit length, pointing out of the box.
 glm::dvec3 faceAxisWorld(const Probe& probe, const BoxFace& face);
 
-/// Inside it the probe's weight is 1: the influence box drawn in by the blend distances. Where two opposite distances
-/// meet, the box has no thickness along that axis and stands where the weight is highest.
+/// The region where the probe's weight is 1: the influence box shrunk by the blend distances. Where two opposite
+/// distances meet, the region has no thickness along that axis and lies where the weight is highest.
 Box fullWeightBox(const Probe& probe);
 
-/// Sets the probe's box and leaves an influence box of its own where it is in the world: it turns about the same pivot.
+/// Sets the probe's box; an influence box of its own stays where it is in the world, although it rotates about the same
+/// pivot.
 void setBox(Probe& probe, const Box& box);
 
-/// The box with `face` moved outwards by `offset` along its own axis and, if `symmetric`, the opposite one as far the
-/// other way. Every other face stays where it is in the world, also when the box is rotated: the centre, which is the
-/// pivot of the rotation, moves with the face. The result is never thinner than `minimumThickness` along that axis.
+/// The box with `face` moved outwards by `offset` along its own axis and, if `symmetric`, the opposite face equally far
+/// the other way. All other faces stay where they are in the world, also in a rotated box: its centre, the pivot of the
+/// rotation, moves with the face. The result is never thinner than `minimumThickness` along that axis.
 Box withFaceMoved(const Box& box, const glm::dvec3& rotationDegrees, const BoxFace& face, double offset, bool symmetric,
                   double minimumThickness);
 
-/// Faces cannot be brought closer together than this by hand, in metres: thin enough for a mirror's own slab, thick
-/// enough that both handles can still be told apart and taken hold of.
+/// Minimum distance, in metres, between opposite faces that are moved by hand: thin enough for the slab of a mirror,
+/// thick enough to tell both handles apart and grab them.
 constexpr double kMinimumThickness = 0.05;
 
 }  // namespace boxprobe

@@ -13,8 +13,8 @@ namespace boxprobe {
 
 namespace {
 
-// A floor that lies in a face of its room's box is inside: without this skin rounding (1e-7 of the distance to the
-// camera) would decide pixel by pixel when the blend distance is 0. Relative to the box, so it works at every scale.
+// Counts a floor in a face of its room's box as inside: without this skin, rounding (1e-7 of the distance to the
+// camera) would decide for each pixel when the blend distance is 0. Relative to the box, so it works at every scale.
 constexpr double kInfluenceSkin = 1.0e-4;
 constexpr double kNarrowestBlend = 1.0e-5;
 
@@ -49,8 +49,8 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt, co
   g.worldFromProbe = g.rotated ? rotationMatrix(probe.rotationDegrees) : glm::dmat3(1.0);
   g.mapTurned = capturedRotation != probe.rotationDegrees;
   if (g.mapTurned) g.mapFromProbe = glm::transpose(rotationMatrix(capturedRotation)) * g.worldFromProbe;
-  // The box turns about its centre, so the origin in the box's own, unturned coordinates is
-  // centre + R^T (C - centre); subtracting it makes everything relative to C before anything is rounded to float.
+  // The box rotates about its centre, so the origin in the box's own, unrotated coordinates is centre + R^T (C -
+  // centre). Subtracting it makes everything relative to C before anything is rounded to float.
   const glm::dvec3 center = probe.box.center();
   const glm::dvec3 origin = g.rotated ? center + glm::transpose(g.worldFromProbe) * (capturedAt - center) : capturedAt;
   const Box& influence = probe.influenceBox();
@@ -59,7 +59,7 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt, co
   const double skin = skinOf(influence);
   g.influenceMin = glm::vec3(influence.min - skin - origin);
   g.influenceMax = glm::vec3(influence.max + skin - origin);
-  // No wider than a position's own rounding: to a pixel that is a step.
+  // At least as wide as a position's rounding error; on screen it is still a step.
   const double shortest = std::max(kNarrowestBlend * largestSide(influence), 1.0e-30);  // a box may be a point
   g.rateMin = glm::vec3(1.0 / glm::max(probe.blendDistance.min, glm::dvec3(shortest)));
   g.rateMax = glm::vec3(1.0 / glm::max(probe.blendDistance.max, glm::dvec3(shortest)));
@@ -77,7 +77,8 @@ ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt, co
   g.technique = probeTechnique(probe);
   g.parameters = techniqueParameters(probe);
   if (isAutomatic(g.technique)) {
-    // It was measured with the defaults; what the scene keeps for other techniques does not reach what it chooses.
+    // `auto` was measured with default parameters: those that the scene keeps for other techniques do not affect what
+    // it chooses.
     const float budget = g.parameters.budget;
     g.parameters = standardParameters();
     g.parameters.budget = budget;

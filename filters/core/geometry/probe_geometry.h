@@ -1,5 +1,5 @@
-// A probe's box, influence and capture origin in the probe frame of shaders/shared/types.glsl. Called by the mapper's
-// uniforms and by everything that explains a pixel on the CPU. Double until the last step.
+// A probe's box, influence and capture origin in the probe frame of shaders/shared/types.glsl. Double precision until
+// the last step.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -15,7 +15,7 @@ struct ProbeGeometry {
   glm::dmat3 worldFromProbe{1.0};  ///< rotation only
   bool rotated = false;
   glm::dmat3 mapFromProbe{1.0};          ///< rotation to the axes of the probe's maps
-  bool mapTurned = false;                ///< is that one? Not of maps captured with the box as it stands
+  bool mapTurned = false;                ///< is mapFromProbe a rotation? Not for maps captured with the box as it is
   glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame: relative to the capture origin, along the box's axes
   glm::vec3 influenceMin{0.0f}, influenceMax{0.0f};
   glm::vec3 rateMin{0.0f}, rateMax{0.0f};  ///< 1 / blend distance, by face
@@ -27,29 +27,29 @@ struct ProbeGeometry {
   double importance = 1.0;
   Technique technique;
   shading::TechniqueParameters parameters = standardParameters();
-  bool animated = false;  ///< the technique draws another pattern every frame: the picture is a mean of frames
-  bool blurred = false;   ///< what it samples is smoothed afterwards
+  bool animated = false;  ///< the technique draws another pattern each frame: the picture is an average of frames
+  bool blurred = false;   ///< its samples are smoothed afterwards
 };
 
-/// What the mathematics takes. `maxLevel`: last level of the probe's maps; `roughness`: of the surface, perceptual.
+/// What the techniques take. `maxLevel`: last level of the probe's maps; `roughness`: of the surface, perceptual.
 shading::ProbeShape probeShape(const ProbeGeometry& geometry, float maxLevel, float roughness);
 
-/// The technique that draws it: with projection off, looked up with the bare reflection vector.
+/// The technique that draws the probe: with projection off, the bare reflection vector is sampled.
 Technique probeTechnique(const Probe& probe);
 
 /// Rotation about X, then Y, then Z (world axes).
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationDegrees);
 
-/// `capturedAt` may differ from probe.origin while a new capture is under way: lookups must use where the map was
-/// taken. So may `capturedRotation` (degrees, as rotationMatrix takes them) from the box's: maps lie along the axes the
-/// box had when they were captured; those of pictures, and of the sky, along the world's.
+/// `capturedAt` may differ from probe.origin while a new capture is under way: lookups must use the position where the
+/// map was captured. So may `capturedRotation` (degrees, as rotationMatrix takes them) from the box's: maps lie along
+/// the axes the box had when they were captured; those of pictures and of the sky along the world's.
 ProbeGeometry probeGeometry(const Probe& probe, const glm::dvec3& capturedAt,
                             const glm::dvec3& capturedRotation = glm::dvec3(0.0));
 
-/// Has every point of an axis-aligned box full weight?
+/// Does every point of an axis-aligned box have full weight?
 bool fullWeightEverywhere(const Probe& probe, const Box& boundsWorld);
 
-/// Axis-aligned bounds, in the world, of the influence box and its skin.
+/// Axis-aligned world bounds of the influence box and its skin.
 Box influenceBounds(const Probe& probe);
 
 }  // namespace boxprobe

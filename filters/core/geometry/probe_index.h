@@ -1,5 +1,4 @@
-// The probes of a scene found by place: which of them reach a box. Built once for a state of the scene; asked for every
-// object that is drawn and every one that is captured.
+// Finds the probes of a scene that reach a box.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +14,7 @@ class ProbeIndex {
   ProbeIndex() = default;
   explicit ProbeIndex(const std::vector<Probe>& probes);
 
-  /// Indices, ascending, of those whose influenceBounds() meet an axis-aligned box.
+  /// Ascending indices of the probes whose influenceBounds() meet an axis-aligned box.
   std::vector<std::size_t> meeting(const Box& boundsWorld) const;
 
  private:

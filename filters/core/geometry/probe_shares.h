@@ -1,5 +1,4 @@
-// How probes divide a point, or an object, between them and the sky: the arithmetic of shaders/shared/weights.glsl over
-// whole lists. Called where an object's probes are chosen and where a pixel is explained.
+// How probes and the sky share a point or an object: the arithmetic of shaders/shared/weights.glsl over whole lists.
 #pragma once
 
 #include <vector>
@@ -13,12 +12,12 @@ struct ProbeShares {
   float sky = 1.0f;
 };
 
-/// `groups`: of equal importance, ascending from 0 as importance falls. `onlyProbes`: what is left for the sky goes to
-/// the probes in proportion, wherever one has any weight.
+/// `groups`: numbers of equal importance, from 0 upwards as importance falls. `onlyProbes`: the sky's share is divided
+/// among the probes in proportion, wherever one has any weight.
 ProbeShares shareOut(const std::vector<float>& weights, const std::vector<int>& groups, bool onlyProbes);
 
-/// One weight for all of an object: the share of its bounds that the influence box holds, along each of the box's axes
-/// and multiplied. Continuous as either moves; 1 for what lies inside.
+/// One weight for a whole object: the fraction of its bounds inside the influence box, along each of the box's axes,
+/// multiplied. Continuous when either moves; 1 for what lies inside.
 double objectWeight(const Probe& probe, const Box& boundsWorld);
 
 }  // namespace boxprobe

@@ -1,4 +1,4 @@
-// The angles of a rotation, for whoever finds a rotation and has to write it into a probe.
+// The angles of a rotation matrix, as a probe stores them.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 
 namespace boxprobe {
 
-/// The same angle from -180 to 180 degrees.
+/// The equivalent angle from -180 to 180 degrees.
 inline double wrappedDegrees(double degrees) {
   return degrees - 360.0 * std::round(degrees / 360.0);
 }
 
-/// Degrees about X, then Y, then Z (world axes) that make `rotation`; of the two ways there are, the one with the
-/// smaller angles about X and Z. The inverse of rotationMatrix().
+/// Degrees about X, then Y, then Z (world axes) that make `rotation`; of the two solutions, the one with the smaller
+/// angles about X and Z. The inverse of rotationMatrix().
 inline glm::dvec3 rotationDegreesOf(const glm::dmat3& rotation) {
   // rotation = Z Y X; its first column is (cos y cos z, cos y sin z, -sin y).
   const double y = std::asin(std::clamp(-rotation[0].z, -1.0, 1.0));
   const bool pole = std::abs(rotation[0].z) > 1.0 - 1e-12;
-  // Looking along the pole X and Z turn about the same line: all of it goes to X.
+  // At the pole (gimbal lock) X and Z rotate about the same line: X gets the whole angle.
   const double x = pole ? std::atan2(-rotation[2].y, rotation[1].y) : std::atan2(rotation[1].z, rotation[2].z);
   const double z = pole ? 0.0 : std::atan2(rotation[0].y, rotation[0].x);
   const glm::dvec3 one = glm::degrees(glm::dvec3(x, y, z));

@@ -1,5 +1,5 @@
-// What a scene asks for that will not be seen in the picture: features this version accepts without acting on them, and
-// names that the models do not have. Called by `info`, by rendering (as warnings) and by the window.
+// What a scene asks for that will not show in the picture: features this version accepts without acting on them, and
+// names that the models do not have. `info`, rendering (as warnings) and the window show these.
 #include <algorithm>
 #include <glm/vector_relational.hpp>
 
@@ -28,7 +28,8 @@ bool flat(const Box& box) {
   return glm::any(glm::equal(box.min, box.max));
 }
 
-// Not refused: what one technique does not read waits for the next, so that trying another loses nothing.
+// Not an error: parameters that one technique does not read are kept for the next, so that trying another loses
+// nothing.
 void parameterRemarks(Remarks& remarks, const Probe& probe) {
   const Technique technique = probeTechnique(probe);
   std::vector<std::string> names;

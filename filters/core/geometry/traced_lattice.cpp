@@ -262,11 +262,14 @@ DiffuseLattice tracedLattice(const DiffuseLattice& base, const CubeMap& means, c
       const std::array<glm::vec3, 9> sums = tracer.lit(nodes[node], before);
       for (std::size_t k = 0; k < 4 * DiffuseLattice::kParts; ++k) {
         lattice.texels[(k / 4) * count + node][static_cast<int>(k % 4)] =
-            k < 27 ? sums[k / 3][static_cast<int>(k % 3)] : 0.0f;
+            k < 27 ? sums[k / 3][static_cast<int>(k % 3)] : 1.0f;
       }
     });
     if (fills) fillNodes(lattice, known);
     if (changedBy(before, lattice) < kNodesAtRest) break;
+  }
+  for (std::size_t node = 0; node < count; ++node) {
+    if (fills && known[node] == 0) lattice.texels[(DiffuseLattice::kParts - 1) * count + node].w = 0.0f;
   }
   return lattice;
 }

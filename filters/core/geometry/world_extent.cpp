@@ -13,7 +13,7 @@ namespace boxprobe {
 
 namespace {
 
-/// NaN among the positions stays outside; the readers refuse it.
+/// NaN positions are left out; the readers refuse them.
 Box boundsOf(const Mesh& mesh) {
   Box bounds{glm::dvec3(mesh.positions.front()), glm::dvec3(mesh.positions.front())};
   for (const glm::vec3& position : mesh.positions) {
@@ -23,7 +23,7 @@ Box boundsOf(const Mesh& mesh) {
   return bounds;
 }
 
-/// The coordinate farthest from 0, or one that is no number.
+/// The coordinate farthest from 0, or NaN.
 double reach(const Box& bounds, const glm::dmat4& worldFromMesh) {
   double farthest = 0.0;
   for (int corner = 0; corner < 8; ++corner) {

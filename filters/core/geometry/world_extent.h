@@ -1,5 +1,5 @@
-// How far a scene may reach. Each number of a file is checked by itself where it is read; what transforms make of them
-// together is checked here, once, where a scene and its models are put together. Called by the loader of scenes.
+// How far a scene may extend. Each number of a file is checked where it is read; their combination through transforms
+// is checked here, once, when a scene and its models are put together.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace boxprobe {
 
-/// Coordinates of geometry, world. A float still holds the area of a triangle that large.
+/// Limit of world coordinates of geometry. A float still holds the area of a triangle that large.
 constexpr double kLargestCoordinateWorld = 1.0e15;
 
-/// Throws InputError naming the node, its model's file and how far it reaches, if a corner of a mesh's bounds lies
+/// Throws InputError naming the node, its model's file and how far it extends if a corner of a mesh's bounds lies
 /// beyond kLargestCoordinateWorld or is not finite after all transforms. `models` in the order of scene.models.
 void checkExtent(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models);
 

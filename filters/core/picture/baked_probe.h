@@ -1,5 +1,4 @@
-// A captured and prefiltered probe on the CPU: what the bake files hold, what previews show and explanations look up.
-// Plain values; knows neither VTK nor files.
+// A captured and prefiltered probe on the CPU, as bake files, previews and explanations use it.
 #pragma once
 
 #include <array>
@@ -15,14 +14,15 @@ namespace boxprobe {
 struct BakedMaps {
   /// Prefiltered chain; level 0 is the capture itself. Linear radiance premultiplied by coverage, alpha = coverage.
   CubeMap radiance;
-  /// One level, in the red channel: from the capture origin to what was seen, scene units; 0 where nothing was. Empty
-  /// for a map without distances (the sky, an imported picture).
+  /// One level; the red channel holds the distance in scene units from the capture origin to the nearest surface, 0
+  /// where there was none. Empty for maps without distances (the sky, an imported picture).
   CubeMap distance;
   ShCoefficients irradiance{};
-  LazyRelief relief;           ///< of distance, for projections that follow rays
-  LazyLightTable light;        ///< of radiance, for techniques that aim rays at what is bright
+  LazyRelief relief;           ///< of `distance`, for projections that follow rays
+  LazyLightTable light;        ///< of `radiance`, for techniques that aim rays at what is bright
   glm::dvec3 capturedAt{0.0};  ///< capture origin, world
-  /// Of the box when it was captured, whose axes the maps lie along; 0: the world's. Irradiance is the world's anyway.
+  /// Rotation of the box when it was captured, along whose axes the maps lie; 0: the world's. Irradiance is always
+  /// along the world's.
   glm::dvec3 capturedRotation{0.0};
 };
 

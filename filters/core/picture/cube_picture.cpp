@@ -14,17 +14,18 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Tile of each face in the cross, columns and rows of tiles.
+/// The tile of each face in the cross, in columns and rows of tiles.
 constexpr std::array<std::array<int, 2>, 6> kTiles = {{{0, 1}, {2, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
 
 glm::vec3 directionOf(const CubePoint& point) {
   return shading::cubeDirection(point.face, point.s, point.t);
 }
 
-/// Mean of the texels a rectangle of a face touches, in texels; the one it lies in where it is smaller than a texel.
+/// The mean of the texels that a rectangle of a face, in texels, touches; the texel it lies in if it is smaller than
+/// one.
 glm::vec4 average(const CubeMap& cube, int level, int face, const glm::dvec2& from, const glm::dvec2& to) {
   const int last = cube.levelSize(level) - 1;
-  // A pixel that only grazes a texel must not count it in full: less than half of it is left out.
+  // A pixel that grazes a texel must not count it in full: texels covered by less than half are left out.
   const auto first = [last](double x) { return std::clamp(static_cast<int>(std::floor(x + 0.5)), 0, last); };
   const auto end = [](double x, int begin) { return std::max(static_cast<int>(std::ceil(x - 0.5)), begin + 1); };
   const bool magnified = to.x - from.x <= 1.0;
@@ -40,7 +41,7 @@ glm::vec4 average(const CubeMap& cube, int level, int face, const glm::dvec2& fr
   return sum / static_cast<float>((c1 - c0) * (r1 - r0));
 }
 
-/// `put` gets every pixel of a face's tile, from the tile's top left.
+/// Calls `put` for every pixel of a face's tile, from the tile's top left.
 template <typename Put>
 void drawTile(const CubeMap& cube, int level, int face, int tile, const Put& put) {
   const double texels = static_cast<double>(cube.levelSize(level)) / tile;
@@ -57,8 +58,8 @@ bool atPole(const glm::vec3& direction) {
   return direction.x == 0.0f && direction.z == 0.0f;
 }
 
-/// Samples along each side of a pixel so that no texel at the map's middle is skipped; bounded, as a picture much
-/// smaller than its map is only glanced at.
+/// Samples along each side of a pixel so that no texel at the map's middle is skipped; bounded, because a picture much
+/// smaller than its map needs no precision.
 int latLongSamples(int faceSize, int width) {
   constexpr int kMost = 8;
   return std::clamp((4 * faceSize + width - 1) / width, 1, kMost);
@@ -128,7 +129,7 @@ std::vector<glm::dvec2> CubePicture::texelOutline(int faceSize, int face, int co
     for (const glm::vec2& corner : corners) outline.push_back(facePosition({face, corner.x, corner.y}));
     return outline;
   }
-  // Great circles are curves on this map; near a pole even a small texel spans much of it.
+  // Great circles are curves on this map; near a pole even a small texel spans a large part of it.
   constexpr int kPieces = 16;
   std::vector<glm::vec3> border;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -149,7 +150,7 @@ std::vector<glm::dvec2> CubePicture::texelOutline(int faceSize, int face, int co
       add(position(border[i]));
       continue;
     }
-    // The pole is the map's whole edge: along it, from where the border comes to where it goes on.
+    // A pole is the whole edge of the map: follow it from where the outline arrives to where it continues.
     const double edge = position(border[i]).y;
     add({outline.back().x, edge});
     add({position(border[(i + 1) % border.size()]).x, edge});

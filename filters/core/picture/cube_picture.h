@@ -1,15 +1,14 @@
-// A cubemap as a flat picture: the cross or the latitude-longitude map, seen from inside, and where a direction or a
-// texel lies in it, so that what was looked up can be drawn on top. Called by previews and by explanations; knows
-// neither Qt nor files.
+// A cubemap as a flat picture, a cross or a latitude-longitude map, seen from inside, and the positions of directions
+// and texels in it, so that lookups can be drawn on top.
 //
-// Both pictures are what someone inside sees, +Y up, with +Z in the middle and +X to its left (the world is
+// Both pictures show what someone inside sees, +Y up, with +Z in the middle and +X to its left (the world is
 // right-handed). The latitude-longitude map is OpenEXR's: the left edge is -Z, the top row +Y. The cross is
 //
 //           +Y
 //     +X    +Z    -X    -Z
 //           -Y
 //
-// OpenGL stores faces as seen from outside: every face is mirrored left to right here.
+// OpenGL stores faces as seen from outside: every face is flipped left to right here.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +23,7 @@ namespace boxprobe {
 
 enum class CubePictureKind { Cross, LatLong };
 
-/// Where things lie in such a picture. Positions are pixels from the top left corner, pixel centres at .5.
+/// Positions in such a picture: pixels from the top left corner, pixel centres at .5.
 class CubePicture {
  public:
   /// `width` is rounded down to a multiple of 4 (cross) or 2 (latitude-longitude), at least 4.
@@ -38,9 +37,9 @@ class CubePicture {
   glm::dvec2 position(const glm::vec3& direction) const;
   /// Not unit; nothing outside the picture and in the empty corners of the cross.
   std::optional<glm::vec3> direction(const glm::dvec2& position) const;
-  /// The border of a texel of a face of `faceSize`² texels, the last point not repeated. On the latitude-longitude map
-  /// neighbouring points are never half a picture apart: an outline across the seam runs past the picture's edge (draw
-  /// it again a width to the other side), and one around a pole does not close.
+  /// The outline of a texel of a face of `faceSize`² texels; the first point is not repeated. On the latitude-longitude
+  /// map neighbouring points are never half a picture apart: an outline across the seam continues beyond the picture's
+  /// edge (draw it again shifted by the width), and one around a pole does not close.
   std::vector<glm::dvec2> texelOutline(int faceSize, int face, int column, int row) const;
 
  private:
@@ -51,7 +50,7 @@ class CubePicture {
 };
 
 /// A level in display colours. Texels larger than a pixel are squares in the cross and interpolated, as lookups do, on
-/// the latitude-longitude map; smaller ones are averaged in linear light. Opaque but for the cross's empty corners.
+/// the latitude-longitude map; smaller ones are averaged in linear light. Opaque except for the cross's empty corners.
 ImageRgba8 drawCubePicture(const CubeMap& cube, int level, const CubePicture& picture, float exposure,
                            Tone tone = Tone::None);
 

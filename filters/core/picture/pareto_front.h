@@ -1,5 +1,4 @@
-// Run time against error: a technique as a point, and which points no other beats in both. Called by the benchmark, its
-// chart, and whoever shows an earlier run's results; knows no renderer and no file.
+// Run time against error: techniques as points, and the Pareto front among them.
 #pragma once
 
 #include <string>
@@ -10,13 +9,13 @@ namespace boxprobe {
 struct ParetoPoint {
   std::string id;      ///< full technique id
   std::string label;   ///< with the parameters that differ from their defaults
-  double cost = 0.0;   ///< frame time over plain box projection's
+  double cost = 0.0;   ///< frame time relative to plain box projection's
   double error = 0.0;  ///< tone-mapped RMSE
   bool onParetoFront = false;
   bool ours = false;  ///< false: as published elsewhere
 };
 
-/// Sets `onParetoFront` of each: no other is at most as costly and at most as wrong, and better in one of the two.
+/// Sets `onParetoFront` of each point: no other has at most its cost and at most its error, and less of one of them.
 void markParetoFront(std::vector<ParetoPoint>& points);
 
 }  // namespace boxprobe

@@ -1,4 +1,4 @@
-// The colours that tell probes, and the faces of a box, apart in views, rays and legends.
+// The colours that distinguish probes and box faces in views, rays and legends.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace boxprobe {
 
-/// Display colours. Hues by the golden ratio: neighbours in the list are far apart, and a new probe changes
-/// no other's.
+/// Display colours. Hues follow the golden ratio: neighbours in the list differ strongly, and a new probe changes no
+/// other's colour.
 inline glm::vec3 probeColor(int index) {
   const double hue = std::fmod(0.58 + index * 0.6180339887498949, 1.0);
   const auto channel = [hue](double shift) {
@@ -23,7 +23,7 @@ inline glm::vec3 skyColor() {
   return glm::vec3(0.22f);
 }
 
-/// -x +x -y +y -z +z: red, green, blue by axis, dark for the negative side.
+/// -x +x -y +y -z +z: red, green, blue by axis, darker for the negative side.
 inline const std::array<glm::vec3, 6>& faceColors() {
   static const std::array<glm::vec3, 6> colors = {glm::vec3(0.55f, 0.12f, 0.10f), glm::vec3(0.95f, 0.42f, 0.38f),
                                                   glm::vec3(0.10f, 0.42f, 0.14f), glm::vec3(0.45f, 0.85f, 0.42f),

@@ -1,5 +1,5 @@
-// What differs between two scenes, by what it costs to show it. A field's row names its kinds (scene_field.h); views
-// are told of them by the document. Knows no view.
+// The kinds of difference between two scenes, by what it takes to show them. A field's row names its kinds
+// (scene_field.h); the document passes them to its views.
 #pragma once
 
 #include <string_view>
@@ -9,11 +9,11 @@
 
 namespace boxprobe {
 
-/// Which kinds of value differ between two scenes: what a view must do follows from the kind.
+/// The kinds of values that differ between two scenes, from which a view derives what to update.
 struct Changes {
   bool probeShape = false;      ///< new uniforms
   bool probeTechnique = false;  ///< perhaps another shader program
-  bool probeCapture = false;    ///< a new capture or filtering
+  bool probeCapture = false;    ///< a new capture, or new filtering
   bool probeList = false;       ///< a probe added, removed, renamed or reordered
   bool materials = false;
   bool objects = false;  ///< planar mirrors, too
@@ -30,16 +30,16 @@ struct Changes {
   static Changes all();
 };
 
-/// One kind of change: `cost` says in one line what shows it, "" for kinds that no field of a scene has.
+/// One kind of change. `cost`: what showing it takes, in one line; "" for kinds that no field of a scene has.
 struct ChangeRow {
   bool Changes::*member;
   std::string_view id;
   std::string_view cost;
 };
-/// One row a member of Changes.
+/// One row per member of Changes.
 const std::vector<ChangeRow>& changeRows();
 
-/// Derived, never declared: compares the two scenes field by field.
+/// Compares the two scenes field by field.
 Changes difference(const Scene& before, const Scene& after);
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// Undo by snapshots: a step keeps the scenes before and after it, shared, so that a step costs one copy of the scene
-// and undo cannot disagree with what was shown. All state changes go through move(), which notifies last.
+// Undo by snapshots: a step shares the scenes before and after it, so it costs one copy of the scene and undo always
+// restores exactly what was shown. All state changes go through move(), which notifies last.
 #include "filters/core/scene/document.h"
 
 #include <algorithm>
@@ -25,8 +25,8 @@ bool same(const Snapshot& a, const Snapshot& b) {
   return a == b || *a == *b;
 }
 
-/// The name the selected probe has in `after`. A rename keeps the number of probes and the probe's place, and its new
-/// name is new; anything else that takes the name away was a removal, which keeps the old name for undo.
+/// The name of the selected probe in `after`. If the number of probes is unchanged and the probe at its index has a new
+/// name, it was renamed. Otherwise a missing name was a removal, which keeps the old name for undo.
 std::string followedName(const Scene& before, const Scene& after, const std::string& name) {
   const auto index = findProbe(before, name);
   if (!index || findProbe(after, name) || before.probes.size() != after.probes.size()) return name;
@@ -220,7 +220,7 @@ void Document::notify(const Changes& changes) {
   for (const std::size_t id : ids) {
     const auto found =
         std::find_if(observers_.begin(), observers_.end(), [id](const auto& o) { return o.first == id; });
-    if (found == observers_.end()) continue;  // removed by an observer called before it
+    if (found == observers_.end()) continue;  // removed by an observer that ran before it
     const Observer observer = found->second;  // a copy: it may remove itself while it runs
     try {
       observer(changes);

@@ -1,4 +1,4 @@
-// Ranges of single fields, from their rows, the order of a box's corners, and the wording of both.
+// Checks single fields against their rows, and the order of a box's corners; words both kinds of error.
 #include <cmath>
 
 #include "filters/core/base/number_text.h"
@@ -25,7 +25,7 @@ std::string tooLarge() {
   return "; numbers up to " + numberText(kLargestNumber) + " are supported";
 }
 
-/// One field's checks; the path is put together only where one fails.
+/// The checks of one field; the path text is built only if one fails.
 class Check {
  public:
   Check(const FieldInfo& field, const KeyPath& path) : field_(field), path_(path) {}

@@ -1,5 +1,5 @@
-// A row of the scene's fields with the access to its member, and the words that rows are written in. Included by the
-// tables (*_rows.cpp) and by what goes through them; scene_field.h says what a row holds.
+// A row of the scene's fields with access to its member, and the functions that build rows. For the tables (*_rows.cpp)
+// and for code that iterates them; scene_field.h describes what a row holds.
 #pragma once
 
 #include <initializer_list>
@@ -94,19 +94,20 @@ constexpr FieldKind kindOf() {
 
 }  // namespace field_detail
 
-/// A row of struct `Part`. The default is that of a default-made Part. Words are chained: field<&Probe::nearDistance>(
-/// "near", "m", "Nothing nearer ...").above(0).usually(1e-4, 1e6).changing({&Changes::probeCapture}).
+/// A row of struct `Part`; the default value is that of a default-constructed Part. Calls are chained:
+/// field<&Probe::nearDistance>("near", "m", "Nothing nearer ...").above(0).usually(1e-4,
+/// 1e6).changing({&Changes::probeCapture}).
 template <typename Part>
 struct FieldRow : FieldInfo {
-  FieldValue (*get)(const Part&) = nullptr;  ///< null, and `set`: of kind Parts
-  void (*set)(Part&, FieldValue) = nullptr;  ///< takes what `get` gives; throws std::bad_variant_access for others
-  bool (*equal)(const Part&, const Part&) = nullptr;  ///< null: no member of its own
+  FieldValue (*get)(const Part&) = nullptr;  ///< null, as is `set`, for kind Parts
+  void (*set)(Part&, FieldValue) = nullptr;  ///< takes what `get` returns; throws std::bad_variant_access for others
+  bool (*equal)(const Part&, const Part&) = nullptr;  ///< null: it has no member of its own
 
   FieldRow& within(double lowest, double highest) { return ranged({lowest, highest, false, false}); }
   FieldRow& between(double lowest, double highest) { return ranged({lowest, highest, true, true}); }  ///< both excluded
   FieldRow& atLeast(double lowest) { return ranged({lowest, kLargestNumber, false, false}); }
   FieldRow& above(double lowest) { return ranged({lowest, kLargestNumber, true, false}); }
-  /// No upper limit but another field's.
+  /// No upper limit except another field's.
   FieldRow& endless() {
     range.highest = std::numeric_limits<double>::infinity();
     return *this;
@@ -194,7 +195,7 @@ auto field(std::string_view key, std::string_view unit, std::string_view help) {
   return row;
 }
 
-/// A key without a member of its own.
+/// A key without a member.
 template <typename Part>
 FieldRow<Part> keyOnly(std::string_view key, std::string_view help) {
   FieldRow<Part> row;

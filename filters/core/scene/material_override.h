@@ -1,12 +1,11 @@
-// A model's material with a scene's override on it: what is drawn and what is traced. Called by the VTK layer, the
-// reference and the material panel; knows neither.
+// A model's material with a scene's override applied: used for drawing and for tracing.
 #pragma once
 
 #include "filters/core/scene/model.h"
 
 namespace boxprobe {
 
-/// `material` as `scene` wants it. A thickness makes a solid of it, thickness 0 a sheet, unless `thin` says otherwise.
+/// `material` with the scene's override. A thickness makes it a solid, thickness 0 a sheet, unless `thin` is given.
 Material overriddenMaterial(Material material, const Scene& scene);
 
 }  // namespace boxprobe

@@ -18,7 +18,7 @@ const std::vector<FieldRow<MaterialOverride>>& materialFields() {
                          "Index of refraction: 1 bends nothing, water 1.33, glass 1.5, diamond 2.42. Below 1 the "
                          "surroundings are denser.")
               .above(0)
-              // The greatest index of a common clear solid is diamond's; some minerals reach 3.
+              // Diamond has the greatest index of common clear solids; some minerals reach 3.
               .usually(0.25, 4)),
       row(field<&M::transmission>("transmission", "",
                                   "Share of light that passes through the surface instead of being scattered: 1 is "

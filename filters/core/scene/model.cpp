@@ -1,4 +1,4 @@
-// What can be said of a model from its arrays alone.
+// Properties of a model that follow from its arrays.
 #include "filters/core/scene/model.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::vector<const TextureUse*> Material::textures() const {
 float Material::reflectedIor() const {
   if (specular == 1.0f) return ior;
   const float root = (ior - 1.0f) / (ior + 1.0f);
-  // A full mirror has no such index: this one comes to 0.9999998 of it.
+  // A full mirror would need an infinite index: this one reaches a reflectance of 0.9999998.
   const float amplitude = std::sqrt(std::clamp(specular * root * root, 0.0f, 1.0f));
   return (1.0f + amplitude) / std::max(1.0f - amplitude, 1.0e-7f);
 }

@@ -1,5 +1,4 @@
-// A model as plain arrays, whatever file it came from: what the VTK layer turns into actors and what the ray tracer
-// traces. Knows neither VTK nor the file format.
+// A model as plain arrays, whatever its file format: the source of VTK's actors and of the ray tracer's triangles.
 #pragma once
 
 #include <cstdint>
@@ -39,25 +38,25 @@ struct TextureUse {
   Wrap wrapT = Wrap::Repeat;
   int uvSet = 0;                                                ///< which of the mesh's two sets of coordinates
   glm::mat3x2 uvTransform{1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};  ///< of (u, v, 1), by columns; KHR_texture_transform
-  bool nearest = false;                                         ///< magnified without interpolation
+  bool nearest = false;                                         ///< nearest-neighbour magnification
 };
 
-/// What a material's alpha means (glTF 2.0, section 3.9.4).
+/// Meaning of a material's alpha (glTF 2.0, section 3.9.4).
 enum class AlphaMode {
-  Opaque,  ///< nothing
-  Mask,    ///< shown where it is not below the cutoff, and whole there
-  Blend,   ///< covers by that much
+  Opaque,  ///< ignored
+  Mask,    ///< fully opaque where alpha is at least the cutoff, else invisible
+  Blend,   ///< coverage
 };
 
-/// What few materials have on top of metalness and roughness; the defaults change nothing. Colours linear, their
-/// textures sRGB; a texture multiplies its factor by the channels named. Not drawn on what transmits light.
+/// Material properties beyond metalness and roughness; the defaults change nothing. Colours are linear, their textures
+/// sRGB; a texture multiplies its factor by the channels named. Ignored on materials that transmit light.
 struct MaterialFinish {
-  glm::vec3 specularTint{1.0f};  ///< of what a non-metal reflects straight on: KHR_materials_specular
-  float specularEdge = 1.0f;     ///< what a non-metal reflects at a flat angle
+  glm::vec3 specularTint{1.0f};  ///< of a non-metal's normal reflectance: KHR_materials_specular
+  float specularEdge = 1.0f;     ///< reflectance of a non-metal at grazing angles
   glm::vec3 sheenColor{0.0f};    ///< KHR_materials_sheen
   float sheenRoughness = 0.0f;
   float anisotropy = 0.0f;          ///< strength, 0 to 1: KHR_materials_anisotropy
-  float anisotropyRotation = 0.0f;  ///< of the direction from the tangent, radians, towards the bitangent
+  float anisotropyRotation = 0.0f;  ///< angle of the direction from the tangent, radians, towards the bitangent
   float iridescence = 0.0f;         ///< KHR_materials_iridescence
   float filmIor = 1.3f;
   float filmThicknessMin = 100.0f, filmThicknessMax = 400.0f;  ///< nanometres, over the texture's range
@@ -71,7 +70,7 @@ struct MaterialFinish {
   bool hasFilm() const { return iridescence > 0.0f; }
   bool isAnisotropic() const { return anisotropy > 0.0f; }
   bool any() const { return tintsSpecular() || hasSheen() || hasFilm() || isAnisotropic(); }
-  /// All of them, those without an image too.
+  /// All texture uses, including those without an image.
   std::vector<TextureUse*> textures();
 };
 
@@ -90,14 +89,14 @@ struct Material {
   float coatNormalScale = 1.0f;
   float transmission = 0.0f;  ///< KHR_materials_transmission
   float ior = 1.5f;
-  float specular = 1.0f;             ///< times the reflectance that `ior` gives (KHR_materials_specular); may exceed 1
-  bool thin = true;                  ///< a sheet that bends nothing (KHR_materials_volume: thickness 0), not a solid
-  float thickness = 0.0f;            ///< of a solid, where its true one is not known: scene units, mean of its texture
-  float thicknessMean = 1.0f;        ///< of the texture, which says `thickness` times G over this
-  float attenuationDistance = 0.0f;  ///< white light has attenuationColor left after it; 0: nothing is absorbed
+  float specular = 1.0f;       ///< factor of the reflectance that `ior` gives (KHR_materials_specular); may exceed 1
+  bool thin = true;            ///< a sheet that does not bend light (KHR_materials_volume: thickness 0), not a solid
+  float thickness = 0.0f;      ///< of a solid whose true thickness is unknown: scene units, mean over its texture
+  float thicknessMean = 1.0f;  ///< mean of the texture: the local thickness is `thickness` times G over this
+  float attenuationDistance = 0.0f;  ///< white light has attenuationColor left after this distance; 0: no absorption
   glm::vec3 attenuationColor{1.0f};
   GlassForm glass = GlassForm::Automatic;
-  bool unlit = false;  ///< KHR_materials_unlit: shows baseColor times its texture, no light
+  bool unlit = false;  ///< KHR_materials_unlit: shows baseColor times its texture, without light
   bool doubleSided = false;
   AlphaMode alphaMode = AlphaMode::Opaque;
   float alphaCutoff = 0.5f;  ///< of AlphaMode::Mask
@@ -106,18 +105,18 @@ struct Material {
   TextureUse transmissionTexture, thicknessTexture;                 ///< R, G
   MaterialFinish finish;
 
-  /// Shows what lies behind it, bent.
+  /// Does it show what lies behind it, refracted?
   bool transmits() const { return transmission > 0.0f && !unlit; }
 
-  /// The index that gives what the surface reflects straight on: `ior`, but for `specular`.
+  /// The index of refraction for which the normal reflectance is that of `ior` times `specular`.
   float reflectedIor() const;
 
-  /// All of them, those without an image too.
+  /// All texture uses, including those without an image.
   std::vector<TextureUse*> textures();
   std::vector<const TextureUse*> textures() const;
 };
 
-/// Triangles. Arrays other than positions may be empty; if not, they have one entry a position.
+/// Triangles. Arrays other than positions are empty or have one entry per position.
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
@@ -126,7 +125,7 @@ struct Mesh {
   std::vector<glm::vec2> uv;           ///< v = 0 at the top of the picture, as in glTF
   std::vector<glm::vec2> uv1;          ///< second set
   std::vector<glm::vec4> colors;       ///< linear, multiply the base colour and its alpha
-  std::vector<std::uint32_t> indices;  ///< three a triangle
+  std::vector<std::uint32_t> indices;  ///< three per triangle
   int material = -1;                   ///< index into Model::materials, -1: the default material
 };
 
@@ -143,9 +142,9 @@ struct Model {
   std::vector<Instance> instances;
   std::vector<Light> lights;          ///< in the file's frame, as instances are
   std::vector<Camera> cameras;        ///< likewise, names unique
-  std::vector<std::string> variants;  ///< names of other sets of materials that the file can be read with
-  double animationSeconds = 0.0;      ///< how long the file's animations last
-  std::vector<std::string> warnings;  ///< what the file asks for and is not supported, named once
+  std::vector<std::string> variants;  ///< names of the sets of materials to choose from
+  double animationSeconds = 0.0;      ///< duration of the file's animations
+  std::vector<std::string> warnings;  ///< unsupported features that the file uses, one line each
 
   std::size_t triangleCount() const;  ///< over all instances
 };

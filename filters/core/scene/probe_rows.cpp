@@ -1,4 +1,4 @@
-// The rows of probes, and of the parts that stand in a probe.
+// The rows of probes and their parts.
 #include "filters/core/scene/scene_fields.h"
 #include "filters/math/sampling/filter_lobe.h"
 

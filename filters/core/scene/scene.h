@@ -1,6 +1,5 @@
-// A scene as plain values: what a *.boxprobe.json file holds, after defaults. Read by every layer above; knows neither
-// VTK nor Qt nor files. Frames: everything is world space, right-handed, +Y up; lengths are scene units (metres for
-// glTF), angles degrees, colours linear.
+// A scene as plain values: the contents of a *.boxprobe.json file, with defaults filled in. Frames: everything is in
+// world space, right-handed, +Y up; lengths are scene units (metres for glTF), angles degrees, colours linear.
 #pragma once
 
 #include <cstddef>
@@ -18,26 +17,26 @@ namespace boxprobe {
 
 struct Model;
 
-/// What one unit of a model file is, in metres (which a scene's lengths are): glTF says metres, other formats nothing.
+/// The length in metres of one unit of a model file: glTF prescribes metres, other formats nothing.
 enum class LengthUnit { Metre, Centimetre, Millimetre, Inch, Foot };
-/// Which way a model file takes for up; it is turned so that this becomes +Y.
+/// The up axis of a model file; models are rotated so that it becomes +Y.
 enum class UpAxis { X, Y, Z };
 
-/// A model file and where it stands. The transform (units and up axis, then scale, then rotation X then Y then Z, then
-/// translation) stays in double so that a scene far from the origin keeps its precision.
+/// A model file and its placement. The transform (units and up axis, then scale, then rotation X then Y then Z, then
+/// translation) is kept in double, so that a scene far from the origin keeps its precision.
 struct ModelFile {
-  std::string file;  ///< absolute, or relative to the working directory once loaded
+  std::string file;  ///< absolute or, once loaded, relative to the working directory
   glm::dvec3 translation{0.0};
   glm::dvec3 rotationDegrees{0.0};
   double scale = 1.0;
   LengthUnit unit = LengthUnit::Metre;
   UpAxis upAxis = UpAxis::Y;
-  std::string variant = {};         ///< of a glTF file's materials; empty: its own
-  std::optional<double> time = {};  ///< of a glTF file's animations, seconds; none: at rest
+  std::string variant = {};         ///< variant of a glTF file's materials; empty: its defaults
+  std::optional<double> time = {};  ///< time in a glTF file's animations, seconds; none: the rest pose
   bool operator==(const ModelFile&) const;
 };
 
-/// Radiance the same in every direction.
+/// The same radiance in every direction.
 struct SkyColor {
   glm::vec3 color{0.0f};
   bool operator==(const SkyColor&) const;
@@ -62,21 +61,21 @@ struct Camera {
   glm::dvec3 target{0.0, 1.0, 0.0};
   glm::dvec3 up{0.0, 1.0, 0.0};
   double verticalFovDegrees = 45.0;
-  double parallelHeight = 0.0;  ///< above 0: parallel projection of so many scene units from top to bottom
+  double parallelHeight = 0.0;  ///< above 0: parallel projection; scene units from the picture's bottom to its top
   bool operator==(const Camera&) const;
 };
 
 enum class LightType { Directional, Point, Spot };
-/// What stands between a light outside of a probe's box and what it shines on.
+/// What blocks a light outside a probe's box.
 enum class LightShadows {
-  None,            ///< nothing: the light goes through walls
-  Coverage,        ///< what the probe saw in the light's direction, for what does not move
-  CoverageAndMap,  ///< and a shadow map of the objects that do
+  None,            ///< nothing: the light passes through walls
+  Coverage,        ///< for static objects: what the probe saw in the light's direction
+  CoverageAndMap,  ///< and a shadow map of moving objects
 };
 /// What makes a shadow's edge soft.
 enum class ShadowLevel {
   Size,      ///< the light's size as seen from the surface
-  Distance,  ///< levels in proportion to the distance to the wall, whatever the light's size
+  Distance,  ///< the distance to the wall alone: levels are proportional to it
 };
 struct Light {
   LightType type = LightType::Directional;
@@ -84,26 +83,26 @@ struct Light {
   glm::dvec3 position{0.0};              ///< point, spot
   glm::vec3 color{1.0f};
   float intensity = 1.0f;  ///< directional: irradiance at normal incidence; else radiant intensity, falls with 1/d²
-  double innerConeDegrees = 0.0;   ///< spot: half the angle within which it is whole
-  double outerConeDegrees = 45.0;  ///< spot: half the angle beyond which it is dark, above the inner one, at most 90
-  double range = 0.0;              ///< not directional: fades to nothing towards it; 0: never
+  double innerConeDegrees = 0.0;   ///< spot: half the angle of full intensity
+  double outerConeDegrees = 45.0;  ///< spot: half the angle beyond which it is dark; above the inner one, at most 90
+  double range = 0.0;              ///< not directional: the light fades to 0 towards it; 0: unlimited
   LightShadows shadows = LightShadows::None;
-  double angleDegrees = 0.53;  ///< directional: the whole angle its disc is seen under, the sun's by default
+  double angleDegrees = 0.53;  ///< directional: apparent diameter of its disc; the default is the sun's
   double radius = 0.05;        ///< not directional: of its sphere, scene units
   ShadowLevel shadowLevel = ShadowLevel::Size;
   double levelsPerUnit = 0.0;  ///< of ShadowLevel::Distance; 0: all levels over the longest distance in the box
   bool operator==(const Light&) const;
 };
 
-/// How a material that transmits light is drawn.
+/// How a light-transmitting material is drawn.
 enum class GlassForm {
   Automatic,     ///< TwoInterface where its shell describes the object, thin walls where it is hollow, else TwoPass
-  OnePass,       ///< bent once, at the front, then looked up
-  TwoPass,       ///< the same of the back faces first, and the front faces blended over them
-  TwoInterface,  ///< followed through the object: bent at the front and where it leaves, mirrored within
+  OnePass,       ///< refracted once, at the front, then looked up
+  TwoPass,       ///< the same for the back faces first, with the front faces blended over them
+  TwoInterface,  ///< followed through the object: refracted at the front and at the exit, reflected inside
 };
 
-/// Overrides of a glTF material by its name; what is left out keeps the model's value.
+/// Overrides of a glTF material by its name; values left out keep the model's.
 struct MaterialOverride {
   std::optional<glm::vec3> baseColor;
   std::optional<float> metallic, roughness;
@@ -116,33 +115,33 @@ struct MaterialOverride {
   bool operator==(const MaterialOverride&) const;
 };
 
-enum class ProbeUsage { Off, Simple, Blend, BlendAndSky };  ///< of an object: which probes it uses
+enum class ProbeUsage { Off, Simple, Blend, BlendAndSky };  ///< which probes an object uses
 enum class WeightMode { Pixel, Object };
 
 /// Overrides of a glTF node by its name.
 struct ObjectOverride {
   bool visible = true;
   bool seenByProbes = true;
-  bool dynamic = false;  ///< moves: baked probes leave it out, so that its movement does not undo them
+  bool dynamic = false;  ///< moves: baked probes leave it out, so that its movement does not make them stale
   ProbeUsage probeUsage = ProbeUsage::BlendAndSky;
   WeightMode weights = WeightMode::Pixel;
-  /// On top of where its model puts it: turned about its node's own origin, then moved. World axes, in double.
+  /// Applied after the model's placement: rotated about its node's origin, then moved. World axes, in double.
   glm::dvec3 translation{0.0};
   glm::dvec3 rotationDegrees{0.0};
   bool operator==(const ObjectOverride&) const;
 };
 
-/// A planar mirror for objects that move, by glTF node name: a picture through a mirrored camera of dynamic objects
-/// alone, over what the probes reflect.
+/// A planar mirror for moving objects, by glTF node name: a picture of dynamic objects alone through a mirrored camera,
+/// over the probes' reflections.
 struct PlanarMirror {
   bool enabled = true;
-  double maxRoughness = 0.3;  ///< rougher than this all over, it has no picture
-  double resolution = 1.0;    ///< texels of its picture a pixel of the screen, each way
+  double maxRoughness = 0.3;  ///< if it is rougher than this everywhere, no picture is drawn
+  double resolution = 1.0;    ///< texels of its picture per screen pixel, along each axis
   bool operator==(const PlanarMirror&) const;
 };
 
-/// Axis-aligned in the probe's own frame: `min` and `max` are offsets in world units along the box's axes as if it were
-/// not rotated; a rotation turns the box about its centre.
+/// Axis-aligned in the probe's own frame: `min` and `max` are world-unit offsets along the box's axes as if it were not
+/// rotated; a rotation turns the box about its centre.
 struct Box {
   glm::dvec3 min{-1.0};
   glm::dvec3 max{1.0};
@@ -151,7 +150,7 @@ struct Box {
   bool operator==(const Box&) const;
 };
 
-/// Distance inside each face over which a probe's weight rises from 0 to 1.
+/// The distance inside each face over which a probe's weight rises from 0 to 1.
 struct BlendDistance {
   glm::dvec3 min{1.0};
   glm::dvec3 max{1.0};
@@ -160,20 +159,20 @@ struct BlendDistance {
 
 enum class ProbeMode {
   Baked,     ///< kept until an input of its capture changes
-  Realtime,  ///< follows what it shows, objects that move included, one face per frame
-  Custom,    ///< filtered from a picture
+  Realtime,  ///< recaptured continuously, one face per frame; shows moving objects
+  Custom,    ///< filtered from a picture file
 };
-/// How the six faces lie in a picture of the surroundings.
+/// The layout of the six faces in a picture of the surroundings.
 enum class CubeLayout {
-  Automatic,  ///< by the envmap attribute, else by the picture's shape, else by the names of six files
+  Automatic,  ///< from the envmap attribute, else the picture's shape, else the names of six files
   LatLong,    ///< 2:1
-  Strip,      ///< 6:1 or 1:6, faces in OpenEXR's order if the file says envmap = cube, else OpenGL's
+  Strip,      ///< 6:1 or 1:6; faces in OpenEXR's order if the file says envmap = cube, else in OpenGL's
   Cross,      ///< 4:3 horizontal or 3:4 vertical
   SixFiles,   ///< one file per face
 };
-/// What a texel of a custom probe's picture stands for; with the instruction (multiplier, exponent) of `decode`.
+/// The encoding of a custom probe's picture; used with the instruction (multiplier, exponent) of `decode`.
 enum class ImageEncoding {
-  Linear,      ///< radiance as it is: EXR, HDR
+  Linear,      ///< linear radiance: EXR, HDR
   Rgbm,        ///< 8 bits; multiplier * M^exponent * colour, colour bytes sRGB, M in alpha: Unity's RGBM textures
   Dldr,        ///< 8 bits; multiplier * colour, colour bytes sRGB, alpha unused: Unity's double LDR
   RgbmLinear,  ///< as Rgbm, with linear colour bytes
@@ -186,14 +185,14 @@ struct ClearToSky {
 struct ClearToNone {
   bool operator==(const ClearToNone&) const { return true; }
 };
-/// Nothing, as none, but the sky shows through wherever it is looked up, as it is by then.
+/// Nothing; lookups there show the current sky, which is not box-projected.
 struct ClearToOpen {
   bool operator==(const ClearToOpen&) const { return true; }
 };
 using Clear = std::variant<ClearToSky, ClearToNone, glm::vec3, ClearToOpen>;
 using ParameterValue = std::variant<double, bool, std::string>;
 
-/// Edges of the projection box rounded by a radius in scene units: `radius`, plus `fromRoughness` times the roughness.
+/// Rounded edges of the projection box: the radius in scene units is `radius` plus `fromRoughness` times the roughness.
 struct Bevel {
   double radius = 0.0;
   double fromRoughness = 0.0;
@@ -213,14 +212,14 @@ struct Probe {
   glm::dvec3 origin{0.0};  ///< capture origin
   Box box;                 ///< projection (proxy) box
   glm::dvec3 rotationDegrees{0.0};
-  std::optional<Box> influence;  ///< left out: the projection box
+  std::optional<Box> influence;  ///< empty: the projection box
   double nearDistance = 0.01;
   double farDistance = 1000.0;
   Clear clear = ClearToSky{};
   BlendDistance blendDistance;
   double importance = 1.0;
   double intensity = 1.0;
-  bool projection = true;  ///< false: looked up with the bare reflection vector, as `infinite`
+  bool projection = true;  ///< false: sampled with the bare reflection vector, as by `infinite`
   std::string technique = "box";
   std::map<std::string, ParameterValue> parameters;
   int faceSize = 256;  ///< texels, a power of two from 16 to 2048
@@ -229,11 +228,11 @@ struct Probe {
   std::string image;  ///< custom mode
   CubeLayout imageLayout = CubeLayout::Automatic;
   ImageEncoding encoding = ImageEncoding::Linear;
-  std::optional<glm::dvec2> decode;  ///< multiplier and exponent; left out: what the encoding usually has
+  std::optional<glm::dvec2> decode;  ///< multiplier and exponent; empty: the encoding's usual ones
   FilterKind filter = FilterKind::Ggx;
   int samplesPerPixel = 4;         ///< 1, 4 or 16
-  int filterSamples = 64;          ///< directions for a texel of level 1 of the filtered chain, 8 to 768
-  std::vector<std::string> hides;  ///< node names left out of this probe's capture
+  int filterSamples = 64;          ///< samples per texel of level 1 of the filtered chain, 8 to 768
+  std::vector<std::string> hides;  ///< names of nodes left out of this probe's capture
   std::optional<Bevel> bevel;
   std::optional<BoxOcclusion> occlusion;
 
@@ -241,19 +240,19 @@ struct Probe {
   bool operator==(const Probe&) const;
 };
 
-/// What becomes of light that meets more than one microfacet of a rough surface.
+/// The fate of light that meets more than one microfacet of a rough surface.
 enum class Energy {
-  Single,    ///< it is lost
-  Multiple,  ///< it is added back (Turquin 2019)
+  Single,    ///< lost
+  Multiple,  ///< added back (Turquin 2019)
 };
 
-/// Where diffuse light of what shines comes from.
+/// The source of diffuse light from lamps.
 enum class LampForm {
-  InMap,   ///< from a probe's map, as nine coefficients, the same all over its box
+  InMap,   ///< a probe's map, as nine coefficients that apply all over its box
   Shapes,  ///< lamps from their shapes, the rest from a lattice in the box
 };
 
-/// What stands behind everything in a picture. Probes, reflections and linear pictures have the sky as it is.
+/// What is behind everything in a picture. Probes, reflections and linear pictures always have the sky.
 enum class Background {
   Environment,  ///< the sky
   Blurred,      ///< the sky as a rough surface reflects it
@@ -264,20 +263,20 @@ enum class Background {
 struct Scene {
   std::vector<ModelFile> models;
   Sky sky;
-  double skyRotationDegrees = 0.0;  ///< of what it shows, about +Y: 90 takes +Z to +X
+  double skyRotationDegrees = 0.0;  ///< rotation of the sky about +Y: 90 takes +Z to +X
   std::vector<Camera> cameras;      ///< in file order, names unique
   std::vector<Light> lights;
   std::map<std::string, MaterialOverride> materials;
   std::map<std::string, ObjectOverride> objects;
   std::map<std::string, PlanarMirror> mirrors;
-  double mirrorBudget = 8.0e6;  ///< texels of all mirrors' pictures per frame, the largest on the screen first
+  double mirrorBudget = 8.0e6;  ///< texels of all mirrors' pictures per frame; the largest on screen come first
   std::vector<Probe> probes;    ///< names unique
-  double exposure = 1.0;        ///< factor on linear light before tone mapping and the display's curve
+  double exposure = 1.0;        ///< factor of linear light before tone mapping and the display's transfer curve
   Tone tone = Tone::None;
   Background background = Background::Environment;
-  glm::vec3 backgroundColor{0.6f};  ///< linear, 0 to 1; shown as it is, whatever the exposure
-  bool groundShadow = false;        ///< below everything, on the picture alone
-  bool ambientOcclusion = false;    ///< what stands in the scene hides the sky from itself
+  glm::vec3 backgroundColor{0.6f};  ///< linear, 0 to 1; displayed as it is, whatever the exposure
+  bool groundShadow = false;        ///< below everything, in the picture only
+  bool ambientOcclusion = false;    ///< the scene occludes its own sky
   Energy energy = Energy::Single;
   LampForm lamps = LampForm::Shapes;
 
@@ -287,19 +286,19 @@ struct Scene {
 /// Index of the probe of that name, or nothing.
 std::optional<std::size_t> findProbe(const Scene& scene, const std::string& name);
 
-/// `stem`, or `stem 2`, `stem 3`, ... : the first that no probe has.
+/// The first of `stem`, `stem 2`, `stem 3`, ... that no probe has.
 std::string unusedProbeName(const Scene& scene, const std::string& stem);
 
-/// What the scene asks for that this version accepts but does not do yet, and what it asks for in vain (a flat box, an
-/// image that nothing uses): one sentence each, the key path first; for `info` and warnings.
+/// What the scene asks for that has no effect: features that this version accepts but does not implement, a flat box,
+/// an image that nothing uses. One sentence each, the key path first; for `info` and warnings.
 std::vector<std::string> featuresNotUsed(const Scene& scene);
 
 /// Overrides and `hides` entries that name no material or node of the models: one sentence each, with the nearest name.
 std::vector<std::string> unmatchedOverrides(const Scene& scene, const std::vector<const Model*>& models);
 
 /// Throws InputError (a FieldError) whose text starts with the key path ("probes.room.box: ...") at the first value out
-/// of its range: non-finite numbers, box with min > max, duplicate or empty names, unknown technique, sizes and counts
-/// out of range.
+/// of range: non-finite numbers, box with min > max, duplicate or empty names, unknown technique, sizes and counts out
+/// of range.
 void validate(const Scene& scene);
 
 }  // namespace boxprobe

@@ -1,4 +1,4 @@
-// Which kinds of value differ between two scenes; each field's row says which kinds it belongs to.
+// The kinds of values that differ between two scenes, from the kinds in the rows of the fields that differ.
 #include <unordered_map>
 
 #include "filters/core/scene/scene_fields.h"

@@ -1,5 +1,5 @@
-// Equality of scenes, field by field (undo, "modified" and the reader's round trip rest on it). The fields are those of
-// the tables; a camera's name stands in none, being its key.
+// Equality of scenes, field by field, for undo, "modified" and round trips of files. The fields are those of the
+// tables; a camera's name is its key, and is in no table.
 #include "filters/core/scene/scene_fields.h"
 
 namespace boxprobe {

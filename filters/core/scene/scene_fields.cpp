@@ -1,4 +1,4 @@
-// The tables as a whole: rows found by key, and the list of parts.
+// Finds rows by key, and lists all parts.
 #include "filters/core/scene/scene_fields.h"
 
 namespace boxprobe {

@@ -1,5 +1,5 @@
-// Every field of the scene file: one table a part, in the order in which keys are written. To add a field, see "Add a
-// field" in data/scenes/README.md. Called by the scene's reader and writer, validation, forms and the reference.
+// Every field of the scene file: one table per part, in the order in which keys are written. To add a field, see "Add a
+// field" in data/scenes/README.md.
 #pragma once
 
 #include <stdexcept>
@@ -14,7 +14,7 @@ const std::vector<FieldRow<ModelFile>>& modelFields();
 const std::vector<FieldRow<SkyImage>>& skyImageFields();
 const std::vector<FieldRow<SkyColor>>& skyColorFields();
 const std::vector<FieldRow<SkyGradient>>& skyGradientFields();
-/// What stands in "sky" whatever its kind.
+/// The fields of "sky" that all its kinds have.
 const std::vector<FieldRow<Scene>>& anySkyFields();
 const std::vector<FieldRow<Camera>>& cameraFields();  ///< without its name, which is its key
 const std::vector<FieldRow<Light>>& lightFields();
@@ -36,7 +36,7 @@ const FieldRow<Part>* findField(const std::vector<FieldRow<Part>>& rows, std::st
   return nullptr;
 }
 
-/// The row of a key that is there: throws std::logic_error otherwise.
+/// The row of a key that must exist: throws std::logic_error otherwise.
 template <typename Part>
 const FieldRow<Part>& fieldNamed(const std::vector<FieldRow<Part>>& rows, std::string_view key) {
   if (const FieldRow<Part>* row = findField(rows, key)) return *row;
@@ -48,23 +48,22 @@ const FieldRow<MaterialOverride>& materialField(std::string_view key);
 const FieldRow<ObjectOverride>& objectField(std::string_view key);
 const FieldRow<PlanarMirror>& mirrorField(std::string_view key);
 
-/// A table without its struct, for what lists them all.
+/// A table with the type of its struct erased, for lists of all tables.
 struct FieldPart {
-  std::string_view path;  ///< where it stands: "probes[].box"; "" for the file itself
+  std::string_view path;  ///< the part's place: "probes[].box"; "" for the file itself
   std::string_view help;  ///< one sentence
   struct Entry {
     const FieldInfo* field;
     FieldValue standard;  ///< the default
   };
   std::vector<Entry> fields;
-  /// Of every field that names no kinds of change itself.
+  /// For every field that names no kinds of change itself.
   std::vector<bool Changes::*> changes;
 };
 /// In the order of the file.
 std::vector<FieldPart> fieldParts();
 
-/// Throws FieldError at `path` + key if the value is out of the row's range. What holds between fields is not its
-/// business.
+/// Throws FieldError at `path` + key if the value is out of the row's range. Does not check relations between fields.
 void checkField(const FieldInfo& field, const FieldValue& value, const KeyPath& path);
 
 /// The same for every field of a part.

@@ -1,4 +1,4 @@
-// The rows of what stands at the top of the scene file, and of models, skies and cameras.
+// The rows of the scene file's top level, and of models, skies and cameras.
 #include "filters/core/scene/scene_fields.h"
 
 namespace boxprobe {
@@ -51,7 +51,7 @@ const std::vector<FieldRow<Scene>>& sceneFields() {
           .changing({&Changes::objects}),
       field<&Scene::probes>("probes", "", "A list of reflection probes, at most 10000.")
           .writtenAs("list of objects")
-          .leftOut("none"),  // its rows say what changes
+          .leftOut("none"),  // its own rows name the kinds of change
       field<&Scene::exposure>("exposure", "", "Factor on linear light before tone mapping and the curve of sRGB.")
           .within(0, 1e12)
           .usually(1e-6, 1e6)

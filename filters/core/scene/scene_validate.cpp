@@ -1,5 +1,5 @@
-// Is a scene sound? Called after each parse and before each commit, so that the layers above never meet NaN, an
-// inverted box or two probes of one name. This file checks rules between fields; field_check.cpp checks single fields.
+// Validates a scene after each parse and before each commit, so that no other code meets NaN, an inverted box or two
+// probes of one name. This file checks relations between fields; field_check.cpp checks single fields.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <unordered_map>
@@ -26,7 +26,7 @@ std::string indexKey(std::size_t index) {
   return "[" + std::to_string(index) + "]";
 }
 
-/// Names are what key paths, the command line and one-line messages are made of.
+/// Names are parts of key paths, command lines and one-line messages.
 template <typename Named>
 void checkNames(const std::vector<Named>& entries, const std::string& key) {
   std::unordered_map<std::string, std::size_t> first;
@@ -69,7 +69,7 @@ void checkLight(const Light& light, std::size_t index) {
   for (const FieldRow<Light>& row : lightFields()) {
     if (hasField(light.type, row)) checkField(row, row.get(light), path);
   }
-  // Both sizes, whatever the type: code that makes a light may set one first and the type after.
+  // Both sizes, whatever the type: code that makes a light may set a size before the type.
   for (const char* size : {"angleDegrees", "radius"}) checkField(lightField(size), lightField(size).get(light), path);
   if (light.type == LightType::Spot && light.innerConeDegrees >= light.outerConeDegrees) {
     throw FieldError({"lights", indexKey(index), "innerConeDegrees"}, "is " + numberText(light.innerConeDegrees) +

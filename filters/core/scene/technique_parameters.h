@@ -1,6 +1,5 @@
-// The parameters a scene gives a probe's technique: checked against the table's rows, and turned into what the
-// mathematics reads. Used by validation (core) and by the window's panel; knows nothing of what a technique does with
-// them.
+// The parameters that a scene gives a probe's technique: checked against the table's rows and converted to what the
+// shaders read.
 #pragma once
 
 #include <string>
@@ -10,12 +9,12 @@
 
 namespace boxprobe {
 
-/// Empty if `value` suits the parameter of that name; else what is wrong, as a phrase to follow the key path.
+/// Empty if `value` is valid for the parameter of that name; else what is wrong, as a phrase to follow the key path.
 std::string parameterProblem(const std::string& name, const ParameterValue& value);
 
-/// What `row` is for this probe: what the scene says, else the default; of a choice its index, of a switch 0 or 1.
+/// The value of `row` for this probe, or its default; for a choice its index, for a switch 0 or 1.
 double parameterNumber(const Probe& probe, const ParameterRow& row);
-/// Sets it; the default is not written down, so that scenes hold what differs.
+/// Sets the parameter; a default value is removed instead, so that scenes hold only differences.
 void setParameter(Probe& probe, const ParameterRow& row, double number);
 
 shading::TechniqueParameters techniqueParameters(const Probe& probe);

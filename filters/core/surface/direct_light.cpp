@@ -1,5 +1,6 @@
-// The terms and their clamps are vtkPBRFunctions.glsl's of VTK 9.1.0 with what filters/vtk/surface/vtk_pbr_splice.cpp
-// mends in them, the masking term and a guard against 0/0: this must give what is on the screen.
+// The terms and clamps are those of VTK 9.1.0's vtkPBRFunctions.glsl with the repairs of
+// filters/vtk/surface/vtk_pbr_splice.cpp, the masking term and a guard against 0/0: the result must equal what is on
+// screen.
 #include "filters/core/surface/direct_light.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ Lobe isotropicLobe(float nDotH, float nDotV, float nDotL, float hDotL, float rou
   return {distribution * masking * fresnel, fresnel};
 }
 
-/// The base's, of brushed surfaces (shaders/gpu/finish.glsl).
+/// The base lobe of brushed surfaces (shaders/gpu/finish.glsl).
 Lobe baseLobe(const SurfacePoint& s, const glm::vec3& h, const glm::vec3& l, const Lobe& isotropic) {
   if (!s.finish || s.finish->anisotropy <= 0.0f) return isotropic;
   const glm::vec3 &n = s.normalWorld, &across = s.finish->acrossWorld, along = glm::cross(across, n);
@@ -69,7 +70,7 @@ glm::vec3 directLight(const SurfacePoint& s, const glm::vec3& f0, const glm::vec
     if (light.type != LightType::Directional) {
       const glm::vec3 to(light.position - s.positionWorld);
       const float distance = glm::length(to);
-      l = to / std::max(distance, 1.0e-18f);  // at the lamp itself it has no direction
+      l = to / std::max(distance, 1.0e-18f);  // at the lamp itself there is no direction
       radiance *= shading::distanceFalloff(distance, light.range > 0.0 ? static_cast<float>(1.0 / light.range) : 0.0f);
       if (light.type == LightType::Spot) {
         const auto cosine = [](double degrees) { return static_cast<float>(std::cos(glm::radians(degrees))); };

@@ -1,5 +1,4 @@
-// Light sources on a surface as the spliced shader adds them up. Called by explanations and by the
-// ray-traced reference; CPU only.
+// Light sources on a surface, summed as in the spliced shader.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,13 +9,13 @@
 
 namespace boxprobe {
 
-/// Factors of the reflection of base and coat that add back what meets more than one microfacet.
+/// Factors on the reflections of base and coat that add back what meets more than one microfacet.
 struct Scattering {
   glm::vec3 base{1.0f}, coat{1.0f};
 };
 
-/// Both lobes and the coat, before ambient occlusion. `f0` and `f90` as in the shader; `through`: how much of each
-/// light arrives, null for all of it.
+/// Both lobes and the coat, before ambient occlusion. `f0` and `f90` as in the shader; `through`: transmittance for
+/// each light, null for 1.
 glm::vec3 directLight(const SurfacePoint& surface, const glm::vec3& f0, const glm::vec3& f90,
                       const std::vector<Light>& lights, const std::vector<glm::vec3>* through = nullptr,
                       const Scattering& scattering = {});

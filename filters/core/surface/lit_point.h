@@ -1,6 +1,6 @@
-// A point of a surface with the light that reaches it, but for what a reference judges: its own light, its diffuse
-// light, and where it stands in the boxes of the probes that reflect in it. Made from explanations of pixels, read by
-// the references, which share nothing else with them. Plain values; colours linear, before exposure.
+// A point of a surface with the light that reaches it, except for what a reference judges: its own light, its diffuse
+// light, and its position in the boxes of the probes that it reflects. Made from explanations of pixels; the references
+// share nothing else with them. Colours are linear, before exposure.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -11,12 +11,12 @@
 
 namespace boxprobe {
 
-/// A probe as one point sees it.
+/// A probe as seen from one point.
 struct ProbeAtPoint {
-  int index = 0;        ///< in the scene's list: gives it its colour in views
-  float weight = 0.0f;  ///< share of the pixel, before intensity; all probes and the sky sum to 1
+  int index = 0;        ///< in the scene's list; selects its colour in views
+  float weight = 0.0f;  ///< share of the pixel, before intensity; probes and sky sum to 1
   float intensity = 1.0f;
-  bool captured = false;                 ///< false: no maps yet, it gives nothing
+  bool captured = false;                 ///< false: no maps yet, so it gives no light
   glm::dmat3 worldFromProbe{1.0};        ///< rotation of the box
   glm::dmat3 mapFromProbe{1.0};          ///< from the box's axes to those of its maps
   glm::vec3 positionProbe{0.0f};         ///< P - C in the probe's axes
@@ -25,12 +25,12 @@ struct ProbeAtPoint {
 
 struct LitPoint {
   int x = 0, y = 0;  ///< pixel, from the top left
-  bool hit = false;  ///< false: the pixel shows the background, whose light is `color`
+  bool hit = false;  ///< false: the pixel shows the background, with light `color`
   SurfacePoint surface;
   glm::vec3 direct{0.0f};  ///< light sources, both lobes
   glm::vec3 emissive{0.0f};
-  glm::vec3 diffuse{0.0f};  ///< of probes and sky, with albedo, and cloth's sheen
-  glm::vec3 color{0.0f};    ///< of all, as drawn
+  glm::vec3 diffuse{0.0f};  ///< of probes and sky, with albedo, and sheen
+  glm::vec3 color{0.0f};    ///< all light, as drawn
   float nDotV = 0.0f;       ///< cosine between shading normal and view, within 1e-5..1
   float skyWeight = 0.0f;
   std::vector<ProbeAtPoint> probes;

@@ -9,7 +9,7 @@ namespace boxprobe {
 
 namespace {
 
-/// The ends without a film.
+/// The two ends without a film.
 SurfaceFresnel plainFresnel(const SurfacePoint& s) {
   const glm::vec3 dielectric = s.finish ? s.finish->f0 : glm::vec3(s.baseF0);
   const glm::vec3 f0 = glm::mix(dielectric, s.albedo, s.metallic);

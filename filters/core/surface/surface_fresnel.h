@@ -1,5 +1,5 @@
-// What a surface reflects straight on and at a flat angle, as the spliced shader has it: metalness, tint, thin films.
-// Called by explanations and by the light sources on a surface.
+// Reflectance of a surface at normal incidence and at grazing angles, as in the spliced shader: metalness, tint, thin
+// films.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -13,10 +13,10 @@ struct SurfaceFresnel {
   glm::vec3 f0{0.04f}, f90{1.0f};
 };
 
-/// `nDotV`: cosine between normal and view, at which a thin film has its colour.
+/// `nDotV`: cosine between normal and view, which determines the colour of a thin film.
 SurfaceFresnel surfaceFresnel(const SurfacePoint& surface, float nDotV);
 
-/// What of the light the sheen leaves to what lies under it: 1 without one.
+/// The fraction of light that passes the sheen to the layers below: 1 without sheen.
 float passesSheen(const SurfacePoint& surface, float nDotV);
 
 }  // namespace boxprobe

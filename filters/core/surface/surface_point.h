@@ -1,5 +1,4 @@
-// What a surface is at one point, whoever asks: explanations, references and measures all begin from it. Plain values;
-// knows no probe.
+// The properties of a surface at one point, from which explanations, references and measures start.
 #pragma once
 
 #include <glm/ext/vector_int2.hpp>
@@ -12,11 +11,11 @@ namespace boxprobe {
 /// A material's finish (MaterialFinish) at one point.
 struct PointFinish {
   glm::vec3 f0{0.04f};  ///< of the non-metal
-  float edge = 1.0f;    ///< what the non-metal reflects at a flat angle
-  bool tinted = false;  ///< `edge` is the material's own, and does not follow from `f0`
+  float edge = 1.0f;    ///< reflectance of the non-metal at grazing angles
+  bool tinted = false;  ///< `edge` is given by the material and does not follow from `f0`
   glm::vec3 sheenColor{0.0f};
   float sheenRoughness = 0.0f;
-  glm::vec3 acrossWorld{0.0f};  ///< unit: the surface's direction across which the microfacets lean least
+  glm::vec3 acrossWorld{0.0f};  ///< unit; the surface direction along which the microfacets' slopes vary least
   float anisotropy = 0.0f;
   float iridescence = 0.0f, filmIor = 1.3f;
   float filmThickness = 0.0f;  ///< nanometres
@@ -24,7 +23,7 @@ struct PointFinish {
   bool hasSheen() const { return sheenColor != glm::vec3(0.0f); }
 };
 
-/// What the surface is where a pixel's ray meets it: read from the shader itself, so textures and normal maps count.
+/// The surface where a pixel's ray meets it, read back from the shader, so textures and normal maps are included.
 struct SurfacePoint {
   std::string object;    ///< node name
   std::string material;  ///< material name
@@ -36,7 +35,7 @@ struct SurfacePoint {
   glm::vec3 emissive{0.0f};
   float metallic = 0.0f;
   float roughness = 0.0f;  ///< perceptual
-  float occlusion = 1.0f;  ///< factor of what comes from probes and sky
+  float occlusion = 1.0f;  ///< factor of light from probes and sky
   float baseF0 = 0.04f;    ///< of the non-metal, from the index of refraction
   float opacity = 1.0f;
   float coatStrength = 0.0f;
@@ -44,10 +43,10 @@ struct SurfacePoint {
   float coatF0 = 0.04f;
   glm::vec3 coatNormalWorld{0.0f};
   std::optional<PointFinish> finish;  ///< of materials that have one
-  float transmission = 0.0f;          ///< of glass: share of the light that passes instead of being scattered
-  bool backSide = false;              ///< of glass: the eye sees the inside of the surface
-  glm::ivec2 pixel{0};  ///< of the picture, from its lower left: techniques that sample draw their rays by it
-  int frame = 0;        ///< of those that are averaged
+  float transmission = 0.0f;          ///< of glass: fraction of light that is transmitted instead of scattered
+  bool backSide = false;              ///< of glass: the eye sees the inner side of the surface
+  glm::ivec2 pixel{0};  ///< of the picture, from its lower left: sampling techniques choose their rays by it
+  int frame = 0;        ///< number of the averaged frame
 };
 
 }  // namespace boxprobe

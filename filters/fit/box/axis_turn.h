@@ -1,4 +1,4 @@
-// Vectors along axes that are turned about +y. Called by what turns rays and what turns the points they meet.
+// Rotation of vectors about +y.
 #pragma once
 
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace boxprobe {
 
-/// Into axes turned by `yaw` (radians, about +y): the inverse of that rotation.
+/// Transforms into axes rotated by `yaw` (radians, about +y): the inverse of that rotation.
 class AxisTurn {
  public:
   explicit AxisTurn(double yaw) : c_(std::cos(yaw)), s_(std::sin(yaw)) {}

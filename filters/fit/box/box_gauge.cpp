@@ -13,8 +13,8 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kSpotSize = 0.06;    ///< of the farthest distance: reflections this close make one spot
-constexpr std::size_t kSpotRays = 3;  ///< fewer are chance
+constexpr double kSpotSize = 0.06;    ///< of the farthest distance: reflections this close form one spot
+constexpr std::size_t kSpotRays = 3;  ///< fewer are noise
 
 LookupRays along(const LookupRays& world, const glm::dmat3& boxFromWorld) {
   LookupRays turned{{}, world.hidden};
@@ -97,7 +97,7 @@ FaceGauge BoxGauger::bestOf(std::size_t face, const OffsetBox& box, double meanD
   std::optional<RatedBox> best;
   std::vector<double> tried = planes.offsets[face];
   tried.push_back(std::max(box.offset[face], nearest));
-  // An origin beside the box: a face beyond the opposite one would be no box.
+  // For an origin outside the box: a face must not pass the opposite one.
   const auto isBox = [&](const OffsetBox& each) { return each.offset[face] + each.offset[face ^ 1] > nearest; };
   for (const double offset : tried) {
     OffsetBox moved = box;
@@ -113,7 +113,7 @@ FaceGauge BoxGauger::bestOf(std::size_t face, const OffsetBox& box, double meanD
   settings.lastStep = 0.001;
   OffsetBox found = polished(rays, best->box, settings).box;
   found.offset[face] = std::max(found.offset[face], nearest);
-  // On the plane beside it, if that costs nothing: a wall is where it is, whatever the rays' noise says.
+  // On a nearby plane if that costs nothing: it is the wall's true position, without the rays' noise.
   const double least = meanError(rays, found);
   for (const double offset : planes.offsets[face]) {
     OffsetBox moved = found;

@@ -1,5 +1,5 @@
-// What is wrong with a box as it stands, face by face, and what one face alone would gain if it moved: quick enough to
-// be asked for while a face is dragged. Called by the window; `fitBox` moves all faces together and takes longer.
+// The error of a box, face by face, and what moving a single face would gain. Fast enough to be evaluated while a face
+// is dragged; `fitBox` moves all faces together and takes longer.
 #pragma once
 
 #include <array>
@@ -12,36 +12,35 @@ namespace boxprobe {
 
 struct FaceGauge {
   double meanDegrees = 0.0;  ///< lookup error of the reflections that leave the box through this face
-  double share = 0.0;        ///< of all reflections, by weight
-  double offset = 0.0;       ///< from the origin, where the box is least wrong if this face alone moves
-  double gainDegrees = 0.0;  ///< of the box's mean error, if it moved there; never less than 0
+  double share = 0.0;        ///< of all reflections, weighted
+  double offset = 0.0;       ///< from the origin: the best position if only this face moves
+  double gainDegrees = 0.0;  ///< reduction of the box's mean error if it moved there; at least 0
 };
 
-/// A reflecting point that somebody sees, where lookups are the most wrong.
+/// The visible reflecting point where lookups are the most wrong.
 struct WorstSpot {
-  glm::dvec3 positionWorld{0.0}, eyeWorld{0.0};  ///< of the point and of whoever sees it
-  double degrees = 0.0;                          ///< mean lookup error about there
+  glm::dvec3 positionWorld{0.0}, eyeWorld{0.0};  ///< the point, and the eye that sees it
+  double degrees = 0.0;                          ///< mean lookup error around the point
 };
 
 struct BoxGauge {
   LookupErrors errors;
   double hidden = 0.0;  ///< share of the reflections whose end the origin does not see
   std::array<FaceGauge, kFaces> faces;
-  std::optional<int> worst;       ///< the face that gains the most, if any gains what counts
-  std::optional<WorstSpot> spot;  ///< nothing: no eye sees a reflection
+  std::optional<int> worst;       ///< the face that gains the most, if that is significant
+  std::optional<WorstSpot> spot;  ///< empty: no eye sees a reflection
 };
 
-/// The gain from which a face is worth moving, degrees, for a box of that mean error: less is no more than the noise of
-/// the rays.
+/// The least significant gain in degrees, for a box of that mean error: less is noise of the rays.
 double countedGain(double meanDegrees);
 
 class BoxGauger {
  public:
-  /// Follows the rays of a probe at this origin with this influence; its box may change afterwards. `place` is not
-  /// kept.
+  /// Traces the rays of a probe with this origin and influence; its box may change afterwards. Keeps no reference to
+  /// `place`.
   BoxGauger(const FitPlace& place, const Probe& probe, int rays = 2048);
 
-  /// Of `probe`, which has the origin it was made with. Nothing where no reflection can be judged, or if `progress`
+  /// `probe` must have the origin given to the constructor. Nothing if no reflection can be judged, or if `progress`
   /// stopped it. Deterministic.
   std::optional<BoxGauge> measure(const Probe& probe, const FitProgress& progress = {}) const;
 
@@ -52,11 +51,11 @@ class BoxGauger {
 
   ReflectedRays reflected_;
   LookupRays lookups_;            ///< along the world's axes
-  std::vector<MetPoint> points_;  ///< likewise
-  double reach_ = 0.0;            ///< of the farthest point met
+  std::vector<MetPoint> points_;  ///< along the world's axes
+  double reach_ = 0.0;            ///< distance of the farthest hit
 };
 
-/// `probe` with one face where the gauge says.
+/// `probe` with one face moved to `offset`.
 Probe withFaceAt(const Probe& probe, int face, double offset);
 
 }  // namespace boxprobe

@@ -11,12 +11,12 @@ namespace boxprobe {
 
 namespace {
 
-/// For one ray and one axis: where each offset of the face that it leaves through would end it, and the error there.
+/// For one ray and one axis: where each offset of the exit face would end the ray, and the error there.
 struct Ending {
   float distance, error;
 };
 
-constexpr double kFar = 1e30;  ///< a ray along a face never meets it
+constexpr double kFar = 1e30;  ///< a ray parallel to a face never meets it
 
 }  // namespace
 
@@ -27,8 +27,8 @@ std::vector<RatedBox> bestCombinations(const LookupRays& rays, const std::array<
     if (each.empty()) throw std::logic_error("bestCombinations: a face without an offset");
     most = std::max(most, each.size());
   }
-  // Ordered by ray, then axis, then choice. Rays that leave towards -x know nothing of the face at +x and the other way
-  // round: with the other four faces given, the two are judged one by one.
+  // Ordered by ray, then axis, then choice. Rays that leave towards -x do not depend on the face at +x and vice versa:
+  // with the other four faces fixed, the two are rated separately.
   struct Row {
     std::array<std::uint8_t, 3> faces;
     std::uint32_t first;
@@ -65,7 +65,7 @@ std::vector<RatedBox> bestCombinations(const LookupRays& rays, const std::array<
     best.push(rated);
     if (best.size() > count) best.pop();
   };
-  std::array<std::vector<double>, 2> sums;  // by the face at -x, at +x
+  std::array<std::vector<double>, 2> sums;  // for the face at -x, at +x
   for (;;) {
     for (std::size_t side = 0; side < 2; ++side) sums[side].assign(offsets[side].size(), 0.0);
     for (const Row& row : rows) {
@@ -94,9 +94,9 @@ namespace {
 
 /// One way to change a box.
 struct Move {
-  std::array<double, kFaces> faces{};  ///< times the step, scene units
-  double yaw = 0.0;                    ///< times the step, radians
-  bool aboutMiddle = false;            ///< yaw turns the box about its middle, not the origin
+  std::array<double, kFaces> faces{};  ///< multiples of the step, scene units
+  double yaw = 0.0;                    ///< multiple of the step, radians
+  bool aboutMiddle = false;            ///< yaw rotates the box about its middle instead of the origin
 };
 
 std::vector<Move> movesOf(const PolishSettings& settings) {
@@ -130,7 +130,7 @@ OffsetBox movedBox(const OffsetBox& box, const Move& move, double step, double e
   }
   moved.yaw += step * move.yaw;
   if (move.aboutMiddle) {
-    // The middle, along the box's axes, turns the other way round as seen from them.
+    // In the box's axes its middle rotates the opposite way.
     const double c = std::cos(step), s = std::sin(step);
     const double x = 0.5 * (box.offset[1] - box.offset[0]), z = 0.5 * (box.offset[5] - box.offset[4]);
     const double dx = c * x - s * z - x, dz = s * x + c * z - z;

@@ -1,5 +1,4 @@
-// The search for the box of least error: every combination of given planes, and the polish of one box. Called by
-// fit_box and by the table that compares it with brute force.
+// The search for the box of least error: tries every combination of given planes, and refines one box.
 #pragma once
 
 #include <functional>
@@ -9,7 +8,7 @@
 
 namespace boxprobe {
 
-/// Told how far the work is, 0 to 1; false stops it.
+/// Called with the finished fraction, 0 to 1; returning false stops the work.
 using FitProgress = std::function<bool(double)>;
 
 struct RatedBox {
@@ -17,28 +16,28 @@ struct RatedBox {
   double meanDegrees = 0.0;
 };
 
-/// The best `count` of all combinations, best first; `yaw` is written into each: `rays` lie along axes turned by it.
-/// A face without an offset throws std::logic_error.
+/// The best `count` of all combinations, best first. `rays` are along axes rotated by `yaw`, which is stored in each
+/// result. Throws std::logic_error for a face without an offset.
 std::vector<RatedBox> bestCombinations(const LookupRays& rays, const std::array<std::vector<double>, kFaces>& offsets,
                                        std::size_t count, double yaw);
 
 struct PolishSettings {
-  std::array<bool, kFaces> faces{true, true, true, true, true, true};  ///< which may move
+  std::array<bool, kFaces> faces{true, true, true, true, true, true};  ///< which faces may move
   bool yaw = true;
   double firstStep = 0.05, lastStep = 0.0003;  ///< relative to the box's extent; of yaw in radians
-  double nearest = 0.0;                        ///< a face comes no closer to the origin
+  double nearest = 0.0;                        ///< minimum distance of a face from the origin
 };
 
 /// Pattern search: steps along faces, pairs of faces (moved and spread together) and yaw, about the origin and about
-/// the middle of the box; a step that helps grows, another halves. The mean error has a kink wherever a ray's error is
-/// 0, which derivatives do not survive.
+/// the middle of the box. A successful step grows, any other is halved. Derivatives are no use, because the mean error
+/// has a kink wherever a ray's error is 0.
 RatedBox polished(const LookupRays& rays, const OffsetBox& start, const PolishSettings& settings);
 
 /// The longest side.
 double extentOf(const OffsetBox& box);
 
-/// Some faces a little outside of what they are fitted to. Points that reflect and lie close behind a face come inside
-/// where that costs little: behind a doorway they do not.
+/// Moves some faces slightly outwards from what they are fitted to. Reflecting points close behind a face then lie
+/// inside, if that costs little; behind a doorway they stay outside.
 OffsetBox withMargin(OffsetBox box, const LookupRays& rays, const std::array<bool, kFaces>& faces);
 
 }  // namespace boxprobe

@@ -57,7 +57,7 @@ struct Weighed {
   double value = 0.0, weight = 0.0;
 };
 
-/// Below which a share of the weight lies; sorts.
+/// The value below which a share of the weight lies; sorts.
 double quantileOf(std::vector<Weighed>& values, double share) {
   std::sort(values.begin(), values.end(), [](const Weighed& a, const Weighed& b) { return a.value < b.value; });
   double all = 0.0, sum = 0.0;
@@ -69,7 +69,7 @@ double quantileOf(std::vector<Weighed>& values, double share) {
   return 0.0;
 }
 
-/// The highest peaks of a histogram, each at the median of what lies about it.
+/// The highest peaks of a histogram, each at the median of the values around it.
 std::vector<double> peaksOf(const std::vector<Weighed>& values, double reach) {
   constexpr std::size_t kBins = 96, kPeaks = 4;
   std::array<double, kBins + 2> bins{};

@@ -15,14 +15,14 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kLeastWalls = 0.3;  // share of the horizon; below, there is nothing to fit to
-constexpr double kWeakYaw = 0.2;     // below, no direction stands out and a round of yaws is tried
+constexpr double kLeastWalls = 0.3;  // share of the horizon; with fewer walls there is nothing to fit to
+constexpr double kWeakYaw = 0.2;     // below it no direction stands out, and several yaws are tried
 constexpr double kSameYaw = 0.5;     // degrees
-constexpr double kNoGain = 0.005;    // degrees, a seventieth of a texel of 256² faces: for less a box does not change
-constexpr double kFree = 0.05;       // degrees of the mean error for half of the box: such a face is free
+constexpr double kNoGain = 0.005;    // degrees, a seventieth of a texel of 256² faces: smaller gains change no box
+constexpr double kFree = 0.05;       // degrees of mean error per half box: faces with less influence are free
 constexpr std::size_t kStarts = 8, kFinalists = 2;
 
-/// Axes in which a box is searched.
+/// Axes along which a box is searched.
 struct Frame {
   glm::dvec3 rotationDegrees{0.0};
   bool turns = false;
@@ -46,7 +46,7 @@ class Search {
   const LookupRays& rays() const { return rays_; }
   double yawStrength() const { return uprightYaw(points_).strength; }
 
-  /// Nothing if `progress` says so.
+  /// Empty if `progress` stopped it.
   std::optional<RatedBox> best(const FitProgress& progress) {
     const LookupRays few = someOf(rays_, 1024);
     PolishSettings rough = polish_;
@@ -119,7 +119,7 @@ class Search {
     return bestCombinations(turned, planes.offsets, count, yaw);
   }
 
-  /// A box along the old axes, unless turning pays.
+  /// Keeps the previous axes unless turning the box pays.
   RatedBox keepYawIfAsGood(const RatedBox& best, const PolishSettings& fine) const {
     if (std::abs(glm::degrees(best.box.yaw)) > 5.0) return best;
     PolishSettings unturned = fine;
@@ -130,11 +130,10 @@ class Search {
     return kept.meanDegrees <= 1.01 * best.meanDegrees + 0.005 ? kept : best;
   }
 
-  /// Faces on better planes, if there are any, else on the planes beside them where that costs nothing, and those that
-  /// hardly matter on the likeliest.
+  /// Moves faces to better planes, or to nearby planes if that costs nothing; free faces go to the likeliest planes.
   RatedBox onPlanes(RatedBox best) const {
     const FacePlanes planes = planesAt(best.box.yaw);
-    // A plane beyond a worse place, where no step of the polish led: the wall behind furniture.
+    // A plane that the refinement could not reach through worse positions: the wall behind furniture.
     for (std::size_t face = 0; face < kFaces; ++face) {
       for (const double offset : planes.offsets[face]) {
         OffsetBox moved = best.box;

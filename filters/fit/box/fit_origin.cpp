@@ -15,19 +15,19 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kLevelDegrees = 0.25;     // what a level too coarse is worth
-constexpr double kPixelDegrees = 0.05;     // of a picture of 1,000 pixels at 50 degrees
-constexpr double kLeastGain = 0.95;        // of the cost that is left
-constexpr double kLeastLookupGain = 0.01;  // degrees: where lookups are right all but, a share of nothing is nothing
+constexpr double kLevelDegrees = 0.25;     // cost of a level that is too coarse by one
+constexpr double kPixelDegrees = 0.05;     // a pixel of a picture of 1,000 pixels at 50 degrees
+constexpr double kLeastGain = 0.95;        // a new origin must reduce the cost to this share
+constexpr double kLeastLookupGain = 0.01;  // degrees: where lookups are nearly right, a relative gain means nothing
 constexpr std::size_t kFullFits = 3;
-constexpr double kApart = 0.2;  // of the box's diagonal
+constexpr double kApart = 0.2;  // relative to the box's diagonal
 
 struct Candidate {
   Probe probe;
   double cost = 0.0;
 };
 
-/// `probe` captured at `origin`, the box where it was.
+/// `probe` captured at `origin`, with its box where it was.
 Probe movedOrigin(Probe probe, const glm::dvec3& origin) {
   probe.origin = origin;
   return probe;
@@ -64,7 +64,7 @@ std::vector<Mirror> mirrorsOf(const ReflectedRays& reflected, double extent) {
       return glm::dot(each.normal, ray.fromNormal) > 0.999 && std::abs(each.offset - offset) < 1e-3 * extent;
     });
     if (mirror == mirrors.end()) {
-      if (mirrors.size() == 256) continue;  // a curved thing has no plane
+      if (mirrors.size() == 256) continue;  // a curved object has no plane
       mirror = mirrors.insert(mirrors.end(), Mirror{});
       mirror->normal = ray.fromNormal;
       mirror->offset = offset;
@@ -113,8 +113,8 @@ std::vector<glm::dvec3> placesToTry(const FitPlace& place, const ReflectedRays& 
   return found;
 }
 
-/// The first ones of which each is at least so far from those before it: neighbours cost about the same before the box
-/// is fitted to them, and would leave no place for what gains by that.
+/// The first candidates, each at least `distance` from those before it: neighbours cost about the same before the box
+/// is fitted to them, and would displace candidates that gain by the fit.
 std::vector<Candidate> apart(const std::vector<Candidate>& candidates, double distance) {
   std::vector<Candidate> chosen;
   for (const Candidate& candidate : candidates) {
@@ -127,7 +127,7 @@ std::vector<Candidate> apart(const std::vector<Candidate>& candidates, double di
   return chosen;
 }
 
-/// The part of the cost that is no matter of texels: a mean over all rays, degrees.
+/// The part of the cost that does not concern texels: a mean over all rays, degrees.
 double lookupCost(const FitPlace& place, const ReflectedRays& reflected, const Probe& probe) {
   const LookupRays lookups = lookupRays(place, reflected, probe.origin, rotationMatrix(probe.rotationDegrees));
   if (lookups.rays.empty()) return kHiddenDegrees;
@@ -190,7 +190,7 @@ std::optional<BoxFit> proposeOrigin(const FitPlace& place, const Probe& probe, c
     if (!fit) return std::nullopt;
     const double fitted = originCost(place, reflected, fit->probe);
     if (fitted >= kLeastGain * cost || fit->outcome == FitOutcome::Inside) continue;
-    // Finer texels alone are no reason: what comes nearer to one wall leaves the others.
+    // Finer texels alone are no reason: approaching one wall means leaving the others.
     if (lookupCost(place, reflected, fit->probe) > mostLookup) continue;
     cost = fitted;
     best = fit;
@@ -200,7 +200,7 @@ std::optional<BoxFit> proposeOrigin(const FitPlace& place, const Probe& probe, c
     best->remarks.push_back("no better origin was found: it stays");
     return best;
   }
-  if (best->outcome == FitOutcome::Kept) best->remarks.erase(best->remarks.begin());  // that the box stays
+  if (best->outcome == FitOutcome::Kept) best->remarks.erase(best->remarks.begin());  // the remark that the box stays
   best->outcome = FitOutcome::Fitted;
   best->before = stays.before;
   best->hiddenBefore = stays.hiddenBefore;

@@ -117,7 +117,7 @@ LookupErrors lookupErrors(const LookupRays& rays, const OffsetBox& box) {
 }
 
 std::array<double, kFaces> faceSensitivities(const LookupRays& rays, const OffsetBox& box) {
-  constexpr double kLeastSlope = 0.05;  // a ray along the wall would count without limit
+  constexpr double kLeastSlope = 0.05;  // bounds the contribution of rays along the wall
   std::array<double, kFaces> sensitivities{};
   for (const LookupRay& ray : turnedBy(rays, box.yaw).rays) {
     const BoxExit exit = boxExit(ray, box.offset);

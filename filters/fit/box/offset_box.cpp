@@ -22,7 +22,7 @@ OffsetBox offsetBox(const Probe& probe) {
 
 namespace {
 
-/// The box along the axes of `rotation`, about `pivot`, that holds another one.
+/// The box along the axes of `rotation`, about `pivot`, that encloses another one.
 Box enclosingBox(const Box& box, const glm::dvec3& oldPivot, const glm::dmat3& oldRotation, const glm::dvec3& pivot,
                  const glm::dmat3& rotation) {
   Box enclosing{glm::dvec3(1e300), glm::dvec3(-1e300)};
@@ -58,7 +58,7 @@ Probe withOffsetBox(const Probe& probe, const OffsetBox& box, const glm::dvec3& 
   const glm::dvec3 middle = probe.origin + rotation * (0.5 * (low + high));
   fitted.box = {middle - 0.5 * (high - low), middle + 0.5 * (high - low)};
   if (fitted.rotationDegrees == glm::dvec3(0.0) && probe.rotationDegrees == glm::dvec3(0.0)) {
-    // A face that did not move keeps every digit.
+    // Keeps the digits of faces that did not move.
     const OffsetBox old = offsetBox(probe);
     for (int axis = 0; axis < 3; ++axis) {
       const auto face = static_cast<std::size_t>(2 * axis);

@@ -53,7 +53,7 @@ EyeRay cameraRay(const Camera& camera, double u, double v) {
   return {camera.position, glm::normalize(forward + right * (x * half * kAspect) + up * (y * half))};
 }
 
-/// Eyes of people who stand where the probe's origin sees them, 1.2 to 1.8 m above what is below.
+/// Eyes of standing people that the probe's origin sees, 1.2 to 1.8 m above the floor.
 std::vector<glm::dvec3> standingEyes(const FitPlace& place, const Probe& probe) {
   constexpr int kTries = 64, kEyes = 16;
   std::vector<glm::dvec3> eyes;
@@ -79,18 +79,18 @@ double fresnel(double reflectance, double cosine) {
   return reflectance + (1.0 - reflectance) * std::pow(1.0 - cosine, 5.0);
 }
 
-/// What a surface's blur leaves to be seen of where a reflection lies.
+/// How clearly a reflection can be located on a surface of that roughness.
 double gloss(double roughness) {
   return std::clamp((0.6 - roughness) / 0.2, 0.0, 1.0);
 }
 
-/// Collects rays and their weights; the sky's apart.
+/// Collects rays and their weights; rays to the sky separately.
 class Collector {
  public:
   explicit Collector(const FitPlace& place)
       : place_(&place), skin_(1e-5 * glm::length(place.captured.bounds().size())) {}
 
-  /// All of `ray` but where it ends.
+  /// `ray` has everything except its end.
   void follow(ReflectedRay ray) {
     const glm::dvec3 from = ray.from + skin_ * ray.fromNormal;
     const std::optional<SurfaceHit> hit = place_->captured.first(from, ray.along);
@@ -100,7 +100,7 @@ class Collector {
     ray.hitNormal = hit->normalWorld;
     rays_.push_back(ray);
   }
-  /// Scales the weights such that those that met something sum to `share`.
+  /// Scales the weights such that those of rays with a hit sum to `share`.
   void moveTo(ReflectedRays& all, double share) {
     for (ReflectedRay& ray : rays_) {
       ray.weight *= share / met_;
@@ -117,7 +117,7 @@ class Collector {
   std::vector<ReflectedRay> rays_;
 };
 
-/// By the cameras, or by people who stand about. `rough`: every surface reflects.
+/// Seen by the cameras, or by people standing around. `rough`: all surfaces reflect.
 Collector seenReflections(const FitPlace& place, const Probe& probe, int count, int first, bool standing, bool rough) {
   const Lit lit(place, probe);
   std::vector<glm::dvec3> eyes;

@@ -1,4 +1,4 @@
-// Does a point see another? Called by what samples rays and by what judges origins.
+// Visibility between points.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -7,7 +7,7 @@
 
 namespace boxprobe {
 
-/// World. `position` may lie on a surface: a thousandth of the distance is forgiven.
+/// World positions. `position` may lie on a surface: tolerates a thousandth of the distance.
 inline bool visibleFrom(const SurfaceRays& rays, const glm::dvec3& eye, const glm::dvec3& position) {
   const glm::dvec3 to = position - eye;
   const double distance = glm::length(to);

@@ -38,7 +38,7 @@ std::optional<SurfaceHit> DistanceRays::first(const glm::dvec3& origin, const gl
   return hit;
 }
 
-/// Of the plane through what three neighbouring texels saw.
+/// The normal of the plane through the points that three neighbouring texels saw.
 glm::dvec3 DistanceRays::normalAt(const glm::dvec3& positionMap) const {
   const DistanceCube cube(distance_);
   const float size = static_cast<float>(distance_.faceSize());

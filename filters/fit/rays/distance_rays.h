@@ -1,5 +1,5 @@
-// Rays through a place of which only a probe's captured distances are known: a ray is marched until it passes behind
-// what the probe saw. Called where a box is fitted without triangles.
+// Traces rays where only a probe's captured distances are known: marches until the ray passes behind what the probe
+// saw.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -11,11 +11,11 @@ namespace boxprobe {
 
 class DistanceRays : public SurfaceRays {
  public:
-  /// `distance`: red channel, scene units, 0 where nothing was seen; it must outlive this. `worldFromMap`: rotation of
-  /// the axes along which it was captured.
+  /// `distance`: red channel, scene units, 0 where nothing was seen; must outlive this object. `worldFromMap`: rotation
+  /// from the axes along which it was captured.
   DistanceRays(const CubeMap& distance, const glm::dvec3& originWorld, const glm::dmat3& worldFromMap);
 
-  /// Surfaces face the capture origin; how they reflect is not known. What the origin did not see is not there.
+  /// Surfaces face the capture origin; their reflectance is unknown. What the origin did not see does not exist here.
   std::optional<SurfaceHit> first(const glm::dvec3& origin, const glm::dvec3& direction) const override;
   const Box& bounds() const override { return bounds_; }
 

@@ -23,7 +23,7 @@ namespace boxprobe {
 
 namespace {
 
-/// An instance where the scene puts it.
+/// An instance with its placement in the scene.
 struct PlacedMesh {
   const Mesh* mesh = nullptr;
   const Material* material = nullptr;  ///< null: the default material
@@ -56,8 +56,8 @@ Box worldBounds(const Mesh& mesh, const glm::dmat4& worldFromMesh) {
   return bounds;
 }
 
-/// Takes out the largest mesh while it may be a sky and is more than twice as large as all others together, those that
-/// are called skies or clouds aside.
+/// Removes the largest mesh, again and again, as long as it may be a sky dome: unlit or named as a sky, and more than
+/// twice as large as all others together, apart from those named as skies or clouds.
 void leaveOutSkyDomes(std::vector<PlacedMesh>& placed) {
   const auto extent = [](const Box& box) { return glm::length(box.size()); };
   while (placed.size() > 1) {
@@ -74,7 +74,7 @@ void leaveOutSkyDomes(std::vector<PlacedMesh>& placed) {
   }
 }
 
-/// "sky", "SkyDome", "clouds.001".
+/// True for "sky", "SkyDome", "clouds.001".
 bool namesSky(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -122,7 +122,7 @@ std::vector<PlacedMesh> placedMeshes(const Scene& scene, const TriangleRays::Mod
   return placed;
 }
 
-/// Mean of one channel of a texture, from some hundred texels; 1 without one.
+/// The mean of one channel of a texture, from a few hundred texels; 1 without a texture.
 double meanOf(const TextureUse& texture, std::size_t channel) {
   if (!texture.image || texture.image->pixels.size() < 4) return 1.0;
   const std::vector<std::uint8_t>& pixels = texture.image->pixels;
@@ -137,7 +137,7 @@ struct ReflectingLook {
   glm::vec3 albedo{0.0f};
 };
 
-/// Linear mean of a texture's colours, from some hundred texels; white without one.
+/// The linear mean of a texture's colours, from a few hundred texels; white without a texture.
 glm::vec3 meanColorOf(const TextureUse& texture) {
   if (!texture.image || texture.image->pixels.size() < 4) return glm::vec3(1.0f);
   const std::vector<std::uint8_t>& pixels = texture.image->pixels;
@@ -150,7 +150,7 @@ glm::vec3 meanColorOf(const TextureUse& texture) {
   return sum / count;
 }
 
-/// As the scene has the material; of one with a coat the coat.
+/// With the scene's overrides; of a coated material the coat.
 ReflectingLook reflectingLook(const Material& original, const Scene& scene) {
   const Material material = overriddenMaterial(original, scene);
   if (material.unlit) return {1.0, 0.0, glm::vec3(0.0f)};
@@ -169,7 +169,7 @@ ReflectingLook reflectingLook(const Material& original, const Scene& scene) {
 
 constexpr std::size_t kMostPositions = 4'000'000'000;  // Embree counts them in 32 bits
 
-/// Where a share of the weight lies below, of values with weights, which are put in another order. O(n) on average.
+/// The weighted quantile of `values`, which are reordered. O(n) on average.
 double quantile(std::vector<std::pair<float, float>>& values, double share) {
   if (values.empty()) return 0.0;
   double all = 0.0, below = 0.0;
@@ -201,8 +201,8 @@ struct TriangleRays::Structure {
     if (device != nullptr) rtcReleaseDevice(device);
   }
 
-  /// All meshes as one geometry, positions relative to `anchor`. Triangles of a mirrored instance are turned over, as
-  /// glTF asks. Embree's builder of many geometries ends the program where all of them are flat.
+  /// All meshes as one geometry, with positions relative to `anchor`. Triangles of a mirrored instance are flipped, as
+  /// glTF requires. Embree's builder for many geometries aborts the program if all of them are flat.
   void fill(const std::vector<PlacedMesh>& placed, const glm::dvec3& anchor, std::size_t positionCount,
             std::size_t triangleCount) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -263,7 +263,7 @@ TriangleRays::TriangleRays(const Scene& scene, const Models& models, SeenBy seen
   s.scene = rtcNewScene(s.device);
   rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(s.scene, RTC_BUILD_QUALITY_LOW);
-  // Some ten thousand triangles tell where the surfaces lie.
+  // A few tens of thousands of triangles are enough to locate the surfaces.
   constexpr std::size_t kLooked = 30000;
   const std::size_t stride = std::max<std::size_t>(1, triangles_ / kLooked);
   std::array<std::vector<std::pair<float, float>>, 3> along;
@@ -291,7 +291,7 @@ TriangleRays::TriangleRays(const Scene& scene, const Models& models, SeenBy seen
     core_.min[axis] = anchor_[axis] + quantile(values, 0.01);
     core_.max[axis] = anchor_[axis] + quantile(values, 0.99);
   }
-  if (!glm::any(glm::greaterThan(core_.size(), glm::dvec3(0.0)))) core_ = bounds_;  // all triangles are lines or points
+  if (!glm::any(glm::greaterThan(core_.size(), glm::dvec3(0.0)))) core_ = bounds_;  // all triangles are degenerate
   s.fill(placed, anchor_, positions, triangles_);
   rtcCommitScene(s.scene);
   if (const RTCError error = rtcGetDeviceError(s.device); error != RTC_ERROR_NONE) {

@@ -1,5 +1,5 @@
-// Rays against the triangles of a scene's models (Embree): how far the first surface is, whether its front was met, and
-// how its material reflects. Called by the rest of filters/fit; knows no VTK and no files.
+// Traces rays against the triangles of a scene's models with Embree: the distance, the side that was met, and how the
+// material reflects.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,21 @@
 
 namespace boxprobe {
 
-/// Whose view it is: objects may be hidden from one and shown to the other.
+/// Who sees the scene: objects may be hidden from one and visible to another.
 enum class SeenBy {
   Eyes,    ///< every visible object
-  Probes,  ///< what captures show: stand-ins too, neither what moves nor what is hidden from probes
-  Lamps,   ///< what throws their shadows: every visible object that does not move
+  Probes,  ///< what captures show: includes stand-ins, excludes moving objects and those hidden from probes
+  Lamps,   ///< what casts their shadows: every visible static object
 };
 
-/// Every triangle that is drawn and hides what is behind it, where the scene puts it. Left out: objects that are not
-/// seen, glass (transmission) and what blends, through which light passes, and a dome with a painted sky about
-/// everything else.
+/// Every triangle that is drawn and opaque, as the scene places it. Excludes invisible objects, materials that transmit
+/// or blend, and a dome with a painted sky around everything else.
 class TriangleRays : public SurfaceRays {
  public:
   using Models = std::vector<std::shared_ptr<const Model>>;
 
-  /// `models` in the order of scene.models; `hidden`: nodes left out besides. Throws WorkError where the ray tracer
-  /// cannot take them.
+  /// `models` in the order of scene.models; `hidden`: further nodes to exclude. Throws WorkError if the ray tracer
+  /// cannot take the models.
   TriangleRays(const Scene& scene, const Models& models, SeenBy seenBy = SeenBy::Eyes,
                const std::vector<std::string>& hidden = {});
   ~TriangleRays() override;
@@ -36,18 +35,18 @@ class TriangleRays : public SurfaceRays {
 
   bool empty() const { return triangles_ == 0; }
   const Box& bounds() const override { return bounds_; }
-  /// Bounds without the far hundredth of the surfaces on every side, each counted by the root of its area: a lone thing
-  /// far away, or a large plain under everything, does not stretch it.
+  /// Bounds without the outermost hundredth of the surfaces on each side, each weighted by the root of its area: a lone
+  /// object far away, or a large ground plane, does not extend it.
   const Box& core() const { return core_; }
 
   std::optional<SurfaceHit> first(const glm::dvec3& origin, const glm::dvec3& direction) const override;
-  /// Does any surface stand between two points?
+  /// Is there a surface between two points?
   bool between(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
   struct Structure;
   std::unique_ptr<Structure> structure_;
-  glm::dvec3 anchor_{0.0};  ///< middle of everything: keeps the digits of a scene far from the origin
+  glm::dvec3 anchor_{0.0};  ///< the middle of everything: preserves precision in a scene far from the origin
   Box bounds_, core_;
   std::size_t triangles_ = 0;
   struct Look {
@@ -55,7 +54,7 @@ class TriangleRays : public SurfaceRays {
     double roughness = 0.0, reflectance = 0.0;
     glm::vec3 albedo{0.0f};
   };
-  std::vector<Look> looks_;  ///< of one placed mesh after another
+  std::vector<Look> looks_;  ///< one per placed mesh
 };
 
 }  // namespace boxprobe

@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 constexpr double kLeastSide = 0.45;   // of the usual height: side of the smallest room, as a cube
-constexpr double kLeastDepth = 0.12;  // of the usual height: half of the width of the narrowest
-constexpr double kOneRoom = 0.25;     // opening over shared wall
+constexpr double kLeastDepth = 0.12;  // of the usual height: half of the width of the narrowest room
+constexpr double kOneRoom = 0.25;     // open share of the shared wall
 constexpr double kDoorArea = 0.32;    // of the usual height squared
 constexpr double kLintel = 0.06;      // of the usual height
-constexpr double kRipple = 0.95;      // a narrowing by less is none
+constexpr double kRipple = 0.95;      // lesser narrowings are ignored
 constexpr double kWallReach = 1.0;    // of the usual height, from the opening along its normal
 
 /// Where two basins meet.
@@ -33,7 +33,7 @@ struct Opening {
 
 struct Basin {
   std::vector<std::size_t> cells;
-  std::vector<std::size_t> parts;  ///< basins that it is made of
+  std::vector<std::size_t> parts;  ///< the basins that it consists of
   std::map<std::size_t, Opening> openings;
   double peak = 0.0;
 };
@@ -72,7 +72,7 @@ class Watershed {
     }
   }
 
-  /// What is there now are the parts of rooms.
+  /// Records the current basins as the parts of rooms.
   void keepParts() {
     for (std::size_t i = 0; i < basins_.size(); ++i) {
       if (basins_[i].cells.empty()) continue;
@@ -238,7 +238,7 @@ class Watershed {
     b = Basin{};
   }
 
-  /// Highest cells of a basin about a place.
+  /// The highest cells of a basin around a place.
   double ceilingNear(const Basin& basin, const glm::dvec3& place) const {
     double top = -1e300;
     for (const std::size_t cell : basin.cells) {
@@ -256,7 +256,7 @@ class Watershed {
     return opening.top < ceiling - std::max(kLintel * height_, 0.5 * space_.cell);
   }
 
-  /// Of the wall that two basins share, how much is open: both seen along the opening's normal, near to it.
+  /// The open share of the wall between two basins, seen along the opening's normal close to it.
   double openShare(std::size_t a, std::size_t b, const Opening& opening) const {
     const double area = glm::length(opening.area);
     if (!(area > 0.0)) return 0.0;
@@ -285,8 +285,8 @@ class Watershed {
 
   const FreeSpace& space_;
   double height_;
-  std::vector<std::size_t> label_;  ///< of each cell; after collect() its first basin
-  std::vector<std::size_t> above_;  ///< of each label while it floods
+  std::vector<std::size_t> label_;  ///< per cell; after collect() its first basin
+  std::vector<std::size_t> above_;  ///< per label, during flooding
   std::vector<Basin> basins_;
   std::vector<std::vector<std::size_t>> parts_;
 };

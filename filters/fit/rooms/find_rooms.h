@@ -1,5 +1,5 @@
-// The rooms of a model: free space, cut where it is narrow, put together again where the cut is no wall. Called by
-// place_probes.
+// Finds the rooms of a model: divides the free space where it is narrow, and merges again where the boundary is not a
+// wall.
 #pragma once
 
 #include "filters/fit/rooms/free_space.h"
@@ -8,13 +8,13 @@ namespace boxprobe {
 
 struct Room {
   std::vector<std::size_t> cells;               ///< of the free space
-  std::vector<std::vector<std::size_t>> parts;  ///< between narrow places; one, or cells of this room
+  std::vector<std::vector<std::size_t>> parts;  ///< between narrow places; one part has all cells of the room
   Box extent;                                   ///< of the cells, along the grid's axes
   double volume = 0.0;                          ///< scene units cubed
   double roofed = 0.0;                          ///< share of the cells with a ceiling
 };
 
-/// A way from one room to another.
+/// A passage between two rooms.
 struct Doorway {
   std::size_t a = 0, b = 0;  ///< rooms
   double area = 0.0;         ///< scene units squared
@@ -24,23 +24,23 @@ struct Doorway {
 struct Rooms {
   WalledRegion region;
   FreeSpace space;
-  std::vector<Room> rooms;  ///< the largest first
+  std::vector<Room> rooms;  ///< in order of decreasing size
   std::vector<Doorway> doorways;
-  int hollows = 0;  ///< closed spaces too small for a room, left out
+  int hollows = 0;  ///< closed spaces too small for a room
 };
 
 /// Bounds of cells along any axes, without the few that reach into door frames.
 Box extentOf(const FreeSpace& space, const std::vector<std::size_t>& cells, const glm::dmat3& worldFromAxes);
 
 struct RoomSettings {
-  /// May back sides be the walls of rooms, as in a model with inverted faces? It is one where they close in more space
-  /// than front sides do.
+  /// Allow back faces as walls, as in a model with inverted faces? It counts as such if they enclose more space than
+  /// front faces do.
   bool inverted = false;
 };
 
-/// Watershed on the distance of the nearest surface; two basins are one room where the opening is more than a quarter
-/// of the wall between them and no door: a door is small and stands under a lintel. No room is smaller than 0.45 times
-/// the usual height cubed. No rooms where no surface stands upright. Nothing if `progress` stopped it. Deterministic.
+/// Watershed on the distance to the nearest surface. Two basins form one room if the opening is more than a quarter of
+/// the wall between them and is not a door: doors are small and below a lintel. Rooms are at least 0.45 times the usual
+/// height, cubed. No rooms without upright surfaces. Nothing if `progress` stopped it. Deterministic.
 std::optional<Rooms> findRooms(const SurfaceRays& rays, const RoomSettings& settings = {},
                                const std::function<bool(double)>& progress = {});
 

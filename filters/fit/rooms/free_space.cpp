@@ -24,7 +24,7 @@ double quantileOfSorted(const std::vector<double>& sorted, double share) {
 
 constexpr int kRegionRays = 8192;
 
-/// What level rays from within a box along turned axes meet of upright surfaces.
+/// The upright surfaces that horizontal rays from within a box along rotated axes meet.
 std::vector<MetPoint> uprightHits(const SurfaceRays& rays, const glm::dmat3& worldFromAxes, const Box& within) {
   std::vector<MetPoint> hits;
   for (int i = 1; i <= kRegionRays; ++i) {
@@ -40,7 +40,7 @@ std::vector<MetPoint> uprightHits(const SurfaceRays& rays, const glm::dmat3& wor
   return hits;
 }
 
-/// Of all but the outermost few.
+/// Bounds of all but the outermost few hits.
 Box boundsOfHits(const std::vector<MetPoint>& hits, const glm::dmat3& worldFromAxes) {
   Box bounds;
   for (int axis = 0; axis < 3; ++axis) {
@@ -104,10 +104,10 @@ std::optional<std::size_t> FreeSpace::neighbour(std::size_t index, int axis, boo
 
 namespace {
 
-/// What the lines of the grid say of a cell.
+/// What the lines of the grid tell about a cell.
 struct CellView {
-  std::uint8_t met = 0, backs = 0;  ///< of the 18 directions
-  std::uint8_t near = 0;            ///< of the 18, no further away than walls of a court are
+  std::uint8_t met = 0, backs = 0;  ///< of 18 directions
+  std::uint8_t near = 0;            ///< of the 18: no farther than the walls of a court are
   bool floor = false, ceiling = false;
   float nearest = std::numeric_limits<float>::infinity();
 };
@@ -117,7 +117,7 @@ struct Crossing {
   bool back = false;  ///< seen from where the line comes from
 };
 
-/// Steps from cell to cell, one for each two opposite directions.
+/// Steps between cells, one for each pair of opposite directions.
 const std::array<glm::ivec3, 9> kSteps = {
     {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, -1}, {1, 1, 0}, {1, -1, 0}, {0, 1, 1}, {0, 1, -1}}};
 constexpr int kUnderCeiling = 12, kUnderSky = 14;
@@ -136,7 +136,7 @@ class Grid {
     space.worldFromGrid = rotationMatrix({0.0, glm::degrees(region.yaw), 0.0});
     space.cell = cell;
     space.count = glm::ivec3(cells(cell));
-    // Off the planes on which walls may lie.
+    // Avoids the planes on which walls may lie.
     space.first = region.bounds.min - margin - cell * glm::dvec3(0.4142, 0.2679, 0.3473);
     const auto all = static_cast<std::size_t>(cellCount(cell));
     views_.resize(all);
@@ -180,7 +180,7 @@ class Grid {
     const double pitch = space_.cell * glm::length(glm::dvec3(step));
     const glm::dvec3 start = space_.worldPosition(space_.index(begin));
     crossings_.clear();
-    constexpr std::size_t kMost = 1000;  // a hedge or a mesh gone wrong
+    constexpr std::size_t kMost = 1000;  // a hedge or a broken mesh
     for (double at = -reach_; crossings_.size() < kMost;) {
       const std::optional<SurfaceHit> hit = rays_.first(start + at * along, along);
       if (!hit) break;
@@ -194,7 +194,7 @@ class Grid {
       while (next < crossings_.size() && crossings_[next].at <= position) ++next;
       const std::size_t index = space_.index(cell);
       CellView& view = views_[index];
-      if (next > 0) {  // what lies behind was crossed from its other side
+      if (next > 0) {  // the space behind was entered from its other side
         const Crossing& behind = crossings_[next - 1];
         ++view.met;
         view.near = static_cast<std::uint8_t>(view.near + (position - behind.at < court_ ? 1 : 0));
@@ -221,7 +221,7 @@ class Grid {
   std::vector<CellView> views_;
   std::vector<Crossing> crossings_;
   double reach_ = 0.0, skin_ = 0.0;
-  double court_ = 0.0;  ///< a wall so far away does not make a court of what has no ceiling
+  double court_ = 0.0;  ///< walls farther away do not make a court
 };
 
 bool isAir(const CellView& view, bool backsAreFronts) {
@@ -233,7 +233,7 @@ bool closedIn(const CellView& view) {
   return view.floor && (view.ceiling ? view.met >= kUnderCeiling : view.near >= kUnderSky);
 }
 
-/// Holes in what is indoors, where a line of cells sees through door and window at once.
+/// Fills gaps in the indoor space, where a line of cells sees through door and window at once.
 void fillHoles(FreeSpace& space, const std::vector<CellView>& views) {
   constexpr int kRounds = 2, kLeast = 4;
   for (int round = 0; round < kRounds; ++round) {
@@ -248,7 +248,7 @@ void fillHoles(FreeSpace& space, const std::vector<CellView>& views) {
   }
 }
 
-/// No cell is further from a surface than its neighbour is, plus the step between them.
+/// Limits each depth to that of a neighbour plus the distance between them.
 void relaxDepths(FreeSpace& space) {
   const auto pass = [&space](bool forward) {
     const glm::ivec3 n = space.count;
@@ -298,7 +298,7 @@ std::optional<FreeSpace> freeSpace(const SurfaceRays& rays, const WalledRegion& 
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i].ceiling) space.open[i] = static_cast<std::uint8_t>(space.open[i] | 1 << FreeSpace::kCeilingBit);
   }
-  // What is outdoors is as near as a cell's own size.
+  // The outdoors counts as being as near as a cell's own size.
   std::vector<std::size_t> edges;
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (space.depth[i] == 0.0f) continue;

@@ -54,7 +54,7 @@ BakeFolder::BakeFolder(std::string path) : path_(std::move(path)) {
     const auto mark = bakedProbeMark(file, &damage);
     const auto record = mark ? BakeRecord::parse(mark->inputHash) : std::nullopt;
     if (record) {
-      // Of two files with the same maps, the one that others know by its name.
+      // Of two files with the same maps, the one whose name others expect.
       const auto before = files_.find(record->key);
       if (before != files_.end() && !isEarlierBounce(before->second.path)) continue;
       files_[record->key] = {file, *record, {mark->program, mark->renderer}};
@@ -76,7 +76,7 @@ bool BakeFolder::has(const std::string& key) const {
 }
 
 std::optional<BakeRecord> BakeFolder::record(const std::string& view) const {
-  // An earlier bounce was made knowing fewer probes, or none.
+  // An earlier bounce was made when fewer probes were known, or none.
   std::optional<BakeRecord> most;
   const auto range = keysOfView_.equal_range(view);
   for (auto it = range.first; it != range.second; ++it) {
@@ -106,7 +106,7 @@ std::string BakeFolder::save(const std::string& folder, const Probe& probe, cons
   BakedProbeFile file;
   file.maps = std::move(maps);
   file.info.probe = probe;
-  if (probe.name.empty()) file.info.probe.name = "sky";  // a probe without a name is no valid one to read back
+  if (probe.name.empty()) file.info.probe.name = "sky";  // a probe without a name could not be read back
   file.info.inputHash = record.text();
   file.info.program = maker.program;
   file.info.renderer = maker.renderer;
@@ -116,7 +116,7 @@ std::string BakeFolder::save(const std::string& folder, const Probe& probe, cons
 
 namespace {
 
-// No probe's name: it would be escaped there.
+// Not part of any probe's name, where it would be escaped.
 constexpr char kBounceMark = '~';
 
 }  // namespace
@@ -133,7 +133,7 @@ std::string BakeFolder::fileName(const std::string& probeName, int earlierBounce
   std::string name;
   for (const char c : probeName) {
     const bool letter = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
-    // Not first: `_sky` is the sky's, and a leading dot hides a file.
+    // Not as the first character: `_sky` is the sky's, and a leading dot hides a file.
     const bool inner = !name.empty() && (c == '_' || c == '.' || c == ' ');
     if (letter || inner) {
       name += c;

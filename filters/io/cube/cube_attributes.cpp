@@ -26,7 +26,7 @@ bool isVector(const Json& value) {
   return value.is_array() && value.size() == 3 && value[0].is_number() && value[1].is_number() && value[2].is_number();
 }
 
-/// The double that people mean by a float: 1.6 for 1.6f, not 1.60000002384185791.
+/// The double with the shortest text of a float: 1.6 for 1.6f, not 1.60000002384185791.
 double meant(float value) {
   const std::string text = numberText(value);
   double result = value;
@@ -34,7 +34,7 @@ double meant(float value) {
   return result;
 }
 
-// As v3f where that says it all, as it does for what people type: exrheader prints those, and not v3d.
+// As v3f if that is exact, as it is for typed values: exrheader prints v3f, but not v3d.
 void addVector(Imf::Header& header, const std::string& name, const Imath::V3d& vector) {
   const Imath::V3f narrow(vector);
   if (Imath::V3d(meant(narrow.x), meant(narrow.y), meant(narrow.z)) == vector) {
@@ -60,7 +60,7 @@ void addValue(Imf::Header& header, const std::string& name, const Json& value) {
   }
 }
 
-// Whole numbers are JSON integers, as the scene reader wants them for counts and sizes.
+// Integral values become JSON integers, which the scene reader expects for counts and sizes.
 Json numberJson(double value) {
   constexpr double kLargestWhole = 1e15;
   if (std::fabs(value) < kLargestWhole && std::trunc(value) == value) return static_cast<long long>(value);

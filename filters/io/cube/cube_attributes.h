@@ -12,11 +12,11 @@
 
 namespace boxprobe {
 
-/// `folder`: of the file written; the name of a custom image is kept relative to it.
+/// `folder`: that of the written file; the path of a custom image is stored relative to it.
 void addProbeAttributes(Imf::Header& header, const BakedProbeInfo& info, const std::string& folder);
-/// Throws InputError naming path and attribute where one is missing.
+/// Throws InputError with path and attribute if one is missing.
 BakedProbeMark readProbeMark(const Imf::Header& header, const std::string& path);
-/// The same, or where one is out of range.
+/// The same, also if a value is out of range.
 BakedProbeInfo readProbeAttributes(const Imf::Header& header, const std::string& folder, const std::string& path);
 
 void addCoefficients(Imf::Header& header, const ShCoefficients& irradiance);

@@ -1,8 +1,8 @@
-// A baked probe's file. Part 0, "environment": what other programs read, a mip-mapped OpenEXR cube with the envmap
-// attribute, resampled because OpenEXR's texels lie on the edges of faces; with the metadata. Parts "level.0" and on:
-// every level's texels as they are, OpenGL's faces from the top down. Part "distance": one float channel. The exact
-// parts lie along the axes of the probe's box, part 0 along the world's. Two forms of the same values because neither
-// serves both: the standard one is not exact, the exact one is not standard.
+// A baked probe's file. Part 0, "environment", is for other programs: a mip-mapped OpenEXR cube with the envmap
+// attribute and the metadata, resampled because OpenEXR's texels lie on the edges of faces. Parts "level.0" and up hold
+// every level's texels unchanged, as OpenGL's faces from the top down; part "distance" one float channel. These exact
+// parts lie along the axes of the probe's box, part 0 along the world's. Both forms are needed: the standard one is not
+// exact, the exact one is not standard.
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfTileDescription.h>
@@ -30,7 +30,7 @@ constexpr int kVersion = 2, kUnsealedVersion = 1;  // 1: without a checksum
 constexpr int kMostLevels = 13;                    // of 4096² faces
 constexpr const char* kVersionAttribute = "boxprobe";
 constexpr const char* kLevelsAttribute = "levels";
-// Degrees, about X, then Y, then Z: the exact parts lie along axes so turned. Absent: along the world's.
+// Degrees about X, then Y, then Z: rotation of the axes of the exact parts. Absent: the world's axes.
 constexpr const char* kRotationAttribute = "capturedRotation";
 constexpr const char* kComments =
     "Part environment: OpenEXR cube, level l filtered for the roughness of the probe's level l. Parts level.N: the "
@@ -46,7 +46,7 @@ std::string levelName(int level) {
   return "level." + std::to_string(level);
 }
 
-/// A level of the environment part. Below one texel per face OpenEXR's chain goes on to 1 x 3 and 1 x 1: the mean.
+/// A level of the environment part. Below one texel per face OpenEXR's chain continues with 1 x 3 and 1 x 1: the mean.
 ExrLevel environmentLevel(const CubeMap& radiance, const glm::dmat3& mapFromWorld, int level, ExrPrecision precision) {
   const int width = std::max(radiance.faceSize() >> level, 1), height = std::max((6 * radiance.faceSize()) >> level, 1);
   ExrLevel result{width, height, {}};
@@ -85,7 +85,7 @@ ExrPart environmentPart(const CubeMap& radiance, const glm::dmat3& mapFromWorld,
 ExrPart stackPart(const std::string& name, int size, const Imath::Box2i& displayWindow) {
   ExrPart part = exrPart(size, 6 * size);
   part.header.setName(name);
-  part.header.displayWindow() = displayWindow;  // shared by all parts of a file, says OpenEXR
+  part.header.displayWindow() = displayWindow;  // OpenEXR requires the same in all parts of a file
   return part;
 }
 
@@ -101,7 +101,7 @@ int versionOf(const Imf::MultiPartInputFile& file) {
   return version == nullptr ? 0 : version->value();
 }
 
-/// The exact levels count, not the attribute alone: exrenvmap copies every attribute into what it makes of a file.
+/// Requires the exact levels, not only the attribute: exrenvmap copies every attribute into its output.
 bool isBakedProbe(const Imf::MultiPartInputFile& file) {
   const int version = versionOf(file);
   return (version == kVersion || version == kUnsealedVersion) && partNamed(file, levelName(0)) > 0;
@@ -111,7 +111,7 @@ float finiteOrZero(float value) {
   return std::isfinite(value) ? value : 0.0f;
 }
 
-/// Returns how many texels were not finite.
+/// Returns the number of texels that were not finite.
 std::size_t readLevel(Imf::MultiPartInputFile& file, CubeMap& cube, int level, const std::string& path) {
   const int part = partNamed(file, levelName(level));
   if (part < 0) throw InputError(path + ": has no part " + levelName(level) + "; bake it again");
@@ -152,7 +152,7 @@ BakedMaps readMaps(Imf::MultiPartInputFile& file, const std::string& path, std::
     throw InputError(path + ": part 0: attribute " + kLevelsAttribute + " does not fit faces of " +
                      std::to_string(size) + " texels; bake it again");
   }
-  // Before the chain is allocated: what is not in the file cannot ask for its memory.
+  // Before the chain is allocated: sizes that the file cannot contain must not allocate memory.
   for (int level = 0; level < levels->value(); ++level) {
     if (partNamed(file, levelName(level)) < 0) {
       throw InputError(path + ": has no part " + levelName(level) + "; bake it again");
@@ -187,7 +187,7 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
   }
   std::vector<ExrPart> parts;
   parts.reserve(static_cast<std::size_t>(radiance.levels()) +
-                2);  // a vector that grows copies OpenEXR's headers, and pictures with them
+                2);  // reallocation would copy OpenEXR's headers with their pictures
   const bool turned = file.maps.capturedRotation != glm::dvec3(0.0);
   const glm::dmat3 mapFromWorld = turned ? glm::transpose(rotationMatrix(file.maps.capturedRotation)) : glm::dmat3(1.0);
   parts.push_back(environmentPart(radiance, mapFromWorld, precision));
@@ -198,14 +198,14 @@ void saveBakedProbe(const std::string& path, const BakedProbeFile& file, ExrPrec
     addRgba(part.levels.front(), radiance.face(level, 0), precision);
     parts.push_back(std::move(part));
   }
-  // The finest level has most of the bytes and the hardest content. PIZ makes a table for each block, which takes
-  // longer than the rest where blocks are small: tiles, and coarse levels.
+  // The finest level has most of the bytes and the least compressible content. PIZ builds a table per block, which
+  // dominates for small blocks: tiles and coarse levels.
   for (ExrPart& part : parts) part.header.compression() = Imf::ZIP_COMPRESSION;
   parts[1].header.compression() = chooseCompression(parts[1].levels.front());
   if (!file.maps.distance.empty()) {
     ExrPart part = stackPart("distance", file.maps.distance.faceSize(), displayWindow);
     addPlane(part.levels.front(), "distance", file.maps.distance.face(0, 0), 4, ExrPrecision::Float);
-    part.header.compression() = Imf::PIZ_COMPRESSION;  // smaller than ZIP in every scene tried
+    part.header.compression() = Imf::PIZ_COMPRESSION;  // smaller than ZIP in every scene tested
     parts.push_back(std::move(part));
   }
 
@@ -247,7 +247,7 @@ std::optional<BakedProbeMark> bakedProbeMark(const std::string& path, std::strin
     });
   } catch (const std::exception& problem) {
     if (damage != nullptr) *damage = problem.what();
-    return std::nullopt;  // a cache that cannot be read is an empty one
+    return std::nullopt;  // an unreadable cache counts as empty
   }
   return mark;
 }

@@ -12,7 +12,7 @@ double texelPosition(double coordinate, int count, TexelPlacement placement) {
 
 double texelCoordinate(double position, int count, TexelPlacement placement) {
   if (placement == TexelPlacement::Centres) return 2.0 * (position + 0.5) / count - 1.0;
-  return count > 1 ? 2.0 * position / (count - 1) - 1.0 : 0.0;  // a face of one texel: its middle
+  return count > 1 ? 2.0 * position / (count - 1) - 1.0 : 0.0;  // a face of one texel: its centre
 }
 
 CubePoint mirroredOpenExr(CubePoint point) {
@@ -27,7 +27,7 @@ glm::vec3 latLongDirection(double x, double y) {
 }
 
 glm::dvec2 latLongPoint(const glm::vec3& d) {
-  // Single precision: a ten-thousandth of a texel of the largest map, at a third of the time of double.
+  // Single precision: within a ten-thousandth of a texel of the largest map, in a third of the time of double.
   const float level = std::sqrt(d.x * d.x + d.z * d.z);
   const float longitude = level > 0.0f ? std::atan2(d.x, d.z) : 0.0f;
   return {-longitude / glm::pi<double>(), -std::atan2(d.y, level) / (0.5 * glm::pi<double>())};

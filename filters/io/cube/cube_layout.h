@@ -1,5 +1,5 @@
-// Where a direction lies in a picture of the surroundings, and back: the conventions of OpenGL's cubes, OpenEXR's cubes
-// and latitude-longitude maps in one place. Called by the readers and writers of cubes; knows no files and no values.
+// The conversion between directions and places in environment pictures: the conventions of OpenGL's cubes, OpenEXR's
+// cubes and latitude-longitude maps.
 //
 //   a face's picture   OpenGL (also Unity, CubeMapGen, Direct3D)     OpenEXR (as seen from inside, right-handed)
 //                      to the right   down                           to the right   down
@@ -10,9 +10,9 @@
 //   +Z                 +X             -Y                             -X             -Y
 //   -Z                 -X             -Y                             +X             -Y
 //
-// OpenEXR's is thus OpenGL's, mirrored. OpenGL's texels tile a face; OpenEXR's first and last lie on its edges, so
+// So OpenEXR's faces are OpenGL's, mirrored. OpenGL's texels tile a face; OpenEXR's first and last lie on its edges, so
 // neighbouring faces repeat them. Latitude-longitude: top row +Y, middle +Z, a quarter from the left +X, the left and
-// right edge -Z, in both conventions of texels.
+// right edge -Z, for both placements of texels.
 #pragma once
 
 #include <array>
@@ -23,26 +23,25 @@
 
 namespace boxprobe {
 
-/// Where texels sit: at the centres of cells (OpenGL, most pictures), or with the first and last on the edges
-/// (OpenEXR).
+/// Texels lie at the centres of cells (OpenGL, most pictures), or the first and last lie on the edges (OpenEXR).
 enum class TexelPlacement { Centres, Edges };
 
-/// Position in texels (0 the first one's own place) of a coordinate in [-1, 1], and back.
+/// Position in texels (0 is the first texel) of a coordinate in [-1, 1], and back.
 double texelPosition(double coordinate, int count, TexelPlacement placement);
 double texelCoordinate(double position, int count, TexelPlacement placement);
 
-/// OpenEXR's faces have OpenGL's s (X and Z faces) or t (Y faces) reversed; its own inverse.
+/// OpenEXR's faces have OpenGL's s (X and Z faces) or t (Y faces) reversed; an involution.
 CubePoint mirroredOpenExr(CubePoint point);
 
-/// Where a face lies in a picture of several, in units of faces, OpenGL's order.
+/// The cell of a face in a picture of several, in units of faces, OpenGL's order.
 struct FaceCell {
   int column, row;
-  bool turned = false;  ///< by half a turn
+  bool turned = false;  ///< by 180 degrees
 };
 using FaceCells = std::array<FaceCell, 6>;
 constexpr FaceCells kRow = {{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}};
 constexpr FaceCells kColumn = {{{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}}};
-/// Unfolded around +Z, neighbours meeting as they do on the cube: -Z is right of +X, or turned below -Y.
+/// Unfolded around +Z so that neighbours meet as on the cube: -Z is right of +X, or rotated below -Y.
 constexpr FaceCells kCrossWide = {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
 constexpr FaceCells kCrossTall = {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3, true}}};
 

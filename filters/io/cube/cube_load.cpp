@@ -1,5 +1,4 @@
-// Any environment picture as a cube: its faces copied where they are OpenGL's texels, or resampled where the directions
-// differ.
+// Reads any environment picture as a cube: copies faces whose texels match OpenGL's, and resamples others.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,9 +18,9 @@ namespace boxprobe {
 namespace {
 
 constexpr int kLargestLoadedFace = 4096;
-constexpr int kLargestAutomaticFace = 2048, kSmallestAutomaticFace = 16;  // what a probe may have
+constexpr int kLargestAutomaticFace = 2048, kSmallestAutomaticFace = 16;  // limits of a probe's face size
 
-/// A picture's value at a pixel: its colour, or its distance in red.
+/// A picture's value at a pixel: its colour, or its distance in the red channel.
 using PixelReader = std::function<glm::vec4(const CubeSource&, int column, int row)>;
 glm::vec4 colorAt(const CubeSource& source, int column, int row) {
   const ImageRgbaF& image = source.picture.image;
@@ -33,7 +32,7 @@ glm::vec4 distanceAt(const CubeSource& source, int column, int row) {
           0.0f};
 }
 
-/// Six faces in OpenGL's orientation, texels where the picture has them.
+/// Six faces in OpenGL's orientation, with the picture's placement of texels.
 struct Faces {
   std::array<const CubeSource*, 6> sources{};
   FaceCells cells{};
@@ -63,7 +62,7 @@ int nearestFaceSize(double texels) {
   return std::clamp(1 << std::min(power, 20), kSmallestAutomaticFace, kLargestAutomaticFace);
 }
 
-/// Distances are not averaged: half way between a near and a far surface there is neither.
+/// Distances are not interpolated: between a near and a far surface there is nothing.
 CubeMap nearestToCube(const std::function<glm::vec4(const glm::vec3&)>& nearest, int faceSize) {
   return resampleToCube(nearest, faceSize, 1);
 }
@@ -72,7 +71,7 @@ int nearestIndex(double coordinate, int count, TexelPlacement placement) {
   return std::clamp(static_cast<int>(std::lround(texelPosition(coordinate, count, placement))), 0, count - 1);
 }
 
-/// Faces that lie as OpenGL's do, or with their texels on the edges.
+/// Faces in OpenGL's layout, or with their texels on the edges.
 void convertCube(CubeMap radiance, CubeMap distance, TexelPlacement placement, int faceSize, LoadedCube& result) {
   const int size = radiance.faceSize();
   if (faceSize == 0) faceSize = nearestFaceSize(size);
@@ -112,7 +111,7 @@ LoadedCube fromBaked(BakedProbeFile file, int faceSize) {
     const float* from = file.maps.radiance.face(0, 0) + std::ptrdiff_t(4) * texel;
     float* to = finest.face(0, 0) + std::ptrdiff_t(4) * texel;
     std::transform(from, from + 4, to, [](float v) { return std::clamp(v, -kHalfMax, kHalfMax); });
-    if (!std::equal(from, from + 4, to)) ++result.texelsClamped;  // a file of floats; halves cannot exceed it
+    if (!std::equal(from, from + 4, to)) ++result.texelsClamped;  // from a float file; halves cannot exceed it
   }
   CubeMap distance = std::move(file.maps.distance);
   if (file.maps.capturedRotation != glm::dvec3(0.0)) {
@@ -142,12 +141,13 @@ void convertLatLong(const CubeSource& source, int faceSize, LoadedCube& result) 
     throw InputError(source.path + ": is " + sizeText(image.width, image.height) +
                      "; a latitude-longitude map is twice as wide as high");
   }
-  // As many texels over the sphere: 6 N² = W²/2.
+  // The same number of texels over the sphere: 6 N² = W²/2.
   if (faceSize == 0) faceSize = nearestFaceSize(image.width / std::sqrt(12.0));
-  // Only a file that says so has OpenEXR's texels on the edges; every other one has them at the centres of its cells.
+  // Only the envmap attribute means OpenEXR's texels on the edges; all other pictures have them at the centres of
+  // cells.
   const TexelPlacement placement = source.picture.envmap ? TexelPlacement::Edges : TexelPlacement::Centres;
   constexpr double kPi = 3.14159265358979323846;
-  const double ratio = image.width / (kPi * faceSize);  // texels of the picture a texel in the middle of a face
+  const double ratio = image.width / (kPi * faceSize);  // picture texels per texel in the middle of a face
   result.radiance = resampleToCube(latLongSampler(image, placement), faceSize, samplesForRatio(ratio));
   if (source.picture.distance.empty()) return;
   const auto nearest = [&](const glm::vec3& direction) {
@@ -227,7 +227,7 @@ LoadedCube loadCube(const std::string& path, CubeLayout layout, int faceSize, co
   std::error_code ignored;
   const bool pattern = path.find('%') != std::string::npos && !std::filesystem::exists(path, ignored);
   if (layout == CubeLayout::SixFiles || pattern) return loadSixFiles(path, faceSize, code);
-  // Of a probe of ours the exact level and its distances, which other readers' part does not have.
+  // A baked probe has the exact level and its distances, which its part for other programs lacks.
   const bool mayBeBaked =
       (layout == CubeLayout::Automatic || layout == CubeLayout::Strip) && code.encoding == ImageEncoding::Linear;
   if (mayBeBaked && bakedProbeMark(path)) return fromBaked(loadBakedProbe(path), faceSize);

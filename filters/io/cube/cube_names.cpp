@@ -26,7 +26,7 @@ char lower(char c) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-/// `word` with the capitals of `example`, letter by letter: "left" as "Right" is "Left".
+/// `word` with the capitalization of `example`: "left" becomes "Left" for "Right".
 std::string inCaseOf(std::string word, const std::string& example) {
   for (std::size_t i = 0; i < word.size() && !example.empty(); ++i) {
     const auto model = static_cast<unsigned char>(example[std::min(i, example.size() - 1)]);

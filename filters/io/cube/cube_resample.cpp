@@ -11,9 +11,9 @@ namespace boxprobe {
 
 namespace {
 
-// Rows are independent, and there is a transcendental function or two in every sample.
+// Rows are independent, and each sample evaluates transcendental functions.
 void forEachRow(int rows, const std::function<void(int row)>& work) {
-  // Starting a thread costs as much as some dozens of short rows.
+  // Starting a thread costs as much as several dozen short rows.
   constexpr std::size_t kRowsWorthAThread = 48;
   std::atomic<int> next{0};
   const auto run = [&] {
@@ -23,14 +23,14 @@ void forEachRow(int rows, const std::function<void(int row)>& work) {
   run();
 }
 
-// The middle of sample i of n across a texel, relative to the texel's own place.
+// The middle of sample i of n across a texel, relative to the texel's position.
 double offset(int i, int n) {
   return (i + 0.5) / n - 0.5;
 }
 
 struct Line {
   int first, second;
-  float share;  ///< of the second
+  float share;  ///< weight of the second
 };
 Line clampedLine(double position, int count) {
   const double clamped = std::clamp(position, 0.0, static_cast<double>(count - 1));
@@ -81,15 +81,15 @@ DirectionSampler latLongSampler(const ImageRgbaF& picture, TexelPlacement placem
 }
 
 int samplesForRatio(double ratio) {
-  constexpr double kEqual = 1.05;  // a face of edge texels has a step that is longer by one texel's share
+  constexpr double kEqual = 1.05;  // a face of edge texels has a longer step, by one texel's share
   constexpr double kMost = 16.0;
   return ratio <= kEqual ? 1 : static_cast<int>(std::ceil(2.0 * std::min(ratio, kMost)));
 }
 
 namespace {
 
-/// Towards a point of a face, or beyond one of its edges: there the next face goes on, folded over the edge so that
-/// lengths are kept and the footprints of the texels that share an edge are the same. The largest component is 1.
+/// The direction of a point of a face. Beyond an edge it continues on the next face, folded over the edge so that
+/// lengths are kept: texels that share an edge then have equal footprints. The largest component is 1.
 glm::vec3 foldedDirection(const CubePoint& point) {
   const float beyond = std::max(std::fabs(point.s), std::fabs(point.t)) - 1.0f;
   const glm::vec3 onFace =
@@ -97,15 +97,16 @@ glm::vec3 foldedDirection(const CubePoint& point) {
   return beyond > 0.0f ? onFace - beyond * shading::cubeDirection(point.face, 0.0f, 0.0f) : onFace;
 }
 
-/// The mean over a texel of a face whose sample in column i and row j of `samples` by `samples` is at `place`.
+/// The mean over a texel of a face; `place` gives the position of the sample in column i and row j of `samples` by
+/// `samples`.
 template <typename Place>
 glm::vec4 meanOverTexel(const DirectionSampler& source, const Place& place, int samples) {
-  if (samples == 1) return source(foldedDirection(place(0, 0)));  // itself, bit for bit
+  if (samples == 1) return source(foldedDirection(place(0, 0)));  // the value itself, bit for bit
   glm::vec4 sum(0.0f);
   float weights = 0.0f;
   for (int i = 0; i < samples * samples; ++i) {
     const CubePoint point = place(i % samples, i / samples);
-    // Three faces meet at a corner, not four: beyond two edges at once there is nothing.
+    // Three faces meet at a corner, not four: nothing lies beyond two edges at once.
     if (std::fabs(point.s) > 1.0f && std::fabs(point.t) > 1.0f) continue;
     const glm::vec3 direction = foldedDirection(point);
     const float square = glm::dot(direction, direction);
@@ -134,7 +135,7 @@ CubeMap resampleToCube(const DirectionSampler& source, int faceSize, int samples
 }
 
 void resampleToOpenExrFace(const DirectionSampler& source, int face, int size, int samples, float* rgba) {
-  // A texel on an edge reaches beyond it, onto the next face, which has it too: a source there must not count twice.
+  // A texel on an edge extends onto the next face, which has it too: light there must not count twice.
   const auto at = [&](int texel, int sample) {
     return static_cast<float>(
         texelCoordinate(texel + (size > 1 ? offset(sample, samples) : 0.0), size, TexelPlacement::Edges));

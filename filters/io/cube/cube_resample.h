@@ -1,5 +1,4 @@
-// Surroundings from one set of directions to another without losing energy: pictures to OpenGL's cubes and back.
-// Called by the readers and writers of cubes; knows no files.
+// Resamples environments between layouts while preserving energy: pictures to OpenGL's cubes and back.
 #pragma once
 
 #include <functional>
@@ -10,26 +9,27 @@
 
 namespace boxprobe {
 
-/// The value in a direction, interpolated.
+/// The interpolated value in a direction.
 using DirectionSampler = std::function<glm::vec4(const glm::vec3& direction)>;
 
-/// A cube whose texels lie on the edges of its faces, in OpenGL's orientation, level 0 of `faces`. Both must outlive
-/// the sampler; so for the next one.
+/// Samples a cube in OpenGL's orientation whose texels lie on the edges of its faces, level 0 of `faces`. `faces` and,
+/// below, `picture` must outlive the sampler.
 DirectionSampler edgeCubeSampler(const CubeMap& faces);
-/// Around the seam for texels at centres; with texels at the edges the first and last column are the same direction.
+/// Interpolates across the seam for texels at centres; with texels at the edges the first and last column are the same
+/// direction.
 DirectionSampler latLongSampler(const ImageRgbaF& picture, TexelPlacement placement);
 
-/// How many samples along a side of a target texel a source needs whose texels are `ratio` times as dense there: one
-/// where it is not denser (interpolation alone keeps the sum), else two for each of its texels.
+/// Samples needed along a side of a target texel if the source's texels are `ratio` times as dense: one if it is not
+/// denser (interpolation alone preserves the sum), else two per source texel.
 int samplesForRatio(double ratio);
 
-/// `samples`² in each texel, each with its solid angle. One level.
+/// Takes `samples`² per texel, weighted by solid angle. One level.
 CubeMap resampleToCube(const DirectionSampler& source, int faceSize, int samples);
 
-/// The picture of one face of `size`² texels as OpenEXR has it, into interleaved RGBA rows.
+/// One face of `size`² texels in OpenEXR's orientation, as interleaved RGBA rows.
 void resampleToOpenExrFace(const DirectionSampler& source, int face, int size, int samples, float* rgba);
 
-/// A latitude-longitude picture as OpenEXR has it, texels on its edges.
+/// A latitude-longitude picture in OpenEXR's convention, texels on its edges.
 ImageRgbaF resampleToLatLong(const DirectionSampler& source, int width, int height, int samples);
 
 }  // namespace boxprobe

@@ -1,4 +1,4 @@
-// A level of a cube as a picture that other programs read: latitude-longitude, OpenEXR cube, cross, or six files.
+// Writes a level of a cube for other programs: latitude-longitude, OpenEXR cube, cross, or six files.
 #include <OpenEXR/ImfStandardAttributes.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kLargestSavedFace = 4096;
 
-/// The level as asked for, and its distances, as functions of direction.
+/// The chosen level and its distances as functions of direction.
 class Surroundings {
  public:
   Surroundings(const CubeMap& cube, const CubePictureOptions& options)
@@ -28,7 +28,7 @@ class Surroundings {
   DirectionSampler color() const {
     return [this](const glm::vec3& direction) { return cube_.fetch(direction, static_cast<float>(level_)); };
   }
-  /// Not interpolated: between a near and a far surface there is neither.
+  /// Not interpolated: between a near and a far surface there is nothing.
   DirectionSampler distance() const {
     return [this](const glm::vec3& direction) {
       const CubePoint point = cubePoint(direction);
@@ -56,7 +56,7 @@ ExrPart finish(ExrPart part, const float* rgba, const std::vector<float>& distan
 
 ExrPart latLongPart(const Surroundings& source, int faceSize, ExrPrecision precision) {
   const int width = 4 * faceSize, height = 2 * faceSize;
-  // Texels of the cube are densest, as seen from its middle, at the edges of faces: N a radian.
+  // Seen from the middle, the cube's texels are densest at the edges of faces: N per radian.
   constexpr double kPi = 3.14159265358979323846;
   const int samples = samplesForRatio(source.size() / (width / (2.0 * kPi)));
   const ImageRgbaF picture = resampleToLatLong(source.color(), width, height, samples);
@@ -67,7 +67,7 @@ ExrPart latLongPart(const Surroundings& source, int faceSize, ExrPrecision preci
   return finish(std::move(part), picture.pixels.data(), distance, precision);
 }
 
-/// Faces one below the other, as OpenEXR has them.
+/// Faces below each other, in OpenEXR's convention.
 std::vector<float> openExrFaces(const DirectionSampler& source, int faceSize, int samples) {
   const std::size_t values = std::size_t(4) * faceSize * faceSize;
   std::vector<float> pixels(6 * values);
@@ -86,7 +86,7 @@ ExrPart openExrCubePart(const Surroundings& source, int faceSize, ExrPrecision p
   return finish(std::move(part), openExrFaces(source.color(), faceSize, samples).data(), distance, precision);
 }
 
-/// OpenGL's faces: the texels themselves where the size is the level's, else resampled.
+/// OpenGL's faces: a copy if the size is the level's, else resampled.
 CubeMap openGlFaces(const Surroundings& source, int faceSize) {
   if (faceSize != source.size()) {
     return resampleToCube(source.color(), faceSize, samplesForRatio(static_cast<double>(source.size()) / faceSize));

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kSealDigits = 32;
 
-/// Where the digits stand: behind the attribute's name, type and size, as OpenEXR writes them. npos: nowhere.
+/// The offset of the digits, behind the attribute's name, type and size as OpenEXR writes them. npos: not found.
 std::size_t sealAt(const std::string& bytes) {
   static const std::string head("checksum\0string\0\x20\0\0\0", 20);
   static_assert(kSealDigits == 0x20);

@@ -33,7 +33,7 @@ void cleanTexels(CubeSource& source) {
   }
 }
 
-/// The pixels of the display window: a writer may have left out what is black, or have rendered more than is shown.
+/// Crops or pads to the display window: a writer may have omitted black borders or rendered overscan.
 void fillDisplayWindow(ExrPicture& picture) {
   ImageRgbaF whole;
   whole.width = picture.displayWidth;
@@ -55,7 +55,7 @@ void fillDisplayWindow(ExrPicture& picture) {
   picture.offsetX = picture.offsetY = 0;
 }
 
-/// Its texels as they are, before any is put right.
+/// The texels as stored, before any correction.
 ImageRgbaF loadPicture(const std::string& path, const std::string& extension, const PictureCode& code,
                        std::size_t* notFinite) {
   if (code.encoding != ImageEncoding::Linear) return loadEncodedImage(path, code);

@@ -1,5 +1,5 @@
-// A picture of the surroundings before it is a cube: read, its values put right, its layout found. Internal to this
-// folder.
+// An environment picture before its conversion to a cube: read, invalid values replaced, its layout detected. Internal
+// to this folder.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace boxprobe {
 
-/// Largest half float: what textures hold.
+/// The largest half float, the limit of textures.
 constexpr float kHalfMax = 65504.0f;
 
 struct CubeSource {
@@ -21,14 +21,14 @@ struct CubeSource {
   std::size_t texelsClamped = 0;
 };
 
-/// EXR or HDR; with another code than Linear, PNG or JPEG. Throws InputError.
+/// EXR or HDR; for encodings other than Linear, PNG or JPEG. Throws InputError.
 CubeSource readCubeSource(const std::string& path, const PictureCode& code);
 
-/// By the envmap attribute, else by the shape of the data window, else by the display window's, to which the picture is
-/// then filled up or cut. Automatic where none fits.
+/// From the envmap attribute, else the shape of the data window, else that of the display window, to which the picture
+/// is then padded or cropped. Automatic if none fits.
 CubeLayout detectLayout(CubeSource& source);
 
-/// Automatic where none fits.
+/// Automatic if none fits.
 CubeLayout layoutOfShape(long long width, long long height);
 
 /// "64 x 384 pixels"

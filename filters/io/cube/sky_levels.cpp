@@ -1,5 +1,6 @@
 // The file: magic, key, face size and levels (32 bits each), nine coefficients of three floats, texels, and XXH3 of all
-// of that (64 bits). Numbers are little-endian; a machine that is not finds another magic and makes its levels itself.
+// that (64 bits). Numbers are little-endian; a big-endian machine does not recognize the magic and filters its levels
+// itself.
 #include "filters/io/cube/sky_levels.h"
 
 #include <Imath/half.h>

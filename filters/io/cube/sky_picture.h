@@ -1,4 +1,4 @@
-// The picture of a sky, whatever layout it has, as the latitude-longitude map that skies are drawn from.
+// Reads a sky's picture in any layout as the latitude-longitude map from which skies are drawn.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace boxprobe {
 
-/// EXR or HDR. Pictures of a cube, found as for custom probes, are resampled; any other is taken as it is. Texels that
-/// are not finite are 0 and counted in `*notFinite` when given. Throws InputError.
+/// EXR or HDR. Cube layouts, detected as for custom probes, are resampled; other pictures are used as they are. Texels
+/// that are not finite are set to 0 and counted in `*notFinite` if given. Throws InputError.
 ImageRgbaF loadSkyPicture(const std::string& path, std::size_t* notFinite = nullptr);
 
 }  // namespace boxprobe

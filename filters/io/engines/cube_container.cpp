@@ -1,5 +1,5 @@
-// Layouts after the KTX File Format Specification 2.0 with the Khronos Data Format Specification 1.3 (basic descriptor
-// block), and Microsoft's "Programming guide for DDS". Both are little-endian.
+// Layouts follow the KTX File Format Specification 2.0 with the Khronos Data Format Specification 1.3 (basic descriptor
+// block), and Microsoft's "Programming guide for DDS". Both formats are little-endian.
 #include "filters/io/engines/cube_container.h"
 
 #include <Imath/half.h>
@@ -83,7 +83,7 @@ HalfLoss halfLoss(const CubeMap& cube) {
 }
 
 bool coversPartly(const CubeMap& cube) {
-  constexpr float kAll = 0.9995f;  // what a half rounds to 1, and the filter's own rounding
+  constexpr float kAll = 0.9995f;  // rounds to 1 as a half float, with the filter's own rounding error
   const std::size_t texels = std::size_t(cube.faceSize()) * cube.faceSize();
   for (int face = 0; face < 6; ++face) {
     for (std::size_t i = 0; i < texels; ++i) {

@@ -1,5 +1,5 @@
-// Cubemaps of half floats as engines load them: KTX2 and DDS, uncompressed, every level. In memory: the caller writes
-// the bytes. Values come as they are to be sampled; axes and filtering are export_cube's.
+// Encodes half-float cubemaps in memory for engines: KTX2 and DDS, uncompressed, all levels. Axes and filtering are
+// export_cube's task.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 
 namespace boxprobe {
 
-/// What a half float does not hold.
+/// Values that half floats cannot hold.
 struct HalfLoss {
   std::size_t texelsNotFinite = 0;  ///< NaN or infinite: written as 0
-  std::size_t texelsAtLimit = 0;    ///< 65504, the largest half, or more: written as that
+  std::size_t texelsAtLimit = 0;    ///< 65504, the largest half, or more: clamped
   bool any() const { return texelsNotFinite + texelsAtLimit > 0; }
 };
-/// Of level 0; filtered levels are means of it.
+/// Counts level 0 alone: filtered levels are means of it.
 HalfLoss halfLoss(const CubeMap& cube);
-/// Does a texel of level 0 cover less than all (alpha below 1)?
+/// Is any texel of level 0 partly covered (alpha below 1)?
 bool coversPartly(const CubeMap& cube);
 
-/// KTX 2.0: VK_FORMAT_R16G16B16A16_SFLOAT, linear BT.709, faces +X -X +Y -Y +Z -Z, smallest level first. `writer` is
-/// what KTXwriter says.
+/// KTX 2.0: VK_FORMAT_R16G16B16A16_SFLOAT, linear BT.709, faces +X -X +Y -Y +Z -Z, smallest level first. `writer`: the
+/// text of KTXwriter.
 std::string encodeKtx2(const CubeMap& cube, const std::string& writer);
 
 /// DDS with the DX10 header: DXGI_FORMAT_R16G16B16A16_FLOAT, each face followed by its levels.

@@ -26,7 +26,7 @@ std::string vector3(const glm::dvec3& v) {
   return numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z);
 }
 
-/// A string in double quotes of GDScript, C and their like.
+/// A double-quoted string literal of GDScript, C and similar languages.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -59,7 +59,7 @@ std::string filledIn(const std::string& text, const ExportedProbe& exported) {
       {"@INTENSITY@", numberText(probe.intensity)},
       {"@LATLONG_SHIFT@", exported.ladder->latLongCentre.x > 0.5f ? "0.25" : "0.0"},
   };
-  // In one pass: a probe may be called "@FILE@", and what is filled in is no template.
+  // In one pass: a probe may be called "@FILE@", and substituted text is not a template.
   std::string filled;
   for (std::size_t at = 0; at < text.size();) {
     const auto found = std::find_if(std::begin(fields), std::end(fields), [&](const auto& field) {

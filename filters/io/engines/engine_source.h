@@ -5,8 +5,7 @@
 
 namespace boxprobe {
 
-/// `name` is the path below data/engines. Asking for a file that does not exist is a mistake in the program: aborts
-/// with the name.
+/// `name`: path below data/engines. An unknown name is a programming error: aborts and prints it.
 std::string_view engineSource(std::string_view name);
 
 }  // namespace boxprobe

@@ -14,7 +14,7 @@ float exportCoordinate(int index, int size) {
   return (2.0f * static_cast<float>(index) + 1.0f) / static_cast<float>(size) - 1.0f;
 }
 
-/// `value(direction)` for every texel of a level, the direction through its centre, not unit.
+/// Sets every texel of a level to `value(direction)`; the direction goes through the texel's centre and is not unit.
 template <typename Value>
 void fillLevel(CubeMap& cube, int level, const Value& value) {
   const int size = cube.levelSize(level);
@@ -91,7 +91,7 @@ CubeMap turnedCube(const CubeMap& cube, const glm::vec3& lookup) {
     const auto last = cube.levelSize(level) - 1;
     const auto size = static_cast<float>(cube.levelSize(level));
     fillLevel(turned, level, [&](const glm::vec3& direction) {
-      const CubePoint point = cubePoint(direction * lookup);  // its own inverse
+      const CubePoint point = cubePoint(direction * lookup);  // an involution
       const auto texel = [&](float s) { return std::clamp(static_cast<int>((0.5f * s + 0.5f) * size), 0, last); };
       return cube.texel(level, point.face, texel(point.s), texel(point.t));
     });

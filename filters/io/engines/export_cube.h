@@ -1,5 +1,5 @@
-// A captured cube as an engine reads it: brought to a size, to another centre, filtered level by level from level 0,
-// its axes the engine's. Plain values; knows no file.
+// Converts a captured cube for an engine: resized, recentred, each level filtered from level 0, turned to the engine's
+// axes.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -11,24 +11,24 @@
 
 namespace boxprobe {
 
-/// Level 0 of `cube` at a smaller power of two, each texel the mean of those it covers; the same size: a copy.
+/// Level 0 of `cube` at a smaller power of two, by averaging; a copy if the size is the same.
 CubeMap resizedCube(const CubeMap& cube, int faceSize);
 
-/// Along other axes: `cubeFromTurned` takes directions of the result to those of `cube`. One level.
+/// Along other axes: `cubeFromTurned` maps directions of the result to those of `cube`. One level.
 CubeMap rotatedCube(const CubeMap& cube, const glm::mat3& cubeFromTurned);
 
-/// Seen from `centre` instead of the origin, through what the box shows: exact where everything seen lies on the box.
-/// `boxMin`, `boxMax` and `centre` in the frame of the cube, whose origin is where it was captured. One level.
+/// As seen from `centre` instead of the origin, through what the box shows: exact where everything visible lies on the
+/// box. `boxMin`, `boxMax` and `centre` are in the frame of the cube, whose origin is the capture origin. One level.
 CubeMap recentredCube(const CubeMap& cube, const glm::vec3& boxMin, const glm::vec3& boxMax, const glm::vec3& centre);
 
-/// All levels of the ladder, each filtered from level 0 of `level0` with GGX (perceptual roughness of the row), in
-/// OpenGL's orientation. `samples`: directions per texel of level 1, as PrefilterSettings has them.
+/// All levels of the ladder, each filtered from `level0`'s level 0 with GGX (perceptual roughness of the row), in
+/// OpenGL's orientation. `samples`: per texel of level 1, as in PrefilterSettings.
 CubeMap ladderChain(const CubeMap& level0, const LadderRow& ladder, int samples);
 
-/// The cube's texels rearranged, exactly, so that sampling with d * lookup finds what was at d. All levels.
+/// The texels rearranged, exactly, so that sampling with d * lookup returns what was at d. All levels.
 CubeMap turnedCube(const CubeMap& cube, const glm::vec3& lookup);
 
-/// Irradiance over pi, one level; `worldFromCube` turns the cube's directions to the coefficients' (the world's).
+/// Irradiance over pi, one level; `worldFromCube` rotates the cube's directions to the coefficients' (the world's).
 CubeMap diffuseCube(const ShCoefficients& irradiance, const glm::mat3& worldFromCube, int faceSize);
 
 /// Latitude-longitude, 4 faces wide and 2 high, texels at cell centres, `centre` (+X or +Z) in the middle.

@@ -10,7 +10,7 @@ namespace boxprobe {
 
 std::vector<std::string> exportStems(const std::vector<std::string>& probeNames) {
   std::vector<std::string> stems;
-  std::map<std::string, std::string> taken;  // in small letters, whose
+  std::map<std::string, std::string> taken;  // lower-case stem, and the probe that has it
   for (const std::string& name : probeNames) {
     std::string stem = name.empty() ? "_" : name;
     std::replace_if(

@@ -1,4 +1,4 @@
-// Names of exported files. Engines, web servers and file systems take fewer characters than scene files do.
+// Names of exported files: engines, web servers and file systems allow fewer characters than scene files do.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace boxprobe {
 
-/// One stem per probe: letters, digits, '-' and '_' as they are, everything else as '_'. Throws InputError if two are
-/// the same on a file system that ignores case.
+/// One stem per probe: letters, digits, '-' and '_' stay, everything else becomes '_'. Throws InputError if two are
+/// equal on a file system that ignores case.
 std::vector<std::string> exportStems(const std::vector<std::string>& probeNames);
 
 }  // namespace boxprobe

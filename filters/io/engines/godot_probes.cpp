@@ -1,4 +1,4 @@
-// Godot's scenes as text: sections "[node name=".." type=".." parent=".."]" with one value a line behind each. Formats
+// Godot's scene files: sections "[node name=".." type=".." parent=".."]", each followed by one value per line. Formats
 // 2 (Godot 3: half sizes) and 3 (Godot 4: sizes).
 #include <algorithm>
 #include <glm/common.hpp>
@@ -24,7 +24,7 @@ struct GodotNode {
   std::map<std::string, std::string> values;
 };
 
-/// name="value" of a section's head.
+/// The value of name="value" in a section's header.
 std::string attribute(const std::string& head, const std::string& name) {
   const std::size_t at = head.find(" " + name + "=");
   if (at == std::string::npos) return "";
@@ -88,7 +88,7 @@ class GodotReader {
     throw InputError(oneLine(name_ + ":" + std::to_string(node.line) + ": node " + node.name + ": " + what));
   }
 
-  /// The numbers between the brackets of "Vector3(1, 2, 3)", exactly so many.
+  /// The numbers in the brackets of "Vector3(1, 2, 3)"; their count must match.
   std::vector<double> numbers(const GodotNode& node, const std::string& key, const std::string& value,
                               std::size_t count) const {
     std::vector<double> result;

@@ -1,4 +1,4 @@
-// What the readers of engines' texts share. Internal to this folder.
+// Shared by the readers of engines' scene files. Internal to this folder.
 #pragma once
 
 #include <charconv>
@@ -16,7 +16,7 @@
 
 namespace boxprobe {
 
-/// Where something stands: of a node, and of its children in it.
+/// The placement of a node, and of its children in it.
 struct NodePlacement {
   glm::dmat3 axes{1.0};  ///< columns, with their scale
   glm::dvec3 position{0.0};
@@ -25,7 +25,7 @@ struct NodePlacement {
   }
 };
 
-/// The number at the beginning of a text, spaces skipped; nothing for what is none, or infinite.
+/// The number at the beginning of a text, spaces skipped; nothing if there is none or it is infinite.
 inline std::optional<double> leadingNumber(std::string_view text) {
   const std::size_t at = text.find_first_not_of(" \t");
   if (at == std::string_view::npos) return {};
@@ -35,7 +35,7 @@ inline std::optional<double> leadingNumber(std::string_view text) {
   return value;
 }
 
-/// A name that none has yet, of characters that a scene file can hold: a probe's names are unique here and not there.
+/// An unused name made of characters that a scene file allows: probe names are unique here, but not in engines.
 inline std::string uniqueName(std::set<std::string>& taken, const std::string& wanted) {
   const std::string stem = wanted.empty() ? "probe" : printable(oneLine(wanted));
   std::string name = stem;

@@ -9,7 +9,7 @@ namespace boxprobe {
 
 namespace {
 
-// Of our own lookup: alpha = (2^l - 1) / (2^L - 1), shaders/shared/roughness.glsl.
+// Our own lookup: alpha = (2^l - 1) / (2^L - 1), shaders/shared/roughness.glsl.
 double ownRoughness(int level, int levels, int) {
   return std::sqrt((std::exp2(level) - 1.0) / (std::exp2(levels - 1) - 1.0));
 }
@@ -23,21 +23,21 @@ double threeRoughness(int level, int levels, int) {
   return levels > 1 ? 1.0 - std::sqrt(1.0 - static_cast<double>(level) / (levels - 1)) : 0.0;
 }
 
-// Bevy 0.19, crates/bevy_pbr/src/light_probe/environment_map.wesl: level = roughness (levels - 1), whatever the number
-// of levels. Ours end with 4 x 4 texels, which still resolve the lobe of roughness 1.
+// Bevy 0.19, crates/bevy_pbr/src/light_probe/environment_map.wesl: level = roughness (levels - 1), for any number of
+// levels. Ours end with 4 x 4 texels, which still resolve the lobe of roughness 1.
 double linearRoughness(int level, int levels, int) {
   return levels > 1 ? static_cast<double>(level) / (levels - 1) : 0.0;
 }
 
 // Babylon.js 9, pbrIBLFunctions (getLodFromAlphaG) and Filtering/hdrFiltering: level = 0.8 log2(N alpha), and level 0
-// is the mirror. Levels beyond alpha = 1 are sampled by nothing, but its loader wants them all.
+// is the mirror. Nothing samples levels beyond alpha = 1, but the loader requires them.
 double babylonRoughness(int level, int, int faceSize) {
   constexpr double kLodGenerationScale = 0.8;
   return level == 0 ? 0.0 : std::sqrt(std::min(std::exp2(level / kLodGenerationScale) / faceSize, 1.0));
 }
 
-// Unity's built-in and universal pipelines, perceptualRoughnessToMipmapLevel: level = 6 r (1.7 - 0.7 r), whatever the
-// number of levels.
+// Unity's built-in and universal pipelines, perceptualRoughnessToMipmapLevel: level = 6 r (1.7 - 0.7 r), for any number
+// of levels.
 double unityRoughness(int level, int, int) {
   constexpr double kSteps = 6.0;
   return level >= kSteps ? 1.0 : (1.7 - std::sqrt(1.7 * 1.7 - 2.8 * level / kSteps)) / 1.4;

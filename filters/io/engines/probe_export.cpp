@@ -17,13 +17,13 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kDiffuseSize = 32;  // more than nine coefficients can fill
+constexpr int kDiffuseSize = 32;  // more resolution than nine coefficients need
 
 bool isCube(const std::string& format) {
   return format == "ktx2" || format == "dds";
 }
 
-/// One line for what is lost, or an empty one.
+/// One line about what is lost, or an empty one.
 std::string lossText(const ProbeCapture& capture, const std::string& format) {
   const HalfLoss loss = halfLoss(capture.level0);
   std::string text;

@@ -1,5 +1,5 @@
-// Probes out of what engines write as text: Unity's scenes and prefabs (YAML), Godot's scenes (.tscn). Where they are,
-// their boxes, blending and switches; pictures stay behind. Called by `boxprobe import`.
+// Reads probes from the text files of engines: Unity's scenes and prefabs (YAML), Godot's scenes (.tscn). Imports
+// placement, boxes, blending and switches, but no pictures.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ namespace boxprobe {
 struct ImportedProbes {
   std::string engine;  ///< "Unity", "Godot"
   std::vector<Probe> probes;
-  std::vector<std::string> remarks;  ///< what has no equal here, one sentence each
+  std::vector<std::string> remarks;  ///< features without an equivalent, one sentence each
 };
 
-/// Right-handed, +Y up, metres: Unity's x is negated, as importers of glTF for Unity do; Godot's axes are ours. Throws
-/// InputError naming the file and, where there is one, the line.
+/// Right-handed, +Y up, metres: Unity's x is negated, as Unity's glTF importers do; Godot's axes are the same as ours.
+/// Throws InputError with the file and, if known, the line.
 ImportedProbes importProbes(const std::string& path);
 
 /// The same from text; `name` stands for the file in messages.

@@ -1,5 +1,5 @@
-// What stands beside an exported picture: where the probe is, what its file holds and how an engine has to read it. The
-// files in data/engines read this text. Knows no file.
+// The JSON beside an exported picture: where the probe is, what its file contains, and how an engine must read it. The
+// files in data/engines parse it.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace boxprobe {
 
 /// How a probe was exported. The picture lies along the box's axes.
 struct ExportedProbe {
-  Probe probe;              ///< origin: where lookups start, the box's centre if the cube was moved there
-  std::string file;         ///< name of the picture beside the text
+  Probe probe;              ///< origin: where lookups start, the box's centre if the cube was recentred
+  std::string file;         ///< name of the picture, in the same folder
   std::string diffuseFile;  ///< of the irradiance cube; empty: none
   std::string format;       ///< ktx2, dds, exr or hdr
   std::string writer;       ///< "Boxprobe 0.1.0"

@@ -25,7 +25,7 @@ bool wordLetter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Whole words replaced by others; "word(" stands for a word that is called.
+/// Replaces whole words; "word(" matches only calls of it.
 std::string withWords(const std::string& text, const Words& words) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
@@ -45,8 +45,8 @@ std::string withWords(const std::string& text, const Words& words) {
   return result;
 }
 
-/// The preprocessor of shaders/shared and shaders/technique, which use #ifdef, #ifndef, #define and #endif: target
-/// languages have none, or one of their own.
+/// A preprocessor for shaders/shared and shaders/technique, which use #ifdef, #ifndef, #define and #endif: target
+/// languages have none, or a different one.
 std::string withoutDirectives(const std::string& text, Words defined) {
   std::istringstream lines(text);
   std::string kept;
@@ -79,7 +79,7 @@ std::string vector(const glm::dvec3& v) {
   return "vec3(" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ")";
 }
 
-/// What a technique needs that a function of a cubemap does not have; null: nothing.
+/// What a technique needs besides a cubemap; null: nothing.
 const char* neededBesides(const ProjectionRow& projection, const EvaluationRow& evaluation) {
   if (projection.distances) return "the probe's distances";
   if (evaluation.function.empty()) return "this program to choose for each object";
@@ -106,7 +106,7 @@ Chosen chosenTechnique(const std::string& id) {
   return {*technique, projection, evaluation};
 }
 
-/// Named pieces of text, in an order in which each knows those before it.
+/// Named pieces of text, each after the ones it depends on.
 using Pieces = std::vector<std::pair<std::string, std::string>>;
 
 Pieces sources(const Chosen& chosen, bool bevelled, bool occluded) {
@@ -208,7 +208,7 @@ std::string shapeFunction(const Probe& probe, const std::string& stem, const Cho
   return text + "  return boxprobe;\n}\n\n";
 }
 
-/// Constructors of one number, which HLSL does not have, and those of several in the same name.
+/// Single-argument constructors, which HLSL lacks, and multi-argument ones of the same name.
 const char* const kHlslConstructors =
     "SamplerState boxprobeSampler;  // trilinear, bound by the host\n\n"
     "float3 boxprobe3(float a) { return float3(a, a, a); }\n"
@@ -225,8 +225,8 @@ std::string inHlsl(const std::string& text) {
                                         {"vec4(", "boxprobe4"},
                                         {"mix", "lerp"},
                                         {"samplerCube", "TextureCube"},
-                                        {"point", "surfacePoint"},   // reserved
-                                        {"linear", "linearTerm"}});  // reserved
+                                        {"point", "surfacePoint"},   // reserved word
+                                        {"linear", "linearTerm"}});  // reserved word
   const std::string fetch = "textureLod(map, ", sampled = "map.SampleLevel(boxprobeSampler, ";
   for (std::size_t at = 0; (at = result.find(fetch, at)) != std::string::npos;)
     result.replace(at, fetch.size(), sampled);

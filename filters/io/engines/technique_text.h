@@ -1,5 +1,5 @@
-// A technique as one self-contained function for another program, put together from the very files in shaders/ that
-// this program draws with. Knows no file system.
+// A technique as one self-contained function for another program, assembled from the same shader files that this
+// program draws with.
 #pragma once
 
 #include <map>
@@ -16,16 +16,16 @@ enum class ShaderLanguage {
   Godot,  ///< an include file of Godot 4's shader language
 };
 
-/// Functions and constants, no main, no uniform, no preprocessor directive: `boxprobeReflection(map, shape, position,
+/// Functions and constants without main, uniforms or preprocessor directives: `boxprobeReflection(map, shape, position,
 /// normal, view, roughness)` returns what the probe reflects (premultiplied radiance, coverage), and one function per
-/// probe its shape. World space, scene units; the cubemap is one of `--ladder own`. `technique`: id, for every probe.
-/// Throws InputError for techniques that need further textures of the program.
+/// probe returns its shape. World space, scene units; the cubemap is one of `--ladder own`. `technique`: id, for every
+/// probe. Throws InputError for techniques that need further textures of the program.
 std::string techniqueText(const std::vector<Probe>& probes, const std::string& technique, ShaderLanguage language,
                           const std::string& writer);
 
-/// Every technique that a cubemap is enough for, for a host that puts programs together while it runs: named pieces of
-/// GLSL and which of them a technique is, in order. They have conditions: the host defines PROBE_MAP as samplerCube
-/// and, with `bevelled`, BP_BEVEL. They end with BoxprobeProbe and boxprobeReflection as in techniqueText().
+/// Every technique that needs only a cubemap, for a host that assembles programs at run time: named pieces of GLSL, and
+/// for each technique its pieces in order. The host must define PROBE_MAP as samplerCube and, with `bevelled`,
+/// BP_BEVEL. They end with BoxprobeProbe and boxprobeReflection as in techniqueText().
 struct TechniquePieces {
   std::map<std::string, std::string> texts;
   struct Row {

@@ -1,5 +1,5 @@
-// Unity's text serialization: YAML documents, one per object, headed "--- !u!CLASS &ID". Of that only what probes need
-// is read: keys two spaces deep and their flow maps, {x: 1, y: 2, z: 3}.
+// Unity's text serialization: YAML documents, one per object, headed "--- !u!CLASS &ID". Reads only what probes need:
+// keys at an indentation of two spaces and their flow maps, {x: 1, y: 2, z: 3}.
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,7 +19,7 @@ namespace {
 constexpr int kGameObject = 1, kTransform = 4, kRectTransform = 224, kReflectionProbe = 215;
 
 struct UnityObject {
-  double kind = 0.0;  // as the file counts classes; any number may stand there
+  double kind = 0.0;  // Unity's class number; any number is possible
   int line = 0;
   std::map<std::string, std::string> values;
 };
@@ -54,7 +54,7 @@ UnityObjects unityObjects(const std::string& text) {
   return objects;
 }
 
-/// Of "{x: 1, y: 2}" the number or word behind a key.
+/// The number or word of a key in "{x: 1, y: 2}".
 std::string inFlowMap(const std::string& map, const std::string& key) {
   for (std::size_t at = map.find(key + ":"); at != std::string::npos; at = map.find(key + ":", at + 1)) {
     const bool whole = at > 0 && (map[at - 1] == '{' || map[at - 1] == ' ' || map[at - 1] == ',');
@@ -167,7 +167,7 @@ class UnityReader {
     const glm::dvec3 size(vector(object, "m_BoxSize", {10, 10, 10, 0})),
         offset(vector(object, "m_BoxOffset", glm::dvec4(0.0)));
     const auto mirrored = [](const glm::dvec3& v) { return glm::dvec3(-v.x, v.y, v.z); };
-    // Unity's boxes lie along the world's axes, wherever the object is turned, and start from its position.
+    // Unity's boxes lie along the world's axes, however the object is rotated, and are relative to its position.
     const glm::dvec3 center = mirrored(position + offset), half = 0.5 * glm::abs(size);
     result.origin = mirrored(position);
     result.box = {center - half, center + half};
@@ -186,7 +186,7 @@ class UnityReader {
   }
 
   UnityObjects objects_;
-  std::map<std::string, std::string> transformOf_;  // of a game object
+  std::map<std::string, std::string> transformOf_;  // by game object
   std::string name_;
 };
 

@@ -1,4 +1,4 @@
-// Paths that are kept - beyond this call, or by another process - must not depend on where it was started.
+// Paths that outlive a call, or go to another process, must not depend on the working directory.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,8 @@
 
 namespace boxprobe {
 
-/// `path` from the root, without "." and "..", links as they are; an empty path, or one whose folder is gone, stays.
+/// `path` as an absolute path without "." and ".."; links are not resolved. An empty path, or one whose folder no
+/// longer exists, stays.
 inline std::string absolutePath(const std::string& path) {
   if (path.empty()) return path;
   std::error_code error;

@@ -1,4 +1,4 @@
-// Temporary file, flush, rename; see the header. POSIX calls because the standard library cannot flush to disk.
+// Temporary file, flush, rename. POSIX calls, because the standard library cannot flush to disk.
 #include "filters/io/files/atomic_file.h"
 
 #include <fcntl.h>
@@ -28,7 +28,7 @@ constexpr const char* kFolderStart = ".boxprobe-unfinished-";
 constexpr const char* kClaim = "claim";
 constexpr const char* kClaimStart = "boxprobe-unfinished:";
 
-/// A folder that ends with the object. Held open, with a lock that ends with its process.
+/// An open folder, closed by the destructor. Its lock ends with the process, even a killed one.
 class OpenFolder {
  public:
   explicit OpenFolder(const std::string& name)
@@ -45,8 +45,8 @@ class OpenFolder {
   int descriptor_;
 };
 
-/// Says in one step, so that no half of it can be left, whose file of the folder is unfinished: a symbolic link, or a
-/// file where there are no links.
+/// Records, in one atomic step, which file of the folder is unfinished: as the target of a symbolic link, or in a file
+/// where links are not supported.
 bool writeClaim(const std::string& claim, const std::string& name) {
   const std::string text = kClaimStart + name;
   if (::symlink(text.c_str(), claim.c_str()) == 0) return true;
@@ -58,7 +58,7 @@ bool writeClaim(const std::string& claim, const std::string& name) {
   return written;
 }
 
-/// The name in a claim; empty if there is none of this program's.
+/// The name in a claim; empty if it is not one of this program's.
 std::string claimedName(const std::string& claim) {
   char text[1024];
   ssize_t size = ::readlink(claim.c_str(), text, sizeof text);
@@ -74,36 +74,37 @@ std::string claimedName(const std::string& claim) {
   return name.find('/') == std::string::npos && name != "." && name != ".." ? name : std::string();
 }
 
-/// What killed processes left in `folder`: of their folders the claim and the file that it names, nothing else.
+/// Removes what killed processes left in `folder`: the claim in each of their folders and the file that it names,
+/// nothing else.
 void removeLeftovers(const std::filesystem::path& folder) {
   std::error_code error;
   for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (it->path().filename().string().rfind(kFolderStart, 0) != 0) continue;
     const OpenFolder left(it->path().string());
-    if (!left.isOpen() || !left.lock()) continue;  // no folder, or its process lives
+    if (!left.isOpen() || !left.lock()) continue;  // not a folder, or its process is alive
     const std::string name = claimedName((it->path() / kClaim).string());
     if (!name.empty()) {
       ::unlink((it->path() / name).c_str());
       ::unlink((it->path() / kClaim).c_str());
     }
-    ::rmdir(it->path().c_str());  // only if it is empty; who has just made it makes another
+    ::rmdir(it->path().c_str());  // fails unless it is empty; a process that has just created it creates another
   }
 }
 
-/// A file of the target's name in a folder of its own beside the target, so that the rename stays on one file system.
-/// Nobody else looks into the folder while the file is written. All of it goes unless the file is renamed.
+/// A file with the target's name in a new folder beside the target, so that the rename stays on one file system. No
+/// other process reads that folder. Everything is removed unless the file is renamed.
 class Unfinished {
  public:
-  /// False, with errno, if that is not possible here.
+  /// False, with errno, if it cannot be created here.
   bool create(const std::filesystem::path& folder, const std::filesystem::path& name) {
-    constexpr int kTries = 100;  // another process may take an empty folder for a leftover
+    constexpr int kTries = 100;  // another process may remove an empty folder as a leftover
     for (int i = 0; i < kTries; ++i) {
       std::string made = (folder / kFolderStart).string() + "XXXXXX";
       if (::mkdtemp(made.data()) == nullptr) return false;
       folder_.emplace(made);
       lock_.emplace(made);
       if (lock_->isOpen()) {
-        lock_->lock();  // a file system without locks has leftovers of living processes removed: they fail, and say so
+        lock_->lock();  // without lock support, leftovers of living processes are removed: they fail with an error
         claim_.emplace((std::filesystem::path(made) / kClaim).string());
         if (writeClaim(claim_->name(), name.string())) {
           file_.emplace((std::filesystem::path(made) / name).string());
@@ -121,7 +122,7 @@ class Unfinished {
   void release() { file_->release(); }
 
  private:
-  // Gone in the opposite order: the file, its claim, the folder.
+  // Destroyed in reverse order: the file, its claim, the folder.
   std::optional<TemporaryName> folder_;
   std::optional<OpenFolder> lock_;
   std::optional<TemporaryName> claim_, file_;
@@ -133,7 +134,7 @@ void flush(const std::string& file, int flags, const std::string& path) {
   const int result = ::fsync(descriptor);
   const int reason = errno;
   ::close(descriptor);
-  // Some file systems (pipes, a few network ones) have nothing to flush and say EINVAL: that is no failure.
+  // Some file systems (pipes, a few network ones) have nothing to flush and return EINVAL: not an error.
   if (result != 0 && reason != EINVAL) {
     errno = reason;
     failed(path, "cannot flush to disk");
@@ -144,13 +145,13 @@ void flush(const std::string& file, int flags, const std::string& path) {
 
 std::string writtenPath(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr int kMostLinks = 40;  // as many as Linux follows
+  constexpr int kMostLinks = 40;  // the limit of Linux
   fs::path target = path;
   std::error_code error;
   for (int links = 0; links < kMostLinks && fs::is_symlink(fs::symlink_status(target, error)); ++links) {
     const fs::path next = fs::read_symlink(target, error);
     if (error) break;
-    target = target.parent_path() / next;  // an absolute one takes the place of all
+    target = target.parent_path() / next;  // an absolute link replaces the whole path
   }
   return target.string();
 }
@@ -169,7 +170,7 @@ void writeAtomically(const std::string& path, const std::function<void(const std
 
   removeLeftovers(folder);
   Unfinished temporary;
-  // Made here, exclusively, so that a folder one may not write to is named as such, not by whatever library writes.
+  // Created here, exclusively, so that a read-only folder is reported as such and not by the library that writes.
   if (!temporary.create(folder, target.filename())) failed(path, "cannot write in its folder");
   write(temporary.name());
 

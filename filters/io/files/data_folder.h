@@ -1,13 +1,13 @@
-// Where the program's own data is: scenes, lessons, environments. Found by the program's place, so that an installation
-// may lie anywhere: PREFIX/bin/boxprobe has PREFIX/share/boxprobe, and so has the build folder.
+// The program's own data: scenes, lessons, environments. Located relative to the program, so that an installation can
+// be moved: PREFIX/bin/boxprobe has PREFIX/share/boxprobe, and the build folder has the same layout.
 #pragma once
 
 #include <string>
 
 namespace boxprobe {
 
-/// `below`: path within the data folder. Of the first folder above the running program that has a share/boxprobe;
-/// where none has, what an installation beside the program would be called. Links are resolved.
+/// `below`: path within the data folder. Uses the nearest folder above the running program that has share/boxprobe; if
+/// there is none, the path that an installation would have. Links are resolved.
 std::string dataFile(const std::string& below);
 
 }  // namespace boxprobe

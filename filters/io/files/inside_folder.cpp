@@ -8,7 +8,7 @@ namespace boxprobe {
 bool insideFolderOf(const std::string& path, const std::string& model) {
   namespace fs = std::filesystem;
   std::error_code error;
-  // Absolute first: a relative path that does not exist stays relative in weakly_canonical().
+  // Absolute first: weakly_canonical() leaves a relative path that does not exist relative.
   const auto whole = [&error](const fs::path& any) { return fs::weakly_canonical(fs::absolute(any, error), error); };
   const fs::path base = whole(fs::absolute(model, error).parent_path());
   if (error) return false;

@@ -1,11 +1,11 @@
-// Models name files beside them: pictures, buffers, materials. Called by the readers of models.
+// Models refer to files beside them: pictures, buffers, materials.
 #pragma once
 
 #include <string>
 
 namespace boxprobe {
 
-/// Does `path`, links followed, lie in the folder of the file `model` or below it? Neither needs to exist.
+/// Is `path`, with links resolved, in the folder of the file `model` or below it? Neither needs to exist.
 bool insideFolderOf(const std::string& path, const std::string& model);
 
 }  // namespace boxprobe

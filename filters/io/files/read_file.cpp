@@ -52,7 +52,7 @@ struct OpenFile {
 }  // namespace
 
 std::string readWholeFile(const std::string& path, std::uintmax_t limit) {
-  requireInputFile(path);  // before it is opened: opening alone makes some devices act
+  requireInputFile(path);  // before it is opened: opening alone triggers some devices
   const int opened = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   if (opened < 0) cannotOpen(path, errno);
   const OpenFile file(opened);

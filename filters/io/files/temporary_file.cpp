@@ -19,7 +19,7 @@ namespace {
 
 enum SlotState { kFree, kTaken, kLive };
 
-/// A handler may run between any two instructions: a name is whole before its state says so.
+/// A signal handler may run between any two instructions: the name is complete before its state says so.
 struct NameSlot {
   std::atomic<int> state{kFree};
   char name[PATH_MAX] = {};
@@ -27,7 +27,7 @@ struct NameSlot {
 
 NameSlot nameSlots[96];
 
-/// -1 if all are taken or the name is too long: such a file is left behind if a signal ends the process.
+/// -1 if all slots are taken or the name is too long: that file stays behind if a signal ends the process.
 int keepName(const std::string& name) {
   constexpr int kSlots = sizeof nameSlots / sizeof nameSlots[0];
   if (name.size() >= sizeof nameSlots[0].name) return -1;

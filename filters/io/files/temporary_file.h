@@ -1,13 +1,12 @@
-// Files that must not outlive the process: their names are kept where a signal handler reaches them. Used by everything
-// that writes to a temporary name first. Knows nothing of what is in them.
+// Files that must not outlive the process: their names are stored where a signal handler can reach them.
 #pragma once
 
 #include <string>
 
 namespace boxprobe {
 
-/// Owns the name of a file, or of a folder that is empty by then, which is removed at the end or by
-/// removeTemporaryFiles(). Its user creates and closes it.
+/// Owns the name of a file, or of a folder that will be empty, which the destructor or removeTemporaryFiles() removes.
+/// The user creates and closes the file.
 class TemporaryName {
  public:
   explicit TemporaryName(std::string name);
@@ -16,7 +15,7 @@ class TemporaryName {
   TemporaryName& operator=(const TemporaryName&) = delete;
 
   const std::string& name() const { return name_; }
-  /// It was renamed, or is somebody else's: not to be removed.
+  /// The file was renamed, or is not ours: do not remove it.
   void release();
 
  private:
@@ -24,7 +23,7 @@ class TemporaryName {
   int slot_ = -1;
 };
 
-/// A new empty file in `folder`, its name starting with `start`. Throws WorkError naming the folder and the reason.
+/// A new empty file in `folder` whose name starts with `start`. Throws WorkError with the folder and the reason.
 class TemporaryFile {
  public:
   TemporaryFile(const std::string& folder, const std::string& start);
@@ -33,7 +32,7 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::string& name() const { return name_.name(); }
-  /// Throws WorkError if not all of it can be written.
+  /// Throws WorkError if it cannot be written completely.
   void write(const std::string& text);
 
  private:
@@ -42,7 +41,7 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
-/// Of all that live now. For signal handlers that end the process: calls nothing but unlink() and rmdir().
+/// Removes all files registered now. For signal handlers that end the process: calls only unlink() and rmdir().
 void removeTemporaryFiles() noexcept;
 
 }  // namespace boxprobe

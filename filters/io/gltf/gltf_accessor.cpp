@@ -1,4 +1,4 @@
-// Numbers out of buffers: every offset, stride and count is checked against what is there before a byte is read.
+// Reads numbers from buffers: every offset, stride and count is checked before a byte is read.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -9,8 +9,7 @@ namespace boxprobe {
 
 namespace {
 
-/// Elements of an accessor that have no bytes behind them (all zero, perhaps overlaid by sparse ones): there is no
-/// buffer to bound their number, so this does.
+/// Limit for accessors without bytes (all zero, perhaps with sparse values), whose count no buffer bounds.
 constexpr std::size_t kMostZeroElements = std::size_t(1) << 24;
 
 std::size_t componentSize(int componentType) {
@@ -38,7 +37,7 @@ Number load(const unsigned char* bytes) {
 }
 
 float componentAsFloat(const unsigned char* bytes, int componentType, bool normalized) {
-  // glTF 2.0, section 3.6.2.2: the signed types reach -1 twice.
+  // glTF 2.0, section 3.6.2.2: signed types reach -1 at two values.
   switch (componentType) {
     case TINYGLTF_COMPONENT_TYPE_BYTE: {
       const auto value = static_cast<float>(load<std::int8_t>(bytes));
@@ -102,7 +101,7 @@ Elements elementsIn(const GltfFile& file, int view, std::size_t offset, std::siz
     file.fail(where, "byteStride " + std::to_string(stride) + " is less than the element's " +
                          std::to_string(elementSize) + " bytes");
   }
-  // In this order so that nothing overflows: count is bounded by the bytes that are there.
+  // In this order nothing overflows: the available bytes bound the count.
   const bool fits =
       offset <= bytes.size && (count == 0 || (elementSize <= bytes.size - offset &&
                                               (count - 1) <= (bytes.size - offset - elementSize) / stride));
@@ -114,7 +113,7 @@ Elements elementsIn(const GltfFile& file, int view, std::size_t offset, std::siz
   return {bytes.data + offset, stride};
 }
 
-/// Copies all elements, sparse ones included, tightly packed.
+/// Copies all elements with sparse values applied, tightly packed.
 std::vector<unsigned char> packedElements(const GltfFile& file, int index, std::size_t elementSize,
                                           const std::string& where) {
   const tinygltf::Accessor& accessor = accessorAt(file, index, where);
@@ -191,7 +190,7 @@ int componentCount(const GltfFile& file, int index, const std::string& where) {
     case TINYGLTF_TYPE_MAT4:
       return 16;
     default:
-      return 0;  // smaller matrices, which nothing read here has
+      return 0;  // smaller matrices, which no attribute here uses
   }
 }
 

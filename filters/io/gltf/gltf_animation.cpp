@@ -1,4 +1,4 @@
-// Animations at one time: what their samplers give the nodes they move (glTF 2.0, section 3.11 and appendix C).
+// Evaluates animations at one time (glTF 2.0, section 3.11 and appendix C).
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
@@ -9,7 +9,7 @@ namespace boxprobe {
 
 namespace {
 
-/// Between which two keys a time lies, and how far.
+/// The two keys around a time, and the position between them.
 struct KeySpan {
   std::size_t from = 0, to = 0;
   double share = 0.0;
@@ -29,20 +29,20 @@ KeySpan spanAt(const std::vector<float>& keys, double seconds) {
   return span;
 }
 
-/// The shorter way round.
+/// Slerp along the shorter arc.
 std::vector<double> turnedBetween(const std::vector<double>& a, const std::vector<double>& b, double share) {
   const glm::dquat from(a[3], a[0], a[1], a[2]), to(b[3], b[0], b[1], b[2]);
   const glm::dquat q = glm::slerp(glm::normalize(from), glm::normalize(to), share);
   return {q.x, q.y, q.z, q.w};
 }
 
-/// A sampler's output: `size` numbers a key.
+/// A sampler's output: `size` numbers per key.
 class Keys {
  public:
   Keys(const std::vector<float>& values, std::size_t size, bool cubic)
       : values_(values), size_(size), perKey_(cubic ? 3 : 1) {}
 
-  /// `part`: 0 the incoming tangent, 1 the value, 2 the outgoing one; of plain keys there is but the value.
+  /// `part`: 0 the incoming tangent, 1 the value, 2 the outgoing tangent; only cubic keys have tangents.
   std::vector<double> at(std::size_t key, std::size_t part = 1) const {
     const auto* first = values_.data() + (key * perKey_ + (perKey_ == 3 ? part : 0)) * size_;
     return {first, first + size_};
@@ -83,7 +83,7 @@ std::vector<double>* pathOf(GltfNodePose& pose, const std::string& path) {
 void applyChannel(GltfFile& file, const tinygltf::Animation& animation, const tinygltf::AnimationChannel& channel,
                   double seconds, const std::string& place, GltfPose& pose) {
   const int node = channel.target_node;
-  if (node < 0 || static_cast<std::size_t>(node) >= file.gltf.nodes.size()) return;  // of an extension
+  if (node < 0 || static_cast<std::size_t>(node) >= file.gltf.nodes.size()) return;  // target of an extension
   std::vector<double>* target = pathOf(pose[static_cast<std::size_t>(node)], channel.target_path);
   if (target == nullptr || !target->empty()) return;
   if (channel.sampler < 0 || static_cast<std::size_t>(channel.sampler) >= animation.samplers.size()) {
@@ -124,7 +124,7 @@ double animationSeconds(const GltfFile& file) {
   for (const tinygltf::Animation& animation : file.gltf.animations) {
     for (const tinygltf::AnimationSampler& sampler : animation.samplers) {
       if (sampler.input < 0 || static_cast<std::size_t>(sampler.input) >= file.gltf.accessors.size()) continue;
-      // The specification asks for the bounds of times.
+      // The specification requires the bounds of times.
       const std::vector<double>& last = file.gltf.accessors[static_cast<std::size_t>(sampler.input)].maxValues;
       if (last.size() == 1 && std::isfinite(last[0])) end = std::max(end, last[0]);
     }

@@ -1,4 +1,4 @@
-// Opening a glTF or GLB file: the outer format, and buffers beside it.
+// Opens a glTF or GLB file: the container, and buffers in separate files.
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -59,7 +59,7 @@ Chunks chunksOf(const std::string& bytes, const std::string& path) {
   return chunks;
 }
 
-/// tinygltf's message as the middle of a sentence.
+/// tinygltf's message, usable within a sentence.
 std::string reasonOf(const std::string& error) {
   std::string text = oneLine(error);
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
@@ -76,7 +76,7 @@ std::string percentDecoded(const std::string& uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
     const bool code = uri[i] == '%' && digit(i + 1) >= 0 && digit(i + 2) >= 0;
-    const bool zero = code && digit(i + 1) == 0 && digit(i + 2) == 0;  // ends a file's name: left as it is written
+    const bool zero = code && digit(i + 1) == 0 && digit(i + 2) == 0;  // would end a file name: not decoded
     if (code && !zero) {
       text += static_cast<char>(16 * digit(i + 1) + digit(i + 2));
       i += 2;
@@ -87,7 +87,7 @@ std::string percentDecoded(const std::string& uri) {
   return text;
 }
 
-/// The bytes behind the comma; tinygltf's decoder knows few media types, so all are called the same.
+/// Decodes the data behind the comma. tinygltf accepts few media types, so all are renamed to one of them.
 std::string dataOf(const GltfFile& file, const std::string& uri) {
   const std::size_t comma = uri.find(',');
   const std::string kind = uri.substr(0, std::min(comma, std::size_t(100)));
@@ -148,9 +148,9 @@ std::unique_ptr<std::string> readUri(const GltfFile& file, const std::string& ur
   if (uri.compare(0, 5, "data:") == 0) return std::make_unique<std::string>(dataOf(file, uri));
   const fs::path folder = fs::path(file.path).parent_path().empty() ? fs::path(".") : fs::path(file.path).parent_path();
   std::string name = percentDecoded(uri);
-  if (name.find('\0') != std::string::npos) return nullptr;  // no file has such a name
+  if (name.find('\0') != std::string::npos) return nullptr;  // not a valid file name
   std::error_code ignored;
-  // Separators as Windows writes them.
+  // Windows path separators.
   if (!fs::exists(folder / name, ignored)) std::replace(name.begin(), name.end(), '\\', '/');
   const fs::path whole = folder / name;
   if (!insideFolderOf(whole.string(), file.path)) {
@@ -176,7 +176,7 @@ GltfFile openGltf(const std::string& path) {
   file.path = path;
   const GltfText text = prepareGltf(file, json);
   tinygltf::TinyGLTF loader;
-  std::string error, ignoredWarnings;  // its warnings are about images, which it is not shown
+  std::string error, ignoredWarnings;  // its warnings concern images, which are hidden from it
   bool read = false;
   try {
     read = loader.LoadASCIIFromString(&file.gltf, &error, &ignoredWarnings, text.json.data(),

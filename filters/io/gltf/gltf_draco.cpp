@@ -1,6 +1,5 @@
-// KHR_draco_mesh_compression through Google's Draco. Its decoder allocates what a stream claims, so that the claims are
-// read and held against the stream's bytes first. Source of the stream's layout: the Draco bitstream specification,
-// version 2.2.
+// KHR_draco_mesh_compression through Google's Draco. Its decoder allocates whatever a stream claims, so the claims are
+// first checked against the stream's size. Source of the layout: the Draco bitstream specification, version 2.2.
 #include <draco/compression/decode.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>
 #include <draco/core/varint_decoding.h>
@@ -16,9 +15,9 @@ namespace {
 
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
-/// A flat grid of 1024 x 1024 equal squares, as regular as meshes are, comes to 521 triangles a byte.
+/// A flat grid of 1024 x 1024 equal squares, as regular as meshes get, has 521 triangles per byte.
 constexpr std::uint64_t kTrianglesAByte = 1024;
-/// A triangle has three points of its own at most.
+/// A triangle adds at most three points.
 constexpr std::uint64_t kPointsATriangle = 3;
 
 struct Claims {
@@ -26,7 +25,7 @@ struct Claims {
   bool read = false;
 };
 
-/// The counts in a stream's header; not read: another version or kind of stream.
+/// The counts in a stream's header; empty for other versions and kinds of streams.
 Claims claimsOf(const ByteRange& bytes) {
   draco::DecoderBuffer buffer;
   buffer.Init(reinterpret_cast<const char*>(bytes.data), bytes.size);

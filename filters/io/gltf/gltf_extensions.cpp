@@ -1,4 +1,4 @@
-// Which extensions are read, which are left out and with what loss, and what to do about a file that needs another one.
+// Which extensions are supported, which are ignored and with what loss, and advice for files that require others.
 #include <algorithm>
 #include <array>
 
@@ -34,7 +34,7 @@ struct Named {
   const char* text;
 };
 
-/// The rest of the file is right without them.
+/// The rest of the file is still correct without these.
 constexpr Named kLeftOut[] = {
     {"KHR_materials_diffuse_transmission", "no light is let through diffusely"},
     {"KHR_materials_dispersion", "glass does not split colours"},
@@ -45,7 +45,7 @@ constexpr Named kLeftOut[] = {
     {"MSFT_texture_dds", "the PNG or JPEG beside each DDS texture is used"},
 };
 
-/// What to do about a file that cannot be read without them.
+/// Advice for files that cannot be read without these.
 constexpr Named kCures[] = {
     {"KHR_texture_basisu",
      "its textures are KTX2 (Basis Universal), which is not read; convert them: gltf-transform ktxdecompress IN OUT"},

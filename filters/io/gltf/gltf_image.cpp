@@ -1,4 +1,4 @@
-// Images of a glTF file, decoded: several at a time, and none that is in memory already.
+// Decodes images of a glTF file in parallel; images already in memory are reused.
 #include "filters/core/base/errors.h"
 #include "filters/core/base/one_line.h"
 #include "filters/io/gltf/gltf_parts.h"
@@ -19,7 +19,7 @@ bool readImage(GltfFile& file, int index, const std::string& where) {
     return false;
   }
   image.bytes = std::move(*bytes);
-  if (image.uri.compare(0, 5, "data:") == 0) image.uri = "data:";  // the rest is needed no more
+  if (image.uri.compare(0, 5, "data:") == 0) image.uri = "data:";  // the rest is no longer needed
   return true;
 }
 

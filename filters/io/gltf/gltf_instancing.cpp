@@ -10,7 +10,7 @@ namespace boxprobe {
 
 namespace {
 
-/// A list of the extension; empty without it.
+/// An attribute of the extension; empty without it.
 std::vector<float> listOf(const GltfFile& file, const tinygltf::Value& attributes, const char* name, int components,
                           const std::string& place) {
   const int accessor = extensionWhole(attributes, name, -1);

@@ -1,5 +1,5 @@
-// Lights (KHR_lights_punctual) and cameras of a glTF file as a scene has them. Both look along their node's -Z with +Y
-// up, and take no scale from it.
+// Lights (KHR_lights_punctual) and cameras of a glTF file as scene values. Both look along their node's -Z with +Y up,
+// and ignore its scale.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -12,7 +12,7 @@ namespace boxprobe {
 
 namespace {
 
-/// The node's axis as a unit vector; its own where the transform leaves none.
+/// The node's axis as a unit vector; the untransformed axis if the transform is degenerate.
 glm::dvec3 turned(const glm::dmat4& worldFromNode, const glm::dvec3& axis) {
   const glm::dvec3 world = glm::dmat3(worldFromNode) * axis;
   const double length = glm::length(world);
@@ -46,7 +46,7 @@ Light readLight(GltfFile& file, int index, const glm::dmat4& worldFromNode, cons
     light.range = 0.0;
   } else if (source.type == "spot") {
     light.type = LightType::Spot;
-    // At most a right angle, and never equal: a cone's edge needs a width.
+    // At most a right angle, and above the inner angle: a cone's edge needs a width.
     light.outerConeDegrees = std::clamp(glm::degrees(source.spot.outerConeAngle), 1.0e-3, 90.0);
     light.innerConeDegrees = std::clamp(glm::degrees(source.spot.innerConeAngle), 0.0, 0.9999 * light.outerConeDegrees);
   } else {

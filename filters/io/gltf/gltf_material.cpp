@@ -1,5 +1,5 @@
-// Materials, textures and samplers of a glTF file. What images they use is collected first, so that gltf_image.cpp can
-// decode them together.
+// Materials, textures and samplers of a glTF file. The images they use are collected first, so that gltf_image.cpp can
+// decode them in parallel.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kDefaultIor = 1.5;
 
-/// Takes the place of a base colour whose picture does not exist: middle grey in sRGB, so that the surface is seen.
+/// Replaces a base colour texture whose file is missing: middle grey in sRGB, so that the surface is visible.
 const std::shared_ptr<const ImageRgba8>& missingPicture() {
   static const auto picture =
       std::make_shared<const ImageRgba8>(ImageRgba8{1, 1, {128, 128, 128, 255}, "missing texture"});
@@ -64,7 +64,7 @@ class MaterialReader {
     return material;
   }
 
-  /// What is left to do for the material that was read last, once pictures are there.
+  /// Work left for the material read last, to be done when pictures are decoded.
   const std::optional<GltfSpecularGlossiness>& glossiness() const { return glossiness_; }
 
  private:
@@ -78,7 +78,7 @@ class MaterialReader {
     leftOut(finish.tintsSpecular(), "a specular reflection of its own");
   }
 
-  /// Grey is right for a colour alone: other pictures that do not exist are as if the file did not name them.
+  /// Grey suits a base colour only: other missing textures count as absent.
   static void leaveOutMissing(Material& material) {
     if (material.emissiveTexture.image == missingPicture()) material.emissive = glm::vec3(0.0f);
     for (TextureUse* use : material.textures()) {
@@ -86,7 +86,7 @@ class MaterialReader {
     }
   }
 
-  /// Beyond 1e18 products with light would leave single precision.
+  /// Products of larger values with light would overflow single precision.
   float bounded(double value) {
     if (std::fabs(value) > kLargestGltfNumber) file_.warn("has material numbers above 1e18, which were clamped to it");
     return static_cast<float>(std::clamp(value, -kLargestGltfNumber, kLargestGltfNumber));
@@ -181,11 +181,11 @@ class MaterialReader {
     finish.filmThicknessTexture = extensionTexture(extension, "iridescenceThicknessTexture");
   }
 
-  /// `specular` has the factors' brightness, the finish the colour that is left.
+  /// `specular` gets the brightness of the factors, the finish their hue.
   void applySpecular(Material& material) {
     const float brightness = glm::dot(specularColor_, glm::vec3(0.2126f, 0.7152f, 0.0722f));
     material.finish.specularEdge = specularFactor_;
-    // Grey but for rounding is grey: it needs no program of its own.
+    // Almost grey counts as grey, because a tint needs a program of its own.
     const glm::vec3 away = glm::abs(specularColor_ - brightness);
     if (brightness > 0.0f && std::max({away.r, away.g, away.b}) > 1.0e-5f * brightness) {
       material.finish.specularTint = specularColor_ / brightness;
@@ -215,7 +215,7 @@ class MaterialReader {
     material.metallicRoughnessTexture = extensionTexture(extension, "specularGlossinessTexture");
   }
 
-  /// Three or four numbers, the first three of which are not negative; white if there are none.
+  /// Three or four numbers, of which the first three are clamped to at least 0; white if missing.
   glm::vec3 colorOf(const tinygltf::Value& extension, const char* key) {
     glm::vec3 color(1.0f);
     if (!extension.IsObject() || !extension.Has(key)) return color;
@@ -240,7 +240,7 @@ class MaterialReader {
     return texture(info.index, info.texCoord, transform == info.extensions.end() ? nullptr : &transform->second, slot);
   }
 
-  /// A texture that tinygltf knows nothing of.
+  /// A texture of an extension that tinygltf does not parse.
   TextureUse extensionTexture(const tinygltf::Value& extension, const char* slot) {
     if (!extension.IsObject() || !extension.Has(slot)) return {};
     const tinygltf::Value& info = extension.Get(slot);
@@ -308,7 +308,7 @@ class MaterialReader {
       use.image = missingPicture();
       return use;
     }
-    // Stands for the image until all are decoded.
+    // Placeholder until all images are decoded.
     auto wanted = std::make_shared<ImageRgba8>();
     wanted->width = -1 - image;
     use.image = wanted;
@@ -323,14 +323,14 @@ class MaterialReader {
 
   GltfFile& file_;
   std::string place_;
-  // Of the material that is being read.
+  // State of the material that is being read.
   float specularFactor_ = 1.0f;
   glm::vec3 specularColor_{1.0f};
   bool fullFresnel_ = false;
   std::optional<GltfSpecularGlossiness> glossiness_;
 };
 
-/// One thickness an object is what most of refraction knows: the factor times the picture's green channel on the whole.
+/// Refraction mostly uses one thickness per object: the factor times the mean of the texture's green channel.
 void takeMeanThickness(Material& material) {
   const std::shared_ptr<const ImageRgba8> image = material.thicknessTexture.image;
   if (!image || image->pixels.empty()) return;

@@ -1,4 +1,4 @@
-// Meshes of a glTF file: one Mesh for each primitive of triangles, whatever its mode and its number formats.
+// Meshes of a glTF file: one Mesh per triangle primitive, for all modes and number formats.
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -19,7 +19,7 @@ std::vector<Vector> asVectors(const std::vector<float>& values) {
   return vectors;
 }
 
-/// An attribute if the primitive has it; refused if it has not one entry a position.
+/// An attribute if the primitive has it; throws unless it has one entry per position.
 template <typename Vector>
 std::vector<Vector> readAttribute(const GltfFile& file, const tinygltf::Primitive& primitive, const std::string& name,
                                   std::size_t positions, const std::string& place) {
@@ -34,7 +34,7 @@ std::vector<Vector> readAttribute(const GltfFile& file, const tinygltf::Primitiv
   return vectors;
 }
 
-/// glTF 2.0, section 3.7.2.1: vertex order of the three modes, all with the first triangle's winding.
+/// glTF 2.0, section 3.7.2.1: the vertex order of the three modes, all with the winding of the first triangle.
 std::vector<std::uint32_t> triangleList(const std::vector<std::uint32_t>& order, int mode) {
   if (mode == TINYGLTF_MODE_TRIANGLES)
     return {order.begin(), order.end() - static_cast<std::ptrdiff_t>(order.size() % 3)};
@@ -50,8 +50,8 @@ std::vector<std::uint32_t> triangleList(const std::vector<std::uint32_t>& order,
   return list;
 }
 
-/// Without normals each triangle is flat (glTF 2.0, section 3.7.2.1), so its corners cannot be shared. Tangents belong
-/// to the normals that are not there and go.
+/// Without normals each triangle is flat (glTF 2.0, section 3.7.2.1), so vertices cannot be shared. Tangents are
+/// removed, because they belong to missing normals.
 void makeFlat(Mesh& mesh) {
   Mesh flat;
   flat.name = mesh.name;
@@ -62,7 +62,7 @@ void makeFlat(Mesh& mesh) {
     const glm::dvec3 c = mesh.positions[mesh.indices[i + 2]];
     const glm::dvec3 normal = glm::cross(b - a, c - a);
     const double length = glm::length(normal);
-    // A triangle without area is never seen; its normal has only to be a unit vector.
+    // A degenerate triangle is never visible; its normal only has to be a unit vector.
     const glm::vec3 unit = length > 0.0 ? glm::vec3(normal / length) : glm::vec3(0.0f, 1.0f, 0.0f);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const std::uint32_t source = mesh.indices[i + corner];
@@ -77,7 +77,7 @@ void makeFlat(Mesh& mesh) {
   mesh = std::move(flat);
 }
 
-/// Quantized normals are not quite unit, and a zero one would end as NaN in every shader.
+/// Quantized normals are not exactly unit, and a zero normal would become NaN in every shader.
 void makeUnit(GltfFile& file, std::vector<glm::vec3>& normals) {
   for (glm::vec3& normal : normals) {
     const double length = glm::length(glm::dvec3(normal));
@@ -113,7 +113,7 @@ std::vector<glm::vec4> readColors(const GltfFile& file, const tinygltf::Primitiv
   return colors;
 }
 
-/// Normal maps and brushed directions need tangents: the set of texture coordinates they lie on; -1: nothing does.
+/// The set of texture coordinates for tangents, which normal maps and anisotropy need; -1: none needed.
 int tangentSet(const Mesh& mesh, const Material& material) {
   const TextureUse& direction = material.finish.anisotropyTexture;
   for (const TextureUse* use : {&material.normalTexture, &material.coatNormalTexture, &direction}) {

@@ -1,5 +1,5 @@
-// EXT_meshopt_compression through meshoptimizer. The extension's codecs expand by known factors at most, so that a
-// file's counts are held against its bytes before anything is allocated.
+// EXT_meshopt_compression through meshoptimizer. The extension's codecs have bounded compression ratios, so a file's
+// counts are checked against its bytes before anything is allocated.
 #include <meshoptimizer.h>
 
 #include <limits>
@@ -12,7 +12,7 @@ namespace {
 
 enum class Codec { Attributes, Triangles, Indices };
 
-/// A view's extension, checked.
+/// The extension of a buffer view, validated.
 struct Compressed {
   ByteRange bytes;
   Codec codec = Codec::Attributes;
@@ -25,7 +25,7 @@ std::string extensionText(const tinygltf::Value& extension, const char* key) {
   return extension.Get(key).Get<std::string>();
 }
 
-/// Whole numbers up to 2^53 are exact in the double that JSON gives.
+/// Integers up to 2^53 are exact in the double that JSON gives.
 std::size_t extensionSize(const GltfFile& file, const tinygltf::Value& extension, const char* key, double standard,
                           const std::string& place) {
   const double value = extensionNumber(extension, key, standard);
@@ -52,8 +52,8 @@ ByteRange compressedBytes(const GltfFile& file, const tinygltf::Value& extension
   return {bytes.data() + offset, length};
 }
 
-/// The codecs' limits on strides, and on how many elements a byte can hold: a group of 16 vertices takes 2 bits or more
-/// for each byte of the stride, a triangle a byte, an index a byte.
+/// The codecs' limits on strides and on elements per byte: a group of 16 vertices takes at least 2 bits per byte of the
+/// stride, a triangle a byte, an index a byte.
 void checkSizes(const GltfFile& file, const Compressed& c, const std::string& place) {
   const bool attributes = c.codec == Codec::Attributes;
   const bool strideFits =

@@ -1,4 +1,4 @@
-// What the nodes of a glTF file place in the world: meshes, in their shapes and as often as they say, lights, cameras.
+// Places what the nodes of a glTF file contain: meshes with their shapes and instances, lights, cameras.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -14,8 +14,8 @@ namespace {
 /// A file of a few bytes may place the same list of instances at many nodes.
 constexpr std::size_t kMostInstances = std::size_t(1) << 20;
 
-/// A mirroring transform turns triangles inside out; a copy with the other winding keeps their fronts in front
-/// (glTF 2.0, section 3.7.4). The bitangent is a cross product, so its sign turns, too.
+/// A mirroring transform turns triangles inside out; a copy with reversed winding keeps their fronts outside (glTF 2.0,
+/// section 3.7.4). The bitangent is a cross product, so its sign flips, too.
 Mesh mirrored(const Mesh& mesh) {
   Mesh copy = mesh;
   for (std::size_t i = 0; i + 2 < copy.indices.size(); i += 3) std::swap(copy.indices[i + 1], copy.indices[i + 2]);
@@ -67,7 +67,7 @@ class NodeReader {
     if (!shape.atRest()) shapes_[placed.index] = std::move(shape);
   }
 
-  /// A skin goes by its joints alone: the node's own transform does not count (glTF 2.0, section 3.7.3.3).
+  /// Only the joints place a skinned mesh: the node's own transform is ignored (glTF 2.0, section 3.7.3.3).
   std::vector<glm::dmat4> jointTransforms(const GltfPlacedNode& placed) {
     const std::string place = nodePlace(file_, placed.index);
     const int index = file_.gltf.nodes[placed.index].skin;
@@ -127,7 +127,7 @@ class NodeReader {
     }
   }
 
-  /// Nodes that only set the same weights share a mesh.
+  /// Nodes with equal weights and no other difference share a mesh.
   std::vector<int> shapedMesh(std::size_t node, const GltfShape& shape) {
     const std::size_t mesh = meshOf(node);
     if (!shape.joints.empty()) return readShapedMesh(reading_, mesh, shape, meshes_);
@@ -168,7 +168,7 @@ class NodeReader {
   const GltfPose& pose_;
   std::vector<GltfPlacedNode> placed_;
   std::map<std::size_t, const glm::dmat4*> worldFromNode_;
-  std::map<std::size_t, GltfShape> shapes_;  ///< by node: those that are not at rest
+  std::map<std::size_t, GltfShape> shapes_;  ///< by node: those not in the rest pose
   std::map<std::pair<std::size_t, std::vector<double>>, std::vector<int>> morphed_;
   std::map<int, int> mirrored_;
   GltfMeshes meshes_;

@@ -1,4 +1,4 @@
-// Vertices as morph targets and a skin move them, once, when the file is read.
+// Deforms vertices by morph targets and skins, once, when the file is read.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -12,10 +12,10 @@ namespace boxprobe {
 
 namespace {
 
-/// Many nodes of a few bytes may each shape the same large mesh.
+/// Many small nodes may each deform the same large mesh.
 constexpr std::size_t kMostShapedPositions = std::size_t(1) << 26;
 
-/// Of one attribute: its targets' differences times their weights, added.
+/// For one attribute: the weighted sum of its targets' differences.
 template <typename Vector>
 void addTargets(const GltfFile& file, const tinygltf::Primitive& primitive, const std::vector<double>& weights,
                 const char* name, std::vector<Vector>& values, const std::string& place) {
@@ -39,7 +39,7 @@ void addTargets(const GltfFile& file, const tinygltf::Primitive& primitive, cons
   }
 }
 
-/// One of the sets of four joints and weights that a vertex has.
+/// One set of four joints and weights per vertex.
 struct Influences {
   std::vector<float> joints, weights;
 };
@@ -60,7 +60,7 @@ std::vector<Influences> influencesOf(const GltfFile& file, const tinygltf::Primi
   return sets;
 }
 
-/// The joints' transforms, mixed by the vertex's weights, which need not add up to 1.
+/// The joints' transforms blended by the vertex's weights, which need not sum to 1.
 glm::dmat4 skinOf(const GltfFile& file, const std::vector<Influences>& sets, std::size_t vertex,
                   const std::vector<glm::dmat4>& joints, const std::string& place) {
   glm::dmat4 skin(0.0);
@@ -78,11 +78,11 @@ glm::dmat4 skinOf(const GltfFile& file, const std::vector<Influences>& sets, std
       sum += weight;
     }
   }
-  // Without any weight a vertex goes with the first joint.
+  // A vertex without weights follows the first joint.
   return std::fabs(sum) > 1.0e-6 ? skin / sum : joints.front();
 }
 
-/// What normals are turned by, up to a factor: the inverse transpose times the determinant, which needs no division.
+/// Transforms normals, up to a factor: the inverse transpose times the determinant, which needs no division.
 glm::dmat3 cofactors(const glm::dmat3& m) {
   const glm::dmat3 matrix(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   return glm::dot(m[0], matrix[0]) < 0.0 ? -matrix : matrix;

@@ -1,5 +1,5 @@
-// Materials that say what they reflect as a colour: KHR_materials_pbrSpecularGlossiness becomes metallic-roughness,
-// texel by texel. Source of the conversion: the extension's own text and its example (Khronos glTF repository,
+// Converts KHR_materials_pbrSpecularGlossiness, which gives the reflection as a colour, to metallic-roughness, texel by
+// texel. Source: the extension's text and its example (Khronos glTF repository,
 // extensions/2.0/Archived/KHR_materials_pbrSpecularGlossiness).
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-// Tangents where a file has a normal map and none: glTF 2.0 (section 3.7.2.1) asks for MikkTSpace's. This follows its
-// rules - the gradient of u in each triangle, made perpendicular to the corner's normal, summed over the corners that
-// share position, normal, coordinates and handedness, weighted by the corner's angle - without its merging of seams by
-// connectivity: corners meet wherever their values are equal.
+// Tangents for files that have a normal map but no tangents, for which glTF 2.0 (section 3.7.2.1) requires
+// MikkTSpace's. This follows its rules: the gradient of u in each triangle, made perpendicular to the corner's normal,
+// summed over the corners that share position, normal, coordinates and handedness, weighted by the corner's angle. It
+// does not merge seams by connectivity: corners are shared wherever their values are equal.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ CornerKey keyOf(const Mesh& mesh, const glm::vec2& uv, std::uint32_t vertex, flo
   return {p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y, handedness};
 }
 
-/// Some unit vector perpendicular to `n`: for corners whose picture has no direction.
+/// Any unit vector perpendicular to `n`: for corners without a texture gradient.
 glm::dvec3 anyPerpendicular(const glm::dvec3& n) {
   const glm::dvec3 axis = std::fabs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   return glm::normalize(axis - glm::dot(axis, n) * n);
@@ -49,8 +49,8 @@ void addTangents(Mesh& mesh, int uvSet) {
     const glm::dvec3 p[3] = {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
     const glm::dvec2 d1 = glm::dvec2(uv[v[1]]) - glm::dvec2(uv[v[0]]), d2 = glm::dvec2(uv[v[2]]) - glm::dvec2(uv[v[0]]);
     const double area = d1.x * d2.y - d2.x * d1.y;
-    // v grows downwards in the picture and upwards in tangent space: glTF's bitangent is cross(n, t) * w with w = +1
-    // where the picture, its v turned up, is not mirrored.
+    // v grows downwards in the picture and upwards in tangent space: glTF's bitangent is cross(n, t) * w, with w = +1
+    // if the picture with v flipped is not mirrored.
     handedness[t] = area > 0.0 ? -1.0f : 1.0f;
     const glm::dvec3 gradient = (area > 0.0 ? 1.0 : -1.0) * (d2.y * (p[1] - p[0]) - d1.y * (p[2] - p[0]));
     for (int corner = 0; corner < 3; ++corner) {
@@ -63,7 +63,7 @@ void addTangents(Mesh& mesh, int uvSet) {
     }
   }
 
-  // A vertex belongs to the handedness that comes first; corners of the other get a copy.
+  // A vertex takes the handedness of its first corner; corners of the other get a copy.
   std::vector<float> given(mesh.positions.size(), 0.0f);
   std::map<std::uint32_t, std::uint32_t> copies;
   for (std::size_t i = 0; i < mesh.indices.size() / 3 * 3; ++i) {

@@ -1,5 +1,5 @@
-// The JSON of a glTF file made ready for tinygltf; see GltfText. Every member is looked at with care: nothing has
-// checked the file yet.
+// Prepares the JSON of a glTF file for tinygltf; see GltfText. Nothing has validated the file before, so every member
+// is checked.
 #include <nlohmann/json.hpp>
 
 #include "filters/core/base/errors.h"
@@ -12,7 +12,7 @@ namespace {
 
 using GltfJson = nlohmann::json;
 
-/// Takes the place of a buffer that tinygltf shall not read: one byte.
+/// One byte in place of a buffer that tinygltf must not read.
 constexpr const char* kOneByte = "data:application/octet-stream;base64,AA==";
 
 /// The member if `object` is an object and has it, else null.
@@ -89,7 +89,7 @@ void takeImages(GltfFile& file, GltfJson& root) {
   if (root.is_object()) root.erase("images");
 }
 
-/// tinygltf refuses indices without a buffer view, which compressed ones do not have.
+/// tinygltf refuses indices without a buffer view, which compressed ones lack.
 void takeDracoIndices(GltfFile& file, GltfJson& root) {
   const std::vector<GltfJson*> meshes = elements(root, "meshes");
   for (std::size_t m = 0; m < meshes.size(); ++m) {

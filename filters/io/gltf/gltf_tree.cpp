@@ -1,4 +1,4 @@
-// The node tree of a glTF file: transforms to the world, in double: a building far from its file's origin keeps its
+// The node tree of a glTF file: world transforms in double, so that a building far from its file's origin keeps its
 // millimetres.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -75,10 +75,10 @@ std::vector<int> rootNodes(const GltfFile& file) {
   return roots;
 }
 
-/// Parents multiply: every node may be sound and the product beyond any number.
+/// Every factor may be in range while the product of the parents overflows.
 void checkReach(const GltfFile& file, const GltfPlacedNode& node) {
   for (int i = 0; i < 16; ++i) {
-    // Also false for NaN, which infinity times 0 leaves.
+    // Also false for NaN, the result of infinity times 0.
     if (std::fabs(node.worldFromNode[i / 4][i % 4]) <= kLargestGltfNumber) continue;
     file.fail(nodePlace(file, node.index),
               "its transform, with those of its parents, reaches beyond 1e18; repair the model");
@@ -92,7 +92,7 @@ std::string nodePlace(const GltfFile& file, std::size_t index) {
   return "node " + std::to_string(index) + (name.empty() ? "" : " \"" + name + "\"");
 }
 
-// With a stack of its own: files may nest deeper than a thread's stack allows.
+// With an explicit stack: files may nest deeper than a thread's stack allows.
 std::vector<GltfPlacedNode> placeNodes(const GltfFile& file, const GltfPose& pose) {
   std::vector<GltfPlacedNode> placed, stack;
   std::vector<bool> seen(file.gltf.nodes.size(), false);

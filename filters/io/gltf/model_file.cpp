@@ -1,4 +1,4 @@
-// Which reader takes which file, and the steps of reading a glTF one.
+// Chooses the reader for a file, and runs the steps of reading glTF.
 #include "filters/io/gltf/model_file.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace boxprobe {
 
 namespace {
 
-// Shares of the time, roughly: a file's bytes, its pictures, its meshes.
+// Rough shares of the time: the file's bytes, its pictures, its meshes.
 constexpr double kPicturesFrom = 0.1, kMeshesFrom = 0.7;
 
 /// -1 for no variant.

@@ -1,5 +1,5 @@
-// Reads model files into plain arrays. glTF and GLB go through tinygltf (whole core format, extensions as JSON), so
-// that the same arrays feed VTK and the ray tracer.
+// Reads model files into plain arrays, which feed both VTK and the ray tracer. glTF and GLB go through tinygltf (the
+// core format; extensions as JSON).
 #pragma once
 
 #include <functional>
@@ -12,22 +12,22 @@
 
 namespace boxprobe {
 
-/// Called now and then with the share that is done, 0 to 1; false stops the work.
+/// Called occasionally with the finished fraction, 0 to 1; returning false cancels the work.
 using LoadProgress = std::function<bool(double)>;
 
-/// Thrown when a LoadProgress said so.
+/// Thrown when a LoadProgress returned false.
 class LoadCancelled : public WorkError {
  public:
   using WorkError::WorkError;
 };
 
-/// In which of its states a file is read.
+/// Which of its states a file is read in.
 struct ModelState {
-  std::string variant;            ///< of KHR_materials_variants; empty: the file's own materials
-  std::optional<double> seconds;  ///< of its animations; none: at rest
+  std::string variant;            ///< of KHR_materials_variants; empty: the file's default materials
+  std::optional<double> seconds;  ///< time in its animations; none: the rest pose
 };
 
-/// Throws InputError naming the file, what is wrong and where (accessor, node, image). Never reads outside the model's
+/// Throws InputError with the file, what is wrong and where (accessor, node, image). Never reads outside the model's
 /// folder.
 BOXPROBE_EXPORT Model loadModelFile(const std::string& path, const LoadProgress& progress = {},
                                     const ModelState& state = {});

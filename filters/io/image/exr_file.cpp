@@ -1,4 +1,4 @@
-// OpenEXR pictures in and out. Written as float RGBA, ZIP, scan lines; read through exr_reader.h.
+// Reads and writes OpenEXR pictures. Written as float RGBA, ZIP, scan lines; read through exr_reader.h.
 #include <OpenEXR/ImfChannelList.h>
 
 #include "filters/io/image/exr_reader.h"

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t kMultiPart = 0x1000;
 
-/// What a part says about its size; the defaults ask for nothing.
+/// The size that a part claims; the defaults claim nothing.
 struct PartSize {
   std::int32_t minX = 0, minY = 0, maxX = -1, maxY = -1;
   std::uint32_t tileWidth = 0, tileHeight = 0;  ///< 0: scan lines
@@ -29,13 +29,13 @@ struct PartSize {
   long long bytesPerPixel = 0;
 };
 
-/// The most that each compression makes of one byte, in the order of OpenEXR's enumeration, rounded up: runs of 128 in
-/// 2 bytes; deflate's 1032, of floats cut to 24 bits; Huffman with runs of 256 16-bit values in 10 bits; blocks of 16
-/// halves in 3 bytes. DWA keeps little more than a block's header: its offset table is what bounds it.
+/// Upper bounds of each compression's ratio, in the order of OpenEXR's enumeration: runs of 128 in 2 bytes; deflate's
+/// 1032, of floats cut to 24 bits; Huffman with runs of 256 16-bit values in 10 bits; blocks of 16 halves in 3 bytes.
+/// DWA stores little more than a block's header: the offset table bounds it.
 constexpr std::array<long long, 10> kMostFromAByte = {1, 64, 1032, 1032, 512, 1376, 11, 11, 0, 0};
 
-/// Bytes of the types that always have as many: the library reads these whatever the attribute says, and so would be
-/// elsewhere than this reader ever after. 0: another type.
+/// Sizes of the fixed-size types: the library reads that many bytes whatever the attribute says, and would then be out
+/// of step with this reader. 0: another type.
 std::int32_t fixedBytes(const std::string& type) {
   struct Row {
     std::int32_t bytes;
@@ -113,7 +113,7 @@ class HeaderReader {
     if (file_) checkSize(part);
   }
 
-  /// Types whose values have sizes of their own inside.
+  /// Types whose values contain their own sizes.
   void checkValue(const std::string& name, const std::string& type, long long bytes) {
     const auto wrong = [&] {
       throw InputError(oneLine(path_ + ": is damaged: attribute " + name + " of type " + type + " does not fill its " +
@@ -124,7 +124,7 @@ class HeaderReader {
     const long long end = static_cast<long long>(file_.tellg()) + bytes;
     if (type == "preview") {
       const std::int64_t width = number<std::uint32_t>(), height = number<std::uint32_t>();
-      constexpr std::int64_t kLargestSide = 1 << 15;  // so that the product below fits
+      constexpr std::int64_t kLargestSide = 1 << 15;  // keeps the product below in range
       if (width > kLargestSide || height > kLargestSide || 8 + 4 * width * height != bytes) wrong();
     } else if (type == "stringvector") {
       while (file_ && file_.tellg() < end) {
@@ -134,7 +134,7 @@ class HeaderReader {
       }
       if (file_.tellg() != end) wrong();
     } else if (type == "idmanifest") {
-      constexpr std::int64_t kDeflate = 1032;  // the most it makes of a byte
+      constexpr std::int64_t kDeflate = 1032;  // its maximum compression ratio
       if (bytes < 4 || number<std::uint32_t>() > kDeflate * bytes) wrong();
     } else if (type == "chlist") {
       constexpr int kChannelBytes = 16;
@@ -158,7 +158,7 @@ class HeaderReader {
     }
   }
 
-  /// Sum over the channels, each a name, its type (1: half, else 4 bytes), 4 bytes of flags and its sampling.
+  /// The sum over the channels; each is a name, its type (1: half, else 4 bytes), 4 bytes of flags and its sampling.
   long long pixelBytes(std::int32_t bytes) {
     long long sum = 0;
     const long long end = static_cast<long long>(file_.tellg()) + bytes;

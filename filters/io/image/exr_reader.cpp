@@ -32,12 +32,12 @@ bool isFlat(const Imf::Header& header) {
 bool hasColor(const Imf::ChannelList& channels) {
   return channels.findChannel("R") && channels.findChannel("G") && channels.findChannel("B");
 }
-// Luminance alone; beside RY and BY it is subsampled colour, which is no picture of ours.
+// Luminance alone: with RY and BY it is chroma-subsampled colour, which is not supported.
 bool hasGrey(const Imf::ChannelList& channels) {
   return channels.findChannel("Y") != nullptr && channels.findChannel("RY") == nullptr;
 }
 
-/// Which stored channel fills each of R, G, B, A; null where none does.
+/// The stored channel for each of R, G, B, A; null for none.
 struct ChannelPlan {
   const char* source[4] = {nullptr, nullptr, nullptr, nullptr};
   const char* distance = nullptr;
@@ -49,7 +49,7 @@ ChannelPlan planChannels(const Imf::ChannelList& channels, const std::string& wh
   if (hasColor(channels)) {
     for (int i = 0; i < 3; ++i) plan.source[i] = kChannelNames[i];
   } else if (hasGrey(channels)) {
-    plan.source[0] = "Y";  // grey: copied to green and blue once read
+    plan.source[0] = "Y";  // grey: copied to green and blue after reading
   } else {
     std::string names;
     for (auto it = channels.begin(); it != channels.end(); ++it)
@@ -94,7 +94,7 @@ void withExrFile(const std::string& path, const std::function<void(Imf::MultiPar
   } catch (const Error&) {
     throw;
   } catch (const std::exception& problem) {
-    // The library's sentences name the file too, once or twice; the path stands in front already.
+    // The library's messages repeat the file name, which is already in front.
     std::string reason = oneLine(problem.what());
     for (const std::string& named : {"\"" + path + "\"", path}) {
       for (std::size_t at = reason.find(named); at != std::string::npos; at = reason.find(named)) {
@@ -116,7 +116,7 @@ int picturePart(const Imf::MultiPartInputFile& file, const std::string& path) {
   }
   if (first >= 0) return first;
   requireFlat(file.header(0), partName(path, 0));
-  planChannels(file.header(0).channels(), partName(path, 0));  // says what is missing
+  planChannels(file.header(0).channels(), partName(path, 0));  // throws if a channel is missing
   return 0;
 }
 
@@ -128,7 +128,7 @@ ExrPicture readExrPart(Imf::MultiPartInputFile& file, int index, const std::stri
   const Size size = sizeOf(window);
   checkImageSize(path, size.width, size.height);
   const ChannelPlan plan = planChannels(header.channels(), where);
-  // Here, too, before memory is asked for: a header may promise what the file never had.
+  // Also checked before allocating: a header may claim more than the file contains.
   if (!file.partComplete(index)) throw InputError(where + " is not complete; save it again");
 
   ExrPicture picture;

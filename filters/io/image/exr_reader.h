@@ -1,6 +1,6 @@
-// One part of an OpenEXR file as float pixels: what pictures, cubes and baked probes are read through. Internal to this
-// folder. Scan lines and tiles (the finest level), half, float and unsigned integers, any data window; deep data is
-// refused in a sentence.
+// Reads one part of an OpenEXR file as float pixels, for pictures, cubes and baked probes. Internal to this folder.
+// Supports scan lines and tiles (the finest level), half, float and unsigned integers, any data window; deep data is
+// refused.
 #pragma once
 
 #include <OpenEXR/ImfMultiPartInputFile.h>
@@ -21,21 +21,21 @@ struct ExrPicture {
   std::vector<float> distance;  ///< channel "distance", else "Z"; one value per pixel, or empty
   bool hasAlpha = false;
   std::optional<EnvmapKind> envmap;
-  // Where the data window lies in the display window: a cropped picture, or one with overscan.
+  // Position of the data window in the display window: a cropped picture, or one with overscan.
   int displayWidth = 0, displayHeight = 0;
   int offsetX = 0, offsetY = 0;
 };
 
-/// Runs `read` on the open file; whatever OpenEXR throws becomes one InputError naming `path`.
+/// Runs `read` on the open file; converts whatever OpenEXR throws to one InputError with `path`.
 void withExrFile(const std::string& path, const std::function<void(Imf::MultiPartInputFile&)>& read);
 
-/// The part that shows the surroundings: the first one with an envmap attribute, else the first flat picture.
+/// The part with the environment: the first one with an envmap attribute, else the first flat picture.
 int picturePart(const Imf::MultiPartInputFile& file, const std::string& path);
 
-/// Throws InputError naming path, part and channel. Sizes are refused before anything is allocated for them.
+/// Throws InputError with path, part and channel. Excessive sizes are refused before memory is allocated.
 ExrPicture readExrPart(Imf::MultiPartInputFile& file, int part, const std::string& path);
 
-/// One channel of a part as float; its size as given, else InputError.
+/// One channel of a part as float; throws InputError unless it has the given size.
 std::vector<float> readExrChannel(Imf::MultiPartInputFile& file, int part, const std::string& channel, int width,
                                   int height, const std::string& path);
 

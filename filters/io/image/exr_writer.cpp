@@ -38,7 +38,7 @@ class MemoryStream : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
-/// OpenEXR takes a mutable pointer for reading and writing alike; writing a file only reads it.
+/// OpenEXR takes a mutable pointer for both directions; writing only reads from it.
 Imf::FrameBuffer frameBuffer(const ExrLevel& level) {
   const Imath::Box2i window({0, 0}, {level.width - 1, level.height - 1});
   Imf::FrameBuffer buffer;
@@ -71,8 +71,8 @@ void writePart(Imf::MultiPartOutputFile& file, int index, const ExrPart& part) {
   }
 }
 
-/// Bands of rows spread over the height, one in the middle of each face of a cube: as high as the blocks of either
-/// compression, and little to compress.
+/// Bands of rows spread over the height, one in the middle of each cube face: as high as the blocks of both
+/// compressions, and quick to compress.
 ExrLevel sampleRows(const ExrLevel& level) {
   constexpr int kBands = 6, kBandRows = 32;
   if (level.height <= kBands * kBandRows) return level;
@@ -93,7 +93,7 @@ ExrLevel sampleRows(const ExrLevel& level) {
   return sample;
 }
 
-// Half would turn what lies beyond its range into infinity, which the next program spreads over its picture.
+// Conversion would turn values beyond half's range into infinity, which later programs spread over the picture.
 half toHalf(float value) {
   return half(std::clamp(value, -static_cast<float>(HALF_MAX), static_cast<float>(HALF_MAX)));
 }
@@ -139,7 +139,7 @@ Imf::Compression chooseCompression(const ExrLevel& level) {
 }
 
 std::string encodeExr(std::vector<ExrPart> parts) {
-  // OpenEXR's own level, 4, takes nearly twice the time for little.
+  // OpenEXR's default level, 4, takes nearly twice the time for little gain.
   Imf::setDefaultZipCompressionLevel(kZipLevel);
   std::vector<Imf::Header> headers;
   for (ExrPart& part : parts) {
@@ -151,7 +151,7 @@ std::string encodeExr(std::vector<ExrPart> parts) {
     MemoryStream stream(bytes);
     Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()));
     for (std::size_t i = 0; i < parts.size(); ++i) writePart(file, static_cast<int>(i), parts[i]);
-  }  // the tables of offsets are written as the file goes out of scope
+  }  // the offset tables are written when the file goes out of scope
   return bytes;
 }
 

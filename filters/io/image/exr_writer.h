@@ -1,6 +1,6 @@
-// OpenEXR files of one or several parts, flat or mip-mapped, composed in memory and written whole. Internal to this
-// folder. Through memory because OpenEXR's own file output swallows what fails while a file is closed: a full disk
-// would leave a broken file and no error.
+// Writes OpenEXR files of one or several parts, flat or mip-mapped. They are composed in memory, because OpenEXR's own
+// file output ignores errors while a file is closed: a full disk would leave a broken file and no error. Internal to
+// this folder.
 #pragma once
 
 #include <Imath/half.h>
@@ -14,7 +14,7 @@
 
 namespace boxprobe {
 
-/// One channel's values, rows from the top: `halves` or `floats`.
+/// One channel's values, rows from the top: either `halves` or `floats`.
 struct ExrPlane {
   std::string channel;
   std::vector<half> halves;
@@ -29,26 +29,25 @@ struct ExrLevel {
 
 struct ExrPart {
   Imf::Header header;
-  std::vector<ExrLevel> levels;  ///< one, or as many as the header's tile description asks for
+  std::vector<ExrLevel> levels;  ///< one, or as many as the header's tile description requires
 };
 
-/// A part of scan lines without channels yet, one level.
+/// A single-level scan-line part, still without channels.
 ExrPart exrPart(int width, int height);
 
-/// `stride` floats lie from one pixel's value to the next one's.
+/// `stride`: floats from one pixel's value to the next.
 void addPlane(ExrLevel& level, const std::string& channel, const float* values, std::size_t stride,
               ExrPrecision precision);
 /// Planes R, G, B and A from interleaved pixels.
 void addRgba(ExrLevel& level, const float* pixels, ExrPrecision precision);
 
-/// ZIP or PIZ, whichever makes rows spread over the level smaller: even areas and smooth gradients, as rendered, favour
-/// ZIP, grain favours the wavelets of PIZ. Both lose nothing and take about the same time.
+/// ZIP or PIZ, whichever compresses sample rows of the level better: rendered areas and gradients favour ZIP, grain
+/// favours PIZ's wavelets. Both are lossless and take about the same time.
 Imf::Compression chooseCompression(const ExrLevel& level);
 
-/// The file's bytes. Channels of each header are those of its levels' planes.
+/// The file's bytes. The channels of each header are those of its levels' planes.
 std::string encodeExr(std::vector<ExrPart> parts);
-/// The same into a temporary file, renamed to `path`. Throws WorkError.
-/// `complete` may change bytes of it first.
+/// The same into a temporary file, renamed to `path`. `complete` may modify the bytes first. Throws WorkError.
 void saveExrParts(const std::string& path, std::vector<ExrPart> parts,
                   const std::function<void(std::string&)>& complete = {});
 

@@ -1,4 +1,4 @@
-// What the readers of pictures share inside this folder: limits, and decoding from memory for models.
+// Shared by the readers of pictures in this folder: limits, and decoding from memory.
 #pragma once
 
 #include <cstddef>
@@ -9,29 +9,29 @@
 namespace boxprobe {
 
 constexpr long long kLargestImageSide = 32768;
-/// 2 GiB as float RGBA, a sky of 16384 x 8192: a damaged header must not make the program ask for more.
+/// 2 GiB as float RGBA, a sky of 16384 x 8192: bounds the memory that a damaged header can ask for.
 constexpr long long kMostPixels = 1LL << 27;
 /// stb counts bytes in an int.
 constexpr std::size_t kLargestEncodedImage = 0x7fffffff;
 
-/// Throws InputError naming the picture and the figure that is too large, before anything is allocated for it.
+/// Throws InputError with the picture and the excessive figure, before memory is allocated.
 void checkImageSize(const std::string& name, long long width, long long height);
 
-/// Throws InputError if `bytes` of file cannot hold this many pixels at `mostPixelsAByte`: decoders ask for the memory
-/// first, and some fill up silently what a file lacks.
+/// Throws InputError if `bytes` of file cannot hold this many pixels at `mostPixelsAByte`: decoders allocate first, and
+/// some silently pad truncated files.
 void checkEncodedSize(const std::string& name, long long width, long long height, std::size_t bytes,
                       long long mostPixelsAByte);
 
-/// Throws WorkError unless the array holds width * height RGBA texels: a mistake in the program, caught before a file
-/// is.
+/// Throws WorkError unless the array holds width * height RGBA texels: catches a programming error before a file is
+/// written.
 void checkPixelCount(const std::string& path, int width, int height, std::size_t values);
 
-/// PNG, JPEG or WebP from memory; `name` stands for it in messages and in the result. `*hasAlpha` when given: whether
-/// the file has an alpha channel.
+/// Decodes PNG, JPEG or WebP from memory; `name` is used in messages and stored in the result. `*hasAlpha` if given:
+/// does the file have an alpha channel?
 ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std::string& name,
                         bool* hasAlpha = nullptr);
 
-/// Any scan-line or tiled RGBA, RGB or Y file, half or float; values as stored, non-finite ones included.
+/// Any scan-line or tiled RGBA, RGB or Y file, half or float; values as stored, including non-finite ones.
 ImageRgbaF loadExr(const std::string& path);
 
 }  // namespace boxprobe

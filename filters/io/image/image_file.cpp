@@ -1,5 +1,5 @@
-// Which decoder a picture gets; see the header. Radiance HDR and JPEG of four colours go through stb, PNG through
-// png_image.cpp, other JPEG through jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp.
+// Chooses a decoder: Radiance HDR and CMYK JPEG go through stb, PNG through png_image.cpp, other JPEG through
+// jpeg_image.cpp, WebP through webp_image.cpp, OpenEXR through exr_file.cpp.
 #include "filters/io/image/image_file.h"
 
 #include <stb/stb_image.h>
@@ -56,7 +56,7 @@ ImageRgbaF loadRadiance(const std::string& path) {
     throw damaged(path);
   }
   checkImageSize(path, image.width, image.height);
-  // Its shortest runs: 127 values of one of the four channels in 2 bytes, so 16 pixels a byte at most.
+  // Best case of its runs: 127 values of one of the four channels in 2 bytes, so at most 16 pixels per byte.
   constexpr long long kMostPixelsAByte = 16;
   checkEncodedSize(path, image.width, image.height, bytes.size(), kMostPixelsAByte);
   if (!radianceRunsAreWhole(bytes, image.width, image.height)) {
@@ -106,7 +106,7 @@ ImageRgba8 decodeImage8(const unsigned char* bytes, std::size_t size, const std:
     throw InputError(name + ": is not a PNG, JPEG or WebP picture; save it as one of these");
   }
   checkImageSize(name, image.width, image.height);
-  // PNG: deflate makes 1032 bytes of one, each of 8 pixels at the lowest depth. JPEG: a bit for a block of 64 pixels.
+  // PNG: deflate's ratio of 1032 times 8 pixels per byte at the lowest depth. JPEG: one bit for a block of 64 pixels.
   const bool png = isPng(bytes, size);
   constexpr long long kPngPixelsAByte = 8 * 1032, kJpegPixelsAByte = 8 * 64;
   checkEncodedSize(name, image.width, image.height, size, png ? kPngPixelsAByte : kJpegPixelsAByte);

@@ -16,7 +16,7 @@ ImagePool& imagePool() {
   return pool;
 }
 
-// 128 bits: two different pictures of one key are not to be expected in the life of the universe.
+// With 128 bits a collision of keys is practically impossible.
 ImagePool::Key ImagePool::keyOf(const EncodedImage& image) {
   const XXH128_hash_t hash = XXH3_128bits(image.data, image.size);
   return {hash.low64, hash.high64};
@@ -68,7 +68,7 @@ std::vector<std::shared_ptr<const ImageRgba8>> ImagePool::decode(const std::vect
     while (decodeNext()) {
     }
   });
-  // The caller's thread decodes, too, and reports between two pictures.
+  // The caller's thread also decodes, and reports progress between pictures.
   std::exception_ptr cancelled;
   while (decodeNext()) {
     try {

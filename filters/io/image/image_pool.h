@@ -1,6 +1,5 @@
-// Decoded pictures of the whole process, by the bytes they were decoded from: the same picture in two models, or a
-// model that is opened again while it is shown, is decoded once. Nothing is kept alive by it. Called by readers of
-// models.
+// Decoded pictures of the whole process by the bytes they were decoded from: a picture that two models use, or of a
+// model that is opened again while it is shown, is decoded once. Holds weak references only.
 #pragma once
 
 #include <array>
@@ -25,14 +24,14 @@ struct EncodedImage {
 
 struct ImageCounts {
   std::uint64_t decoded = 0;  ///< since the program started
-  std::uint64_t shared = 0;   ///< asked for and found in memory
+  std::uint64_t shared = 0;   ///< requested and found in memory
 };
 
 class ImagePool {
  public:
-  /// PNG, JPEG or WebP pictures in the order asked for, decoded on as many threads as the machine has cores. `progress`
-  /// is called between pictures, from one thread at a time, with the share that is done; what it throws ends the work.
-  /// Throws InputError of the first picture, in order, that cannot be read.
+  /// PNG, JPEG or WebP pictures in the requested order, decoded on as many threads as there are cores. `progress` is
+  /// called between pictures, by one thread at a time, with the finished fraction; what it throws ends the work. Throws
+  /// the InputError of the first picture, in order, that cannot be read.
   std::vector<std::shared_ptr<const ImageRgba8>> decode(const std::vector<EncodedImage>& images,
                                                         const std::function<void(double)>& progress);
   ImageCounts counts() const;

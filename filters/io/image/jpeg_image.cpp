@@ -2,7 +2,7 @@
 
 #include <csetjmp>
 #include <cstdio>
-// The header needs <cstdio>'s FILE before it.
+// jpeglib.h needs FILE of <cstdio>.
 #include <jerror.h>
 #include <jpeglib.h>
 
@@ -10,9 +10,9 @@ namespace boxprobe {
 
 namespace {
 
-// The library's errors jump over what lies between, so the function that calls it holds plain values alone.
+// The library reports errors by longjmp, so the calling function must have trivial locals only.
 struct JpegFailure {
-  jpeg_error_mgr manager;  // first: the library knows its address alone
+  jpeg_error_mgr manager;  // first member: the library only has its address
   std::jmp_buf jump;
   char text[JMSG_LENGTH_MAX];
 };
@@ -23,13 +23,13 @@ void fail(j_common_ptr common) {
   std::longjmp(failure->jump, 1);
 }
 
-// The library would go on with grey.
+// The library would continue with grey.
 void warn(j_common_ptr common, int level) {
   const int code = common->err->msg_code;
   if (level < 0 && (code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER || code == JWRN_HUFF_BAD_CODE)) fail(common);
 }
 
-// A few bytes can promise a scan over the whole picture, as often as they like.
+// A few bytes can claim any number of scans over the whole picture.
 void limitScans(j_common_ptr common) {
   constexpr int kMostScans = 500;
   if (reinterpret_cast<j_decompress_ptr>(common)->input_scan_number > kMostScans) {
@@ -63,7 +63,7 @@ bool read(const unsigned char* bytes, std::size_t size, int width, int height, u
     JSAMPROW to = rgba + row * jpeg.output_scanline;
     jpeg_read_scanlines(&jpeg, &to, 1);
   }
-  jpeg_destroy_decompress(&jpeg);  // what follows the picture is not asked for
+  jpeg_destroy_decompress(&jpeg);  // data after the picture is ignored
   return true;
 }
 

@@ -1,4 +1,4 @@
-// JPEG through libjpeg-turbo, which takes less than a third of the time of stb's decoder. Called by image_file.cpp.
+// JPEG through libjpeg-turbo, which takes less than a third of the time of stb's decoder.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,11 @@
 
 namespace boxprobe {
 
-/// Grey or three colours? Others (CMYK) this does not decode.
+/// Is it greyscale or three-channel? CMYK is not supported here.
 bool isJpeg(const unsigned char* bytes, std::size_t size, int channels);
 
-/// Into `rgba`, which has room for the width and height that the header states; alpha is 255. Empty, or what is wrong:
-/// a picture that ends early or has codes that are none is damaged.
+/// Decodes into `rgba`, which must have room for the width and height in the header; alpha is 255. Returns an empty
+/// text, or the error: a picture that is truncated or has invalid codes counts as damaged.
 std::string decodeJpeg(const unsigned char* bytes, std::size_t size, int width, int height, unsigned char* rgba);
 
 }  // namespace boxprobe

@@ -1,6 +1,5 @@
-// See radiance_check.h. The format: lines of text to an empty one, a line with the size, then for each row 2, 2, the
-// width in two bytes, and four channels of runs: a count above 128 and a value to repeat, or a count and as many
-// values.
+// The format: lines of text up to an empty one, a line with the size, then for each row 2, 2, the width in two bytes,
+// and four channels of runs: a count above 128 and a value to repeat, or a count and that many values.
 #include "filters/io/image/radiance_check.h"
 
 namespace boxprobe {
@@ -20,7 +19,7 @@ class Bytes {
   std::size_t at_;
 };
 
-/// Behind the line with the size. A line that begins with a zero byte counts as empty, as it does for the decoder.
+/// The offset after the line with the size. A line that begins with a zero byte counts as empty, as in the decoder.
 std::size_t firstRow(const std::string& bytes) {
   std::size_t at = 0;
   const auto lineEnd = [&bytes](std::size_t start) {
@@ -52,7 +51,7 @@ bool channelIsWhole(Bytes& in, int width) {
 }  // namespace
 
 bool radianceRunsAreWhole(const std::string& bytes, int width, int height) {
-  if (width < 8 || width > 0x7fff) return true;  // never in runs
+  if (width < 8 || width > 0x7fff) return true;  // never run-length encoded
   Bytes in(bytes, firstRow(bytes));
   for (int row = 0; row < height; ++row) {
     const int first = in.next(), second = in.next(), high = in.next(), low = in.next();

@@ -20,7 +20,7 @@ ImageRgba8 decodeWebp(const unsigned char* bytes, std::size_t size, const std::s
   }
   if (features.has_animation != 0) throw InputError(name + ": is an animated WebP picture; save one frame of it");
   checkImageSize(name, features.width, features.height);
-  // One colour all over, lossless, comes to 25,000 pixels a byte.
+  // A lossless picture of one colour has 25,000 pixels per byte.
   constexpr long long kWebpPixelsAByte = 1 << 15;
   checkEncodedSize(name, features.width, features.height, size, kWebpPixelsAByte);
   ImageRgba8 image;

@@ -1,4 +1,4 @@
-// WebP pictures through libwebp. Called by the decoder of 8-bit pictures alone.
+// WebP pictures through libwebp.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@ namespace boxprobe {
 
 namespace {
 
-/// The value as it stands, short enough for a message.
+/// The value as text, shortened for messages.
 std::string excerpt(const Json& value) {
   if (value.is_object()) return "an object";
   if (value.is_array() && value.size() > 4) return "an array of " + std::to_string(value.size());

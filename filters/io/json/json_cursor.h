@@ -1,5 +1,4 @@
-// A value in a scene file together with where it stands: every accessor checks the type and throws a FieldError that
-// names the key path. Called by the scene reader; knows JSON, not scenes.
+// A JSON value with its key path: every accessor checks the type and throws a FieldError with that path.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -25,18 +24,18 @@ class JsonCursor {
 
   [[noreturn]] void fail(const std::string& reason) const { throw FieldError(path_, reason); }
 
-  /// Refuses what is not an object, and keys that are not in `known`, with the nearest one proposed.
+  /// Throws unless it is an object whose keys are all in `known`; suggests the nearest key.
   void requireObject(const std::vector<std::string>& known) const;
   void requireObject() const;
   void requireArray() const;
 
-  std::optional<JsonCursor> find(std::string_view key) const;  ///< of an object that was checked
+  std::optional<JsonCursor> find(std::string_view key) const;  ///< of an object; call requireObject() first
   std::vector<JsonCursor> elements() const;                    ///< of an array
   std::vector<JsonCursor> members() const;                     ///< of an object, in file order
   const std::string& key() const { return path_.back(); }
 
   double number() const;
-  float numberFloat() const;  ///< refuses what float cannot hold
+  float numberFloat() const;  ///< throws for values beyond float's range
   int whole() const;
   bool boolean() const;
   std::string text() const;

@@ -1,5 +1,5 @@
-// Parsing in two passes: the library checks the grammar and builds the values, then a small scanner, which may rely on
-// correct text, notes where each key and element starts (the library does not say).
+// Parses in two passes: the library checks the grammar and builds the values; then a scanner, which can rely on valid
+// text, records where each key and element starts, which the library does not report.
 #include "filters/io/json/json_text.h"
 
 #include <set>
@@ -18,7 +18,7 @@ TextPlace placeOf(const std::string& text, std::size_t offset) {
     if (text[i] == '\n') {
       ++place.line;
       place.column = 1;
-    } else if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) {  // UTF-8 continuation bytes take no column
+    } else if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) {  // UTF-8 continuation bytes count as no column
       ++place.column;
     }
   }
@@ -29,8 +29,8 @@ std::string at(const std::string& name, const TextPlace& place) {
   return name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": ";
 }
 
-/// The library's message without its own code and place: "[json.exception.parse_error.101] parse error at line 1,
-/// column 2: syntax error while ..." becomes "syntax error while ...".
+/// The library's message without its code and position: "[json.exception.parse_error.101] parse error at line 1, column
+/// 2: syntax error while ..." becomes "syntax error while ...".
 std::string reasonOnly(const std::string& what) {
   std::size_t start = 0;
   if (const auto bracket = what.find("] "); what.rfind('[', 0) == 0 && bracket != std::string::npos)
@@ -41,14 +41,14 @@ std::string reasonOnly(const std::string& what) {
   return oneLine(what.substr(start));
 }
 
-/// Takes the place of the library's handler to learn where an error is: exceptions for numbers out of range carry none.
+/// Replaces the library's handler to get the position of every error: exceptions for numbers out of range have none.
 struct SyntaxCheck : nlohmann::json_sax<Json> {
   SyntaxCheck(const std::string& checked, std::size_t most) : text(checked), mostEntries(most) {}
   const std::string& text;
   const std::size_t mostEntries;
   std::size_t errorOffset = 0;
   std::string reason;
-  std::string tooMany;  ///< the key of what has more than mostEntries
+  std::string tooMany;  ///< the key of the container with more than mostEntries
 
   bool null() override { return element(); }
   bool boolean(bool) override { return element(); }
@@ -65,7 +65,7 @@ struct SyntaxCheck : nlohmann::json_sax<Json> {
   bool end_object() override { return close(); }
   bool start_array(std::size_t) override { return element() && open(true); }
   bool end_array() override { return close(); }
-  /// `position` is behind the last character read; the place to show is where the token starts.
+  /// `position` is after the last character read; messages show where the token starts.
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& error) override {
     const std::size_t length = std::max<std::size_t>(token.size(), 1);
     const bool atToken =
@@ -102,7 +102,7 @@ struct SyntaxCheck : nlohmann::json_sax<Json> {
   std::string lastKey_;
 };
 
-/// Walks text that is known to be JSON.
+/// Scans text that is known to be valid JSON.
 class PlaceScanner {
  public:
   PlaceScanner(const std::string& text, JsonText& result) : text_(text), result_(result) {}
@@ -139,7 +139,7 @@ class PlaceScanner {
     bool haveKey = false;
   };
 
-  /// Offsets only grow, so the walk to each place starts at the one before: a megabyte on one line stays cheap.
+  /// Offsets only grow, so each scan starts at the previous position: a megabyte on one line stays cheap.
   TextPlace here(std::size_t offset) {
     for (; counted_ < offset; ++counted_) {
       if (text_[counted_] == '\n') {
@@ -168,7 +168,7 @@ class PlaceScanner {
     if (inValue_) return;
     inValue_ = true;
     const bool member = !levels_.empty() && levels_.back().object;
-    if (!member) result_.places[pointer()] = here(offset);  // a member's place is its key's
+    if (!member) result_.places[pointer()] = here(offset);  // a member's place is that of its key
     if (text_[offset] == '{' || text_[offset] == '[') inValue_ = false;
   }
 
@@ -182,7 +182,7 @@ class PlaceScanner {
       return;
     }
     Level& level = levels_.back();
-    level.key = Json::parse(text_.substr(start, position_ + 1 - start)).get<std::string>();  // undoes escapes
+    level.key = Json::parse(text_.substr(start, position_ + 1 - start)).get<std::string>();  // decodes escapes
     level.haveKey = true;
     if (!level.keys.insert(level.key).second) {
       throw InputError(at(result_.name, here(start)) + "the key \"" + oneLine(level.key) +
@@ -194,7 +194,7 @@ class PlaceScanner {
   const std::string& text_;
   JsonText& result_;
   std::size_t position_ = 0, counted_ = 0;
-  TextPlace place_{1, 1};  // of counted_
+  TextPlace place_{1, 1};  // position of counted_
   bool inValue_ = false;
   std::vector<Level> levels_;
 };
@@ -208,7 +208,7 @@ void write(std::string& out, const Json& value, std::size_t indent, std::size_t 
     return;
   }
   const bool object = value.is_object();
-  // One line if it fits and is no more than plain values, or a few short lists: [1, 2], {"min": [..], "max": [..]}.
+  // One line if it fits and holds only plain values or a few short lists: [1, 2], {"min": [..], "max": [..]}.
   bool simple = true;
   for (const Json& child : value) {
     if (!child.is_structured()) continue;
@@ -256,11 +256,11 @@ void checkJsonSyntax(const std::string& text, const std::string& name, std::size
 }
 
 JsonText parseJsonText(const std::string& text, const std::string& name) {
-  // The library takes a zero byte for the end of the text and is content; the scanner below would walk on.
+  // The library treats a zero byte as the end of the text without an error; the scanner below would continue.
   if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
     throw InputError(at(name, placeOf(text, zero)) + "not valid JSON: there is a zero byte; save it as plain text");
   }
-  constexpr std::size_t kMostEntries = 10000;  // a member more costs a look at all before it
+  constexpr std::size_t kMostEntries = 10000;  // looking up a member takes linear time
   checkJsonSyntax(text, name, kMostEntries);
   JsonText result;
   result.name = name;

@@ -1,5 +1,4 @@
-// Fields of the scene to and from JSON, by their rows: what the scene's reader, writer and reference share. Internal to
-// this folder.
+// Converts scene fields to and from JSON by their rows. Internal to this folder.
 #pragma once
 
 #include "filters/core/scene/scene_fields.h"
@@ -8,7 +7,7 @@
 
 namespace boxprobe {
 
-/// What the keys of a part are, for JsonCursor::requireObject().
+/// The keys of a part, for JsonCursor::requireObject().
 template <typename... Parts>
 std::vector<std::string> fieldKeys(const std::vector<FieldRow<Parts>>&... tables) {
   std::vector<std::string> keys;
@@ -19,10 +18,10 @@ std::vector<std::string> fieldKeys(const std::vector<FieldRow<Parts>>&... tables
   return keys;
 }
 
-/// One value. File names are resolved against `folder`. Throws FieldError for another type, not for a range.
+/// One value. File names are resolved against `folder`. Throws FieldError for a wrong type, not for a range.
 FieldValue readValue(const JsonCursor& value, const FieldInfo& field, const std::string& folder);
 
-/// Throws FieldError if a key is missing that must be there.
+/// Throws FieldError if a required key is missing.
 template <typename Part>
 void requireFields(const JsonCursor& object, const std::vector<FieldRow<Part>>& rows) {
   for (const FieldRow<Part>& row : rows) {
@@ -31,7 +30,7 @@ void requireFields(const JsonCursor& object, const std::vector<FieldRow<Part>>& 
   }
 }
 
-/// What stands in an object whose keys were checked; the rest of `part` stays.
+/// Reads an object whose keys were checked; fields that it lacks keep their values.
 template <typename Part>
 void readFields(const JsonCursor& object, const std::vector<FieldRow<Part>>& rows, Part& part,
                 const std::string& folder) {
@@ -41,7 +40,7 @@ void readFields(const JsonCursor& object, const std::vector<FieldRow<Part>>& row
   }
 }
 
-/// A whole part from an object: its keys and no others.
+/// Reads a whole part from an object with its keys and no others.
 template <typename Part>
 Part readPart(const JsonCursor& object, const std::vector<FieldRow<Part>>& rows, const std::string& folder) {
   object.requireObject(fieldKeys(rows));
@@ -52,7 +51,7 @@ Part readPart(const JsonCursor& object, const std::vector<FieldRow<Part>>& rows,
 }
 
 struct Writing {
-  std::string folder;  ///< file names are written relative to it; "" leaves them as they are
+  std::string folder;  ///< file names are written relative to it; "" leaves them unchanged
   JsonForm form = JsonForm::Minimal;
 };
 
@@ -67,7 +66,7 @@ void writeField(Json& object, const FieldRow<Part>& row, const Part& part, const
   const FieldValue value = row.get(part);
   if (std::holds_alternative<std::monostate>(value)) return;
   const auto* file = row.kind == FieldKind::File ? std::get_if<std::string>(&value) : nullptr;
-  if (file != nullptr && file->empty() && !row.alwaysWritten) return;  // no name of a file
+  if (file != nullptr && file->empty() && !row.alwaysWritten) return;  // no file name
   object[std::string(row.key)] = valueJson(value, row, how);
 }
 

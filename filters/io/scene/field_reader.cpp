@@ -1,4 +1,4 @@
-// One field's value from JSON, by the kind its row names. Ranges are validate()'s business.
+// Reads one field's value from JSON by the kind of its row. validate() checks ranges.
 #include <filesystem>
 
 #include "filters/io/scene/field_json.h"

@@ -1,4 +1,4 @@
-// One field's value as JSON, by what it holds.
+// Writes one field's value as JSON by its type.
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Relative to the scene's folder, so that both can be moved together; absolute where they share nothing but the root.
+/// Relative to the scene's folder, so that both can be moved together; absolute if they share only the root.
 std::string writtenPath(const std::string& file, const std::string& folder) {
   if (folder.empty() || file.empty()) return file;
   fs::path path(file), base(folder);
@@ -33,7 +33,7 @@ std::string writtenPath(const std::string& file, const std::string& folder) {
   return relative.empty() ? path.string() : relative.generic_string();
 }
 
-/// The double whose shortest text is the float's shortest text: 0.3f is written 0.3, not 0.30000001192092896.
+/// The double with the float's shortest text: 0.3f is written 0.3, not 0.30000001192092896.
 double widened(float value) {
   const std::string text = numberText(value);
   double shortest = value;
@@ -45,7 +45,7 @@ double widened(double value) {
 }
 
 Json toJson(double value) {
-  // Whole values without ".0", as people write them; -0 and what 64-bit integers could not hold stay as they are.
+  // Integral values without ".0", as people write them; -0 and values beyond 64-bit integers stay unchanged.
   constexpr double kLargestWhole = 1e15;
   if (std::fabs(value) < kLargestWhole && !(value == 0.0 && std::signbit(value))) {
     const auto whole = static_cast<long long>(value);
@@ -97,7 +97,7 @@ Json clearJson(const Clear& clear) {
   return vector(std::get<glm::vec3>(clear));
 }
 
-/// The forms in which fields of several numbers may be shorter.
+/// The shorter forms of fields with several numbers.
 struct ToJson {
   const FieldInfo& field;
   const Writing& how;

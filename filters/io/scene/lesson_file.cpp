@@ -29,7 +29,7 @@ bool isLesson(const fs::path& path) {
   return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// "12-floor-mirror.lesson.json" is "floor-mirror"; the number is its place.
+/// "12-floor-mirror.lesson.json" has the name "floor-mirror"; the number determines the order.
 std::string lessonName(const std::string& path) {
   std::string name = fs::path(path).filename().string();
   if (isLesson(path)) name.resize(name.size() - std::string(kEnding).size());
@@ -37,12 +37,12 @@ std::string lessonName(const std::string& path) {
   return digits != 0 && digits != std::string::npos && name[digits] == '-' ? name.substr(digits + 1) : name;
 }
 
-/// Named "steps[2].camera" where JSON has steps, an array, 2, camera.
+/// "steps[2].camera" for the path steps, 2, camera, where steps is an array.
 std::string place(const JsonText& json, const KeyPath& path) {
   return json.placeText(pointerForPath(json.root, path));
 }
 
-/// Every step can run: its changes apply and its camera is there.
+/// Checks that every step can run: its changes apply and its camera exists.
 void requireSteps(const Lesson& lesson) {
   if (lesson.steps.size() > kMostSteps) {
     throw FieldError({"steps"}, "has " + std::to_string(lesson.steps.size()) + " entries; at most " +
@@ -75,7 +75,7 @@ void requireSteps(const Lesson& lesson) {
   }
 }
 
-/// `texts` are those of the lesson's folder, read when the first lesson wants them.
+/// `texts`: those of the lesson's folder, read when the first lesson needs them.
 Lesson readLesson(const std::string& path, std::optional<LessonTexts>& texts) {
   const JsonText json = parseJsonText(readWholeFile(path, kLargestLesson), path);
   try {
@@ -99,7 +99,7 @@ Lesson readLesson(const std::string& path, std::optional<LessonTexts>& texts) {
   }
 }
 
-/// A language that has neither a file nor a lesson of its own is a mistake of whoever asked for it.
+/// Throws for a language that has neither a text file nor a lesson of its own.
 void requireLanguage(const LessonList& list, const LessonTexts& texts, const std::string& folder) {
   const auto isOfIt = [&](const Lesson& lesson) { return lesson.language == list.language; };
   if (list.language == "en" || texts.has(list.language)) return;
@@ -143,7 +143,7 @@ LessonList loadLessons(const std::string& folder, const std::string& language) {
   requireLanguage(list, *texts, folder);
   list.textErrors = texts->faults();
   list.notation = texts->notation();
-  // A lesson that cannot be read may be the one that asks for them.
+  // An unreadable lesson may be the one that uses them.
   if (list.errors.empty()) {
     for (const std::string& stray : texts->strays()) list.textErrors.push_back(stray);
   }

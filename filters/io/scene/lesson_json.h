@@ -1,5 +1,4 @@
-// A lesson from JSON values: what the lesson file's reader is made of. Internal to this folder; the public face is
-// lesson_file.h.
+// Parses a lesson from JSON values. Internal to this folder; the public interface is lesson_file.h.
 #pragma once
 
 #include <string>
@@ -9,11 +8,11 @@
 
 namespace boxprobe {
 
-/// Throws FieldError unless it says that it is a lesson, of a version that this program reads, and has a lesson's keys.
+/// Throws FieldError unless it is a lesson of a supported version, with a lesson's keys.
 void requireLessonHeader(const Json& root);
 
-/// Of a lesson with its header and its texts. Names of files are resolved against `folder`. Throws FieldError. The
-/// scene is not read.
+/// Parses a lesson that has its header and texts. File names are resolved against `folder`. The scene is not read.
+/// Throws FieldError.
 Lesson lessonFromJson(const Json& root, const std::string& folder);
 
 }  // namespace boxprobe

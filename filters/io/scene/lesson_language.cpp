@@ -23,7 +23,7 @@ std::string required(const JsonCursor& value) {
   return text;
 }
 
-/// Step by step: the library's own operator[] of a pointer is a deprecated comparison to newer compilers.
+/// One level at a time: the library's operator[] of a pointer is a deprecated comparison in newer compilers.
 Json& valueAt(Json& root, const Json::json_pointer& place) {
   if (place.empty()) return root;
   Json& holder = valueAt(root, place.parent_pointer());
@@ -50,7 +50,7 @@ void readHeader(const JsonCursor& root, const std::string& language) {
   if (const auto note = root.find("unreviewed")) required(*note);
 }
 
-/// Takes a lesson's texts one by one to their places.
+/// Inserts a lesson's texts one by one.
 class TextMover {
  public:
   TextMover(const std::vector<LessonTextPlace>& places, Json& lesson) : lesson_(lesson) {
@@ -94,7 +94,7 @@ class TextMover {
  private:
   Json& lesson_;
   std::map<KeyPath, Json::json_pointer> places_;
-  std::map<KeyPath, std::vector<std::string>> known_;  ///< the keys below one
+  std::map<KeyPath, std::vector<std::string>> known_;  ///< the keys below each key
 };
 
 std::string textFolder(const std::string& folder) {

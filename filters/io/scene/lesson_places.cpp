@@ -70,7 +70,7 @@ class PlaceFinder {
     }
   }
 
-  /// The entries of a list, each under its id.
+  /// The entries of a list, each with its id.
   template <typename Add>
   void each(const JsonCursor& owner, const char* name, const KeyPath& key, const Add& add) {
     const auto list = owner.find(name);
@@ -93,7 +93,7 @@ class PlaceFinder {
     add(entry, key, name);
   }
 
-  /// What is the same in all languages stands in the lesson; true says that this one is not.
+  /// Values common to all languages are in the lesson; true means that this text has to be translated.
   void ifTrue(const JsonCursor& entry, const KeyPath& key, const char* name) {
     if (const auto value = entry.find(name); value && value->json() == true) add(entry, key, name);
   }

@@ -1,5 +1,4 @@
-// Which texts a lesson without texts of its own asks for, and where in the lesson each of them belongs. Internal to
-// this folder; knows nothing of languages or files.
+// Which texts a lesson without texts of its own needs, and where each belongs in it. Internal to this folder.
 #pragma once
 
 #include <vector>
@@ -15,14 +14,14 @@ struct LessonTextPlace {
   Json::json_pointer into;
 };
 
-/// True for a lesson that carries its texts itself: it has a title.
+/// Does the lesson contain its texts, that is, a title?
 bool carriesTexts(const Json& lesson);
 
 /// In the lesson's order, without the chapter's name, which lessons share. Throws FieldError for a step, answer or
-/// claim without an id of its own, and for a text that stands in the lesson.
+/// claim without an id, and for a text in the lesson.
 std::vector<LessonTextPlace> lessonTextPlaces(const Json& lesson);
 
-/// The text of an id: throws FieldError unless it is made of small letters, digits and hyphens.
+/// The id: throws FieldError unless it consists of lower-case letters, digits and hyphens.
 std::string lessonTextId(const JsonCursor& value);
 
 }  // namespace boxprobe

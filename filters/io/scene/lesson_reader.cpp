@@ -1,4 +1,4 @@
-// The lesson file's grammar: one function an object, each naming the keys it knows. See lesson_file.h.
+// The grammar of the lesson file: one function per object, each with the keys it accepts.
 #include <filesystem>
 
 #include "filters/core/base/nearest_name.h"
@@ -25,7 +25,7 @@ std::string optional(const JsonCursor& entry, const char* key) {
   return value ? value->text() : std::string();
 }
 
-/// Under its id an entry's texts stand apart; where they do not, it may have one all the same.
+/// An id is required where the texts are separate, and allowed elsewhere.
 void checkId(const JsonCursor& entry) {
   if (const auto id = entry.find("id")) lessonTextId(*id);
 }
@@ -65,7 +65,7 @@ std::vector<PicturePoint> readPoints(const JsonCursor& value) {
   return points;
 }
 
-/// Assignments of the command line from an object of key paths; pictures' names are relative to the lesson's folder.
+/// Command-line assignments from an object of key paths; file names of pictures are relative to the lesson's folder.
 std::vector<std::string> readAssignments(const JsonCursor& set, const std::string& folder) {
   set.requireObject();
   std::vector<std::string> assignments;
@@ -79,7 +79,7 @@ std::vector<std::string> readAssignments(const JsonCursor& set, const std::strin
   return assignments;
 }
 
-/// From 1, as people count.
+/// Steps are numbered from 1 in the file.
 std::size_t readStep(const JsonCursor& value, std::size_t steps) {
   const int step = value.whole();
   if (step < 1 || static_cast<std::size_t>(step) > steps) {
@@ -209,7 +209,7 @@ LessonExercise readExercise(const JsonCursor& entry, std::size_t steps) {
   return exercise;
 }
 
-constexpr std::size_t kMostCurveValues = 32;  // each is a picture and its truth
+constexpr std::size_t kMostCurveValues = 32;  // each needs a picture and its reference
 
 LessonCurve readCurve(const JsonCursor& entry, std::size_t steps) {
   entry.requireObject(
@@ -241,7 +241,7 @@ LessonCurve readCurve(const JsonCursor& entry, std::size_t steps) {
   return curve;
 }
 
-constexpr int kMostLevels = 11;  // of 1024 texels and fewer; a probe has at most as many
+constexpr int kMostLevels = 11;  // for faces of 1024 texels, a probe's maximum
 constexpr std::size_t kMostColumns = 7;
 
 LessonMap readMap(const JsonCursor& entry) {
@@ -284,7 +284,7 @@ LessonInset readInset(const JsonCursor& entry) {
   return inset;
 }
 
-/// By the scene file's own grammar.
+/// With the grammar of the scene file.
 Camera readStepCamera(const JsonCursor& value, const std::string& folder) {
   value.requireObject();
   Json scene = {{"format", "boxprobe-scene"}, {"version", 1}};

@@ -26,7 +26,7 @@ std::string LessonTexts::chapterName(const JsonCursor& chapter) {
   for (const LessonLanguage& language : languages_) {
     if (language.hasChapter(id)) return language.chapter(id);
   }
-  return languages_.back().chapter(id);  // says what to add
+  return languages_.back().chapter(id);  // throws with advice
 }
 
 Json LessonTexts::lessonWithTexts(const Json& lesson, const std::string& name) {

@@ -1,5 +1,5 @@
-// Gives lessons their texts: in the language that is wanted where it has all of a lesson's, else in English. Internal
-// to this folder; called by lesson_file.
+// Provides the texts of lessons: in the requested language if it has all texts of a lesson, else in English. Internal
+// to this folder.
 #pragma once
 
 #include <set>
@@ -13,28 +13,27 @@ namespace boxprobe {
 
 class LessonTexts {
  public:
-  /// `language` first, then English; those of the two that `folder` has a file for. Throws InputError if one of the
-  /// files is not what it should be.
+  /// `language` first, then English; skips those without a file in `folder`. Throws InputError if a file is invalid.
   LessonTexts(std::string folder, const std::string& language);
 
-  /// The lesson `name` as if it carried its texts itself. Throws FieldError about the lesson, InputError about the
-  /// texts of the last language; what is wrong in the one before it is told by faults().
+  /// The lesson `name` with its texts inserted. Throws FieldError about the lesson, InputError about texts of the last
+  /// language; errors in the language before it are listed by faults().
   Json lessonWithTexts(const Json& lesson, const std::string& name);
 
-  /// In the language that is wanted if it has one, else in English. Throws InputError.
+  /// In the requested language if it has one, else in English. Throws InputError.
   std::vector<LessonSymbol> notation() const;
 
   bool has(const std::string& language) const;
-  /// One line each: a lesson that is shown in English because a text in the language that is wanted is not right.
+  /// One line for each lesson that is shown in English because of an error in the requested language.
   const std::vector<std::string>& faults() const { return faults_; }
-  /// Lessons and chapters of the files that no lesson so far has asked for.
+  /// Lessons and chapters of the files that no lesson has used so far.
   std::vector<std::string> strays() const;
 
  private:
   std::string chapterName(const JsonCursor& chapter);
 
   std::string folder_;
-  std::vector<LessonLanguage> languages_;  ///< the most wanted first
+  std::vector<LessonLanguage> languages_;  ///< in order of preference
   std::set<std::string> lessons_, chapters_;
   std::vector<std::string> faults_;
 };

@@ -1,4 +1,4 @@
-// The points of an earlier benchmark, from its bench.json. Called by whoever shows them; knows no chart.
+// Reads the points of an earlier benchmark from its bench.json.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace boxprobe {
 
-/// Against `reference`, "box" or "scene". Throws InputError naming the file and what to do.
+/// Errors against `reference`, "box" or "scene". Throws InputError with the file and what to do.
 std::vector<ParetoPoint> loadParetoFront(const std::string& path, const std::string& reference = "box");
 
 }  // namespace boxprobe

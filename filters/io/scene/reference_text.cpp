@@ -11,7 +11,7 @@ std::string quotedId(std::string_view text) {
 
 namespace {
 
-/// What kind of value it is, without range and unit.
+/// The kind of a value, without range and unit.
 std::string kindText(const FieldInfo& field) {
   switch (field.kind) {
     case FieldKind::Number:

@@ -1,4 +1,4 @@
-// What a field may hold, in words: shared by both forms of the scene file's reference. Internal to this folder.
+// Describes the values of a field: shared by both forms of the scene file's reference. Internal to this folder.
 #pragma once
 
 #include "filters/core/scene/scene_fields.h"
@@ -6,7 +6,7 @@
 
 namespace boxprobe {
 
-/// As JSON text in Markdown: `"box"`.
+/// JSON text in Markdown: `"box"`.
 std::string quotedId(std::string_view id);
 
 template <typename Item, typename Text>
@@ -20,7 +20,7 @@ std::string joined(const std::vector<Item>& items, const std::string& separator,
 std::string valueText(const FieldInfo& field);
 std::string valueText(const ParameterRow& parameter);
 
-/// Of a light's field: the types that have it; "" if all do.
+/// For a light's field: the types that have it; "" for all.
 std::string typeText(const FieldInfo& field);
 
 /// The row of a kind of change.

@@ -1,4 +1,4 @@
-// Files of scenes: reading, places for errors, looking for the files a scene names, and writing.
+// Reads and writes scene files, adds positions to errors, and finds the files that a scene refers to.
 #include "filters/io/scene/scene_file.h"
 
 #include <filesystem>
@@ -47,7 +47,7 @@ Scene parse(const std::string& text, const std::string& name, const std::string&
   }
 }
 
-/// The folder of a file, never "": that would leave names unresolved.
+/// The folder of a file, never "", for which names would not be resolved.
 std::string folderOf(const std::string& path) {
   const fs::path parent = fs::path(path).parent_path();
   return parent.empty() ? "." : parent.string();
@@ -76,7 +76,7 @@ std::string sceneText(const Scene& scene, const std::string& folder) {
 }
 
 void saveSceneFile(const Scene& scene, const std::string& path) {
-  validate(scene);  // a file that could not be opened again must not replace one that could
+  validate(scene);  // a file that could not be opened again must not replace a good one
   writeTextAtomically(path, sceneText(scene, folderOf(path)));
 }
 

@@ -1,5 +1,4 @@
-// Scene to and from JSON values: what the scene file's reader, writer and single-field setter share, and the Python
-// module. The public face is scene_file.h.
+// Converts scenes to and from JSON values. The public interface is scene_file.h.
 #pragma once
 
 #include <string>
@@ -10,17 +9,17 @@
 
 namespace boxprobe {
 
-/// File names in the result are resolved against `folder`; "" leaves them as they are. Throws FieldError. Not
-/// validated.
+/// File names in the result are resolved against `folder`; "" leaves them unchanged. Throws FieldError. Does not
+/// validate.
 Scene sceneFromJson(const Json& root, const std::string& folder);
 
-/// Minimal: what equals its default is left out. Complete: every key that has a value, so that each can be replaced.
+/// Minimal: default values are left out. Complete: every key that has a value, so that each can be replaced.
 enum class JsonForm { Minimal, Complete };
-/// File names are written relative to `folder`; "" leaves them as they are.
+/// File names are written relative to `folder`; "" leaves them unchanged.
 Json sceneToJson(const Scene& scene, const std::string& folder, JsonForm form);
 
-/// Where a key path leads in `root`: names of probes become indices, "model" stands in for models[0]. As far as it
-/// goes.
+/// The JSON pointer of a key path in `root`, as far as it exists: names of probes become indices, "model" means
+/// models[0].
 Json::json_pointer pointerForPath(const Json& root, const KeyPath& path);
 
 }  // namespace boxprobe

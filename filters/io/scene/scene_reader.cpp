@@ -1,5 +1,5 @@
-// The scene file's grammar above its fields: which lists and maps there are, and what keys exclude each other. Fields
-// are read by their rows (field_reader.cpp); ranges are validate()'s business.
+// The grammar of the scene file above its fields: lists, maps, and keys that exclude each other. field_reader.cpp reads
+// fields by their rows; validate() checks ranges.
 #include "filters/io/json/json_cursor.h"
 #include "filters/io/scene/field_json.h"
 #include "filters/io/scene/scene_json.h"
@@ -15,7 +15,7 @@ ModelFile readModel(const JsonCursor& entry, const std::string& folder) {
   return model;
 }
 
-/// A part of the sky is there if one of its keys is.
+/// A part of the sky is present if one of its keys is.
 template <typename Part>
 std::size_t keysThere(const JsonCursor& object, const std::vector<FieldRow<Part>>& rows) {
   std::size_t count = 0;
@@ -42,7 +42,7 @@ Camera readCamera(const JsonCursor& entry, const std::string& folder) {
   return camera;
 }
 
-/// What to say of a key that lights of another type have.
+/// The message for a key that only lights of another type have.
 std::string typeProblem(const FieldInfo& field, LightType type, const std::vector<FieldChoice>& types) {
   const std::string own(types[static_cast<std::size_t>(type)].id);
   std::string problem = "does not belong to a " + own + " light";
@@ -71,7 +71,7 @@ Probe readProbe(const JsonCursor& element, const std::string& folder) {
   element.requireObject();
   requireFields(element, probeFields());
   const std::string name = element.find("name")->text();
-  // From here on by name, as people think of it; an empty one is left to validate(), which counts.
+  // From here on by name, which is easier to read; empty names are left to validate(), which uses indices.
   return readPart(name.empty() ? element : element.at({"probes", name}), probeFields(), folder);
 }
 
@@ -91,7 +91,7 @@ void readHeader(const JsonCursor& root) {
 Scene sceneFromJson(const Json& json, const std::string& folder) {
   const JsonCursor root(json, {});
   root.requireObject();
-  readHeader(root);  // first: a file of another kind should be called that, not be blamed for its keys
+  readHeader(root);  // first: a file of another kind should be reported as such, not by its unknown keys
   root.requireObject(fieldKeys(sceneFields()));
   Scene scene;
   const auto model = root.find("model");

@@ -1,14 +1,14 @@
-// The reference of the scene file: every key with its value, range, default, cost and meaning, from the tables that
-// read it. Printed by `boxprobe info --fields`; data/scenes/README.md holds it.
+// The reference of the scene file: every key with its value, range, default, cost and meaning, from the field tables.
+// Printed by `boxprobe info --fields`; data/scenes/README.md contains it.
 #pragma once
 
 #include <string>
 
 namespace boxprobe {
 
-/// Markdown: a table a part.
+/// Markdown: one table per part.
 std::string sceneReferenceMarkdown();
-/// JSON: a list of parts, each with a list of fields. Ends in a newline.
+/// JSON: a list of parts, each with a list of fields. Ends with a newline.
 std::string sceneReferenceJson();
 
 }  // namespace boxprobe

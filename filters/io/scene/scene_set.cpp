@@ -1,5 +1,5 @@
-// One assignment from the command line. It goes through the JSON form of the scene, so that keys, types and ranges are
-// the scene file's and there is one parser.
+// Assignments of the command line. They are applied to the JSON form of the scene, so that keys, types and ranges are
+// those of the scene file and there is one parser.
 #include <algorithm>
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace boxprobe {
 
 namespace {
 
-/// "a.b[1].c" as {"a", "b", "[1]", "c"}; a plain number between dots is an index where it meets an array.
+/// "a.b[1].c" as {"a", "b", "[1]", "c"}; a number between dots is an index if it meets an array.
 std::vector<std::string> splitKeys(const std::string& text, std::size_t start) {
   std::vector<std::string> keys;
   std::string key;
@@ -46,8 +46,7 @@ struct NamePart {
   bool quoted = false;
 };
 
-/// Where the text in quotes that begins at `start` ends: behind its closing quote. A backslash keeps the next
-/// character.
+/// The position after the closing quote of the text that begins at `start`. A backslash escapes the next character.
 std::size_t endOfQuotes(const std::string& path, std::size_t start) {
   for (std::size_t i = start + 1; i < path.size(); ++i) {
     if (path[i] == '"') return i + 1;
@@ -56,8 +55,8 @@ std::size_t endOfQuotes(const std::string& path, std::size_t start) {
   return std::string::npos;
 }
 
-/// A NAME in quotes is a JSON string and may hold anything. Another one may have dots and brackets where it is known:
-/// the longest known name that fits wins; else it ends at the first dot.
+/// A quoted NAME is a JSON string and may contain anything. An unquoted one may have dots and brackets if it exists:
+/// the longest existing name wins; otherwise it ends at the first dot.
 NamePart splitName(const std::string& path, std::size_t start, const std::vector<std::string>& names) {
   if (start < path.size() && path[start] == '"') {
     const std::size_t end = endOfQuotes(path, start);
@@ -77,7 +76,7 @@ NamePart splitName(const std::string& path, std::size_t start, const std::vector
   return {best, std::min(path.size(), start + best.size() + 1), false};
 }
 
-/// The "=" that ends the keys: none within quotes.
+/// The "=" that ends the keys, outside quotes.
 std::size_t findEquals(const std::string& assignment) {
   for (std::size_t i = 0; i < assignment.size(); ++i) {
     if (assignment[i] == '=') return i;
@@ -94,7 +93,7 @@ bool isIndex(const std::string& key) {
          std::all_of(key.begin(), key.end(), [](unsigned char c) { return c >= '0' && c <= '9'; });
 }
 
-/// The value at `key`, made where the file's grammar lets a key be absent.
+/// The value at `key`, created where the file's grammar lets a key be absent.
 Json& descend(Json& value, const std::string& key, KeyPath& path) {
   const bool bracketed = key.size() > 2 && key.front() == '[' && key.back() == ']';
   const std::string digits = bracketed ? key.substr(1, key.size() - 2) : key;
@@ -106,14 +105,13 @@ Json& descend(Json& value, const std::string& key, KeyPath& path) {
     }
     return value[index];
   }
-  if (value.is_null() && bracketed)
-    return value;  // an element of what is not there: the parser says what belongs there
+  if (value.is_null() && bracketed) return value;  // an element of a missing array: the parser reports it
   path.push_back(key);
   if (bracketed || !(value.is_object() || value.is_null())) {
     throw FieldError(path, value.is_array() ? "is not an element; use an index such as [0]"
                                             : "has nothing below it; end the key before it");
   }
-  return value[key];  // a key that does not belong here is the parser's to refuse
+  return value[key];  // the parser refuses keys that do not belong here
 }
 
 Json parseValue(const std::string& text, const std::string& name) {
@@ -121,17 +119,17 @@ Json parseValue(const std::string& text, const std::string& name) {
   const char first = text.empty() ? '\0' : text.front();
   const bool meantAsJson =
       first == '[' || first == '{' || first == '"' || first == '-' || isIndex(std::string(1, first));
-  if (meantAsJson) return parseJsonText(text, name).root;  // for its message
+  if (meantAsJson) return parseJsonText(text, name).root;  // throws with the parser's message
   return text;
 }
 
-/// The sky is one of three kinds: naming a key of another kind changes the kind.
+/// The sky is one of three kinds: assigning to a key of another kind changes the kind.
 void chooseSkyKind(Json& root, const std::string& key) {
   Json& sky = root["sky"];
   const auto isOf = [&key](const auto& rows) { return findField(rows, key) != nullptr; };
   if (sky.contains(key) || isOf(anySkyFields())) return;
   if (!isOf(skyImageFields()) && !isOf(skyColorFields()) && !isOf(skyGradientFields())) return;
-  // A gradient starts from the standard one; an image and a colour from nothing.
+  // A gradient starts from the default one; an image and a colour start empty.
   Json chosen = Json::object();
   if (isOf(skyGradientFields())) chosen = sceneToJson(Scene(), "", JsonForm::Complete)["sky"];
   for (const FieldRow<Scene>& row : anySkyFields()) {
@@ -141,7 +139,7 @@ void chooseSkyKind(Json& root, const std::string& key) {
   sky = std::move(chosen);
 }
 
-/// A default probe or camera of that name, as the last one.
+/// Appends a default probe or camera of that name.
 void addNamed(Json& entries, const std::string& group, const std::string& name) {
   Scene scene;
   scene.probes.emplace_back().name = name;
@@ -154,7 +152,7 @@ void addNamed(Json& entries, const std::string& group, const std::string& name) 
   }
 }
 
-/// Walks from the root to the value to replace. Fills `path` for messages.
+/// Finds the value to replace, starting at the root. Fills `path` for messages.
 Json& locate(Json& root, const std::string& keys, KeyPath& path) {
   const std::size_t dot = keys.find('.');
   const std::string group = keys.substr(0, dot);
@@ -176,7 +174,7 @@ Json& locate(Json& root, const std::string& keys, KeyPath& path) {
   const auto found = std::find(names.begin(), names.end(), name);
   if ((group == "probes" || group == "cameras") && found == names.end()) {
     const std::string thing = group.substr(0, group.size() - 1);
-    // A name that was mistyped must not make a new one.
+    // A mistyped name must not create a new entry.
     if (!quoted) {
       throw FieldError(path, "there is no such " + thing + "; the scene has " + nameList(names) + "; to add one, put " +
                                  "its name in quotes: " + group + ".\"" + name + "\"");
@@ -187,7 +185,7 @@ Json& locate(Json& root, const std::string& keys, KeyPath& path) {
   const std::vector<std::string> fields = splitKeys(keys, rest);
   if (value->is_null()) *value = Json::object();
   if (group == "probes" && !fields.empty() && fields[0] == "influence" && !value->contains("influence")) {
-    (*value)["influence"] = (*value)["box"];  // what it stands for while left out
+    (*value)["influence"] = (*value)["box"];  // its meaning while left out
   }
   for (const std::string& key : fields) value = &descend(*value, key, path);
   return *value;
@@ -210,7 +208,7 @@ void setSceneFields(Scene& scene, const std::vector<std::string>& assignments) {
       locate(root, assignment.substr(0, equals), path) = std::move(value);
       result = sceneFromJson(root, "");
     }
-    // Only now: two ends of a box may have to move before it is a box again.
+    // Only at the end: a box may be invalid between the assignments to its two ends.
     if (assignments.size() > 1) name = "--set";
     validate(result);
   } catch (const FieldError& error) {

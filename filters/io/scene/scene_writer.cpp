@@ -1,5 +1,5 @@
-// Scene to JSON: lists and maps of parts, each written by its rows (field_writer.cpp). The defaults are not repeated
-// here: they are what a default-made struct holds.
+// Writes a scene as JSON: lists and maps of parts, each by its rows (field_writer.cpp). Defaults are those of a
+// default-constructed struct.
 #include "filters/io/scene/field_json.h"
 #include "filters/io/scene/scene_json.h"
 
@@ -41,7 +41,7 @@ Json mapJson(const std::map<std::string, Part>& map, const std::vector<FieldRow<
   return json;
 }
 
-/// What stands at a key of the file that is no field by itself; null: nothing to write in the minimal form.
+/// The value of a top-level key that is not a field; null: nothing to write in the minimal form.
 Json partsJson(std::string_view key, const Scene& scene, const Writing& how) {
   const bool minimal = how.form == JsonForm::Minimal;
   const bool plainModel = minimal && scene.models.size() == 1 && scene.models[0] == ModelFile{scene.models[0].file};

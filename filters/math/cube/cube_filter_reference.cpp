@@ -102,7 +102,7 @@ glm::vec4 CubeFilterReference::value(const FilterLobe& lobe, const glm::vec3& mi
       norm += k * patch.solidAngle;
       continue;
     }
-    // Wholly beyond the horizon or the kernel's reach.
+    // Entirely beyond the horizon or the kernel's support.
     const float chord = std::sqrt(apart2) - patch.width;
     if (chord > 0.0f && lobeKernel(lobe, 0.5f * chord * chord) <= 0.0f) continue;
     const int parts = at.level == 1 ? kParts : 2;

@@ -1,5 +1,5 @@
-// What a level of a prefiltered chain should be: the kernel integrated over every texel of the source, with no sampling
-// pattern and no mip chain. Judges both prefilters, in tests and in the benchmark; too slow for the program.
+// What a level of a prefiltered chain should be: the kernel integrated over every texel of the source, without a
+// sampling pattern or a mip chain. Tests and the benchmark judge both prefilters by it; it is too slow for the program.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace boxprobe {
 
-/// The source's radiance is taken as its level 0 shows it when looked up: interpolated bilinearly, seamlessly. The
-/// integral is a sum over a tree of patches: a patch that is small beside the kernel's scale at its angle counts as one
-/// direction, the centroid of its radiance; any other is split, down to a ninth of a texel.
+/// The source's radiance is its level 0 as lookups show it: bilinear and seamless. The integral is a sum over a tree of
+/// patches. A patch that is small beside the kernel's scale at its angle counts as one direction, the centroid of its
+/// radiance; any other is split, down to a ninth of a texel.
 class CubeFilterReference {
  public:
-  /// `tolerance`: width of a patch relative to the kernel's scale there; the error of a smooth integrand goes with its
-  /// square.
+  /// `tolerance`: width of a patch relative to the kernel's scale there. The error of a smooth integrand is
+  /// proportional to its square.
   explicit CubeFilterReference(const CubeMap& source, float tolerance = 0.1f);
 
   glm::vec4 value(const FilterLobe& lobe, const glm::vec3& middle) const;
-  /// A level of `chain` from value(), on all cores.
+  /// Fills a level of `chain` by value(), on all cores.
   void filterLevel(const FilterLobe& lobe, CubeMap& chain, int level) const;
 
  private:

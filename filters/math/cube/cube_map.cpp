@@ -12,7 +12,7 @@ double cornerArea(double s, double t) {
   return std::atan2(s * t, std::sqrt(s * s + t * t + 1.0));
 }
 
-// A texel beyond an edge, found by folding the face's plane over the edge of the cube: lengths are kept, so texel
+// A texel beyond an edge, found by folding the face's plane over the edge of the cube. Folding keeps lengths, so texel
 // centres land on texel centres. Coordinates in texels; at most one is outside.
 struct TexelPlace {
   int face, column, row;
@@ -123,7 +123,7 @@ CubeMap::Taps CubeMap::taps(const glm::vec3& direction, float level) const {
   return result;
 }
 
-// The four texels in the middle of a face that lie about a point of it, as tap() weighs them; false at its rim.
+// Adds the four texels around a point, weighted as tap() does, if all lie within the face; returns false at its rim.
 bool CubeMap::addInside(const CubePoint& point, int level, float weight, glm::vec4& sum) const {
   const int size = levelSize(level);
   const float u = (0.5f * point.s + 0.5f) * static_cast<float>(size) - 0.5f;

@@ -1,5 +1,4 @@
-// A cubemap and its mip levels on the CPU, looked up exactly as OpenGL does with seamless filtering: what explanations,
-// the CPU prefilter, the ray-traced reference and files share. Float RGBA; knows no probe.
+// A cubemap with mip levels on the CPU, sampled exactly as OpenGL does with seamless filtering. Float RGBA.
 #pragma once
 
 #include <array>
@@ -10,7 +9,7 @@
 
 namespace boxprobe {
 
-/// One texel and its share of a lookup's value.
+/// One texel and its weight in a lookup.
 struct TexelShare {
   int level = 0;
   int face = 0;    ///< OpenGL order +X -X +Y -Y +Z -Z

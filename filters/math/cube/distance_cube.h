@@ -1,4 +1,4 @@
-// A distance cubemap on the CPU, looked up as the GPU does it: the nearest texel. For explanations and the ray filter.
+// A distance cubemap on the CPU, sampled as on the GPU: the nearest texel.
 #pragma once
 
 #include "filters/math/cube/cube_map.h"

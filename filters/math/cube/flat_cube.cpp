@@ -39,7 +39,7 @@ std::vector<glm::vec4> paddedFace(const CubeMap& cube, int level, int face) {
     at(i, size) = beyondEdge(cube, level, face, i, size);
   }
   for (const int column : {-1, size}) {
-    for (const int row : {-1, size}) {  // three texels meet there and share the missing fourth's weight
+    for (const int row : {-1, size}) {  // three texels meet there and share the weight of the missing fourth
       const int inColumn = std::clamp(column, 0, size - 1), inRow = std::clamp(row, 0, size - 1);
       at(column, row) = (at(inColumn, inRow) + at(column, inRow) + at(inColumn, row)) / 3.0f;
     }

@@ -9,9 +9,9 @@ namespace boxprobe {
 
 namespace {
 
-// Rounding leaves a few texels on the edges between triangles open; a shell with more has a hole.
+// Rounding leaves a few texels along triangle edges uncovered; a shell with more has a hole.
 constexpr double kOpenShare = 1.0e-3;
-// Of the surface, hidden from the middle or facing it: what a dent of a hundredth would be.
+// At least this share of the surface must face away from the middle: a dent may take one hundredth.
 constexpr double kDescribedShare = 0.99;
 
 }  // namespace
@@ -45,7 +45,7 @@ GlassShell::GlassShell(const std::vector<glm::vec3>& positions, const std::vecto
   for (std::size_t i = 0; i < distance_.size(); ++i) {
     if (distance_[i] > 0.0f) continue;
     ++open;
-    // Closed by the sphere around it all.
+    // Filled with the bounding sphere.
     const auto at = static_cast<int>(i % texels);
     const float s = 2.0f * (static_cast<float>(at % faceSize) + 0.5f) / static_cast<float>(faceSize) - 1.0f;
     const float t = 2.0f * (static_cast<float>(at / faceSize) + 0.5f) / static_cast<float>(faceSize) - 1.0f;
@@ -58,8 +58,8 @@ GlassShell::GlassShell(const std::vector<glm::vec3>& positions, const std::vecto
   distance_ = {};
 }
 
-// A direction d = a + s b + t c of the face meets the triangle where d.(p x q) is not negative for all three edges:
-// each is linear in s and t, and weighs the corner across from it. Nothing has to be clipped.
+// A direction d = a + s b + t c of the face meets the triangle where d.(p x q) is not negative for all three edges.
+// Each product is linear in s and t, and weights the opposite corner. Nothing has to be clipped.
 void GlassShell::draw(const glm::vec3* corners, const glm::vec3* normals, int face) {
   const int size = planes_.faceSize();
   const glm::vec3 middle = shading::cubeDirection(face, 0.0f, 0.0f);
@@ -77,7 +77,7 @@ void GlassShell::draw(const glm::vec3* corners, const glm::vec3* normals, int fa
     high = glm::max(high, point);
   }
   if (behind == 3) return;
-  // With a corner behind the middle the projection says nothing: the whole face.
+  // With a corner behind the middle the projection is useless: test the whole face.
   const auto texel = [&](float x) {
     return static_cast<int>(std::floor(0.5f * (std::clamp(x, -1.0f, 1.0f) + 1.0f) * static_cast<float>(size) - 0.5f));
   };

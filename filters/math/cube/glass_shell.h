@@ -1,6 +1,7 @@
-// The shell of a glass object: its surface as seen from its middle, a plane a texel of a cubemap, so that rays can be
-// followed through it without its triangles. Made on the CPU from a mesh, once; uploaded by the VTK layer, looked up
-// here by explanations. Right for what its middle sees all of (a ball, a block, a prism); `fits` says whether it does.
+// The shell of a glass object: its surface seen from its middle, one plane per texel of a cubemap, so that rays can be
+// followed through it without its triangles. Made once from a mesh on the CPU and uploaded as a texture; explanations
+// sample it here. Exact for objects whose surface is entirely visible from the middle (a ball, a block, a prism);
+// `fits` says whether it is.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,8 @@ namespace boxprobe {
 
 class GlassShell : public shading::ShellSampler {
  public:
-  /// Positions relative to the middle, outward normals (not all unit) one a position, triangles wound counter-clockwise
-  /// from outside. `faceSize` texels per side.
+  /// Positions relative to the middle; one outward normal per position, of any length; triangles wound
+  /// counter-clockwise from outside. `faceSize`: texels per side.
   GlassShell(const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
              const std::vector<std::uint32_t>& indices, int faceSize = 128);
 
@@ -25,14 +26,14 @@ class GlassShell : public shading::ShellSampler {
   float radius() const { return radius_; }
   /// Share of the surface's area that faces away from the middle.
   double described() const { return described_; }
-  /// Is that all of it, and is it closed?
+  /// Does the shell describe the whole object, and is it closed?
   bool fits() const { return fits_; }
 
  private:
   void draw(const glm::vec3* corners, const glm::vec3* normals, int face);
 
   CubeMap planes_;
-  std::vector<float> distance_;  ///< of each texel while it is drawn
+  std::vector<float> distance_;  ///< of each texel while triangles are drawn
   float radius_ = 0.0f;
   double described_ = 0.0;
   bool fits_ = false;

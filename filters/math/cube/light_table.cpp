@@ -7,7 +7,7 @@ namespace boxprobe {
 
 namespace {
 
-// Rec. 709 weights, of what is not negative and not infinite.
+// Rec. 709 weights; negative and infinite values count as 0.
 double luminance(const glm::vec4& texel) {
   const double y = 0.2126 * static_cast<double>(texel.x) + 0.7152 * static_cast<double>(texel.y) +
                    0.0722 * static_cast<double>(texel.z);
@@ -47,7 +47,7 @@ LightTable makeLightTable(const CubeMap& radiance) {
   const double perArea = 0.25 * faceSize * faceSize / count;
   std::vector<std::size_t> few, many;
   for (std::size_t i = 0; i < share.size(); ++i) {
-    share[i] *= count / sum;  // 1: as likely as the mean
+    share[i] *= count / sum;  // 1: as likely as the mean cell
     const auto density = static_cast<float>(share[i] * perArea);
     table.cells.emplace_back(1.0f, static_cast<float>(i), density, density);
     (share[i] < 1.0 ? few : many).push_back(i);

@@ -10,15 +10,14 @@ namespace boxprobe {
 
 namespace {
 
-/// Places of a face's texels and what they saw, as reciprocal depth: across a plane it is linear along rows and
-/// columns.
+/// Positions of a face's texels and their reciprocal depths: across a plane these are linear along rows and columns.
 class Face {
  public:
   Face(const CubeMap& distance, int face)
       : size_(distance.faceSize()), depth_(static_cast<std::size_t>(size_ * size_)) {
     for (int row = 0; row < size_; ++row) {
       for (int column = 0; column < size_; ++column) {
-        // Less than this, and its reciprocal overflows.
+        // Below this the reciprocal overflows.
         constexpr float kNearest = 1.0e-30f;
         const float seen = distance.texel(0, face, column, row).x;
         const float length = glm::length(shading::cubeDirection(face, at(column), at(row)));
@@ -29,8 +28,7 @@ class Face {
   float at(int i) const { return (2.0f * static_cast<float>(i) + 1.0f) / static_cast<float>(size_) - 1.0f; }
   float depth(int column, int row) const { return depth_[index(column, row)]; }
 
-  /// Change of reciprocal depth per unit of s or t. At an edge of what was seen, that of the side which goes on more
-  /// evenly.
+  /// Change of reciprocal depth per unit of s or t. At a depth edge, that of the side which continues more evenly.
   float slope(int column, int row, int dx, int dy) const {
     const float here = depth(column, row);
     float best = 0.0f, least = 1.0e38f;
@@ -39,7 +37,7 @@ class Face {
       if (!inside(x, y) || depth(x, y) <= 0.0f) continue;
       const float step = depth(x, y) - here;
       const int x2 = x + side * dx, y2 = y + side * dy;
-      // At the face's border there is no second step to compare with: half the first, so that the other side is
+      // At the face's border there is no second step to compare with: half of the first, so that the other side is
       // preferred.
       const float bend = inside(x2, y2) ? std::abs(depth(x2, y2) - depth(x, y) - step) : 0.5f * std::abs(step);
       const float score = bend + 1.0e-3f * std::abs(step);
@@ -60,8 +58,8 @@ class Face {
   std::vector<float> depth_;
 };
 
-/// Beyond this many times the median distance something counts as far: from the lookup's point as from the origin it
-/// lies in the same direction, within a few degrees.
+/// Beyond this many times the median distance something counts as far: seen from the lookup's position it lies in the
+/// same direction as from the origin, within a few degrees.
 constexpr float kFarShare = 4.0f;
 
 float farDistance(const CubeMap& distance) {
@@ -81,8 +79,8 @@ float farDistance(const CubeMap& distance) {
   return kFarShare * *middle;
 }
 
-/// The nearest direction in which something far was seen. Skies and horizons change with height more than around, so a
-/// turn in height counts thrice.
+/// Finds the nearest direction in which something far was seen. Skies and horizons change more with height than around,
+/// so elevation counts three times.
 class FarDirections {
  public:
   FarDirections(const CubeMap& distance, float far) : distance_(distance), far_(far), size_(distance.faceSize()) {
@@ -150,8 +148,7 @@ Relief::Relief(const CubeMap& distance) : texels_(distance.faceSize(), 1) {
     const glm::vec3 alongS = shading::cubeDirection(f, 1.0f, 0.0f) - middle;
     const glm::vec3 alongT = shading::cubeDirection(f, 0.0f, 1.0f) - middle;
     const int step = far.step(), cells = (size + step - 1) / step;
-    std::vector<float> nearest(static_cast<std::size_t>(cells * cells),
-                               0.0f);  // 0 is no code but one corner's: made when needed
+    std::vector<float> nearest(static_cast<std::size_t>(cells * cells), 0.0f);  // 0 encodes a corner: made when needed
     std::vector<bool> made(nearest.size());
     for (int row = 0; row < size; ++row) {
       for (int column = 0; column < size; ++column) {

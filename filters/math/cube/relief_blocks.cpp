@@ -1,5 +1,5 @@
 // Blocks from what a probe saw: texels whose surface stands off the box's walls are gathered in a grid, cells that
-// touch are one piece, and each piece gets a box. Deterministic: cells are joined in the grid's order.
+// touch form one piece, and each piece gets a box. Deterministic: cells are joined in the grid's order.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,15 +16,13 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kCells =
-    48;  // along the box's longest side: finer than gaps between furniture, coarser than between texels
-constexpr float kOffWall = 0.02f;      // of the box's shortest side: skirtings, door frames and noise stay the wall's
-constexpr float kInflate = 0.005f;     // of the same: so that a flat piece has an inside to sample
-constexpr float kBeyond = 0.25f;       // of the same: nearer behind the walls, pillars and beams are parts of them
-constexpr float kOutsideCells = 2.0f;  // times as large outside: what is seen there is farther away
-constexpr float kFacing = 0.35f;       // cosine: less is ground, which would join all that stands on it
-constexpr double kSmallest =
-    2.0e-4;  // of the sphere of directions: what is smaller shows in few pixels, and costs every ray
+constexpr int kCells = 48;  // along the longest side: finer than gaps between furniture, coarser than between texels
+constexpr float kOffWall = 0.02f;  // of the box's shortest side: skirtings, door frames and noise stay part of the wall
+constexpr float kInflate = 0.005f;     // of the same: gives a flat piece an inside to sample
+constexpr float kBeyond = 0.25f;       // of the same: pillars and beams this close behind a wall are part of it
+constexpr float kOutsideCells = 2.0f;  // cells are this much larger outside the box, where surfaces are farther away
+constexpr float kFacing = 0.35f;  // cosine: flatter surfaces are ground, which would join everything that stands on it
+constexpr double kSmallest = 2.0e-4;  // of the sphere of directions: smaller blocks cover few pixels but cost every ray
 
 struct Piece {
   glm::vec3 low{1.0e38f}, high{-1.0e38f};
@@ -36,7 +34,7 @@ struct Piece {
   }
 };
 
-/// A grid of cubes around the capture origin; those that touch are one piece.
+/// A grid of cubes around the capture origin; cubes that touch form one piece.
 class Cells {
  public:
   explicit Cells(float size) : size_(size) {}
@@ -126,13 +124,13 @@ ReliefBlocks reliefBlocks(const Relief& relief, const glm::vec3& boxMin, const g
   ReliefBlocks blocks;
   const glm::vec3 size = boxMax - boxMin;
   const float longest = std::max({size.x, size.y, size.z}), shortest = std::min({size.x, size.y, size.z});
-  // A flat box holds nothing, one beyond what squares of floats hold nothing that counts.
+  // A flat box has no interior; squares of larger boxes overflow a float.
   if (!(shortest > 1.0e-6f * longest) || !(longest < 1.0e15f) || !(longest > 1.0e-15f)) return blocks;
   const float cell = longest / kCells, offWall = kOffWall * shortest;
   const Seen seen = gather(relief, boxMin, boxMax, mapFromProbe, cell, offWall);
   std::vector<Piece> pieces = seen.inside.joined();
   for (Piece& piece : pieces) {
-    // What stands at a wall reaches to it: the texels that would show it were left to the wall.
+    // What stands at a wall extends to it: the texels that would show this count as wall.
     const float reach = 2.5f * offWall + 0.5f * cell;
     for (int axis = 0; axis < 3; ++axis) {
       if (piece.low[axis] - boxMin[axis] < reach) piece.low[axis] = boxMin[axis];

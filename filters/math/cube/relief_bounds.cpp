@@ -1,6 +1,6 @@
-// The relief's levels: what each block of 2^n x 2^n texels shows lies between two planes. Reciprocal depth is linear
-// across a plane and along a ray, so a block is bounded by a linear function of s and t and a slack: a wall, however
-// steeply it is seen, has none.
+// The relief's levels: all surfaces in a block of 2^n x 2^n texels lie between two planes. Reciprocal depth is linear
+// across a plane and along a ray, so a block is bounded by a linear function of s and t and a slack. A plane wall has
+// no slack, however obliquely it is seen.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -30,7 +30,7 @@ struct FaceAxes {
   glm::vec4 texel(const Bound& b) const { return glm::vec4(b.start * middle + b.alongS * s + b.alongT * t, b.slack); }
 };
 
-/// The slope of one of the four that leaves the least slack.
+/// Of the slopes of the four parts, the one that leaves the least slack.
 Bound joined(const std::array<Bound, 4>& parts, const glm::vec2& low, float side) {
   Bound best;
   best.slack = 3.0e38f;

@@ -1,5 +1,5 @@
-// Diffuse irradiance of a cubemap as nine spherical-harmonic coefficients. CPU only, no VTK: called once a capture with
-// a small level (8² to 16² faces hold more than the nine coefficients can).
+// Diffuse irradiance of a cubemap as nine spherical-harmonic coefficients. A small level is enough: faces of 8² to 16²
+// hold more detail than nine coefficients can.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@ namespace boxprobe {
 using ShCoefficients = std::array<glm::vec3, 9>;
 
 /// Radiance of six faces (RGBA float, faceSize² texels each, OpenGL face order and orientation) projected on the real
-/// spherical harmonics of bands 0 to 2 and convolved with the clamped cosine over pi, constants folded in, so that
-/// shIrradiance (shaders/shared/sh.glsl) gives the irradiance over pi: a constant radiance L gives L for every normal.
-/// `worldFromMap`: rotation of the faces' axes; normals are the world's.
-/// Ramamoorthi and Hanrahan 2001; each texel weighs its exact solid angle.
+/// spherical harmonics of bands 0 to 2 and convolved with the clamped cosine over pi, with the constants folded in:
+/// shIrradiance (shaders/shared/sh.glsl) gives irradiance over pi, and a constant radiance L gives L for every normal.
+/// `worldFromMap`: rotation from the faces' axes to the world's, which normals are in. Ramamoorthi and Hanrahan 2001;
+/// texels are weighted by their exact solid angles.
 ShCoefficients irradianceCoefficients(const std::array<std::vector<float>, 6>& faces, int faceSize,
                                       const glm::dmat3& worldFromMap = glm::dmat3(1.0));
 

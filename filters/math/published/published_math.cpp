@@ -23,7 +23,7 @@ vec2 publishedSplitSum(float cosine, float roughness) {
   constexpr int kSamples = 256;
   vec2 sum(0.0f);
   for (int i = 0; i < kSamples; ++i) {
-    // A golden-ratio lattice: even in both dimensions.
+    // A golden-ratio lattice: evenly distributed in both dimensions.
     const double turn = (i + 0.5) * 0.6180339887498949;
     const vec2 u(static_cast<float>(turn - std::floor(turn)), (static_cast<float>(i) + 0.5f) / kSamples);
     sum += publishedSplitSumSample(ggxHalfVector(u, roughness * roughness), cosine, roughness * roughness);

@@ -1,5 +1,5 @@
-// shaders/published, compiled as C++ as shared_math.h does with the program's own: forms found elsewhere, put to the
-// same test. No technique uses them.
+// shaders/published compiled as C++, as shared_math.h does with the program's own shaders: formulas as published
+// elsewhere, put through the same tests. No technique uses them.
 #pragma once
 
 #include "filters/math/shared/shared_math.h"
@@ -16,7 +16,7 @@ float publishedDistanceRoughness(float hitDistance, vec3 lookup, float roughness
 float publishedFootprintScale(ProbeShape probe, ProbeHit hit, vec3 direction);
 float publishedDistribution(float nh, float alpha);
 float publishedMasking(float nv, float alpha);
-/// Factors of F0 and F90 by the masking that is most often printed; 256 samples.
+/// Factors of F0 and F90 with the masking term that is printed most often; 256 samples.
 vec2 publishedSplitSum(float cosine, float roughness);
 float publishedInfluence(vec3 position, vec3 influenceMin, vec3 influenceMax, float blendDistance);
 

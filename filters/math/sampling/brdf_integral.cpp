@@ -14,7 +14,7 @@ struct Node {
   double at, weight;  // within [0, 1]
 };
 
-// Zeros of the Legendre polynomial of that degree, by Newton's method.
+// Zeros of the Legendre polynomial of degree `count`, by Newton's method.
 std::vector<Node> gaussLegendre(int count) {
   std::vector<Node> nodes;
   for (int i = 0; i < count; ++i) {
@@ -41,14 +41,14 @@ std::vector<Node> gaussLegendre(int count) {
 glm::dvec2 integrateBrdf(double cosine, double roughness, int points) {
   static thread_local std::vector<Node> nodes;
   if (static_cast<int>(nodes.size()) != points) nodes = gaussLegendre(points);
-  // A mirror's lobe is a point whatever its width: from here down nothing changes but rounding.
+  // A mirror's lobe is a point: below this width only rounding changes.
   const double alpha = std::max(roughness * roughness, 1.0e-7), a2 = alpha * alpha;
   const double c = std::clamp(cosine, 1.0e-7, 1.0), sine = std::sqrt(1.0 - c * c);
   const auto root = [a2](double x) { return std::sqrt(a2 + (1.0 - a2) * x * x); };
   const double viewRoot = root(c);
-  // Half vectors by s: tan² of the angle to the normal is alpha² u / (1 - u), u their share within that angle, 1 - u =
-  // (1 - s)². Mirrored in half vectors from the first angle on some directions lie below the surface, from the second
-  // on all do.
+  // Half vectors by s: tan² of the angle to the normal is alpha² u / (1 - u), where u is the share of half vectors
+  // within that angle and 1 - u = (1 - s)². From the first limiting angle on, some of the directions mirrored in half
+  // vectors lie below the surface; from the second on, all do.
   const auto place = [alpha](double angle) {
     const double t = std::tan(angle) / alpha;
     return 1.0 - 1.0 / std::sqrt(1.0 + t * t);
@@ -61,13 +61,13 @@ glm::dvec2 integrateBrdf(double cosine, double roughness, int points) {
     for (const Node& out : nodes) {
       const double s = ends[part] + width * out.at, tangent = alpha * std::sqrt(s * (2.0 - s)) / (1.0 - s);
       const double z = 1.0 / std::sqrt(1.0 + tangent * tangent), r = z * tangent;
-      // Up to which turn about the normal the mirrored direction is above the surface; both sides are alike.
+      // The azimuth up to which the mirrored direction is above the surface; both sides are symmetric.
       const double limit = r * sine > 0.0 ? (0.5 * c / z - z * c) / (r * sine) : -1.0;
       const double most = std::acos(std::clamp(limit, -1.0, 1.0));
       for (const Node& turn : nodes) {
         const double viewHalf = r * sine * std::cos(most * turn.at) + z * c, light = 2.0 * viewHalf * z - c;
         if (!(light > 0.0)) continue;
-        // D G2 / (4 N.V) over the half vectors' density, D N.H / (4 H.V) of directions.
+        // D G2 / (4 N.V) divided by the half vectors' density, D N.H / (4 H.V) per direction.
         const double value = viewHalf / (c * z) * 2.0 * c * light / (c * root(light) + light * viewRoot);
         const double grazing = 1.0 - std::min(viewHalf, 1.0), grazing2 = grazing * grazing;
         const double fresnel = grazing2 * grazing2 * grazing;

@@ -11,17 +11,18 @@ namespace boxprobe {
 namespace {
 
 constexpr double kPi = 3.14159265358979324;
-// Standard deviations to either side that CubeMapGen's cone holds; what lies beyond, 1.1 %, is cut off as there.
+// CubeMapGen's cone holds this many standard deviations to either side; the 1.1 % beyond are cut off, as there.
 constexpr double kGaussianReach = 3.0;
-// Lookups are denser than the kernel in its tail, and weigh less there: with a density equal to the kernel (power 2, or
-// variance 1) the last ones have footprints wider than their distance from the middle.
+// Samples are denser than the kernel in its tail, and weigh less there: with a density equal to the kernel (power 2, or
+// variance 1) the outermost samples have footprints wider than their distance from the middle.
 constexpr double kGgxPower = 1.75;
 constexpr double kGaussianSpread = 2.0;
-// Levels added to where a texel covers exactly a lookup's share of solid angle: footprints then overlap, and a lamp
-// between two lookups is not lost. Less gives blotches, more blurs; chosen for the least error over the benchmark's
-// cubemaps.
+// Added to the level at which a texel covers exactly a sample's share of solid angle: footprints then overlap, so a
+// lamp between two samples is not lost. Less gives blotches, more blurs; chosen for the least error over the
+// benchmark's cubemaps.
 constexpr double kLevelBias = 0.3;
-// Variance of a lookup's footprint per axis in texels of its level: 1/4 of the 1 3 3 1 chain, 1/6 of the interpolation.
+// Variance of a sample's footprint per axis, in texels of its level: 1/4 from the 1 3 3 1 chain, 1/6 from
+// interpolation.
 constexpr double kFootprintVariance = 0.25 + 1.0 / 6.0;
 
 struct Sample {
@@ -44,7 +45,7 @@ Sample ggxSample(double alpha, double azimuth, double share) {
   return {{radius * std::cos(phi), radius * std::sin(phi), 2.0 * cosine2 - 1.0}, shareByV / solidAngleByV};
 }
 
-// A Gaussian of kGaussianSpread times the variance over the plane that the sphere unrolls to, up to the reach.
+// A Gaussian of kGaussianSpread times the variance, over the sphere unrolled to a plane, cut off at kGaussianReach.
 Sample gaussianSample(double deviation, double azimuth, double share) {
   const double variance = kGaussianSpread * deviation * deviation;
   const double reach = std::min(kGaussianReach * deviation, 0.5 * kPi);
@@ -55,11 +56,11 @@ Sample gaussianSample(double deviation, double azimuth, double share) {
           planeDensity * (angle > 0.0 ? angle / std::sin(angle) : 1.0)};
 }
 
-// A group of lookups that lie at nearly the same angle.
+// A group of samples at nearly the same angle.
 struct Ring {
   double radius;    // 2 sin(angle / 2): areas in the plane are solid angles on the sphere
   double variance;  // of the footprints, per axis, steradian
-  double kernel;    // wanted there, up to a factor that all rings share
+  double kernel;    // wanted there, up to a factor common to all rings
   double weight;
 };
 
@@ -81,16 +82,16 @@ double scaledBesselI0(double x) {
          std::sqrt(x);
 }
 
-// What is read at `radius` of a ring of unit weight, blurred by round footprints: a Gaussian turned about the middle.
+// The value at `radius` of a ring of unit weight blurred by round footprints: a Gaussian rotated about the middle.
 double blurredRing(const Ring& ring, double radius) {
   const double apart = radius - ring.radius;
   return std::exp(-0.5 * apart * apart / ring.variance) * scaledBesselI0(radius * ring.radius / ring.variance) /
          ring.variance;
 }
 
-// Weights such that the lookups with their footprints, not the lookups alone, add up to the kernel: multiplied by
-// wanted over found until they meet (Richardson and Lucy's rule, which keeps them positive). A few rounds suffice, and
-// too many would chase the spacing of the rings.
+// Finds weights with which the samples and their footprints together add up to the kernel: each is multiplied by wanted
+// over found until they agree (Richardson-Lucy, which keeps weights positive). A few rounds suffice; too many would fit
+// the spacing of the rings.
 void fitWeights(std::vector<Ring>& rings) {
   constexpr int kRounds = 6;
   for (int round = 0; round < kRounds; ++round) {
@@ -166,8 +167,8 @@ std::vector<LobeTap> lobeTaps(const FilterLobe& lobe, int count, int sourceFaceS
     if (ring.variance > 0.0) continue;
     ring.radius = std::sqrt(2.0 * (1.0 - s.direction.z));
     ring.kernel = kernel;
-    // The capture's own interpolation is not counted, it belongs to the picture that is blurred; and never less than
-    // what fills the gaps between lookups that are denser than texels.
+    // Interpolation of the capture itself does not count: it belongs to the picture that is blurred. The variance is
+    // never less than what fills the gaps between samples that are denser than texels.
     ring.variance = std::max((std::exp2(2.0 * level) - 1.0) * kFootprintVariance * texelSolidAngle, 0.3 * solidAngle);
   }
   std::vector<double> before;

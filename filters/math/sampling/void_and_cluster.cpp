@@ -9,15 +9,13 @@ namespace boxprobe {
 
 namespace {
 
-// Standard deviation of a pixel's influence. Below 1.5, the published one, masks get coarser; towards 2.5 lattices
-// appear.
+// Standard deviation of a pixel's influence. Below the published 1.5 masks get coarser; towards 2.5 lattices appear.
 constexpr double kSigma = 1.9;
-// Whole numbers, so that what was added can be taken away again without a trace; 361 pixels of at most this fit 31
-// bits.
+// Integers, so that influence can be added and removed exactly; a sum over all 361 pixels in reach stays below 2^31.
 constexpr double kUnit = 1 << 22;
-constexpr int kReach = 9;  // beyond it a pixel has less than 2e-5 of its influence
+constexpr int kReach = 9;  // beyond this distance the influence is below 2e-5
 
-/// A pattern of pixels that are set, and how crowded each pixel is by them.
+/// A pattern of set pixels, and how crowded each pixel is by them.
 class Crowd {
  public:
   explicit Crowd(int size) : size_(size), crowding_(pixels(), 0), set_(pixels(), 0) {
@@ -82,7 +80,7 @@ std::vector<std::uint16_t> voidAndCluster(int size, std::uint32_t seed) {
     crowd.change(pixel, true);
     ++set;
   }
-  // The pixel that is most in the way moves to where there is most room, until it would move back.
+  // The most crowded pixel moves to the largest void, until it would move back.
   for (std::size_t moves = 0; moves < 4 * pixels; ++moves) {
     const std::size_t from = crowd.tightestCluster();
     crowd.change(from, false);
@@ -97,8 +95,8 @@ std::vector<std::uint16_t> voidAndCluster(int size, std::uint32_t seed) {
     crowd.change(pixel, false);
     ranks[pixel] = static_cast<std::uint16_t>(rank);
   }
-  // Where more than half are set, the tightest cluster of those that are not is the published rule: on a square that
-  // repeats it is the largest void again, since both crowdings add up to the same everywhere.
+  // With more than half of the pixels set, the published rule takes the tightest cluster of those not set. On a
+  // periodic square that is again the largest void, since the two crowdings add up to a constant.
   crowd = start;
   for (std::size_t rank = first; rank < pixels; ++rank) {
     const std::size_t pixel = crowd.largestVoid();

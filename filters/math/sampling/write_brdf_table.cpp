@@ -1,4 +1,4 @@
-// A program of the build: writes the numbers of brdf_table.h into the file it is given.
+// Writes the table of brdf_table.h into a file; a program of the build.
 #include <cmath>
 #include <cstdio>
 
@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   constexpr int kLast = boxprobe::kBrdfTableSize - 1;
   for (int row = 0; row <= kLast; ++row) {
     for (int column = 0; column <= kLast; ++column) {
-      // The root of N.V is even across (splitSumPlace). At the edge itself the limit is taken from just beside it.
+      // Columns are even in the root of N.V (splitSumPlace). At the edge itself the limit is evaluated just beside it.
       const double across = static_cast<double>(column) / kLast;
       const glm::dvec2 e =
           boxprobe::integrateBrdf(std::fmax(across * across, 1.0e-6), static_cast<double>(row) / kLast);

@@ -4,7 +4,7 @@
 
 namespace boxprobe::shading {
 
-static const float kNoHit = 3.0e38f;  // that of shaders/shared/slab.glsl
+static const float kNoHit = 3.0e38f;  // as in shaders/shared/slab.glsl
 
 #include "shaders/shared/coverage.glsl"
 #include "shaders/shared/open_lookup.glsl"

@@ -1,5 +1,4 @@
-// shaders/shared/coverage.glsl and open_lookup.glsl as C++: what explanations compute a light's shadow and the sky
-// through openings with.
+// shaders/shared/coverage.glsl and open_lookup.glsl as C++: a light's shadow, and the sky through openings.
 #pragma once
 
 #include "filters/math/shared/shared_math.h"

@@ -1,5 +1,5 @@
-// shaders/shared/sheen.glsl, thin_film.glsl and anisotropy.glsl as C++: what few materials have on top of metalness and
-// roughness, for explanations, references and tests. The definitions are in finish_math.cpp.
+// shaders/shared/sheen.glsl, thin_film.glsl and anisotropy.glsl as C++: material properties beyond metalness and
+// roughness. The definitions are in finish_math.cpp.
 #pragma once
 
 #include "filters/math/shared/shared_math.h"

@@ -1,5 +1,5 @@
-// GLSL's built-in functions, as shaders/shared and shaders/technique call them when they are compiled as C++: GLM's.
-// For the translation units that do that, and for nothing else: these names are short.
+// GLSL's built-in functions, mapped to GLM's, for the translation units that compile shaders/shared and
+// shaders/technique as C++. Include it nowhere else: these names are short.
 #pragma once
 
 #include <glm/common.hpp>

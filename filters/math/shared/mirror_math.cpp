@@ -16,7 +16,7 @@ using Values = std::vector<glm::vec4> MirrorTexels::Level::*;
 glm::vec4 bilinear(const MirrorTexels::Level& level, Values values, const vec2& place) {
   const float u = place.x * static_cast<float>(level.width) - 0.5f;
   const float v = place.y * static_cast<float>(level.height) - 0.5f;
-  // Far outside, where whole numbers end.
+  // Far outside, where the conversion to integers overflows.
   if (!(u > -2.0f && v > -2.0f && u < static_cast<float>(level.width) + 1.0f &&
         v < static_cast<float>(level.height) + 1.0f)) {
     return glm::vec4(0.0f);

@@ -1,5 +1,4 @@
-// shaders/shared/planar_mirror.glsl as C++: what a planar mirror shows of objects that move, for explanations. Beside
-// shared_math.h, which see. Knows no GL.
+// shaders/shared/planar_mirror.glsl as C++: what a planar mirror shows of moving objects.
 #pragma once
 
 #include <array>
@@ -9,7 +8,7 @@
 
 namespace boxprobe {
 
-/// A mirror's picture read back: levels of premultiplied colour with coverage, and of height times coverage.
+/// The picture of a mirror, read back: levels of premultiplied colour with coverage, and of height times coverage.
 struct MirrorTexels {
   struct Level {
     int width = 0, height = 0;

@@ -1,17 +1,17 @@
-// shaders/shared/refraction.glsl compiled as C++: one source for glass in the picture, in its explanation and in tests.
-// Called by explain_pixel, the debug rays and tests; the definitions are in refraction.cpp. Knows no probe.
+// shaders/shared/refraction.glsl as C++: one source for glass in pictures and in explanations. The definitions are in
+// refraction.cpp.
 #pragma once
 
 #include "filters/math/shared/shared_math.h"
 
 namespace boxprobe::shading {
 
-/// A glass object's shell as the mathematics sees it: what `fetchGlassShell` is on this side.
+/// A glass object's shell; implements `fetchGlassShell` in C++.
 class ShellSampler {
  public:
   virtual ~ShellSampler() = default;
-  /// The plane of the surface seen from the centre along `direction`, which need not be unit: normal outward, distance
-  /// from the centre, bilinear.
+  /// The plane of the surface seen from the centre along `direction`, which need not be unit: outward normal and
+  /// distance from the centre; bilinear.
   virtual glm::vec4 fetchShell(const glm::vec3& direction) const = 0;
 };
 using GlassShellMap = const ShellSampler*;

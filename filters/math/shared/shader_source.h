@@ -5,8 +5,7 @@
 
 namespace boxprobe {
 
-/// `name` is the path below shaders/, e.g. "shared/slab.glsl". Asking for a file that does not exist is a mistake in
-/// the program: aborts with the name.
+/// `name`: path below shaders/, e.g. "shared/slab.glsl". An unknown name is a programming error: aborts and prints it.
 std::string_view shaderSource(std::string_view name);
 
 }  // namespace boxprobe

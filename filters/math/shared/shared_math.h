@@ -1,6 +1,6 @@
-// shaders/shared and shaders/technique, compiled as C++ through GLM: one source for the picture and for its
-// explanation. Included by every layer; knows nothing above it. The definitions are in shared_math.cpp, the only
-// translation unit that includes the shader files; the structs come from shaders/shared/types.glsl itself.
+// shaders/shared and shaders/technique compiled as C++ through GLM: one source for pictures and their explanations. The
+// definitions are in shared_math.cpp, the only translation unit that includes the shader files; the structs come from
+// shaders/shared/types.glsl itself.
 #pragma once
 
 #include <glm/ext/vector_int2.hpp>
@@ -16,7 +16,7 @@ struct ReliefBlocks;
 
 namespace boxprobe::shading {
 
-/// A prefiltered cubemap as the mathematics sees it: what `fetchProbe` is on this side.
+/// A prefiltered cubemap; implements `fetchProbe` in C++.
 class CubeSampler {
  public:
   virtual ~CubeSampler() = default;
@@ -25,32 +25,32 @@ class CubeSampler {
 };
 using ProbeMap = const CubeSampler*;
 
-/// A probe's distances as the mathematics sees them: what `fetchDistance` is on this side.
+/// A probe's distances; implements `fetchDistance` in C++.
 class DistanceSampler {
  public:
   virtual ~DistanceSampler() = default;
-  /// Of the nearest texel, scene units; 0 where the probe saw nothing. `direction` need not be unit.
+  /// Distance in scene units of the nearest texel; 0 where the probe saw nothing. `direction` need not be unit.
   virtual float fetchDistance(const glm::vec3& direction) const = 0;
 };
 using DistanceMap = const DistanceSampler*;
 
-/// A probe's relief (relief.h) as the mathematics sees it.
+/// A probe's relief (relief.h).
 class ReliefSampler {
  public:
   virtual ~ReliefSampler() = default;
-  /// Of the nearest texel: see Relief::fetchRelief. `direction` need not be unit. `level`: a whole one, at most log2 of
-  /// reliefSize().
+  /// The value of the nearest texel: see Relief::fetchRelief. `direction` need not be unit. `level`: an integer, at
+  /// most log2(reliefSize()).
   virtual glm::vec4 fetchRelief(const glm::vec3& direction, float level) const = 0;
   /// Texels along a face of level 0.
   virtual float reliefSize() const = 0;
 };
 
-/// What a technique may fetch from a probe beside its map; a null member gives nothing. Must outlive the call.
+/// What a technique may fetch from a probe besides its map; a null member gives nothing. Must outlive the call.
 struct ProbeData {
   const ReliefSampler* relief = nullptr;    ///< looked up in the map's axes relative to the capture origin
   const ReliefBlocks* blocks = nullptr;     ///< probe frame
   const glm::mat3* mapFromProbe = nullptr;  ///< null: the map lies along the box's axes
-  const LightTable* light = nullptr;        ///< what rays can be aimed at, by brightness
+  const LightTable* light = nullptr;        ///< to aim rays by brightness
 };
 
 using glm::ivec2;
@@ -62,9 +62,9 @@ using glm::vec4;
 #include "shaders/shared/types.glsl"
 #undef PROBE_SLOT
 
-/// Plane of what the probe saw, both in its frame: see Relief. 0 where it saw nothing, or its distances are not known.
+/// The plane of what the probe saw, in its frame: see Relief. 0 where it saw nothing or has no distances.
 vec3 fetchProbePlane(const ProbeShape& probe, vec3 direction);
-/// Where to look for what is far away; 0 where nothing far was seen.
+/// The direction to sample for what is far away; 0 where nothing far was seen.
 vec3 fetchProbeFar(const ProbeShape& probe, vec3 direction);
 vec3 reliefDirection(float code);
 vec3 reliefFar(float code, vec3 direction);

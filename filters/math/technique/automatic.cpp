@@ -7,7 +7,7 @@ namespace boxprobe {
 
 namespace {
 
-// Between two measured roughnesses as the crow flies.
+// Linear between two measured roughnesses.
 double errorAt(const std::array<double, 6>& error, double roughness) {
   const auto& nodes = measuredRoughness();
   const double r = std::clamp(roughness, nodes.front(), nodes.back());
@@ -17,7 +17,7 @@ double errorAt(const std::array<double, 6>& error, double roughness) {
   return (1.0 - share) * error[i - 1] + share * error[i];
 }
 
-// Straight pieces are largest at their ends.
+// The largest error in a range: piecewise linear functions are largest at their ends.
 double worstBetween(const std::array<double, 6>& error, double low, double high) {
   double worst = std::max(errorAt(error, low), errorAt(error, high));
   const auto& nodes = measuredRoughness();

@@ -7,9 +7,9 @@ namespace boxprobe {
 
 namespace {
 
-// Rounding may take a lookup so far beyond a whole level: what it then mixes in of the next one does not show.
+// Rounding may take a lookup this far beyond an integer level; the share of the next level is then invisible.
 constexpr float kRounding = 1.0e-4f;
-constexpr int kThreeLevels = 5;  // the curve that knows the first, the middle and the last level only
+constexpr int kThreeLevels = 5;  // the curve that uses only the first, the middle and the last level
 
 }  // namespace
 
@@ -32,7 +32,7 @@ LevelMask levelsRead(const Technique& technique, const shading::TechniqueParamet
   if (reach == LevelReach::Own) {
     return levelsBetween(shading::levelForCurve(probe, static_cast<float>(low)), most, levels);
   }
-  // Godot's form begins at alpha squared times the last level, which some curves do not reach.
+  // Godot's form begins at alpha² times the last level, which some curves do not reach.
   const auto p = static_cast<float>(std::clamp(high, 0.0, 1.0));
   return levelsBetween(0.0f, std::max(most, p * p * p * p * probe.maxLevel), levels);
 }

@@ -1,4 +1,4 @@
-// What `boxprobe bench` measured, for `auto`. To measure again: `boxprobe bench`, whose report ends with these rows.
+// Results of `boxprobe bench` for `auto`. To measure again, run it: its report ends with these rows.
 #include "filters/math/technique/automatic.h"
 
 namespace boxprobe {

@@ -102,7 +102,7 @@ const std::vector<ParameterRow>& parameterRows() {
        "Distance from the surface to the reflected surface at which the reflection has its full roughness. Published: "
        "6.",
        Kind::Number,
-       1e-6,  // divided by, so never 0
+       1e-6,  // a divisor, so never 0
        1e6,
        6,
        {},

@@ -1,5 +1,5 @@
-// What techniques can be tuned by, as data: one row a parameter, whichever techniques use it (their rows name them).
-// Scene files, validation, the window's panel, the shader's uniforms and the tests iterate these rows.
+// The parameters of techniques as data: one row each, whichever techniques use it (their rows name them). Scene files,
+// validation, the window's panel, the shader's uniforms and the tests iterate these rows.
 #pragma once
 
 #include <string_view>
@@ -18,12 +18,12 @@ struct ParameterRow {
   std::string_view help;   ///< one line
   ParameterKind kind;
   double min, max;  ///< numbers: the range, inclusive
-  double standard;  ///< what is used where the scene says nothing; of a switch 0 or 1, of a choice its index
+  double standard;  ///< used where the scene says nothing; 0 or 1 for a switch, an index for a choice
   std::vector<std::string_view> choices;  ///< Choice only
 
-  /// Where it goes. A number is a uniform: a new value costs nothing. A choice selects code, so it is compiled in: the
-  /// first time a value is chosen a program is built, and nobody pays for what is not chosen. Both null: it is about
-  /// the picture as a whole (`animated`, `blur`) or read by no technique of this version.
+  /// Where the value goes. A number is a uniform: changing it is free. A choice selects code and is compiled in: the
+  /// first use of a value builds a program, and nobody pays for values that are not chosen. Both null: it concerns the
+  /// picture as a whole (`animated`, `blur`), or no technique of this version reads it.
   float shading::TechniqueParameters::*number = nullptr;
   int shading::TechniqueParameters::*choice = nullptr;
 };

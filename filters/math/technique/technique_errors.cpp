@@ -17,11 +17,11 @@ using glm::vec4;
 
 namespace {
 
-constexpr int kPoints = 128;  // of each roughness
+constexpr int kPoints = 128;  // per roughness
 constexpr float kRays = 128.0f;
-// A picture shows a part of the box: its error scatters about the box's. In rooms made up by chance a tenth more
-// costs as much as the best choice in hindsight and leaves half as many beyond the budget as the table does; a fifth
-// more leaves a third and costs a quarter more.
+// A picture shows a part of the box, so its error scatters about the box's. In random rooms a tenth more costs as much
+// as the best choice in hindsight, and leaves half as many rooms beyond the budget as the table does; a fifth more
+// leaves a third and costs a quarter more.
 constexpr double kScatter = 1.1;
 
 float fraction(int i, double step) {
@@ -33,8 +33,8 @@ vec3 onSphere(float u, float v) {
   return {r * std::cos(phi), z, r * std::sin(phi)};
 }
 
-// Half of them on floors, a quarter on walls, a quarter anywhere inside, the eye at every angle: the quantiles are
-// those of a sequence that fills them evenly (Roberts 2018), so that a hundred are enough.
+// Half of the points on floors, a quarter on walls, a quarter anywhere inside, with views from every angle. Quasirandom
+// (Roberts 2018), so a hundred points are enough.
 shading::ShadingPoint pointAt(const shading::ProbeShape& probe, int i, float roughness) {
   const vec3 low = probe.boxMin, size = probe.boxMax - probe.boxMin;
   const vec3 at(fraction(i, 0.8566748838545029), fraction(i, 0.7338918566271260), fraction(i, 0.6287067210378087));
@@ -98,7 +98,7 @@ TechniqueErrors measureTechniqueErrors(const shading::CubeSampler& chain, const 
   many.samples = kRays;
   many.filtered = 1;
   for (std::size_t node = 0; node < nodes.size(); ++node) {
-    if (nodes[node] == 0.0) continue;  // a mirror: all of them look up the same
+    if (nodes[node] == 0.0) continue;  // a mirror: all techniques sample the same
     std::vector<std::vector<double>> squares(kPoints, std::vector<double>(candidates.size()));
     tbb::parallel_for(0, kPoints, [&](int i) {
       const shading::ShadingPoint point = pointAt(probe, i, static_cast<float>(nodes[node]));

@@ -96,7 +96,7 @@ static vec2 fetchBlueNoise(ivec2 pixel) {
   return blueNoiseAt(pixel);
 }
 
-// A projection need not use the normal, nor the box: parameters of one signature for all rows.
+// A projection may ignore the normal or the box: all rows share one signature.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #include "shaders/shared/box_occlusion.glsl"
@@ -130,7 +130,7 @@ ProbeHit projectRay(ProbeShape probe, vec3 position, vec3 normal, vec3 reflectio
   return projectionRows()[static_cast<std::size_t>(probe.projection)].project(probe, position, normal, reflection);
 }
 
-// As the renderer resolves it for a draw, were all of the draw as rough as this point.
+// As the renderer would resolve it for a draw of this point's roughness.
 static vec4 evaluateAutomatic(ProbeMap map, ProbeShape probe, ShadingPoint point) {
   const double roughness = point.roughness;
   const Technique chosen = chooseAutomatic(roughness, roughness, probe.parameters.budget).technique;

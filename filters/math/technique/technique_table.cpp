@@ -33,7 +33,7 @@ std::optional<Technique> parseTechnique(std::string_view id) {
   const auto p = rowOf(projectionRows(), projection);
   const auto e = rowOf(evaluationRows(), evaluation);
   if (!p || !e) return std::nullopt;
-  // It was measured with box projection, so it stands for that alone.
+  // It was measured with box projection, and applies to that alone.
   if (evaluation == kAutomatic && projection != kDefaultProjection) return std::nullopt;
   return Technique{*p, *e};
 }
@@ -74,7 +74,7 @@ bool chooses(Technique technique, const shading::TechniqueParameters& values, st
              std::string_view choice) {
   for (const ParameterRow* row : parametersOf(technique)) {
     if (row->name != parameter) continue;
-    const auto at = static_cast<std::size_t>(values.*row->choice);  // refined pictures have a pattern beyond the list
+    const auto at = static_cast<std::size_t>(values.*row->choice);  // refined pictures use a pattern beyond the list
     return at < row->choices.size() && row->choices[at] == choice;
   }
   return false;

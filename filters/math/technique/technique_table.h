@@ -1,6 +1,6 @@
 // The techniques as data: one row and one shader file each. Combo box, command line, file validation, tests and
-// benchmark iterate these rows; nothing else in the program knows a technique by name.
-// A technique is PROJECTION+EVALUATION: where the reflected ray hits, and how the lobe around it is looked up.
+// benchmark iterate these rows; nothing else refers to a technique by name. A technique is PROJECTION+EVALUATION: where
+// the reflected ray hits, and how the lobe around it is sampled.
 #pragma once
 
 #include <optional>
@@ -20,34 +20,33 @@ struct ProjectionRow {
   std::string_view shaderFile;  ///< in shaders/, defines `function`
   std::string_view function;  ///< GLSL: ProbeHit function(ProbeShape, vec3 positionProbe, vec3 normal, vec3 reflection)
   shading::ProbeHit (*project)(shading::ProbeShape, glm::vec3, glm::vec3, glm::vec3);  ///< the same, as C++
-  std::vector<std::string_view> sharedFiles = {};  ///< further files it needs, in order
+  std::vector<std::string_view> sharedFiles = {};  ///< further files it needs, in order of dependence
   std::vector<std::string_view> parameters = {};   ///< names of the rows of parameterRows() it reads
-  bool distances = false;                          ///< it fetches from the probe's distance cubemap
+  bool distances = false;                          ///< samples the probe's distance cubemap
   bool ours = false;                               ///< this project's own; false: as published elsewhere
 };
 
-/// Levels that an evaluation looks up for a surface of one roughness.
+/// The mip levels that an evaluation samples for a surface of one roughness.
 enum class LevelReach {
-  Any,      ///< not known: all of the chain
-  Own,      ///< that of its roughness (levelForCurve) alone
-  UpToOwn,  ///< from 0 to that one
+  Any,      ///< unknown: the whole chain
+  Own,      ///< only that of its roughness (levelForCurve)
+  UpToOwn,  ///< from 0 to that of its roughness
 };
 
 struct EvaluationRow {
   std::string_view id;
   std::string_view label;
   std::string_view help;
-  std::string_view shaderFile;  ///< of `auto`, which chooses among the others, the C++ file that does
+  std::string_view shaderFile;  ///< for `auto`, which chooses among the others, the C++ file that does
   std::string_view function;    ///< GLSL: vec4 function(PROBE_MAP, ProbeShape, ShadingPoint); empty: no GLSL of its own
   glm::vec4 (*evaluate)(shading::ProbeMap, shading::ProbeShape, shading::ShadingPoint);
-  std::vector<std::string_view>
-      sharedFiles;                           ///< further files it needs, in the order in which they build on each other
-  std::vector<std::string_view> parameters;  ///< names of the rows of parameterRows() it reads
-  bool ours = false;                         ///< this project's own; false: as published elsewhere
-  /// Id of the row that may be drawn in its place while the camera or a handle moves: cheap, and as near to it as cheap
-  /// rows come, so that little jumps when the picture comes to rest. Empty: it is cheap itself.
+  std::vector<std::string_view> sharedFiles;  ///< further files it needs, in order of dependence
+  std::vector<std::string_view> parameters;   ///< names of the rows of parameterRows() it reads
+  bool ours = false;                          ///< this project's own; false: as published elsewhere
+  /// Id of the row that may be drawn in its place while the camera or a handle moves: cheap, and as similar as cheap
+  /// rows are, so that the picture changes little when it comes to rest. Empty: it is cheap itself.
   std::string_view standIn = {};
-  LevelReach levels = LevelReach::Any;  ///< the others need not be filtered
+  LevelReach levels = LevelReach::Any;  ///< no others need filtering
 };
 
 const std::vector<ProjectionRow>& projectionRows();
@@ -62,23 +61,23 @@ struct Technique {
 
 /// `PROJECTION`, `EVALUATION` or `PROJECTION+EVALUATION`; a projection alone means `+none`, an evaluation alone `box+`.
 std::optional<Technique> parseTechnique(std::string_view id);
-/// The same evaluation looked up with the bare reflection vector: what "projection off" means.
+/// The same evaluation with the bare reflection vector: "projection off".
 Technique withoutProjection(Technique technique);
-/// The same projection, cheaply evaluated; the technique itself where its row names no stand-in.
+/// The same projection with a cheap evaluation; the technique itself if its row names none.
 Technique standInFor(Technique technique);
-/// Does it look up pieces of its lobe one by one where a box says they hit? Then each can look out of an opening by
+/// Does it sample parts of its lobe separately, at their hits on the box? Then each part can see through an opening by
 /// itself.
 bool looksUpPieces(Technique technique);
-/// The parameters it reads, in the order of a form.
+/// The parameters it reads, in the order in which forms show them.
 std::vector<const ParameterRow*> parametersOf(Technique technique);
-/// Does it read the parameter of that name, set to that choice?
+/// Does it read the parameter of that name, and is that set to `choice`?
 bool chooses(Technique technique, const shading::TechniqueParameters& values, std::string_view parameter,
              std::string_view choice);
 /// The full id, `box+none`; `auto` stands alone.
 std::string techniqueId(const Technique& technique);
 /// The shortest id that parses back: `box` for `box+none`.
 std::string shortTechniqueId(const Technique& technique);
-/// Every id a file may hold, comma separated, for error messages.
+/// All ids that a file may contain, comma separated, for error messages.
 std::string techniqueIdList();
 
 }  // namespace boxprobe

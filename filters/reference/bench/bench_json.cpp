@@ -1,4 +1,4 @@
-// bench.json and bench.csv.
+// Writes bench.json and bench.csv.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -176,7 +176,7 @@ std::string benchCsv(const BenchResult& result) {
     const auto add = [&text](double value) {
       text += "," + (std::isfinite(value) ? numberText(value) : std::string());
     };
-    // A camera may be named anything: quoted, quotes doubled.
+    // Camera names may contain anything: quoted, with doubled quotes.
     std::string camera;
     for (const char c : row.camera) camera += c == '"' ? std::string("\"\"") : std::string(1, c);
     text += t.id + "," + parametersText(t) + ",\"" + camera + "\"";

@@ -9,7 +9,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// In place, of a power of two of values `stride` apart (Cooley and Tukey 1965).
+/// In-place FFT of values `stride` apart; `count` is a power of two (Cooley and Tukey 1965).
 void transform(Complex* values, std::size_t count, std::size_t stride) {
   for (std::size_t i = 1, j = 0; i < count; ++i) {
     std::size_t bit = count >> 1;
@@ -49,7 +49,7 @@ double lowFrequencyShare(const std::vector<float>& error, int width, int height)
   }
   for (std::size_t y = 0; y < rows; ++y) transform(&values[y * columns], columns, 1);
   for (std::size_t x = 0; x < columns; ++x) transform(&values[x], rows, columns);
-  // An eighth of a cycle a pixel: waves of 8 pixels and longer.
+  // An eighth of a cycle per pixel: waves of 8 pixels and longer.
   constexpr double kLow = 0.125;
   const auto frequency = [](std::size_t i, std::size_t count) {
     const double f = static_cast<double>(i) / static_cast<double>(count);

@@ -1,5 +1,5 @@
-// What kind of noise an error is: how much of its spectrum lies where the eye sees it best, and how much a small blur
-// leaves. Called by the benchmark for techniques that draw rays at random.
+// The kind of noise in an error, for techniques that draw rays at random: the part of its spectrum where the eye is
+// most sensitive, and what remains after a small blur.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace boxprobe {
 
-/// `error`: a value a pixel of a picture, rows from the top, 0 wherever `mask` is false, where it does not count.
+/// `error`: one value per pixel, rows from the top, 0 wherever `mask` is false; those pixels do not count.
 NoiseFigures noiseFigures(const std::vector<float>& error, const std::vector<bool>& mask, int width, int height);
 
 }  // namespace boxprobe

@@ -1,4 +1,4 @@
-// report.md: what was measured and how, and the tables a reader looks for.
+// Writes report.md: what was measured and how, and the tables.
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
@@ -171,7 +171,7 @@ std::string noiseTable(const BenchResult& result) {
   return text + "\n";
 }
 
-/// In random rooms: error, linear error and light, by roughness and view.
+/// Random rooms: error, linear error and light, by roughness and view.
 std::string studyTables(const BenchResult& result) {
   const StudyResult& study = result.study;
   double hdrp = 0.0;

@@ -1,4 +1,4 @@
-// report.md's end: what choosing by roughness saves, and the rows that `auto` chooses by.
+// The end of report.md: what choosing by roughness saves, and the rows from which `auto` chooses.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -12,12 +12,12 @@ namespace boxprobe {
 
 namespace {
 
-/// Is it one that chooses among the others?
+/// Does it choose among other techniques?
 bool chooses(const BenchTechnique& technique) {
   return technique.id.find('+') == std::string::npos;
 }
 
-/// In the pictures and in the random rooms; infinite for what the rooms cannot show while they are asked for.
+/// In pictures and random rooms; infinite if rooms are required but cannot measure the technique.
 double worstAtARoughness(const BenchResult& result, const BenchSummary& s) {
   double worst = 0.0;
   for (const auto& [roughness, error] : s.errorByRoughness) worst = std::max(worst, error);
@@ -30,7 +30,7 @@ double worstAtARoughness(const BenchResult& result, const BenchSummary& s) {
   return shown ? worst : std::numeric_limits<double>::infinity();
 }
 
-/// Between the roughnesses that the study's points have.
+/// Interpolated between the roughnesses of the study's points.
 double studyError(const BenchResult& result, std::size_t technique, double roughness) {
   constexpr std::array<double, study::kRoughnesses> kNodes = {0.07, 0.2, 0.4, 0.6, 0.8, 1.0};
   for (const StudyRow& row : result.study.rows) {
@@ -85,8 +85,8 @@ std::string benchAutomaticText(const BenchResult& result) {
          text + "\n";
 }
 
-// As filters/math/technique/measured_techniques.cpp holds them: techniques at their defaults that are worth choosing,
-// with the larger error of the pictures and of the random rooms at each roughness.
+// In the format of filters/math/technique/measured_techniques.cpp: techniques with default parameters that are worth
+// choosing, with the larger of the errors in pictures and in random rooms at each roughness.
 std::string benchMeasuredRows(const BenchResult& result) {
   std::vector<BenchSummary> list = summaries(result, Truth::Box);
   std::stable_sort(list.begin(), list.end(),

@@ -7,7 +7,7 @@ namespace boxprobe {
 
 namespace {
 
-/// Mean squares put together again.
+/// Combines mean squares.
 struct Pool {
   double squares = 0.0, relativeSquares = 0.0, truthSquares = 0.0, flip = 0.0, lookups = 0.0, pixels = 0.0;
 

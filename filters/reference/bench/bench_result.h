@@ -1,5 +1,5 @@
-// What a run of the benchmark found, as plain values: measured by runBenchmark, written by the writers of bench.json,
-// bench.csv and report.md, drawn by the chart. Knows no renderer and no file.
+// The results of a benchmark run: measured by runBenchmark, written to bench.json, bench.csv and report.md, drawn in
+// the chart.
 #pragma once
 
 #include <array>
@@ -18,26 +18,26 @@ namespace boxprobe {
 
 /// What a technique is compared with.
 enum class Truth {
-  Box,    ///< the integral over the probe's box: what is left is the evaluation's error alone
-  Scene,  ///< the traced scene: the box's error is in it
+  Box,    ///< the integral over the probe's box: leaves only the evaluation's error
+  Scene,  ///< the traced scene: includes the box's error
 };
 inline constexpr std::array<Truth, 2> kTruths = {Truth::Box, Truth::Scene};
 const char* truthName(Truth truth);  ///< "box", "scene"
 
-/// Shading normals that follow the geometry, and those that a texture bends from pixel to pixel.
+/// Shading normals that follow the geometry, or that a texture perturbs per pixel.
 enum class SurfaceKind { Smooth, NormalMapped };
 inline constexpr std::array<SurfaceKind, 2> kSurfaceKinds = {SurfaceKind::Smooth, SurfaceKind::NormalMapped};
 const char* surfaceKindName(SurfaceKind kind);  ///< "smooth", "normal-mapped"
 
 /// Noise of a technique that draws rays at random, over the pixels of a row.
 struct NoiseFigures {
-  /// Of the power of the error's spectrum, what lies below an eighth of a cycle a pixel: 0.049 for white noise, less
-  /// for noise that hides in fine grain, near 1 for an error that is no noise.
+  /// Share of the error's power spectrum below an eighth of a cycle per pixel: 0.049 for white noise, less for fine
+  /// grain, near 1 for an error that is not noise.
   double lowFrequencyShare = 0.0;
   double errorAfterBlur = 0.0;  ///< tone-mapped RMSE of the error blurred by 3 x 3 pixels
 };
 
-/// One technique through one camera at one roughness on one kind of surface, against one truth.
+/// One technique with one camera at one roughness on one kind of surface, against one reference.
 struct BenchRow {
   std::size_t technique = 0;  ///< index into BenchResult::techniques
   std::string camera;
@@ -47,15 +47,15 @@ struct BenchRow {
   std::size_t pixels = 0;
   double error = 0.0;  ///< RMSE of (x / (1 + x))^(1/2.2)
   double relativeRmse = 0.0;
-  double meanTruthSquare = 0.0;  ///< what relativeRmse is relative to: rows are weighed by it when put together
+  double meanTruthSquare = 0.0;  ///< the base of relativeRmse: the weight of the row in means
   double flip = 0.0;
   double brightnessRatio = 1.0;
-  double errorRatioToHdrp = 0.0;  ///< not a number where hdrp is exact and this is not
-  double lookups = 0.0;           ///< fetches from cube maps a pixel
+  double errorRatioToHdrp = 0.0;  ///< NaN where hdrp is exact and this technique is not
+  double lookups = 0.0;           ///< cubemap lookups per pixel
   std::optional<NoiseFigures> noise;
 };
 
-/// Mean brightness over the truth's, of pixels seen under similar angles, all cameras and surfaces together.
+/// Mean brightness relative to the reference's, for pixels with similar view angles, over all cameras and surfaces.
 struct EnergyBucket {
   std::size_t technique = 0;
   Truth truth = Truth::Box;
@@ -65,34 +65,34 @@ struct EnergyBucket {
   std::size_t pixels = 0;
 };
 
-/// Of a frame at one roughness, its time over that of plain box projection drawn in turn with it.
+/// The time of a frame at one roughness, relative to plain box projection drawn in alternation.
 struct FrameCost {
   std::size_t technique = 0;
   double roughness = 0.0;
-  bench::Samples cpuSeconds;  ///< a: the technique's, b: plain box's
-  bench::Samples gpuSeconds;  ///< empty where the driver draws on the CPU
+  bench::Samples cpuSeconds;  ///< a: the technique's, b: plain box projection's
+  bench::Samples gpuSeconds;  ///< empty if the driver draws on the CPU
 };
 
-/// Of a frame without any reflection of probes at one roughness: what of a frame's time no technique has a part in.
+/// The time of a frame without probe reflections at one roughness, which is independent of the technique.
 struct PlainFrameCost {
   double roughness = 0.0;
-  bench::Samples cpuSeconds;  ///< a: without, b: plain box's
+  bench::Samples cpuSeconds;  ///< a: without reflections, b: plain box projection's
 };
 
-/// How far a truth itself is off.
+/// The error of a reference itself.
 struct TruthNoise {
   std::string camera;
   double roughness = 0.0;
   Truth truth = Truth::Box;
-  double standardError = 0.0;  ///< of tone-mapped values, root mean square
+  double standardError = 0.0;  ///< RMS over tone-mapped values
   double raysPerPixel = 0.0;
 };
 
-/// A technique against one truth, over everything measured.
+/// One technique against one reference, over all measurements.
 struct BenchSummary {
   std::size_t technique = 0;
   Truth truth = Truth::Box;
-  double error = 0.0;  ///< root mean square over the pixels of all rows
+  double error = 0.0;  ///< RMS over the pixels of all rows
   double relativeRmse = 0.0;
   double flip = 0.0;
   double errorRatioToHdrp = 0.0;
@@ -100,20 +100,20 @@ struct BenchSummary {
   std::map<double, double> errorByRoughness;
   std::map<SurfaceKind, double> errorBySurface;
   double lookups = 0.0;
-  bench::Ratio cpuRatioToBox;  ///< mean over the roughnesses, each in equal part
-  /// What it adds to a frame without reflections, over what plain box projection adds; not a number where that was not
+  bench::Ratio cpuRatioToBox;  ///< mean over the roughnesses with equal weights
+  /// Its time above a frame without reflections, relative to that of plain box projection; NaN if that was not
   /// measured.
   double ownCpuRatioToBox = 0.0;
-  std::optional<bench::Ratio> gpuRatioToBox;  ///< the same by the driver's clock
-  EnergyBucket worstEnergy;                   ///< of the buckets with enough pixels to judge
+  std::optional<bench::Ratio> gpuRatioToBox;  ///< the same by the GPU's timer
+  EnergyBucket worstEnergy;                   ///< among the buckets with enough pixels
   bool onParetoFront = false;
 };
 
 struct BenchResult {
   std::string scene;
   std::string machine, glRenderer, glVersion;
-  int width = 0, height = 0;            ///< of the pictures that errors are measured in
-  int timedWidth = 0, timedHeight = 0;  ///< of the frames that are timed
+  int width = 0, height = 0;            ///< of the pictures in which errors are measured
+  int timedWidth = 0, timedHeight = 0;  ///< of the timed frames
   std::string timedCamera;
   std::uint64_t seed = 1;
   std::vector<std::string> cameras;
@@ -129,16 +129,16 @@ struct BenchResult {
   bool complete = false;
 };
 
-/// Fewer pixels than this say little about a mean.
+/// With fewer pixels a mean is unreliable.
 inline constexpr std::size_t kLeastBucketPixels = 200;
 
-/// `value` to so many decimal places; what is not finite stays.
+/// `value` rounded to that many decimal places; non-finite values are unchanged.
 double roundedTo(double value, int digits);
-/// Of summaries in files.
+/// For summaries in files.
 inline constexpr int kErrorDigits = 6, kCostDigits = 4;
 
-/// One a technique, in the order of the table; `front` marked by cost and error as files have them, so that a reader of
-/// a file finds the same front.
+/// One per technique, in the order of the table. `front` is computed from cost and error as rounded in files, so that
+/// readers of a file find the same front.
 std::vector<BenchSummary> summaries(const BenchResult& result, Truth truth);
 
 /// The points of the chart.

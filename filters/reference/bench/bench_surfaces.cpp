@@ -8,10 +8,10 @@ namespace boxprobe {
 
 namespace {
 
-// Reflectance at normal incidence from which a surface counts as a reflecting one whatever its roughness: more than any
+// Surfaces with a higher reflectance at normal incidence count as reflecting whatever their roughness: more than any
 // common non-metal has.
 constexpr float kLeastReflectance = 0.1f;
-// A non-metal smoother than this shows its surroundings too.
+// Smoother non-metals count as well.
 constexpr float kGlossy = 0.5f;
 
 Material overridden(Material material, const Scene& scene) {

@@ -1,5 +1,4 @@
-// Which materials of a scene reflect enough to be measured, and the pixels that show them. Called by the benchmark;
-// knows no renderer.
+// Selects the materials that reflect enough to be measured, and the pixels that show them.
 #pragma once
 
 #include <map>
@@ -14,29 +13,29 @@
 
 namespace boxprobe {
 
-/// By material name: metals of any brightness, coated and glossy materials; not unlit or diffuse ones.
+/// By material name: metals, coated and glossy materials; no unlit or diffuse ones.
 std::map<std::string, SurfaceKind> reflectingMaterials(const Scene& scene,
                                                        const std::vector<std::shared_ptr<const Model>>& models);
 
-/// Those of these names; without names all. Throws InputError for a name that is not among them.
+/// The materials with these names, or all if there are none. Throws InputError for an unknown name.
 std::map<std::string, SurfaceKind> onlyMaterials(const std::map<std::string, SurfaceKind>& materials,
                                                  const std::vector<std::string>& names);
 
-/// The scene with all of them at one roughness, every probe captured once: a mirror in a mirror is black in both
-/// truths.
+/// The scene with all of these materials at one roughness, and a single bounce for every probe: a mirror in a mirror is
+/// black in both references.
 Scene withRoughness(const Scene& scene, const std::map<std::string, SurfaceKind>& materials, double roughness);
 
-/// Every probe with this technique.
+/// The scene with this technique for every probe.
 Scene withTechnique(Scene scene, const BenchTechnique& technique);
 
-/// A pixel that is measured.
+/// A pixel to measure.
 struct BenchPixel {
   std::size_t index = 0;  ///< in the picture, rows from the top
   SurfaceKind kind = SurfaceKind::Smooth;
   LitPoint point;
 };
 
-/// Of a whole picture's points those that show such a material, mostly lit by probes.
+/// The points of a picture that show such a material and are mostly lit by probes.
 std::vector<BenchPixel> measuredPixels(std::vector<LitPoint> picture, int width,
                                        const std::map<std::string, SurfaceKind>& materials);
 

@@ -1,5 +1,4 @@
-// The benchmark's files as text: for programs (bench.json, bench.csv) and for people (report.md). Called by the
-// command line, which writes them; knows no file.
+// The benchmark's files as text: bench.json and bench.csv for programs, report.md for people.
 #pragma once
 
 #include <string>
@@ -8,17 +7,17 @@
 
 namespace boxprobe {
 
-/// Ratios with four digits, errors with six: what is beyond that is noise, and would differ from run to run.
+/// Ratios with four digits, errors with six: further digits are noise.
 std::string benchJson(const BenchResult& result);
-/// One line a row of the result, a header first, decimal points, commas between.
+/// A header, then one line per row; decimal points and commas.
 std::string benchCsv(const BenchResult& result);
 std::string benchReport(const BenchResult& result);
 
-/// Of report.md: what `auto` saves against single techniques, and the rows it chooses by as C++.
+/// The part of report.md about `auto`: what it saves against single techniques, and its rows as C++.
 std::string benchAutomaticText(const BenchResult& result);
 std::string benchMeasuredRows(const BenchResult& result);
 
-/// As printf writes it, up to 511 characters.
+/// Like printf; at most 511 characters.
 __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...);
 
 }  // namespace boxprobe

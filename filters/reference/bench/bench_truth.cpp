@@ -15,13 +15,13 @@ namespace boxprobe {
 
 namespace {
 
-/// d/dx of (x / (1 + x))^(1/2.2): carries a standard error over to tone-mapped values.
+/// d/dx of (x / (1 + x))^(1/2.2): converts a standard error to tone-mapped values.
 double toneMappedSlope(double x) {
-  const double y = std::max(x, 1.0e-4);  // black: the slope is infinite there, the tone-mapped spread is not
+  const double y = std::max(x, 1.0e-4);  // at black the slope is infinite, but the tone-mapped spread is not
   return toneMapped(y) / (2.2 * y * (1.0 + y));
 }
 
-/// Passes of one pixel, by Welford's recurrence.
+/// The passes of one pixel, by Welford's algorithm.
 struct PassMean {
   glm::dvec3 mean{0.0}, squares{0.0};
   int passes = 0;
@@ -33,7 +33,7 @@ struct PassMean {
     mean += change / static_cast<double>(passes);
     squares += change * (value - mean);
   }
-  /// Mean squared standard error of the tone-mapped components of `offset` + the mean.
+  /// The mean squared standard error of the tone-mapped components of `offset` + the mean.
   double toneMappedVariance(const glm::dvec3& offset) const {
     if (exact || passes < 2) return 0.0;
     double sum = 0.0;
@@ -55,7 +55,7 @@ TruthColors estimated(std::size_t count, const std::vector<glm::dvec3>& offset, 
   std::mutex reporting;
   double done = 0.0;
   const double target = settings.standardError * settings.standardError;
-  // Pixel by pixel: its passes one after the other, until their spread says that it will do.
+  // Adds passes to each pixel until their spread is small enough.
   const auto work = [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t i = range.begin(); i < range.end() && !stopped; ++i) {
       PassMean& sum = sums[i];
@@ -109,7 +109,7 @@ TruthColors sceneTruth(const std::vector<BenchPixel>& pixels, const TruthColors&
       const VisibleNormalLobe lobe = layer.lobe(glm::normalize(glm::dvec3(e.surface.viewWorld)));
       *exact = *exact && lobe.mirror();
       const auto difference = [&](const glm::dvec3& l) {
-        // Largest about the outlines of lamps, which the capture holds by its texels: found by rays towards them.
+        // Largest at the outlines of lamps, which the capture represents by texels: sampled by rays towards them.
         BoxSurroundings::Light light;
         light.bright = scene.seenFrom(away, l, RaySees::Probes) - surroundings.radiance(l);
         return light;

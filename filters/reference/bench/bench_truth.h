@@ -1,5 +1,5 @@
-// The colours that techniques are judged by, at the very points that the renderer shades: both references for a list of
-// explained pixels, estimated on all cores until their own noise is small. Called by the benchmark; knows no renderer.
+// The reference colours of techniques at the very points that the renderer shades: both references for a list of
+// explained pixels, sampled until their own noise is small.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +16,24 @@ struct TruthSettings {
   int raysPerPass = 64;
   int leastPasses = 4;
   int mostPasses = 64;
-  double standardError = 0.001;  ///< of tone-mapped values: a pixel that is at it gets no more rays
+  double standardError = 0.001;  ///< of tone-mapped values: sampling of a pixel stops there
   std::uint64_t seed = 1;
 };
 
 struct TruthColors {
-  std::vector<glm::dvec3> color;  ///< one per pixel, everything but the reflection being the point's own
-  /// Root mean square of the standard error of tone-mapped values, over pixels and components.
+  std::vector<glm::dvec3> color;  ///< one per pixel; everything except the reflection is from the explained pixel
+  /// RMS of the standard error of tone-mapped values, over pixels and components.
   double standardError = 0.0;
   double raysPerPixel = 0.0;
   bool complete = true;  ///< false: `progress` stopped it
 };
 
-/// Against the probe's box.
+/// The reference for the probe's box.
 TruthColors boxTruth(const std::vector<BenchPixel>& pixels, const ReferenceBoxMaps& maps, const TruthSettings& settings,
                      const ReferenceProgress& progress);
 
-/// Against the traced scene: what it differs in from `box`, sampled, on top of that (a control variate), since where
-/// the room is the box next to nothing is left to sample. Pixels the tracer does not find keep the box's colour.
+/// The reference for the traced scene: samples its difference from `box` and adds it (a control variate), because where
+/// the room equals the box hardly anything is left to sample. Pixels that the tracer misses keep the box's colour.
 TruthColors sceneTruth(const std::vector<BenchPixel>& pixels, const TruthColors& box, const ReferenceBoxMaps& maps,
                        const ReferenceScene& scene, const TruthSettings& settings, const ReferenceProgress& progress);
 

@@ -13,9 +13,9 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kAngleBuckets = 4;  ///< of N.V, equal parts
+constexpr int kAngleBuckets = 4;  ///< equal parts of N.V
 
-/// Shares of a run's time, for the line that says how long it will go on: measured on two cores.
+/// Relative durations, for the estimate of the time left; measured on two cores.
 constexpr double kTruthSteps = 12.0, kPictureSteps = 0.5, kFrameSteps = 2.0, kStudySteps = 40.0;
 
 struct Stopped {};
@@ -91,12 +91,12 @@ class Run {
   BenchHost& host_;
   const ReferenceProgress& progress_;
   const BenchPictureSink& sink_;
-  std::map<std::string, SurfaceKind> materials_;  ///< that reflect
-  std::map<std::string, SurfaceKind> measured_;   ///< of those
+  std::map<std::string, SurfaceKind> materials_;  ///< all that reflect
+  std::map<std::string, SurfaceKind> measured_;   ///< those that are measured
   BenchResult result_;
   double steps_ = 1.0, done_ = 0.0;
 
-  // Of the view that is being measured:
+  // State of the view that is being measured:
   std::vector<BenchPixel> pixels_;
   std::map<SurfaceKind, std::vector<bool>> masks_;
   std::vector<bool> mask_;
@@ -106,7 +106,7 @@ class Run {
     double sum = 0.0, truth = 0.0;
     std::size_t pixels = 0;
   };
-  /// By technique, truth, roughness and bucket of N.V.
+  /// By technique, reference, roughness and bucket of N.V.
   std::map<std::tuple<std::size_t, Truth, double, int>, Light> light_;
 };
 
@@ -149,7 +149,7 @@ void Run::measureView(const Camera& camera, double roughness) {
     measureTechnique(i, camera, roughness, base);
     step(kPictureSteps);
   }
-  // Over the baseline's error in the same view.
+  // Relative to the baseline's error in the same view.
   for (std::size_t i = firstRow; i < result_.rows.size(); ++i) {
     BenchRow& row = result_.rows[i];
     for (std::size_t k = firstRow; k < result_.rows.size(); ++k) {
@@ -181,7 +181,7 @@ void Run::measureTechnique(std::size_t index, const Camera& camera, double rough
   const double lookups = host_.lookups(scene, camera, plan_.width, plan_.height, lookupPlaces());
   for (const Truth truth : kTruths) {
     check();
-    // Equal everywhere else, so that no filter of the metrics carries anything in from there.
+    // Equal elsewhere, so that filters of the metrics carry no difference in from there.
     ImageRgbaF right = picture;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
@@ -205,7 +205,7 @@ void Run::measureTechnique(std::size_t index, const Camera& camera, double rough
                                                  toneMapped(wanted.x) - toneMapped(wanted.y) - toneMapped(wanted.z)) /
                                                 3.0);
       }
-      // Of the reflection alone: what both have in common would hide a loss of light.
+      // For the reflection alone: common terms would hide a loss of light.
       const LitPoint& e = pixel.point;
       const glm::dvec3 common(e.direct + e.emissive + e.diffuse);
       const int bucket = std::min(static_cast<int>(e.nDotV * kAngleBuckets), kAngleBuckets - 1);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegrees = 57.29577951308232;
 
-/// Corners of all triangles that shine, and places of the lights that have one.
+/// Corners of all emissive triangles, and positions of lights that have one.
 std::vector<glm::dvec3> lampPoints(const Scene& scene, const TriangleScene& triangles) {
   std::vector<glm::dvec3> points;
   for (const TracedObject& object : triangles.objects) {
@@ -38,7 +38,7 @@ bool facesNoLamp(const Scene& scene, const std::vector<glm::dvec3>& lamps, const
          std::none_of(lamps.begin(), lamps.end(), before);
 }
 
-/// By rays all over the hemisphere; the surface's own plane is not met.
+/// By rays over the whole hemisphere, which cannot meet the surface's own plane.
 bool nearAnother(const SceneTracer& tracer, const TracedHit& hit) {
   constexpr double kNear = 0.05;
   constexpr int kRays = 48;

@@ -11,7 +11,7 @@ glm::dvec3 BrightSky::towards(const glm::dvec2& u) const {
   while (group + 1 < directions_.groups() && before + directions_.share(group) <= u.x) {
     before += directions_.share(group++);
   }
-  // What is left of the first number says where in the group.
+  // The remainder of the first number selects the place in the group.
   const double share = directions_.share(group);
   const double within = share > 0.0 ? std::clamp((u.x - before) / share, 0.0, 1.0) : 0.5;
   return glm::normalize(directions_.sample(group, {within, u.y}));

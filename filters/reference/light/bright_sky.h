@@ -1,5 +1,4 @@
-// Where a sky is much brighter than its mean, a sun above all: directions to draw rays towards. Called by the scene
-// reference; knows no surface.
+// Directions towards the parts of a sky that are much brighter than its mean, such as the sun, for sampling.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -11,16 +10,16 @@ namespace boxprobe {
 
 class BrightSky {
  public:
-  /// `sky`: level 0 of it is read.
+  /// Reads level 0 of `sky`.
   explicit BrightSky(const CubeMap& sky) : directions_(sky) {}
 
-  /// Nothing stands out: rays by the lobe alone do as well.
+  /// Nothing is much brighter than the mean: sampling the lobe is enough.
   bool empty() const { return directions_.groups() == 0; }
-  /// What of the sky's radiance stands out.
+  /// The part of the sky's radiance above the threshold.
   glm::dvec3 excess(const glm::dvec3& radiance) const { return directions_.excess(radiance); }
-  /// A unit direction, world, by two numbers in [0, 1); in proportion to the light that stands out.
+  /// Draws a unit direction, world, from two numbers in [0, 1), in proportion to the light above the threshold.
   glm::dvec3 towards(const glm::dvec2& u) const;
-  /// How densely towards() draws it, per solid angle.
+  /// The density of towards() per solid angle.
   double density(const glm::dvec3& directionWorld) const;
 
  private:

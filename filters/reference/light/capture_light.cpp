@@ -22,7 +22,7 @@ CaptureLight::CaptureLight(const Scene& scene, std::shared_ptr<const ImageRgbaF>
                    [](const auto& a, const auto& b) { return a.importance > b.importance; });
 }
 
-// The weights of shaders/gpu/probe_lighting.glsl, with no probe's map there yet.
+// The weights of shaders/gpu/probe_lighting.glsl while no probe has a map.
 CaptureLight::Shares CaptureLight::shares(const glm::dvec3& position) const {
   Shares result{0.0f, 1.0f};
   for (std::size_t first = 0; first < probes_.size();) {
@@ -141,7 +141,7 @@ Scattering CaptureLight::scattering(const SurfacePoint& s, const FresnelEnds& en
 glm::vec3 CaptureLight::unreflected(const SurfacePoint& s, bool unlit, const std::vector<glm::vec3>* through,
                                     const ProbesDiffuse* diffuse) const {
   if (unlit) return s.emissive;
-  // The shader's own, with a film's colour at the eye: light sources are not what a reference judges.
+  // As in the shader, with a film's colour at the eye: references do not judge light sources.
   const SurfaceFresnel lit = surfaceFresnel(s, std::clamp(glm::dot(s.normalWorld, s.viewWorld), 1.0e-5f, 1.0f));
   const FresnelEnds ends{lit.f0, lit.f90};
   glm::vec3 sum = s.emissive;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kCells = 64, kRays = 512;
 
-// Over the root of N.V and roughness, corners at both ends.
+// Over the root of N.V and roughness, including both ends.
 std::vector<glm::dvec2> makeGrid() {
   std::vector<glm::dvec2> grid;
   const ShiftedPoints points(1);

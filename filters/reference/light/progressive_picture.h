@@ -1,5 +1,5 @@
-// A picture made in passes on all cores, each pass an independent estimate of every pixel: their mean is the picture,
-// their spread says how far it is off. Called by both references; knows neither scenes nor rays.
+// A picture made in passes on all cores, each pass an independent estimate of every pixel: the mean is the picture, the
+// spread its error.
 #pragma once
 
 #include <functional>
@@ -11,30 +11,31 @@
 
 namespace boxprobe {
 
-/// Linear RGBA, alpha = coverage, with the standard error of the mean beside it.
+/// Linear RGBA, alpha = coverage, with the standard error of the mean.
 struct ReferencePicture {
   ImageRgbaF color;
   ImageRgbaF standardError;  ///< RGB; alpha is 0
-  bool complete = true;      ///< false: stopped early; a pixel then holds the passes it has had, or nothing
+  bool complete = true;      ///< false: stopped early; pixels then have the passes done so far, or none
 };
 
-/// Pixels of a picture, from the top left; the default is all of them.
+/// A rectangle of pixels, from the top left; by default the whole picture.
 struct PicturePart {
   int left = 0, top = 0;
   int right = std::numeric_limits<int>::max(), bottom = std::numeric_limits<int>::max();  ///< one past the last
   PicturePart within(int width, int height) const;
 };
 
-/// How a pixel's rays are divided: `raysPerPass` for each of its positions in each pass.
+/// The distribution of a pixel's rays: `raysPerPass` for each of its positions in each pass.
 struct RayPlan {
   int passes = 8;
   int raysPerPass = 8;
 };
-/// `rays` in all for a pixel of `positions`: 8 a pass at least, so that few quotients have a small divisor, in at most
-/// 16 passes, which are enough to judge their spread by.
+/// For `rays` in total per pixel with `positions`: at least 8 per pass, so that few quotients have a small divisor, in
+/// at most 16 passes, which are enough to estimate their spread.
 RayPlan planRays(int rays, int positions);
 
-/// Called with what is done, 0..1, now from one thread, now from another, never from two at once; false stops the work.
+/// Called with the finished fraction, 0 to 1, from different threads but never concurrently; returning false stops the
+/// work.
 using ReferenceProgress = std::function<bool(double)>;
 
 class ProgressivePicture {
@@ -44,12 +45,12 @@ class ProgressivePicture {
   struct Pixel {
     glm::dvec3 color{0.0};
     double alpha = 0.0;
-    bool exact = false;  ///< any further pass would give the same
+    bool exact = false;  ///< further passes would give the same
   };
-  /// x, y from the top left. Asked from many threads at once.
+  /// x, y from the top left. Must be thread-safe.
   using Estimate = std::function<Pixel(int x, int y, int pass)>;
 
-  /// Pixels of `part` alone; the others stay as they are, black at first. Returns false if `progress` stopped it.
+  /// Computes only pixels of `part`; others stay as they are, initially black. Returns false if `progress` stopped it.
   bool run(const PicturePart& part, int passes, const Estimate& estimate, const ReferenceProgress& progress);
 
   ReferencePicture picture() const;

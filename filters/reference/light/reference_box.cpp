@@ -38,7 +38,7 @@ bool BoxWorld::convex() const {
   const auto inside = [&](const glm::dvec3& p) {
     return glm::all(glm::greaterThanEqual(p, low_)) && glm::all(glm::lessThanEqual(p, high_));
   };
-  // A surface that lies in a wall of the box is off it by single precision's rounding: a millionth of its size.
+  // Single-precision rounding moves a surface in a wall of the box off it: a millionth of its size.
   return inside(glm::dvec3(0.0)) &&
          glm::all(glm::lessThan(glm::abs(position_ - glm::clamp(position_, low_, high_)), 1.0e-6 * (high_ - low_)));
 }
@@ -110,7 +110,7 @@ BoxSurroundings::Light BoxSurroundings::light(const glm::dvec3& direction) const
 }
 
 std::vector<double> BoxSurroundings::lampChances(const VisibleNormalLobe& lobe) const {
-  // Of a lobe narrower than a group its middle says nothing.
+  // For lobes narrower than a group its middle is not representative.
   constexpr double kLeastAlpha = 0.1;
   const VisibleNormalLobe wide = lobe.widened(kLeastAlpha);
   std::vector<double> reflected, shares;
@@ -128,7 +128,7 @@ std::vector<double> BoxSurroundings::lampChances(const VisibleNormalLobe& lobe) 
       all += reflected.back();
     }
   }
-  // A fifth by light alone: what the middle of a group misses is not lost.
+  // A fifth by light alone, so that nothing that the middle of a group misses is lost.
   std::vector<double> chances;
   double sum = 0.0;
   for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -185,7 +185,7 @@ glm::dvec3 BoxSurroundings::reflectedOf(const std::function<Light(const glm::dve
       return of.even + of.bright;
     });
   }
-  // As many rays towards lamps as by the lobe: either alone is at a loss where the other is good.
+  // As many rays towards lamps as by the lobe: each fails where the other is good.
   const int towardsLamps = std::max(rays / 2, 1), byLobe = std::max(rays - towardsLamps, 1);
   const std::vector<double> chances = lampChances(lobe);
   glm::dvec3 bright(0.0);

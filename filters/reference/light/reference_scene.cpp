@@ -41,7 +41,7 @@ ReferenceScene::ReferenceScene(const Scene& scene, const std::vector<std::shared
       light_(sameLight.light_),
       brightSky_(sameLight.brightSky_) {}
 
-// How much of each light arrives; empty if none asks for shadows.
+// Transmittance for each light; empty if no light casts shadows.
 std::vector<glm::vec3> ReferenceScene::throughTo(const TracedHit& hit, RaySees sees, int side) const {
   std::vector<glm::vec3> through;
   const std::vector<Light>& lights = light_->lights();
@@ -58,11 +58,11 @@ glm::dvec3 ReferenceScene::seenFrom(const glm::dvec3& origin, const glm::dvec3& 
   return hit ? sent(*hit, origin, sees) : glm::dvec3(light_->sky().radiance(glm::vec3(direction)));
 }
 
-// What a hit sends back to where its ray started.
+// The radiance of a hit towards the origin of its ray.
 glm::dvec3 ReferenceScene::sent(const TracedHit& hit, const glm::dvec3& origin, RaySees sees) const {
-  // Highlights and other gloss move with the eye; a probe has them as they are from its origin.
+  // Highlights and other gloss depend on the eye; a probe has them as seen from its origin.
   const glm::dvec3 eye = sees == RaySees::Probes ? light_->capturedFrom(origin).value_or(origin) : origin;
-  // What is reflected is a mean of many: few rays to a light do.
+  // A reflection averages many rays: few shadow rays are enough.
   constexpr int kShadowSide = 2;
   const std::vector<glm::vec3> through = throughTo(hit, sees, kShadowSide);
   return glm::dvec3(light_->captured(tracer_.surface(hit, eye), tracer_.object(hit).material.unlit,
@@ -82,7 +82,7 @@ glm::dvec3 ReferenceScene::reflectedFrom(const SurfacePoint& surface, const glm:
   return sum;
 }
 
-// Rays by the cosine: the lobe is broad.
+// Cosine-weighted rays: the lobe is broad.
 glm::dvec3 ReferenceScene::sheenReflected(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,
                                           std::uint64_t seed) const {
   constexpr double kPi = 3.14159265358979323846;
@@ -100,8 +100,8 @@ glm::dvec3 ReferenceScene::sheenReflected(const SurfacePoint& surface, const glm
   return sum / static_cast<double>(rays);
 }
 
-// Half of the rays go by the lobe and half towards what shines, lamps and bright sky; what several can meet counts by
-// how likely all together were to draw it (the balance heuristic, Veach and Guibas 1995).
+// Half of the rays follow the lobe, and half go towards lamps and bright sky. Light that several strategies can sample
+// is weighted by the balance heuristic (Veach and Guibas 1995).
 glm::dvec3 ReferenceScene::reflected(const ReflectingLayer& layer, const glm::dvec3& view, const glm::dvec3& away,
                                      RaySees sees, int rays, std::uint64_t seed) const {
   const VisibleNormalLobe lobe = layer.lobe(view);

@@ -1,18 +1,17 @@
-// The true scene, ray traced: what the camera sees, and what every reflecting surface reflects, one bounce over its
-// lobe. What techniques are measured against. Called by the command line, the benchmark and tests; knows no GL.
+// The ray-traced scene, against which techniques are measured: what the camera sees, and what every reflecting surface
+// reflects, one bounce over its lobe. Exact definition:
 //
-// What it is, exactly:
-// - Surfaces are lit as by a probe's first capture (CaptureLight): emission, the scene's lights - without shadows, but
-//   for those that ask for them, which have a traced area light's (shadow_light.h) - the sky's diffuse light even
-//   indoors, though not where a probe is open to the sky. A technique's picture has its probes' diffuse light there, so
-//   errors are to be measured on metals, or on the reflection alone; or that light is given (ReferenceSettings).
-// - Reflections: GGX over visible normals, distribution, height-correlated masking and Fresnel's term evaluated for
-// each
-//   ray; no table and no mean weight stands between. What a reflection ray hits shows what the first capture shows: a
-//   mirror in a mirror is black.
-// - Reflection rays see what the probes see, or, on request, what the picture shows. What the probes see
-//   is lit as looked at from the capture origin of the probe that counts most where the ray starts: a highlight that
-//   moves with the eye is nothing that a projection could bring back. On request it is looked at along the ray.
+// - Surfaces are lit as in a probe's first capture (CaptureLight): emission, the scene's lights (without
+//   shadows, except for lights that request them, whose shadows are traced; see shadow_light.h), and the sky's diffuse
+//   light, also indoors, except where a probe is open to the sky. The picture of a technique has its probes' diffuse
+//   light instead, so errors have to be measured on metals, on the reflection alone, or with that light given
+//   (ReferenceSettings).
+// - Reflections sample GGX's visible normals and evaluate distribution, height-correlated masking and Fresnel's term
+//   per ray, without tables or mean weights. The hit of a reflection ray looks as in the first capture: a mirror in a
+//   mirror is black.
+// - Reflection rays see what probes see or, on request, what the picture shows. What probes see is lit as seen from the
+//   capture origin of the probe with the largest share at the ray's start, because no projection can move a highlight
+//   with the eye. On request it is lit as seen along the ray.
 // - Translucent surfaces count as opaque; textures have no mip levels.
 #pragma once
 
@@ -36,10 +35,10 @@ struct ReferenceSettings {
   int raysPerPixel = 256;   ///< over all positions; see planRays
   bool full = false;        ///< reflection rays see what the picture shows
   std::uint64_t seed = 1;
-  /// Of what the camera sees: diffuse light as the probes' picture has it, so that nothing but the reflection differs
-  /// from it. Null: the sky's alone.
+  /// Diffuse light of what the camera sees, as in the probes' picture, so that only the reflection differs from it.
+  /// Null: the sky's alone.
   std::shared_ptr<const ProbesDiffuse> diffuse;
-  PicturePart part;  ///< what of the picture is wanted; the rest stays black
+  PicturePart part;  ///< the rectangle to compute; the rest stays black
 };
 
 class ReferenceScene {
@@ -47,7 +46,7 @@ class ReferenceScene {
   /// `skyImage`: the sky's picture if it has one. Throws WorkError.
   ReferenceScene(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
                  std::shared_ptr<const ImageRgbaF> skyImage);
-  /// Of a scene that differs from that of `sameLight` in surfaces alone: sky, lights and probes are shared, which take
+  /// For a scene that differs from that of `sameLight` in surfaces only: shares sky, lights and probes, which take
   /// seconds to prepare.
   ReferenceScene(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models,
                  const ReferenceScene& sameLight);
@@ -58,7 +57,7 @@ class ReferenceScene {
   /// Radiance that arrives along a ray, as reflections see it. RaySees::Probes: as captured.
   glm::dvec3 seenFrom(const glm::dvec3& originWorld, const glm::dvec3& directionWorld, RaySees sees) const;
 
-  /// Lit by its surroundings: one estimate of a surface point's colour. `away` is where reflection rays start.
+  /// One estimate of the colour of a surface point lit by its surroundings. `away`: the start of reflection rays.
   glm::dvec3 reflectedFrom(const SurfacePoint& surface, const glm::dvec3& away, RaySees sees, int rays,
                            std::uint64_t seed) const;
 

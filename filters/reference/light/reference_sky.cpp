@@ -11,12 +11,12 @@ namespace boxprobe {
 
 namespace {
 
-// Face sizes as filters/vtk/probes/probe_plan.cpp has its sky: a gradient has no detail.
+// Face sizes as in filters/vtk/probes/probe_plan.cpp: a gradient has no detail.
 constexpr int kFaceSize = 64;
 constexpr int kImageFaceSize = 256;
-// Samples along each side of a texel of a picture: a sun of a few pixels must not fall between them.
+// Samples along each side of a texel of a picture: must not miss a sun of a few pixels.
 constexpr int kImageSamples = 4;
-// More than nine coefficients can hold.
+// More resolution than nine coefficients need.
 constexpr int kIrradianceFaceSize = 16;
 
 ShCoefficients coefficientsOf(const CubeMap& source) {
@@ -55,7 +55,7 @@ ReferenceSky::ReferenceSky(const Sky& sky, std::shared_ptr<const ImageRgbaF> ima
   irradiance_ = coefficientsOf(source);
 }
 
-// Bilinear, around in longitude, clamped at the poles; laid out as shaders/gpu/sky.glsl reads it.
+// Bilinear, wrapped in longitude, clamped at the poles; the layout is that of shaders/gpu/sky.glsl.
 glm::vec3 ReferenceSky::imageRadiance(const glm::vec3& d) const {
   if (!image_ || image_->width <= 0 || image_->height <= 0) return glm::vec3(0.0f);
   const double length = glm::length(glm::dvec3(d));

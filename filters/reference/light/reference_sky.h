@@ -1,5 +1,5 @@
-// The sky as the reference sees it: radiance in any direction, and what probe captures light surfaces with before any
-// probe has light of its own - nine coefficients for diffuse light, a prefiltered chain for what no probe reaches.
+// The sky for references: radiance in any direction, and the light of first captures: nine coefficients for diffuse
+// light, and a prefiltered chain for reflections where no probe reaches.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -14,15 +14,15 @@ namespace boxprobe {
 
 class ReferenceSky {
  public:
-  /// `image` is the picture of a SkyImage, null for any other sky (and for a picture that is not there: black).
+  /// `image`: the picture of a SkyImage, null for any other sky (and for a missing picture: black).
   ReferenceSky(const Sky& sky, std::shared_ptr<const ImageRgbaF> image, double rotationDegrees = 0.0);
 
   glm::vec3 radiance(const glm::vec3& directionWorld) const;
-  /// Level 0: radiance by direction.
+  /// Level 0 is the radiance by direction.
   const CubeMap& chain() const { return chain_; }
   /// Over pi.
   glm::vec3 irradiance(const glm::vec3& normalWorld) const;
-  /// As a surface of that roughness reflects it: one lookup, like the renderer's.
+  /// As reflected by a surface of that roughness: one lookup, like the renderer's.
   glm::vec3 reflection(const glm::vec3& directionWorld, float roughness) const;
 
  private:

@@ -24,7 +24,7 @@ double lobe(const glm::dvec3& light, double sine, double cosine, double roughnes
                             static_cast<float>(roughness));
 }
 
-// Steps are finer near the horizon and near the light that goes straight on, where the lobe is bright.
+// Steps are finer near the horizon and near forward scattering, where the lobe is bright.
 double integrated(double cosine, double roughness) {
   const double sine = std::sqrt(1.0 - cosine * cosine);
   double sum = 0.0;

@@ -1,5 +1,5 @@
-// Differences between pairs of colours, summed up: the benchmark's metrics where pixels are gathered over pictures.
-// pictureError() has the same of two whole pictures.
+// Sums differences between pairs of colours: the benchmark's metrics for pixels from several pictures. For two whole
+// pictures use pictureError().
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ class ErrorTally {
   }
 
   std::size_t pixels() const { return pixels_; }
-  /// All 0, brightness 1, where there is nothing to divide by: black on black.
+  /// 0, and a brightness ratio of 1, if there is nothing to divide by: black on black.
   double toneMappedRmse() const {
     return std::sqrt(quotient(toneMappedSquares_, 3.0 * static_cast<double>(pixels_), 0.0));
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// A picture in some colour space, and a kernel of 2 radius + 1 values along one axis.
+// A picture in some colour space; a kernel of 2 radius + 1 values along one axis.
 struct Plane {
   int width, height;
   std::vector<glm::dvec3> pixels;
@@ -51,7 +51,7 @@ double hyab(const glm::dvec3& a, const glm::dvec3& b) {
   return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
 }
 
-// Each component by kernels of its own; beyond the border the border goes on.
+// Each component has its own kernels; the border is clamped.
 Plane filtered(const Plane& in, const Kernel* const across[3], const Kernel* const down[3]) {
   Plane half = in, out = in;
   const auto pass = [](const Plane& from, Plane& to, const Kernel* const kernels[3], bool vertical) {
@@ -101,7 +101,7 @@ SensitivityTerm sensitivityTerm(const Gaussian& g, double pixelsPerDegree, int r
   return term;
 }
 
-// What is left of a picture after the eye's blur, back in linear RGB within the display's range.
+// The picture after the eye's blur, in linear RGB clamped to the display's range.
 Plane seen(const Plane& opponent, double pixelsPerDegree) {
   constexpr Gaussian kAchromatic{1.0, 0.0047}, kRedGreen{1.0, 0.0053}, kBlue1{34.1, 0.04}, kBlue2{13.5, 0.025};
   const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(kBlue1.b / (2.0 * kPi * kPi)) * pixelsPerDegree));
@@ -109,7 +109,7 @@ Plane seen(const Plane& opponent, double pixelsPerDegree) {
   const SensitivityTerm red = sensitivityTerm(kRedGreen, pixelsPerDegree, radius);
   const SensitivityTerm blue1 = sensitivityTerm(kBlue1, pixelsPerDegree, radius);
   const SensitivityTerm blue2 = sensitivityTerm(kBlue2, pixelsPerDegree, radius);
-  // Gaussians are separable, their sum is not: the second one of blue-yellow takes a run of its own.
+  // Gaussians are separable, their sum is not: the second Gaussian of blue-yellow takes a separate pass.
   const Kernel* const first[3] = {&luma.kernel, &red.kernel, &blue1.kernel};
   const Kernel* const second[3] = {&blue2.kernel, &blue2.kernel, &blue2.kernel};
   Plane result = filtered(opponent, first, first);
@@ -137,7 +137,7 @@ std::vector<glm::dvec2> features(const Plane& opponent, double pixelsPerDegree) 
     edge[k] = -i * smooth[k];
     point[k] = (t * t - 1.0) * smooth[k];
   }
-  // Positive weights sum to 1, negative ones to -1, a smooth one to 1.
+  // Positive weights sum to 1, negative ones to -1, those of a smoothing kernel to 1.
   for (Kernel* kernel : {&smooth, &edge, &point}) {
     double positive = 0.0, negative = 0.0;
     for (const double k : *kernel) (k > 0.0 ? positive : negative) += std::abs(k);
@@ -145,7 +145,7 @@ std::vector<glm::dvec2> features(const Plane& opponent, double pixelsPerDegree) 
   }
   Plane luminance = opponent;
   for (glm::dvec3& p : luminance.pixels) p = glm::dvec3((p.x + 16.0) / 116.0);
-  // Components: edges across, points across, not used; then the same down.
+  // Components: edges across, points across, unused; then the same down.
   const Kernel* const derived[3] = {&edge, &point, &smooth};
   const Kernel* const smoothed[3] = {&smooth, &smooth, &smooth};
   const Plane across = filtered(luminance, derived, smoothed), down = filtered(luminance, smoothed, derived);
@@ -171,7 +171,7 @@ Plane opponentOf(const ImageRgbaF& image) {
   return plane;
 }
 
-// The larger part of the range for the small differences, so that a few huge ones do not hide them (section 4.2).
+// Maps small differences to most of the range, so that a few huge ones do not hide them (section 4.2).
 double colorError(double difference) {
   constexpr double kExponent = 0.7, kCut = 0.4, kShare = 0.95;
   static const double largest =

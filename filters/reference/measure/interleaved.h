@@ -1,5 +1,4 @@
-// Two costs measured in turn and compared: the statistics of `boxprobe bench` and of the benchmark programs. Knows
-// nothing of what is measured.
+// Compares two costs measured in alternation: the statistics of `boxprobe bench` and of the benchmark programs.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +11,7 @@ struct Samples {
   std::vector<double> a, b;  ///< seconds; a[i] and b[i] were measured one after the other
 };
 
-/// `pairs` times one of each, each first in turn, so that a drift of the machine touches both alike.
+/// `pairs` measurements of each; the order alternates, so that a drift of the machine affects both equally.
 Samples interleave(int pairs, const std::function<double()>& a, const std::function<double()>& b);
 
 double median(std::vector<double> values);
@@ -25,8 +24,8 @@ struct Ratio {
 
 Ratio ratioOfMedians(const Samples& samples, int resamples = 10000, std::uint32_t seed = 1);
 
-/// Mean over several kinds of work, in equal parts, of the ratio of medians of each; pairs are drawn within each kind.
-/// Kinds without samples do not count; 0 without any.
+/// The mean of the ratios of medians over several kinds of work, with equal weights; pairs are drawn within each kind.
+/// Kinds without samples are ignored; 0 without any.
 Ratio meanRatioOfMedians(const std::vector<Samples>& kinds, int resamples = 2000, std::uint32_t seed = 1);
 
 }  // namespace boxprobe::bench

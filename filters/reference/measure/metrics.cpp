@@ -12,7 +12,7 @@ namespace boxprobe {
 
 double toneMapped(double linear) {
   const double x = std::max(linear, 0.0);
-  // x / (1 + x) of infinity is 1, not the NaN the division would give.
+  // x / (1 + x) of infinity is 1; the division would give NaN.
   return std::isinf(x) ? 1.0 : std::pow(x / (1.0 + x), 1.0 / 2.2);
 }
 

@@ -14,20 +14,20 @@ constexpr double kWholeTurn = 6.28318530717958647692;
 constexpr int kWavelengths = 161;
 constexpr double kFirst = 380.0, kStep = 2.5;  // nanometres
 
-/// A bell with a width on each side.
+/// A Gaussian with different widths on its two sides.
 double lobe(double wavelength, double middle, double below, double above) {
   const double t = (wavelength - middle) / (wavelength < middle ? below : above);
   return std::exp(-0.5 * t * t);
 }
 
-/// x, y, z of the CIE 1931 observer, the fit of several lobes.
+/// x, y, z of the CIE 1931 observer: the multi-lobe fit.
 glm::dvec3 observer(double w) {
   return {1.056 * lobe(w, 599.8, 37.9, 31.0) + 0.362 * lobe(w, 442.0, 16.0, 26.7) - 0.065 * lobe(w, 501.1, 20.4, 26.2),
           0.821 * lobe(w, 568.8, 46.9, 40.5) + 0.286 * lobe(w, 530.9, 16.3, 31.1),
           1.217 * lobe(w, 437.0, 11.8, 36.0) + 0.681 * lobe(w, 459.0, 26.0, 13.8)};
 }
 
-/// Relative power of CIE's D65, whose white is that of Rec. 709; straight lines between every tenth nanometre.
+/// Relative power of CIE's D65, whose white is that of Rec. 709; linear between every tenth nanometre.
 double daylight(double wavelength) {
   static constexpr double kPower[] = {49.9755, 54.6482, 82.7549, 91.4860, 93.4318, 86.6823, 104.865, 117.008, 117.812,
                                       114.861, 115.923, 108.811, 109.354, 107.802, 104.790, 107.689, 104.405, 104.046,
@@ -39,7 +39,7 @@ double daylight(double wavelength) {
   return kPower[i] + (at - static_cast<double>(i)) * (kPower[i + 1] - kPower[i]);
 }
 
-/// What each wavelength adds to linear Rec. 709; their sum is white, by channel.
+/// Contribution of each wavelength to linear Rec. 709; they sum to white per channel.
 const std::array<glm::dvec3, kWavelengths>& weights() {
   static const auto all = [] {
     std::array<glm::dvec3, kWavelengths> w;
@@ -62,7 +62,7 @@ double amplitude(double a, double b) {
   return a + b > 0.0 ? (a - b) / (a + b) : 0.0;
 }
 
-/// The amplitudes of both interfaces, s and p, and the way by which the second wave comes later.
+/// The amplitudes of both interfaces for s and p, and the path difference of the second wave.
 struct Film {
   double outer[2], inner[2];
   double delay;  ///< nanometres in air
@@ -83,11 +83,11 @@ struct Film {
       inAir[0] = amplitude(cosine, baseIor * below);
       inAir[1] = amplitude(baseIor * cosine, below);
     }
-    // A base is known by its admittance, and so by what it reflects in air, whatever lies on it.
+    // A base is given by its admittance, and so by its reflectance in air, whatever is on it.
     for (int i = 0; i < 2; ++i) inner[i] = (inAir[i] - outer[i]) / std::max(1.0 - outer[i] * inAir[i], 1e-12);
   }
 
-  /// The waves that leave after all ways to and fro, summed; `turned`: the phase of one way.
+  /// The sum of all waves that leave; `turned`: the phase factor of one traversal.
   double reflectance(const std::complex<double>& turned) const {
     double sum = 0.0;
     for (int i = 0; i < 2; ++i) {
@@ -103,7 +103,7 @@ std::complex<double> turnedBy(double delay, double wavelength) {
   return std::polar(1.0, kWholeTurn * delay / wavelength);
 }
 
-/// F0 = 1 has no index.
+/// F0 = 1 has no finite index.
 double indexOf(double rootF0) {
   const double root = std::min(rootF0, 0.99995);
   return (1.0 + root) / (1.0 - root);

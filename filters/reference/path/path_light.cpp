@@ -20,20 +20,20 @@ glm::dvec3 across(const glm::dvec3& n) {
   return glm::normalize(glm::cross(std::abs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), n));
 }
 
-/// Even over a cone about `axis`; `cosine`: of half its angle.
+/// Uniform over a cone around `axis`; `cosine`: of half its angle.
 glm::dvec3 inCone(const glm::dvec3& axis, double cosine, const glm::dvec2& u) {
   const double z = 1.0 - u.x * (1.0 - cosine), r = std::sqrt(std::max(1.0 - z * z, 0.0)), phi = 2.0 * kPathPi * u.y;
   const glm::dvec3 x = across(axis), y = glm::cross(axis, x);
   return glm::normalize(r * std::cos(phi) * x + r * std::sin(phi) * y + z * axis);
 }
 
-/// 1 - cos of half the angle under which a sphere is seen; exact where that is small.
+/// 1 - cos of half the angle under which a sphere is seen; accurate for small angles.
 double coneHeight(double radius, double distance) {
   const double s2 = std::min(radius * radius / (distance * distance), 1.0);
   return s2 / (1.0 + std::sqrt(1.0 - s2));
 }
 
-/// Mean emission of a material, its texture by some of its texels.
+/// Mean emission of a material, from some texels of its texture.
 glm::dvec3 meanEmission(const Material& material) {
   glm::dvec3 mean(1.0);
   if (const auto& image = material.emissiveTexture.image; image && image->pixels.size() >= 4) {
@@ -45,7 +45,7 @@ glm::dvec3 meanEmission(const Material& material) {
     }
     mean /= count;
   }
-  // A little for what looks black by these texels: every triangle that may shine can be aimed at.
+  // A little for textures that look black by these texels: every triangle that may emit must be sampled.
   return glm::dvec3(material.emissive) * glm::max(mean, glm::dvec3(1.0e-3));
 }
 
@@ -72,7 +72,7 @@ PathSky::PathSky(const Scene& scene, std::shared_ptr<const ImageRgbaF> image)
       image_(std::move(image)),
       turn_(glm::radians(scene.skyRotationDegrees)),
       cells_(std::vector<double>()) {
-  // Cells of equal solid angle: rows of equal height, since a sphere's zones are as large as they are high.
+  // Cells of equal solid angle: rows of equal height, since the area of a sphere's zone is proportional to its height.
   std::vector<double> weights;
   const int fine = image_ ? 4 : 1;
   for (int row = 0; row < kRows; ++row) {
@@ -87,7 +87,7 @@ PathSky::PathSky(const Scene& scene, std::shared_ptr<const ImageRgbaF> image)
       mean_ += weights.back() / (kRows * kColumns);
     }
   }
-  // A bright spot may lie between what was looked at.
+  // A bright spot may lie between the samples.
   if (mean_ > 0.0) {
     for (double& weight : weights) weight += 0.02 * mean_;
   }
@@ -184,7 +184,7 @@ PathLights::PathLights(const Scene& scene, const PathScene& triangles, std::shar
     source.sized = light.type == LightType::Directional ? light.angleDegrees > 1e-3 : light.radius > 0.0;
     sources_.push_back(source);
   }
-  // By about the flux that each sends into the scene, none below a share that keeps its noise small.
+  // Roughly by the flux that each sends into the scene, with a minimum share that limits noise.
   const double size = std::max(all.radius, 1e-12), disc = kPathPi * size * size;
   std::vector<double> kinds = {byPower_.empty() ? 0.0 : kPathPi * byPower_.whole(), sky_.mean() * kPathPi * disc};
   for (const Source& source : sources_) {
@@ -253,7 +253,7 @@ std::optional<PathLights::Aim> PathLights::aimSource(const glm::dvec3& from, std
     if (source.sized) {
       const double angle = 2.0 * kPathPi * (1.0 - source.cosine);
       aim.density = 1.0 / angle;
-      // Its irradiance at normal incidence is what the light says: the mean cosine over the disc is taken out.
+      // The light gives its irradiance at normal incidence: divide by the mean cosine over the disc.
       aim.radiance = source.power / (0.5 * (1.0 + source.cosine));
     }
     return aim;
@@ -264,7 +264,7 @@ std::optional<PathLights::Aim> PathLights::aimSource(const glm::dvec3& from, std
   const double factor = falloff(source, to / distance, distance);
   if (factor <= 0.0) return std::nullopt;
   if (!source.sized || distance <= source.light.radius) {
-    // Within the sphere there is no side to look at it from: as if it were a point.
+    // Inside the sphere no side of it is visible: treated as a point.
     aim.direction = to / distance;
     aim.distance = distance;
     aim.radiance = source.power * factor / std::max(distance * distance, 1e-12);

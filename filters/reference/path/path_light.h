@@ -1,5 +1,5 @@
-// Where light comes from: triangles that shine, the scene's light sources, the sky. Each can be aimed at, and says how
-// densely it is aimed at in a direction, so that a ray that meets it by chance is weighed against that.
+// The sources of light: emissive triangles, the scene's light sources, the sky. Each can be sampled and gives its
+// sampling density in a direction, so that a ray that meets it by chance can be weighted against that.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@
 
 namespace boxprobe {
 
-/// Numbers in proportion to weights; none of weight 0.
+/// Draws indices in proportion to weights; never one of weight 0.
 class Proportion {
  public:
   explicit Proportion(const std::vector<double>& weights);
   bool empty() const { return sums_.empty() || sums_.back() <= 0.0; }
   double whole() const { return sums_.empty() ? 0.0 : sums_.back(); }
-  /// The number at `u` in [0, 1), which is stretched to [0, 1) over that number's share.
+  /// The index at `u` in [0, 1); `u` is rescaled to [0, 1) over that index's share.
   std::size_t at(double& u) const;
   double share(std::size_t i) const { return (sums_[i] - (i > 0 ? sums_[i - 1] : 0.0)) / sums_.back(); }
 
@@ -29,7 +29,7 @@ class Proportion {
   std::vector<double> sums_;
 };
 
-/// The sky's radiance, aimed at by its brightness.
+/// The sky's radiance, sampled by brightness.
 class PathSky {
  public:
   PathSky(const Scene& scene, std::shared_ptr<const ImageRgbaF> image);
@@ -41,7 +41,7 @@ class PathSky {
 
  private:
   static constexpr int kColumns = 256, kRows = 128;
-  double cellAngle() const;  ///< solid angle of a cell: they are all alike
+  double cellAngle() const;  ///< solid angle of a cell: all are equal
   Sky sky_;
   std::shared_ptr<const ImageRgbaF> image_;
   double turn_ = 0.0;  ///< radians
@@ -53,7 +53,7 @@ class PathLights {
  public:
   PathLights(const Scene& scene, const PathScene& triangles, std::shared_ptr<const ImageRgbaF> skyImage);
 
-  /// Nothing sends light at all.
+  /// Is there no source of light at all?
   bool dark() const { return kinds_.empty() && !unlit_; }
   const PathSky& sky() const { return sky_; }
 
@@ -62,16 +62,17 @@ class PathLights {
     double distance = 0.0;      ///< to it; infinite for the sky and the sun
     glm::dvec3 radiance{0.0};   ///< over `density`
     double density = 0.0;       ///< over directions; 0: a light without a size, which no ray meets by chance
-    int object = -1;            ///< of a shining triangle
+    int object = -1;            ///< of an emissive triangle
   };
-  /// Light for a point, relative to the anchor. `which` chooses the light. Nothing: what was drawn is no light here.
+  /// Samples light for a point, relative to the anchor; `which` selects the source. Nothing: the sample gives no light
+  /// here.
   std::optional<Aim> aim(const glm::dvec3& from, double which, const glm::dvec2& u) const;
 
-  /// How densely aim() draws the point of a shining triangle that a ray has hit, from where it began.
+  /// The density of aim() at the point of an emissive triangle that a ray has hit, seen from the ray's start.
   double lampDensity(const PathHit& hit, const glm::dvec3& direction) const;
   double skyDensity(const glm::dvec3& direction) const;
-  /// What of light sources with a size a ray meets that begins at `from` and ends after `distance`: their light, and
-  /// how densely each is aimed at.
+  /// Light sources with a size that a ray from `from` of length `distance` meets: their light, and the sampling density
+  /// of each.
   struct Met {
     glm::dvec3 radiance{0.0};
     double density = 0.0;
@@ -82,7 +83,7 @@ class PathLights {
   struct Source {
     Light light;
     glm::dvec3 position{0.0};   ///< relative to the anchor
-    glm::dvec3 direction{0.0};  ///< unit, the way the light travels
+    glm::dvec3 direction{0.0};  ///< unit, in which the light travels
     glm::dvec3 power{0.0};      ///< radiant intensity, or irradiance at normal incidence
     double cosine = 1.0;        ///< of half the angle of a directional light's disc
     bool sized = false;
@@ -92,11 +93,11 @@ class PathLights {
     std::uint32_t triangle = 0;
     glm::dvec3 corner{0.0}, along{0.0}, up{0.0}, normal{0.0};
     double area = 0.0;
-    bool both = false;  ///< shines on either side
+    bool both = false;  ///< emits on both sides
   };
   std::optional<Aim> aimLamp(const glm::dvec3& from, double which, const glm::dvec2& u) const;
   std::optional<Aim> aimSource(const glm::dvec3& from, std::size_t index, const glm::dvec2& u) const;
-  /// Of a point or spot light's falloff beside 1 / d²: its range and its cone.
+  /// The falloff of a point or spot light besides 1 / d²: its range and its cone.
   static double falloff(const Source& source, const glm::dvec3& toLight, double distance);
 
   const PathScene& scene_;
@@ -104,9 +105,9 @@ class PathLights {
   std::vector<Source> sources_;
   std::vector<Lamp> lamps_;
   Proportion byPower_;                    ///< lamps
-  std::vector<std::vector<int>> lampOf_;  ///< of each object and triangle; -1: none
+  std::vector<std::vector<int>> lampOf_;  ///< per object and triangle; -1: none
   Proportion kinds_;                      ///< lamps, sky, each source
-  bool unlit_ = false;                    ///< unlit surfaces shine: rays meet them by chance alone
+  bool unlit_ = false;                    ///< unlit surfaces emit: rays meet them by chance only
 };
 
 }  // namespace boxprobe

@@ -12,7 +12,7 @@ namespace boxprobe {
 namespace {
 
 constexpr double kCoatF0 = 0.04;       // KHR_materials_clearcoat: an index of 1.5
-constexpr double kMirrorAlpha = 1e-4;  // below it a lobe is a mirror to any pixel
+constexpr double kMirrorAlpha = 1e-4;  // below it a lobe counts as a mirror
 
 double fifth(double x) {
   const double c = std::clamp(1.0 - x, 0.0, 1.0);
@@ -48,7 +48,7 @@ glm::dmat3 frameOf(const glm::dvec3& normal, const glm::dvec3& tangent) {
   return {x, glm::cross(normal, x), normal};
 }
 
-/// Unpolarised reflectance of an interface, `eta`: index behind it over the index before it.
+/// Unpolarised reflectance of an interface; `eta`: index behind it over the index in front.
 double dielectric(double cosine, double eta) {
   const double c = std::clamp(std::abs(cosine), 0.0, 1.0), sine2 = (1.0 - c * c) / (eta * eta);
   if (sine2 >= 1.0) return 1.0;
@@ -57,14 +57,14 @@ double dielectric(double cosine, double eta) {
   return 0.5 * (s * s + p * p);
 }
 
-/// Cloth: Estevez and Kulla's distribution with Ashikhmin's visibility, as KHR_materials_sheen has it.
+/// Sheen: Estevez and Kulla's distribution with Ashikhmin's visibility, as in KHR_materials_sheen.
 double clothValue(double nh, double nv, double nl, double roughness) {
   const double alpha = std::max(roughness * roughness, 1e-3), sine = std::sqrt(std::max(1.0 - nh * nh, 0.0));
   const double d = (2.0 + 1.0 / alpha) * std::pow(sine, 1.0 / alpha) / (2.0 * kPathPi);
   return d * nl / (4.0 * (nl + nv - nl * nv));
 }
 
-/// Directional albedo of cloth by view and roughness, integrated here once.
+/// Directional albedo of sheen by view and roughness, integrated here once.
 class ClothAlbedo {
  public:
   ClothAlbedo() {
@@ -112,7 +112,7 @@ PathLobes::Facets PathLobes::facets(const glm::dvec3& normal, const glm::dvec3& 
   Facets f;
   f.worldFromLocal = frameOf(normal, tangent);
   f.view = glm::transpose(f.worldFromLocal) * view;
-  f.view.z = std::max(f.view.z, 1e-4);  // interpolated normals may face away from who looks
+  f.view.z = std::max(f.view.z, 1e-4);  // interpolated normals may face away from the viewer
   f.view = glm::normalize(f.view);
   const double alpha = roughness * roughness;
   // KHR_materials_anisotropy: along the tangent mix(alpha, 1, strength squared), across it alpha.
@@ -133,7 +133,7 @@ PathLobes::PathLobes(const PathSurface& surface, const glm::dvec3& view) : s_(su
   const double sheen = largestOf(s_.sheen);
   if (sheen > 0.0) belowSheen_ = 1.0 - std::min(sheen * clothAlbedo().at(nv, s_.sheenRoughness), 1.0);
 
-  // Chances by about what each sends to the view.
+  // Probabilities roughly proportional to each lobe's light towards the view.
   const double reflected = mean(baseFresnel(nv));
   base_.chance =
       std::max(reflected, s_.specularEdge > 0.0 || s_.f0 > 0.0 || metal_ > 0.0 || s_.filmShare > 0.0 ? 0.1 : 0.0);
@@ -141,7 +141,7 @@ PathLobes::PathLobes(const PathSurface& surface, const glm::dvec3& view) : s_(su
   through_ = glass_ * std::max(mean(s_.color), 0.05);
   coat_.chance = s_.coat > 0.0 ? std::max(1.0 - belowCoat_, 0.1) : 0.0;
   sheen_ = sheen > 0.0 ? std::max(1.0 - belowSheen_, 0.1) : 0.0;
-  // A solid's interface is found by sampling alone: what it reflects and what goes through, together.
+  // The interface of a solid is only sampled: reflection and transmission together.
   if (!s_.thin && glass_ > 0.0) {
     through_ += glass_ * base_.chance;
     base_.chance *= 1.0 - glass_;
@@ -152,7 +152,7 @@ PathLobes::PathLobes(const PathSurface& surface, const glm::dvec3& view) : s_(su
 }
 
 glm::dvec3 PathLobes::baseFresnel(double vDotH) const {
-  // A solid that transmits has its own interface.
+  // A transmitting solid has its own interface.
   const double plainShare = 1.0 - metal_ - (s_.thin ? 0.0 : glass_);
   glm::dvec3 sum(0.0);
   if (metal_ > 0.0) {
@@ -173,7 +173,7 @@ glm::dvec3 PathLobes::filmed(const PathFilm* film, const glm::dvec3& plain, cons
 }
 
 glm::dvec3 PathLobes::belowBase(double vDotH) const {
-  // KHR_materials_specular: what a tint takes from one colour does not go on to the diffuse light of another.
+  // KHR_materials_specular: what a tint removes from one channel does not become diffuse light of another.
   return glm::dvec3(1.0 - std::clamp(largestOf(dielectricFresnel(vDotH)), 0.0, 1.0));
 }
 
@@ -191,7 +191,7 @@ double PathLobes::facetDensity(const Facets& f, const glm::dvec3& l) {
   return distribution(h, f.alpha) / (1.0 + lambda(f.view, f.alpha)) / (4.0 * f.view.z);
 }
 
-/// Heitz 2018: a point of the disc that the stretched view sees.
+/// Heitz 2018: a point of the projected hemisphere of the stretched view.
 glm::dvec3 PathLobes::visibleNormal(const Facets& f, const glm::dvec2& u) {
   const glm::dvec3 v = glm::normalize(glm::dvec3(f.alpha.x * f.view.x, f.alpha.y * f.view.y, f.view.z));
   const double across = v.x * v.x + v.y * v.y;
@@ -249,7 +249,7 @@ PathLobes::Sample PathLobes::mirrored(const Facets& f, const glm::dvec3& fresnel
   return s;
 }
 
-/// Smooth: straight on. Rough sheets are in value().
+/// Smooth sheets, straight through. Rough sheets are in value().
 std::optional<PathLobes::Sample> PathLobes::throughSheet(const glm::dvec2& u, double chance) const {
   if (base_.rough) {
     const glm::dvec3 h = visibleNormal(base_, u);
@@ -258,7 +258,7 @@ std::optional<PathLobes::Sample> PathLobes::throughSheet(const glm::dvec2& u, do
     Sample s;
     s.direction = base_.worldFromLocal * glm::dvec3(l.x, l.y, -l.z);
     s.through = true;
-    return s;  // weighed with the others
+    return s;  // weighted with the others
   }
   Sample s;
   s.direction = -view_;
@@ -282,12 +282,12 @@ std::optional<PathLobes::Sample> PathLobes::throughSolid(double which, const glm
     const double t = std::sqrt(std::max(1.0 - (1.0 - cosine * cosine) / (eta * eta), 0.0));
     l = (cosine / eta - t) * h - base_.view / eta;
     if (l.z >= 0.0) return std::nullopt;
-    // The base colour tints what goes in, not what comes out again.
+    // The base colour tints light that enters, not light that leaves.
     s.weight = s_.inside ? glm::dvec3(1.0) : s_.color;
     s.through = true;
   }
   if (base_.rough) {
-    // What visible normals leave of the masking: G2 over G1, uncorrelated behind the surface.
+    // What remains of the masking with visible normals: G2 over G1, uncorrelated behind the surface.
     const double v = 1.0 + lambda(base_.view, base_.alpha), o = lambda({l.x, l.y, std::abs(l.z)}, base_.alpha);
     s.weight *= s.through ? 1.0 / (1.0 + o) : v / (v + o);
   }

@@ -1,5 +1,5 @@
-// Points to sample by: an Owen-scrambled (0,2) sequence for each pair of dimensions of a path, each with an order of
-// its own (Burley 2020, "Practical Hash-based Owen Scrambling"; the hash is Laine and Karras 2011's). The same for any
+// Sample points: an Owen-scrambled (0,2) sequence for each pair of dimensions of a path, each in a different order
+// (Burley 2020, "Practical Hash-based Owen Scrambling"; the hash is from Laine and Karras 2011). Independent of the
 // number of threads: a point depends on pixel, sample, dimension and seed alone.
 #pragma once
 
@@ -15,8 +15,8 @@ class PathRandom {
   /// Both in [0, 1); the next pair of dimensions.
   glm::dvec2 pair() {
     const std::uint32_t dimension = hashed(seed_ + 0x9e3779b9u * ++dimensions_);
-    const std::uint32_t index = reversed(scrambled(reversed(sample_), dimension));  // another order for each pair
-    // The first dimension's bits in reverse order are the index itself.
+    const std::uint32_t index = reversed(scrambled(reversed(sample_), dimension));  // a different order for each pair
+    // The first dimension, bits reversed, is the index itself.
     const std::uint32_t x = scrambled(index, hashed(dimension ^ 0xa511e9b3u));
     const std::uint32_t y = scrambled(sobol(index), hashed(dimension ^ 0x63d83595u));
     return {unit(x), unit(y)};
@@ -40,7 +40,7 @@ class PathRandom {
     x = ((x & 0x33333333u) << 2) | ((x & 0xccccccccu) >> 2);
     return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
   }
-  /// Owen's scramble of a number whose bits are in reverse order: each bit by those that were above it.
+  /// Owen's scramble of a bit-reversed number: each bit depends on those above it.
   static std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
     x += seed;
     x ^= x * 0x6c50b47cu;
@@ -48,7 +48,7 @@ class PathRandom {
     x ^= x * 0xc7afe638u;
     return x ^ (x * 0x8d22f6e6u);
   }
-  /// The second dimension of Sobol's sequence, its bits in reverse order.
+  /// The second dimension of Sobol's sequence, bits reversed.
   static std::uint32_t sobol(std::uint32_t index) {
     std::uint32_t result = 0;
     for (std::uint32_t v = 1u << 31; index != 0; index >>= 1, v ^= v >> 1) {

@@ -45,13 +45,13 @@ double wrapped(double x, Wrap wrap) {
   return x - std::floor(x);
 }
 
-/// Texel columns or rows beyond the edge follow the wrap mode, as OpenGL has it (glTF 2.0, 3.8.4).
+/// Applies the wrap mode to a texel index, as in OpenGL (glTF 2.0, 3.8.4).
 int texelAt(int i, int size, Wrap wrap) {
   if (wrap == Wrap::Repeat) return (i % size + size) % size;
-  return std::clamp(i, 0, size - 1);  // a mirrored edge meets itself
+  return std::clamp(i, 0, size - 1);  // mirrored repeat clamps at its edge
 }
 
-/// Bilinear, bytes decoded before they are mixed; white without a picture.
+/// Bilinear, bytes decoded before interpolation; white without a picture.
 glm::dvec4 sampled(const TextureUse& use, const glm::dvec2& coordinates, bool srgb) {
   static const Decoded decoded;
   if (!use.image || use.image->width <= 0 || use.image->height <= 0) return glm::dvec4(1.0);
@@ -85,7 +85,7 @@ Vector between(const std::vector<Vector>& values, const std::uint32_t* corners, 
   return (Scalar(1) - b - c) * values[corners[0]] + b * values[corners[1]] + c * values[corners[2]];
 }
 
-/// What a material's textures give at one point.
+/// The values of a material's textures at one point.
 class Textured {
  public:
   Textured(const TracedObject& object, std::uint32_t triangle, const glm::dvec2& barycentric)
@@ -110,7 +110,7 @@ class Textured {
   glm::dvec2 barycentric_;
 };
 
-/// Of the ray that asks: beside Embree's own query, since a filter of a scene knows no query but by its context.
+/// Set for camera rays: a filter of a scene gets Embree's query only through its context.
 thread_local bool eyeAsks = false;
 
 void leaveOut(const RTCFilterFunctionNArguments* args) {
@@ -147,7 +147,7 @@ struct PathScene::Structures {
   }
 };
 
-/// One of each kind: its table is the costly part.
+/// One per kind, because its table is expensive.
 std::vector<PathScene::Films> PathScene::filmsOf(const TriangleScene& scene) {
   std::vector<Films> films(scene.objects.size());
   std::map<std::array<float, 3>, Films> kinds;
@@ -155,7 +155,7 @@ std::vector<PathScene::Films> PathScene::filmsOf(const TriangleScene& scene) {
     const Material& material = scene.objects[i].material;
     const MaterialFinish& f = material.finish;
     if (!f.hasFilm() || material.unlit || !scene.objects[i].inPicture) continue;
-    // Without a texture the film is as thick as its maximum.
+    // Without a texture the film has its maximum thickness.
     const float end = f.filmThicknessTexture.image ? f.filmThicknessMin : f.filmThicknessMax;
     const float least = std::min(end, f.filmThicknessMax), most = std::max(end, f.filmThicknessMax);
     Films& kind = kinds[{f.filmIor, least, most}];
@@ -235,10 +235,10 @@ std::optional<PathHit> PathScene::first(const glm::dvec3& origin, const glm::dve
 
 double PathScene::passes(const PathHit& from, const glm::dvec3& direction, double distance, int object) const {
   constexpr int kMostBlended = 64;
-  // Of the way. The light's own surface is met by a rounding sooner or later, which at a flat angle is a long way.
+  // Relative to the length. Rounding moves the hit on the light's own surface, far at grazing angles.
   constexpr double kShort = 1.0e-5, kOwn = 1.0e-2;
   glm::dvec3 origin = away(from, direction);
-  // The start is off the surface, which counts where a lamp is a few millimetres away.
+  // The start is moved off the surface, which matters if a lamp is a few millimetres away.
   const double step = glm::length(origin - from.position);
   double left = distance * (1.0 - kShort) - glm::dot(origin - from.position, direction) - step, share = 1.0;
   for (int i = 0; i < kMostBlended; ++i) {
@@ -272,7 +272,7 @@ PathSurface PathScene::surface(const PathHit& hit, const glm::dvec3& direction) 
   if (!object.normals.empty()) {
     normal = unitOr(glm::dvec3(between(object.normals, at.corners(), hit.barycentric)), hit.normal);
     if (hit.back) normal = -normal;
-    // A shading normal that faces away from its triangle is a fault of the file.
+    // A shading normal that faces away from its triangle is an error of the file.
     if (glm::dot(normal, hit.normal) <= 0.0) normal = hit.normal;
   }
   glm::dvec3 tangent = anyAcross(normal), bitangent = glm::cross(normal, tangent);
@@ -280,7 +280,7 @@ PathSurface PathScene::surface(const PathHit& hit, const glm::dvec3& direction) 
   if (framed) {
     const glm::dvec4 t(between(object.tangents, at.corners(), hit.barycentric));
     tangent = unitOr(glm::dvec3(t) - glm::dot(glm::dvec3(t), normal) * normal, tangent);
-    // The frame of a back is turned round as a whole.
+    // The frame of a back face is reversed as a whole.
     bitangent = glm::cross(hit.back ? -normal : normal, tangent) * (t.w < 0.0 ? -1.0 : 1.0);
   }
   const auto mapped = [&](const TextureUse& use, double scale) {
@@ -289,7 +289,8 @@ PathSurface PathScene::surface(const PathHit& hit, const glm::dvec3& direction) 
     const glm::dvec3 bent((2.0 * texel.x - 1.0) * scale, (2.0 * texel.y - 1.0) * scale, 2.0 * texel.z - 1.0);
     const double side = hit.back ? -1.0 : 1.0;
     glm::dvec3 n = unitOr(side * (bent.x * tangent + bent.y * bitangent) + bent.z * normal, normal);
-    // Bent away from who looks: brought back to where it is just seen, so that no light comes through the surface.
+    // Normals bent away from the viewer are brought back until just visible, so that no light leaks through the
+    // surface.
     const double facing = glm::dot(n, -direction);
     if (facing < 1.0e-3) n = unitOr(n + (1.0e-3 - facing) * -direction, normal);
     return n;

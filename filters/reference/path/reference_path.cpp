@@ -18,9 +18,9 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kMostScatterings = 1000;  // of a path that nothing ends
-constexpr int kMostStraight = 64;       // blended surfaces that a ray goes through in a row
-constexpr int kCertainScatterings = 4;  // before a path may end by chance
+constexpr int kMostScatterings = 1000;  // limit for paths that do not end
+constexpr int kMostStraight = 64;       // limit of blended surfaces that a ray passes in a row
+constexpr int kCertainScatterings = 4;  // before Russian roulette
 
 /// Veach's power heuristic.
 double weighed(double own, double other) {
@@ -45,7 +45,7 @@ struct ReferencePath::Parts {
   PathLights lights;
 };
 
-/// Light of one source that the surface sends to its view.
+/// Light of one source reflected towards the view.
 glm::dvec3 ReferencePath::Parts::aimed(const PathHit& hit, const PathLobes& lobes, PathRandom& random) const {
   const double which = random.one();
   const auto aim = lights.aim(hit.position, which, random.pair());
@@ -60,7 +60,7 @@ glm::dvec3 ReferencePath::Parts::aimed(const PathHit& hit, const PathLobes& lobe
 glm::dvec3 ReferencePath::Parts::radiance(glm::dvec3 origin, glm::dvec3 direction, int bounces,
                                           PathRandom& random) const {
   glm::dvec3 sum(0.0), through(1.0);
-  double density = 0.0;  // of the direction, where a light could have been aimed at in its place
+  double density = 0.0;  // of the direction, if light sources could be sampled in it
   int straight = 0;
   std::vector<PathLights::Met> met;
   for (int scattered = 0; scattered < kMostScatterings;) {
@@ -129,7 +129,7 @@ ReferencePicture ReferencePath::render(const Camera& camera, const PathSettings&
       settings.part.within(settings.width, settings.height), plan.passes,
       [&](int x, int y, int pass) {
         ProgressivePicture::Pixel pixel;
-        // Each pass by a sequence of its own: their spread says how far the mean is off.
+        // Each pass has its own sequence, so that the spread gives the error of the mean.
         const std::uint32_t place =
             PathRandom::hashed(static_cast<std::uint32_t>(x) + 0x10001u * static_cast<std::uint32_t>(y));
         const std::uint32_t pixelSeed =

@@ -1,16 +1,15 @@
-// A path tracer of the scene as its files have it: emission, the scene's lights with their sizes, the sky, every
-// material. What whole pictures are judged by. Beside the readers of files and the triangles they give it shares
-// nothing with what it judges: no probe, no map, no coefficient, no table, no line of shaders/shared.
+// A path tracer of the scene as its files describe it: emission, the scene's lights with their sizes, the sky, every
+// material. The reference for whole pictures. Apart from the file readers and the triangles it shares nothing with what
+// it judges: no probe, no map, no coefficient, no table, no line of shaders/shared.
 //
-// What it is, exactly:
-// - Light is scattered at most `bounces` + 1 times on its way to the camera: 0 bounces are what shines, and what lamps,
-//   light sources and sky send to what the camera sees, if nothing stands between.
-// - Materials as glTF 2.0 and its extensions have them (path_lobes.h), single scattering between microfacets whatever
-//   `energy` says. Occlusion textures are left out: they stand in for light that is traced here.
-// - Light sources with a size are spheres and discs, seen in reflections and not by the camera. Emission is seen from
-// the
-//   front of single-sided triangles alone; other single-sided triangles stop all rays but the camera's.
-// - What the picture shows, and not what probes see: stand-ins for probes are not there.
+// Exact definition:
+// - Light is scattered at most `bounces` + 1 times on its way to the camera: 0 bounces show emission, and direct light
+//   of lamps, light sources and sky on what the camera sees, with shadows.
+// - Materials follow glTF 2.0 and its extensions (path_lobes.h), with single scattering between microfacets whatever
+//   `energy` says. Occlusion textures are ignored: they approximate what is traced here.
+// - Light sources with a size are spheres and discs, visible in reflections but not to the camera. Emission is visible
+//   from the front of single-sided triangles only; other single-sided triangles block all rays except the camera's.
+// - Shows what the picture shows, not what probes see: without stand-ins.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +27,10 @@ namespace boxprobe {
 struct PathSettings {
   int width = 1280;
   int height = 720;
-  int raysPerPixel = 256;      ///< paths that begin at the camera
-  std::optional<int> bounces;  ///< nothing: all
+  int raysPerPixel = 256;      ///< paths that start at the camera
+  std::optional<int> bounces;  ///< empty: unlimited
   std::uint64_t seed = 1;
-  PicturePart part;  ///< what of the picture is wanted; the rest stays black
+  PicturePart part;  ///< the rectangle to compute; the rest stays black
 };
 
 class ReferencePath {
@@ -43,12 +42,12 @@ class ReferencePath {
   ReferencePath(const ReferencePath&) = delete;
   ReferencePath& operator=(const ReferencePath&) = delete;
 
-  /// Linear radiance. Each pixel is the mean over its square; alpha is 1 where the middle shows a surface. The same
-  /// bits for any number of threads and any part.
+  /// Linear radiance. Each pixel is the mean over its square; alpha is 1 where the middle shows a surface.
+  /// Bit-identical for any number of threads and any part.
   ReferencePicture render(const Camera& camera, const PathSettings& settings,
                           const ReferenceProgress& progress = {}) const;
 
-  /// Sentences without a full stop: nothing sends light; what of the scene is left out.
+  /// Sentences without a full stop: there is no light; parts of the scene that are ignored.
   std::vector<std::string> remarks() const;
 
  private:

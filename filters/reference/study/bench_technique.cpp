@@ -20,7 +20,7 @@ bool reads(const std::vector<const ParameterRow*>& rows, const std::string& name
   return std::any_of(rows.begin(), rows.end(), [&](const ParameterRow* row) { return row->name == name; });
 }
 
-/// Leaves out what is at its default anyway.
+/// Removes parameters that have their default value.
 Parameters differing(const Parameters& parameters) {
   Probe probe;
   Parameters result;
@@ -39,7 +39,7 @@ double number(const Parameters& parameters, const std::string& name) {
   return row != nullptr ? parameterNumber(probe, *row) : 0.0;
 }
 
-/// Settings of a technique's parameters that are measured, each by itself; the first is what a reader expects of it.
+/// Settings of a technique's parameters to measure, one at a time; the first is the one that a reader expects.
 std::vector<Parameters> variants(const std::vector<const ParameterRow*>& rows) {
   std::vector<Parameters> all;
   if (reads(rows, "samples")) {
@@ -55,7 +55,7 @@ std::vector<Parameters> variants(const std::vector<const ParameterRow*>& rows) {
         all.back()[name] = true;
       }
     }
-    // What the rays' pattern and what they are drawn from do to the noise, each by itself.
+    // The effect of sampling patterns and distributions on the noise, one at a time.
     Parameters few = all[0];
     few["samples"] = 4.0;
     if (reads(rows, "pattern")) {
@@ -165,7 +165,7 @@ std::vector<BenchTechnique> allBenchTechniques() {
     if (static_cast<int>(p) != box) addRows(list, {static_cast<int>(p), plain});
   }
   for (std::size_t e = 0; e < evaluationRows().size(); ++e) addRows(list, {box, static_cast<int>(e)});
-  // Where the hit is refined, what else is gained shows only with an evaluation that is itself near the truth.
+  // A refined hit gains more only with an evaluation that is itself close to the reference.
   for (const char* id : {"impostor+footprint8"}) {
     if (const auto technique = parseTechnique(id)) addRows(list, *technique);
   }

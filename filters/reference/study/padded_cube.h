@@ -1,5 +1,5 @@
-// A cubemap's lookups, the same as CubeMap's and several times as fast: each face has a border of its neighbours'
-// texels. For fits and tests that look up millions of times; knows no probe.
+// A cubemap with the same lookups as CubeMap, but several times as fast: each face has a border of its neighbours'
+// texels. For fits and tests with millions of lookups.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ class PaddedCube : public shading::CubeSampler {
  private:
   glm::vec4 tap(const CubePoint& point, std::size_t level) const;
 
-  std::vector<int> sizes_;  // of a level's faces, without the border
+  std::vector<int> sizes_;  // face sizes by level, without the border
   std::vector<std::vector<glm::vec4>> levels_;
 };
 

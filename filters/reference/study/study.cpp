@@ -10,11 +10,11 @@ namespace boxprobe {
 
 namespace {
 
-/// Of all it reads, nothing but the box, the map and the point's own pixel.
+/// Does it use only the box, the map and the point's own pixel?
 bool suits(const BenchTechnique& bench) {
   const auto technique = parseTechnique(bench.id);
   if (!technique || projectionRows()[static_cast<std::size_t>(technique->projection)].distances) return false;
-  // Of the renderer: a table of what is bright, and neighbouring pixels.
+  // Others use a table of bright directions, or neighbouring pixels.
   return bench.parameters.count("sampling") == 0 && bench.parameters.count("blur") == 0;
 }
 
@@ -25,7 +25,7 @@ study::Technique inRoom(const BenchTechnique& bench, const std::vector<study::Ro
   const Technique given = *parseTechnique(bench.id);
   const ParameterRow* budgetRow = findParameter("budget");
   const double budget = budgetRow != nullptr ? parameterNumber(settings, *budgetRow) : 0.0;
-  // Of each room, as the renderer measures them for each probe.
+  // Errors measured in each room, as the renderer measures them for each probe.
   std::map<const study::PaddedCube*, TechniqueErrors> own;
   if (isAutomatic(given)) {
     for (const study::RoomPoint& at : points) {

@@ -1,6 +1,6 @@
-// Techniques in rooms made up by chance, point by point and without a picture: what one scene's layout does to a
-// technique's error and light averages out over many, and neither a frame's size nor a view of it is in the figures.
-// The rooms are exactly their boxes; other seeds than those that constants are fitted in. Called by the benchmark.
+// Measures techniques in random rooms, point by point and without pictures: averages out the effect of one scene's
+// layout, and does not depend on frame size or view. The rooms are exactly their boxes, with other seeds than those
+// used to fit constants.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 namespace boxprobe {
 
 struct StudyPlan {
-  int rooms = 192;      ///< 0: no study; many, since a few lamps decide on a room's light
-  int pointsEach = 16;  ///< a room and roughness
+  int rooms = 192;      ///< 0: no study; many, because a few lamps dominate a room's light
+  int pointsEach = 16;  ///< per room and roughness
   int faceSize = 128;   ///< texels
-  int rays = 4096;      ///< a point, of the integral
+  int rays = 4096;      ///< per point, for the integral
   unsigned seed = 77;
 };
 
 struct StudyRow {
-  std::size_t technique = 0;  ///< index into the list it was run with
+  std::size_t technique = 0;  ///< in the list that was measured
   study::TechniqueTally tally;
 };
 
@@ -31,7 +31,7 @@ struct StudyResult {
   std::vector<StudyRow> rows;  ///< without techniques that need more than the box and the map
 };
 
-/// `progress` returning false stops it: what is missing then has no row.
+/// If `progress` returns false, the study stops and missing results have no row.
 StudyResult runStudy(const StudyPlan& plan, const std::vector<BenchTechnique>& techniques,
                      const std::function<bool(double)>& progress);
 

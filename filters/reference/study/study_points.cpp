@@ -1,4 +1,4 @@
-// The points of study_room.h and what they reflect.
+// Random points of study_room.h and their reflected light.
 #include <tbb/parallel_for.h>
 
 #include <cmath>
@@ -13,8 +13,8 @@ namespace boxprobe::study {
 using glm::dvec3;
 using glm::vec3;
 
-// Heitz 2018, weighted by G2 / G1 and by Schlick's reflectance of each facet; the weights normalised, as the split sum
-// has it.
+// Heitz 2018, weighted by G2 / G1 and by Schlick's reflectance of each facet; weights are normalised, as in the split
+// sum.
 dvec3 reflectedMean(const BoxRoom& room, const PaddedCube& chain, const shading::ShadingPoint& point, int rays) {
   const double a = std::max(static_cast<double>(point.roughness * point.roughness), 1e-4);
   const dvec3 n(point.normal), v(point.view), p(point.position);
@@ -59,7 +59,7 @@ dvec3 anyDirection(std::mt19937& random) {
   return glm::normalize(dvec3(x, y, gauss(random)));
 }
 
-// From the point along the floor towards a lamp of the room.
+// A direction along the floor towards a lamp of the room.
 dvec3 towardsLamp(const BoxRoom& room, const dvec3& from, std::mt19937& random) {
   const RoomLamp& lamp = room.lamps[std::uniform_int_distribution<std::size_t>(0, room.lamps.size() - 1)(random)];
   const int axis = lamp.wall / 2;
@@ -77,13 +77,13 @@ shading::ShadingPoint randomPoint(const BoxRoom& room, float roughness, int inde
   const double sx = unit(random), sy = unit(random), sz = unit(random);
   dvec3 p = room.low + (0.08 + 0.84 * dvec3(sx, sy, sz)) * (room.high - room.low), n(0, 1, 0);
   const int kind = index % 8;
-  if (kind == 3) {  // a wall
+  if (kind == 3) {  // on a wall
     const int side = std::uniform_int_distribution<int>(0, 3)(random), axis = side < 2 ? 0 : 2;
     const bool high = side % 2 == 1;
     p[axis] = high ? room.high[axis] : room.low[axis];
     n = dvec3(0.0);
     n[axis] = high ? -1.0 : 1.0;
-  } else if (kind == 4 || kind == 5) {  // something in the room
+  } else if (kind == 4 || kind == 5) {  // an object in the room
     n = anyDirection(random);
   } else {
     p.y = room.low.y;

@@ -45,7 +45,7 @@ RoomLamp randomWindow(Chance& chance) {
   return window;
 }
 
-// Of a pattern's cell: in [0, 1), the same for the same cell.
+// A hash of a pattern's cell, in [0, 1).
 double cellValue(int i, int j, int wall) {
   std::uint32_t h = static_cast<std::uint32_t>(i) * 374761393u + static_cast<std::uint32_t>(j) * 668265263u +
                     static_cast<std::uint32_t>(wall) * 2246822519u;
@@ -131,7 +131,7 @@ BoxRoom randomRoom(unsigned seed, bool longAndLow) {
 }
 
 CubeMap prefilteredRoom(const BoxRoom& room, int faceSize) {
-  constexpr int kSide = 4;  // samples of a texel, as in an anti-aliased capture
+  constexpr int kSide = 4;  // samples per texel side, as in an anti-aliased capture
   CubeMap capture(faceSize, 1);
   const auto coordinate = [faceSize](int texel, int sample) {
     const float inside = (static_cast<float>(sample) + 0.5f) / kSide;

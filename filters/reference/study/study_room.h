@@ -1,5 +1,5 @@
-// Rooms that are boxes, made up by chance: patterned walls from dark to bright, lamps small and large in the ceiling,
-// windows; every fourth is long and low. With the points of their surfaces that techniques are judged and fitted by.
+// Random box-shaped rooms: patterned walls from dark to bright, small and large ceiling lamps, windows; every fourth
+// room is long and low. With surface points for measuring and fitting techniques.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@
 
 namespace boxprobe::study {
 
-/// A pattern in two colours, brighter towards one end.
+/// A pattern of two colours, brighter towards one end.
 struct RoomWall {
   enum class Pattern { Checks, Stripes, Blocks, Grid, Waves };
   Pattern pattern = Pattern::Checks;
   glm::dvec3 light, dark;
   glm::dvec2 period;  ///< metres
-  glm::dvec2 slope;   ///< of the brightness from end to end
+  glm::dvec2 slope;   ///< change of brightness from end to end
 };
 
-/// In a wall: a disk or a rectangle.
+/// A disk or rectangle in a wall.
 struct RoomLamp {
   int wall;
   bool round;
@@ -39,21 +39,21 @@ struct BoxRoom {
 
 BoxRoom randomRoom(unsigned seed, bool longAndLow);
 
-/// A capture of the room, prefiltered.
+/// A prefiltered capture of the room.
 CubeMap prefilteredRoom(const BoxRoom& room, int faceSize);
 
-/// What `point` reflects of level 0 of the chain at the box: the mean over visible normals that the split sum takes, by
-/// integration in double precision and independent of the shader's mathematics. Level 0 and not the room itself, so
-/// that the capture's texels are not counted as a technique's error.
+/// The reflection at `point` of level 0 of the chain on the box: the split sum's mean over visible normals, integrated
+/// in double precision and independently of the shaders. Uses level 0 instead of the room, so that the capture's
+/// resolution does not count as a technique's error.
 glm::dvec3 reflectedMean(const BoxRoom& room, const PaddedCube& chain, const shading::ShadingPoint& point, int rays);
 
-/// A point of a surface and what it reflects.
+/// A point of a surface and its reflected light.
 struct RoomPoint {
   shading::ShadingPoint point;
   shading::ProbeShape probe;
   const PaddedCube* chain;
   glm::dvec3 truth;
-  int roughness;  ///< one of kRoughnesses, or near it
+  int roughness;  ///< the bucket, of kRoughnesses, that its roughness is in or near
   int angle;      ///< from above, oblique, grazing
 };
 
@@ -64,9 +64,9 @@ struct RoomPoints {
   std::vector<RoomPoint> points;
 };
 
-/// Floors and walls, smooth and tilted as by a normal map, and things in the room; seen from up to 85 degrees, and one
-/// in eight from 60 to 87 towards a lamp's mirror image.
-/// `goOn(rooms done)` returning false leaves out the rest. `f0`: ShadingPoint's, of all of them.
+/// Points on floors and walls, smooth and tilted as by a normal map, and on objects in the room; view angles up to 85
+/// degrees, and one in eight from 60 to 87 towards a lamp's mirror image. If `goOn(rooms done)` returns false, the rest
+/// is skipped. `f0`: ShadingPoint's, for all of them.
 RoomPoints randomPoints(unsigned seed, int rooms, int pointsEach, int faceSize, int rays,
                         const std::function<bool(int)>& goOn = {}, float f0 = 1.0f);
 

@@ -77,7 +77,7 @@ TechniqueTally tally(const std::vector<dvec3>& values, const std::vector<RoomPoi
   }
   for (std::size_t b = 0; b < kBuckets; ++b)
     result.light[b] = truthLight[b] > 0.0 ? result.light[b] / truthLight[b] : 1;
-  // Of a ratio of two sums over rooms.
+  // Standard error of a ratio of two sums over rooms.
   for (const auto& [room, lights] : rooms) {
     for (std::size_t b = 0; b < kBuckets; ++b) {
       if (truthLight[b] > 0.0)

@@ -1,5 +1,5 @@
-// How far a technique is from the integral it stands for, over many points: in display values, in linear light, and how
-// much light it gains or loses in each bucket of roughness and view angle.
+// The error of a technique against its integral over many points: in display values, in linear light, and as gain or
+// loss of light by roughness and view angle.
 #pragma once
 
 #include <array>
@@ -10,26 +10,26 @@
 
 namespace boxprobe::study {
 
-/// x / (1 + x) to the 1/2.2.
+/// (x / (1 + x))^(1/2.2).
 double displayValue(double radiance);
 
 using Technique = std::function<glm::dvec3(const RoomPoint&)>;
-/// By its id.
+/// Finds a technique by its id.
 Technique techniqueOf(const char* id);
-/// At all points, on all cores.
+/// Evaluates all points, on all cores.
 std::vector<glm::dvec3> valuesOf(const Technique& technique, const std::vector<RoomPoint>& points);
 
 constexpr std::size_t kBuckets = static_cast<std::size_t>(kRoughnesses) * kAngles;
 
 struct TechniqueTally {
   double rmse = 0.0;          ///< of display values
-  double relativeRmse = 0.0;  ///< root of: squared errors of linear light over squared light
+  double relativeRmse = 0.0;  ///< root of squared errors of linear light over squared light
   std::array<double, kRoughnesses> rmseByRoughness{};
-  std::array<double, kBuckets> light{};  ///< over the reference's; bucket: kAngles * roughness + angle
-  /// Of light, from the rooms' scatter about it: what other rooms made by the same chance would leave open.
+  std::array<double, kBuckets> light{};  ///< relative to the reference; bucket: kAngles * roughness + angle
+  /// Standard error of `light`, from its scatter among rooms.
   std::array<double, kBuckets> lightError{};
   double worstLight() const;    ///< largest |light - 1|
-  std::size_t mostOff() const;  ///< the bucket whose light is farthest from 1
+  std::size_t mostOff() const;  ///< the bucket of worstLight()
 };
 
 TechniqueTally tally(const std::vector<glm::dvec3>& values, const std::vector<RoomPoint>& points);

@@ -29,11 +29,11 @@ BrightDirections::BrightDirections(const CubeMap& radiance) {
       for (int column = 0; column < size; ++column) sum += brightness(face, column, row);
     }
   }
-  // Twice the mean: walls stay below it, a lamp or a sunlit patch does not.
+  // Twice the mean: walls are below it; lamps and sunlit patches are above.
   cap_ = 2.0 * sum / (6.0 * size * size);
   const auto cellLight = [&](int face, int column, int row) {
     double light = 0.0;
-    // One texel beyond the cell on each side: interpolation carries its light in.
+    // With one texel beyond the cell on each side, because interpolation carries its light in.
     for (int y = row * block - 1; y <= (row + 1) * block; ++y) {
       for (int x = column * block - 1; x <= (column + 1) * block; ++x) {
         const double b = brightness(face, std::clamp(x, 0, size - 1), std::clamp(y, 0, size - 1));
@@ -100,7 +100,7 @@ BrightDirections::Place BrightDirections::at(const glm::dvec3& direction) const 
   const Group& group = groups_[static_cast<std::size_t>(index)];
   const auto k = static_cast<std::size_t>(row % across_ * across_ + column % across_);
   const double share = group.cumulated[k] - (k > 0 ? group.cumulated[k - 1] : 0.0);
-  // Even over the cell's square of side 2 / cells at distance 1: a solid angle there is smaller by the cube of the
+  // Uniform over the cell's square of side 2 / cells at distance 1; its solid angle decreases with the cube of the
   // distance.
   const double side = 2.0 / cells_, s = p.s, t = p.t, squared = 1.0 + s * s + t * t;
   return {static_cast<std::size_t>(index), share / (side * side) * squared * std::sqrt(squared)};

@@ -1,4 +1,4 @@
-// Of VisibleNormalLobe what is brushed: anisotropic GGX (Burley 2012; Heitz 2018 for the sampling).
+// The anisotropic part of VisibleNormalLobe: anisotropic GGX (Burley 2012; Heitz 2018 for sampling).
 #include <algorithm>
 #include <cmath>
 

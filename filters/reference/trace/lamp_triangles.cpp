@@ -8,7 +8,7 @@ namespace boxprobe {
 
 namespace {
 
-// So many times the mean over all surfaces, and an object is a lamp.
+// An object this many times as bright as the mean over all surfaces is a lamp.
 constexpr double kStandsOut = 4.0;
 
 double brightness(const TracedObject& object) {
@@ -64,7 +64,7 @@ LampTriangles::Towards LampTriangles::towards(const glm::dvec3& from, const glm:
   const auto at = std::min<std::size_t>(static_cast<std::size_t>(found - triangles_.begin()), triangles_.size() - 1);
   const Triangle& t = triangles_[at];
   const double first = at > 0 ? triangles_[at - 1].cumulated : 0.0, width = t.cumulated - first;
-  // What is left of the first number says where in the triangle.
+  // The remainder of the first number selects the place in the triangle.
   const double root = std::sqrt(width > 0.0 ? std::clamp((u.x - first) / width, 0.0, 1.0) : 0.5);
   const glm::dvec3 way = t.corner + root * ((1.0 - u.y) * t.along + u.y * t.up) - from;
   const double length = glm::length(way);

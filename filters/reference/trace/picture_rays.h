@@ -1,6 +1,5 @@
-// Rays through a picture as vtkCamera projects it: the field of view is the vertical one, pixels are square; in
-// parallel projection all rays have one direction, and each starts at its own place beside the camera's. Called by what
-// renders or judges a reference; knows no scene.
+// Rays through a picture as vtkCamera projects it: the field of view is vertical, pixels are square. In parallel
+// projection all rays have the same direction and start beside each other.
 #pragma once
 
 #include <glm/vec3.hpp>

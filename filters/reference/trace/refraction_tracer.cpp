@@ -10,10 +10,11 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kLeast = 1.0e-3;  // of the pixel: a branch that carries less is not followed
+constexpr double kLeast = 1.0e-3;  // of the pixel: branches that carry less are not followed
 constexpr int kDeepest = 24;
 
-// Fresnel's reflectance by Snell's law, n1 on the ray's side; `far` is the cosine beyond, 0 where nothing passes.
+// Fresnel's reflectance with Snell's law, n1 on the ray's side; `far`: the cosine behind the interface, 0 for total
+// reflection.
 double reflectance(double cosine, double n1, double n2, double& far) {
   const double sine = n1 / n2 * std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
   far = 0.0;
@@ -28,7 +29,7 @@ glm::dvec3 bent(const glm::dvec3& direction, const glm::dvec3& facing, double ra
   return glm::normalize(ratio * direction + (ratio * cosine - far) * facing);
 }
 
-// What Beer's law leaves on a way through it.
+// Transmittance by Beer's law.
 glm::dvec3 leftAfter(const Material& m, double distance) {
   glm::dvec3 left(1.0);
   if (m.attenuationDistance <= 0.0f) return left;
@@ -43,10 +44,10 @@ bool smoothGlass(double roughness) {
   return roughness * roughness < 1.0e-6;
 }
 
-/// The numbers a path draws.
+/// The random numbers of a path.
 struct RefractionTracer::Path {
   std::uint64_t state = 0;
-  bool rough = false;  ///< it has met a rough surface: from there on it is one ray and no tree
+  bool rough = false;  ///< it has met a rough surface: from there on it is a single ray, not a tree
   double next() {
     state = stirred(state + 1);
     return static_cast<double>(state >> 11) * 0x1p-53;
@@ -64,7 +65,7 @@ glm::dvec3 RefractionTracer::seen(const TracedHit& hit, const glm::dvec3& direct
     sum += meet(hit, direction, 1.0, 0, path);
   }
   const Material& m = tracer_.object(hit).material;
-  // The eye is in the glass.
+  // The eye is inside the glass.
   const glm::dvec3 left = hit.backSide && !m.thin ? leftAfter(m, hit.distance) : glm::dvec3(1.0);
   return left * sum / static_cast<double>(count);
 }
@@ -85,7 +86,7 @@ glm::dvec3 RefractionTracer::meet(const TracedHit& hit, const glm::dvec3& direct
   const double alpha = static_cast<double>(surface.roughness) * static_cast<double>(surface.roughness);
   const glm::dvec3 tint = depth == 0 ? glm::dvec3(surface.albedo) : glm::dvec3(1.0);
 
-  // A half vector of the surface as the ray sees it.
+  // Draws a half vector of the surface as the ray sees it.
   const auto facet = [&](const glm::dvec3& n, const glm::dvec3& view) {
     if (smooth) return n;
     const VisibleNormalLobe lobe(n, view, alpha);
@@ -110,7 +111,7 @@ glm::dvec3 RefractionTracer::meet(const TracedHit& hit, const glm::dvec3& direct
     const double both = 2.0 * one / (1.0 + one);
     glm::dvec3 away = direction;
     if (!smooth) {
-      // In by one facet, out by another.
+      // Enters through one facet, leaves through another.
       for (int i = 0; i < 16; ++i) {
         const glm::dvec3 h = facet(normal, -direction);
         const double c = -glm::dot(direction, h);
@@ -164,7 +165,7 @@ glm::dvec3 RefractionTracer::meet(const TracedHit& hit, const glm::dvec3& direct
   return sum;
 }
 
-// `within`: the object whose glass the ray is in, or -1; `passed`: a sheet whose other faces do not count again.
+// `within`: the object whose glass the ray is in, or -1; `passed`: a sheet whose other faces are skipped.
 glm::dvec3 RefractionTracer::follow(const glm::dvec3& origin, const glm::dvec3& direction, int within, int passed,
                                     double weight, int depth, Path& path) const {
   if (depth > kDeepest || weight < kLeast) return outside_(origin, direction);

@@ -1,12 +1,12 @@
-// Glass, ray traced: every interface with Fresnel's reflectance and Snell's law, both bends and what is mirrored
-// within, absorption on the true way, roughness by microfacets. What the real-time forms of glass are measured against.
-// Called by the scene reference; knows no probe. Shares no line with shaders/shared/refraction.glsl, which it judges.
+// Ray-traced glass, the reference for the real-time forms: every interface with Fresnel's reflectance and Snell's law,
+// both refractions and internal reflections, absorption along the true path, roughness by microfacets. Shares no line
+// with shaders/shared/refraction.glsl, which it judges.
 //
-// What it is, exactly: a smooth surface splits each ray in two, until a branch carries less than a thousandth; a rough
-// one draws half vectors of GGX visible from the ray and either mirrors or bends each, by Fresnel's share. No light is
-// lost between facets: a direction that points back into its surface is drawn again. A thin sheet is met once, with
-// both of its faces, and bends nothing. Light that has left sees what `outside` shows; if that is glass again, it goes
-// on through it.
+// Exact definition: a smooth surface splits each ray in two, until a branch carries less than a thousandth. A rough one
+// draws visible half vectors of GGX and reflects or refracts at each, in proportion to Fresnel's term. No light is lost
+// between facets: a direction that points back into its surface is drawn again. A thin sheet counts as one interface
+// with both of its faces, without refraction. Light that has left sees what `outside` shows; if that is glass again, it
+// continues through it.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ class RefractionTracer {
   using Outside = std::function<glm::dvec3(const glm::dvec3& origin, const glm::dvec3& direction)>;
   RefractionTracer(const SceneTracer& tracer, Outside outside) : tracer_(tracer), outside_(std::move(outside)) {}
 
-  /// Mean radiance over `rays` rays that look along `direction` (unit) and meet glass at `hit`; of smooth glass one is
-  /// all there is to know.
+  /// Mean radiance over `rays` rays along `direction` (unit) that meet glass at `hit`; for smooth glass one ray is
+  /// exact.
   glm::dvec3 seen(const TracedHit& hit, const glm::dvec3& direction, int rays, std::uint64_t seed) const;
 
  private:
@@ -36,7 +36,7 @@ class RefractionTracer {
   Outside outside_;
 };
 
-/// Is the surface so smooth that one ray tells all?
+/// Is the surface so smooth that one ray is enough?
 bool smoothGlass(double roughness);
 
 }  // namespace boxprobe

@@ -26,7 +26,7 @@ float reflectanceOf(float iorTo, float iorFrom) {
   return r * r;
 }
 
-// The triangle's three values of an attribute at a hit.
+// An attribute at a hit, interpolated between the triangle's three corners.
 template <typename Value>
 Value interpolated(const std::vector<Value>& values, const std::uint32_t* corners, const glm::dvec2& barycentric) {
   const auto v = static_cast<float>(barycentric.x), w = static_cast<float>(barycentric.y);
@@ -42,13 +42,13 @@ glm::vec3 mappedNormal(const glm::vec3& n, const glm::vec4& tangent, const glm::
   return unitOr(mapped.x * t + mapped.y * b + mapped.z * n, n);
 }
 
-// Attributes of a surface at one of its points.
+// The attributes of a surface at a point.
 class Attributes {
  public:
   Attributes(const TracedObject& object, const std::uint32_t* corners, const glm::dvec2& barycentric)
       : object_(object), corners_(corners), barycentric_(barycentric) {}
 
-  /// White where there is no picture, or nothing that says how it lies on the surface.
+  /// White if there is no picture or no texture coordinates.
   glm::vec4 sampled(const TextureUse& use, bool srgb) const {
     const std::vector<glm::vec2>& set = use.uvSet == 1 ? object_.uv1 : object_.uv;
     if (!use.image || set.empty()) return glm::vec4(1.0f);
@@ -62,7 +62,7 @@ class Attributes {
     if (!object_.colors.empty()) base *= interpolated(object_.colors, corners_, barycentric_);
     return base;
   }
-  /// As shaders/gpu/finish.glsl has it.
+  /// As in shaders/gpu/finish.glsl.
   PointFinish finish(const SurfacePoint& s, bool backSide) const {
     const MaterialFinish& f = object_.material.finish;
     PointFinish point;
@@ -108,8 +108,7 @@ class Attributes {
   glm::dvec2 barycentric_;
 };
 
-// Called by Embree for each triangle that a ray of one lane meets: the back of a single-sided surface is not there, nor
-// what a material masks out.
+// Embree's filter for each triangle that a ray meets: skips back faces of single-sided surfaces, and masked-out texels.
 void leaveOut(const RTCFilterFunctionNArguments* args) {
   const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
@@ -211,8 +210,9 @@ std::optional<TracedHit> SceneTracer::firstHit(const glm::dvec3& origin, const g
 }
 
 glm::dvec3 SceneTracer::awayFrom(const TracedHit& hit) const {
-  // Embree subtracts the ray's origin from the corners in single precision: off by up to 1.2e-7 of the radius each, a
-  // few times that in the triangle's plane. Less would let rays leave through the surface they start from.
+  // Embree subtracts the ray's origin from the corners in single precision: an error of up to 1.2e-7 of the radius
+  // each, several times that in the triangle's plane. A smaller value would let rays leave through the surface they
+  // start from.
   constexpr double kShare = 2.0e-6;
   return hit.positionWorld + kShare * scene_.radius * hit.frontWorld;
 }
@@ -238,7 +238,7 @@ SurfacePoint SceneTracer::surface(const TracedHit& hit, const glm::dvec3& eye) c
     s.normalWorld = normal;
     return s;
   }
-  // The frame of a back is turned round as a whole.
+  // The frame of a back face is reversed as a whole.
   const float side = hit.backSide ? -1.0f : 1.0f;
   const auto turned = [&](const TextureUse& use, float scale) {
     if (!at.mapped(use)) return normal;
@@ -253,7 +253,7 @@ SurfacePoint SceneTracer::surface(const TracedHit& hit, const glm::dvec3& eye) c
   s.metallic = m.metallic * roughMetal.b;
   s.roughness = m.roughness * roughMetal.g;
   s.occlusion = glm::mix(1.0f, at.sampled(m.occlusionTexture, false).r, m.occlusionStrength);
-  // As vtkProperty has it: a base between lying in air and lying under its coat.
+  // As in vtkProperty: the base reflectance is interpolated between that in air and that under its coat.
   s.baseF0 = glm::mix(reflectanceOf(m.reflectedIor(), 1.0f), reflectanceOf(m.reflectedIor(), kCoatIor), m.coat);
   s.coatStrength = m.coat * at.sampled(m.coatTexture, false).r;
   s.coatRoughness = m.coatRoughness * at.sampled(m.coatRoughnessTexture, false).g;

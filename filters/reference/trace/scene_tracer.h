@@ -1,6 +1,4 @@
-// Rays against a scene's triangles through Embree: what is hit first, and what the surface is there. Called by the
-// scene reference and by whoever wants a true hit distance; knows no light and no probe. Any number of threads may ask
-// at once.
+// Traces rays against a scene's triangles with Embree: the first hit, and the surface there. Thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +26,7 @@ struct TracedHit {
 
 class SceneTracer {
  public:
-  /// Throws WorkError if Embree refuses (out of memory).
+  /// Throws WorkError if Embree fails (out of memory).
   explicit SceneTracer(TriangleScene scene);
   ~SceneTracer();
   SceneTracer(const SceneTracer&) = delete;
@@ -36,17 +34,17 @@ class SceneTracer {
 
   const TriangleScene& scene() const { return scene_; }
 
-  /// The nearest front face (either side of a double-sided object) at a distance above 0; nothing for a zero
-  /// direction. `directionWorld` need not be unit. Starting from a surface, use awayFrom(): single precision puts a
-  /// point on a triangle to either side of it.
+  /// The nearest front face (either side of a double-sided object) at a distance above 0; nothing for a zero direction.
+  /// `directionWorld` need not be unit. To start from a surface use awayFrom(): single precision may put a point of a
+  /// triangle on either side of it.
   std::optional<TracedHit> firstHit(const glm::dvec3& originWorld, const glm::dvec3& directionWorld,
                                     RaySees sees = RaySees::Picture) const;
 
   /// A start for rays from a hit: off the surface by a few millionths of the scene's radius, on the side that was hit.
-  /// A ray into the surface, which normal maps ask for, meets the surface itself, as a lookup in a probe's box does.
+  /// A ray into the surface, as normal maps produce, meets the surface itself, like a lookup in a probe's box.
   glm::dvec3 awayFrom(const TracedHit& hit) const;
 
-  /// What the shader makes of the surface there: textures, normal map, overrides; names left out.
+  /// The surface as the shader computes it there: textures, normal map, overrides; without names.
   SurfacePoint surface(const TracedHit& hit, const glm::dvec3& eyeWorld) const;
   const TracedObject& object(const TracedHit& hit) const {
     return scene_.objects[static_cast<std::size_t>(hit.object)];

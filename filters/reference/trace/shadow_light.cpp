@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFullTurn = 6.283185307179586;
 
-/// What one ray brings over `distance`.
+/// Transmittance of one ray over `distance`.
 glm::dvec3 alongRay(const SceneTracer& tracer, glm::dvec3 origin, const glm::dvec3& direction, double distance,
                     RaySees sees) {
   glm::dvec3 through(1.0);
@@ -23,7 +23,7 @@ glm::dvec3 alongRay(const SceneTracer& tracer, glm::dvec3 origin, const glm::dve
     const SurfacePoint surface = tracer.surface(*hit, origin);
     if (tracer.object(*hit).material.alphaMode != AlphaMode::Blend) return glm::dvec3(0.0);
     through *= (1.0 - static_cast<double>(surface.opacity)) * glm::dvec3(surface.albedo);
-    // On the far side of the pane, as far off it as awayFrom() is on this one.
+    // On the far side of the pane, as far off it as awayFrom() is on this side.
     const glm::dvec3 next = 2.0 * hit->positionWorld - tracer.awayFrom(*hit);
     distance -= glm::length(next - origin);
     origin = next;
@@ -45,7 +45,7 @@ glm::dvec3 lightThrough(const SceneTracer& tracer, const glm::dvec3& away, const
   const glm::dvec3 up = glm::cross(right, forward);
   glm::dvec3 sum(0.0);
   for (int i = 0; i < side * side; ++i) {
-    // Equal areas: rings by the root of one coordinate, angles by the other.
+    // Equal areas: radius by the root of one coordinate, angle by the other.
     const double r = radius * std::sqrt((i % side + 0.5) / side), angle = kFullTurn * (i / side + 0.5) / side;
     const glm::dvec3 target = to + r * (std::cos(angle) * right + std::sin(angle) * up);
     const double length = glm::length(target);

@@ -1,6 +1,5 @@
-// How much of a light arrives at a point past what stands in its way, by rays towards all of its disc: through
-// openings, and coloured by glass. What shadows by coverage are measured against. Called by tests; knows no probe and
-// no GL.
+// The visible share of a light at a point, by rays towards its whole disc: through openings, and coloured by glass. The
+// reference for shadows by coverage.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,9 +9,9 @@
 
 namespace boxprobe {
 
-/// Mean over `side`² directions (a directional light's disc of its angle, a sphere of a positional one's radius seen as
-/// a disc); 0: all in shadow, 1: nothing in the way. `away`: the point, off its own surface (SceneTracer::awayFrom).
-/// A surface that blends lets 1 - opacity times its base colour through.
+/// Mean over `side`² directions (the disc of a directional light's angle, or a positional light's sphere seen as a
+/// disc); 0: in shadow, 1: unobstructed. `away`: the point, off its own surface (SceneTracer::awayFrom). A blended
+/// surface transmits 1 - opacity times its base colour.
 glm::dvec3 lightThrough(const SceneTracer& tracer, const glm::dvec3& away, const Light& light, int side,
                         RaySees sees = RaySees::Probes);
 

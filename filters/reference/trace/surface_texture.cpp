@@ -10,7 +10,7 @@ namespace boxprobe {
 
 namespace {
 
-// `i` is a whole number, in a double because it may be beyond an int.
+// `i` is an integer, in a double because it may exceed an int.
 int wrapped(double i, int size, Wrap wrap) {
   if (wrap == Wrap::ClampToEdge) return static_cast<int>(std::clamp(i, 0.0, size - 1.0));
   const int period = wrap == Wrap::MirroredRepeat ? 2 * size : size;

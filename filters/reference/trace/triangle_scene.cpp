@@ -57,7 +57,7 @@ TriangleScene makeTriangleScene(const Scene& scene, const std::vector<std::share
       object.node = instance.node;
       if (mesh.material >= 0) object.material = models[i]->materials[static_cast<std::size_t>(mesh.material)];
       object.material = overriddenMaterial(std::move(object.material), scene);
-      // Light that is within meets the backs of its faces.
+      // Light inside meets the back of its faces.
       object.material.doubleSided |= object.material.transmits();
       const auto found = scene.objects.find(object.node);
       const ObjectOverride settings = found != scene.objects.end() ? found->second : ObjectOverride{};

@@ -8,19 +8,19 @@ namespace boxprobe {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
-// Below it the view counts as from the edge: its tangent would be rounding.
+// Smaller cosines count as grazing, because their tangents would be rounding errors.
 constexpr double kLeastCosine = 1.0e-5;
 
 double fraction(double x) {
   return x - std::floor(x);
 }
 
-// 53 bits: all that a double in [0, 1) holds.
+// 53 bits, the precision of a double in [0, 1).
 double unitNumber(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) * 0x1.0p-53;
 }
 
-// Any unit vector across `n`: from the axis it leans to least.
+// Any unit vector perpendicular to `n`, from the axis most perpendicular to it.
 glm::dvec3 across(const glm::dvec3& n) {
   const glm::dvec3 a = glm::abs(n);
   const glm::dvec3 axis = a.x <= a.y && a.x <= a.z ? glm::dvec3(1, 0, 0)
@@ -97,7 +97,7 @@ VisibleNormalLobe::Density VisibleNormalLobe::at(const glm::dvec3& direction) co
   const glm::dvec3 h = sum / length;
   const double hDotV = std::min(glm::dot(h, v), 1.0);
   if (!(hDotV > 0.0) || !(h.z > 0.0)) return {};
-  // D_v(h) / (4 h.v) = G1(v) D(h) / (4 n.v); G1 by Smith, D by Trowbridge and Reitz.
+  // D_v(h) / (4 h.v) = G1(v) D(h) / (4 n.v); Smith's G1, Trowbridge and Reitz's D.
   const double a2 = alpha_ * alpha_, d = h.z * h.z * (a2 - 1.0) + 1.0;
   const double distribution = a2 / (0.5 * kTwoPi * d * d);
   const double masking = 2.0 * cosine_ / (cosine_ + viewRoot_);

@@ -13,9 +13,9 @@ namespace boxprobe {
 
 namespace {
 
-// Half precision holds 1 exactly; a pixel that the floor covers but for a hair is one of its edge.
+// Half precision represents 1 exactly; anything less is an edge pixel.
 constexpr float kCovered = 0.9995f;
-// Narrower where the view is low: there the lobe changes fastest. The last one is open to 1.
+// Narrower at low angles, where the lobe changes fastest. The last bucket includes 1.
 constexpr std::array<double, 7> kEdges = {0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0};
 
 glm::dvec3 colorAt(const ImageRgbaF& image, std::size_t pixel) {
@@ -27,7 +27,7 @@ bool counts(const ImageRgbaF& truth, const ImageRgbaF& drawn, std::size_t pixel)
   return coveredByFloor(truth, pixel) && coveredByFloor(drawn, pixel);
 }
 
-/// Root mean square of a difference by pixel, over that of the light.
+/// The RMS of a per-pixel difference, relative to that of the light.
 template <typename Difference>
 double relativeOnFloor(const ImageRgbaF& truth, const ImageRgbaF& drawn, const Difference& difference) {
   double squares = 0.0, light = 0.0;
@@ -40,7 +40,8 @@ double relativeOnFloor(const ImageRgbaF& truth, const ImageRgbaF& drawn, const D
   return light > 0.0 ? std::sqrt(squares / light) : 0.0;
 }
 
-/// `ofTruth`: relative RMS. Its channels are taken to err alike, as the reference's do: the largest error of a mean.
+/// `ofTruth`: relative RMS. Channels are assumed to err alike, as the reference's do, which gives the largest error of
+/// a mean.
 void setNoise(TruthRow& row, const ImageRgbaF& truth, const ImageRgbaF& drawn, const ImageRgbaF* standardError,
               double ofTruth) {
   double squares = 0.0, sum = 0.0, noise = 0.0, sumNoise = 0.0;
@@ -91,7 +92,7 @@ TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, 
       if (!counts(truth, drawn, pixel)) continue;
       const glm::dvec3 value = colorAt(drawn, pixel), right = colorAt(truth, pixel);
       all.add(value, right, 0.0);
-      const double nDotV = -glm::normalize(rays.direction(x + 0.5, y + 0.5)).y;  // the floor is level
+      const double nDotV = -glm::normalize(rays.direction(x + 0.5, y + 0.5)).y;  // the floor is horizontal
       std::size_t bucket = 0;
       while (bucket + 1 < byAngle.size() && nDotV >= kEdges[bucket + 1]) ++bucket;
       byAngle[bucket].add(value, right, 0.0);

@@ -1,5 +1,5 @@
-// How far a picture is from an independent renderer's, and how far it may be: mean light and relative error over the
-// floor, whole and by the angle it is seen under. Called by `bench --truth` and by tests; knows no renderer.
+// Compares pictures with an independent renderer's: mean light and relative error over the floor, overall and by view
+// angle, with the allowed errors.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace boxprobe {
 
-/// Pixels of the floor that are seen under similar angles.
+/// Floor pixels seen under similar angles.
 struct TruthBucket {
   double nDotVLow = 0.0, nDotVHigh = 1.0;
   double meanLight = 1.0;
@@ -18,46 +18,46 @@ struct TruthBucket {
   std::size_t pixels = 0;
 };
 
-/// One technique or reference against one truth picture.
+/// One technique or reference against one picture of the independent renderer.
 struct TruthRow {
   std::string scene, camera, kind;
   double roughness = 0.0;
   std::string technique;      ///< label of a technique, or "reference-scene", "reference-box"
-  double meanLight = 1.0;     ///< of the picture over that of the truth
-  double relativeRmse = 0.0;  ///< root of the sum of squared differences over that of the truth's squares
-  double noise = 0.0;         ///< joint, of both pictures: what relativeRmse is if they agree
-  double texelCost = 0.0;     ///< relative RMS of what the texels of a captured radiance cost; 0: it has none
+  double meanLight = 1.0;     ///< of the picture over that of the independent one
+  double relativeRmse = 0.0;  ///< root of the sum of squared differences over that of the independent picture's squares
+  double noise = 0.0;         ///< of both pictures together: the expected relativeRmse if they agree
+  double texelCost = 0.0;     ///< relative RMS of the error from a capture's resolution; 0: without a capture
   double lightNoise = 0.0;    ///< joint standard error of meanLight
   std::size_t pixels = 0;
   std::vector<TruthBucket> buckets;
 
   bool reference() const { return technique.rfind("reference-", 0) == 0; }
-  /// What references are held to: 3 times the joint noise, and what the texels cost.
+  /// The bound for references: 3 times the joint noise, plus the resolution's error.
   double largestRmse() const { return 3.0 * noise + texelCost; }
-  /// |meanLight - 1|: 1 % of a metal, 3 % of a dielectric and a coat.
+  /// The bound of |meanLight - 1|: 1 % for a metal, 3 % for a dielectric and a coat.
   double largestLightError() const { return kind == "dielectric" || kind == "coat" ? 0.03 : 0.01; }
   bool holds() const;
 };
 
-/// Does the floor cover all of this pixel of a truth picture?
+/// Does the floor cover this pixel entirely?
 bool coveredByFloor(const ImageRgbaF& truth, std::size_t pixel);
 
-/// `drawn`: of the truth's size, what is not floor being of any colour. `standardError`: of each of its pixels; null:
-/// it has no noise. Only pixels count that the floor covers and that are covered in `drawn`. Throws InputError if there
-/// are none.
+/// `drawn`: of the same size; pixels other than the floor are ignored. `standardError`: of each of its pixels; null: no
+/// noise. Counts pixels that the floor covers and that are covered in `drawn`. Throws InputError if there are none.
 TruthRow compareWithTruth(const TruthIndex& index, const TruthPicture& picture, const Camera& camera,
                           const std::string& technique, const ImageRgbaF& drawn,
                           const ImageRgbaF* standardError = nullptr);
 
-/// What texels cost, as relative RMS over the pixels that count: of pictures from a capture and from one of half its
-/// resolution. An error in proportion to the texel is their difference, one in proportion to its square a third of it.
+/// The error from a capture's resolution, as relative RMS, from pictures with a capture and with one of half its
+/// resolution. For an error proportional to the texel size it is their difference; for a quadratic one, a third of
+/// that.
 double texelCost(const ReferencePicture& picture, const ReferencePicture& coarser, const ImageRgbaF& truth);
 
-/// Each pixel the mean of `factor` x `factor`.
+/// Each pixel is the mean of `factor` x `factor` pixels.
 ImageRgbaF boxAveraged(const ImageRgbaF& fine, int factor);
 
-/// One line a technique, scene, kind and camera; by roughness the mean light, the relative RMSE and, of a reference,
-/// what that may be. What a reference does not hold is marked by '!'.
+/// One line per technique, scene, kind and camera; for each roughness the mean light, the relative RMSE and, for a
+/// reference, its bound. Exceeded bounds are marked by '!'.
 std::string truthTable(const TruthIndex& index, const std::vector<TruthRow>& rows);
 /// {"renderer", "complete", "rows": [{"scene", "camera", "kind", "roughness", "technique", "reference": "truth",
 /// "meanLight", "relativeRmse", "noise", ...}]}

@@ -102,7 +102,7 @@ Scene withTruthFloor(Scene scene, const TruthPicture& picture) {
 
 std::vector<std::shared_ptr<const Model>> withTruthFloor(std::vector<std::shared_ptr<const Model>> models,
                                                          const TruthPicture& picture) {
-  if (!picture.coatRoughness) return models;  // the same models: nothing is captured again
+  if (!picture.coatRoughness) return models;  // the same models: no recapture
   for (std::shared_ptr<const Model>& model : models) {
     const auto changed = std::make_shared<Model>(*model);
     for (Material& material : changed->materials) {

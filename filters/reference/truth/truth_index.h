@@ -1,5 +1,4 @@
-// The truth pictures: what an independent path tracer (Cycles) made of the scenes of tests/truth, and under which
-// settings. Called by whatever is held against them; knows no renderer.
+// Pictures that an independent path tracer (Cycles) rendered of the scenes of tests/truth, with their settings.
 #pragma once
 
 #include <memory>
@@ -12,37 +11,37 @@
 
 namespace boxprobe {
 
-/// One picture of a floor: linear, black with alpha 0 where something else is seen.
+/// One picture of a floor: linear, black with alpha 0 elsewhere.
 struct TruthPicture {
   std::string file;  ///< in the folder `pictures`
   std::string scene, camera;
   std::string kind;  ///< of the floor: "metal", "dielectric", "coat"
   double roughness = 0.0;
-  bool whole = false;  ///< the whole scene as the camera sees it, to compare directions; not for judging
+  bool whole = false;  ///< the whole scene, to compare directions; not for measuring
   MaterialOverride floor;
-  std::optional<float> coatRoughness;  ///< of the floor: a scene cannot override that, a model has it
+  std::optional<float> coatRoughness;  ///< of the floor: part of the model, because scenes cannot override it
   int samples = 0;
-  double noise = 0.0;  ///< relative RMS of the picture's own noise, by two seeds
+  double noise = 0.0;  ///< relative RMS of the picture's own noise, from two seeds
 };
 
 struct TruthIndex {
   std::string folder;    ///< of the file
-  std::string renderer;  ///< which made them
+  std::string renderer;  ///< that made the pictures
   int width = 0, height = 0;
-  std::vector<std::string> boxScenes;  ///< those that are exactly their probe's box
+  std::vector<std::string> boxScenes;  ///< scenes that are exactly their probe's box
   std::vector<TruthPicture> pictures;
 
   std::string scenePath(const std::string& scene) const;  ///< of the scene file
   bool isBox(const std::string& scene) const;
 };
 
-/// Throws InputError, one line that says how to make it, for a file that is not there or is none.
+/// Throws InputError, with the command that makes the file, if it is missing or invalid.
 TruthIndex loadTruthIndex(const std::string& path);
 
-/// Throws InputError for a picture that is not there or has another size than the index says.
+/// Throws InputError for a picture that is missing or has another size than in the index.
 ImageRgbaF loadTruthPicture(const TruthIndex& index, const TruthPicture& picture);
 
-/// The scene, and its models, with the picture's material on the floor.
+/// The scene, and below its models, with the picture's material on the floor.
 Scene withTruthFloor(Scene scene, const TruthPicture& picture);
 std::vector<std::shared_ptr<const Model>> withTruthFloor(std::vector<std::shared_ptr<const Model>> models,
                                                          const TruthPicture& picture);

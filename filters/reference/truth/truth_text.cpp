@@ -1,4 +1,4 @@
-// The comparison with the truth pictures for people and for programs.
+// The comparison as a table and as JSON.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -13,8 +13,8 @@ namespace boxprobe {
 
 namespace {
 
-/// How a pixel's rays are divided: so many positions in each of so many passes, all drawn at random, so that the spread
-/// of the passes holds what positions cost, too. A mirror needs positions alone.
+/// The distribution of a pixel's rays: random positions in several passes, so that the spread of the passes includes
+/// that of the positions. A mirror needs only positions.
 struct FloorPlan {
   int passes, positions, raysEach;
 };
@@ -25,7 +25,7 @@ FloorPlan planFloor(double roughness, int rays) {
   return {kPasses, positions, std::max(rays / (kPasses * positions), 1)};
 }
 
-/// Colour at one position, by that many rays.
+/// The colour at one position, from that many rays.
 using FloorEstimate =
     std::function<glm::dvec3(const TracedHit& hit, const glm::dvec3& eye, int rays, std::uint64_t seed)>;
 
@@ -38,7 +38,7 @@ ReferencePicture onFloor(const ReferenceScene& reference, const TruthIndex& inde
   const auto ofPixel = [&](int x, int y, int pass) {
     ProgressivePicture::Pixel pixel;
     const auto at = static_cast<std::size_t>(y * index.width + x);
-    // Steps of 3 and 5 spread the pixels that are made over rows and columns.
+    // Steps of 3 and 5 spread the computed pixels over rows and columns.
     pixel.exact = !coveredByFloor(truth, at) || (3 * x + 5 * y) % effort.stride != 0;
     if (pixel.exact) return pixel;
     const std::uint64_t seed = stirred(stirred(at) + static_cast<std::uint64_t>(pass));
@@ -60,7 +60,7 @@ ReferencePicture onFloor(const ReferenceScene& reference, const TruthIndex& inde
   return made.picture();
 }
 
-/// As the renderer would explain it: what the surface is, and the probe in its box with all of the weight.
+/// As the renderer would explain it: the surface, and the probe of its box with full weight.
 LitPoint pointOf(const ReferenceScene& reference, const TracedHit& hit, const glm::dvec3& eye,
                  const ProbeGeometry& geometry) {
   LitPoint point;

@@ -32,7 +32,7 @@ namespace {
 constexpr const char* kNoContext =
     "the render window has no OpenGL context yet; show its widget first, or leave the capture to the first Render()";
 
-/// A texture without any memory: VTK's windows tell textures before the context goes, and nobody else.
+/// A texture without memory: VTK's windows notify textures, and nothing else, before the context is destroyed.
 class ContextWatch : public vtkTextureObject {
  public:
   static ContextWatch* New() { VTK_STANDARD_NEW_BODY(ContextWatch); }
@@ -47,7 +47,7 @@ bool shadedPhysically(vtkActor* actor) {
   return actor->GetProperty()->GetInterpolation() == VTK_PBR && actor->GetProperty()->GetLighting();
 }
 
-/// What of an actor decides which probes light it, and by which program. Returns whether it was another.
+/// Reads what determines which probes light an actor, and by which program. Returns whether it changed.
 bool follow(DrawnObject& object, const std::array<double, 6>* placedBounds) {
   vtkActor* actor = object.actor;
   std::array<double, 6> b{};
@@ -75,7 +75,8 @@ bool follow(DrawnObject& object, const std::array<double, 6>* placedBounds) {
   return !same;
 }
 
-/// A light that captures see where the renderer's stands: those that follow its camera must not follow the captures'.
+/// A light for captures at the current position of the renderer's light: captures must not move lights that follow its
+/// camera.
 vtkSmartPointer<vtkLight> standing(vtkLight* light) {
   auto copy = vtkSmartPointer<vtkLight>::New();
   copy->DeepCopy(light);
@@ -94,7 +95,8 @@ bool waitsForContext(vtkRenderWindow* window) {
   return foreign != nullptr && !foreign->GetReadyForRendering();
 }
 
-/// Null: nothing. A widget's window is begun here, since it may not have drawn yet. Throws WorkError without a context.
+/// Null: does nothing. Initializes a widget's window unless it has `begun`, since it may not have drawn yet. Throws
+/// WorkError without a context.
 void makeCurrent(vtkOpenGLRenderWindow* window, bool begun) {
   if (window == nullptr) return;
   if (waitsForContext(window)) throw WorkError(kNoContext);
@@ -114,7 +116,7 @@ void addAddress(ContentHash& hash, const T* object) {
   hash.addBytes(&object, sizeof object);
 }
 
-// Values, where they are few: a program may set the same colour in every frame.
+// Hashes values instead of the modification time: a program may set the same colour in every frame.
 void addProperty(ContentHash& hash, vtkProperty* p) {
   for (const double* color : {p->GetColor(), p->GetAmbientColor(), p->GetDiffuseColor(), p->GetSpecularColor(),
                               p->GetEdgeColor(), p->GetEmissiveFactor(), p->GetCoatColor(), p->GetEdgeTint()}) {
@@ -144,7 +146,7 @@ void addLight(ContentHash& hash, vtkLight* light) {
   hash.add(static_cast<double>(light->GetLightType())).add(static_cast<double>(light->GetPositional()));
   addNumbers(hash, light->GetDiffuseColor(), 3);
   addNumbers(hash, light->GetAttenuationValues(), 3);
-  if (light->LightTypeIsHeadlight()) return;  // where the camera is
+  if (light->LightTypeIsHeadlight()) return;  // at the camera
   addNumbers(hash, light->GetPosition(), 3);
   addNumbers(hash, light->GetFocalPoint(), 3);
 }
@@ -186,7 +188,7 @@ ActorParts::~ActorParts() {
   release();
 }
 
-// Every renderer of the window may show the actors: each is drawn by its own camera.
+// Any renderer of the window may show the actors: each draws them with its own camera.
 void ActorParts::observeWindow() {
   vtkRenderWindow* shownIn = renderer->GetRenderWindow();
   const auto observe = [this](vtkObject* object, bool end) {
@@ -219,7 +221,7 @@ void ActorParts::starts(vtkObject* caller) {
   if (drawn == nullptr || first) {
     observeWindow();
     if (beforeFrame) beforeFrame();
-    // A renderer that comes first may show the same actors.
+    // A renderer that is drawn first may show the same actors.
     place();
     assign();
   }
@@ -251,7 +253,7 @@ void ActorParts::beginFrame(vtkRenderer* drawn) {
     ready();
   } catch (const Error& failure) {
     state->counts.fail(failure.what());
-    state->drawing = nullptr;  // and so VTK's own programs, until the next frame asks for ours again
+    state->drawing = nullptr;  // until the next frame, actors have VTK's own programs
     for (DrawnObject& object : content.objects) object.pass->Rebuild();
     return;
   }
@@ -275,7 +277,7 @@ void ActorParts::endFrame() {
   state->drawing = nullptr;
 }
 
-// Which actors other props of the renderer draw, where; and every pass among the keys that are drawn with.
+// Finds which actors other props of the renderer draw, and where; installs the pass among the keys that are drawn with.
 void ActorParts::place() {
   parts.clear();
   vtkPropCollection* props = renderer->GetViewProps();
@@ -342,7 +344,7 @@ void ActorParts::probesChanged() {
   assigned = false;
 }
 
-// Of a sky that was given, captures see what lights; else they see the background, too, which lights nothing.
+// With a given sky, captures see what lights; else they also see the background, which gives no light.
 void ActorParts::refreshSky() {
   if (skyGiven) return;
   if (!surroundings.read(renderer, state->resources.tone)) return;
@@ -357,14 +359,15 @@ void ActorParts::refreshSky() {
   ++skies;
 }
 
-// Seen at once where there is nothing to filter: no light at all.
+// Available at once, because no light needs no filtering.
 void ActorParts::showDarkSky() {
   if (skyGiven || surroundings.light() != nullptr || state->resources.sky == nullptr) return;
   probes.plan().skyShows({});
   probes.binder().showSky(nullptr);
 }
 
-// What captures see where the renderer's lights stand now. The light that VTK would make in the first frame is made.
+// Captures use the renderer's lights at their current positions. Creates the light that VTK would create in the first
+// frame.
 void ActorParts::setCaptureLights() {
   vtkLightCollection* lights = renderer->GetLights();
   if (lights->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation()) renderer->CreateLight();
@@ -376,12 +379,13 @@ void ActorParts::setCaptureLights() {
     if (lamp->GetSwitch() != 0) content.lights.push_back(standing(lamp));
   }
   if (!content.lights.empty()) return;
-  content.lights.push_back(vtkSmartPointer<vtkLight>::New());  // VTK shades nothing physically without one
+  content.lights.push_back(vtkSmartPointer<vtkLight>::New());  // without a light VTK shades nothing physically
   content.lights.back()->SetLightTypeToHeadlight();
   content.lights.back()->SetIntensity(0.0);
 }
 
-// Values that are not set follow the box and what there is to see: a room of a millimetre, or of a kilometre.
+// Values that are not set are derived from the box and the visible scene: a room may be a millimetre or a kilometre
+// wide.
 void ActorParts::clipCaptures() {
   captured.probes = content.scene.probes;
   nearDistances.resize(captured.probes.size());
@@ -393,7 +397,7 @@ void ActorParts::clipCaptures() {
       const double smallest = std::min({half.x, half.y, half.z}), largest = std::max({half.x, half.y, half.z});
       double nearest = 0.0025 * (smallest > 0.0 ? smallest : std::max(largest, 1e-30));
       if (largest <= 0.0) nearest = standard.nearDistance;
-      constexpr double kKept = 8.0;  // times as near or far: a box of about the size
+      constexpr double kKept = 8.0;  // keep the distances of a box this many times smaller or larger
       const double kept = nearDistances[i];
       probe.nearDistance = kept > nearest / kKept && kept < nearest * kKept ? kept : nearest;
       nearDistances[i] = probe.nearDistance;
@@ -411,7 +415,7 @@ void ActorParts::clipCaptures() {
   }
 }
 
-// An upper bound of the probe's weight over each cell, by its bounds: exact where a cell lies along the box's axes.
+// Compares an upper bound of the probe's weight over each cell's bounds: exact for cells parallel to the box's axes.
 bool ActorParts::reaches(std::size_t index) const {
   const Probe& probe = content.scene.probes[index];
   const Box& influence = probe.influenceBox();
@@ -437,7 +441,7 @@ bool ActorParts::reaches(std::size_t index) const {
     if (glm::any(glm::greaterThan(bounds.min, reach.max)) || glm::any(glm::lessThan(bounds.max, reach.min))) continue;
     auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
     vtkPolyData* data = mapper != nullptr ? mapper->GetInput() : nullptr;
-    if (data == nullptr) return true;  // other mappers' cells are not looked at
+    if (data == nullptr) return true;  // cells of other mappers are not examined
     const auto part = parts.find(actor);
     const double* m = part != parts.end() ? part->second.matrix.data() : actor->GetMatrix()->GetData();
     for (vtkCellArray* cells : {data->GetPolys(), data->GetStrips(), data->GetLines()}) {
@@ -474,7 +478,8 @@ void ActorParts::remarkUnreached() {
   }
 }
 
-// An actor in view that is drawn without its pass: by a mapper that asks for none, or by other keys than its own.
+// Warns of an actor in view that was drawn without its pass: by a mapper that ignores passes, or with keys other than
+// its own.
 void ActorParts::remarkUnasked() {
   constexpr int kPatience = 3;
   for (const DrawnObject& object : content.objects) {
@@ -491,7 +496,7 @@ void ActorParts::remarkUnasked() {
   }
 }
 
-// Empty: captures do not show it.
+// Empty if captures do not show the object.
 std::string ActorParts::objectKey(const DrawnObject& object) const {
   vtkActor* actor = object.actor;
   if (!object.settings.seenByProbes || actor->GetVisibility() == 0) return {};
@@ -565,8 +570,8 @@ CaptureInputs ActorParts::captureInputs() {
   return inputs;
 }
 
-// Not while captures are under way: they show the scene as it was when they were planned, however it moves, so that
-// something that never rests is shown a little late, and not never.
+// Compares nothing during captures: they show the scene as it was when they were planned, so that something in constant
+// motion is shown late instead of never.
 bool ActorParts::anyStale() {
   if (nothing) return false;
   if (working) return true;
@@ -583,7 +588,7 @@ bool ActorParts::anyStale() {
     probes.updateCaptures(captureInputs());
     showDarkSky();
   }
-  return window == nullptr || probes.workPending();  // before the first frame nobody knows what it will take
+  return window == nullptr || probes.workPending();  // before the first frame the amount of work is unknown
 }
 
 bool ActorParts::begin(bool all) {
@@ -628,7 +633,7 @@ bool ActorParts::step() {
     if (progress) progress(probes.progress());
   } catch (const Error& failure) {
     state->counts.fail(failure.what());
-    probes.giveUp();  // not tried again before something changes
+    probes.giveUp();  // not repeated before something changes
     working = false;
   }
   return working;

@@ -1,6 +1,5 @@
-// What the probes of another program's actors are made of: a probe set (probe_set.h), and what tells it of a renderer
-// that is somebody else's: which actors it shows where, their keys, its light, and when it draws. Owned by ActorProbes,
-// which is what programs see.
+// The implementation of ActorProbes: a probe set (probe_set.h), and the state of a foreign renderer for it: which
+// actors it shows and where, their keys, its light, and when it draws.
 #pragma once
 
 #include <vtkActor.h>
@@ -30,15 +29,15 @@ namespace boxprobe {
 
 /// Where another prop of the renderer draws an actor: an assembly its parts.
 struct ActorPlace {
-  vtkProp* owner = nullptr;  ///< the outermost one, which the renderer has
+  vtkProp* owner = nullptr;  ///< the outermost prop, which the renderer has
   std::array<double, 6> bounds{};
   std::array<double, 16> matrix{};
 };
 
-/// What the renderer showed when captures were planned last, by keys.
+/// What the renderer showed when captures were last planned, by keys.
 struct ShownContent {
-  std::vector<std::string> objects;  ///< in the order of content.objects; empty texts: captures do not show them
-  std::string lights;                ///< and what all of them depend on
+  std::vector<std::string> objects;  ///< in the order of content.objects; empty for objects that captures do not show
+  std::string lights;                ///< everything that all objects depend on
   int sky = 0;
   bool operator==(const ShownContent& o) const { return objects == o.objects && lights == o.lights && sky == o.sky; }
 };
@@ -49,7 +48,7 @@ struct ActorParts {
   ActorParts(const ActorParts&) = delete;
   ActorParts& operator=(const ActorParts&) = delete;
 
-  /// Throws InputError without a window of OpenGL, WorkError while it has no context.
+  /// Throws InputError without an OpenGL window, WorkError if it has no context.
   void ready();
   void starts(vtkObject* caller);
   void beginFrame(vtkRenderer* drawn);
@@ -57,9 +56,9 @@ struct ActorParts {
   void observeWindow();
   void place();
   void assign();
-  /// After the list of probes, or one of them: `origins` as ProbeSet::updateShapes() takes them.
+  /// To be called when the list of probes, or a probe, has changed: `origins` as in ProbeSet::updateShapes().
   void probesChanged(const ProbeEntries::Origins& origins);
-  void probesChanged();  ///< the list is the one it was
+  void probesChanged();  ///< the list is unchanged
   void refreshSky();
   void showDarkSky();
   void setCaptureLights();
@@ -72,13 +71,13 @@ struct ActorParts {
   void remarkUnreached();
   void remarkUnasked();
 
-  /// Plans what is stale. True: there is something, or it is being made.
+  /// Plans what is stale. True if there is something, or it is in progress.
   bool anyStale();
-  /// Begins with what is stale, or with all probes. False: there is nothing to do, or it failed; see the error.
+  /// Starts with what is stale, or with all probes. False if there is nothing to do, or it failed; see the error.
   bool begin(bool all);
-  /// One unit of work. True while there is more.
+  /// One unit of work. True if there is more.
   bool step();
-  /// What is under way is given up; it counts as stale still.
+  /// Drops work in progress, which stays stale.
   void dropWork();
   void release();
 
@@ -90,31 +89,31 @@ struct ActorParts {
   }
 
   vtkSmartPointer<vtkRenderer> renderer;
-  bool nothing = false;  ///< made without a renderer
+  bool nothing = false;  ///< constructed without a renderer
   vtkNew<vtkCallbackCommand> observer;
   std::vector<vtkWeakPointer<vtkObject>> observed;  ///< the window and all of its renderers
   vtkWeakPointer<vtkRenderWindow> observedWindow;
   std::function<void()> beforeFrame;     ///< called before the window draws, or null
-  std::function<void()> afterFrame;      ///< called once the renderer has drawn, or null
+  std::function<void()> afterFrame;      ///< called after the renderer has drawn, or null
   std::function<void(double)> progress;  ///< of captures, 0 to 1, or null
   std::shared_ptr<DrawState> state;
-  SceneContent content;  ///< its scene holds probes and sky; its objects stand for the actors
-  Scene captured;        ///< its probes as captures take them: when they were planned, with clipping distances
+  SceneContent content;  ///< its scene holds probes and sky; its objects represent the actors
+  Scene captured;        ///< its probes as captured: their state when captures were planned, with clipping distances
   ProbeSet probes;
-  bool assigned = false;                   ///< all objects, by the probes as they are
-  std::map<vtkActor*, int> framesWithout;  ///< that should have drawn it, and in which nobody asked for its pass
+  bool assigned = false;                   ///< all objects, to the current probes
+  std::map<vtkActor*, int> framesWithout;  ///< that should have drawn it, but in which nothing asked for its pass
   std::map<vtkProp*, ActorPlace> parts;
-  /// Near distances that were found, in the order of the probes: a box that is dragged keeps its own, and its maps.
+  /// Near distances found so far, in the order of the probes: a dragged box keeps its distance, and so its maps.
   std::vector<double> nearDistances;
-  std::optional<ShownContent> planned;            ///< nothing: captures have to be planned
+  std::optional<ShownContent> planned;            ///< empty: captures have to be planned
   bool working = false;                           ///< between begin() and the last step()
-  vtkSmartPointer<vtkOpenGLRenderWindow> window;  ///< whose context is ours; null: none
-  /// Registered with the window, which tells its like before its context goes.
+  vtkSmartPointer<vtkOpenGLRenderWindow> window;  ///< whose context is used; null: none
+  /// Registered with the window, which notifies textures before its context is destroyed.
   vtkSmartPointer<vtkTextureObject> contextWatch;
   RendererSurroundings surroundings;
-  bool skyGiven = false;  ///< by setSky, in place of the renderer's surroundings
+  bool skyGiven = false;  ///< by setSky, in place of the renderer's environment
   vtkNew<vtkSkyProp> lightSky;
-  int skies = 1;  ///< so far
+  int skies = 1;  ///< counts skies, for keys
   bool seamlessBefore = false;
   std::vector<std::string> remarks;
 };

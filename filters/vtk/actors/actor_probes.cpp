@@ -214,7 +214,7 @@ void ActorProbes::setMaps(std::size_t index, const BakedMaps& maps) {
 void ActorProbes::setMaps(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
   if (index >= probes().size()) throw InputError("there is no probe " + std::to_string(index));
   if (maps) {
-    // Of these actors' materials nobody knows. The maps may be another window's, whose context filters them.
+    // The materials of these actors are unknown. The maps may belong to another window, whose context filters them.
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(parts_->renderer->GetRenderWindow());
     const bool current = window != nullptr && window->IsCurrent();
     maps->need(kAllLevels);

@@ -1,16 +1,16 @@
-// Reflection probes for the actors of somebody else's VTK renderer: their mappers, properties, lights, camera and
-// window stay what they are; their physically based shading reflects box-projected probes. For vtkPolyDataMapper,
-// vtkCompositePolyDataMapper2 (vtkCompositePolyDataMapper since VTK 9.3) and vtkGlyph3DMapper. Destroyed, or told to
-// let an actor go, it leaves no trace: VTK draws its own pictures again.
+// Reflection probes for the actors of any VTK renderer. Their mappers, properties, lights, camera and window stay the
+// same; their physically based shading reflects box-projected probes. Supports vtkPolyDataMapper,
+// vtkCompositePolyDataMapper2 (vtkCompositePolyDataMapper since VTK 9.3) and vtkGlyph3DMapper. After removal of an
+// actor or destruction VTK draws its own pictures again.
 //
 //   ActorProbes probes(renderer);
 //   probes.addProbe(probe);       // a box, a capture origin, a technique: filters/core/scene/scene.h
 //   probes.addActor(actor);       // its property set to physically based shading
-//   probes.capture();             // six faces and a prefiltered chain for each probe, once the scene stands
-//   window->Render();             // the window's own, as ever
+//   probes.capture();             // six faces and a prefiltered chain for each probe, once the scene is complete
+//   window->Render();             // as usual
 //
-// vtkReflectionProbes (vtkReflectionProbes.h) is the same as a vtkObject: it finds the renderer's actors and captures
-// what has changed by itself. New programs use that.
+// vtkReflectionProbes (vtkReflectionProbes.h) offers the same as a vtkObject: it finds the renderer's actors and
+// captures changes by itself. Prefer it in new programs.
 #pragma once
 
 #include <functional>
@@ -32,87 +32,88 @@ struct ProbeMaps;
 
 class BOXPROBE_EXPORT ActorProbes {
  public:
-  /// `renderer` belongs to a vtkOpenGLRenderWindow by the time it is first drawn, which must outlive this object or
-  /// its releaseGraphics(). An actor that a further renderer of the window shows as well has the same probes there, by
-  /// that renderer's own camera. A null renderer is an error().
+  /// `renderer` must belong to a vtkOpenGLRenderWindow when it is first drawn, and the window must outlive this object
+  /// or its releaseGraphics(). An actor that another renderer of the window also shows has the same probes there, with
+  /// that renderer's camera. A null renderer is an error().
   explicit ActorProbes(vtkRenderer* renderer);
   ~ActorProbes();
   ActorProbes(const ActorProbes&) = delete;
   ActorProbes& operator=(const ActorProbes&) = delete;
 
-  /// World frame and scene units of the renderer; returns its index, from 0. Throws InputError, with the field's path,
-  /// at a value that is out of range, a name that is taken, or a mode other than Baked; nothing has changed then.
+  /// World frame and scene units of the renderer; returns the index, from 0. Throws InputError with the field's path,
+  /// and changes nothing, for a value out of range, an existing name, or a mode other than Baked.
   std::size_t addProbe(const Probe& probe);
-  /// The same at an index; those from there on move down.
+  /// The same at an index; later probes move down.
   void insertProbe(std::size_t index, const Probe& probe);
-  /// The same for a probe that is there. It keeps its maps, which are looked up from where they were captured: a box
-  /// may be dragged without capturing again.
+  /// Replaces a probe. It keeps its maps, which are sampled from where they were captured: dragging a box needs no
+  /// recapture.
   void setProbe(std::size_t index, const Probe& probe);
   const std::vector<Probe>& probes() const;
-  /// The probes after it move up. Throws InputError for an index that is none.
+  /// Later probes move up. Throws InputError for an invalid index.
   void removeProbe(std::size_t index);
 
-  /// Light it by the probes whose influence it meets, at most four, from the next frame on. `seenByProbes`: captures
-  /// show it, too. An actor that was added before only takes over that. One that is not shaded physically (unlit,
-  /// Phong) reflects nothing and is captured as it looks. Null, or an actor that another object lights, is an error()
-  /// and false.
+  /// Lights the actor from the next frame on by the probes whose influence it meets, at most four. `seenByProbes`: also
+  /// shown in captures; for an actor that was added before only this changes. An actor without physically based shading
+  /// (unlit, Phong) reflects nothing and is captured as it looks. Null, or an actor that another object lights, is an
+  /// error() and returns false.
   bool addActor(vtkActor* actor, bool seenByProbes = true);
-  /// VTK's own shading again.
+  /// Restores VTK's own shading.
   void removeActor(vtkActor* actor);
   void removeAllActors();
 
-  /// What is reflected where no probe says otherwise, and seen by captures past all actors. Until it is set, the
-  /// renderer's own: its environment texture while UseImageBasedLighting is on, along EnvironmentUp and
-  /// EnvironmentRight; else no light, and captures see its background. Throws InputError for a picture that cannot be
+  /// Sets what is reflected where no probe has weight, and what captures see behind all actors. By default it is the
+  /// renderer's: its environment texture while UseImageBasedLighting is on, along EnvironmentUp and EnvironmentRight;
+  /// else there is no light, and captures see the renderer's background. Throws InputError for a picture that cannot be
   /// read.
   void setSky(const Sky& sky, double rotationDegrees = 0.0);
-  /// The renderer's own again.
+  /// Returns to the renderer's environment.
   void clearSky();
-  /// Factor on the linear light of actors with probes before it is shown; 1 unless set, which is VTK's.
+  /// Factor on the linear light of actors with probes before display encoding; 1, as in VTK, by default.
   void setExposure(double exposure);
-  /// How that light is shown. Tone::AsVtk unless set: by VTK's power of 1 / 2.2, as all other actors are; by the curve
-  /// of sRGB else.
+  /// Tone curve. The default, Tone::AsVtk, encodes with VTK's power of 1 / 2.2, as for all other actors; other tones
+  /// use the sRGB curve.
   void setTone(Tone tone);
-  /// VTK up to 9.1 leaves emissive factors out where there is no emissive texture, and its properties' default factor
-  /// is white. On, they show: for actors whose factors are meant, such as vtkGLTFImporter's. Off unless set.
+  /// VTK up to 9.1 ignores emissive factors without an emissive texture, and the default factor of its properties is
+  /// white. Turn this on for actors whose factors are meant, such as vtkGLTFImporter's. Off by default.
   void setEmission(bool shown);
-  /// Light that meets more than one microfacet; Energy::Single unless set.
+  /// Treatment of light that meets more than one microfacet; Energy::Single by default.
   void setEnergy(Energy energy);
 
-  /// Captures and filters all probes from the actors that were added, lit by the renderer's lights as they stand
-  /// (headlights where the camera is now). Draws off the screen. Returns false if something failed: see error(); an
-  /// earlier error is forgotten. Throws InputError while the renderer has no window. A near distance of 0.01 and a far
-  /// one of 1000, which probes have unless set, stand for what the box and the actors ask for.
+  /// Captures and filters all probes, from the actors that were added and the renderer's lights at their current
+  /// positions (headlights: at the camera). Draws off-screen. Returns false on failure: see error(); clears an earlier
+  /// error. Throws InputError if the renderer has no window. The default near and far distances of probes, 0.01 and
+  /// 1000, are replaced by values derived from the box and the actors.
   bool capture();
-  /// The same for what is stale alone: nothing, if nothing is.
+  /// The same for stale maps only.
   bool update();
-  /// update() in steps of one face or one mip level, for windows that must stay live: call it between frames while it
-  /// returns true. Maps are shown once they are whole.
+  /// update() in steps of one face or one mip level, for windows that must stay responsive: call it between frames
+  /// while it returns true. Maps are shown when complete.
   bool updateStep();
-  /// Do maps show another state than the renderer's now? Changed, added, moved, recoloured or removed actors make those
-  /// stale that show them, of which the other faces are kept; lights make all stale, a probe's origin, axes or capture
-  /// settings its own; a box does not. Lights that follow the camera count as they are set, not where they are.
+  /// Do maps show another state than the renderer's current one? Changed, added, moved, recoloured or removed actors
+  /// make maps that show them stale, except for faces that do not; lights make all maps stale; a probe's origin, axes
+  /// or capture settings its own maps; a box makes none stale. Lights that follow the camera are compared by their
+  /// settings, not by position.
   bool stale();
-  /// Of captures, 0 to 1; null: nobody is told.
+  /// Progress of captures, 0 to 1; null for none.
   void setProgress(std::function<void(double)> progress);
-  /// Called before the renderer's window draws, a place to update() in, and after the renderer has drawn; null: nothing
-  /// is.
+  /// `before` is called before the renderer's window draws, for instance to update(); `after` when the renderer has
+  /// drawn. Null for none.
   void setFrameCalls(std::function<void()> before, std::function<void()> after);
-  /// Maps from elsewhere in place of a capture: a baked file's (loadBakedProbe), or those that another renderer
-  /// of the same OpenGL context shows.
+  /// Uses maps from elsewhere instead of a capture: a baked file's (loadBakedProbe), or those of another renderer of
+  /// the same OpenGL context.
   void setMaps(std::size_t index, const BakedMaps& maps);
   void setMaps(std::size_t index, std::shared_ptr<const ProbeMaps> maps);
   /// Null before the first capture.
   std::shared_ptr<const ProbeMaps> maps(std::size_t index) const;
 
-  /// Empty while all is well; else the first failure, one line: a line of VTK's shader that was not there, a driver
-  /// that refuses a program. Such actors are drawn without reflections.
+  /// Empty, or the first failure in one line: a line missing in VTK's shader, a program that the driver refuses. Such
+  /// actors are drawn without reflections.
   const std::string& error() const;
   void clearError();
-  /// Sentences about the last capture that are no errors, such as a probe that lights nothing.
+  /// Warnings about the last capture, such as a probe that lights nothing.
   const std::vector<std::string>& remarks() const;
 
-  /// Frees what the graphics side holds, with the window still there. Captures start over afterwards.
+  /// Releases OpenGL resources while the window still exists. Captures start over afterwards.
   void releaseGraphics();
 
  private:

@@ -25,10 +25,10 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// VTK's latitude-longitude pictures look along +x in their middle, ours along +z: turned by a quarter about +y.
+/// The middle of VTK's latitude-longitude pictures is +x, that of ours +z: a quarter turn about +y.
 const glm::dmat3 kQuarter(glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(-1.0, 0.0, 0.0));
 
-/// The axes that VTK looks an environment up along: right, up and their cross product.
+/// The axes of VTK's environment lookups: right, up and their cross product.
 glm::dmat3 environmentFromWorld(vtkRenderer* renderer) {
   const double* r = renderer->GetEnvironmentRight();
   const double* u = renderer->GetEnvironmentUp();
@@ -45,7 +45,7 @@ glm::vec3 linearOfDisplay(const double* color, Tone tone) {
   return linear;
 }
 
-/// Pixels of a texture's input as linear colours, rows from the bottom up as VTK has them.
+/// A texture's input as linear colours, rows from the bottom up as in VTK.
 struct Pixels {
   int width = 0, height = 0;
   std::vector<glm::vec3> colors;
@@ -68,7 +68,7 @@ glm::vec3 Pixels::at(double u, double v, bool around) const {
 /// How a texture's values become linear light.
 enum class Encoding { Linear, Srgb, Gamma };
 
-/// SetEnvironmentTexture(texture, true) tells VTK's filters, and not the texture: a power of 2.2.
+/// SetEnvironmentTexture(texture, true) tells VTK's filters, but not the texture, that values have a power of 2.2.
 Encoding encodingOf(vtkTexture* texture, vtkRenderer* renderer) {
   auto* openGl = vtkOpenGLRenderer::SafeDownCast(renderer);
   if (texture->GetUseSRGBColorSpace()) return Encoding::Srgb;
@@ -134,7 +134,7 @@ std::shared_ptr<const ImageRgbaF> turnedOver(const Pixels& pixels) {
   return image;
 }
 
-/// OpenGL's faces, as VTK 9.1 looks them up.
+/// Samples OpenGL's faces, as VTK 9.1 does.
 glm::vec3 ofCube(const std::array<Pixels, 6>& faces, const glm::dvec3& d) {
   const glm::dvec3 a = glm::abs(d);
   int face = 0;
@@ -158,7 +158,7 @@ glm::vec3 ofCube(const std::array<Pixels, 6>& faces, const glm::dvec3& d) {
   return faces[static_cast<std::size_t>(face)].at(0.5 + 0.5 * s / along, 0.5 + 0.5 * t / along, false);
 }
 
-/// In our convention: +z in the middle, +x to the left of it.
+/// In our convention: +z in the middle, +x to its left.
 std::shared_ptr<const ImageRgbaF> unrolled(const std::array<Pixels, 6>& faces) {
   const int height = std::min(4 * faces[0].height, 2048);
   auto image = blank(2 * height, height);
@@ -173,7 +173,7 @@ std::shared_ptr<const ImageRgbaF> unrolled(const std::array<Pixels, 6>& faces) {
   return image;
 }
 
-/// Changes with what the texture shows.
+/// Changes with the texture's contents.
 std::string keyOf(vtkTexture* texture, vtkRenderer* renderer) {
   ContentHash hash;
   const vtkTexture* address = texture;

@@ -1,4 +1,4 @@
-// What a renderer shows and is lit by past all of its actors, read from its own properties: the environment texture of
+// What a renderer shows and is lit by behind all of its actors, from its own properties: the environment texture of
 // image-based lighting, and the background. Reads vtkTexture's image on the CPU; draws nothing.
 #pragma once
 
@@ -15,7 +15,7 @@ class vtkTexture;
 
 namespace boxprobe {
 
-/// A sky, with the axes it stands in: pictureFromWorld takes a world direction to the one that the sky is asked for.
+/// A sky with its axes: pictureFromWorld takes a world direction to the direction in which the sky is sampled.
 struct OrientedSky {
   Sky sky = SkyColor{};
   std::shared_ptr<const ImageRgbaF> image;  ///< in place of `sky`: latitude-longitude, rows from the top, linear
@@ -24,17 +24,17 @@ struct OrientedSky {
 
 class RendererSurroundings {
  public:
-  /// Reads what the renderer has now; a texture's image only where it is another one than the last time. Returns
-  /// whether anything changed. Not while it draws. `tone` tells the curve that display colours are encoded by.
+  /// Reads the renderer's current state; a texture's image only if it has changed. Returns whether anything changed.
+  /// Must not be called while it draws. `tone` gives the encoding of display colours.
   bool read(vtkRenderer* renderer, Tone tone);
 
-  /// What lights surfaces where no probe has weight: the environment texture while UseImageBasedLighting is on, along
-  /// EnvironmentUp and EnvironmentRight as VTK takes them; nothing (null) without.
+  /// The light where no probe has weight: the environment texture while UseImageBasedLighting is on, along
+  /// EnvironmentUp and EnvironmentRight as in VTK; else null.
   const OrientedSky* light() const { return lit_ ? &light_ : nullptr; }
-  /// What a capture sees past all actors: the environment that lights, else the renderer's background, a gradient one
-  /// along EnvironmentUp. Display colours become linear light.
+  /// What a capture sees behind all actors: the environment that lights, else the renderer's background, a gradient
+  /// along EnvironmentUp. Display colours are converted to linear light.
   const OrientedSky& backdrop() const { return lit_ ? light_ : background_; }
-  /// Empty, or why the environment texture cannot be read; one line.
+  /// Empty, or why the environment texture cannot be read, in one line.
   const std::string& problem() const { return problem_; }
 
  private:

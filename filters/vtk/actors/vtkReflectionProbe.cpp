@@ -115,7 +115,7 @@ boxprobe::Probe vtkReflectionProbe::ToProbe(const std::string& name) const {
   probe.faceSize = this->FaceSize;
   probe.bounces = this->Bounces;
   probe.samplesPerPixel = this->SamplesPerPixel;
-  // The libraries' defaults stand for what the box asks for, too (ActorProbes).
+  // The libraries' defaults also mean distances derived from the box (ActorProbes).
   if (this->NearDistance != 0.0) {
     probe.nearDistance = this->NearDistance;
   }

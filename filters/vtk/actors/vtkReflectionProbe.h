@@ -2,16 +2,15 @@
  * @class vtkReflectionProbe
  * @brief a place that is captured into a cubemap, and the box through which surfaces reflect it
  *
- * Lengths and positions are in the world frame and the units of the renderer. Angles are degrees. Values that are not
- * set follow the bounds: the origin is their centre, the influence is the same box with full weight up to its faces,
- * the near and far distances of the capture are found from the box and from what the renderer shows. So two calls are
- * enough:
+ * Lengths and positions are in the world frame and the units of the renderer. Angles are degrees. Defaults follow the
+ * bounds: the origin is their centre, the influence is the same box with full weight up to its faces, and the near and
+ * far distances of the capture are derived from the box and from what the renderer shows. So two calls are enough:
  *
  *     probe->SetBounds(bounds);
  *     probes->AddProbe(probe);     // vtkReflectionProbes
  *
- * A value that is out of range is an ErrorEvent of vtkReflectionProbes, which goes on with the probe as it was before.
- * Holds plain values and needs no OpenGL.
+ * A value out of range causes an ErrorEvent of vtkReflectionProbes, which continues with the previous values. Needs no
+ * OpenGL.
  */
 #pragma once
 
@@ -34,27 +33,27 @@ class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Named in messages. Empty: "probe", with a number where several are; names need not be unique. */
+  /** Used in messages. Empty: "probe", numbered if there are several; names need not be unique. */
   vtkSetStdStringFromCharMacro(Name)
   vtkGetCharFromStdStringMacro(Name)
   ///@}
   ///@{
-  /** Off: lights nothing and is not captured; its maps are given up. On by default. */
+  /** Off: lights nothing, is not captured, and releases its maps. On by default. */
   vtkSetMacro(Enabled, bool)
   vtkGetMacro(Enabled, bool)
   vtkBooleanMacro(Enabled, bool)
   ///@}
 
   ///@{
-  /** The box that reflections are projected on: xmin, xmax, ymin, ymax, zmin, zmax; -1 to 1 by default. Fit it to the
+  /** The box on which reflections are projected: xmin, xmax, ymin, ymax, zmin, zmax; -1 to 1 by default. Fit it to the
    * walls. A changed box needs no new capture. */
   void SetBounds(double xMin, double xMax, double yMin, double yMax, double zMin, double zMax);
   void SetBounds(const double bounds[6]);
   vtkGetVector6Macro(Bounds, double)
   ///@}
   ///@{
-  /** Where the cubemap is captured; the centre of the bounds until it is set. Keep it out of objects, or have those not
-   * seen by probes. */
+  /** Where the cubemap is captured; by default the centre of the bounds. Keep it out of objects, or hide these from
+   * probes. */
   void SetOrigin(double x, double y, double z);
   void SetOrigin(const double origin[3]);
   vtkGetVector3Macro(Origin, double)
@@ -66,13 +65,13 @@ class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
   vtkBooleanMacro(OriginAtCenter, bool)
   ///@}
   ///@{
-  /** Turns both boxes about the centre of the bounds: degrees about the world's X, then Y, then Z axis. */
+  /** Rotates both boxes about the centre of the bounds: degrees about the world's X, then Y, then Z axis. */
   vtkSetVector3Macro(Orientation, double)
   vtkGetVector3Macro(Orientation, double)
   ///@}
 
   ///@{
-  /** The box within which the probe lights surfaces, while UseInfluenceBounds is on; else the bounds. */
+  /** The box inside which the probe lights surfaces, if UseInfluenceBounds is on; else the bounds are used. */
   vtkSetVector6Macro(InfluenceBounds, double)
   vtkGetVector6Macro(InfluenceBounds, double)
   vtkSetMacro(UseInfluenceBounds, bool)
@@ -81,7 +80,7 @@ class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
   ///@}
   ///@{
   /** From each face of the influence box inwards, the weight rises from 0 to 1 over this distance. 0 by default: full
-   * weight up to the faces. Six values are those of the faces at xmin, xmax, ymin, ...; one is that of all. */
+   * weight up to the faces. One value for all faces, or six for those at xmin, xmax, ymin, ... */
   void SetBlendDistance(double distance);
   vtkSetVector6Macro(BlendDistances, double)
   vtkGetVector6Macro(BlendDistances, double)
@@ -92,14 +91,14 @@ class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
   vtkGetMacro(Importance, double)
   ///@}
   ///@{
-  /** Factor of its reflections. 1 by default. */
+  /** Factor of the probe's light. 1 by default. */
   vtkSetMacro(Intensity, double)
   vtkGetMacro(Intensity, double)
   ///@}
 
   ///@{
-  /** How a reflection is looked up: "box" (default), "infinite", "sphere", ..., an evaluation after "+", or "auto"; see
-   * shaders/technique/README.md. Parameters keep their defaults unless set; setting a technique forgets them. */
+  /** How reflections are sampled: "box" (default), "infinite", "sphere", ..., an evaluation after "+", or "auto"; see
+   * shaders/technique/README.md. Setting a technique resets its parameters to their defaults. */
   void SetTechnique(const char* technique);
   const char* GetTechnique() const;
   void SetTechniqueNumber(const char* parameter, double value);
@@ -107,22 +106,22 @@ class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
   ///@}
 
   ///@{
-  /** Texels along a side of a face, a power of two from 16 to 2048. 256 by default. */
+  /** Texels per side of a face, a power of two from 16 to 2048. 256 by default. */
   vtkSetMacro(FaceSize, int)
   vtkGetMacro(FaceSize, int)
   ///@}
   ///@{
-  /** How often the probe is captured, 1 to 5: from the second time on it sees reflections. 1 by default. */
+  /** Number of captures, 1 to 5: from the second on they show reflections. 1 by default. */
   vtkSetMacro(Bounces, int)
   vtkGetMacro(Bounces, int)
   ///@}
   ///@{
-  /** Samples for each texel of the capture: 1, 4 (default) or 16. */
+  /** Samples per texel of the capture: 1, 4 (default) or 16. */
   vtkSetMacro(SamplesPerPixel, int)
   vtkGetMacro(SamplesPerPixel, int)
   ///@}
   ///@{
-  /** Clipping distances of the capture. 0 (default): from the box and from what the renderer shows. */
+  /** Clipping distances of the capture. 0 (default): derived from the box and from what the renderer shows. */
   vtkSetMacro(NearDistance, double)
   vtkGetMacro(NearDistance, double)
   vtkSetMacro(FarDistance, double)
@@ -130,7 +129,7 @@ class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
   ///@}
   ///@{
   /** What the probe holds where it saw no surface. SURROUNDINGS (default): the renderer's environment, else its
-   * background. COLOR: ClearColor, linear. OPEN: the environment shows through there, also once it is another one. */
+   * background. COLOR: ClearColor, linear. OPEN: the renderer's current environment shows through. */
   enum ClearMode { SURROUNDINGS = 0, COLOR = 1, OPEN = 2 };
   vtkSetClampMacro(Clear, int, SURROUNDINGS, OPEN)
   vtkGetMacro(Clear, int)
@@ -139,8 +138,8 @@ class BOXPROBE_EXPORT vtkReflectionProbe : public vtkObject {
   ///@}
 
   ///@{
-  /** The same as the libraries' value, named `name`; not checked. And from there: what this class does not have (a
-   * bevel, occlusion, pictures in place of captures) is left out. */
+  /** Conversion to the libraries' struct, named `name`, without validation; and back, without what this class lacks (a
+   * bevel, occlusion, pictures in place of captures). */
   boxprobe::Probe ToProbe(const std::string& name) const;
   void FromProbe(const boxprobe::Probe& probe);
   ///@}

@@ -29,10 +29,10 @@ vtkStandardNewMacro(vtkReflectionProbes);
 struct vtkReflectionProbes::Parts {
   struct Entry {
     vtkSmartPointer<vtkReflectionProbe> probe;
-    vtkMTimeType synced = 0;  ///< its MTime when its values were taken over, or refused
-    bool live = false;        ///< the object inside has it, as many live ones before as its index
+    vtkMTimeType synced = 0;  ///< its MTime when its values were applied, or refused
+    bool live = false;        ///< exists in the implementation; its index is the number of live probes before it
   };
-  /// How a program wants a prop to be treated; the prop may be gone.
+  /// A program's settings for a prop, which may have been deleted.
   struct Wish {
     vtkWeakPointer<vtkProp> prop;
     bool seen = true, used = true;
@@ -42,12 +42,12 @@ struct vtkReflectionProbes::Parts {
   std::unique_ptr<boxprobe::ActorProbes> actors;
   std::vector<Entry> entries;
   std::map<vtkProp*, Wish> wishes;
-  std::vector<std::pair<vtkActor*, bool>> shown;  ///< the actors inside, and whether captures show each
+  std::vector<std::pair<vtkActor*, bool>> shown;  ///< the actors of the implementation, and whether captures show each
   bool emission = false, scattering = false;
   double exposure = 1.0;
   int tone = vtkReflectionProbes::TONE_AS_VTK;
   std::string lastError;
-  std::string reported;                  ///< the last error of the object inside that was passed on
+  std::string reported;                  ///< the last error of the implementation that was passed on
   std::set<std::string> remarked;        ///< warnings that were passed on
   bool capturing = false, busy = false;  ///< between StartEvent and EndEvent; inside a call that draws
 
@@ -57,7 +57,7 @@ struct vtkReflectionProbes::Parts {
   }
   Wish& wishOf(vtkProp* prop) {
     Wish& wish = wishes[prop];
-    if (wish.prop.GetPointer() != prop) wish = {prop, true, true};  // of another one, which had its address
+    if (wish.prop.GetPointer() != prop) wish = {prop, true, true};  // of another prop that had the same address
     return wish;
   }
   Entry* entry(vtkReflectionProbe* probe) {
@@ -187,7 +187,7 @@ bool vtkReflectionProbes::Ready(const char* call) {
   return false;
 }
 
-// Values that are refused are said once, until they are others.
+// Refused values are reported once, until they change.
 void vtkReflectionProbes::SyncProbes() {
   Parts& in = *this->Inside;
   for (Parts::Entry& entry : in.entries) {
@@ -225,8 +225,8 @@ void vtkReflectionProbes::SyncProbes() {
   }
 }
 
-// What the renderer shows now, parts of assemblies in place of these. A sky box is the surroundings, and what has no
-// mapper of its own (axes) draws by the camera.
+// What the renderer shows now, with parts in place of assemblies. Skips sky boxes, which are the environment, and props
+// without a mapper of their own (axes), which draw by the camera.
 void vtkReflectionProbes::SyncActors() {
   Parts& in = *this->Inside;
   std::vector<std::pair<vtkActor*, bool>> now;
@@ -261,7 +261,7 @@ void vtkReflectionProbes::SyncActors() {
       in.actors->removeActor(actor);
     }
   }
-  // One that is refused is tried again: the object that has it may go.
+  // Retries refused actors: the object that has one may have been deleted.
   in.shown.clear();
   for (const auto& [actor, seen] : now) {
     if (in.actors->addActor(actor, seen)) {
@@ -302,7 +302,7 @@ void vtkReflectionProbes::Fail(const std::string& line) {
   vtkErrorMacro(<< line);
 }
 
-// Errors of frames and captures, each line once in a row; remarks once.
+// Reports errors of frames and captures, but not the same line twice in a row; warnings once.
 void vtkReflectionProbes::Report() {
   Parts& in = *this->Inside;
   if (!in.actors) {
@@ -323,7 +323,7 @@ void vtkReflectionProbes::Report() {
   }
 }
 
-// Ends what is between the two events.
+// Ends the span between the two events.
 void vtkReflectionProbes::Finish(bool done) {
   Parts& in = *this->Inside;
   this->Report();

@@ -11,20 +11,20 @@
  *
  * Every physically shaded actor of the renderer (vtkProperty::SetInterpolationToPBR) reflects the probes whose
  * influence it meets, at most four, whatever its mapper: parts of assemblies, composite data, glyphs. All actors with a
- * mapper are captured; what is not shaded physically as it looks. Where no probe has weight, VTK's own light stays: the
- * renderer's environment texture while UseImageBasedLighting is on, its lights always. Mappers, properties, lights,
- * camera and window stay what they are; deleted, the object leaves no trace.
+ * mapper are captured; those without physically based shading as they look. Where no probe has weight, VTK's own light
+ * remains: the renderer's environment texture while UseImageBasedLighting is on, and its lights. Mappers, properties,
+ * lights, camera and window are not changed; after deletion of the object VTK draws its own pictures again.
  *
- * Captures go by the state of the renderer. Actors or lights that are added, moved, changed or removed, another
+ * Captures show the state of the renderer. Actors or lights that are added, moved, changed or removed, another
  * environment or background, and a probe's origin, orientation or capture settings make maps stale. The next Render()
- * captures those again, unless AutoUpdate is off. A changed box or technique needs no capture. Lights that follow the
- * camera are captured where it is then; the camera makes nothing stale.
+ * recaptures those, unless AutoUpdate is off. A changed box or technique needs no capture. Lights that follow the
+ * camera are captured at its current position; moving the camera makes nothing stale.
  *
- * Events: StartEvent and EndEvent about captures, ProgressEvent (double*, 0 to 1) within, ErrorEvent and WarningEvent
- * with one line. An actor that an error names is drawn without reflections; nothing throws. An actor is lit by one
- * object; further renderers of the window that show it draw the same reflections by their own cameras.
+ * Events: StartEvent before and EndEvent after captures, ProgressEvent (double*, 0 to 1) between them, ErrorEvent and
+ * WarningEvent with one line. An actor named in an error is drawn without reflections; nothing throws. An actor is lit
+ * by one object; other renderers of the window that show it draw the same reflections with their own cameras.
  *
- * To be used in the thread of the window's OpenGL context.
+ * Use it in the thread of the window's OpenGL context.
  */
 #pragma once
 
@@ -44,22 +44,22 @@ class BOXPROBE_EXPORT vtkReflectionProbes : public vtkObject {
   // clang-format off
   vtkTypeMacro(vtkReflectionProbes, vtkObject)
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  /** That of the newest probe, if it is newer. */
+  /** Includes the MTime of the probes. */
   vtkMTimeType GetMTime() override;
 
   ///@{
-  /** Null: none; its actors are VTK's own again. It belongs to an OpenGL window by the time of the first capture. */
+  /** Null: none; the previous renderer is restored. It must belong to an OpenGL window at the first capture. */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer() const;
   ///@}
 
   ///@{
-  /** Of one that is there already, and of null, AddProbe() is an error; RemoveProbe() does nothing for others. */
+  /** Adding null, or a probe twice, is an error; removing another probe does nothing. */
   void AddProbe(vtkReflectionProbe* probe);
   void RemoveProbe(vtkReflectionProbe* probe);
   void RemoveAllProbes();
   int GetNumberOfProbes() const;
-  /** In the order in which they were added; null for an index that is none. */
+  /** In the order in which they were added; null for an invalid index. */
   vtkReflectionProbe* GetProbe(int index) const;
   ///@}
 
@@ -70,72 +70,72 @@ class BOXPROBE_EXPORT vtkReflectionProbes : public vtkObject {
   vtkBooleanMacro(AutoUpdate, bool)
   ///@}
   ///@{
-  /** Units of work (a face, a mip level) that AutoUpdate does for each Render(); 0 (default): all of it. For windows that
-   * stay live: render on while GetStale(). The maps before stay in the picture until new ones are whole. */
+  /** Units of work (a face, a mip level) that AutoUpdate does per Render(); 0 (default): all. For windows that must stay
+   * responsive: keep rendering while GetStale(). The previous maps are shown until new ones are complete. */
   vtkSetClampMacro(StepsPerRender, int, 0, VTK_INT_MAX)
   vtkGetMacro(StepsPerRender, int)
   ///@}
 
-  /** Do maps show another state than the renderer's now, or is their capture under way? */
+  /** Do maps show another state than the renderer's current one, or is their capture in progress? */
   bool GetStale();
-  /** Captures what is stale, all of it. False if that failed: see GetLastError(). */
+  /** Captures everything that is stale. False if that failed: see GetLastError(). */
   bool Update();
-  /** One unit of that. True while there is more. */
+  /** One unit of that. True if there is more. */
   bool UpdateStep();
   /** Captures every probe again, stale or not. */
   bool Capture();
 
   ///@{
-  /** Do captures show it? On for every prop until it is switched off: for instance for a ball about the origin.
-   * An assembly is captured with all of its parts. */
+  /** Do captures show the prop? On by default; switch it off for instance for a sphere around the origin. An assembly
+   * is captured with all of its parts. */
   void SetSeenByProbes(vtkProp* prop, bool seen);
   bool GetSeenByProbes(vtkProp* prop) const;
   ///@}
   ///@{
-  /** Is it touched at all? Switched off, it is neither lit nor captured. */
+  /** On by default. Off: the prop is neither lit by probes nor captured. */
   void SetUsed(vtkProp* prop, bool used);
   bool GetUsed(vtkProp* prop) const;
   ///@}
 
   ///@{
-  /** Factor on the linear light of actors with probes before it is shown. 1 by default, which is VTK's. */
+  /** Factor on the linear light of actors with probes before display encoding. 1 by default, as in VTK. */
   vtkSetClampMacro(Exposure, double, 1.0e-6, 1.0e6)
   vtkGetMacro(Exposure, double)
   ///@}
   enum ToneMappings { TONE_AS_VTK = 0, TONE_NONE, TONE_NEUTRAL, TONE_AGX, TONE_ACES };
   ///@{
-  /** How light of actors with probes is shown. TONE_AS_VTK (default): by VTK's power of 1 / 2.2, as all other actors are,
-   * white beyond 1. The others by the curve of sRGB: TONE_NONE white beyond 1, TONE_NEUTRAL Khronos PBR Neutral, TONE_AGX
-   * AgX, TONE_ACES the Academy's contrast by Hill's fit. */
+  /** Tone curve of actors with probes. TONE_AS_VTK (default): VTK's power of 1 / 2.2, as for all other actors, clamped at
+   * 1. The others use the sRGB curve: TONE_NONE clamped at 1, TONE_NEUTRAL Khronos PBR Neutral, TONE_AGX AgX, TONE_ACES
+   * ACES by Hill's fit. */
   vtkSetClampMacro(ToneMapping, int, TONE_AS_VTK, TONE_ACES)
   vtkGetMacro(ToneMapping, int)
   ///@}
   ///@{
-  /** Up to VTK 9.1 emissive factors show only with an emissive texture. On, they show: for actors whose factors are
-   * meant, such as vtkGLTFImporter's. Off by default, since vtkProperty's own default factor is white. */
+  /** VTK up to 9.1 ignores emissive factors without an emissive texture. Switch this on for actors whose factors are
+   * meant, such as vtkGLTFImporter's. Off by default, because vtkProperty's default factor is white. */
   vtkSetMacro(Emission, bool)
   vtkGetMacro(Emission, bool)
   vtkBooleanMacro(Emission, bool)
   ///@}
   ///@{
-  /** Adds the light that meets more than one microfacet of a rough surface. Off by default, as VTK 9.1. */
+  /** Adds the light that meets more than one microfacet of a rough surface. Off by default, as in VTK 9.1. */
   vtkSetMacro(MultipleScattering, bool)
   vtkGetMacro(MultipleScattering, bool)
   vtkBooleanMacro(MultipleScattering, bool)
   ///@}
 
-  /** A file that `boxprobe bake` wrote, in place of captures of the probe, until ForgetMaps(). False: see
+  /** Uses a file of `boxprobe bake` in place of captures of the probe, until ForgetMaps(). False on failure: see
    * GetLastError(). */
   bool LoadMaps(vtkReflectionProbe* probe, const char* file);
   void ForgetMaps(vtkReflectionProbe* probe);
 
   ///@{
-  /** One line; empty while all is well. The line of the last ErrorEvent. */
+  /** The line of the last ErrorEvent; empty without an error. */
   const char* GetLastError() const;
   void ClearError();
   ///@}
 
-  /** Frees what the graphics side holds, with the window still there. Everything is stale afterwards. */
+  /** Releases OpenGL resources while the window still exists. Everything is stale afterwards. */
   void ReleaseGraphicsResources();
   // clang-format on
 

@@ -41,7 +41,7 @@ BakeRunner::BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState>
       times_(times),
       prefilter_(window, &state_->counts.counters),
       later_(std::make_shared<LevelFilter>(window, &prefilter_)) {
-  // Counted are the levels of what is captured.
+  // Counts levels of captured maps only.
   state_->resources.filterLevels = [later = std::weak_ptr<LevelFilter>(later_), counters = &state_->counts.counters](
                                        const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings) {
     const auto counted = counters->levelsFiltered;
@@ -50,8 +50,8 @@ BakeRunner::BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState>
   };
 }
 
-// Six faces; the source's mip chain with the copy of level 0; level 1; further levels; the diffuse light, which is next
-// to nothing, with the last of them.
+// Six faces; the source's mip chain together with the copy of level 0; level 1; further levels; the diffuse light,
+// which takes hardly any time, together with the last of them.
 int BakeRunner::units(int faceSize, bool fewSteps) {
   const int levels = prefilterLevels(faceSize);
   return kFaces + 1 + (fewSteps && levels > 2 ? 2 : levels - 1);
@@ -88,8 +88,8 @@ void BakeRunner::step() {
   publish(maps);
 }
 
-// True once all six are there and the step is free for something else. Faces that are copied cost next to nothing and
-// do not end a step.
+// True when all six are done and the step can do something else. Copied faces take hardly any time and do not end a
+// step.
 bool BakeRunner::makeFaces() {
   if (face_ == kFaces) return true;
   const CpuTimer timer(times_->captureCpuSeconds);
@@ -120,7 +120,7 @@ bool BakeRunner::makeFaces() {
 }
 
 void BakeRunner::captureFace(const FaceSource& source, int face) {
-  // Put back even if the driver refuses the capture: the window draws on.
+  // Restored even if the driver refuses the capture: the window continues to draw.
   struct Drawing {
     const BakeItem& item;
     explicit Drawing(const BakeItem& i) : item(i) {
@@ -162,7 +162,8 @@ void BakeRunner::copyFace(const ProbeMaps& from, int face) {
   if (!item_->sky) copy(from.distance, maps_->distance);
 }
 
-// What no material samples is not filtered, unless level 0 is blurred: the capture would be lost with it.
+// Skips levels that no material samples, unless level 0 is blurred: the capture, from which levels are filtered later,
+// would be lost.
 void BakeRunner::beginFilter(int levels) {
   maps_->radiance.allocate(item_->faceSize, levels, GL_RGBA16F);
   prefilter_.begin(source_, maps_->radiance, item_->prefilter);

@@ -1,5 +1,4 @@
-// Makes one cubemap step by step: a face, a level at a time. Knows no scene: it is handed what to capture and whom
-// to tell. Called by the probe set outside of the window's renders.
+// Makes one cubemap step by step, a face or a level at a time, outside the window's renders.
 #pragma once
 
 #include <functional>
@@ -14,45 +13,45 @@
 
 namespace boxprobe {
 
-/// What a probe's own fields say of its capture and its filter.
+/// The settings of capture and filter in a probe's fields.
 CaptureSettings captureSettings(const Probe& probe);
 PrefilterSettings prefilterSettings(const Probe& probe);
 
-/// Where one face comes from.
+/// The source of one face.
 struct FaceSource {
-  std::shared_ptr<const ProbeMaps> same;  ///< already holds this very face: it is copied, nothing is drawn
+  std::shared_ptr<const ProbeMaps> same;  ///< maps with an identical face, which is copied instead of drawn
   std::vector<vtkProp*> props;
   std::vector<vtkLight*> lights;
-  std::size_t objects = 0;  ///< of `props`, the sky apart
-  std::size_t culled = 0;   ///< further ones, which the face does not show
+  std::size_t objects = 0;  ///< number of `props` without the sky
+  std::size_t culled = 0;   ///< further objects, which are outside the face's view
 };
 
-/// One cubemap to make.
+/// A cubemap to make.
 struct BakeItem {
   CaptureSettings settings;
   int faceSize = 256;
-  int bounce = 1;               ///< of its probe: what its cost is booked under
-  bool coarse = false;          ///< seen until others are there, and nothing is derived from it
-  bool sky = false;             ///< the sky's own map: at infinity, so without distances
+  int bounce = 1;               ///< of its probe: the bounce that its cost is added to
+  bool coarse = false;          ///< shown until other maps are there; nothing is derived from it
+  bool sky = false;             ///< the sky's map: at infinity, so without distances
   bool reflectNothing = false;  ///< first bounce: no probe has been captured yet
-  /// Then by programs without any lookup of a probe. They have to be compiled, which pays for many faces only.
+  /// In a first bounce, use programs without probe lookups. Compiling these pays only for many faces.
   bool firstBouncePrograms = false;
-  /// What is seen of lamps from the capture origin, asked just before a face is made (PassSettings::sight). May be
-  /// null.
+  /// Returns the visibility of lamps from the capture origin, called just before a face is made (PassSettings::sight).
+  /// May be null.
   std::function<std::shared_ptr<const ProbeSight>()> sight;
-  /// Small levels are filtered together, as one unit that costs less than the first level alone: fewer steps to wait
-  /// for a map that follows something that moves.
+  /// Small levels are filtered together, as one unit that costs less than level 1 alone: fewer steps until a realtime
+  /// map is shown.
   bool fewSteps = false;
   PrefilterSettings prefilter;
-  /// Which levels of a chain of so many something samples, asked when the filtering begins; null: all.
+  /// Returns the levels of a chain that something samples, called when filtering starts; null: all.
   std::function<LevelMask(int levels)> levels;
-  std::shared_ptr<const CubeMap> picture;  ///< taken in place of a capture; then `face` is not asked
+  std::shared_ptr<const CubeMap> picture;  ///< used in place of a capture; `face` is then not called
 
-  /// Asked just before a face is made, so that it shows the scene as it is by then.
+  /// Called just before a face is made, so that it shows the current scene.
   std::function<FaceSource(int face)> face;
-  /// Called with true before a face is drawn and with false after it: lets it see probes other than the window shows.
+  /// Called with true before a face is drawn and with false after it: lets it see other probes than the window.
   std::function<void(bool)> drawing;
-  /// The finished maps. Until then nothing of them can be seen.
+  /// Called with the finished maps, which nothing sees before.
   std::function<void(std::shared_ptr<const ProbeMaps>)> publish;
 };
 
@@ -60,11 +59,11 @@ class BakeRunner {
  public:
   BakeRunner(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, CubeCapture* capture, Times* times);
 
-  /// Replaces what is under way.
+  /// Replaces work in progress.
   void start(BakeItem item);
   void abort();
   bool pending() const { return item_ != nullptr; }
-  /// At most one face is captured, or one level filtered (with fewSteps: the small ones together).
+  /// Captures at most one face, or filters one level (with fewSteps: the small ones together).
   void step();
   int unitsDone() const { return pending() ? unit_ : 0; }
   static int units(int faceSize, bool fewSteps);
@@ -83,7 +82,7 @@ class BakeRunner {
   CubeCapture* capture_;
   Times* times_;
   Prefilter prefilter_;
-  std::shared_ptr<LevelFilter> later_;  ///< of maps without all levels, as long as there is a context
+  std::shared_ptr<LevelFilter> later_;  ///< for maps without all levels, as long as the context exists
   CubeTexture source_;
   CubeFramebuffer from_, to_;
 

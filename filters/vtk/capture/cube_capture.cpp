@@ -21,8 +21,8 @@ namespace boxprobe {
 
 namespace {
 
-// The camera of each face, so that the picture lands in the face as OpenGL orients it (shaders/shared/cube.glsl):
-// forward is the face's axis, up the direction in which t grows.
+// The camera of each face, so that the picture has OpenGL's orientation (shaders/shared/cube.glsl): forward is the
+// face's axis, up the direction in which t grows.
 glm::dvec3 faceForward(int face) {
   return glm::dvec3(shading::cubeDirection(face, 0.0f, 0.0f));
 }
@@ -39,7 +39,7 @@ CubeCapture::CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawStat
       pass_(vtkSmartPointer<vtkTargetPass>::New()),
       faceCamera_(vtkSmartPointer<vtkCamera>::New()),
       resolve_({"shared/cube.glsl", "gpu/resolve_capture.glsl"}, &state_->counts.counters) {
-  // Cullers judge by the window's shape, not the face's.
+  // Cullers use the window's aspect ratio, not the face's.
   renderer_->GetCullers()->RemoveAllItems();
   renderer_->AutomaticLightCreationOff();
   renderer_->SetLightFollowCamera(false);
@@ -101,7 +101,7 @@ void CubeCapture::captureFace(const CaptureSettings& settings, int face, const s
   const int size = radiance.faceSize() * settings.samplesPerTexelSide;
   const auto* color = std::get_if<glm::vec3>(&settings.clear);
   {
-    // A probe captures the scene, not the debug view of it.
+    // A capture always shows the scene, never the debug view.
     const PassScope scope(*state_, [](PassSettings& pass) { pass.debug.view = 0; });
     renderInto(faceCamera_, size, size, props, lights, color != nullptr ? *color : glm::vec3(0.0f));
   }
@@ -146,7 +146,7 @@ void CubeCapture::captureFace(const CaptureSettings& settings, int face, const s
 void CubeCapture::drawOnce(const CaptureSettings& settings, const std::vector<vtkProp*>& props,
                            const std::vector<vtkLight*>& lights) {
   const glm::dvec3& o = settings.originWorld;
-  // Its picture is not looked at: nothing is worked out for it.
+  // Its picture is never seen, so nothing has to be prepared for it.
   const PassScope scope(*state_, [](PassSettings& pass) { pass.dragging = true; });
   faceCamera_->SetPosition(o.x, o.y, o.z);
   faceCamera_->SetFocalPoint(o.x, o.y, o.z - 1.0);

@@ -1,6 +1,5 @@
-// Captures a scene from one point: a face at a time into RGBA float at several samples per texel, resolved to
-// half-float radiance with coverage in alpha and to distance. Called by the bake queue outside of any render of the
-// window.
+// Captures a scene from one point, a face at a time, into RGBA float at several samples per texel; resolves to
+// half-float radiance with coverage in alpha, and to distance. Not to be called during a render of the window.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -25,17 +24,17 @@ class vtkTargetPass;
 
 namespace boxprobe {
 
-/// What one face is rendered with.
+/// The settings for rendering one face.
 struct CaptureSettings {
   glm::dvec3 originWorld{0.0};
-  glm::dvec3 rotationDegrees{0.0};  ///< of the cube's axes, as rotationMatrix takes them
+  glm::dvec3 rotationDegrees{0.0};  ///< of the cube's axes, as in rotationMatrix
   double nearDistance = 0.01;
   double farDistance = 1000.0;
   int samplesPerTexelSide = 2;
   Clear clear = ClearToSky{};
 };
 
-/// Samples along each side of a texel or pixel for 1, 4 or 16 in all.
+/// Samples along each side of a texel or pixel, for 1, 4 or 16 in total.
 inline int samplesPerSide(int samplesPerPixel) {
   return samplesPerPixel >= 16 ? 4 : samplesPerPixel >= 4 ? 2 : 1;
 }
@@ -45,22 +44,22 @@ class CubeCapture {
   CubeCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state);
   ~CubeCapture();
 
-  /// Renders `props`, lit by `lights`, into level 0 of one face of `radiance` and of `distance` (either allocated at
-  /// the same face size). Counts texels above half-float range and texels that were not finite.
+  /// Renders `props`, lit by `lights`, into level 0 of one face of `radiance` and `distance`, which have the same face
+  /// size. Counts texels above half-float range and non-finite texels.
   void captureFace(const CaptureSettings& settings, int face, const std::vector<vtkProp*>& props,
                    const std::vector<vtkLight*>& lights, const CubeTexture& radiance, const CubeTexture* distance);
 
-  /// Draws into a few pixels that nobody reads: what it takes to have programs compiled and buffers uploaded.
+  /// Draws into a few pixels that nobody reads, to compile programs and upload buffers.
   void drawOnce(const CaptureSettings& settings, const std::vector<vtkProp*>& props,
                 const std::vector<vtkLight*>& lights);
 
-  /// A whole frame in linear units through any camera: RGBA, `samplesPerSide`² samples per pixel, rows from the top. By
-  /// way of `picture` if given: as many frames as its limit; `beforeFrame` is called before each with its number.
+  /// Renders a whole frame in linear units with any camera: RGBA, `samplesPerSide`² samples per pixel, rows from the
+  /// top. With `picture`, averages frames up to its limit; `beforeFrame` is called before each with its number.
   ImageRgbaF renderFrame(vtkCamera* camera, int width, int height, int samplesPerSide,
                          const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights,
                          vtkPicturePass* picture = nullptr, const std::function<void(int)>& beforeFrame = {});
 
-  /// Draws every capture and frame of this object; its camera is theirs while they are drawn.
+  /// Draws all captures and frames of this object; its camera is set for each.
   vtkRenderer* renderer() const { return renderer_; }
 
   void release();

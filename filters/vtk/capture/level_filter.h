@@ -1,5 +1,5 @@
-// Filters levels of a chain that was made without them, from its level 0, which is the capture itself. Called when a
-// material, a view or a file comes to need them. Makes the same texels as if they had been filtered at once.
+// Filters missing levels of a chain later, from its level 0, which is the capture itself. Makes the same texels as
+// filtering at once.
 #pragma once
 
 #include "filters/vtk/capture/prefilter.h"
@@ -8,10 +8,10 @@ namespace boxprobe {
 
 class LevelFilter {
  public:
-  /// `prefilter`: with its programs; must outlive this.
+  /// `prefilter` provides the programs and must outlive this object.
   LevelFilter(vtkOpenGLRenderWindow* window, Prefilter* prefilter);
 
-  /// `chain` holds its capture in level 0, unblurred. Makes the window's context current.
+  /// `chain` holds its unblurred capture in level 0. Makes the window's context current.
   void make(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings);
   void release();
 

@@ -34,7 +34,7 @@ void Prefilter::makeSourceLevels(const CubeTexture& source) {
   const PassState saved(window_);
   const BoundTexture bound(window_, GL_TEXTURE_CUBE_MAP, source.handle());
   for (int level = 1; level < source.levels(); ++level) {
-    // A texture may be read and drawn into at once as long as no level is both.
+    // A texture may be read and drawn to at the same time if the levels differ.
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BASE_LEVEL, level - 1);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, level - 1);
     for (int face = 0; face < 6; ++face) {
@@ -52,9 +52,8 @@ void Prefilter::makeSourceLevels(const CubeTexture& source) {
   forgetSource();
 }
 
-// To make the picture takes as long as it spares on some eight lookups for each of the source's texels: fine levels
-// have as many. Each level goes one way or the other whatever else is filtered, so that its texels are always the same
-// to the bit.
+// Making the flat picture takes as long as it saves for about eight lookups per source texel, which only fine levels
+// have. The choice depends on the level alone, so that its texels are always bit-identical.
 bool Prefilter::flattened(const CubeTexture& source, std::size_t lookups) {
   const auto size = static_cast<std::size_t>(source.faceSize());
   if (!drawsOnCpu() || !FlatTexture::fits(source) || lookups < 8 * 6 * size * size) return false;

@@ -1,5 +1,4 @@
-// What captures and filtering cost so far, in CPU time. Plain values: added up by the bake runner, read by --stats and
-// the status line.
+// CPU time of captures and filtering so far, for --stats and the status line.
 #pragma once
 
 #include <array>
@@ -7,7 +6,7 @@
 
 namespace boxprobe {
 
-/// What one bounce of all probes took.
+/// The cost of one bounce of all probes.
 struct BounceCost {
   std::uint64_t faces = 0;  ///< captured
   double cpuSeconds = 0.0;  ///< capture and filtering, all threads

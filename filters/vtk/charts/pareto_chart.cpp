@@ -26,7 +26,7 @@ namespace boxprobe {
 
 namespace {
 
-/// Points of one kind, at the logarithms of their values; names for a pointer that rests on one.
+/// Points of one kind, as logarithms, with names for tooltips.
 vtkSmartPointer<vtkTable> tableOf(const std::vector<ParetoPoint>& points) {
   vtkNew<vtkDoubleArray> x, y;
   vtkNew<vtkStringArray> names;
@@ -88,7 +88,7 @@ void addFrontLine(vtkChartXY* chart, const std::vector<ParetoPoint>& front) {
   chart->AddPlot(line);
 }
 
-/// Ticks at round numbers within a range of logarithms: the fewer decades it spans, the more of them.
+/// Ticks at round numbers within a range of logarithms: more ticks per decade if it spans few decades.
 void setAxis(vtkAxis* axis, double low, double high, const std::string& title) {
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> labels;
@@ -147,7 +147,7 @@ void showFrontChart(vtkContextScene* scene, const std::vector<ParetoPoint>& all,
     if (!text.current.empty() && p.label == text.current) current.push_back(p);
     labels.push_back({at[0], at[1], p.label, p.onParetoFront || p.label == text.current});
   }
-  // The line between two neighbours of the front is no place for a name.
+  // Labels must not cover the line between two neighbours on the front.
   for (std::size_t i = 1; i < front.size(); ++i) {
     for (int k = 1; k < 40; ++k) {
       const auto between = [&](double a, double b) { return std::log10(a) + k / 40.0 * std::log10(b / a); };
@@ -161,7 +161,7 @@ void showFrontChart(vtkContextScene* scene, const std::vector<ParetoPoint>& all,
   addPoints(chart, published, {"published", vtkPlotPoints::CIRCLE, 10.0f, {90, 98, 112}});
   addPoints(chart, ours, {"this project's own", vtkPlotPoints::DIAMOND, 12.0f, {30, 110, 190}});
   chart->SetShowLegend(true);
-  // Below and left of the front there is nothing: that is what makes it the front.
+  // The area below and left of the front is always empty.
   chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
   chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::BOTTOM);
   scene->AddItem(chart);
@@ -177,7 +177,7 @@ ImageRgba8 frontChartPicture(const std::vector<ParetoPoint>& points, const Front
   view->SetRenderWindow(window);
   view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
   showFrontChart(view->GetScene(), points, text);
-  // Where the axes lie is known after a first frame.
+  // The position of the axes is known after a first frame.
   window->Render();
   window->Render();
   ImageRgba8 picture = windowPixels(window);

@@ -32,8 +32,8 @@ vtkVector2d nearestOn(const Rectangle& place, double x, double y) {
   return {std::clamp(x, place.left, place.left + place.width), std::clamp(y, place.low, place.low + place.height)};
 }
 
-/// Small squares along a leader line, so that labels and lines keep clear of each other. The ends are left out: there
-/// are the mark and the label themselves.
+/// Small squares along a leader line, to keep labels off the lines. Leaves out the ends, where the mark and the label
+/// are.
 std::vector<Rectangle> alongLine(double x, double y, const vtkVector2d& end) {
   constexpr double kSide = 3.0;
   std::vector<Rectangle> squares;
@@ -72,7 +72,7 @@ bool vtkParetoLabels::Paint(vtkContext2D* painter) {
   const Rectangle area{bottom->GetPoint1()[0], left->GetPoint1()[1],
                        static_cast<double>(bottom->GetPoint2()[0] - bottom->GetPoint1()[0]),
                        static_cast<double>(left->GetPoint2()[1] - left->GetPoint1()[1])};
-  constexpr double kMark = 7.0;  // half the width of a point's mark and some air
+  constexpr double kMark = 7.0;  // half the width of a point's mark, with a margin
   std::vector<Rectangle> taken;
   for (const Label& label : this->Labels) {
     const double x = along(bottom, 0, label.X), y = along(left, 1, label.Y);
@@ -92,7 +92,7 @@ bool vtkParetoLabels::Paint(vtkContext2D* painter) {
     float bounds[4];
     painter->ComputeStringBounds(label.Text, bounds);
     const double width = bounds[2] + 4.0, height = std::max(static_cast<double>(bounds[3]), 12.0) + 3.0;
-    // Rings of places, nearer ones first; on a ring to the right first.
+    // Rings of candidate positions, nearer ones first; on each ring the right side first.
     Rectangle best{x + kMark, y - 0.5 * height, width, height};
     double least = 1e300;
     for (int ring = 0; ring < 9 && least > 0.0; ++ring) {

@@ -2,8 +2,8 @@
  * @class   vtkParetoLabels
  * @brief   names beside the points of a chart, none over another
  *
- * Painted after its chart, whose axes say where a point lies on the screen. Each name goes to the nearest of some
- * places around its point that is free; where that is not beside the point, a line leads to it.
+ * Must be painted after its chart, whose axes give the screen positions of points. Each name is placed at the nearest
+ * free position around its point; a leader line connects distant ones.
  */
 #pragma once
 
@@ -20,7 +20,7 @@ class vtkParetoLabels : public vtkContextItem {
   static vtkParetoLabels* New();
   vtkTypeMacro(vtkParetoLabels, vtkContextItem)
 
-      /// Without a text: a place to keep clear.
+      /// Without a text: a position to keep clear.
       struct Label {
     double X = 0.0, Y = 0.0;  ///< in the chart's units
     std::string Text = {};

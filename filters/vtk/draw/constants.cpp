@@ -15,7 +15,7 @@ bool finite(const float* values, std::size_t count) {
   return count > 0 && std::all_of(values, values + count, [](float v) { return std::isfinite(v); });
 }
 
-// The shortest text that is read back as the same float, and that GLSL takes for one.
+// The shortest text that parses back to the same float and is a float literal in GLSL.
 std::string literal(float value) {
   char digits[48];
   const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
@@ -56,7 +56,7 @@ bool writeOne(std::string& text, const Constant& value) {
   return false;
 }
 
-/// Objects of one program with the very same numbers, by their place among the uses.
+/// Indices of the uses of one program with identical numbers.
 using Alike = std::vector<std::size_t>;
 using AlikeGroups = std::vector<Alike>;
 
@@ -147,7 +147,7 @@ std::vector<std::shared_ptr<const Constants>> planConstants(const std::vector<Co
   const auto give = [&plans](const Alike& kind, const std::shared_ptr<const Constants>& values) {
     for (const std::size_t i : kind) plans[i] = values;
   };
-  // The last kind of a program needs none of its own: it is what the others leave.
+  // The last group of a program is what remains, and needs no program of its own.
   std::vector<std::size_t> left(programs.size());
   for (std::size_t p = 0; p < programs.size(); ++p) left[p] = programs[p].size();
   for (const OwnProgram& candidate : candidates) {

@@ -1,6 +1,6 @@
-// Numbers that a surface's program reads and that stay the same from frame to frame while nothing is edited: a probe's
-// box, its diffuse light, a technique's parameters, a material's roughness. They are uniforms, or, in a program made
-// for them, constants of its text. Plain data and text; knows neither OpenGL nor VTK.
+// Values that a surface's program reads and that stay the same between edits: a probe's box, its diffuse light, a
+// technique's parameters, a material's roughness. They are uniforms or, in a specialized program, constants of its
+// source.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace boxprobe {
 
-/// Is handed the numbers of a draw, one uniform or array after another, by whoever knows them (draw_numbers.h): to
-/// upload them, to keep them, or to compare them, and nothing is put together for a draw.
+/// Receives the values of a draw, one uniform or array after another (draw_numbers.h), to upload, keep or compare them
+/// without allocating.
 class NumberReader {
  public:
   virtual ~NumberReader() = default;
-  /// `name` as the shader declares it; `values`: `count` elements of `components` floats each: 1, 2 or 3 for numbers
-  /// and vectors, 9 for a matrix, column by column.
+  /// `name` as declared in the shader; `values`: `count` elements of `components` floats each: 1, 2 or 3 for numbers
+  /// and vectors, 9 for a matrix in column-major order.
   virtual void read(const char* name, int components, const float* values, std::size_t count) = 0;
 
   void read(const char* name, float value) { read(name, 1, &value, 1); }
   void read(const char* name, const glm::vec3& value) { read(name, 3, &value.x, 1); }
 };
 
-/// One uniform, or an array of them.
+/// One uniform, or an array of uniforms.
 struct Constant {
   std::string name;
   int components{1};
@@ -34,7 +34,7 @@ struct Constant {
   }
 };
 
-/// Keeps what it reads, but for numbers that are not finite, which GLSL has no words for: they stay uniforms.
+/// Keeps what it reads, except for non-finite values, which have no literals in GLSL and stay uniforms.
 class Constants : public NumberReader {
  public:
   using NumberReader::read;
@@ -44,25 +44,25 @@ class Constants : public NumberReader {
   bool empty() const { return all_.empty(); }
   /// Null if there is none of that name.
   const Constant* find(const char* name) const;
-  /// What stands in both with the same numbers.
+  /// The constants that are in both with equal values.
   Constants sharedWith(const Constants& other) const;
-  /// Equal texts: equal names and numbers.
+  /// Equal texts mean equal names and values.
   std::string key() const;
-  /// Roughly what it spares to know them when a program is compiled; diffuse light and roughness most.
+  /// A rough estimate of what a program saves by knowing them; diffuse light and roughness count most.
   int worth() const;
 
  private:
   std::vector<Constant> all_;
 };
 
-/// Finds out whether a draw's numbers are these constants.
+/// Checks whether a draw's values equal these constants.
 class ConstantsCheck : public NumberReader {
  public:
-  /// `constants` must outlive this.
+  /// `constants` must outlive this object.
   explicit ConstantsCheck(const Constants& constants) : constants_(constants) {}
   using NumberReader::read;
   void read(const char* name, int components, const float* values, std::size_t count) override;
-  /// Was every one of them read, with the same numbers?
+  /// Was every constant read with an equal value?
   bool hold() const { return same_ == constants_.all().size(); }
 
  private:
@@ -70,25 +70,25 @@ class ConstantsCheck : public NumberReader {
   std::size_t same_ = 0;
 };
 
-/// Turns the declarations of these uniforms, where `text` has them, into constants. Returns how many were found.
+/// Replaces the declarations of these uniforms in `text` by constants. Returns how many were found.
 int writeConstants(std::string& text, const Constants& constants);
 
-/// What one object's program is made for.
+/// What the program of one object is specialized for.
 struct ConstantsPlan {
   std::string variant;  ///< of its binding (ProbeBinding::variantKey)
   Constants values;
 };
 
-/// One object: its program without constants (equal strings share one), and the numbers it is drawn with.
+/// One object: its program without constants (equal strings share one), and the values it is drawn with.
 struct ConstantUse {
   std::string program;
   Constants values;
 };
 
-/// For each object, in the order of `uses`, the numbers its program is made for, so that programs stay few: what all
-/// objects of a program share costs no further one; many objects that differ by a number keep it as a uniform. Objects
-/// of one program that share a pointer share the program that comes of it. Where most objects gain most, up to `more`
-/// programs are added to those there are. O(n log n) in the number of objects.
+/// The constants for each object's program, in the order of `uses`, chosen to keep programs few. Values that all
+/// objects of a program share need no further program; a value in which many differ stays a uniform. Objects of one
+/// program with the same pointer share the specialized program. Up to `more` programs are added where most objects gain
+/// most. O(n log n) in the number of objects.
 std::vector<std::shared_ptr<const Constants>> planConstants(const std::vector<ConstantUse>& uses, std::size_t more);
 
 }  // namespace boxprobe

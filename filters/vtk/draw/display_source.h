@@ -1,4 +1,4 @@
-// The shader text that makes display colours of linear light: one for surfaces, sky and the mean of frames. Reads the
+// Shader source that converts linear light to display colours, for surfaces, sky and averaged frames. Reads the
 // uniforms of shaders/gpu/output_uniforms.glsl.
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace boxprobe {
 
-/// Defines bpOutput(). `quick`: display colours may be off by a fiftieth of an 8-bit step. A program has one tone:
-/// software renderers work out both sides of a branch.
+/// Defines bpOutput(). `quick`: display colours may be off by a fiftieth of an 8-bit step. A program contains one tone
+/// curve, because software renderers evaluate both sides of a branch.
 std::string displaySource(Tone tone, bool quick);
 
-/// The same as a word, to tell programs apart by.
+/// The same as a key, to distinguish programs.
 std::string displayKey(Tone tone, bool quick);
 
 }  // namespace boxprobe

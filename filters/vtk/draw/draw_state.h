@@ -1,6 +1,6 @@
-// What every draw of a renderer needs to know: shared by the renderer, its passes and the passes of its actors. Parts
-// that live differently long: what there is (resources), how a pass draws (pass), what was drawn (counts), what is done
-// for the driver's sake (tuning), and the draw under way (drawing, bound).
+// State for every draw of a renderer, shared by the renderer, its passes and the passes of its actors. Its parts have
+// different lifetimes: resources, the settings of a pass, results of draws (counts), tuning for drivers, and the draw
+// in progress (drawing, bound).
 #pragma once
 
 #include <vtkWeakPointer.h>
@@ -25,18 +25,19 @@ class DrawState {
   SceneResources resources;
   FrameCounts counts;
   ProgramTuning* tuning = nullptr;  ///< null: none (program_tuning.h)
-  /// Draws the window's picture: its camera's lights are uploaded again after a pass with another camera (PassScope).
+  /// The renderer of the window's picture: its camera's lights are uploaded again after a pass with another camera
+  /// (PassScope).
   vtkWeakPointer<vtkRenderer> shown;
-  /// What draws now; its camera is what uniforms go by. Null: nothing of ours, and surfaces have VTK's own programs.
+  /// The renderer that draws now, whose camera uniforms are relative to. Null: none of ours, and surfaces have VTK's
+  /// own programs.
   vtkRenderer* drawing = nullptr;
   std::vector<std::unique_ptr<BoundTexture>> bound;  ///< for the piece drawn last
 
   const PassSettings& pass() const { return pass_; }
 
-  /// What the window's own frames are drawn with, until it is set again. Not to be called while a PassScope lasts,
-  /// whose end would undo it.
+  /// The exposure of the window's own frames. Must not be called during a PassScope, whose end would undo it.
   void setExposure(float exposure) { exposure_ = pass_.exposure = exposure; }
-  /// The same within a PassScope.
+  /// The exposure of the window's own frames, also during a PassScope.
   float exposure() const { return exposure_; }
   void setDragging(bool dragging) { pass_.dragging = dragging; }
   void setDebugView(const DebugView& debug) { pass_.debug = debug; }

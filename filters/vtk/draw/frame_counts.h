@@ -1,5 +1,4 @@
-// What draws leave behind: counters, the programs seen and the first failure. Written by whoever draws; read by the
-// renderer, which reports it. Plain data.
+// Results of draws: counters, the programs used and the first failure. The renderer reports them.
 #pragma once
 
 #include <set>
@@ -11,7 +10,7 @@ namespace boxprobe {
 
 struct FrameCounts {
   Counters counters;
-  std::set<const void*> drawn;  ///< of the last frame
+  std::set<const void*> drawn;  ///< in the last frame
   const void* drawnLast = nullptr;
   std::string error;  ///< first failure since the models were set
 
@@ -20,7 +19,7 @@ struct FrameCounts {
     drawnLast = nullptr;
     counters.surfacePrograms = counters.programSwitches = 0;
   }
-  /// A surface is drawn with `program`, by the frame on the screen.
+  /// To be called when a surface of the frame on the screen is drawn with `program`.
   void draws(const void* program) {
     drawn.insert(program);
     counters.surfacePrograms = drawn.size();
@@ -28,7 +27,7 @@ struct FrameCounts {
     drawnLast = program;
   }
 
-  /// Keeps the first failure: what follows is often its consequence. An empty message is none.
+  /// Keeps the first failure, of which later ones are often a consequence. Ignores an empty message.
   void fail(const std::string& message) {
     if (error.empty()) error = message;
   }

@@ -10,7 +10,7 @@ void replaceEach(std::string& text, const std::string& from, const std::string& 
   }
 }
 
-// "texture(bpTexBaseColor, uv)" is one colour; of a normal map that which bends nothing.
+// Replaces "texture(bpTexBaseColor, uv)" by a constant colour; for a normal map, by an unperturbed normal.
 void leaveOutTextures(std::string& text) {
   const std::string call = "texture(bpTex";
   for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
@@ -31,7 +31,7 @@ void leaveOut(std::string& fragment, FrameParts parts) {
   if ((parts & kOpennessPart) != 0) replaceEach(fragment, "#define BP_OPENNESS 1", "#define BP_OPENNESS 0");
   if ((parts & kLampsPart) != 0) replaceEach(fragment, "Lo += ", "if (false) Lo += ");
   if ((parts & kMaterialPart) != 0) leaveOutTextures(fragment);
-  // The exposure stays: by that uniform a program of ours is known, and its samplers are set.
+  // Keeps the exposure: our programs are recognized by that uniform, and their samplers are set.
   if ((parts & kOutputPart) != 0) {
     replaceEach(fragment, "? bpDisplayed(color * bpExposure) :", "? color * bpExposure :");
   }

@@ -1,6 +1,5 @@
-// Parts of a frame that can be left out, to find what each of them costs: a frame without a part is timed in turn with
-// one that has it. The picture of such a frame is wrong, and nobody's to see. Text and numbers; knows neither OpenGL
-// nor VTK's classes.
+// Parts of a frame that can be disabled to measure their cost: frames with and without a part are timed in alternation.
+// The resulting picture is wrong and never shown.
 #pragma once
 
 #include <string>
@@ -9,18 +8,19 @@ namespace boxprobe {
 
 enum FramePart : unsigned {
   kReflectionPart = 1u,  ///< light of probes and sky: projection, lookups, harmonics, weights
-  kLampsPart = 2u,       ///< the lamps' loop, shadows by coverage included
+  kLampsPart = 2u,       ///< the loop over lamps, including shadows by coverage
   kMaterialPart = 4u,    ///< textures and normal maps
   kOutputPart = 8u,      ///< the conversion to display colours
-  kFragmentPart = 16u,   ///< all that is worked out for a pixel; it is one colour
-  kRasterPart = 32u,     ///< nothing but vertices
-  kObjectPart = 64u,     ///< not drawn at all
+  kFragmentPart = 16u,   ///< all fragment work; the colour is constant
+  kRasterPart = 32u,     ///< only vertices
+  kObjectPart = 64u,     ///< not drawn
   kGroundPart = 128u,    ///< the ground's shadow
   kOpennessPart = 256u,  ///< what hides the sky from places of the scene itself
 };
 using FrameParts = unsigned;  ///< of FramePart
 
-/// Takes the parts out of a surface's fragment shader, spliced but with `gl_FragData` still as VTK's own text has it.
+/// Removes the parts from a surface's fragment shader, which is spliced but still writes `gl_FragData` as VTK's own
+/// text does.
 void leaveOut(std::string& fragment, FrameParts parts);
 
 }  // namespace boxprobe

@@ -18,13 +18,13 @@ glm::dvec3 middleOf(const Mesh& mesh) {
   return 0.5 * (glm::dvec3(low) + glm::dvec3(high));
 }
 
-// The published form leaves it to the artist; half prefers neither.
+// The published form leaves this to the artist; one half favours neither side.
 constexpr float kBehindShare = 0.5f;
 
-// A solid that its middle does not see, no thicker than this share of its radius, is taken for hollow: light passes its
-// walls as it passes sheets, nearly straight.
+// A solid whose surface is not visible from its middle, and not thicker than this share of its radius, counts as
+// hollow: light passes its walls like sheets, nearly straight.
 constexpr float kWallShare = 0.2f;
-// A rough wall shows its own lookup and not what is drawn behind: only the nearest counts.
+// A rougher wall shows its own lookup and not what is drawn behind it: only the nearest counts.
 constexpr float kClearRoughness = 0.02f;
 
 GlassShell makeShell(const Mesh& mesh, const glm::dvec3& middle, const glm::dmat3& linear) {
@@ -48,7 +48,7 @@ GLuint GlassShellTexture::handle() const {
   for (int face = 0; face < 6; ++face) {
     texture_.writeFace(face, 0, std::vector<float>(planes.face(0, face), planes.face(0, face) + count));
   }
-  // As CubeMap::fetch looks it up.
+  // As CubeMap::fetch samples it.
   GLint previous = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP, &previous);
   glBindTexture(GL_TEXTURE_CUBE_MAP, texture_.handle());

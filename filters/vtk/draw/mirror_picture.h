@@ -1,5 +1,5 @@
-// What the draw of a mirror is told of its picture: filled by the mirror set for each frame, read by the probe passes
-// that draw the mirror and by explanations. Plain data.
+// The picture of a planar mirror for the draw of that mirror: set by the mirror set for each frame, read by probe
+// passes and explanations.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 namespace boxprobe {
 
 struct MirrorPicture {
-  /// A picture was drawn for what is being drawn now. False between frames, so that captures never see one.
+  /// Is there a picture for the current draw? False between frames, so that captures never show one.
   bool shown = false;
   GLuint color = 0, height = 0;                ///< 2D textures
-  shading::MirrorLook look{};                  ///< relative to the eye of what is being drawn now; `picture` is null
-  std::shared_ptr<const MirrorTexels> texels;  ///< read back for explanations; null unless asked for
+  shading::MirrorLook look{};                  ///< relative to the eye of the current draw; `picture` is null
+  std::shared_ptr<const MirrorTexels> texels;  ///< read back for explanations; null unless requested
 };
 
 }  // namespace boxprobe

@@ -7,7 +7,7 @@ namespace boxprobe {
 
 namespace {
 
-// Asking for a camera that is not there makes one, placed by what the renderer shows.
+// Requesting a missing camera would create one, placed by the renderer's contents.
 vtkCamera* cameraOf(vtkRenderer* renderer) {
   return renderer != nullptr && renderer->IsActiveCameraCreated() != 0 ? renderer->GetActiveCamera() : nullptr;
 }

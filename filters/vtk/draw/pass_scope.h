@@ -1,5 +1,4 @@
-// One pass with settings of its own: what it changes is put back when the scope ends, by an exception too. The only way
-// to change how a pass draws. Used by captures, mirrors, averaged frames and explanations; knows none of them.
+// Settings for one pass, restored when the scope ends, also by an exception. Pass settings are changed only this way.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -16,11 +15,11 @@ class PassScope {
  public:
   using Change = std::function<void(PassSettings&)>;
 
-  /// `change` edits the settings as they are, so that scopes may lie within each other. `state` must outlive the scope.
+  /// `change` edits the current settings, so scopes can be nested. `state` must outlive the scope.
   PassScope(DrawState& state, const Change& change);
-  /// The same for a pass through another camera than the window's: `renderer` draws through `camera` until the scope
-  /// ends. VTK uploads a program's lighting only when the camera is newer than the last upload, whichever camera that
-  /// was for, and renderers share programs; so both are marked as changed: `camera` now, the window's in the end.
+  /// The same for a pass with another camera than the window's: `renderer` draws with `camera` until the scope ends.
+  /// VTK uploads a program's lights only if the camera is newer than the last upload, whichever camera that was for,
+  /// and renderers share programs; so both are marked as modified: `camera` at the start, the window's at the end.
   PassScope(DrawState& state, vtkRenderer* renderer, vtkCamera* camera, const Change& change);
   ~PassScope();
   PassScope(const PassScope&) = delete;

@@ -1,5 +1,4 @@
-// How the draws of one pass differ from those of another: plain values that surfaces read when they draw. Changed
-// for a pass by a PassScope and by nothing else.
+// The settings that differ between passes: values that surfaces read when they draw. Changed only by a PassScope.
 #pragma once
 
 #include <glm/ext/vector_int2.hpp>
@@ -10,21 +9,20 @@ namespace boxprobe {
 
 struct ProbeSight;
 
-/// An exposure that asks for linear output, without a display's encoding.
+/// An exposure that requests linear output, without display encoding.
 constexpr float kLinearOutput = -1.0f;
 
-/// What the debug view's programs show.
+/// What the programs of the debug view show.
 struct DebugView {
   int view = 0;  ///< row of surfaceViews()
   float low = 0.0f, high = 1.0f;
-  bool finish = false;  ///< the surfaces' finish is captured, not what every surface has
+  bool finish = false;  ///< capture the surfaces' finish instead of the common properties
   bool operator==(const DebugView& o) const {
     return view == o.view && low == o.low && high == o.high && finish == o.finish;
   }
 };
 
-/// The opaque part of the frame that is being drawn, for glass to be looked through at; without a texture there is
-/// none.
+/// The opaque part of the current frame, which is seen through glass; none without a texture.
 struct BehindPicture {
   unsigned int color = 0;  ///< premultiplied by coverage, with mip levels
   unsigned int depth = 0;
@@ -36,19 +34,19 @@ struct BehindPicture {
 
 struct PassSettings {
   float exposure = 1.0f;             ///< factor of display colours; kLinearOutput
-  bool dragging = false;             ///< a handle is held: uniforms change, and nothing is worked out for them
+  bool dragging = false;             ///< a handle is being dragged: only uniforms change, and nothing is precomputed
   DebugView debug;                   ///< not in captures
-  bool capture = false;              ///< of a probe: reflections show lamps as maps do, which costs little
-  bool firstBounce = false;          ///< of a capture: probes reflect nothing yet, and the sky lights in their place
-  bool firstBouncePrograms = false;  ///< with firstBounce: by programs that look nothing up in probes
-  /// With firstBounce: the lamps that light what is captured, and what is seen of them, by the capture origin alone, so
-  /// that no box has a part in a first capture. Null: no lamps are drawn as shapes.
+  bool capture = false;              ///< for a probe: reflections take lamps from maps, which is cheap
+  bool firstBounce = false;          ///< in a capture: probes reflect nothing yet, and the sky lights in their place
+  bool firstBouncePrograms = false;  ///< with firstBounce: use programs without probe lookups
+  /// With firstBounce: the lamps that light the captured scene, and their visibility, by the capture origin alone, so
+  /// that a first capture does not depend on any box. Null: no lamps are drawn as shapes.
   std::shared_ptr<const ProbeSight> sight;
-  bool movingShadowsOn = true;  ///< not in captures of what stands still
-  bool countDraws = true;       ///< of the frame on the screen, not of captures
-  int frame = 0;                ///< of those that are averaged
-  glm::ivec2 pixelOrigin{0};    ///< where in the picture the framebuffer's lower left lies
-  /// Of the mirror whose picture is being drawn, view space; see mirrored_output.glsl.
+  bool movingShadowsOn = true;  ///< off in captures of static objects
+  bool countDraws = true;       ///< on for the frame on the screen, off for captures
+  int frame = 0;                ///< number among averaged frames
+  glm::ivec2 pixelOrigin{0};    ///< position of the framebuffer's lower left in the picture
+  /// The plane of the mirror whose picture is being drawn, view space; see mirrored_output.glsl.
   glm::vec4 heightPlaneView{0.0f};
   BehindPicture behind;
 

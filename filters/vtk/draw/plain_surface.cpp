@@ -43,7 +43,7 @@ void givePlainSurface(const SurfaceMaterial& surface, vtkProperty* property, vtk
   if (vtkDataArray* uv = points->GetArray("bpUv0")) points->SetTCoords(uv);
   if (vtkDataArray* tangents = points->GetArray("bpTangent")) points->SetTangents(tangents);
   if (const auto* t = texture(kBaseColorSlot)) {
-    // An unlit one's property shows emission alone.
+    // The property of an unlit surface only shows emission.
     surface.unlit ? property->SetEmissiveTexture(plainTexture(*t)) : property->SetBaseColorTexture(plainTexture(*t));
   }
   if (const auto* t = texture(kEmissiveSlot)) property->SetEmissiveTexture(plainTexture(*t));

@@ -1,6 +1,5 @@
-// A material as VTK's own program can show it: for a driver that refuses ours, and to measure ours against. The first
-// set of coordinates, untransformed, one wrap mode for both axes, normal maps where the file brings tangents. Called by
-// the probe pass and the benchmarks; knows no probes.
+// A material approximated by VTK's own program: if the driver refuses ours, and to compare with ours. Uses the first
+// set of texture coordinates without transform, one wrap mode for both axes, and normal maps if the file has tangents.
 #pragma once
 
 #include "filters/vtk/draw/surface_material.h"
@@ -10,7 +9,7 @@ class vtkProperty;
 
 namespace boxprobe {
 
-/// Textures into the property, coordinates and tangents into the data; both keep what else they have.
+/// Adds textures to the property, and coordinates and tangents to the data; both keep their other values.
 void givePlainSurface(const SurfaceMaterial& surface, vtkProperty* property, vtkPolyData* data);
 
 }  // namespace boxprobe

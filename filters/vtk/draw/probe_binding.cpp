@@ -6,7 +6,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr int kRefinedPattern = 4;  // of shared/sample_pattern.glsl
+constexpr int kRefinedPattern = 4;  // in shared/sample_pattern.glsl
 
 }  // namespace
 
@@ -44,7 +44,7 @@ bool ProbeBinding::openByLookup(std::size_t slot) const {
 
 bool ProbeBinding::lampFree(std::size_t slot) const {
   const DrawnProbe& probe = *probes[slot];
-  // A filter that blurs the capture itself has spread their light over what is around them.
+  // A filter that blurs the capture itself has spread the lamps' light over their surroundings.
   return lampLobes && probe.shapes && !probe.lamps.empty() && !probe.open && !probe.realtime &&
          probe.prefilter.filter == FilterLobe::Kind::Ggx;
 }
@@ -84,7 +84,7 @@ std::shared_ptr<const ProbeBinding> ProbeBinding::standIn() const {
   return differs ? cheap : nullptr;
 }
 
-// Through openings the sky shows, captured or not.
+// The sky shows through openings, whether captured or not.
 std::shared_ptr<const ProbeBinding> ProbeBinding::forFirstBounce() const {
   if (lighting != Lighting::Probes || probes.empty() || open()) return nullptr;
   auto unlit = std::make_shared<ProbeBinding>(*this);
@@ -105,7 +105,7 @@ std::shared_ptr<const ProbeBinding> ProbeBinding::refined(int samples, int total
   for (std::size_t i = 0; i < probes.size(); ++i) {
     Technique t = technique(i);
     shading::TechniqueParameters of = values(i);
-    // Along the normal every ray looks up the same; of a mirror there is one.
+    // All rays along the normal sample the same value; a mirror has a single ray.
     if (t.projection != alongNormal && roughnessMax > 0.0f) {
       t.evaluation = rays;
       of.samples = static_cast<float>(samples);

@@ -1,5 +1,5 @@
-// Which probes per object is drawn with, and what of them its program is compiled for. Chosen by the probe set, read by
-// the probe pass and the splice. Plain data; knows no scene.
+// The probes that an object is drawn with, and their properties for which its program is compiled. Chosen by the probe
+// set.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,23 @@
 
 namespace boxprobe {
 
-/// A probe as draws see it. `maps` is null until the first capture is complete; it then gives nothing.
+/// A probe for drawing. Until the first capture is complete `maps` is null, and the probe gives no light.
 struct DrawnProbe {
   int index = 0;  ///< in the scene's list
   ProbeGeometry geometry;
   std::shared_ptr<const ProbeMaps> maps;
-  /// What `auto` goes by; null: by what was measured elsewhere.
+  /// Errors from which `auto` chooses; null: the measured table.
   std::shared_ptr<const TechniqueErrors> errors;
-  bool open = false;                        ///< the sky shows where the probe saw nothing, and there is such a place
-  ShCoefficients openSky{};                 ///< its diffuse light that comes in there, to be added to the maps'
-  std::uint32_t shadowLights = 0;           ///< a bit for each light that asks for shadows and lies outside of its box
-  bool imported = false;                    ///< from a picture, which may have no coverage
-  bool shapes = false;                      ///< its diffuse light is its lamps' and a lattice's
-  std::vector<std::size_t> lamps;           ///< of the scene's, those drawn as shapes
-  std::shared_ptr<const ProbeSight> sight;  ///< what is seen of those and of light sources; null: all, everywhere
+  bool open = false;               ///< the sky shows where the probe saw nothing, and such places exist
+  ShCoefficients openSky{};        ///< diffuse light of the sky through openings, to be added to that of the maps
+  std::uint32_t shadowLights = 0;  ///< one bit per light that casts shadows and is outside its box
+  bool imported = false;           ///< from a picture, which may have no coverage
+  bool shapes = false;             ///< diffuse light comes from lamps as shapes and a lattice
+  std::vector<std::size_t> lamps;  ///< indices of scene lamps that are drawn as shapes
+  std::shared_ptr<const ProbeSight> sight;  ///< visibility of those and of light sources; null: all visible everywhere
   PrefilterSettings prefilter;              ///< of its maps
-  bool realtime = false;                    ///< its maps are made over and over
-  mutable std::shared_ptr<const DiffuseLattice> latticeBefore;  ///< the last it was drawn with (probe_lattice.h)
+  bool realtime = false;                    ///< its maps are recaptured continuously
+  mutable std::shared_ptr<const DiffuseLattice> latticeBefore;  ///< the last one it had (probe_lattice.h)
   /// The lamps that light what its first capture shows, by its capture origin alone. Null: none are drawn as shapes.
   std::shared_ptr<const ProbeSight> captureSight;
 };
@@ -40,87 +40,85 @@ struct DrawnProbe {
 enum class Lighting {
   Plain,   ///< VTK's own: no probe, no sky
   Unlit,   ///< KHR_materials_unlit: emission only
-  Probes,  ///< probes, and the sky for what they leave
+  Probes,  ///< probes, and the sky where they leave weight
 };
 
-/// Which probes one actor uses: what its program is compiled for.
+/// The probes of one actor, for which its program is compiled.
 struct ProbeBinding {
   Lighting lighting = Lighting::Plain;
   std::vector<std::shared_ptr<const DrawnProbe>> probes;  ///< most important first, at most kMaxProbesPerDraw
   static constexpr std::size_t kMaxProbesPerDraw = 4;
-  static constexpr std::size_t kMaxLampsPerDraw = 16;  ///< of all its probes, by power
-  bool weights = true;                                 ///< false: one probe, at full weight all over the object
-  bool sky = true;                                     ///< false: the probes leave nothing to it
-  bool openness = false;                               ///< of the sky, some is hidden by the scene (ambientOcclusion)
-  bool onlyProbes = false;                             ///< what they leave to it goes to them, wherever one has weight
-  std::vector<float> shares;  ///< of all of the object, in place of weights a pixel; empty: those
-  float skyShare = 1.0f;      ///< beside `shares`
-  /// Lights that a probe's coverage stands before, and those of them with maps of what moves; in the scene's order.
+  static constexpr std::size_t kMaxLampsPerDraw = 16;  ///< of all its probes, by decreasing power
+  bool weights = true;                                 ///< false: one probe, at full weight everywhere on the object
+  bool sky = true;                                     ///< false: the sky has no share
+  bool openness = false;                               ///< the sky is occluded by the scene (ambientOcclusion)
+  bool onlyProbes = false;                             ///< probes share the sky's part wherever one has weight
+  std::vector<float> shares;  ///< for the whole object, in place of weights per pixel; empty: per pixel
+  float skyShare = 1.0f;      ///< with `shares`
+  /// Lights that a probe's coverage shadows, and those of them with maps of moving objects; in the scene's order.
   std::vector<int> shadowLights, movingLights;
-  /// Light sources, in the scene's order, that some place of a probe's box does not see whole.
+  /// Light sources, in the scene's order, that are not visible from everywhere in a probe's box.
   std::vector<int> sightLights;
-  std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have
+  std::size_t leftOut = 0;  ///< probes that reach the object beyond the maximum of a draw
   bool diffuse = true;      ///< false: the material is all metal
-  bool shapes = false;      ///< some probe's diffuse light is its lamps' and a lattice's
-  bool lamps = false;       ///< some of these has lamps, or its first capture
-  /// Reflections of the object are rough enough to show those lamps by their shapes. Then maps without them are looked
-  /// up.
+  bool shapes = false;      ///< a probe's diffuse light comes from lamps as shapes and a lattice
+  bool lamps = false;       ///< one of these has lamps, or its first capture has
+  /// Reflections of the object are rough enough to draw those lamps as shapes. Then maps without lamps are sampled.
   bool lampLobes = false;
-  float roughnessMin = 0.0f, roughnessMax = 1.0f;  ///< of the object
+  float roughnessMin = 0.0f, roughnessMax = 1.0f;  ///< range over the object
 
-  /// Are there shadows of lamps or light sources to look up?
+  /// Are there visibilities of lamps or light sources to sample?
   bool sights() const;
 
-  /// No probe has been captured yet, so that none gives a reflection: nothing is looked up. For captures alone.
+  /// For captures: no probe has been captured yet, so reflections are not sampled.
   bool firstBounce = false;
 
-  /// What draws each: the probe's own technique, or what `auto` chose for this object. Empty: their own.
+  /// The technique for each probe: its own, or the one `auto` chose for this object. Empty: their own.
   std::vector<Technique> techniques;
   Technique technique(std::size_t slot) const;
-  /// Parameters that each is drawn with, of a refined picture. Empty: the probes' own.
+  /// The parameters for each probe in a refined picture. Empty: the probes' own.
   std::vector<shading::TechniqueParameters> refinedValues;
   const shading::TechniqueParameters& values(std::size_t slot) const {
     return slot < refinedValues.size() ? refinedValues[slot] : probes[slot]->geometry.parameters;
   }
 
-  /// Equal keys share a program: techniques, importance groups, and what can be left out.
+  /// Equal keys share a program: techniques, importance groups, and what can be omitted.
   std::string variantKey() const;
-  /// The same by what stands in for its techniques while something moves; null if nothing does.
+  /// The same with cheap techniques while something moves; null if nothing differs.
   std::shared_ptr<const ProbeBinding> standIn() const;
-  /// The same by rays of the whole lobe, `samples` of each of its frames, which are `total` in all; impostors follow
-  /// rays. Null where that would show nothing else.
+  /// The same with rays over the whole lobe, `samples` in each frame and `total` in all; impostors follow rays. Null if
+  /// the picture would be the same.
   std::shared_ptr<const ProbeBinding> refined(int samples, int total) const;
-  /// The same for captures in which no probe reflects anything; null where that would not spare any lookup, or where
-  /// what is looked up does not depend on the probes alone.
+  /// The same for captures in which no probe reflects anything; null if that saves no lookup, or if lookups do not
+  /// depend on probes alone.
   std::shared_ptr<const ProbeBinding> forFirstBounce() const;
-  /// Is a technique that is drawn one whose picture is a mean of frames, and of how many rays per pixel and frame? 0:
-  /// no.
+  /// Rays per pixel and frame of a technique that averages frames; 0: none does.
   int animatedSamples() const;
-  /// Is what a technique samples here smoothed afterwards?
+  /// Are the technique's samples smoothed afterwards?
   bool blurred(std::size_t slot) const;
-  /// Rays a pixel and frame of those that are; 0: none is.
+  /// Rays per pixel and frame of smoothed techniques; 0: none.
   int blurredSamples() const;
-  /// Is a box turned, or what a probe holds against its box?
+  /// Is a box rotated, or a probe's map against its box?
   bool rotated() const;
   bool bevelled() const;
   bool occluded() const;
-  /// Does the sky show through a probe? And lookup by lookup?
+  /// Does the sky show through a probe? Below: separately for each lookup?
   bool open() const;
   bool openByLookup(std::size_t slot) const;
   bool lampsDrawn() const { return (shapes && diffuse && lamps) || lampLobes; }
-  /// Does a rough surface look this one's map up without lamps? Not where alpha is coverage, or maps do not last.
+  /// Do rough surfaces sample a map without lamps? Not if alpha is coverage, or if maps are short-lived.
   bool lampFree(std::size_t slot) const;
-  /// The map that it looks up: that one, as soon as it is made, but not in a capture. Null: not captured.
+  /// The map to sample: the one without lamps once it is made, but not in a capture. Null: not captured.
   const ProbeMaps* lookedUp(std::size_t slot, bool capture) const;
-  /// Does a technique of a probe fetch from its distance cubemap?
+  /// Does a probe's technique sample its distance cubemap?
   bool distances() const;
-  /// Does this one's follow rays through all of them: more than three steps of projection `impostor`?
+  /// Does this probe's technique march along rays: projection `impostor` with more than three steps?
   bool marches(std::size_t slot) const;
-  /// Does a technique of a probe read the parameter, set to that choice?
+  /// Does a probe's technique read the parameter, with that choice?
   bool chooses(std::string_view parameter, std::string_view choice) const;
-  /// Parameters that any of its techniques reads, each once.
+  /// Parameters that any of its techniques reads, without duplicates.
   std::vector<const ParameterRow*> parameters() const;
-  /// Group of equal importance of each probe, from 0.
+  /// The importance group of each probe, from 0.
   std::vector<int> groups() const;
 };
 

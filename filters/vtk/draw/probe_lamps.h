@@ -1,5 +1,5 @@
-// The maps without lamps (maps/lamp_free_maps.h) that a binding's rough surface looks up. Called by the probe pass
-// before a draw begins, with the window's context current.
+// The maps without lamps (maps/lamp_free_maps.h) for the rough surface of a binding. To be called before a draw, with
+// the window's context current.
 #pragma once
 
 #include "filters/vtk/draw/draw_state.h"
@@ -7,7 +7,7 @@
 
 namespace boxprobe {
 
-/// Makes them, with the levels that the binding needs. Where there is no memory for one the probe's own is looked up.
+/// Makes them with the levels that the binding needs. If memory is short, the probe's own map is sampled.
 void makeLampFree(const DrawState& state, const ProbeBinding& binding);
 
 }  // namespace boxprobe

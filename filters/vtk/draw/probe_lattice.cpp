@@ -11,7 +11,7 @@ LatticeSource latticeSource(const DrawState& state, const SceneLamps& lamps, con
   source.boxMax = g.boxMax;
   source.mapFromProbe = glm::mat3(g.mapFromProbe);
   source.worldFromProbe = glm::mat3(g.worldFromProbe);
-  // What follows rays by the distances is for reflections: for light from all around the box is near enough.
+  // Following rays by distances matters for reflections; for irradiance the box is accurate enough.
   const bool distances = projectionRows()[static_cast<std::size_t>(g.technique.projection)].distances;
   source.projection = distances ? parseTechnique("box")->projection : g.technique.projection;
   const glm::dmat3 worldFromMap = g.worldFromProbe * glm::transpose(g.mapFromProbe);
@@ -22,14 +22,14 @@ LatticeSource latticeSource(const DrawState& state, const SceneLamps& lamps, con
   if (probe.open && state.resources.sky && state.resources.sky->openings) {
     source.sky = std::shared_ptr<const CubeMap>(state.resources.sky, &state.resources.sky->openings->reduced);
   }
-  // Not what is derived over and over, nor what the sky shows through, which rays know nothing of.
+  // Not if it is derived continuously, or where the sky shows through, which the rays do not know.
   if (!state.resources.sightLines || probe.realtime || source.sky) return source;
   source.traced = {state.resources.sightLines, g.originWorld, g.worldFromProbe,           g.mapFromProbe,
                    state.resources.lamps,      probe.lamps,   state.resources.looseLights};
   return source;
 }
 
-// A handle that is held changes uniforms alone, and a draw that only compiles a program needs none.
+// Dragging a handle only changes uniforms, and a draw that only compiles a program needs no lattice.
 LatticeHaste haste(const DrawState& state) {
   if (state.pass().dragging) return LatticeHaste::AsItIs;
   const bool picture = state.pass().exposure == kLinearOutput;
@@ -43,7 +43,7 @@ std::shared_ptr<const DiffuseLattice> probeLattice(const DrawState& state, const
   const ProbeMaps* maps = probe.maps.get();
   if (!probe.shapes || lamps == nullptr || maps == nullptr || maps->forTheTimeBeing) return nullptr;
   auto lattice = maps->lattice.of(maps->radiance, maps->distance, latticeSource(state, *lamps, probe), haste(state));
-  // Other maps of the probe than before are lit by what these had, until theirs is there.
+  // New maps of the probe use the previous lattice until theirs is ready.
   if (lattice)
     probe.latticeBefore = lattice;
   else

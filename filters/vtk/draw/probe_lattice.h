@@ -1,6 +1,5 @@
-// The lattice of diffuse light that a probe is drawn with (maps/lattice_maker.h), as the pass asks for it: a capture
-// waits for the right one, a window draws with what it had until the right one is there. Called when uniforms are
-// uploaded and by explanations, with the window's context current.
+// The lattice of diffuse light for drawing a probe (maps/lattice_maker.h): a capture waits for it; a window draws with
+// the previous one until it is ready. Needs the window's context current.
 #pragma once
 
 #include <memory>
@@ -10,7 +9,7 @@
 
 namespace boxprobe {
 
-/// Null where the probe has none: its coefficients light instead, its lamps among them.
+/// Null if the probe has none: its coefficients, which include lamps, are used instead.
 std::shared_ptr<const DiffuseLattice> probeLattice(const DrawState& state, const DrawnProbe& probe);
 
 }  // namespace boxprobe

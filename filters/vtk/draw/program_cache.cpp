@@ -13,8 +13,8 @@ namespace boxprobe {
 
 namespace {
 
-// What VTK remembers of its uniforms would be taken for uploaded in the program compiled anew, and attributes for those
-// of the old one, which vertex arrays stay with unless the program has changed.
+// Resets what VTK remembers of the program: it would take uniforms of the recompiled program for uploaded, and
+// attributes for those of the old one, which vertex arrays keep unless the program has changed.
 void giveBack(vtkShaderProgram* program, vtkOpenGLRenderWindow* window) {
   program->ReleaseGraphicsResources(window);
   program->Modified();
@@ -26,7 +26,7 @@ void giveBack(vtkShaderProgram* program, vtkOpenGLRenderWindow* window) {
 
 bool ProgramCache::use(vtkShaderProgram* program, bool constants) {
   Kept& kept = kept_[program];
-  // Another program may have come to stand where one was that VTK deleted.
+  // VTK may have deleted a program and created another at the same address.
   const bool compiled = kept.program != program;
   if (compiled) kept.program = program;
   kept.constants = constants;
@@ -42,11 +42,11 @@ std::uint64_t ProgramCache::compilation(const vtkShaderProgram* program) const {
 
 std::size_t ProgramCache::trim(vtkOpenGLRenderWindow* window, std::size_t most) {
   const std::uint64_t since = usesTrimmed_;
-  // A frame that draws nothing anew says nothing of what the picture needs.
+  // A frame that draws nothing does not show which programs the picture needs.
   if (uses_ == since) return 0;
   usesTrimmed_ = uses_;
   const auto rests = [since](const auto& each) { return each.second.used <= since; };
-  // Asked first: most frames give nothing back.
+  // Checked first: most frames release nothing.
   if (static_cast<std::size_t>(std::count_if(kept_.begin(), kept_.end(), rests)) <= most) return 0;
   std::vector<std::pair<const vtkShaderProgram*, Kept>> old;
   std::copy_if(kept_.begin(), kept_.end(), std::back_inserter(old), rests);
@@ -54,7 +54,7 @@ std::size_t ProgramCache::trim(vtkOpenGLRenderWindow* window, std::size_t most) 
     return std::make_tuple(!a.second.constants, a.second.used) < std::make_tuple(!b.second.constants, b.second.used);
   });
   old.resize(old.size() - most);
-  // Giving back unbinds whatever is bound, and the cache is to know it.
+  // Releasing unbinds the current program, and the cache has to know.
   window->GetShaderCache()->ReleaseCurrentShader();
   for (const auto& [address, kept] : old) {
     if (kept.program) giveBack(kept.program, window);

@@ -1,5 +1,5 @@
-// An LRU cache of the programs that surfaces have been drawn with: each rest of an edited scene makes programs with its
-// own numbers as constants, of some megabytes each with a software driver, and those of edits long past are released.
+// An LRU cache of surface programs. Each edit leaves programs with its own constants behind, several megabytes each
+// with a software driver; old ones are released.
 #pragma once
 
 #include <vtkWeakPointer.h>
@@ -14,25 +14,25 @@ namespace boxprobe {
 
 class ProgramCache {
  public:
-  /// Kept from frame to frame beside those that frames draw with.
+  /// Programs kept in addition to those that frames draw with.
   static constexpr std::size_t kMost = 64;
 
-  /// `program`, compiled, is drawn with now; `constants`: it was made for numbers at rest, and no edit draws with it
-  /// again. True if it was compiled since the last call with it.
+  /// Records that the compiled `program` is drawn with now; `constants`: it is specialized, and unlikely to be used
+  /// again after an edit. True if it was compiled since the last call with it.
   bool use(vtkShaderProgram* program, bool constants);
-  /// Another number after each compilation; 0 if it was given back, or never used.
+  /// A number that changes with each compilation; 0 if the program was released or never used.
   std::uint64_t compilation(const vtkShaderProgram* program) const;
-  /// Compiled ones.
+  /// Number of compiled programs.
   std::size_t size() const { return kept_.size(); }
-  /// Of those that were not used since the last call, gives back all but `most`: first those with constants, of each
-  /// kind those used longest ago. Who draws with one that was given back has it compiled again, by the same text. With
-  /// the window's context current. Returns how many; nothing happens where none was used.
+  /// Releases all but `most` of the programs not used since the last call: specialized ones first, each kind by least
+  /// recent use. A released program is compiled again when it is next drawn. Needs the window's context current.
+  /// Returns how many were released; does nothing if none was used.
   std::size_t trim(vtkOpenGLRenderWindow* window, std::size_t most = kMost);
 
  private:
   struct Kept {
     vtkWeakPointer<vtkShaderProgram> program;
-    std::uint64_t used = 0, compiled = 0;  ///< uses counted by then
+    std::uint64_t used = 0, compiled = 0;  ///< value of the use counter at the last use, and at the compilation
     bool constants = false;
   };
   std::unordered_map<const vtkShaderProgram*, Kept> kept_;

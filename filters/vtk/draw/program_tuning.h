@@ -1,7 +1,6 @@
-// What may be done for a driver's sake: programs made for the very material, numbers and pass of a draw, compiled ahead
-// of their first use, released when they have not been used for long. One object does it all (probes/driver_tuning.h);
-// without one everything is drawn by general programs, each compiled when it is first drawn with, and looks the same to
-// 1/255.
+// Optional work for the driver's sake: programs specialized for the material, values and pass of a draw, compiled ahead
+// of their first use, released after disuse. Implemented by one object (probes/driver_tuning.h). Without it, objects
+// have general programs, compiled at the first draw, and the picture is the same to 1/255.
 #pragma once
 
 #include <cstdint>
@@ -20,53 +19,53 @@ class vtkShaderProgram;
 
 namespace boxprobe {
 
-/// What an object asks for, of itself or because it was planned for it.
+/// What an object requests, by itself or because it was planned.
 struct ProgramRequest {
-  bool standIn = false;  ///< by what stands in for its techniques (see EvaluationRow)
-  RefinedRays refined;   ///< by rays in place of its techniques (see ProbeBinding::refined)
+  bool standIn = false;  ///< cheap techniques in place of its own (see EvaluationRow)
+  RefinedRays refined;   ///< rays in place of its techniques (see ProbeBinding::refined)
   SurfaceFacts facts = kAnyFact;
   std::shared_ptr<const ConstantsPlan> constants;  ///< null: none
 };
 
-/// What a draw's program is made for beyond what the picture needs.
+/// What a draw's program is specialized for beyond what the picture needs.
 struct ProgramTraits {
-  std::shared_ptr<const ProbeBinding> firstBounce;  ///< in place of the binding, where no probe reflects; null: that
+  std::shared_ptr<const ProbeBinding> firstBounce;  ///< replaces the binding where no probe reflects; null: none
   std::shared_ptr<const ProbeBinding> firstBounceOf;
-  std::shared_ptr<const ConstantsPlan> constants;  ///< null: numbers are uniforms
+  std::shared_ptr<const ConstantsPlan> constants;  ///< null: values are uniforms
   SurfaceFacts facts = 0;
-  bool flatMaps = false;  ///< with constants alone: maps are looked up in flat pictures of them
+  bool flatMaps = false;  ///< only with constants: flat pictures of maps are sampled
 };
 
-/// The draw that is about to begin.
+/// The draw that is about to start.
 struct TunedDraw {
   vtkActor* actor;
   const SurfaceMaterial* surface;                      ///< null: VTK's own material code
   const std::shared_ptr<const ProbeBinding>& binding;  ///< null: none
-  const std::string& variant;                          ///< of that
+  const std::string& variant;                          ///< key of the binding
   const ProgramRequest& request;
-  const ProgramTraits& made;  ///< what the program it was drawn with last is made for
+  const ProgramTraits& made;  ///< traits of the program it was last drawn with
   bool picture;               ///< it draws the picture, not a debug view or a mirror's heights
-  bool looksElsewhere;        ///< a mirror's picture or glass: it looks up more than probes
-  bool refused;               ///< the driver refused the program, or that with constants
+  bool looksElsewhere;        ///< a mirror's picture or glass: it samples more than probes
+  bool refused;               ///< the driver refused the program, or the specialized one
 };
 
 class ProgramTuning {
  public:
   virtual ~ProgramTuning() = default;
 
-  // Within a frame.
+  // Called within a frame:
   virtual ProgramTraits choose(const TunedDraw& draw) = 0;
-  /// The object is drawn with `program` now. Returns a number that is another one when it is compiled again.
+  /// The object is now drawn with `program`. Returns a number that changes when it is compiled again.
   virtual std::uint64_t uses(vtkShaderProgram* program, bool constants) = 0;
   virtual std::uint64_t compilation(const vtkShaderProgram* program) const = 0;
   virtual void frameEnded(vtkOpenGLRenderWindow* window) = 0;
 
-  // Between frames.
-  /// May an object that is drawn by `now` be drawn by `next` without waiting for a program?
+  // Called between frames:
+  /// May an object that is drawn with `now` be drawn with `next` without waiting for a program?
   virtual bool known(const ProbeBinding& now, const ProbeBinding& next) const = 0;
-  /// Objects may have other bindings.
+  /// To be called when bindings may have changed.
   virtual void assigned() = 0;
-  /// Captures may have begun or ended.
+  /// To be called when captures may have started or ended.
   virtual void replanned() = 0;
 };
 

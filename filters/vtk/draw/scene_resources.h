@@ -1,5 +1,4 @@
-// What the draws of a scene renderer read whatever the pass: textures and lights of the scene as it stands. Filled by
-// the renderer, the probe set and the passes that make them; read when surfaces are drawn. Plain data; owns no texture.
+// What the draws of a scene renderer read in every pass: textures and lights of the current scene. Owns no texture.
 #pragma once
 
 #include <functional>
@@ -23,41 +22,41 @@
 
 namespace boxprobe {
 
-/// Side of the maps of what moves, texels.
+/// Size of the shadow maps of moving objects, texels.
 constexpr int kMovingMapSize = 1024;
 struct MovingShadow {
   int light = 0;
   GLuint texture = 0;
   glm::dmat4 mapFromWorld{1.0};
 };
-/// What a light that asks for shadows looks like.
+/// The apparent size of a light that casts shadows.
 struct ShadowLight {
   LightSize size;
-  float levelsPerUnit = -1.0f;  ///< negative: by its size; 0: the probe's own
+  float levelsPerUnit = -1.0f;  ///< negative: from its size; 0: the probe's own
 };
 
 struct SceneResources {
   std::shared_ptr<const ProbeMaps> sky;
   GLuint brdfTable = 0;
   LightForm lightForm = LightForm::Single;
-  Tone tone = Tone::None;                   ///< of display colours; linear pictures and captures are before it
-  bool foreign = false;                     ///< somebody else's actors: falloffs of lamps mean what they mean in VTK
-  bool emission = true;                     ///< emissive factors show without an emissive texture
-  GLuint blueNoise = 0;                     ///< RG32F, filters/math/sampling/blue_noise; made when a draw first uses it
-  GLuint blackCube = 0;                     ///< stands in for maps not captured yet
-  GLuint viewColors = 0;                    ///< 256 x 1, of the debug view; made when that is first shown
+  Tone tone = Tone::None;                   ///< of display colours; linear pictures and captures come before it
+  bool foreign = false;                     ///< actors of another program: lamps have VTK's falloff
+  bool emission = true;                     ///< emissive factors apply without an emissive texture
+  GLuint blueNoise = 0;                     ///< RG32F, filters/math/sampling/blue_noise; made at the first use
+  GLuint blackCube = 0;                     ///< replaces maps that are not captured yet
+  GLuint viewColors = 0;                    ///< 256 x 1, for the debug view; made at the first use
   std::shared_ptr<const SceneLamps> lamps;  ///< null unless they are drawn as shapes
-  /// Filters levels of a chain from its level 0. Set by who captures; does nothing without a context.
+  /// Filters levels of a chain from its level 0. Set by the capturing object; does nothing without a context.
   std::function<void(const CubeTexture& chain, LevelMask levels, const PrefilterSettings& settings)> filterLevels;
-  std::shared_ptr<const SightLines> sightLines;           ///< through the scene as it stands still; null: not traced
-  std::shared_ptr<const std::vector<Light>> looseLights;  ///< those that shine and are not counted with a lamp
+  std::shared_ptr<const SightLines> sightLines;           ///< through the static scene; null: not traced
+  std::shared_ptr<const std::vector<Light>> looseLights;  ///< those that shine and for which no lamp stands
   bool latticesBeside = false;                            ///< frames do not wait for lattices (draw/probe_lattice.h)
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::shared_ptr<SightAtlas> sights = std::make_shared<SightAtlas>();
   std::shared_ptr<const SkyOpenness> openness;  ///< null: all of the sky is open everywhere, or not traced yet
   std::shared_ptr<OpennessTexture> opennessTexture = std::make_shared<OpennessTexture>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
-  std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about
+  std::set<int> shadowLightsInUse;        ///< indices of those that a draw uses
   std::vector<MovingShadow> movingShadows;
 };
 

@@ -1,5 +1,5 @@
-// The textures draws read whatever the scene: the split-sum table, a black cube that stands in for maps not captured
-// yet, and, for techniques that draw samples, the blue-noise mask.
+// Textures that do not depend on the scene: the split-sum table, a black cube in place of maps that are not captured
+// yet, and the blue-noise mask for sampling techniques.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,12 +12,12 @@ class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
 
-/// Once; the context must be current. A driver that filters no seamless cubes is noted in `counts`.
+/// Makes them once; the context must be current. A driver without seamless cubemap filtering is reported in `counts`.
 void makeStaticTextures(vtkOpenGLRenderWindow* window, SceneResources& resources, FrameCounts& counts);
-/// Another table in place of that of the split sum; see SceneRenderer::lightAsVtk.
+/// Replaces the split-sum table; see SceneRenderer::lightAsVtk.
 void uploadSplitSumTable(vtkOpenGLRenderWindow* window, GLuint texture, int columns, int rows,
                          const std::vector<glm::vec2>& table);
-/// Once, and only if a technique wants it; the context must be current.
+/// Makes it once, only if a technique needs it; the context must be current.
 void makeBlueNoise(vtkOpenGLRenderWindow* window, SceneResources& resources);
 void releaseStaticTextures(SceneResources& resources);
 

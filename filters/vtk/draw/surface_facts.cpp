@@ -14,13 +14,13 @@ bool sameUse(const SurfaceSlot& a, const SurfaceSlot& b) {
   return a.texture && a.texture == b.texture && a.uvSet == b.uvSet && a.uvTransform == b.uvTransform;
 }
 
-// What the facts spare, roughly: a lookup or the lamps' lobes count for more than a product.
+// A rough estimate of the saving: a lookup or the lamps' lobes cost more than a product.
 int worth(SurfaceFacts facts) {
   constexpr SurfaceFacts kMuch = kNoMetal | kAllMetal | kSmooth | kEmissionIsBase | kOcclusionInRoughMetal;
   return static_cast<int>(4 * std::bitset<32>(facts & kMuch).count() + std::bitset<32>(facts & ~kMuch).count());
 }
 
-/// Objects of one program: how many have which facts.
+/// For the objects of one program: how many have which facts.
 using Kinds = std::map<SurfaceFacts, int>;
 
 SurfaceFacts shared(const Kinds& kinds) {
@@ -66,7 +66,7 @@ SurfaceFacts surfaceFacts(const SurfaceMaterial& surface, vtkProperty* property)
 std::vector<SurfaceFacts> planFacts(const std::vector<FactUse>& uses) {
   std::map<std::string, Kinds> whole;
   for (const FactUse& use : uses) ++whole[use.program][use.facts];
-  // Parts of programs; a part that is divided gives up one kind of its objects, which becomes a part of its own.
+  // Parts of programs. Dividing a part removes one kind of objects from it, which becomes a separate part.
   struct Part {
     const std::string* program;
     Kinds kinds;

@@ -1,7 +1,6 @@
-// What a surface's program may take for granted: properties of a material that make part of the calculation constant.
-// The probe pass asks which hold, the splice leaves out what they make needless, and what is chosen here keeps the
-// number of programs down. No fact is a number of the material, so that dragging a slider changes uniforms; only a
-// slider that leaves or reaches the end of its range asks for another program.
+// Properties of a material that make part of a surface program's work unnecessary. The splice omits that part; the
+// choice here limits the number of programs. Facts are not numbers: dragging a slider only changes uniforms, unless it
+// reaches or leaves the end of its range.
 #pragma once
 
 #include <string>
@@ -14,31 +13,31 @@ class vtkProperty;
 namespace boxprobe {
 
 enum SurfaceFact : unsigned {
-  kNoMetal = 1u,     ///< metalness 0 all over
-  kAllMetal = 2u,    ///< metalness 1 all over: no diffuse reflection
-  kSmooth = 4u,      ///< roughness 0 all over, and no coat: lamps leave no highlight, the split sum is Fresnel's term
-  kNoEmission = 8u,  ///< shines with nothing of its own
-  kNeverDiscarded = 16u,  ///< no pixel is wholly transparent or cut out, so that depth is settled before the colour is
-  kEmissionIsBase = 32u,  ///< one texture for base colour and emission, looked up once
-  kOcclusionInRoughMetal = 64u,  ///< likewise for occlusion, roughness and metalness
-  kPlainUv = 128u,               ///< no texture has a transform of its coordinates
-  kQuickOutput = 256u,  ///< display colours may be a twentieth of a step off: always, but for comparisons with VTK's
+  kNoMetal = 1u,     ///< metalness 0 everywhere
+  kAllMetal = 2u,    ///< metalness 1 everywhere: no diffuse reflection
+  kSmooth = 4u,      ///< roughness 0 everywhere, and no coat: lamps have no highlight, the split sum is Fresnel's term
+  kNoEmission = 8u,  ///< no emission
+  kNeverDiscarded = 16u,         ///< no pixel is fully transparent or cut out, so that the depth test can run early
+  kEmissionIsBase = 32u,         ///< base colour and emission share a texture, sampled once
+  kOcclusionInRoughMetal = 64u,  ///< likewise occlusion, roughness and metalness
+  kPlainUv = 128u,               ///< no texture has a coordinate transform
+  kQuickOutput = 256u,           ///< display colours may be off by 1/20 of a step: always, except to compare with VTK
 };
 using SurfaceFacts = unsigned;  ///< of SurfaceFact
 constexpr SurfaceFacts kAnyFact = ~0u;
 
-/// Those that hold for the material as it is now; none for glass, whose program needs it all.
+/// The facts that hold for the material now; none for glass, whose program needs everything.
 SurfaceFacts surfaceFacts(const SurfaceMaterial& surface, vtkProperty* property);
 
-/// One object: what its program is apart from facts (equal strings share one), and the facts that hold for it.
+/// One object: the key of its program without facts (equal strings share one), and its facts.
 struct FactUse {
   std::string program;
   SurfaceFacts facts = 0;
 };
 
-/// Which facts each object's program may be made for, in the order of `uses`. Those that all objects of a program share
-/// cost no further program; beyond that programs are divided where most objects gain most, up to half as many again as
-/// there are without facts. O(n log n) in the number of objects.
+/// The facts for which each object's program is made, in the order of `uses`. Facts that all objects of a program share
+/// need no further program. Beyond that, programs are divided where most objects gain most, up to half as many again.
+/// O(n log n) in the number of objects.
 std::vector<SurfaceFacts> planFacts(const std::vector<FactUse>& uses);
 
 }  // namespace boxprobe

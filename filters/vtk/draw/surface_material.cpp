@@ -39,7 +39,7 @@ GLuint SurfaceTexture::handle() const {
   glGenTextures(1, &handle_);
   glBindTexture(GL_TEXTURE_2D, handle_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  // Rows as the file has them, from the top: v = 0 is then the first row, as in glTF.
+  // Rows in file order, from the top: v = 0 is the first row, as in glTF.
   const GLenum format = srgb_ ? GL_SRGB8_ALPHA8 : GL_RGBA8;
   glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), image_->width, image_->height, 0, GL_RGBA,
                GL_UNSIGNED_BYTE, image_->pixels.data());
@@ -71,7 +71,7 @@ std::string SurfaceMaterial::programKey() const {
 }
 
 std::size_t SurfaceTexture::bytes() const {
-  // A mip chain is a third more than its largest level.
+  // A mip chain adds a third to its largest level.
   return handle_ == 0 ? 0 : image_->pixels.size() * 4 / 3;
 }
 

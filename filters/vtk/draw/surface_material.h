@@ -1,5 +1,5 @@
-// A material as the surface program wants it: textures on the graphics side, and what the vertices bring. Made by
-// model_actors.cpp, read by the probe pass (uniforms) and the splice (which code a program needs). Knows no probes.
+// A material for surface programs: its textures, and the attributes of its vertices. Made by model_actors.cpp, read for
+// uniforms and shader variants.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@
 
 namespace boxprobe {
 
-/// A picture with mip levels, uploaded when a draw first needs it. VTK 9.1's own texture would wrap along both axes
-/// alike and keep a second copy of the pixels.
+/// A picture with mip levels, uploaded at the first draw that needs it. VTK 9.1's own textures have one wrap mode for
+/// both axes and keep a second copy of the pixels.
 class SurfaceTexture {
  public:
-  /// `mips` draws the levels; textures share one.
+  /// `mips` makes the levels; textures share it.
   SurfaceTexture(const TextureUse& use, bool srgb, std::shared_ptr<MipLevels> mips);
   ~SurfaceTexture() { release(); }
   SurfaceTexture(const SurfaceTexture&) = delete;
   SurfaceTexture& operator=(const SurfaceTexture&) = delete;
 
-  /// The context must be current; likewise for release().
+  /// The context must be current, also for release().
   GLuint handle() const;
   void release() const;
-  /// On the graphics side, mip levels included; 0 before the upload.
+  /// GPU memory including mip levels; 0 before the upload.
   std::size_t bytes() const;
 
   const ImageRgba8& image() const { return *image_; }
@@ -68,12 +68,12 @@ enum SurfaceSlotIndex {
   kFilmThicknessSlot,
   kSurfaceSlots
 };
-/// As they are called in shaders.
+/// Their names in shaders.
 const std::array<const char*, kSurfaceSlots>& surfaceSlotNames();
 
 struct SurfaceMaterial {
   std::array<SurfaceSlot, kSurfaceSlots> slots;
-  std::array<bool, 2> uv{};  ///< which sets of coordinates the textures read
+  std::array<bool, 2> uv{};  ///< which sets of coordinates the textures use
   bool colors = false;
   bool tangents = false;
   bool unlit = false;
@@ -86,11 +86,11 @@ struct SurfaceMaterial {
   GlassSurface glass;
   MaterialFinish finish;
 
-  /// Does its program draw a finish? What transmits light has none.
+  /// Does its program draw a finish? Materials that transmit light have none.
   bool finished() const { return finish.any() && !unlit && !glass.drawn; }
   bool brushed() const { return finished() && finish.isAnisotropic() && tangents; }
 
-  /// What its program is written for, facts apart: equal texts share one.
+  /// The key of its program without facts: equal texts share one.
   std::string programKey() const;
 };
 

@@ -27,7 +27,7 @@ GLuint makeTexture(int width, int height, GLint format, GLenum channels, bool le
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  // Depths of two surfaces have no mean.
+  // Depths of two surfaces must not be averaged.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, levels ? GL_LINEAR : GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, levels ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));

@@ -1,6 +1,5 @@
-// What glass is looked through at: a copy of the opaque part of a frame, colour with mip levels and depth, because a
-// framebuffer cannot be read while it is drawn into. Called by vtkPicturePass; knows no scene. Every function needs the
-// window's context current.
+// A copy of the opaque part of a frame, to be seen through glass: colour with mip levels, and depth. A framebuffer
+// cannot be read while it is drawn to. Every function needs the window's context current.
 #pragma once
 
 #include "filters/vtk/draw/pass_settings.h"
@@ -16,12 +15,12 @@ class BehindFrame {
   BehindFrame(const BehindFrame&) = delete;
   BehindFrame& operator=(const BehindFrame&) = delete;
 
-  /// Copies what `frame` holds, its samples resolved: premultiplied by coverage, so that levels mix nothing in where
-  /// nothing was drawn. Throws WorkError if the driver refuses.
+  /// Copies the resolved contents of `frame`, premultiplied by coverage, so that empty pixels do not contribute to mip
+  /// levels. Throws WorkError if the driver refuses.
   BehindPicture take(vtkOpenGLRenderWindow* window, const FrameTarget& frame);
-  /// The copy's memory; the next take() has it again. The context must be current.
+  /// Releases the copy's memory; the next take() allocates it again. The context must be current.
   void releaseTextures();
-  /// And the program, before the context goes.
+  /// Releases the program as well, before the context is destroyed.
   void release();
 
  private:

@@ -1,5 +1,5 @@
-// Triangles of meshes on the graphics side, positions alone, each uploaded once: for passes that draw depth and nothing
-// else. Every function needs the window's context current. Knows no scene.
+// Positions of meshes' triangles on the GPU, each uploaded once, for depth-only passes. Every function needs the
+// window's context current.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ class DepthGeometry {
   DepthGeometry(const DepthGeometry&) = delete;
   DepthGeometry& operator=(const DepthGeometry&) = delete;
 
-  /// With the current program, whose attribute bpPosition is bound to location 0. `model` owns the mesh.
+  /// Draws with the current program, whose attribute bpPosition must be bound to location 0. `model` owns the mesh.
   void draw(const std::shared_ptr<const Model>& model, std::size_t mesh);
   void release();
 

@@ -24,7 +24,7 @@ void FrameAverage::add(vtkOpenGLRenderWindow* window, const FrameTarget& frame) 
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, sums.framebuffer());
   state->vtkglViewport(0, 0, frame.width(), frame.height());
   if (frames_ > 0) {
-    // The first frame overwrites: whatever was there may not even be a number.
+    // The first frame overwrites the contents, which may be NaN.
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   }

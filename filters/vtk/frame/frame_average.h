@@ -1,5 +1,4 @@
-// The mean of the frames of a picture in linear light: sums of what each frame drew. Called by vtkPicturePass, which
-// decides when a picture begins again; knows no scene.
+// Averages the frames of a picture in linear light by summing them.
 #pragma once
 
 #include <array>
@@ -14,19 +13,19 @@ class FrameAverage {
  public:
   explicit FrameAverage(Counters* counters);
 
-  /// The next frame is the first, of a picture that replaces nothing.
+  /// The next frame is the first of a new picture.
   void restart() { frames_ = framesBefore_ = 0; }
-  /// The next frame is the first of a mean that will replace this one.
+  /// The next frame is the first of an average that will replace the current one.
   void promote();
   int frames() const { return frames_; }
-  /// Adds colour, and the sampled reflection where the frame keeps that apart.
+  /// Adds colour, and the sampled reflection if the frame has it separately.
   void add(vtkOpenGLRenderWindow* window, const FrameTarget& frame);
   /// Sums, to be divided by frames(): attachment 0 colour, 1 the sampled reflection.
   const FrameTarget& sums() const { return targets_[at_]; }
-  /// The same of the mean before; framesBefore() of 0: there is none.
+  /// The same for the previous average; framesBefore() of 0: there is none.
   const FrameTarget& sumsBefore() const { return targets_[1 - at_]; }
   int framesBefore() const { return framesBefore_; }
-  /// The mean's colours, read back: RGBA, from the lower left.
+  /// The averaged colours, read back: RGBA, from the lower left.
   std::vector<float> mean(vtkOpenGLRenderWindow* window) const;
   std::vector<float> meanBefore(vtkOpenGLRenderWindow* window) const;
   void releaseSums();

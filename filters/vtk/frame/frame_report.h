@@ -1,5 +1,5 @@
-// What a frame does and what it leaves out, as plain values: which object is drawn with which probes, how many
-// programs, lookups and bytes that takes. Made by the scene renderer, shown by `info --frame` and the window.
+// What the last frame drew and omitted: the probes of each object, and the number of programs, lookups and bytes. Shown
+// by `info --frame` and the window.
 #pragma once
 
 #include <array>
@@ -13,34 +13,34 @@ namespace boxprobe {
 struct FrameReport {
   struct Share {
     std::string probe;
-    double weight = 0.0;  ///< of the object's bounds as a whole; the pixels' own weights vary about it
+    double weight = 0.0;  ///< for the object's bounds as a whole; pixels have their own weights
   };
   struct Object {
     std::string node, material;
-    bool drawn = false;  ///< false: out of the view, or hidden behind others
+    bool drawn = false;  ///< false: outside the view, or hidden
     bool unlit = false;
-    std::vector<Share> probes;  ///< most important first
+    std::vector<Share> probes;  ///< in order of decreasing importance
     double sky = 1.0;
-    std::size_t leftOut = 0;  ///< probes that reach it beyond those a draw can have
-    bool weights = false;     ///< are there weights to compute?
-    std::string variant;      ///< objects of the same share a program, textures apart
+    std::size_t leftOut = 0;  ///< probes that reach it beyond the maximum of a draw
+    bool weights = false;     ///< are weights computed?
+    std::string variant;      ///< objects with equal keys share a program, whatever their textures
   };
   struct ProbeUse {
     std::string name;
     std::size_t objects = 0;      ///< visible ones that it lights
-    std::size_t drawn = 0;        ///< of those, in this frame
-    std::size_t bytes = 0;        ///< on the graphics side, 0: nothing is there
+    std::size_t drawn = 0;        ///< of those, drawn in this frame
+    std::size_t bytes = 0;        ///< GPU memory; 0: it has none
     std::size_t levels = 0;       ///< of its chain
-    std::size_t notFiltered = 0;  ///< of those: left out, because no material samples them
+    std::size_t notFiltered = 0;  ///< of those: not filtered, because no material samples them
   };
   /// A planar mirror of the scene.
   struct MirrorUse {
     std::string node;
     bool drawn = false;
-    std::string why;            ///< not drawn: the reason, as the end of a sentence
+    std::string why;            ///< if not drawn: the reason, as the end of a sentence
     int width = 0, height = 0;  ///< texels of its picture
-    std::size_t objects = 0;    ///< that move, in it
-    std::size_t hiding = 0;     ///< that stand still and may hide those, in depth alone
+    std::size_t objects = 0;    ///< moving objects in it
+    std::size_t hiding = 0;     ///< static objects that may hide those, drawn as depth only
   };
   struct Lookups {
     double mean = 0.0;  ///< over the pixels that show a surface
@@ -50,25 +50,25 @@ struct FrameReport {
   std::vector<ProbeUse> probes;
   std::vector<MirrorUse> mirrors;
   std::array<std::size_t, 5> drawsByProbeCount{};
-  bool skyLeftOut = false;      ///< the view rests, and objects cover all of it
-  std::size_t variants = 0;     ///< among the objects that are drawn
-  std::size_t mirrorBytes = 0;  ///< of the planar mirrors' pictures, not in `bytes`
-  std::size_t bytes = 0;        ///< of all maps, those kept for undo included
+  bool skyLeftOut = false;      ///< the view is at rest, and objects cover all of it
+  std::size_t variants = 0;     ///< among the objects that were drawn
+  std::size_t mirrorBytes = 0;  ///< of the planar mirrors' pictures, not included in `bytes`
+  std::size_t bytes = 0;        ///< of all maps, including those kept for undo
   std::optional<Lookups> lookups;
 };
 
-/// An OpenGL program of the last frame and the objects that it drew.
+/// An OpenGL program of the last frame, and the objects it drew.
 struct DrawnProgram {
   struct Object {
-    std::size_t index = 0;  ///< its place among the renderer's objects, until the models change
+    std::size_t index = 0;  ///< in the renderer's list of objects, until the models change
     std::string node;
   };
   std::vector<Object> objects;
 };
 
-/// What the pictures of planar mirrors that were drawn took, one sentence each.
+/// The cost of the planar mirrors' pictures that were drawn, one sentence each.
 std::vector<std::string> mirrorLines(const FrameReport& report);
-/// What the frame did not have to do, one sentence each.
+/// Work that the frame could skip, one sentence each.
 std::vector<std::string> skippedLines(const FrameReport& report);
 /// Objects that more probes reach than a draw can have, one sentence each.
 std::vector<std::string> leftOutLines(const FrameReport& report);

@@ -34,8 +34,7 @@ MirrorPainter::MirrorPainter(vtkOpenGLRenderWindow* window, std::shared_ptr<Draw
 
 MirrorPainter::~MirrorPainter() = default;
 
-// A material's mask has to be
-// sampled even for depth; anything else is drawn for depth without light.
+// A mask of a material has to be sampled even for depth; everything else is drawn for depth without lighting.
 vtkProp* MirrorPainter::twinOf(std::size_t index, bool depthOnly) {
   const DrawnObject& object = content_->objects[index];
   const bool masked = object.material.alphaMode == AlphaMode::Mask;
@@ -92,7 +91,7 @@ void MirrorPainter::paint(const PictureView& view, const glm::dvec4& heightPlane
   renderer_->RemoveAllLights();
   for (vtkLight* light : content_->lightPointers()) renderer_->AddLight(light);
 
-  // Normals turn into view space by the view's rotation; relative to the eye there is no translation.
+  // Normals are transformed by the view's rotation; relative to the eye there is no translation.
   const glm::dvec3 normalView(view.viewFromEye() * glm::dvec4(glm::dvec3(heightPlane), 0.0));
   const PassScope scope(*state_, renderer_, camera(view), [&](PassSettings& pass) {
     pass.heightPlaneView = glm::vec4(glm::vec3(normalView), static_cast<float>(heightPlane.w));

@@ -1,8 +1,7 @@
-// Draws what a planar mirror shows of objects that move. First everything that stands still and may hide them, into
-// depth alone and by a program that does nothing: a pillar between the mirror and a figure hides it exactly, at any
-// distance, which a comparison with a probe's distances (one origin, its own resolution) could not; measured, it costs
-// a fraction of the figure. Then the objects themselves, lit as in the picture by programs of their own, so that those
-// of the picture stay as they are. Called by the mirror set; decides nothing.
+// Draws a planar mirror's picture of moving objects. First all static objects that may hide them, as depth only with an
+// empty fragment program: so a pillar between mirror and figure hides it exactly, at any distance, which a comparison
+// with a probe's distances (one origin, limited resolution) could not; it costs a fraction of the figure. Then the
+// objects themselves, lit as in the picture by separate programs, so that the picture's programs stay unchanged.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -26,14 +25,14 @@ class MirrorPainter {
   MirrorPainter(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, const SceneContent* content);
   ~MirrorPainter();
 
-  /// `moving` and `hiding`: indices of the content's objects. `view` is the mirrored one; `heightPlane` (world, of
-  /// positions relative to its eye) gives heights in parts of the highest.
+  /// `moving` and `hiding`: indices of the content's objects. `view`: the mirrored one; `heightPlane` (world, for
+  /// positions relative to its eye) gives heights relative to the maximum.
   void paint(const PictureView& view, const glm::dvec4& heightPlane, const std::vector<std::size_t>& moving,
              const std::vector<std::size_t>& hiding, MirrorTarget& target);
 
-  /// The view as VTK's camera has it; valid until the next call.
+  /// The view as a VTK camera; valid until the next call.
   vtkCamera* camera(const PictureView& view);
-  /// The objects were replaced.
+  /// To be called when the objects were replaced.
   void forgetObjects() { twins_.clear(); }
   void release();
 
@@ -46,7 +45,7 @@ class MirrorPainter {
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<vtkTargetPass> pass_;
   vtkSmartPointer<vtkCamera> camera_;
-  std::map<std::pair<std::size_t, bool>, vtkSmartPointer<vtkActor>> twins_;  ///< by object; true: depth alone
+  std::map<std::pair<std::size_t, bool>, vtkSmartPointer<vtkActor>> twins_;  ///< by object; true: depth only
 };
 
 }  // namespace boxprobe

@@ -33,13 +33,13 @@ double highest(const Box& box, const MirrorPlane& plane) {
   return glm::dot(box.center() - plane.center, plane.normal) + glm::dot(0.5 * box.size(), glm::abs(plane.normal));
 }
 
-/// Along a direction from a place: the nearest and the farthest of a box.
+/// The nearest and farthest distance of a box along a direction from a position.
 glm::dvec2 depths(const Box& box, const glm::dvec3& from, const glm::dvec3& along) {
   const double middle = glm::dot(box.center() - from, along), half = glm::dot(0.5 * box.size(), glm::abs(along));
   return {middle - half, middle + half};
 }
 
-/// Its bounds in the picture from -1 to 1; everything if a corner lies behind the eye.
+/// A box's bounds in the picture from -1 to 1; everything if a corner is behind the eye.
 struct ScreenBounds {
   glm::dvec2 low{1.0e300}, high{-1.0e300};
   void add(const Box& box, const PictureView& view) {
@@ -62,7 +62,7 @@ struct ScreenBounds {
   }
 };
 
-/// Roughness comes as single precision: 0.3 of a material is not above 0.3.
+/// Roughness is single precision: a material's 0.3 must not exceed 0.3.
 bool tooRough(double roughness, const PlanarMirror& settings) {
   return static_cast<float>(roughness) > static_cast<float>(settings.maxRoughness);
 }
@@ -71,8 +71,8 @@ double texelSize(const PictureView& view) {
   return 2.0 / (std::fabs(view.clipFromView[1][1]) * view.height);
 }
 
-/// Pixels around the mirror that its rays reach: what the widest of them meets at that height, seen from the eye. No
-/// more than a quarter of the picture: the tail of a wide lobe is worth less than what it would cost.
+/// Pixels around the mirror that its rays reach: where the widest of them ends at that height, seen from the eye. At
+/// most a quarter of the picture, because the tail of a wide lobe is not worth its cost.
 double blurMargin(const PictureView& view, const MirrorPlane& plane, double roughness, double farHeight) {
   if (roughness < 1.0e-3) return 0.0;
   const double spread = std::tan(std::min(2.0 * roughness * roughness, 1.2));
@@ -137,7 +137,7 @@ void MirrorSet::update() {
       if (!plane) continue;
       mirror.plane = *plane;
     } catch (const InputError& error) {
-      // A window goes on without it: the box beside the mirror's name says why.
+      // The window continues without it; the message beside the mirror's name gives the reason.
       if (problem_.empty()) problem_ = error.what();
       continue;
     }
@@ -161,7 +161,7 @@ void MirrorSet::update() {
     if (!mirror.usable) mirror.target->release();
     mirrors_.push_back(std::move(mirror));
   }
-  // Those that had a picture keep their program; the others get it with their first (see draw).
+  // Objects of mirrors with a picture keep their program; others get theirs with the first picture (see draw).
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     vtkProbePass* pass = content_->objects[i].pass;
     if (pass->GetMirror() != pictures[i]) pass->SetMirror(nullptr);
@@ -203,7 +203,7 @@ MirrorState MirrorSet::plan(std::size_t index, const PictureView& view, const st
   plan.mirror = index;
   plan.plane = mirror.plane;
   if (!mirror.settings.enabled) return MirrorState::Disabled;
-  // Without probes nothing is looked up, in no picture either.
+  // Without probes nothing is sampled, including mirrors' pictures.
   const ProbeBinding* binding = content_->objects[mirror.objects.front()].pass->GetDrawnBinding();
   if (binding == nullptr || binding->lighting != Lighting::Probes) return MirrorState::Disabled;
   if (tooRough(mirror.roughnessMin, mirror.settings)) return MirrorState::Rough;
@@ -214,7 +214,7 @@ MirrorState MirrorSet::plan(std::size_t index, const PictureView& view, const st
   plan.area = areaOf(part, view);
   plan.resolution = mirror.settings.resolution;
 
-  // What lies before the mirror, as far as its highest point; then what of that its view meets.
+  // Objects in front of the mirror, up to its highest point; then those of them in its view.
   const double rounding = 1.0e-9 * glm::distance(plan.plane.corners[0], plan.plane.corners[2]);
   std::vector<std::size_t> before;
   double far = 0.0, height = 0.0;
@@ -232,7 +232,7 @@ MirrorState MirrorSet::plan(std::size_t index, const PictureView& view, const st
   if (before.empty() || far <= 0.0) return MirrorState::NothingDynamic;
   plan.farHeight = height;
   const MirrorRect rect = mirroredRect(part, view, blurMargin(view, plan.plane, mirror.roughnessMax, height));
-  // A little farther: what lies in the far plane itself would be cut by rounding.
+  // Slightly farther: rounding would clip objects in the far plane itself.
   plan.view = mirroredView(plan.plane, view, rect, 1.01 * far);
   const ViewFrustum frustum(painter_.camera(plan.view), 1.0);
   for (const std::size_t i : before) {
@@ -241,7 +241,7 @@ MirrorState MirrorSet::plan(std::size_t index, const PictureView& view, const st
   return plan.moving.empty() ? MirrorState::NothingDynamic : MirrorState::Drawn;
 }
 
-// What stands still, before the mirror, nearer than the farthest that moves, and over it on the screen.
+// Static objects in front of the mirror, nearer than the farthest moving object, that overlap moving ones on screen.
 void MirrorSet::findHiding(Plan& plan, const std::vector<std::size_t>& own) {
   ScreenBounds moving;
   double far = 0.0;
@@ -253,7 +253,7 @@ void MirrorSet::findHiding(Plan& plan, const std::vector<std::size_t>& own) {
   for (std::size_t i = 0; i < content_->objects.size(); ++i) {
     const DrawnObject& object = content_->objects[i];
     if (!object.settings.visible || object.settings.dynamic) continue;
-    // Hides only in part, which depth cannot say.
+    // Partial transparency cannot be represented by depth.
     if (object.material.alphaMode == AlphaMode::Blend || object.surface->glass.drawn) continue;
     if (std::find(own.begin(), own.end(), i) != own.end()) continue;
     const Box box = worldBounds(object);
@@ -284,7 +284,8 @@ void MirrorSet::draw(vtkCamera* camera, double aspect, int width, int height, in
   for (Plan& p : plans) {
     const double wanted = static_cast<double>(p.view.width) * p.view.height * p.resolution * p.resolution;
     MirrorReport& report = reports_[p.mirror];
-    // One that does not fit is drawn coarser, down to half as many texels each way; beyond that it would only be mush.
+    // If its picture exceeds the budget it is drawn with a lower resolution, at least half along each axis; less would
+    // be too blurred.
     const double scale = wanted > left ? std::sqrt(std::max(left, 0.0) / wanted) : 1.0;
     if (scale < 0.5) {
       report.state = MirrorState::OverBudget;
@@ -301,7 +302,7 @@ void MirrorSet::draw(vtkCamera* camera, double aspect, int width, int height, in
     report.plane = p.plane;
     report.eye = p.view.eye;
   }
-  // Another program for those that have none: what a frame cannot show is not looked up in it either.
+  // Switches the programs of mirrors without a picture: what a frame cannot show must not be sampled.
   for (std::size_t i = 0; i < mirrors_.size(); ++i) {
     const Mirror& mirror = mirrors_[i];
     for (const std::size_t object : mirror.objects) {
@@ -321,7 +322,7 @@ void MirrorSet::paint(const Plan& plan, const PictureView& view, int samples) {
   state_->counts.counters.mirrors.texels +=
       static_cast<std::uint64_t>(mirror.target->width()) * static_cast<std::uint64_t>(mirror.target->rows());
 
-  // Positions relative to the eye, as the shader has them.
+  // Positions relative to the eye, as in the shader.
   glm::dmat4 toMirrored(1.0);
   toMirrored[3] = glm::dvec4(view.eye - plan.view.eye, 1.0);
   const glm::dmat4 clip = plan.view.clipFromView * plan.view.viewFromEye() * toMirrored;

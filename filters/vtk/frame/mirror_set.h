@@ -1,6 +1,6 @@
-// The planar mirrors of a scene at work: which have a picture in the frame at hand, which are left out and why, and how
-// large each is. A mirror's picture is drawn only if it can show, largest on the screen first, until the frame's texels
-// are spent. Owned by the scene renderer, which draws the pictures before each frame and takes them back after it.
+// Chooses which planar mirrors of a scene have a picture in the current frame, and its size; others are skipped for a
+// recorded reason. A picture is drawn only if it would be visible, the largest on screen first, until the frame's
+// texels are used up. Pictures are drawn before each frame and withdrawn after it.
 #pragma once
 
 #include <memory>
@@ -13,40 +13,40 @@
 
 namespace boxprobe {
 
-/// What became of a mirror in the last frame.
+/// The state of a mirror in the last frame.
 enum class MirrorState { NotDrawn, Drawn, Disabled, Rough, FacingAway, NotInView, NothingDynamic, OverBudget };
 
-/// Why it has no picture, as the end of a sentence; empty if it has.
+/// Why it has no picture, as the end of a sentence; empty if it has one.
 const char* mirrorStateText(MirrorState state);
 
 struct MirrorReport {
   std::string node;
   MirrorState state = MirrorState::NotDrawn;
   int width = 0, height = 0;  ///< texels of the picture
-  std::size_t objects = 0;    ///< that move, in it
-  std::size_t hiding = 0;     ///< that stand still and may hide them
+  std::size_t objects = 0;    ///< moving objects in it
+  std::size_t hiding = 0;     ///< static objects that may hide them
   MirrorPlane plane;
-  glm::dvec3 eye{0.0};  ///< the mirrored one, while Drawn
+  glm::dvec3 eye{0.0};  ///< mirrored eye, if Drawn
 };
 
 class MirrorSet {
  public:
   MirrorSet(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, const SceneContent* content);
 
-  /// After objects, materials or mirrors of the scene changed: planes are found again, and the objects whose programs
-  /// look a picture up are told so.
+  /// To be called when objects, materials or mirrors have changed: finds planes, and marks the objects whose programs
+  /// sample a picture.
   void update();
-  /// Before a picture of `width` x `height` pixels through `camera` is drawn; the context must be current. `samples`:
-  /// those of a texel. Throws WorkError.
+  /// To be called before a picture of `width` x `height` pixels with `camera` is drawn; the context must be current.
+  /// `samples`: per texel. Throws WorkError.
   void draw(vtkCamera* camera, double aspect, int width, int height, int samples);
-  /// After it.
+  /// To be called after it.
   void hide();
-  /// Reads the shown picture of an object's mirror back, for explanations.
+  /// Reads back the current picture of an object's mirror, for explanations.
   void readBack();
 
   const std::vector<MirrorReport>& reports() const { return reports_; }
   std::size_t memoryBytes() const;
-  /// Empty, or why a mirror of the scene is none.
+  /// Empty, or why a mirror of the scene is invalid.
   const std::string& problem() const { return problem_; }
   void forgetObjects() { painter_.forgetObjects(); }
   void release();
@@ -56,18 +56,18 @@ class MirrorSet {
     std::string node;
     PlanarMirror settings;
     MirrorPlane plane;
-    std::vector<std::size_t> objects;  ///< of the content: more than one where it was divided
+    std::vector<std::size_t> objects;  ///< indices in the content: several for a divided object
     double roughnessMin = 1.0, roughnessMax = 0.0;
     bool bumpy = false;
-    bool usable = false;  ///< has a program that looks its picture up
+    bool usable = false;  ///< has a program that samples its picture
     std::shared_ptr<MirrorPicture> picture = std::make_shared<MirrorPicture>();
     std::unique_ptr<MirrorTarget> target = std::make_unique<MirrorTarget>();
   };
-  /// What a frame is going to draw for one mirror.
+  /// What a frame will draw for one mirror.
   struct Plan {
     std::size_t mirror = 0;
     MirrorPlane plane;
-    PictureView view;  ///< the mirrored one
+    PictureView view;  ///< the mirrored view
     double area = 0.0, farHeight = 0.0, resolution = 1.0;
     std::vector<std::size_t> moving, hiding;
   };

@@ -36,7 +36,7 @@ void MirrorTarget::allocate(int width, int height, int samples, bool mips) {
       glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, std::max(width >> level, 1), std::max(height >> level, 1), 0,
                    GL_RGBA, GL_HALF_FLOAT, nullptr);
     }
-    // Beyond the picture nothing moves.
+    // Outside the picture there are no moving objects.
     const GLfloat border[4] = {0.0f, 0.0f, 0.0f, 0.0f};
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
@@ -80,7 +80,7 @@ void MirrorTarget::clear(vtkOpenGLRenderWindow* window) {
   glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
-// The framebuffer's own setting: VTK does not know of it, whereas its colour mask VTK sets itself.
+// Draw buffers are a state of the framebuffer that VTK does not track, whereas it sets the colour mask itself.
 void MirrorTarget::drawColors(vtkOpenGLRenderWindow* window, bool colors) {
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();

@@ -1,5 +1,5 @@
-// What a planar mirror's picture is drawn into: half-float colour and height, four samples per texel resolved, with mip
-// levels. Called by the mirrors' painter; knows no scene. Every function needs the window's context current.
+// The render target of a planar mirror's picture: half-float colour and height with several samples per texel, resolved
+// to textures with mip levels. Every function needs the window's context current.
 #pragma once
 
 #include <array>
@@ -20,17 +20,17 @@ class MirrorTarget {
   MirrorTarget(const MirrorTarget&) = delete;
   MirrorTarget& operator=(const MirrorTarget&) = delete;
 
-  /// `samples`: 1 or several; `mips`: a whole chain, or the finest level alone. Keeps what it has when nothing differs.
-  /// Throws WorkError if the driver refuses.
+  /// `samples`: 1 or several; `mips`: a whole chain, or only the finest level. Does nothing if all values are
+  /// unchanged. Throws WorkError if the driver refuses.
   void allocate(int width, int height, int samples, bool mips);
   void release();
 
-  /// Transparent black, nothing near.
+  /// Clears to transparent black at the far plane.
   void clear(vtkOpenGLRenderWindow* window);
-  /// Draws go to depth alone, or to colour and height as well.
+  /// Draws go to depth only, or also to colour and height.
   void drawColors(vtkOpenGLRenderWindow* window, bool colors);
   GLuint framebuffer() const { return (samples_ > 1 ? sampled_ : resolved_).handle(); }
-  /// Brings what was drawn into the textures, all levels.
+  /// Resolves the samples into the textures, and makes all levels.
   void finish(vtkOpenGLRenderWindow* window);
 
   GLuint color() const { return textures_[0]; }

@@ -30,7 +30,7 @@ glm::dvec3 anyUp(const glm::dvec3& forward) {
 
 std::optional<glm::dmat4> movingMapFromWorld(const Light& light, const Box& casters) {
   const glm::dvec3 center = casters.center();
-  // Room for the filter's reach at the edges.
+  // With a margin for the filter at the edges.
   const double radius = std::max(0.5 * glm::length(casters.size()), 1.0e-6) * (1.0 + 8.0 / kMovingMapSize);
   const glm::dmat4 unit =
       glm::translate(glm::dmat4(1.0), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1.0), glm::dvec3(0.5));
@@ -117,7 +117,8 @@ void MovingShadows::drawMap(Map& map, const glm::dmat4& mapFromWorld) {
   state->vtkglDepthFunc(GL_LESS);
   state->vtkglClearDepth(1.0);
   state->vtkglClear(GL_DEPTH_BUFFER_BIT);
-  // A slanted surface must not shadow itself: by the depth a texel spans, and a little of what 24 bits resolve.
+  // Prevents self-shadowing of slanted surfaces: an offset by the depth range of a texel, and a little of the 24-bit
+  // resolution.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(2.0f, 8.0f);
   const glm::dmat4 clip =

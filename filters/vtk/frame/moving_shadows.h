@@ -1,6 +1,6 @@
-// Shadow maps of what moves: a depth map for each light whose shadows want one, of the objects that baked probes leave
-// out, drawn when one of them or the light has moved. Where nothing moves, or no such light shines, there is no map.
-// The map lies tightly about what moves: beyond its edges there is no shadow, and what lies behind it is in it.
+// Shadow maps of moving objects: a depth map per light that requests one, of the objects that baked probes leave out,
+// redrawn when one of them or the light has moved. There is no map without moving objects or such lights. The map
+// encloses the moving objects tightly: outside its edges there is no shadow, and everything behind them is in shadow.
 #pragma once
 
 #include <deque>
@@ -16,7 +16,7 @@ class vtkShaderProgram;
 
 namespace boxprobe {
 
-/// Of the light's map, world to [0, 1]³. Nothing for a light amid what moves.
+/// Transform from the world to the light's map, [0, 1]³. Nothing for a light among the moving objects.
 std::optional<glm::dmat4> movingMapFromWorld(const Light& light, const Box& casters);
 
 class MovingShadows {
@@ -24,7 +24,7 @@ class MovingShadows {
   MovingShadows(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, const SceneContent* content);
 
   void sceneChanged() { stale_ = true; }
-  /// Draws what is stale into the state's maps; the window's context is current.
+  /// Draws outdated maps of the state; needs the window's context current.
   void update();
   void release();
 

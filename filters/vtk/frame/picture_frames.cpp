@@ -11,13 +11,13 @@ namespace boxprobe {
 
 namespace {
 
-// The same object still, or both none: an address alone may have been used again.
+// The same object, or both empty: an address alone might have been reused.
 template <typename T>
 bool sameOwner(const std::weak_ptr<T>& a, const std::weak_ptr<T>& b) {
   return !a.owner_before(b) && !b.owner_before(a);
 }
 
-// How many rays of the lobe a frame by the technique is as near to the truth as.
+// The number of lobe rays whose error a technique's frame matches.
 int raysWorth(const Technique& technique) {
   const std::string_view id = evaluationRows()[static_cast<std::size_t>(technique.evaluation)].id;
   return id == "footprint8" || id == "footprint16" ? 64 : id == "footprint4" ? 16 : 4;
@@ -58,7 +58,7 @@ int PictureFrames::blurredRays() const {
   return rays;
 }
 
-// Not where the renderer culls objects itself, which it does only without a pass: they would be missing.
+// Not if the renderer culls objects itself, which it only does without a pass: they would be missing.
 bool PictureFrames::looksBehind() const {
   if (content_->many) return false;
   return std::any_of(content_->objects.begin(), content_->objects.end(),
@@ -98,7 +98,7 @@ PictureFrames::Key PictureFrames::key() const {
   key.size = {size[0], size[1], window_->GetMultiSamples()};
   for (const DrawnObject& object : content_->objects) {
     if (!object.settings.visible) continue;
-    // The binding that was set, not the one drawn: a cheaper picture in between leaves this one as it is.
+    // The binding that was set, not the one drawn: a cheaper picture in between does not invalidate this one.
     key.bindings.push_back(object.pass->GetSharedBinding());
     const ProbeBinding* binding = object.pass->GetBinding();
     if (binding == nullptr) continue;
@@ -157,7 +157,7 @@ void PictureFrames::beginRefinement(vtkPicturePass* pass, const RefineSettings& 
   pass->Share = [this](int frames) { return stages_.share(frames); };
 }
 
-// Before a frame: what it draws. False if there is nothing to add to what there is.
+// Decides, before a frame, what it draws. False if there is nothing to add.
 bool PictureFrames::advance(vtkPicturePass* pass, bool hold) {
   const int frames = pass->GetFrames();
   const int wanted = guessing_ ? 1 : stages_.frames();
@@ -175,7 +175,7 @@ bool PictureFrames::advance(vtkPicturePass* pass, bool hold) {
   return pass->GetFrames() < pass->Limit;
 }
 
-// The picture through the pass, in the window.
+// Draws the picture through the pass, in the window.
 void PictureFrames::show(int rays, bool behind) {
   screen_->Props = content_->shownProps(renderer_);
   screen_->Props.push_back(content_->sky);
@@ -226,7 +226,7 @@ void PictureFrames::beginFrame(bool plain, bool hold) {
   }
   if (!screen_) screen_ = makePass();
   Key now = key();
-  // A picture that nothing averages is drawn whenever it is asked for, as without the pass.
+  // A picture without averaging is drawn whenever it is requested, as without the pass.
   if (!(now == shown_) || (frames == 0 && rays == 0)) {
     screen_->Restart();
     shown_ = std::move(now);
@@ -243,7 +243,7 @@ vtkPicturePass* PictureFrames::refinedPass(const RefineSettings& settings) {
   linear_->BlurredRays = 0;
   linear_->Sky = content_->sky;
   beginRefinement(linear_, settings);
-  tried_ = refining_ = false;  // the window's begins again
+  tried_ = refining_ = false;  // the window's refinement starts again
   linear_->Advance = [this] { return linear_->GetFrames() == 0 || advance(linear_, false); };
   return linear_;
 }

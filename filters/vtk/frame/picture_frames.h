@@ -1,6 +1,5 @@
-// Pictures that are means of frames, or whose reflections are smoothed: says when a frame continues the picture before
-// it and when it begins another, so that nothing of an earlier moment is ever left in it. Owned by the scene renderer;
-// while no technique asks for it, nothing of it exists on the graphics side.
+// Controls pictures that average frames or smooth reflections: decides whether a frame continues the previous picture
+// or starts a new one, so that no earlier state remains visible. Uses no GPU resources until a technique needs it.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -24,32 +23,32 @@ class PictureFrames {
   PictureFrames(vtkOpenGLRenderWindow* window, vtkCulledRenderer* renderer, std::shared_ptr<DrawState> state,
                 const SceneContent* content);
 
-  /// The scene is another one than in the frame before.
+  /// The scene differs from that of the previous frame.
   void sceneChanged() { ++generation_; }
-  /// Before each frame of the window, whose surfaces are then as they will be drawn. `plain`: no surface shows a
-  /// picture of a technique (a debug view). `hold`: captures come first, a refinement waits for them.
+  /// To be called before each frame of the window, with the surfaces as they will be drawn. `plain`: no surface shows a
+  /// technique's picture (a debug view). `hold`: captures are pending, and refinement waits for them.
   void beginFrame(bool plain, bool hold);
-  /// Does a technique that is drawn ask for a mean of frames?
+  /// Does a technique that is drawn average frames?
   bool averages() const { return raysAFrame() > 0; }
   FrameCount count() const;
-  /// In place of what the techniques' numbers of rays ask for.
+  /// Overrides the number of frames that follows from the techniques' rays.
   void setLimit(std::optional<int> frames) { limit_ = frames; }
-  /// Frames go on to the truth from the next one on, as long as nothing changes (refinement.h).
+  /// Starts refinement with the next frame, as long as nothing changes (refinement.h).
   void refine(const RefineSettings& settings);
   const RefineSettings& refineSettings() const { return settings_; }
-  /// What the window's picture, or the last linear one, has come to.
+  /// The progress of the window's picture, or of the last linear one.
   const Refinement& refinement() const { return stages_; }
-  /// Whatever draws next draws by the techniques; a refined picture goes on with its next frame.
+  /// The next draws use the techniques; a refined picture continues with its next frame.
   void dropRays();
-  /// For a linear picture that is refined; null if the plain way draws the same. To be given back when it is drawn.
+  /// For a refined linear picture; null if the plain way draws the same. Must be returned after drawing.
   vtkPicturePass* refinedPass(const RefineSettings& settings);
-  /// For a linear picture of `frames` frames; null if the plain way draws the same. To be given back when it is drawn.
+  /// For a linear picture of `frames` frames; null if the plain way draws the same. Must be returned after drawing.
   vtkPicturePass* linearPass(int frames);
   void releaseLinear();
   void release();
 
  private:
-  /// What a frame shows: equal keys, equal pictures but for the pattern of the rays.
+  /// What a frame shows: equal keys mean equal pictures, except for the pattern of the rays.
   struct Key {
     int generation = 0;
     std::array<double, 12> camera{};
@@ -67,7 +66,7 @@ class PictureFrames {
   int wanted() const;
   vtkSmartPointer<vtkPicturePass> makePass() const;
   void setRays(RefinedRays rays);
-  /// Rays that the techniques' own frame is worth; 0: there is nothing to refine.
+  /// The number of rays that the techniques' own frame is worth; 0: there is nothing to refine.
   int firstGuess() const;
   void beginRefinement(vtkPicturePass* pass, const RefineSettings& settings);
   bool advance(vtkPicturePass* pass, bool hold);
@@ -83,9 +82,9 @@ class PictureFrames {
   std::optional<int> limit_;
   RefineSettings settings_;  ///< of the window's picture
   Refinement stages_;
-  bool refining_ = false;  ///< the window's picture, since it is as it is
-  bool tried_ = false;     ///< whether there is anything to refine was asked for what is shown
-  bool guessing_ = false;  ///< the frame is the technique's own
+  bool refining_ = false;  ///< refines the window's current picture
+  bool tried_ = false;     ///< checked whether there is anything to refine
+  bool guessing_ = false;  ///< the current frame is the technique's own
   Key shown_;
 };
 

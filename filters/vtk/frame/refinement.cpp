@@ -11,13 +11,13 @@ namespace boxprobe {
 namespace {
 
 constexpr int kFirstStage = 16, kTimes = 4;
-// So few that a frame does not keep a hand waiting that takes the camera again.
+// Few enough that a frame does not delay the next camera movement.
 constexpr int kMostAFrame = 8;
-// A stage of 4 times the rays has about half of the error of the one before; what is left is then as much as they
-// differ by, and more where both miss the same.
+// A stage with 4 times the rays has about half of the error of the previous one; the remaining error then equals their
+// difference, and is larger where both miss the same light.
 constexpr double kLeftOfChange = 1.2;
 
-// None that is worse than the frame it replaces.
+// Omits stages that would be worse than the frame they replace.
 std::vector<int> stagesTo(int rays, int firstGuess) {
   std::vector<int> stages;
   int first = kFirstStage;
@@ -46,7 +46,7 @@ void Refinement::begin(const RefineSettings& settings, int firstGuess) {
   left_ = -1.0;
 }
 
-// The technique's own frame is of another kind: what the first stage changes says nothing of what it leaves.
+// The technique's own frame is of another kind: the first stage's change does not predict the remaining error.
 void Refinement::endStage(const PictureChange& change) {
   const bool first = stage_ == 0;
   if (!first) left_ = kLeftOfChange * change.relativeRms;
@@ -100,7 +100,7 @@ PictureChange pictureChange(const std::vector<float>& before, const std::vector<
       most = std::max(most, std::abs(shown(exposure * b) - shown(exposure * a)));
     }
     steps.push_back(static_cast<float>(most));
-    // What no ray reached is the same to rounding.
+    // Pixels that no ray reached are equal up to rounding.
     if (!(change > 1.0e-10 * square)) continue;
     changes += change;
     squares += square;

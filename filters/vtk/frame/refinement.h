@@ -1,7 +1,7 @@
-// How a picture at rest goes on to the truth: stages of 16, 64, 256 rays a pixel and more, or from 64 on, each a mean
-// of frames whose rays are blurred for the number of the stage. A stage grows into the picture of the one before as its
-// rays come in, in place of which it stands at its end. So an end is the same however it was reached, nothing jumps,
-// and what two stages differ by tells how much is left. Arithmetic alone; called by PictureFrames, knows no graphics.
+// Refines a picture at rest in stages of 16, 64, 256 rays per pixel and more, or from 64 on; each averages frames whose
+// rays are blurred for the number of the stage. A stage is blended with the previous one as its rays come in, and has
+// replaced it at its end. So the result does not depend on how it was reached, nothing jumps, and the difference of two
+// stages estimates the remaining error.
 #pragma once
 
 #include <vector>
@@ -11,25 +11,25 @@
 namespace boxprobe {
 
 struct RefineSettings {
-  int rays = 0;        ///< a pixel, in the last stage; 0: no refinement
-  double until = 0.0;  ///< relative error estimated to be left that is small enough; 0: only `rays` end it
+  int rays = 0;        ///< per pixel, in the last stage; 0: no refinement
+  double until = 0.0;  ///< stop at this estimated relative error; 0: only `rays` ends it
   bool operator==(const RefineSettings& o) const { return rays == o.rays && until == o.until; }
 
   static constexpr int kRays = 256;
   static constexpr int kMostRays = 16384;
 };
 
-/// What a refined picture has come to.
+/// The progress of a refined picture.
 struct RefineState {
-  int rays = 0;        ///< of the last stage that is complete
-  bool more = false;   ///< further rays are to come
-  double left = -1.0;  ///< relative error of what rays can change that is estimated to be left; below 0: not known
+  int rays = 0;        ///< of the last complete stage
+  bool more = false;   ///< further rays will follow
+  double left = -1.0;  ///< estimated remaining relative error, of what rays can change; negative: unknown
 };
 
-/// How far apart two pictures are, over the pixels that differ at all.
+/// The difference of two pictures, over the pixels that differ.
 struct PictureChange {
   double relativeRms = 0.0;   ///< root of the sum of squared differences over that of the squares
-  double stepsOf8Bits = 0.0;  ///< of the 999th of 1000 pixels, in display colours
+  double stepsOf8Bits = 0.0;  ///< 99.9 % quantile over pixels, in display colours
   bool operator==(const PictureChange& o) const {
     return relativeRms == o.relativeRms && stepsOf8Bits == o.stepsOf8Bits;
   }
@@ -37,26 +37,26 @@ struct PictureChange {
 
 class Refinement {
  public:
-  /// Begins anew. `firstGuess`: how many rays the technique's own frame is worth.
+  /// Starts. `firstGuess`: the number of rays that the technique's own frame is worth.
   void begin(const RefineSettings& settings, int firstGuess);
-  /// The stage at hand has all its frames. Goes on to the next, or ends.
+  /// To be called when the current stage has all its frames. Advances to the next, or ends.
   void endStage(const PictureChange& change);
-  /// Are there frames to draw, after the technique's own one?
+  /// Are there frames to draw after the technique's own?
   bool more() const { return stage_ < stages_.size(); }
 
-  /// Of the stage at hand.
+  /// Of the current stage.
   RefinedRays rays() const;
   int frames() const;
-  /// The share of its mean in the picture, once it has so many frames.
+  /// The weight of its average in the picture after `framesDone` frames.
   double share(int framesDone) const;
 
-  /// Frames in all, and of the stages that are complete.
+  /// Frames in total; below, those of the complete stages.
   int framesInAll() const;
   int framesBefore() const;
   int raysDone() const { return stage_ == 0 ? 0 : stages_[stage_ - 1]; }
-  /// The relative error that is left after the last complete stage, of what rays can change; below 0: not known yet.
+  /// The relative error remaining after the last complete stage, of what rays can change; negative: unknown.
   double left() const { return left_; }
-  /// A change this small does not show.
+  /// Smaller changes are invisible.
   static constexpr double kNothingShows = 0.5;
 
  private:

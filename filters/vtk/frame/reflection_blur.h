@@ -1,6 +1,5 @@
-// Smooths the sampled reflections of a picture, apart from everything else in it and not across edges of surfaces.
-// Called by vtkPicturePass with what a frame keeps apart (shaders/gpu/reflection_apart.glsl); knows no scene. The
-// window's context must be current.
+// Smooths the sampled reflections of a picture, separate from everything else in it
+// (shaders/gpu/reflection_apart.glsl), and not across surface edges. Needs the window's context current.
 #pragma once
 
 #include "filters/vtk/gl/frame_target.h"
@@ -14,11 +13,11 @@ class ReflectionBlur {
  public:
   explicit ReflectionBlur(Counters* counters);
 
-  /// `sums`: of `frames` frames, colour and sampled reflection. `surfaces`: one of these frames. `rays`: a pixel, of
+  /// `sums`: colour and sampled reflection of `frames` frames. `surfaces`: one of these frames. `rays`: per pixel, in
   /// all frames together.
   void draw(vtkOpenGLRenderWindow* window, vtkCamera* camera, const FrameTarget& sums, int frames,
             const FrameTarget& surfaces, int rays);
-  /// The picture, a mean.
+  /// The averaged picture.
   GLuint color() const { return smoothed_.texture(0); }
   void releaseTargets();
   void release();

@@ -53,7 +53,7 @@ void vtkPicturePass::Render(const vtkRenderState* s) {
   try {
     this->RenderPicture(s);
   } catch (const boxprobe::Error& error) {
-    // An exception must not pass through VTK's renderer, which would stay in the middle of a frame.
+    // An exception must not propagate through VTK's renderer, which would stay in the middle of a frame.
     this->State->counts.fail(error.what());
   }
 }
@@ -62,7 +62,7 @@ void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
   vtkRenderer* renderer = s->GetRenderer();
   std::vector<vtkProp*> pictured = this->Props, others;
   if (this->Framebuffer == 0) {
-    // In the renderer's order, less what its cullers took out; objects that it culls itself are none of its props.
+    // In the renderer's order without culled props; objects that the renderer culls itself are not among its props.
     if (!this->Culled) pictured.clear();
     const std::unordered_set<vtkProp*> all(this->Props.begin(), this->Props.end());
     for (int i = 0; i < s->GetPropArrayCount(); ++i) {
@@ -74,8 +74,8 @@ void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
       }
     }
   }
-  // Enough frames: what there is is shown again. But what is drawn on top is compared with its depth, so that has to be
-  // of the same range.
+  // All frames are done: the result is shown again. But what is drawn on top is compared with its depth, which must
+  // have the same range.
   const double* range = renderer->GetActiveCamera()->GetClippingRange();
   const bool complete = this->Average->frames() >= std::max(this->Limit, 1);
   if (!complete || !std::equal(range, range + 2, this->DepthRange)) {
@@ -97,8 +97,8 @@ void vtkPicturePass::RenderPicture(const vtkRenderState* s) {
   this->OnTop->Render(&onTop);
 }
 
-// Several samples per pixel resolved first would mix the surfaces at an edge, which smoothing has to tell apart: it is
-// done on a finer picture instead.
+// Resolving several samples per pixel first would mix surfaces at an edge, which smoothing has to distinguish: uses a
+// finer picture instead.
 int vtkPicturePass::Finer() const {
   return this->BlurredRays > 0 && this->Samples > 1 ? 2 : 1;
 }
@@ -119,8 +119,8 @@ void vtkPicturePass::DrawFrame(vtkRenderer* renderer, const std::vector<vtkProp*
   this->Frame.resolve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
 }
 
-// Opaque surfaces overwrite every attachment, and glass is looked through at them; the sky knows of the first
-// attachment alone; what is translucent is blended over both.
+// Opaque surfaces write every attachment, and are seen through glass; the sky writes only the first attachment;
+// translucent surfaces are blended over both.
 void vtkPicturePass::DrawInOrder(vtkRenderer* renderer, const std::vector<vtkProp*>& props) {
   std::vector<vtkProp*> opaque, sky, translucent;
   for (vtkProp* prop : props) {
@@ -134,7 +134,7 @@ void vtkPicturePass::DrawInOrder(vtkRenderer* renderer, const std::vector<vtkPro
     try {
       behind = this->BehindCopy->take(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()), this->Frame);
     } catch (const boxprobe::Error& refused) {
-      this->State->counts.fail(refused.what());  // glass is looked through by the probes alone
+      this->State->counts.fail(refused.what());  // glass then shows only probes
     }
   }
   this->DrawProps(renderer, sky, false, false);
@@ -176,7 +176,7 @@ void vtkPicturePass::Present(vtkRenderer* renderer) {
   vtkOpenGLState* state = window->GetState();
   const boxprobe::FrameTarget& sums = this->Average->sums();
   if (this->Framebuffer == 0) {
-    // VTK leaves both to its camera, which is not drawn with while a pass is set.
+    // VTK leaves both to its camera, which is not used while a pass is set.
     state->vtkglViewport(0, 0, this->Width, this->Height);
     state->vtkglEnable(GL_SCISSOR_TEST);
     state->vtkglScissor(0, 0, this->Width, this->Height);

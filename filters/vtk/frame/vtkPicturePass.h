@@ -2,9 +2,9 @@
  * @class vtkPicturePass
  * @brief the picture by way of float targets: the mean of several frames in linear light, reflections smoothed
  *
- * Draws the given props in linear light, adds them to the frames drawn before, and puts the mean on the screen (or into
- * a framebuffer of ours, linear) with its depth. What else is in the renderer is drawn on top as ever, neither averaged
- * nor harmed. Set by the scene renderer while a technique asks for it, and by linear pictures; knows no scene.
+ * Draws the given props in linear light, adds them to the previous frames, and writes the average to the screen (or, in
+ * linear light, into a framebuffer of ours) with its depth. The renderer's other props are drawn on top, without
+ * averaging. The scene renderer sets it while a technique needs it, and for linear pictures.
  */
 #pragma once
 
@@ -32,33 +32,33 @@ class vtkPicturePass : public vtkRenderPass {
   vtkTypeMacro(vtkPicturePass, vtkRenderPass)
 
       void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
-  /** What the picture is of; of the window's picture, those that are in the renderer. */
+  /** The contents of the picture; for the window's picture, those in the renderer. */
   std::vector<vtkProp*> Props;
-  /** Where the picture goes; 0: to what is bound, in display colours, with the renderer's other props on top. */
+  /** The target; 0: the bound framebuffer, in display colours, with the renderer's other props on top. */
   unsigned int Framebuffer = 0;
-  int Width = 1, Height = 1;  ///< pixels
-  int Samples = 0;            ///< a pixel, of every frame
-  bool Behind = false;        ///< some of Props is glass that is looked through at the rest (see behind_frame.h)
-  int BlurredRays = 0;        ///< a pixel and frame, where what is sampled is smoothed; 0: it is not
-  vtkProp* Sky = nullptr;     ///< of Props: what has no reflection to keep apart and is drawn behind all others
-  bool Culled = false;        ///< Props are what the view shows of many, in place of the renderer's own
-  int Limit = 1;              ///< frames; once there are as many, further renders show what there is
+  int Width = 1, Height = 1;  ///< in pixels
+  int Samples = 0;            ///< per pixel, in every frame
+  bool Behind = false;        ///< some of Props are glass, seen through to the others (see behind_frame.h)
+  int BlurredRays = 0;        ///< per pixel and frame, if samples are smoothed; 0: they are not
+  vtkProp* Sky = nullptr;     ///< among Props: has no reflection, and is drawn behind all others
+  bool Culled = false;        ///< Props are the visible ones of many, in place of the renderer's own
+  int Limit = 1;              ///< number of frames; then further renders show the result again
 
-  /** The share in the picture of a mean of so many frames, the rest being the mean before it; empty: all. */
+  /** The weight of an average of that many frames in the picture, the rest being the previous average; empty: 1. */
   std::function<double(int)> Share;
-  /** Called before each frame of a linear picture: is there one more? Empty: until the limit. */
+  /** Called before each frame of a linear picture; returns false to stop. Empty: until the limit. */
   std::function<bool()> Advance;
 
-  /** What is shown changed: the next frame is the first. */
+  /** To be called when the contents have changed: the next frame is the first. */
   void Restart() { this->Average->restart(); }
   int GetFrames() const { return this->Average ? this->Average->frames() : 0; }
-  /** The next frame is the first of a mean that replaces this one. */
+  /** The next frame is the first of an average that replaces this one. */
   void Promote() { this->Average->promote(); }
-  /** How far the mean is from the one before it. Reads both back. */
+  /** The difference between the average and the previous one. Reads both back. */
   boxprobe::PictureChange GetChange(vtkWindow* window, double exposure) const;
 
   void Render(const vtkRenderState* s) override;
-  /** The pictures, not the programs. */
+  /** Releases the pictures, but not the programs. */
   void ReleaseTargets();
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -83,5 +83,5 @@ class vtkPicturePass : public vtkRenderPass {
   boxprobe::FrameTarget Frame;
   vtkNew<vtkTargetPass> Target;
   vtkNew<vtkSequencePass> OnTop;
-  double DepthRange[2] = {0.0, 0.0};  ///< clipping distances that the depth at hand belongs to
+  double DepthRange[2] = {0.0, 0.0};  ///< clipping distances of the current depth
 };

@@ -22,8 +22,8 @@ vtkStandardNewMacro(vtkTargetPass);
 
 namespace {
 
-// What is translucent covers what lies behind it only if that is drawn before: by the middles of their bounds, which is
-// right unless they reach through each other. Opaque ones keep their order.
+// Translucent surfaces must be drawn after what is behind them: sorted by the centres of their bounds, which is correct
+// unless they intersect. Opaque ones keep their order.
 std::vector<vtkProp*> backToFront(std::vector<vtkProp*> props, vtkCamera* camera) {
   struct Layer {
     vtkProp* prop;

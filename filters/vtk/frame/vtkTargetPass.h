@@ -2,9 +2,8 @@
  * @class vtkTargetPass
  * @brief draws given props into a framebuffer of ours instead of the window's
  *
- * A render pass, so that VTK itself activates the textures of the actors it draws. The props are not in the renderer:
- * taking a prop out of a renderer releases its buffers and textures, which the window's own renderer goes on using.
- * Used by the probe capture and by the surface capture; knows neither.
+ * A render pass, so that VTK itself activates the textures of the actors. The props are not added to the renderer:
+ * removing a prop from a renderer releases its buffers and textures, which the window's renderer still uses.
  */
 #pragma once
 
@@ -24,10 +23,10 @@ class vtkTargetPass : public vtkRenderPass {
   vtkTypeMacro(vtkTargetPass, vtkRenderPass)
 
       GLuint Framebuffer = 0;
-  /// x, y, width, height in pixels of the framebuffer; may reach beyond it, to draw a part of a larger picture.
+  /// x, y, width, height in pixels of the framebuffer; may extend beyond it, to draw a part of a larger picture.
   int Viewport[4] = {0, 0, 1, 1};
   bool Blend = true;
-  bool Clear = true;  ///< before it draws
+  bool Clear = true;  ///< before drawing
   std::vector<vtkProp*> Props;
 
   void Render(const vtkRenderState* s) override;

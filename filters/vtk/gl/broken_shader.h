@@ -1,7 +1,6 @@
-// What happens on a driver that refuses a shader, made testable on one that does not: the environment variable
-// BOXPROBE_BREAK_SHADER holds the name of one, whose text is then spoilt: "surface" (the physically based one with
-// probes), "debug" (the same as debug views and explanations draw it), or a file of shaders/gpu that is a pass of its
-// own.
+// Tests the handling of a refused shader: the environment variable BOXPROBE_BREAK_SHADER names a shader whose source is
+// then made invalid: "surface" (the physically based one with probes), "debug" (the same for debug views and
+// explanations), or a file of shaders/gpu that is a pass of its own.
 #pragma once
 
 #include <cstdlib>

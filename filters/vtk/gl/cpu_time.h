@@ -1,4 +1,4 @@
-// CPU time of this process, all threads: what run times are quoted in, because wall time on a shared machine is noise.
+// CPU time of this process, all threads. Run times are quoted in it, because wall time on a shared machine is noisy.
 #pragma once
 
 #include <sys/resource.h>

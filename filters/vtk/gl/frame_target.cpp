@@ -56,7 +56,7 @@ void FrameTarget::drawTo(bool everyAttachment) const {
 void FrameTarget::resolve(vtkOpenGLRenderWindow* window) const {
   if (samples_ <= 1) return;
   vtkOpenGLState* state = window->GetState();
-  // A scissor rectangle of whoever drew before would cut the copy.
+  // A scissor rectangle left by earlier draws would clip the copy.
   const vtkOpenGLState::ScopedglEnableDisable scissor(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->PushFramebufferBindings();

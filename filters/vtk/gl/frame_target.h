@@ -1,6 +1,5 @@
-// One frame in linear light: float colour, further attachments if asked for, and depth, drawn at one or several samples
-// a pixel and resolved to textures. Called by vtkPicturePass; knows no scene. Every function needs the window's context
-// current.
+// A frame in linear light: float colour, optional further attachments, and depth, drawn with one or several samples per
+// pixel and resolved to textures. Every function needs the window's context current.
 #pragma once
 
 #include <array>
@@ -14,7 +13,7 @@ namespace boxprobe {
 
 class FrameTarget {
  public:
-  /// Colour; and what a surface's reflection is apart from it: see shaders/gpu/reflection_apart.glsl.
+  /// Colour, and a surface's reflection in separate attachments: see shaders/gpu/reflection_apart.glsl.
   static constexpr int kMostAttachments = 4;
 
   FrameTarget() = default;
@@ -22,16 +21,16 @@ class FrameTarget {
   FrameTarget(const FrameTarget&) = delete;
   FrameTarget& operator=(const FrameTarget&) = delete;
 
-  /// `samples`: 0 or 1 for one per pixel; several for colour alone. Keeps what it has when nothing differs. Throws
+  /// `samples`: 0 or 1 for one per pixel; several for colour alone. Does nothing if all values are unchanged. Throws
   /// WorkError if the driver refuses.
   void allocate(int width, int height, int samples, int attachments);
   void release();
 
-  /// What is drawn into.
+  /// The framebuffer to draw to.
   GLuint framebuffer() const { return (samples_ > 1 ? sampled_ : resolved_).handle(); }
-  /// Draws go to colour alone, or to every attachment. The framebuffer must be bound.
+  /// Draws to colour alone, or to every attachment. The framebuffer must be bound.
   void drawTo(bool everyAttachment) const;
-  /// Brings what was drawn into the textures.
+  /// Resolves the samples into the textures.
   void resolve(vtkOpenGLRenderWindow* window) const;
 
   GLuint texture(int attachment) const { return textures_[static_cast<std::size_t>(attachment)]; }

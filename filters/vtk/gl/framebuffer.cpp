@@ -6,7 +6,7 @@ namespace boxprobe {
 
 namespace {
 
-// What is bound, put back when it goes out of scope. Drawing and reading apart: VTK keeps account of both.
+// Saves a binding and restores it. VTK tracks draw and read bindings separately.
 class Binding {
  public:
   explicit Binding(GLuint framebuffer) {

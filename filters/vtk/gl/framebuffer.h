@@ -1,6 +1,5 @@
-// Framebuffer objects, made and checked in one way: what is attached, in which order, and what to say if the driver
-// refuses it. Also the textures and render buffers that are made to be attached. Used by everything that draws off the
-// screen; every function needs the window's context current and leaves bindings as they were.
+// Framebuffer objects, created and checked in one place, with the textures and render buffers to attach. Every function
+// needs the window's context current and preserves bindings.
 #pragma once
 
 #include <functional>
@@ -11,18 +10,18 @@
 
 namespace boxprobe {
 
-/// One image of a framebuffer; without a handle there is none.
+/// One image of a framebuffer; none without a handle.
 struct FramebufferImage {
   enum class Kind { Texture, RenderBuffer };
   GLuint handle = 0;
   Kind kind = Kind::Texture;
-  GLenum target = GL_TEXTURE_2D;  ///< of a texture: a face of a cube map, too
+  GLenum target = GL_TEXTURE_2D;  ///< of a texture; may be a face of a cubemap
   GLint level = 0;                ///< of a texture
 };
 
 class Framebuffer {
  public:
-  /// What is thrown when the driver refuses, one line; `status` is what glCheckFramebufferStatus says.
+  /// The message to throw if the driver refuses, one line; `status` is from glCheckFramebufferStatus.
   using Refusal = std::function<std::string(GLenum status)>;
 
   Framebuffer() = default;
@@ -30,8 +29,8 @@ class Framebuffer {
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
 
-  /// Colours in their order, all of them drawn to, and depth, in place of what was attached before; makes the object if
-  /// there is none. Throws WorkError if the driver refuses; the object is gone then.
+  /// Attaches colours in order, all of them draw buffers, and depth, in place of earlier attachments; creates the
+  /// object if necessary. Throws WorkError if the driver refuses, and deletes the object.
   void attach(const std::vector<FramebufferImage>& colors, const FramebufferImage& depth, const Refusal& refusal);
   void release();
 
@@ -43,10 +42,10 @@ class Framebuffer {
   std::size_t colors_ = 0;
 };
 
-/// The usual refusal: names what the framebuffer is for, and the status.
+/// The usual message: the framebuffer's purpose, and the status.
 Framebuffer::Refusal floatRefusal(const char* what);
 
-/// RGBA32F colour (GL_RGBA) or 32-bit float depth (GL_DEPTH_COMPONENT) of one level, read texel by texel.
+/// RGBA32F colour (GL_RGBA) or 32-bit float depth (GL_DEPTH_COMPONENT), one level, nearest sampling.
 GLuint makeTargetTexture(int width, int height, GLenum internalFormat, GLenum format);
 
 /// `samples` up to 1: one per pixel.

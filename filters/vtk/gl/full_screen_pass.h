@@ -1,5 +1,5 @@
-// One fragment shader from shaders/gpu run over every pixel of the bound framebuffer, as one triangle without vertex
-// data. Built on first use.
+// Runs one fragment shader from shaders/gpu over every pixel of the bound framebuffer, as one triangle without vertex
+// data. Compiled at the first use.
 #pragma once
 
 #include <vtkShaderProgram.h>
@@ -14,14 +14,14 @@ class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
 
-/// Shader files joined into one text: `files` in order, each once. What a fragment shader of ours is made of.
+/// Concatenates shader files in order, without duplicates.
 std::string joinShaderSources(const std::vector<std::string>& files);
 
 class FullScreenPass {
  public:
-  /// `files` below shaders/, in order; the last one holds main(). `counters` (may be null) learns of the compilation.
+  /// `files` below shaders/, in order; the last one contains main(). `counters` (may be null) counts the compilation.
   FullScreenPass(const std::vector<std::string>& files, Counters* counters);
-  /// A fragment shader as text; `name` stands for it in messages, `vertex` is the file of its vertex shader.
+  /// A fragment shader as text; `name` is used in messages, `vertex` is the file of its vertex shader.
   FullScreenPass(std::string name, std::string source, Counters* counters = nullptr,
                  std::string vertex = "gpu/full_screen_vertex.glsl");
   ~FullScreenPass();
@@ -36,7 +36,7 @@ class FullScreenPass {
   std::string name_;
   std::string source_, vertex_;
   Counters* counters_ = nullptr;
-  vtkShaderProgram* program_ = nullptr;  // the window's shader cache owns it
+  vtkShaderProgram* program_ = nullptr;  // owned by the window's shader cache
   unsigned int vertexArray_ = 0;
 };
 

@@ -15,8 +15,8 @@ GLenum faceTarget(int face) {
   return GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face);
 }
 
-// Binding outside of VTK's unit bookkeeping is safe on a unit of our own only while it is put back; creation and
-// reading need a binding for a moment, whatever unit is active.
+// Creating and reading need a binding outside VTK's texture unit bookkeeping, on whatever unit is active; restored
+// afterwards.
 class CubeBinding {
  public:
   explicit CubeBinding(GLuint handle) {
@@ -34,7 +34,7 @@ class CubeBinding {
 }  // namespace
 
 std::string seamlessCubesProblem() {
-  // Put back as it was: VTK keeps its own account of this state.
+  // Restored, because VTK tracks this state.
   const bool before = glIsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS) == GL_TRUE;
   if (before) return {};
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
@@ -56,7 +56,7 @@ void CubeTexture::allocate(int faceSize, int levels, GLenum internalFormat) {
   glGenTextures(1, &handle_);
   const CubeBinding binding(handle_);
   const bool distance = internalFormat == GL_R32F, nearest = distance || internalFormat == GL_RGBA32F;
-  while (glGetError() != GL_NO_ERROR) {  // errors of others are not this allocation's
+  while (glGetError() != GL_NO_ERROR) {  // discards earlier errors, which are not from this allocation
   }
   for (int level = 0; level < levels; ++level) {
     for (int face = 0; face < 6; ++face) {
@@ -70,7 +70,7 @@ void CubeTexture::allocate(int faceSize, int levels, GLenum internalFormat) {
     throw WorkError("OpenGL has no memory for a cube map of " + std::to_string(faceSize) + " texels a side, " +
                     memoryText(wanted) + "; lower the probes' faceSize");
   }
-  // A mean of two distances is a surface that is not there, so distances are not interpolated.
+  // Distances are not interpolated: the mean of two distances is a surface that does not exist.
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER,
                   nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);

@@ -1,5 +1,5 @@
-// OpenGL objects the capture and the prefilter need, as values with an owner: cube maps with mip levels, float targets.
-// Every function needs the window's context current. Knows nothing of scenes or probes.
+// OpenGL objects of captures and filters with RAII: cubemaps with mip levels, float targets. Every function needs the
+// window's context current.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
 
-/// Empty if the driver filters across the edges of cubes, else why reflections would show seams. Switches it on.
+/// Enables filtering across cube edges. Returns an empty text, or why reflections would show seams.
 std::string seamlessCubesProblem();
 
-/// A cube map in RGBA16F (colour), R32F (distance) or RGBA32F (relief) with its own mip levels.
+/// A cubemap in RGBA16F (colour), R32F (distance) or RGBA32F (relief) with its own mip levels.
 class CubeTexture {
  public:
   CubeTexture() = default;
@@ -25,7 +25,7 @@ class CubeTexture {
   CubeTexture& operator=(const CubeTexture&) = delete;
 
   /// Levels 0..levels-1, of `faceSize >> level` texels. Texels are undefined until written. Throws WorkError if the
-  /// driver has no memory for it.
+  /// driver is out of memory.
   void allocate(int faceSize, int levels, GLenum internalFormat);
   void release();
 
@@ -37,10 +37,10 @@ class CubeTexture {
 
   /// Texels of one face and level as RGBA float, rows along t.
   std::vector<float> readFace(int face, int level) const;
-  /// The same into memory of the caller's, 4 floats a texel.
+  /// The same into the caller's memory, 4 floats per texel.
   void readFace(int face, int level, float* rgba) const;
   void writeFace(int face, int level, const std::vector<float>& rgba);
-  /// RGBA half floats, as many as the level has: the bits of an RGBA16F cube as they are.
+  /// Writes RGBA half floats, one per texel of the level, bit for bit into an RGBA16F cube.
   void writeHalves(int face, int level, const std::uint16_t* rgba);
 
  private:
@@ -50,7 +50,7 @@ class CubeTexture {
   int levels_ = 0;
 };
 
-/// RGBA32F colour and 32-bit float depth to render a frame into.
+/// A render target with RGBA32F colour and 32-bit float depth.
 class FloatTarget {
  public:
   FloatTarget() = default;
@@ -58,7 +58,7 @@ class FloatTarget {
   FloatTarget(const FloatTarget&) = delete;
   FloatTarget& operator=(const FloatTarget&) = delete;
 
-  /// Keeps what it has when the size is unchanged. Throws WorkError if the driver refuses it.
+  /// Does nothing if the size is unchanged. Throws WorkError if the driver refuses.
   void allocate(int width, int height);
   void release();
   GLuint framebuffer() const { return framebuffer_.handle(); }
@@ -73,13 +73,13 @@ class FloatTarget {
   int width_ = 0, height_ = 0;
 };
 
-/// A framebuffer that faces and levels of cube maps are attached to in turn.
+/// A framebuffer for faces and levels of cubemaps, attached in turn.
 class CubeFramebuffer {
  public:
-  /// Binds it with `color` (and `second` as attachment 1 if given) and sets the viewport to the level's size.
+  /// Binds it with `color` (and `second` as attachment 1 if given), and sets the viewport to the level's size.
   void bind(vtkOpenGLRenderWindow* window, const CubeTexture& color, int face, int level,
             const CubeTexture* second = nullptr);
-  /// Binds it for drawing only, with what is attached: the other side of a blit.
+  /// Binds it for drawing with its current attachments: the target of a blit.
   void bindDraw(vtkOpenGLRenderWindow* window);
   void release() { framebuffer_.release(); }
 
@@ -87,9 +87,8 @@ class CubeFramebuffer {
   Framebuffer framebuffer_;
 };
 
-/// What a full-screen pass changes, put back when it goes out of scope: framebuffer bindings, viewport, depth test,
-/// blending, scissor. Also switches seamless cube filtering on, which VTK does only while its own image-based lighting
-/// is on.
+/// Saves and restores the state that a full-screen pass changes: framebuffer bindings, viewport, depth test, blending,
+/// scissor. Also enables seamless cubemap filtering, which VTK enables only for its own image-based lighting.
 class PassState {
  public:
   explicit PassState(vtkOpenGLRenderWindow* window);
@@ -103,7 +102,7 @@ class PassState {
   Saved* saved_;
 };
 
-/// A texture bound to a unit of VTK's own unit manager for the life of this object.
+/// A texture bound to a unit of VTK's own unit manager during the lifetime of this object.
 class BoundTexture {
  public:
   BoundTexture(vtkOpenGLRenderWindow* window, GLenum target, GLuint handle);

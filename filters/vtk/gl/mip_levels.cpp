@@ -21,7 +21,7 @@ GLuint compiled(GLenum kind, const char* file) {
   return shader;
 }
 
-/// What drawing the levels changes, as it was: this is called amid draws of others, who keep account of the state.
+/// The state that drawing the levels changes, saved and restored: called between draws of others, who track it.
 class SavedState {
  public:
   SavedState() {
@@ -108,7 +108,7 @@ void MipLevels::make(GLuint texture, GLenum internalFormat, int width, int heigh
     glUniform1i(source_, unit - GL_TEXTURE0);
     glBindVertexArray(vertexArray_);
     for (int level = 1; level < levels; ++level) {
-      // A texture may be read and drawn into at once as long as no level is both.
+      // A texture may be read and drawn to at the same time if the levels differ.
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, level - 1);
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, level - 1);
       framebuffer_.attach({textureImage(texture, GL_TEXTURE_2D, level)}, {}, floatRefusal("a mip level"));
@@ -116,7 +116,7 @@ void MipLevels::make(GLuint texture, GLenum internalFormat, int width, int heigh
       glViewport(0, 0, std::max(width >> level, 1), std::max(height >> level, 1));
       glDrawArrays(GL_TRIANGLE_FAN, 0, 4);
     }
-  } catch (const WorkError&) {  // such textures cannot be drawn into here
+  } catch (const WorkError&) {  // this driver cannot draw to such textures
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
     glGenerateMipmap(GL_TEXTURE_2D);

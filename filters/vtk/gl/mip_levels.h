@@ -1,6 +1,6 @@
-// Mip levels of 8-bit colour textures, drawn by a program of our own. Mesa's software drivers make them by a program of
-// theirs, which no cache keeps: compiling it anew took a tenth of a start. Ours gives the same texels
-// (tests/image/mip_levels_test) and comes from Mesa's cache. Used by the textures of surfaces; needs a current context.
+// Makes mip levels of 8-bit colour textures by a program of our own. Mesa's software drivers use a program that no
+// cache keeps: compiling it took a tenth of the start. Ours gives the same texels (tests/image/mip_levels_test) and is
+// kept in Mesa's cache. Needs a current context.
 #pragma once
 
 #include "filters/vtk/gl/framebuffer.h"
@@ -15,9 +15,9 @@ class MipLevels {
   MipLevels(const MipLevels&) = delete;
   MipLevels& operator=(const MipLevels&) = delete;
 
-  /// Levels 1 and up of the texture that is bound to GL_TEXTURE_2D of the active unit, RGBA8 or SRGB8_ALPHA8 of that
-  /// size. Sets its filters and wrap modes; everything else is left as it was. By glGenerateMipmap where a graphics
-  /// card draws or a program cannot be had.
+  /// Makes levels 1 and up of the texture bound to GL_TEXTURE_2D of the active unit, RGBA8 or SRGB8_ALPHA8 of that
+  /// size. Sets its filters and wrap modes; other state is preserved. Uses glGenerateMipmap on graphics cards, or if
+  /// the program cannot be used.
   void make(GLuint texture, GLenum internalFormat, int width, int height);
   void release();
 

@@ -21,8 +21,8 @@ namespace boxprobe {
 
 namespace {
 
-// Boxes grow by this much of their distance and size before they are asked for: they share planes with the very
-// surfaces that are in the depth buffer, and whichever way rounding goes the answer must be yes.
+// Boxes are enlarged by this share of their distance and size: they touch the very surfaces that are in the depth
+// buffer, and rounding must not hide them.
 constexpr double kMargin = 2.0e-3;
 
 glm::dmat4 clipFromEye(vtkCamera* camera, double aspect, const glm::dvec3& eye) {
@@ -34,7 +34,7 @@ glm::dmat4 clipFromEye(vtkCamera* camera, double aspect, const glm::dvec3& eye) 
   return glm::translate(clipFromWorld, eye);
 }
 
-// Draws test depth and change nothing, for the life of this object.
+// Makes draws test depth and change nothing, during the lifetime of this object.
 class DepthTestAlone {
  public:
   explicit DepthTestAlone(vtkOpenGLState* state)
@@ -79,7 +79,7 @@ void OcclusionQuery::haveQueries(std::size_t count) {
 }
 
 OcclusionQuery::Rectangle OcclusionQuery::farthestShows(vtkRenderer* renderer) {
-  constexpr int kTiles = 12, kAll = kTiles * kTiles;  // along each side, and of the grid
+  constexpr int kTiles = 12, kAll = kTiles * kTiles;  // along each side, and in total
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
   const DepthTestAlone alone(state);
@@ -91,7 +91,7 @@ OcclusionQuery::Rectangle OcclusionQuery::farthestShows(vtkRenderer* renderer) {
   const auto column = [&](int i) { return view[0] + view[2] * i / kTiles; };
   const auto row = [&](int i) { return view[1] + view[3] * i / kTiles; };
   haveQueries(kAll);
-  glDepthRange(1.0, 1.0);  // the triangle lies in the middle of the range
+  glDepthRange(1.0, 1.0);  // the triangle's depth is in the middle of the range
   for (int i = 0; i < kAll; ++i) {
     const int x = i % kTiles, y = i / kTiles;
     state->vtkglScissor(column(x), row(y), column(x + 1) - column(x), row(y + 1) - row(y));
@@ -143,7 +143,7 @@ std::vector<bool> OcclusionQuery::visible(vtkRenderer* renderer, const std::vect
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const glm::dvec3 center = boxes[i].center() - eye;
     const glm::dvec3 half = 0.5 * boxes[i].size() + kMargin * (glm::length(center) + glm::length(boxes[i].size()));
-    const glm::dvec3 reach = half + 2.0 * range[0];  // what the near plane cuts open shows nothing of itself
+    const glm::dvec3 reach = half + 2.0 * range[0];  // geometry cut by the near plane would not be visible
     if (glm::all(glm::lessThanEqual(glm::abs(center), reach)) || camera->GetParallelProjection()) continue;
     const glm::vec3 low(center - half), high(center + half);
     program_->SetUniform3f("bpLow", &low.x);

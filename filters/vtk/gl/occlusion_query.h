@@ -1,5 +1,5 @@
-// Asks the depth buffer whether anything in a box could be seen: hardware occlusion queries of the box itself, several
-// at once, so that one wait serves them all. Called by the culled renderer while a frame is being drawn.
+// Tests boxes against the depth buffer with hardware occlusion queries, several at once, so that there is one wait for
+// all of them.
 #pragma once
 
 #include <functional>
@@ -22,14 +22,14 @@ class OcclusionQuery {
   OcclusionQuery(const OcclusionQuery&) = delete;
   OcclusionQuery& operator=(const OcclusionQuery&) = delete;
 
-  /// For each box: could something in it be seen past what has been drawn so far? A box about the eye always could.
+  /// Could something in each box be visible, given the depth drawn so far? Always true for a box around the eye.
   std::vector<bool> visible(vtkRenderer* renderer, const std::vector<Box>& boxes);
   /// Pixels of the framebuffer from the lower left corner.
   struct Rectangle {
     int x = 0, y = 0, width = 0, height = 0;
   };
-  /// Where the farthest depth there is, that of a cleared buffer, shows past what has been drawn so far: a rectangle
-  /// around all such places, of whole tiles of a grid; empty if there are none.
+  /// A rectangle around all pixels with the depth of a cleared buffer, rounded out to tiles of a grid; empty if there
+  /// are none.
   Rectangle farthestShows(vtkRenderer* renderer);
   void release();
 

@@ -1,5 +1,5 @@
-// OpenGL's functions, by the loader that VTK was built with: GLEW up to 9.3, GLAD from 9.4 on. To be included before
-// any other header of OpenGL, Qt's among them.
+// OpenGL's functions, through VTK's loader: GLEW up to 9.3, GLAD from 9.4 on. Include it before any other OpenGL
+// header, including Qt's.
 #pragma once
 
 #if __has_include(<vtk_glad.h>)

@@ -12,7 +12,7 @@ namespace boxprobe {
 
 bool programCompiles(vtkOpenGLRenderWindow* window, const std::string& vertex, const std::string& geometry,
                      const std::string& fragment) {
-  // Shaders of its own: the cache finishes the sources it is given.
+  // Separate shader objects: the cache modifies the sources it gets.
   vtkNew<vtkShader> vertexShader, geometryShader, fragmentShader;
   std::map<vtkShader::Type, vtkShader*> tried;
   const auto add = [&tried](vtkShader* shader, vtkShader::Type type, const std::string& source) {

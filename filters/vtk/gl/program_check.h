@@ -1,5 +1,5 @@
-// Does the driver take a program? Asked before VTK 9.1 uses one, which a refused program takes down. Costs no second
-// compilation: VTK's cache then has it ready.
+// Tests whether the driver accepts a program before VTK 9.1, which crashes on a refused one, uses it. There is no
+// second compilation: VTK's cache then contains it.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@ class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
 
-/// What is reported of a surface whose spliced program is refused.
+/// The message for a surface whose spliced program is refused.
 constexpr const char* kSurfaceRefused =
     "this OpenGL driver refuses the shader of a surface with probes, which has no reflections without it; use fewer "
     "probes or textures on one object";
-/// The same of a debug view, and of the program that reads back what a pixel is made from. The picture goes on.
+/// The same for a debug view, and for the program that reads back a pixel's inputs. The picture is still drawn.
 constexpr const char* kViewRefused =
     "this OpenGL driver refuses the shader of this debug view on a surface; choose the picture, or fewer probes or "
     "textures on one object";

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMegabyte = std::size_t{1} << 20;
 
-/// Kilobytes that a query of this name answers with; 0 if the driver does not know it.
+/// The result of a query in kilobytes; 0 if the driver does not support it.
 std::size_t queried(GLenum name, bool supported) {
   if (!supported) return 0;
   GLint kilobytes[4] = {0, 0, 0, 0};
@@ -32,7 +32,7 @@ std::size_t textureMemoryLimit() {
       return static_cast<std::size_t>(megabytes * static_cast<double>(kMegabyte));
     }
   }
-  // A software renderer's textures lie in the machine's own memory; Mesa 25's llvmpipe answers with tens of megabytes.
+  // Textures of a software renderer are in main memory; Mesa 25's llvmpipe reports tens of megabytes.
   const bool card = !drawsOnCpu();
   if (const std::size_t all =
           queried(GL_GPU_MEMORY_INFO_TOTAL_AVAILABLE_MEMORY_NVX, card && BOXPROBE_HAS_MEMORY_INFO_NVX)) {

@@ -11,8 +11,8 @@ namespace boxprobe {
 ImageRgba8 windowPixels(vtkOpenGLRenderWindow* window) {
   const int* size = window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
-  // VTK 9.1 reads three bytes a pixel into rows without padding, whatever the alignment is: rows of an odd width would
-  // run over the array's end.
+  // VTK 9.1 reads three bytes per pixel into unpadded rows, whatever the alignment: rows of an odd width would overrun
+  // the array.
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 1, pixels, 0);
   ImageRgba8 image{size[0], size[1], {}, {}};

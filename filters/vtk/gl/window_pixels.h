@@ -1,4 +1,4 @@
-// A window's picture read back. Called by the scene renderer after a frame; knows no scene.
+// Reads back a window's picture.
 #pragma once
 
 #include "filters/core/scene/model.h"
@@ -7,7 +7,7 @@ class vtkOpenGLRenderWindow;
 
 namespace boxprobe {
 
-/// The front of the frame buffer as it is: display colours, alpha 255, rows from the top.
+/// The front buffer: display colours, alpha 255, rows from the top.
 ImageRgba8 windowPixels(vtkOpenGLRenderWindow* window);
 
 }  // namespace boxprobe

@@ -27,7 +27,7 @@ namespace boxprobe {
 
 namespace {
 
-/// A reader's progress as this program's. VTK's readers can be asked to stop; what they have read is then thrown away.
+/// Adapts a reader's progress to ours. VTK's readers can be asked to stop; their partial result is then discarded.
 class ReaderProgress {
  public:
   ReaderProgress(vtkAlgorithm* reader, const std::string& path, const LoadProgress& progress)
@@ -45,7 +45,7 @@ class ReaderProgress {
   ReaderProgress(const ReaderProgress&) = delete;
   ReaderProgress& operator=(const ReaderProgress&) = delete;
 
-  /// Throws if the progress said so, then or now.
+  /// Throws if the progress callback has cancelled.
   void check() const {
     if (stopped_ || (progress_ && !progress_(0.8))) throw LoadCancelled(path_ + ": loading was cancelled");
   }
@@ -67,7 +67,7 @@ void setTriangles(vtkPolyData* data, const std::vector<std::uint32_t>& corners) 
   data->SetPolys(cells);
 }
 
-/// In the place of what VTK has cast to bytes.
+/// Replaces the colours that VTK has cast to bytes.
 void setColors(vtkPolyData* data, const std::vector<std::array<std::uint8_t, 4>>& colors) {
   vtkPointData* points = data->GetPointData();
   for (const char* name : {"RGB", "RGBA", "diffuse_red"}) points->RemoveArray(name);
@@ -116,7 +116,7 @@ Model readStl(const std::string& path, const LoadProgress& progress) {
   return modelOf(std::move(mesh), path);
 }
 
-/// Until large files are fetched, Git LFS leaves three lines of text under their names.
+/// Git LFS leaves pointers, three lines of text, in place of large files until they are fetched.
 void refusePointer(const std::string& path) {
   constexpr char kFirstLine[] = "version https://git-lfs";
   char start[sizeof(kFirstLine)] = {};

@@ -1,5 +1,5 @@
-// Any model file as plain arrays: glTF through filters/io, STL and VTP through readers of this folder, OBJ with MTL and
-// PLY through VTK's, which get only files that were checked. Called by whatever opens scenes; needs no display.
+// Reads any model file into plain arrays: glTF through filters/io, STL and VTP through readers of this folder, OBJ with
+// MTL and PLY through VTK's, which only get validated files. Needs no display.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace boxprobe {
 
-/// Throws InputError naming the file, what is wrong and where.
+/// Throws InputError with the file, what is wrong and where.
 Model readModel(const std::string& path, const LoadProgress& progress = {}, const ModelState& state = {});
 
-/// By its extension, in any case: is it a file for readModel?
+/// Can readModel read a file with this extension? Ignores case.
 bool isModelFile(const std::string& path);
 
 /// "*.glb *.gltf ...": for file dialogs and messages.

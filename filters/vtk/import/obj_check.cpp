@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
   throw InputError(oneLine(path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + reason));
 }
 
-/// The rest of a line as a name: without the spaces around it.
+/// The rest of a line as a name, trimmed.
 std::string trimmed(const std::string& text) {
   const std::size_t from = text.find_first_not_of(" \t\r");
   if (from == std::string::npos) return {};
@@ -34,7 +34,7 @@ struct ObjCounts {
   long long positions = 0, uvs = 0, normals = 0;
 };
 
-/// "12/3/-1": each of the up to three within what its list holds so far.
+/// Checks the up to three indices of a corner, as in "12/3/-1", against the lists so far.
 void checkCorner(const std::string& path, std::size_t line, const std::string& corner, const ObjCounts& counts) {
   const long long most[3] = {counts.positions, counts.uvs, counts.normals};
   const char* at = corner.c_str();
@@ -57,7 +57,7 @@ void checkCorner(const std::string& path, std::size_t line, const std::string& c
   if (*at != '\0') fail(path, line, "\"" + corner + "\" is not a corner");
 }
 
-/// "v X Y Z R G B", as several programs write it; false without a colour.
+/// Reads "v X Y Z R G B", an extension of several programs; false without a colour.
 bool readColor(std::istringstream& numbers, std::array<float, 3>& position, glm::vec3& color) {
   std::string words[6];
   for (std::string& word : words) numbers >> word;
@@ -65,12 +65,12 @@ bool readColor(std::istringstream& numbers, std::array<float, 3>& position, glm:
   for (std::size_t i = 0; i < 3; ++i) {
     position[i] = std::strtof(words[i].c_str(), nullptr);
     const float value = std::strtof(words[3 + i].c_str(), nullptr);
-    color[static_cast<int>(i)] = value >= 0.0f ? std::min(value, 1.0f) : 0.0f;  // also of NaN
+    color[static_cast<int>(i)] = value >= 0.0f ? std::min(value, 1.0f) : 0.0f;  // 0 for NaN
   }
   return true;
 }
 
-/// Indices that count back from the last entry as those that count from the first: -1 of 7 is 7.
+/// Converts indices relative to the end of the list to absolute ones: -1 of 7 becomes 7.
 std::string countedForward(const std::string& corner, const ObjCounts& counts) {
   const long long all[3] = {counts.positions, counts.uvs, counts.normals};
   std::istringstream parts(corner);
@@ -84,8 +84,8 @@ std::string countedForward(const std::string& corner, const ObjCounts& counts) {
   return result;
 }
 
-/// VTK 9.1 takes names of materials with spaces, and none at all, for others than those of the MTL file. Negative
-/// indices of texture coordinates and normals take it outside of their arrays.
+/// VTK 9.1 does not match material names that contain spaces or are empty with those of the MTL file. Negative indices
+/// of texture coordinates and normals make it read outside its arrays.
 std::string asVtkReadsIt(const std::string& obj) {
   std::istringstream text(obj);
   std::string result;

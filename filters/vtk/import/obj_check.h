@@ -1,5 +1,4 @@
-// What is looked at in an OBJ file before VTK's importer gets it, which believes indices. Reading is VTK's. Knows no
-// VTK.
+// Validates an OBJ file before VTK's importer, which does not check indices, reads it.
 #pragma once
 
 #include <array>
@@ -10,16 +9,15 @@
 
 namespace boxprobe {
 
-/// What an OBJ file refers to, and what VTK's reader does not read of it.
+/// The files and materials that an OBJ file refers to, and data that VTK's reader ignores.
 struct ObjNames {
-  std::string materialFile;                          ///< with its folder; empty: none is named, or it does not exist
-  std::vector<std::string> materials;                ///< of usemtl, each once, as materialWord() has them
+  std::string materialFile;                          ///< with its folder; empty: not given, or it does not exist
+  std::vector<std::string> materials;                ///< of usemtl, without duplicates, as from materialWord()
   std::string text;                                  ///< to be read in place of the file; empty: VTK can read the file
-  std::map<std::array<float, 3>, glm::vec3> colors;  ///< of vertices that have one, by position; sRGB, 0 to 1
+  std::map<std::array<float, 3>, glm::vec3> colors;  ///< of coloured vertices, by position; sRGB, 0 to 1
   std::vector<std::string> warnings;
 };
-/// Throws InputError ("m.obj:12: ...") for indices beyond what is defined and for a material file that lies outside the
-/// model's folder.
+/// Throws InputError ("m.obj:12: ...") for indices out of range, and for a material file outside the model's folder.
 ObjNames checkObj(const std::string& path);
 
 }  // namespace boxprobe

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What becomes part of a material; at others VTK's reader may stop.
+/// Statements that become part of a material; VTK's reader may stop at others.
 constexpr const char* kRead[] = {"Ka", "Kd", "Ks", "Ns", "Tr", "d", "illum"};
 
 class MaterialLines {
@@ -51,7 +51,7 @@ class MaterialLines {
       }
       if (word.rfind("map_", 0) == 0 || word == "bump" || word == "norm" || word == "disp" || word == "refl") {
         takePicture(word, words);
-      } else if (!material_.empty() &&  // before the first material VTK writes to none
+      } else if (!material_.empty() &&  // before the first material VTK has none to write to
                  std::find(std::begin(kRead), std::end(kRead), word) != std::end(kRead)) {
         result_.text += line + "\n";
       }
@@ -60,7 +60,7 @@ class MaterialLines {
 
   void takePicture(const std::string& word, std::istringstream& words) {
     std::string name;
-    for (std::string last; words >> last;) name = last;  // options may stand before it
+    for (std::string last; words >> last;) name = last;  // options may precede it
     if (name.empty()) return;
     const std::string picture = pathBeside(file_, name);
     if (!insideFolderOf(picture, modelPath_)) {

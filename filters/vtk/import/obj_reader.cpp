@@ -1,5 +1,5 @@
-// OBJ files with their MTL through VTK's importer, and what that leaves out: colours of vertices, pictures and
-// materials that are missing.
+// Reads OBJ files with their MTL through VTK's importer, and adds what that ignores: vertex colours, and replacements
+// for missing pictures and materials.
 #include "filters/vtk/import/obj_reader.h"
 
 #include <vtkActor.h>
@@ -33,7 +33,7 @@ namespace boxprobe {
 
 namespace {
 
-/// A text in a file of its own as long as this lives: VTK's importer reads materials from files alone.
+/// A temporary file with this text: VTK's importer reads materials only from files.
 class TemporaryText {
  public:
   explicit TemporaryText(const std::string& text)
@@ -46,7 +46,7 @@ class TemporaryText {
   TemporaryFile file_;
 };
 
-/// MTL's own number, which VTK scales for its older shading: "... specular power 30 ..."
+/// The shininess in the MTL file, which VTK rescales for its older shading: "... specular power 30 ..."
 double shininess(vtkOBJImporter* importer, int output) {
   const std::string text = importer->GetOutputDescription(output), from = " specular power ";
   const std::size_t start = text.find(from);
@@ -63,7 +63,7 @@ std::string materialName(vtkOBJImporter* importer, int output) {
   return text.substr(start + from.size(), end - start - from.size());
 }
 
-/// MTL's colours are taken for linear. Its shininess n becomes the roughness of the microfacet lobe that is as wide as
+/// MTL's colours are taken as linear. Its shininess n becomes the roughness of a microfacet lobe of the same width as
 /// Blinn's: alpha = sqrt(2 / (n + 2)) (Walter et al. 2007), roughness = sqrt(alpha).
 Material materialOf(vtkActor* actor, const std::string& name, double shine) {
   vtkProperty* property = actor->GetProperty();
@@ -115,7 +115,7 @@ float linearOf(float srgb) {
   return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
 }
 
-/// Vertices that have none are white.
+/// Vertices without a colour are white.
 void giveColors(const ObjNames& names, Mesh& mesh) {
   if (names.colors.empty()) return;
   mesh.colors.clear();
@@ -139,7 +139,7 @@ Model readObj(const std::string& path, const LoadProgress& progress) {
   vtkNew<vtkOBJImporter> importer;
   const TemporaryText respelled(names.text);
   importer->SetFileName(names.text.empty() ? path.c_str() : respelled.path().c_str());
-  // Without one VTK takes an .mtl file beside the model that nobody named, and nothing checked.
+  // Without a file name VTK would read an unchecked .mtl file beside the model.
   const TemporaryText text(materials.text.empty() ? "newmtl _\nKd 0.8 0.8 0.8\n" : materials.text);
   importer->SetFileNameMTL(text.path().c_str());
   importer->SetRenderWindow(window);

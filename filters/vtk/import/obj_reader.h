@@ -1,4 +1,4 @@
-// OBJ files. Called by the model reader alone.
+// Reads OBJ files.
 #pragma once
 
 #include "filters/io/gltf/model_file.h"
@@ -8,7 +8,7 @@ namespace boxprobe {
 /// As readModel.
 Model readObj(const std::string& path, const LoadProgress& progress);
 
-/// For files that say nothing of it: light grey plastic, seen from both sides, because winding is not reliable there.
+/// For formats without materials: light grey plastic, double-sided, because winding is not reliable in them.
 Material plainMaterial();
 
 }  // namespace boxprobe

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMostCorners = 255;  // VTK counts them in a byte
 
-/// Which field of "face" VTK takes for the corners: the first of that name. Other elements have none.
+/// The index of the field of "face" that VTK reads as corners: the first of that name. Other elements have none.
 std::size_t cornersOf(const PlyElementHead& element) {
   std::size_t index = 0;
   while (index < element.fields.size() && element.fields[index].name != "vertex_indices") ++index;
@@ -34,8 +34,8 @@ std::string textOf(double number) {
   return text.str();
 }
 
-/// A word as a number, without regard to the locale. Counts and corners of a whole type must be written as whole
-/// numbers: VTK would take "1e1" for 1.
+/// Parses a number independent of the locale. Counts and corners of integer types must be written as integers: VTK
+/// would read "1e1" as 1.
 double numberOf(std::string_view word, bool whole, bool& valid) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const char* end = word.data() + word.size();
@@ -60,7 +60,7 @@ class BodyCheck {
   BodyCheck(const std::string& path, std::string& bytes, const PlyHeader& header)
       : path_(path), bytes_(bytes), header_(header), at_(header.body), line_(header.lines) {}
 
-  /// What follows "vertex" and "face" is not checked: VTK never gets there.
+  /// Elements after "vertex" and "face" are not checked: VTK does not read them.
   void check() {
     const auto named = [&](const char* name) {
       return std::find_if(header_.elements.begin(), header_.elements.end(), [&](auto& e) { return e.name == name; });
@@ -93,7 +93,7 @@ class BodyCheck {
   bool changed() const { return changed_; }
 
  private:
-  /// The place is a line in text, an entry of the element in binary data.
+  /// The position is a line in text, an entry of the element in binary data.
   [[noreturn]] void fail(const std::string& reason) const {
     if (header_.format == PlyFormat::Text) failPly(path_, line_, reason);
     failPly(path_, 0, element_->name + " " + std::to_string(entry_) + ": " + reason);
@@ -139,17 +139,17 @@ class BodyCheck {
   bool colored() const {
     return std::any_of(colorSlots_.begin(), colorSlots_.end(), [](int slot) { return slot >= 0; });
   }
-  /// Of whole numbers the type's largest is full, of others 1.
+  /// Scales by the type's maximum for integers, by 1 for floats.
   void keepColor(std::size_t field, double value) {
     if (colorSlots_[field] < 0) return;
     const PlyType type = element_->fields[field].type;
     const double full = !isWhole(type) ? 1.0 : sizeInBytes(type) == 2 ? 65535.0 : 4294967295.0;
-    const double share = value >= 0.0 ? std::min(value / full, 1.0) : 0.0;  // 0 of NaN, too
+    const double share = value >= 0.0 ? std::min(value / full, 1.0) : 0.0;  // 0 for NaN, too
     colors_[entry_][static_cast<std::size_t>(colorSlots_[field])] =
         static_cast<std::uint8_t>(std::lround(255.0 * share));
   }
 
-  /// Every corner makes a triangle with the two before it, turned over every other time; -1 ends a strip.
+  /// Each corner forms a triangle with the two before it, with alternating winding; -1 ends a strip.
   void readStrips(const PlyElementHead& element) {
     element_ = &element;
     const bool text = header_.format == PlyFormat::Text;
@@ -327,7 +327,7 @@ class BodyCheck {
   const PlyHeader& header_;
   const PlyElementHead* element_ = nullptr;
   std::vector<std::string_view> words_;
-  std::vector<int> colorSlots_;  // by field of the element that is checked
+  std::vector<int> colorSlots_;  // by field of the element being checked
   std::vector<std::array<std::uint8_t, 4>> colors_;
   std::vector<std::uint32_t> triangles_;
   std::size_t at_, line_, entry_ = 0, word_ = 0, vertices_ = 0;
@@ -342,8 +342,8 @@ void shorten(std::string& bytes, std::size_t begin, std::size_t end) {
   for (std::size_t at = begin + kPart; at + 8 <= end; at += kPart) bytes.replace(at, 8, "\ncomment");
 }
 
-/// Carriage returns alone end the lines of old Macintosh files: line feeds take their place, in the header and in a
-/// body of text. Returns whether there were any.
+/// Old Macintosh files end lines with carriage returns: replaces them by line feeds, in the header and in a text body.
+/// Returns whether there were any.
 bool endLinesByFeeds(std::string& bytes) {
   if (bytes.compare(0, 4, "ply\r") != 0 || bytes.compare(0, 5, "ply\r\n") == 0) return false;
   const std::string last = "\rend_header\r";
@@ -354,8 +354,8 @@ bool endLinesByFeeds(std::string& bytes) {
   return true;
 }
 
-/// A carriage return within a line is a space, as it is read here; VTK from 9.6 on ends the line there. Returns whether
-/// there were any.
+/// Replaces carriage returns within a line by spaces, which they mean here; VTK from 9.6 on ends the line there.
+/// Returns whether there were any.
 bool spaceOutReturns(std::string& bytes, std::size_t end) {
   bool any = false;
   for (std::size_t at = bytes.find('\r'); at < end; at = bytes.find('\r', at + 1)) {

@@ -1,5 +1,5 @@
-// Checks a whole PLY file before VTK's reader gets it. That reader believes counts and indices, reads past the end of
-// short lines and splits long ones. Called by the model reader. Knows no VTK.
+// Validates a whole PLY file before VTK's reader gets it: that reader trusts counts and indices, reads past the end of
+// short lines and splits long ones.
 #pragma once
 
 #include <array>
@@ -12,18 +12,18 @@ namespace boxprobe {
 
 struct PlyCheck {
   std::optional<std::string> text;                  ///< to be read in place of the file; none: VTK can read the file
-  std::vector<std::array<std::uint8_t, 4>> colors;  ///< of vertices, where they are not in bytes: VTK casts those
-  std::vector<std::uint32_t> triangles;             ///< corners out of "tristrips", which VTK does not read
+  std::vector<std::array<std::uint8_t, 4>> colors;  ///< of vertices, unless they are bytes: VTK casts other types
+  std::vector<std::uint32_t> triangles;             ///< corners from "tristrips", which VTK does not read
 };
 
-/// Throws InputError ("m.ply:12: what is wrong; what to do") for files that VTK's reader would crash on or misread.
-/// The text differs from the file where VTK 9.1 does not take what PLY allows:
-/// - Lines that a carriage return alone ends, end with a line feed.
+/// Throws InputError ("m.ply:12: what is wrong; what to do") for files on which VTK's reader would crash, or which it
+/// would misread. The text differs from the file where VTK 9.1 does not support what PLY allows:
+/// - Lines ended by a carriage return alone end with a line feed.
 /// - Comments above 4080 characters are blank.
 /// - A text body ends with a line end.
-/// - A text body has no lists but the corners, because vtkPLY uses a variable that it never set for the others.
-/// - The list "texcoord" of faces is gone (text) or renamed (binary). VTK exchanges points that share coordinates and
-///   recurses without end if 128 coordinates lie outside 0..1. Without a texture nothing needs them.
+/// - A text body has no lists except corners, because vtkPLY uses an uninitialized variable for others.
+/// - The list "texcoord" of faces is removed (text) or renamed (binary). VTK exchanges points that share coordinates,
+///   and recurses without end if 128 coordinates are outside 0..1. Without a texture they are not needed.
 /// Time and memory are linear in the size of the file.
 PlyCheck checkPly(const std::string& path);
 

@@ -58,7 +58,7 @@ class HeaderReader {
  private:
   [[noreturn]] void fail(const std::string& reason) const { failPly(path_, line_, reason); }
 
-  /// False at the end of the file. VTK ignores a last line without a line end, and so does this.
+  /// False at the end of the file. Like VTK, ignores a last line without a line end.
   bool nextLine() {
     ++line_;
     begin_ = next_;
@@ -75,7 +75,7 @@ class HeaderReader {
       fail("the line is longer than " + std::to_string(kLongestPlyLine) + " characters; shorten it");
     }
     if (text.find('\0') != std::string_view::npos) fail("is not text; the file is damaged");
-    // vtkPLY replaces it wherever it stands and forgets the rest of the line.
+    // vtkPLY replaces it wherever it is, and drops the rest of the line.
     const bool name = words_[0] == "property" && isOneOf(words_.back(), {"vertex_index", "vertex_indices"});
     if (text.find("vertex_index") != std::string_view::npos &&
         (!name || text.find("vertex_index") < static_cast<std::size_t>(words_.back().data() - text.data()))) {
@@ -119,7 +119,7 @@ class HeaderReader {
       fail(inQuotes(digits) + " is not a count of " + name + "; write a whole number");
     }
     if (count < 0) fail("promises " + std::string(digits) + " of " + name + "; a count is 0 or more");
-    // Each takes a byte at least.
+    // Each entry takes at least one byte.
     if (error == std::errc::result_out_of_range || count > std::numeric_limits<int>::max() ||
         static_cast<unsigned long long>(count) > bytes_.size() - next_) {
       fail("promises " + std::string(digits) + " of " + name + ", more than the file holds; the file is cut off");

@@ -22,7 +22,7 @@ namespace boxprobe {
 
 namespace {
 
-constexpr double kLargestNumber = 1e18;  // as for glTF: a square of it is still a number
+constexpr double kLargestNumber = 1e18;  // as for glTF: its square does not overflow
 
 [[noreturn]] void failPosition(const std::string& place, std::size_t point) {
   throw InputError(place + ": point " + std::to_string(point) + " is not finite or lies beyond 1e18; repair the model");
@@ -97,12 +97,12 @@ Mesh meshFromPolyData(vtkPolyData* source, const std::string& place) {
       normal->GetTuple(i, n);
       const glm::dvec3 v(n[0], n[1], n[2]);
       const double length = glm::length(v);
-      // A point whose triangles have no area, or a file's NaN: never seen, and a unit vector all the same.
+      // A point with degenerate triangles only, or with NaN in the file: never visible, but must be a unit vector.
       mesh.normals.push_back(length > 0.0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0, 1, 0));
     }
     if (uv != nullptr && uv->GetNumberOfComponents() >= 2) {
       const double u = uv->GetComponent(i, 0), v = uv->GetComponent(i, 1);
-      // Their v grows upwards.
+      // In these formats v grows upwards.
       mesh.uv.emplace_back(std::isfinite(u) ? u : 0.0, std::isfinite(v) ? 1.0 - v : 0.0);
     }
   }

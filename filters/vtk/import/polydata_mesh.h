@@ -1,4 +1,4 @@
-// Between vtkPolyData and the plain arrays of a model. Called by the readers of models.
+// Converts between vtkPolyData and a model's plain arrays.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,12 +11,12 @@ class vtkPolyData;
 
 namespace boxprobe {
 
-/// Throws InputError that starts with `place` for a point that is not finite or beyond 1e18.
+/// Throws an InputError that starts with `place` for a point that is not finite or beyond 1e18.
 void checkPositions(const std::vector<glm::vec3>& positions, const std::string& place);
 
-/// The polygons and strips as triangles, with normals computed where there are none (corners sharper than 30 degrees
-/// stay sharp), texture coordinates, and colours if a point array of 8-bit RGB or RGBA is there (taken for sRGB).
-/// Throws InputError that starts with `place`.
+/// Polygons and strips as triangles, with computed normals if there are none (corners sharper than 30 degrees stay
+/// sharp), texture coordinates, and colours from a point array of 8-bit RGB or RGBA (taken as sRGB). Throws an
+/// InputError that starts with `place`.
 Mesh meshFromPolyData(vtkPolyData* data, const std::string& place);
 
 }  // namespace boxprobe

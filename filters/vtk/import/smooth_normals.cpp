@@ -12,15 +12,15 @@ namespace {
 
 constexpr double kSmoothCosine = 0.8660254;  // of 30 degrees
 
-/// A triangle at a point, or several that face almost the same way.
+/// A triangle at a point, or several with almost the same normal.
 struct FacingShare {
   glm::dvec3 facing{0.0};  ///< unit
-  glm::dvec3 sum{0.0};     ///< facing, times the angle at the point
+  glm::dvec3 sum{0.0};     ///< facing, weighted by the angle at the point
 };
 
 using Around = std::map<std::array<float, 3>, std::vector<FacingShare>>;
 
-/// Which of 6 x 9 x 9 cells on a cube about the origin a direction meets.
+/// The index, among 6 x 9 x 9 cells on a cube around the origin, of the cell that a direction meets.
 std::size_t directionCell(const glm::dvec3& d) {
   constexpr double kCells = 9.0;
   int axis = 0;
@@ -51,7 +51,7 @@ void joinAlike(std::vector<FacingShare>& shares) {
 
 void computeNormals(Mesh& mesh) {
   const std::size_t triangles = mesh.indices.size() / 3;
-  std::vector<glm::dvec3> facing(triangles, glm::dvec3(0.0));  // unit, or 0 without an area
+  std::vector<glm::dvec3> facing(triangles, glm::dvec3(0.0));  // unit, or 0 for degenerate triangles
   Around around;
   for (std::size_t t = 0; t < triangles; ++t) {
     glm::dvec3 p[3];
@@ -81,7 +81,7 @@ void computeNormals(Mesh& mesh) {
     }
     const double length = glm::length(sum);
     flat.positions.push_back(at);
-    // A triangle without area is never seen.
+    // A degenerate triangle is never visible.
     flat.normals.push_back(length > 0.0 ? glm::vec3(sum / length) : glm::vec3(0, 1, 0));
     if (!mesh.uv.empty()) flat.uv.push_back(mesh.uv[vertex]);
     if (!mesh.colors.empty()) flat.colors.push_back(mesh.colors[vertex]);

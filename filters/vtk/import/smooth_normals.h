@@ -1,14 +1,14 @@
-// Normals of triangles that come without. Called by the readers of OBJ, PLY, STL and VTP files. Knows no VTK.
+// Computes normals for triangles without them.
 #pragma once
 
 #include "filters/core/scene/model.h"
 
 namespace boxprobe {
 
-/// Every triangle gets vertices of its own, with unit normals. Triangles meet wherever positions are equal: a corner's
-/// normal is the mean, by angle, of those around it that are not turned away from its own by more than 30 degrees.
-/// Around a point that more than 64 triangles share, directions within about 10 degrees count as one: the time stays
-/// linear in the triangles.
+/// Gives each triangle its own vertices with unit normals. Triangles are adjacent where positions are equal: a corner's
+/// normal is the angle-weighted mean of the surrounding normals within 30 degrees of its own triangle's. Around a point
+/// with more than 64 triangles, directions within about 10 degrees are merged, so that the time stays linear in the
+/// number of triangles.
 void computeNormals(Mesh& mesh);
 
 }  // namespace boxprobe

@@ -20,7 +20,7 @@ constexpr std::size_t kStlHeader = 84, kStlTriangle = 50;
   throw InputError(oneLine(path + place + ": " + reason));
 }
 
-/// Of a binary file's header. The processors that this runs on are little-endian, as STL is.
+/// The count in a binary file's header. STL is little-endian, as are the supported processors.
 std::size_t promisedTriangles(const std::string& bytes) {
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + kStlHeader - sizeof count, sizeof count);
@@ -35,7 +35,7 @@ bool isStlWord(std::string_view word, std::string_view wanted) {
   return true;
 }
 
-/// Some binary files start with "solid", too; their size tells.
+/// Some binary files also start with "solid": detected by their size.
 bool isStlText(const std::string& bytes) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start == std::string::npos || !isStlWord(std::string_view(bytes).substr(start, 5), "solid")) return false;
@@ -76,14 +76,14 @@ void readStlBinary(const std::string& path, const std::string& bytes, StlProgres
   mesh.positions.reserve(3 * count);
   mesh.indices.reserve(3 * count);
   for (std::size_t t = 0; t < count; ++t) {
-    float numbers[9];  // behind the normal
+    float numbers[9];  // after the normal
     std::memcpy(numbers, bytes.data() + kStlHeader + kStlTriangle * t + 12, sizeof numbers);
     for (std::size_t k = 0; k < 9; k += 3) addStlVertex(mesh, {numbers[k], numbers[k + 1], numbers[k + 2]});
     progress.triangle(static_cast<double>(t) / static_cast<double>(count));
   }
 }
 
-/// The words of a text, with their lines. Carriage returns alone end lines, too.
+/// The words of a text with their line numbers. Carriage returns alone also end lines.
 class StlWords {
  public:
   explicit StlWords(const std::string& bytes) : bytes_(bytes) {}
@@ -123,12 +123,12 @@ void readStlText(const std::string& path, const std::string& bytes, StlProgress&
     if (result.ec == std::errc::invalid_argument || result.ptr != word.data() + word.size()) {
       failStl(path, words.place(), "\"" + told + "\" is not a number; \"vertex\" has three");
     }
-    return result.ec == std::errc() ? value : 0.0f;  // too small for a float, or too large, which no model is
+    return result.ec == std::errc() ? value : 0.0f;  // underflow, or overflow, which no real model has
   };
   std::size_t corners = 0;
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     if (isStlWord(word, "solid") || isStlWord(word, "endsolid")) {
-      words.skipLine();  // a name
+      words.skipLine();  // the name
     } else if (isStlWord(word, "vertex")) {
       const float x = number(), y = number(), z = number();
       addStlVertex(mesh, {x, y, z});

@@ -1,6 +1,5 @@
-// STL files, binary and text. Called by the model reader. Knows no VTK: VTK 9.1's reader asks for the memory that a
-// header promises and takes text for binary data. Source: the StereoLithography Interface Specification (3D Systems,
-// 1988).
+// Reads STL files, binary and text. VTK 9.1's reader allocates the memory that a header claims, and mistakes text for
+// binary data. Source: the StereoLithography Interface Specification (3D Systems, 1988).
 #pragma once
 
 #include <string>
@@ -10,8 +9,8 @@
 
 namespace boxprobe {
 
-/// Triangles without normals; those that a file has are often wrong. Throws InputError naming line or triangle. Memory
-/// is at most a few times the file's size, time linear in it.
+/// Triangles without normals; those in files are often wrong. Throws InputError with the line or triangle. Memory is at
+/// most a few times the file's size, time is linear in it.
 Mesh readStlMesh(const std::string& path, const LoadProgress& progress = {});
 
 }  // namespace boxprobe

@@ -26,7 +26,7 @@ struct VtkErrorCatcher::Impl {
 };
 
 VtkErrorCatcher::VtkErrorCatcher() : impl_(new Impl) {
-  // VTK logs to stderr what it also tells its output window. It stays off: the program has messages of its own.
+  // VTK also logs to stderr what it sends to its output window. This stays off: the program has its own messages.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   impl_->before = vtkOutputWindow::GetInstance();
   impl_->window = vtkSmartPointer<vtkFirstErrorWindow>::New();

@@ -1,5 +1,5 @@
-// What VTK reports while a reader runs, as a value: its readers print their errors and go on. Called by the readers of
-// models; not to be nested, and for one thread.
+// Captures VTK's errors while a reader runs: VTK's readers print them and continue. Must not be nested; not
+// thread-safe.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ class VtkErrorCatcher {
   VtkErrorCatcher(const VtkErrorCatcher&) = delete;
   VtkErrorCatcher& operator=(const VtkErrorCatcher&) = delete;
 
-  /// The first error so far without VTK's file and address, on one line; empty: none.
+  /// The first error so far on one line, without VTK's file and address; empty: none.
   std::string error() const;
 
  private:

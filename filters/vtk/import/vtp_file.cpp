@@ -16,10 +16,10 @@ namespace boxprobe {
 
 namespace {
 
-/// Deflate makes 1032 bytes of one, the most that any of VTK's compressors does.
+/// Deflate's maximum ratio is 1032, the highest of VTK's compressors.
 constexpr std::size_t kMostOfAByte = 1032, kMostPieces = 1000, kMostArrays = 1000;
 
-// Expat 2.9 took a wider count and deprecates the one before.
+// Expat 2.9 has wider counts and deprecates the earlier function.
 std::uint64_t lineOf(XML_Parser parser) {
 #if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
   return XML_GetCurrentLineNumber64(parser);
@@ -35,7 +35,7 @@ class VtpXml {
   void read() {
     const std::string& bytes = file_.bytes;
     if (bytes.find("<VTKFile") == std::string::npos) failVtp(path_, "is not a VTK XML file; save it as VTP");
-    // Appended data may be binary: to XML the file ends before it.
+    // Appended data may be binary: for the XML parser the file ends before it.
     const std::size_t appended = bytes.find("<AppendedData");
     const std::size_t length = std::min(appended, bytes.size());
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr), XML_ParserFree);
@@ -97,7 +97,7 @@ class VtpXml {
 
   void start(const std::string& name, const char** attributes) {
     if (array_ != nullptr) {
-      ++nested_;  // what is known of an array, not its values
+      ++nested_;  // attributes of an array, not its values
       return;
     }
     const std::size_t most = kMostOfAByte * file_.bytes.size();

@@ -1,5 +1,5 @@
-// The XML of a VTP file: which arrays there are and where their bytes lie. Called by the VTP reader. Knows no VTK.
-// Source: "VTK XML File Formats" (docs.vtk.org); where it says nothing, what VTK 9.1 writes.
+// Parses the XML of a VTP file: its arrays, and where their bytes are. Source: "VTK XML File Formats" (docs.vtk.org)
+// and, where that is silent, the output of VTK 9.1.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@ namespace boxprobe {
 enum class VtpFormat { Text, Base64, Appended };
 
 struct VtpArray {
-  std::string section;  ///< of the piece: "Points", "Polys", "PointData" ...
+  std::string section;  ///< section of the piece: "Points", "Polys", "PointData" ...
   std::string name, type;
   VtpFormat format = VtpFormat::Text;
   std::size_t components = 1;
-  std::size_t offset = 0;  ///< of appended ones, behind the underscore
-  std::string text;        ///< of the others
+  std::size_t offset = 0;  ///< of appended arrays, relative to the underscore
+  std::string text;        ///< of other arrays
 };
 
 struct VtpPiece {
@@ -30,14 +30,14 @@ struct VtpPiece {
 
 struct VtpFile {
   std::string bytes;
-  bool bigEndian = false, wideHeaders = false;  ///< counts before data have 8 bytes, else 4
-  std::string compressor;                       ///< VTK's class; empty: none
+  bool bigEndian = false, wideHeaders = false;  ///< counts before data have 8 bytes instead of 4
+  std::string compressor;                       ///< name of VTK's class; empty: uncompressed
   bool appendedBase64 = false;
-  std::size_t appended = std::string::npos;  ///< the first byte behind the underscore
+  std::size_t appended = std::string::npos;  ///< offset of the first byte after the underscore
   std::vector<VtpPiece> pieces;
 };
 
-/// Throws InputError for what is no XML, or no PolyData, or promises more than a file of its size can hold.
+/// Throws InputError for invalid XML, other data than PolyData, and sizes that a file of this length cannot contain.
 VtpFile readVtpFile(const std::string& path);
 
 [[noreturn]] void failVtp(const std::string& path, const std::string& reason);

@@ -18,7 +18,7 @@ namespace boxprobe {
 
 namespace {
 
-/// Ear clipping takes the square of a polygon's corners and more.
+/// Ear clipping takes at least quadratic time in the number of corners.
 constexpr double kMostVtpCorners = 4096;
 
 class VtpPieces {
@@ -45,7 +45,7 @@ class VtpPieces {
     addAttributes(piece);
   }
 
-  /// An attribute that not all pieces have is none.
+  /// Drops attributes that not all pieces have.
   vtkPolyData* whole() {
     const vtkIdType count = points_->GetNumberOfPoints();
     if (normals_->GetNumberOfTuples() == count) data_->GetPointData()->SetNormals(normals_);
@@ -107,7 +107,7 @@ class VtpPieces {
     }
   }
 
-  /// As many components as the target has; a fourth colour that is missing is full.
+  /// With the target's number of components; a missing alpha is opaque.
   void append(vtkDataArray* target, const VtpArray& array, std::size_t points) const {
     const std::size_t n = array.components;
     const std::vector<double> numbers = values(array, n * points);

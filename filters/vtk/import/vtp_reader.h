@@ -1,5 +1,5 @@
-// VTP files: VTK's XML format of PolyData, text and binary, inline and appended, compressed or not. Called by the model
-// reader. VTK 9.1's own reader believes the counts of headers: a file of 4 kB takes it 17 s and 3.9 GB.
+// Reads VTP files, VTK's XML format of PolyData: text and binary, inline and appended, compressed or not. VTK 9.1's own
+// reader trusts the counts of headers: a file of 4 kB took 17 s and 3.9 GB.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace boxprobe {
 
-/// Polygons and strips of all pieces, with normals, texture coordinates and colours of points. Throws InputError naming
-/// the array.
+/// Polygons and strips of all pieces, with normals, texture coordinates and point colours. Throws InputError with the
+/// array.
 Mesh readVtpMesh(const std::string& path, const LoadProgress& progress = {});
 
 }  // namespace boxprobe

@@ -24,12 +24,12 @@ int base64Value(char c) {
   return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// Bytes one after the other out of a text in base64, or as they are.
+/// Reads bytes sequentially, from base64 text or raw data.
 class VtpSource {
  public:
   VtpSource(std::string_view text, bool base64) : text_(text), base64_(base64) {}
 
-  /// False if there are not so many.
+  /// False if fewer bytes are left.
   bool read(std::size_t count, std::string& bytes) {
     if (!base64_) {
       if (text_.size() - at_ < count) return false;
@@ -43,7 +43,7 @@ class VtpSource {
     }
     return true;
   }
-  /// A new stream of base64 begins behind a padded group.
+  /// Starts a new base64 stream, after a padded group.
   void endStream() { held_ = 0; }
   std::size_t most() const { return text_.size() - at_ + kGroup; }
 
@@ -64,7 +64,7 @@ class VtpSource {
     }
     if (digits < 4 || padding > 2) return false;
     held_ = kGroup - padding;
-    // Right-aligned, so that the first of them is at kGroup - held_.
+    // Right-aligned, so that the first byte is at kGroup - held_.
     for (std::size_t i = 0; i < held_; ++i) {
       group_[padding + i] = static_cast<char>(bits >> (16 - 8 * i));
     }
@@ -96,7 +96,7 @@ constexpr VtpType kVtpTypes[] = {{"Int8", 1, valueAt<std::int8_t>},   {"UInt8", 
                                  {"Int64", 8, valueAt<std::int64_t>}, {"UInt64", 8, valueAt<std::uint64_t>},
                                  {"Float32", 4, valueAt<float>},      {"Float64", 8, valueAt<double>}};
 
-/// Exactly `space` bytes of a block at `target`; false if that is not what is in it.
+/// Decompresses a block to exactly `space` bytes at `target`; false if the size differs.
 using Unpack = bool (*)(const std::string& block, char* target, std::size_t space);
 
 bool unpackZlib(const std::string& block, char* target, std::size_t space) {
@@ -121,7 +121,7 @@ bool unpackLzma(const std::string& block, char* target, std::size_t space) {
          made == space;
 }
 
-/// Null for a compressor that is not known.
+/// Null for an unknown compressor.
 Unpack unpackOf(const std::string& compressor) {
   if (compressor == "vtkZLibDataCompressor") return unpackZlib;
   if (compressor == "vtkLZ4DataCompressor") return unpackLz4;
@@ -161,7 +161,7 @@ class ArrayReader {
 
   std::vector<double> readText() const {
     const std::string& text = array_.text;
-    if (text.size() + 1 < 2 * wanted_) failSize(text.size());  // a digit and a space each
+    if (text.size() + 1 < 2 * wanted_) failSize(text.size());  // at least a digit and a space each
     std::vector<double> values;
     values.reserve(wanted_);
     for (const char *at = text.data(), *end = at + text.size();;) {
@@ -210,7 +210,7 @@ class ArrayReader {
       failVtp(path_,
               "is compressed by " + file_.compressor + ", which is not known; save it with vtkZLibDataCompressor");
     }
-    // Blocks, the bytes of each, those of the last if it is shorter, then what each is compressed to.
+    // The number of blocks, the size of each, the size of a shorter last one, then the compressed sizes.
     const std::uint64_t blocks = headerNumber(from), size = headerNumber(from), last = headerNumber(from);
     if (blocks > from.most() || size > wanted + (std::uint64_t(1) << 32)) fail("has a damaged header");
     std::vector<std::uint64_t> packed;

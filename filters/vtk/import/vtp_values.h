@@ -1,4 +1,4 @@
-// The values of a VTP file's arrays, whatever they are stored as. Called by the VTP reader. Knows no VTK.
+// Reads the values of a VTP file's arrays in any encoding.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace boxprobe {
 
-/// `wanted` values, not one more or less. Throws InputError naming the array; nothing is decompressed before its size
-/// is known to be the wanted one.
+/// Exactly `wanted` values. Throws InputError with the array; nothing is decompressed before its size is known to
+/// match.
 std::vector<double> vtpValues(const VtpFile& file, const VtpArray& array, std::size_t wanted, const std::string& path);
 
 }  // namespace boxprobe

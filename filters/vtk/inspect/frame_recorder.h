@@ -1,4 +1,4 @@
-// Collects what the last frame was drawn with into a FrameReport. Called by the scene renderer, when somebody asks.
+// Collects a FrameReport about the last frame.
 #pragma once
 
 #include "filters/vtk/frame/frame_report.h"
@@ -9,9 +9,9 @@ namespace boxprobe {
 
 FrameReport reportFrame(const SceneContent& content, const ProbeSet& probes, const MirrorSet& mirrors,
                         const Counters& counters);
-/// Programs by their first object.
+/// Programs, in the order of their first object.
 std::vector<DrawnProgram> drawnPrograms(const SceneContent& content);
-/// Of a picture drawn with the debug view of lookups, transparent where no surface is.
+/// From a picture drawn with the debug view of lookups, transparent where there is no surface.
 FrameReport::Lookups lookupsOf(const ImageRgbaF& picture);
 
 }  // namespace boxprobe

@@ -1,4 +1,4 @@
-// What is odd about a scene's glass, one sentence each, for warnings. Called by the scene renderer.
+// Warnings about a scene's glass, one sentence each.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace boxprobe {
 
 struct SceneContent;
 
-/// Probes that see the very object they are looked through: it would show within itself.
+/// Probes that see the very object they are seen through, which would show inside itself.
 std::vector<std::string> glassRemarks(const SceneContent& content);
 
 }  // namespace boxprobe

@@ -1,4 +1,4 @@
-// What the preview sphere shows: plain values, for callers that must not see OpenGL's headers.
+// The contents of the preview sphere, without OpenGL's headers.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace boxprobe {
 enum class SphereKind {
   Off,
   Chrome,   ///< level 0: the capture itself
-  Rough,    ///< a metal of PreviewSphereSettings::roughness
+  Rough,    ///< a metal with PreviewSphereSettings::roughness
   Diffuse,  ///< a white diffuse surface: the irradiance
 };
 

@@ -56,7 +56,7 @@ void PreviewSphere::build() {
   layer_->SetLayer(1);
   layer_->InteractiveOff();
   layer_->PreserveDepthBufferOn();
-  // The maps alone light it; but without any light VTK would not shade at all.
+  // Lit by the maps alone; but without any light VTK would not shade at all.
   layer_->AutomaticLightCreationOff();
   vtkNew<vtkLight> dark;
   dark->SetIntensity(0.0);
@@ -69,7 +69,7 @@ void PreviewSphere::applyMaterial() {
   const bool diffuse = settings_.kind == SphereKind::Diffuse;
   property->SetMetallic(diffuse ? 0.0 : 1.0);
   property->SetRoughness(settings_.kind == SphereKind::Chrome ? 0.0 : diffuse ? 1.0 : settings_.roughness);
-  // An index of 1 has no reflection of its own: irradiance and nothing else.
+  // An index of 1 has no specular reflection: irradiance only.
   property->SetBaseIOR(diffuse ? 1.0 : 1.5);
 
   drawn_->geometry.technique = parseTechnique("infinite").value_or(Technique{});
@@ -116,12 +116,12 @@ void PreviewSphere::follow(const Probe* probe, const std::shared_ptr<const Probe
   drawn_->geometry.mapFromProbe = turned ? glm::transpose(rotationMatrix(maps->capturedRotation)) : glm::dmat3(1.0);
   if (turned != drawn_->geometry.mapTurned) {
     drawn_->geometry.mapTurned = turned;
-    applyMaterial();  // another program
+    applyMaterial();  // selects another program
   }
   drawn_->geometry.intensity = static_cast<float>(probe->intensity);
   actor_->SetPosition(probe->origin.x, probe->origin.y, probe->origin.z);
   actor_->SetScale(radius(probe->box));
-  // The same camera, or else the depths of the two pictures could not be compared.
+  // The same camera, so that depths of the two pictures can be compared.
   if (layer_->GetActiveCamera() != scene_->GetActiveCamera()) layer_->SetActiveCamera(scene_->GetActiveCamera());
 }
 

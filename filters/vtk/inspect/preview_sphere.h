@@ -1,6 +1,6 @@
-// A sphere at a probe's origin that shows what the probe holds: a mirror, a rough metal or a diffuse white, lit by that
-// probe's maps alone. Owned by the scene renderer. Drawn in a layer of its own over the scene (behind whatever stands
-// before it), so that no capture, explanation or exported picture sees it; hidden it is not there at all.
+// A sphere at a probe's origin that shows the probe's contents: a mirror, a rough metal or a diffuse white, lit by that
+// probe's maps alone. Drawn in a separate layer over the scene (hidden by objects in front of it), so that captures,
+// explanations and exported pictures do not contain it. While hidden it uses no resources.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -24,15 +24,15 @@ class PreviewSphere {
 
   void show(const PreviewSphereSettings& settings);
   const PreviewSphereSettings& settings() const { return settings_; }
-  /// Before every picture, while it is shown: where the probe stands and what it holds now. Null hides it.
+  /// To be called before each picture while it is shown, with the probe and its current maps. Null hides it.
   void follow(const Probe* probe, const std::shared_ptr<const ProbeMaps>& maps);
-  /// Levels of these maps that the sphere samples; those that are not filtered yet it shows as they are.
+  /// The levels of these maps that the sphere samples; missing ones are shown unfiltered.
   LevelMask sampled(const ProbeMaps& maps) const;
-  /// With the window's context current.
+  /// Needs the window's context current.
   void release();
   bool shown() const { return settings_.kind != SphereKind::Off; }
 
-  /// A tenth of the box's shortest edge that has a length.
+  /// A tenth of the box's shortest edge of nonzero length.
   static double radius(const Box& box);
 
  private:

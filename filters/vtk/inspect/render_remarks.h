@@ -1,4 +1,4 @@
-// What is odd about what a scene renderer shows, one sentence each, for warnings. Called by the scene renderer.
+// Warnings about what a scene renderer shows, one sentence each.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace boxprobe {
 
 struct SceneContent;
 
-/// After the remarks on the probes' pictures: the sky's image, glass within itself, probes left out (`report`), and
-/// captured light that was put right (`counters`).
+/// In addition to those about the probes' pictures: the sky's image, glass inside itself, omitted probes (`report`),
+/// and corrected light of captures (`counters`).
 std::vector<std::string> sceneRemarks(const SceneContent& content, const FrameReport& report, const Counters& counters);
 
 }  // namespace boxprobe

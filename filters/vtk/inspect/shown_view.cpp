@@ -10,7 +10,7 @@ namespace boxprobe {
 
 namespace {
 
-// To two digits: the ends of a scale should be readable numbers.
+// To two digits, so that the ends of a scale are readable.
 double roundedUp(double x) {
   const double digit = std::pow(10.0, std::floor(std::log10(std::max(x, 1.0e-30))) - 1.0);
   return std::ceil(x / digit) * digit;
@@ -22,8 +22,8 @@ const SurfaceViewRow& rowOf(const SurfaceViewSettings& settings) {
 
 }  // namespace
 
-// A row without a range of its own takes one from the scene: distances up to the largest box's diagonal, which no ray
-// inside of it exceeds, levels up to the longest chain.
+// A row without a range takes it from the scene: distances up to the largest box's diagonal, the maximum of a ray
+// inside; levels up to the longest chain.
 std::pair<double, double> ShownView::range(const SceneContent& content) const {
   const SurfaceViewRow& row = rowOf(settings_);
   double low = row.low, high = row.high;

@@ -1,4 +1,4 @@
-// The debug view that is shown: its range, where that is the scene's own, and its legend. Owned by the scene renderer.
+// The current debug view: its range, if it depends on the scene, and its legend.
 #pragma once
 
 #include <utility>
@@ -13,14 +13,14 @@ class ShownView {
  public:
   const SurfaceViewSettings& settings() const { return settings_; }
   void set(const SurfaceViewSettings& settings) { settings_ = settings; }
-  /// Is it a debug view, and not the picture?
+  /// Is it a debug view instead of the picture?
   bool any() const { return settings_.view != 0; }
 
-  /// The ends of its scale: those that were set, else the row's own, else the scene's.
+  /// The ends of its scale: those that were set, else the row's, else the scene's.
   std::pair<double, double> range(const SceneContent& content) const;
-  /// Gives objects, draws and legend the view as it is.
+  /// Applies the view to objects, draws and legend.
   void apply(SceneContent& content, DrawState& state, vtkRenderer* renderer);
-  /// Before each frame. The context must be current.
+  /// To be called before each frame. The context must be current.
   void upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const;
 
  private:

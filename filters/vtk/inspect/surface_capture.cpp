@@ -19,9 +19,9 @@ namespace boxprobe {
 
 namespace {
 
-/// -1 for what no program of this one's has written.
+/// -1 for values that our programs do not write.
 int objectNumber(float written) {
-  constexpr float kMost = 16777216.0f;  // the last whole number before a float leaves some out
+  constexpr float kMost = 16777216.0f;  // floats represent all integers up to this one
   return written >= 0.0f && written <= kMost ? static_cast<int>(written + 0.5f) : -1;
 }
 
@@ -35,7 +35,7 @@ SurfaceCapture::SurfaceCapture(vtkOpenGLRenderWindow* window, std::shared_ptr<Dr
   renderer_->SetBackground(0.0, 0.0, 0.0);
   renderer_->SetBackgroundAlpha(0.0);
   vtkNew<vtkTargetPass> pass;
-  // A translucent surface is explained as it is, not mixed with what lies behind it.
+  // A translucent surface is explained by itself, not blended with what is behind.
   pass->Blend = false;
   renderer_->SetPass(pass);
 }

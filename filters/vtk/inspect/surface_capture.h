@@ -1,6 +1,5 @@
-// What the surfaces of a picture are, pixel by pixel: drawn with the debug view's programs into a framebuffer with an
-// attachment for each of position, normal, material and colour. For explanations; draws as little of the picture as is
-// asked for. Called by the scene renderer; knows no probe.
+// Reads the surface at each pixel of a picture: draws it with the debug view's programs into a framebuffer with
+// attachments for position, normal, material and colour. Draws only the requested part of the picture.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -28,10 +27,10 @@ struct PixelRect {
 };
 
 struct SurfacePixel {
-  int object = 0;  ///< number the pass was given; 0: background; -1: none that a pass is given
+  int object = 0;  ///< number of the pass; 0: background; -1: not a pass's number
   SurfacePoint point;
   glm::vec3 color{0.0f};              ///< linear, as drawn
-  std::array<glm::vec4, 4> finish{};  ///< if asked for: what gpu/surface_output.glsl writes of it; else 0
+  std::array<glm::vec4, 4> finish{};  ///< if requested: what gpu/surface_output.glsl writes of it; else 0
 };
 
 class SurfaceCapture {
@@ -41,15 +40,15 @@ class SurfaceCapture {
   SurfaceCapture(const SurfaceCapture&) = delete;
   SurfaceCapture& operator=(const SurfaceCapture&) = delete;
 
-  /// Rows from the top of the picture down. The context must be current; `props` must draw the debug program. `finish`:
-  /// draws them once more for what few materials have.
+  /// Rows from the top of the picture down. The context must be current; `props` must draw with the debug program.
+  /// `finish`: draws them a second time for finish properties.
   std::vector<SurfacePixel> capture(vtkCamera* camera, int width, int height, const PixelRect& rect,
                                     const std::vector<vtkProp*>& props, const std::vector<vtkLight*>& lights,
                                     bool finish = false);
   void release();
 
  private:
-  static constexpr int kAttachments = 7;  ///< shaders/gpu/surface_output.glsl, and the colour
+  static constexpr int kAttachments = 7;  ///< those of shaders/gpu/surface_output.glsl, and the colour
   using Values = std::array<std::vector<glm::vec4>, kAttachments>;
   void allocate(int width, int height);
   void draw(vtkCamera* camera, int height, const PixelRect& rect, bool finish);

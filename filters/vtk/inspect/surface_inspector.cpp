@@ -35,7 +35,7 @@ vtkProp* SurfaceInspector::twinOf(std::size_t index) {
   return twin;
 }
 
-// Those whose bounds' corners surround the pixel on the screen: the others cannot be what it shows.
+// The objects whose projected bounds contain the pixel: others cannot be visible there.
 std::vector<vtkProp*> SurfaceInspector::twinsAt(vtkCamera* camera, double aspect, const glm::dvec2& center,
                                                 const glm::dvec2& halfSize) {
   vtkMatrix4x4* clipFromWorld = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
@@ -55,7 +55,7 @@ std::vector<vtkProp*> SurfaceInspector::twinsAt(vtkCamera* camera, double aspect
       low = glm::min(low, screen);
       high = glm::max(high, screen);
     }
-    // With a corner behind the eye the projection says nothing; the object is drawn.
+    // If a corner is behind the eye the projection is meaningless; the object is drawn.
     const bool covers = glm::all(glm::lessThanEqual(low, center + halfSize)) &&
                         glm::all(glm::greaterThanEqual(high, center - halfSize));
     if (behind || covers) result.push_back(twinOf(i));
@@ -63,7 +63,7 @@ std::vector<vtkProp*> SurfaceInspector::twinsAt(vtkCamera* camera, double aspect
   return result;
 }
 
-// In a pass of its own: few scenes have such surfaces.
+// In a separate pass, because few scenes have such surfaces.
 bool SurfaceInspector::needsFinish() const {
   return std::any_of(content_->objects.begin(), content_->objects.end(), [](const DrawnObject& object) {
     const SurfaceMaterial& surface = *object.surface;
@@ -136,7 +136,7 @@ std::vector<Explanation> SurfaceInspector::explain(vtkCamera* camera, int width,
   return result;
 }
 
-// Where a program that writes the first attachment alone was drawn, the others hold anything.
+// After programs that write only the first attachment, the others are undefined.
 void SurfaceInspector::requireTold(const std::vector<vtkProp*>& props, const std::vector<SurfacePixel>& pixels) const {
   const bool refused = std::any_of(twins_.begin(), twins_.end(), [&](const auto& entry) {
     vtkProbeActor* twin = entry.second;
@@ -219,6 +219,7 @@ Explanation SurfaceInspector::explainOne(const SurfacePixel& pixel) {
   }
   in.weights = binding.weights;
   in.sky = binding.sky;
+  in.diffuse = binding.diffuse;
   in.onlyProbes = binding.onlyProbes;
   in.shares = binding.shares;
   in.skyShare = binding.skyShare;

@@ -1,6 +1,6 @@
-// Explains pixels of the current picture: reads what the surface is from the GPU, looks up the same maps on the CPU,
-// and hands both to explainPixel. Draws twins of the objects with the debug view's programs, so that the picture's own
-// programs stay as they are; a twin is made when it is first under the pointer. Owned by the scene renderer.
+// Explains pixels of the current picture: reads the surface from the GPU and the same maps on the CPU, and calls
+// explainPixel. Draws twins of the objects with the debug view's programs, so that the picture's programs stay
+// unchanged; a twin is made when its object is first under the pointer.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -21,8 +21,8 @@ class SurfaceInspector {
  public:
   SurfaceInspector(vtkOpenGLRenderWindow* window, std::shared_ptr<DrawState> state, SceneContent* content);
 
-  /// One explanation for each of `pixels` (x, y from the top left) of a picture of width x height. The context must be
-  /// current. A single pixel draws that pixel only; several draw the picture once.
+  /// One explanation per element of `pixels` (x, y from the top left) of a picture of width x height. The context must
+  /// be current. A single pixel draws only that pixel; several draw the picture once.
   std::vector<Explanation> explain(vtkCamera* camera, int width, int height, const std::vector<glm::ivec2>& pixels);
 
   /// The maps read back, once as long as they live and have no further level filtered; null for null. What the scene's
@@ -31,7 +31,7 @@ class SurfaceInspector {
   void requireTold(const std::vector<vtkProp*>& props, const std::vector<SurfacePixel>& pixels) const;
   std::shared_ptr<const BakedMaps> onCpu(const std::shared_ptr<const ProbeMaps>& maps);
 
-  /// The objects were replaced.
+  /// To be called when the objects were replaced.
   void forgetObjects() { twins_.clear(); }
   void release();
 
@@ -46,14 +46,14 @@ class SurfaceInspector {
   std::shared_ptr<DrawState> state_;
   SceneContent* content_;
   SurfaceCapture capture_;
-  std::vector<MovingMap> movingMaps_;  ///< as the last explanation saw them
+  std::vector<MovingMap> movingMaps_;  ///< as of the last explanation
   std::map<std::size_t, vtkSmartPointer<vtkProbeActor>> twins_;
   struct Copy {
     std::weak_ptr<const ProbeMaps> of;
     LevelMask filtered;
     std::shared_ptr<const BakedMaps> maps;
   };
-  std::vector<Copy> copies_;  ///< maps read back; those whose original is gone are dropped
+  std::vector<Copy> copies_;  ///< maps read back; dropped when the original is deleted
 };
 
 }  // namespace boxprobe

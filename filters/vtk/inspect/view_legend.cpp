@@ -26,8 +26,8 @@ namespace boxprobe {
 namespace {
 
 constexpr int kColors = 256;
-constexpr int kSmallPicture = 800;    // pixels across: such a picture stands on a page among others, and smaller still
-constexpr double kSmallFactor = 1.5;  // of letters and bar in it
+constexpr int kSmallPicture = 800;  // pixels across: smaller pictures are for pages, where they are scaled down further
+constexpr double kSmallFactor = 1.5;  // scale of text and bar in them
 
 void setText(vtkTextProperty* text, int size) {
   text->SetFontFamilyToArial();
@@ -40,7 +40,7 @@ void setText(vtkTextProperty* text, int size) {
 
 }  // namespace
 
-// From dark blue through green to yellow: lightness rises all the way, so that order is seen without the bar and
+// From dark blue through green to yellow, with increasing lightness, so that the order is visible without the bar and
 // without colour vision.
 ViewLegend::ViewLegend()
     : colors_(vtkSmartPointer<vtkColorTransferFunction>::New()),
@@ -129,7 +129,7 @@ void ViewLegend::show(vtkRenderer* renderer, const SurfaceViewRow& row, double l
 
 void ViewLegend::showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& colors,
                            const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 24;  // more would not be legible; the first of the list are the ones of the file
+  constexpr std::size_t kMost = 24;  // more would not be legible; the first ones in file order are shown
   const std::size_t count = std::min(names.size(), kMost);
   names_->SetNumberOfEntries(static_cast<int>(count));
   vtkNew<vtkPoints> corners;
@@ -138,7 +138,7 @@ void ViewLegend::showNames(vtkRenderer* renderer, const std::vector<glm::vec3>& 
   face->InsertNextCell({0, 1, 2, 3});
   std::size_t longest = 4;
   for (std::size_t i = 0; i < count; ++i) {
-    // The colour sits in the swatch itself: an entry's colour would be its text's too, dark on dark.
+    // The swatch contains the colour: an entry's own colour would apply to its text, dark on dark.
     vtkNew<vtkUnsignedCharArray> color;
     color->SetNumberOfComponents(3);
     const glm::dvec3 rgb = 255.0 * glm::dvec3(colors[i]);

@@ -1,5 +1,5 @@
-// The debug view's colours and the bar that explains them: one source for what the shader shows and what the legend
-// says. Owned by the scene renderer; draws into the window only, never into captures or linear pictures.
+// The colour map of the debug view, shared by shader and legend. Draws into the window only, never into captures or
+// linear pictures.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -25,10 +25,10 @@ class ViewLegend {
   ViewLegend();
   ~ViewLegend();
 
-  /// The name of a view, and its bar with the range; for weights and faces a swatch for each. Row 0 takes all away.
+  /// Shows a view's name, and its bar with the range or, for weights and faces, swatches. Row 0 removes everything.
   void show(vtkRenderer* renderer, const SurfaceViewRow& row, double low, double high,
             const std::vector<std::string>& probeNames);
-  /// The colour map as the shader reads it. The context must be current.
+  /// Uploads the colour map for the shader. The context must be current.
   void upload(vtkOpenGLRenderWindow* window, SceneResources& resources) const;
 
  private:

@@ -1,6 +1,6 @@
-// A 128-bit fingerprint of values: equal contents, equal text, in every run and on every machine. XXH3 by libxxhash:
-// its output is fixed by its specification, it reads memory at its full speed (a scene's geometry and textures are
-// hashed each time it is opened), and nobody gains from forging a probe, so a cryptographic hash would buy nothing.
+// A 128-bit fingerprint of values: equal for equal contents in every run and on every machine. Uses XXH3 (libxxhash):
+// its output is specified, and it hashes at memory speed, because a scene's geometry and textures are hashed at each
+// opening. A cryptographic hash is not needed, since nobody gains by forging a probe.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ class ContentHash {
   ContentHash();
 
   ContentHash& addBytes(const void* data, std::size_t size);
-  /// -0 counts as 0: they draw the same picture.
+  /// -0 counts as 0, because both draw the same picture.
   ContentHash& add(double value);
   ContentHash& add(std::string_view text);
   template <typename Vector>

@@ -1,6 +1,5 @@
-// What a probe lets through, as a cubemap whose levels are plain means, made from the coverage it was captured with
-// when a draw first asks for a light's shadow. Called by the probe pass, with the window's context current; knows no
-// scene.
+// A probe's transmittance as a cubemap whose levels are plain means, made from its captured coverage when a draw first
+// needs a light's shadow. Needs the window's context current.
 #pragma once
 
 #include <memory>
@@ -12,12 +11,12 @@ namespace boxprobe {
 
 class CoverageTexture {
  public:
-  /// Reads level 0 of `radiance` back once. `tint`: colour of the glass in each direction, null where there is none;
-  /// `openIfWhole`: a picture that covers everything says nothing about openings.
+  /// Reads back level 0 of `radiance` once. `tint`: colour of the glass by direction, null without glass;
+  /// `openIfWhole`: a picture that covers everything tells nothing of openings.
   void make(const CubeTexture& radiance, const CubeMap* tint, bool openIfWhole);
   bool made() const { return chain_ != nullptr; }
   GLuint handle() const { return texture_.handle(); }
-  /// What the texture holds.
+  /// The contents of the texture.
   const std::shared_ptr<const CubeMap>& chain() const { return chain_; }
   std::size_t bytes() const { return texture_.bytes(); }
 

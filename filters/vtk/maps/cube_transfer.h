@@ -1,6 +1,5 @@
-// A probe's maps between the graphics side and plain values, exactly: half floats become floats and the same half
-// floats again. Called by the scene renderer for previews and explanations, and by the bake cache for files. Every
-// function needs the window's context current. Knows neither scenes nor files.
+// Copies a probe's maps between GPU and CPU exactly: half floats are converted to floats and back without loss. Every
+// function needs the window's context current.
 #pragma once
 
 #include <memory>
@@ -11,26 +10,25 @@
 
 namespace boxprobe {
 
-/// Everything a probe holds; levels that nothing sampled so far are filtered. Waits until the graphics side has
-/// finished what is under way.
+/// All contents of a probe; filters missing levels first. Waits for the GPU.
 BakedMaps readBack(const ProbeMaps& maps);
 
-/// The same without filtering: a level that nothing sampled so far holds plain means of the capture.
+/// The same without filtering: missing levels hold plain means of the capture.
 BakedMaps readBackAsShown(const ProbeMaps& maps);
 
-/// Of readBack(), the chain alone.
+/// Only the chain of readBack().
 CubeMap readRadiance(const ProbeMaps& maps);
 
-/// Its level 0 alone into level 0 of `cube`, of the same face size.
+/// Reads only level 0, into level 0 of `cube`, of the same face size.
 void readLevel0(const CubeTexture& texture, CubeMap& cube);
 
-/// The other way. Maps without distances stay without. `forTheTimeBeing`: see ProbeMaps.
+/// The opposite direction. Maps without distances stay without. `forTheTimeBeing`: see ProbeMaps.
 std::shared_ptr<const ProbeMaps> upload(const BakedMaps& maps, bool forTheTimeBeing = false);
 
-/// Of a sky.
+/// Uploads a sky's levels.
 std::shared_ptr<const ProbeMaps> upload(const SkyLevels& levels);
 
-/// Level 0 of `cube` into level 0 of `texture`, allocated at the same face size.
+/// Level 0 of `cube` into level 0 of `texture`, allocated with the same face size.
 void uploadLevel0(const CubeMap& cube, CubeTexture& texture);
 
 }  // namespace boxprobe

@@ -1,5 +1,5 @@
-// The keys of a cube map's faces, in the order +X, -X, +Y, -Y, +Z, -Z: equal keys, equal texels. An empty text is a
-// face nobody may use again.
+// The keys of a cubemap's faces, in the order +X, -X, +Y, -Y, +Z, -Z: equal keys mean equal texels. An empty key marks
+// a face that must not be reused.
 #pragma once
 
 #include <array>

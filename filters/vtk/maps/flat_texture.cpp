@@ -9,8 +9,7 @@ namespace boxprobe {
 
 namespace {
 
-// Wide texels are fetched sooner than half floats, which llvmpipe converts one by one; beyond this size memory counts
-// more.
+// llvmpipe fetches floats faster than half floats, which it converts one by one; beyond this size memory matters more.
 constexpr int kMostWideFaceSize = 256;
 constexpr int kMostFaceSize = 512;
 
@@ -38,7 +37,7 @@ bool FlatTexture::make(const CubeTexture& radiance, const std::shared_ptr<std::s
   if (refused_) return false;
   try {
     upload(radiance);
-  } catch (const std::bad_alloc&) {  // must not pass through a draw
+  } catch (const std::bad_alloc&) {  // must not propagate through a draw
     refused_ = true;
   }
   if (refused_) return false;
@@ -56,7 +55,7 @@ void FlatTexture::upload(const CubeTexture& radiance) {
   const std::size_t each = texelBytes(radiance.faceSize());
   GLint previous = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &previous);
-  while (glGetError() != GL_NO_ERROR) {  // errors of others are not this allocation's
+  while (glGetError() != GL_NO_ERROR) {  // discards earlier errors, which are not from this allocation
   }
   glGenTextures(1, &handle_);
   glBindTexture(GL_TEXTURE_2D, handle_);

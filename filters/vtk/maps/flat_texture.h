@@ -1,6 +1,5 @@
-// A probe's filtered chain as one flat texture (filters/math/cube/flat_cube.h), for programs of software renderers that
-// have their numbers as constants: made when a draw first wants it. Called by the tuning for drivers, with the window's
-// context current; knows no scene.
+// A probe's filtered chain as one flat texture (filters/math/cube/flat_cube.h), for specialized programs on software
+// renderers: made when a draw first needs it. Needs the window's context current.
 #pragma once
 
 #include <cstddef>
@@ -19,20 +18,20 @@ class FlatTexture {
   FlatTexture(const FlatTexture&) = delete;
   FlatTexture& operator=(const FlatTexture&) = delete;
 
-  /// Memory that all flat textures of a scene may take: those of some twenty probes with faces of 256 texels.
+  /// Limit for all flat textures of a scene: those of about twenty probes with faces of 256 texels.
   static constexpr std::size_t kMostBytes = std::size_t{256} << 20;
 
-  /// Is `radiance` of a shape that can be laid out flat?
+  /// Can `radiance`, by its format and size, be laid out flat?
   static bool fits(const CubeTexture& radiance);
-  /// That it would take if it were made now: 0 if it is there.
+  /// Bytes needed to make it now: 0 if it exists.
   std::size_t bytesToMake(const CubeTexture& radiance) const;
 
-  /// Reads the chain back, unless it is there; `total`, which counts the bytes of all, grows until it is released.
-  /// False: there is no memory for it, which is not tried again before it is released.
+  /// Reads the chain back, unless it exists; `total`, the bytes of all flat textures, is increased until release. False
+  /// if memory is short; then not retried before release.
   bool make(const CubeTexture& radiance, const std::shared_ptr<std::size_t>& total);
-  /// The chain has changed, or is gone.
+  /// To be called when the chain has changed or is deleted.
   void release();
-  /// RGBA of 32 bits a channel, from faces of 512 texels on of 16; no mip levels. 0: not made.
+  /// RGBA32F, or RGBA16F for faces of at least 512 texels; no mip levels. 0: not made.
   GLuint handle() const { return handle_; }
   std::size_t bytes() const { return bytes_; }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kSide = DiffuseLattice::kMostNodes;
 constexpr int kDepth = DiffuseLattice::kParts * DiffuseLattice::kMostNodes;
 
-// The texture bound for the time of some calls.
+// Binds the texture during some calls.
 class Bound {
  public:
   explicit Bound(GLuint handle) {
@@ -39,12 +39,12 @@ void LatticeAtlas::upload(std::size_t tile) const {
   if (!lattice || lattice->empty()) return;
   const glm::ivec3 at = first(tile), nodes = lattice->nodes;
   const Bound bound(handle_);
-  // Parts lie one after another in memory and in the texture: together they are one block of nodes.
+  // Parts are contiguous in memory and in the texture: uploaded as one block of nodes.
   glTexSubImage3D(GL_TEXTURE_3D, 0, at.x, at.y, at.z, nodes.x, nodes.y, DiffuseLattice::kParts * nodes.z, GL_RGBA,
                   GL_FLOAT, lattice->texels.data());
 }
 
-// Twice as many tiles, all of them uploaded again where the columns have moved.
+// Doubles the tiles; all are uploaded again if the columns have moved.
 void LatticeAtlas::grow() {
   if (columns_ == 0) {
     columns_ = rows_ = 1;

@@ -1,5 +1,5 @@
-// The lattices of all probes in one three-dimensional texture: one sampler, however many probes a draw has. Filled by
-// the probe pass's uniforms, with the window's context current.
+// The lattices of all probes in one three-dimensional texture: one sampler, however many probes a draw has. Needs the
+// window's context current.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -18,12 +18,12 @@ class LatticeAtlas {
   LatticeAtlas(const LatticeAtlas&) = delete;
   LatticeAtlas& operator=(const LatticeAtlas&) = delete;
 
-  /// Texel where the lattice begins, which is uploaded if it is not there. The places of lattices that exist no more
-  /// are used again; the texture grows when none is free.
+  /// The texel where the lattice begins; uploads the lattice if necessary. Tiles of deleted lattices are reused; the
+  /// texture grows if none is free.
   glm::vec3 place(const std::shared_ptr<const DiffuseLattice>& lattice);
-  /// RGBA in half floats, linear; 0 before the first call of place().
+  /// RGBA16F, linear filtering; 0 before the first call of place().
   GLuint handle() const { return handle_; }
-  /// 1 / its texels along each axis.
+  /// 1 / its size in texels along each axis.
   glm::vec3 texelSize() const;
   void release();
 
@@ -33,7 +33,7 @@ class LatticeAtlas {
   glm::ivec3 first(std::size_t tile) const;
 
   GLuint handle_ = 0;
-  int columns_ = 0, rows_ = 0;  ///< of tiles
+  int columns_ = 0, rows_ = 0;  ///< in tiles
   std::vector<std::weak_ptr<const DiffuseLattice>> tiles_;
 };
 

@@ -11,7 +11,7 @@ namespace boxprobe {
 
 namespace {
 
-// Lattices of one probe that are kept, and rays for one that is derived over and over.
+// Lattices kept per probe; rays for one that is derived continuously.
 constexpr std::size_t kKept = 2;
 constexpr int kFewRays = 256;
 
@@ -26,7 +26,7 @@ bool sameLamp(const LampPolygon& a, const LampPolygon& b) {
   return a.count == b.count && a.bothSides == b.bothSides && a.corners == b.corners;
 }
 
-// What is read back from the maps, and the rest, in the hands of whichever thread derives.
+// The data read back from the maps, and the other inputs, owned by the deriving thread.
 struct LatticeWork {
   CubeMap radiance, distance;
   LatticeSource source;
@@ -79,7 +79,7 @@ std::shared_ptr<const DiffuseLattice> LatticeMaker::of(const CubeTexture& radian
     std::rotate(made_.begin(), known, known + 1);
     return made_.front().lattice;
   }
-  // One at a time: where a source changes faster than lattices are derived, those between are left out.
+  // One at a time: if a source changes faster than lattices are derived, intermediate states are skipped.
   if (!radiance.allocated() || (pending() && haste != LatticeHaste::Now)) return before;
   auto work = std::make_shared<LatticeWork>();
   work->radiance = firstLevel(radiance);

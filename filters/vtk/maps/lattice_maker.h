@@ -1,5 +1,5 @@
-// A probe's lattice of diffuse light (filters/math/cube/diffuse_lattice.h), derived from its maps when a draw first
-// asks for it: at once, or beside the draws on other threads. Called with the window's context current; knows no scene.
+// Derives a probe's lattice of diffuse light (filters/math/cube/diffuse_lattice.h) from its maps when a draw first
+// needs it: immediately, or on other threads during draws. Needs the window's context current.
 #pragma once
 
 #include <future>
@@ -13,33 +13,32 @@
 
 namespace boxprobe {
 
-/// What lattices are derived from beside the maps.
+/// The inputs of lattices besides the maps.
 struct LatticeSource {
   glm::vec3 boxMin{0.0f}, boxMax{0.0f};  ///< probe frame
   glm::mat3 mapFromProbe{1.0f}, worldFromProbe{1.0f};
-  int projection = 0;              ///< row of the projection table
-  bool fewRays = false;            ///< it is derived over and over
-  std::vector<LampPolygon> lamps;  ///< those left out: relative to the capture origin, along the map's axes
-  LatticeSurroundings traced;      ///< what nodes see besides the capture; without lines: nothing
-  std::shared_ptr<const CubeMap>
-      sky;  ///< that shows through the capture's openings, along the world's axes; may be null
+  int projection = 0;              ///< index in the projection table
+  bool fewRays = false;            ///< it is derived continuously
+  std::vector<LampPolygon> lamps;  ///< those removed from the map: relative to the capture origin, along the map's axes
+  LatticeSurroundings traced;      ///< what nodes' rays see besides the capture; without lines: nothing
+  std::shared_ptr<const CubeMap> sky;  ///< visible through the capture's openings, along the world's axes; may be null
   bool operator==(const LatticeSource& o) const;
 };
 
 enum class LatticeHaste {
   Now,     ///< waits for it
-  Beside,  ///< derived on other threads; the last one until it is there
-  AsItIs,  ///< the last one, whatever the source: nothing is derived
+  Beside,  ///< derived on other threads; the previous one until it is ready
+  AsItIs,  ///< the previous one, whatever the source: nothing is derived
 };
 
 class LatticeMaker {
  public:
-  /// Reads the capture back where a lattice is to be derived. Null: none is there yet.
+  /// Reads the capture back if a lattice has to be derived. Null: none is ready.
   std::shared_ptr<const DiffuseLattice> of(const CubeTexture& radiance, const CubeTexture& distance,
                                            const LatticeSource& source, LatticeHaste haste);
-  /// Is one being derived beside the draws, or ready and not taken?
+  /// Is one being derived on other threads, or ready but not taken?
   bool pending() const { return beside_.valid(); }
-  /// Takes it where it is ready, after at most so long: between two frames, so that all of a frame shows the same.
+  /// Takes it if it is ready, waiting at most this long: between two frames, so that a whole frame shows the same one.
   void take(int milliseconds);
 
  private:
@@ -51,7 +50,7 @@ class LatticeMaker {
   void keep(LatticeSource source, Lattice lattice);
   void takeNow();
 
-  std::vector<Made> made_;  ///< the last ones, the newest first: a capture may leave out the sky that the window shows
+  std::vector<Made> made_;  ///< the newest first: a capture may leave out the sky that the window shows
   LatticeSource besideSource_;
   std::shared_future<Lattice> beside_;
 };

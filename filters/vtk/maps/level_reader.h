@@ -1,5 +1,5 @@
-// Reads one level of a probe's maps back a face at a time, so that a window goes on answering. Called by previews, with
-// the window's context current. Knows no scene, and shows its callers nothing of OpenGL.
+// Reads back one level of a probe's maps, a face at a time, so that a window stays responsive. Its interface is free of
+// OpenGL. Needs the window's context current.
 #pragma once
 
 #include <memory>
@@ -11,26 +11,26 @@ namespace boxprobe {
 class CubeTexture;
 struct ProbeMaps;
 
-/// Of the light's chain.
+/// Of the radiance chain.
 int levelCount(const ProbeMaps& maps);
 int faceSize(const ProbeMaps& maps);
 
 class LevelReader {
  public:
-  /// Begins again. `level` is brought into the chain; `distance` reads the distances, which have one level.
+  /// Starts again. `level` is clamped to the chain; `distance` reads the distances, which have one level.
   void start(std::shared_ptr<const ProbeMaps> maps, int level, bool distance);
   void stop();
   bool pending() const { return face_ < 6; }
-  /// One face.
+  /// Reads one face.
   void step();
-  /// Complete once nothing is pending: the level read, as level 0. Empty for maps without distances.
+  /// Complete when nothing is pending: the level that was read, as level 0. Empty for maps without distances.
   const CubeMap& cube() const { return cube_; }
 
  private:
   std::shared_ptr<const ProbeMaps> maps_;
   const CubeTexture* texture_ = nullptr;
   int level_ = 0;
-  int face_ = 6;  ///< the next to read; 6: none
+  int face_ = 6;  ///< the next face to read; 6: none
   CubeMap cube_;
 };
 

@@ -1,5 +1,5 @@
-// A probe's light table (filters/math/cube/light_table.h) as a texture, made from the capture when a draw first wants
-// it. Called by the probe pass, with the window's context current; knows no scene.
+// A probe's light table (filters/math/cube/light_table.h) as a texture, made from the capture when a draw first needs
+// it. Needs the window's context current.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class LightTexture {
   /// Reads level 0 back once.
   void make(const CubeTexture& radiance);
   void release();
-  /// RGBA32F, a row of cells a row; 0 where nothing is bright.
+  /// RGBA32F, one row of cells per row; 0 if nothing is bright.
   GLuint handle() const { return handle_; }
   /// Cells along a face; 0: no table.
   int faceSize() const { return faceSize_; }

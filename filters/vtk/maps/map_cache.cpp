@@ -22,7 +22,7 @@ void MapCache::add(const std::string& key, FaceKeys faces, std::shared_ptr<const
   entries_.push_back({key, std::move(faces), std::move(maps)});
   std::size_t total = bytes();
   for (auto it = entries_.begin(); it != entries_.end() && total > kept_;) {
-    if (it->maps.use_count() > 1) {  // a probe shows it, or work that goes on needs it
+    if (it->maps.use_count() > 1) {  // in use by a probe or by work in progress
       ++it;
       continue;
     }

@@ -1,5 +1,4 @@
-// Maps made before, by what they show: undo costs nothing, a further bounce starts from the one before, a face that did
-// not change is kept. Called by the probe set; knows no probe.
+// Maps made earlier, by key: undo is free, a further bounce starts from the one before, and unchanged faces are reused.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +13,13 @@ namespace boxprobe {
 
 class MapCache {
  public:
-  /// Maps that nobody shows any more are kept up to so many bytes.
+  /// Keeps unused maps up to this many bytes.
   explicit MapCache(std::size_t bytes) : kept_(bytes) {}
 
   std::shared_ptr<const ProbeMaps> find(const std::string& key) const;
-  /// Maps of which this one face is known to be the same.
+  /// Maps in which this face is known to be the same.
   std::shared_ptr<const ProbeMaps> findFace(int face, const std::string& faceKey) const;
-  /// `faces` may be empty texts: those are never found.
+  /// Empty `faces` are never found.
   void add(const std::string& key, FaceKeys faces, std::shared_ptr<const ProbeMaps> maps);
   void forget(const std::string& key);
   void clear() { entries_.clear(); }
@@ -33,7 +32,7 @@ class MapCache {
     std::shared_ptr<const ProbeMaps> maps;
   };
   std::size_t kept_;
-  std::vector<Entry> entries_;  ///< most recently made last
+  std::vector<Entry> entries_;  ///< the newest last
 };
 
 }  // namespace boxprobe

@@ -1,5 +1,4 @@
-// A captured and prefiltered probe on the graphics side: the cube maps that lookups read, with what is made from them
-// when a draw first asks. Filled by captures and files, read by draws; knows no scene.
+// The GPU textures of a captured and prefiltered probe, and what is derived from them when a draw first needs it.
 #pragma once
 
 #include <functional>
@@ -20,30 +19,30 @@
 
 namespace boxprobe {
 
-/// What a capture left open, for diffuse light (filters/math/cube/openings.h).
+/// The openings of a capture, for diffuse light (filters/math/cube/openings.h).
 struct Openings {
-  CubeMap reduced;   ///< the capture in few texels: radiance and, in alpha, coverage
-  bool any = false;  ///< is any texel not wholly covered?
+  CubeMap reduced;   ///< the capture at a low resolution: radiance and, in alpha, coverage
+  bool any = false;  ///< is any texel not entirely covered?
 };
 
-/// A capture, prefiltered: what lookups read.
+/// A prefiltered capture.
 struct ProbeMaps {
   CubeTexture radiance;  ///< RGBA16F, prefiltered chain; level 0 is the capture itself; alpha = coverage
   CubeTexture distance;  ///< R32F: from the capture origin to what was seen, scene units; 0 where nothing was
   ShCoefficients irradiance{};
   glm::dvec3 capturedAt{0.0};
-  /// Of the box, in degrees: the maps lie along the axes it had; irradiance along the world's.
+  /// Rotation of the box, in degrees, along whose axes the maps lie; irradiance is along the world's.
   glm::dvec3 capturedRotation{0.0};
   /// Shown until others are there: no lattice is derived from them.
   bool forTheTimeBeing = false;
   float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
-  /// Levels of `radiance` that are filtered. The others hold plain means of the capture, which a lookup that comes too
-  /// early may show, until something needs them.
+  /// The levels of `radiance` that are filtered. Others hold plain means of the capture until something needs them; a
+  /// lookup that comes too early may show these.
   mutable LevelMask filtered = kAllLevels;
-  /// Filters the levels of a mask; false: what filters is gone. Null: none is missing.
+  /// Filters the levels of a mask; false if the filter was destroyed. Null: no level is missing.
   std::function<bool(const ProbeMaps& maps, LevelMask levels)> filterLevels;
   LevelMask missing(LevelMask levels) const { return levels & ~filtered & ((LevelMask{1} << radiance.levels()) - 1); }
-  /// Filters those of these levels that are missing; with the window's context current.
+  /// Filters those of the levels that are missing; needs the window's context current.
   void need(LevelMask levels) const {
     const LevelMask wanted = missing(levels);
     if (wanted == 0 || !filterLevels) return;
@@ -51,26 +50,26 @@ struct ProbeMaps {
     filtered |= wanted;
     flat.release();
   }
-  /// Made when a program that looks it up is first drawn with (flat_texture.h).
+  /// Made at the first draw with a program that samples it (flat_texture.h).
   mutable FlatTexture flat;
-  /// Made when a draw first aims rays at what is bright (light_texture.h).
+  /// Made when a draw first aims rays by brightness (light_texture.h).
   mutable LightTexture light;
-  /// Made when a draw first follows rays by the distances (relief_texture.h).
+  /// Made when a draw first follows rays by distances (relief_texture.h).
   mutable ReliefTexture relief;
-  /// Made when a draw first asks for diffuse light at a place (lattice_maker.h).
+  /// Made when a draw first needs diffuse light (lattice_maker.h).
   mutable LatticeMaker lattice;
-  /// Made when a rough surface first shows lamps as shapes (lamp_free_maps.h).
+  /// Made when a rough surface first draws lamps as shapes (lamp_free_maps.h).
   struct LampFree {
-    std::shared_ptr<ProbeMaps> maps;  ///< a chain alone; null: not made
-    std::vector<LampPolygon> of;      ///< what does not show in it
+    std::shared_ptr<ProbeMaps> maps;  ///< only a chain; null: not made
+    std::vector<LampPolygon> of;      ///< the lamps removed from it
     bool refused = false;
   };
   mutable LampFree lampFree;
-  /// Made when a probe that lets the sky through first shows these maps.
+  /// Made when a probe through which the sky shows first uses these maps.
   mutable std::shared_ptr<const Openings> openings;
-  /// Made when a draw first asks what a light shines through.
+  /// Made when a draw first needs a light's transmittance.
   mutable CoverageTexture coverage;
-  mutable std::shared_ptr<const CubeMap> tint;  ///< of the glass it shows (glass_tint.h); null: there is none
+  mutable std::shared_ptr<const CubeMap> tint;  ///< of visible glass (glass_tint.h); null: none
   std::size_t bytes() const {
     return radiance.bytes() + distance.bytes() + flat.bytes() + light.bytes() + relief.bytes() + coverage.bytes() +
            (lampFree.maps ? lampFree.maps->bytes() : 0);

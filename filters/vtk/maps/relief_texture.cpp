@@ -28,7 +28,7 @@ bool ReliefTexture::makeLevels() {
   return true;
 }
 
-// A texture has all its levels from the start: it is made again with more of them.
+// The number of levels of a texture is fixed: it is recreated with more.
 void ReliefTexture::write(int levels) {
   texture_.allocate(relief_->texels().faceSize(), levels, GL_RGBA32F);
   for (int level = 0; level < levels; ++level) {

@@ -1,5 +1,5 @@
-// A probe's relief (filters/math/cube/relief.h) as a texture, made from its distances when a draw first wants it.
-// Called by the probe pass, with the window's context current; knows no scene.
+// A probe's relief (filters/math/cube/relief.h) as a texture, made from its distances when a draw first needs it. Needs
+// the window's context current.
 #pragma once
 
 #include <memory>
@@ -12,10 +12,11 @@ namespace boxprobe {
 
 class ReliefTexture {
  public:
-  /// What stands in the probe's box; the distances are read back and the texture is made once, blocks again for another
-  /// box, but not while one is `dragged`: they are then those of the box before.
+  /// The blocks in the probe's box. Distances are read back and the texture is made once; blocks are recomputed for
+  /// another box, but not while one is `dragged`: then the previous ones are returned.
   std::shared_ptr<const ReliefBlocks> blocks(const CubeTexture& distance, const ProbeGeometry& probe, bool dragged);
-  /// The levels from 1 on (Relief::bounds), if they are not there. After blocks(); were they made?
+  /// Makes the levels from 1 on (Relief::bounds) if they are missing; returns whether it did. To be called after
+  /// blocks().
   bool makeLevels();
   /// RGBA32F, nearest texel and level; 0 before the first call of blocks().
   GLuint handle() const { return texture_.handle(); }

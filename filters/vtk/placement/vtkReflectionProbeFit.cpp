@@ -30,8 +30,8 @@ vtkStandardNewMacro(vtkReflectionProbeFit);
 
 namespace {
 
-/// Between the renderer's axes and units and the fit's, which are metres with +y up: axes in turn, so that none is
-/// mirrored, and a scale.
+/// Converts between the renderer's axes and units and those of the fit, metres with +y up: a cyclic permutation of
+/// axes, which does not mirror, and a scale.
 struct Frame {
   int up = 1;
   double metres = 1.0;
@@ -252,7 +252,7 @@ int vtkReflectionProbeFit::Place(int most) {
       return !this->AbortFlag;
     };
     auto placed = boxprobe::placeProbes(shown.scene, shown.models, settings, onward);
-    if (placed && placed->rooms.empty()) {  // walls may show their back sides: VTK draws both
+    if (placed && placed->rooms.empty()) {  // walls may show back faces: VTK draws both
       settings.inverted = true;
       placed = boxprobe::placeProbes(shown.scene, shown.models, settings, onward);
     }

@@ -7,13 +7,13 @@
  *     fit->Place();               // a fitted probe for each room, more where they gain
  *     fit->Fit(probe);            // or: the box of one probe, by what its origin sees
  *
- * Works with the triangles of the actors that vtkReflectionProbes uses, as `boxprobe fit` and `boxprobe place` do with
- * those of a model; needs no OpenGL. Captures leave out actors that probes do not see; light passes through those that
- * are translucent. Actors under other mappers than vtkPolyDataMapper are not looked at. Sizes are in the renderer's
- * units and must suit people where rooms are looked for: metres, or SetMetresPerUnit().
+ * Uses the triangles of the actors of vtkReflectionProbes, as `boxprobe fit` and `boxprobe place` use those of a model;
+ * needs no OpenGL. Probes do not see actors that are hidden from them; light passes through translucent ones. Ignores
+ * actors with mappers other than vtkPolyDataMapper. To find rooms, sizes must fit people: use metres, or call
+ * SetMetresPerUnit().
  *
- * Takes seconds on large models. ProgressEvent (double*, 0 to 1); SetAbortFlag() from within ends it and changes
- * nothing.
+ * Takes seconds on large models. Invokes ProgressEvent (double*, 0 to 1); calling SetAbortFlag() in an observer ends
+ * the work without changes.
  */
 #pragma once
 
@@ -35,44 +35,44 @@ class BOXPROBE_EXPORT vtkReflectionProbeFit : public vtkObject {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Whose renderer is looked at, and which of its actors. */
+  /** Provides the renderer and the choice of actors. */
   void SetProbes(vtkReflectionProbes* probes);
   vtkReflectionProbes* GetProbes() const;
   ///@}
   ///@{
-  /** The axis that points up, 0 to 2 for X to Z; 1 by default. Boxes turn about it. */
+  /** The axis that points up, 0 to 2 for X to Z; 1 by default. Boxes are rotated about it. */
   vtkSetClampMacro(UpAxis, int, 0, 2)
   vtkGetMacro(UpAxis, int)
   ///@}
   ///@{
-  /** Of the renderer's units. 1 by default. */
+  /** Length of the renderer's unit in metres. 1 by default. */
   vtkSetClampMacro(MetresPerUnit, double, 1.0e-9, 1.0e9)
   vtkGetMacro(MetresPerUnit, double)
   ///@}
   ///@{
-  /** Rays for each fit. 4096 by default. */
+  /** Rays per fit. 4096 by default. */
   vtkSetClampMacro(NumberOfRays, int, 64, 1 << 20)
   vtkGetMacro(NumberOfRays, int)
   ///@}
   ///@{
-  /** May a box turn about the up axis? On by default. */
+  /** May boxes be rotated about the up axis? On by default. */
   vtkSetMacro(Turning, bool)
   vtkGetMacro(Turning, bool)
   vtkBooleanMacro(Turning, bool)
   ///@}
   ///@{
-  /** Ends the work that is under way. Cleared when the next begins. */
+  /** Ends the work in progress. Cleared when the next work starts. */
   vtkSetMacro(AbortFlag, bool)
   vtkGetMacro(AbortFlag, bool)
   ///@}
 
-  /** Bounds and orientation by what the probe's origin sees; the origin stays. True if a better box was found; else
-   * the probe is as it was, and GetReport() says why. */
+  /** Fits bounds and orientation to what the probe's origin sees; the origin stays. True if a better box was found; else
+   * the probe is unchanged, and GetReport() gives the reason. */
   bool Fit(vtkReflectionProbe* probe);
-  /** Adds probes for all rooms, `most` at most, beside those that are there. Returns how many; -1 for an error. */
+  /** Adds probes for all rooms, at most `most`, and keeps existing ones. Returns how many it added; -1 for an error. */
   int Place(int most = 64);
 
-  /** What was decided, sentences on lines of their own. */
+  /** The decisions, one sentence per line. */
   const char* GetReport() const { return this->Report.c_str(); }
   // clang-format on
 

@@ -1,4 +1,4 @@
-// How far a probe's maps are: answered by the probe set, shown by the window's list and panels.
+// The state of a probe's maps, for the window's list and panels.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,11 @@
 
 namespace boxprobe {
 
-/// How far a probe's maps are.
+/// The state of a probe's maps.
 enum class BakeState {
-  NotUsed,    ///< no visible object lies in its influence: nothing is made for it
-  Stale,      ///< an input changed, or nothing was made yet: work is pending
-  Capturing,  ///< being made now
+  NotUsed,    ///< no visible object is in its influence: nothing is made for it
+  Stale,      ///< an input has changed, or nothing has been made: work is pending
+  Capturing,  ///< in progress
   UpToDate,
   FromFile,  ///< up to date, from a baked file
 };

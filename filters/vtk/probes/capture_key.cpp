@@ -13,8 +13,7 @@ namespace boxprobe {
 
 namespace {
 
-// Raise it whenever captures or filters come to give other texels for the same inputs: files baked before are then
-// baked again.
+// Increase it whenever captures or filters give other texels for the same inputs, so that older files are baked again.
 constexpr int kBakeVersion = 4;
 
 std::string imageKey(const TextureUse& use, std::map<const void*, std::string>& known) {
@@ -38,7 +37,7 @@ std::string meshKey(const Mesh& mesh) {
   return hash.text();
 }
 
-// One without keeps the key it had before any was drawn.
+// Materials without a finish keep the keys they had before finishes were supported.
 void addFinish(ContentHash& hash, MaterialFinish finish, std::map<const void*, std::string>& images) {
   hash.add("finish").addVector(finish.specularTint).add(finish.specularEdge).addVector(finish.sheenColor);
   hash.add(finish.sheenRoughness).add(finish.anisotropy).add(finish.anisotropyRotation).add(finish.iridescence);
@@ -52,13 +51,13 @@ std::string materialKey(const Material& m, std::map<const void*, std::string>& i
   hash.add(m.normalScale).add(m.occlusionStrength).add(m.coat).add(m.coatRoughness).add(m.ior);
   if (m.specular != 1.0f) hash.add("specular").add(m.specular);
   hash.add(m.unlit ? 1 : 0).add(m.doubleSided ? 1 : 0);
-  // An opaque one keeps the key it had before glass was drawn, unless it says what it would be as glass: an override
-  // of its transmission makes it so.
+  // Opaque materials keep the keys they had before glass was supported, unless they describe glass that an override of
+  // the transmission would enable.
   const bool asGlass =
       !m.thin || m.thickness != 0.0f || m.attenuationDistance != 0.0f || m.attenuationColor != glm::vec3(1.0f);
   if (m.transmits() || asGlass) {
     hash.add("glass").add(m.transmission).add(m.thin ? 1 : 0).add(m.thickness).add(m.attenuationDistance);
-    hash.addVector(m.attenuationColor).add("lamps pass");  // those of before were scattered, too
+    hash.addVector(m.attenuationColor).add("lamps pass");  // earlier keys had scattered lamps as well
   }
   hash.add(m.coatNormalScale).add(static_cast<double>(m.alphaMode)).add(m.alphaCutoff);
   for (const TextureUse* use :
@@ -90,11 +89,11 @@ void addCamera(ContentHash& hash, const Probe& probe) {
   hash.add(kBakeVersion).addVector(probe.origin).add(probe.nearDistance).add(probe.farDistance).add(probe.faceSize);
   hash.add(probe.samplesPerPixel).add(static_cast<double>(probe.clear.index()));
   if (const auto* color = std::get_if<glm::vec3>(&probe.clear)) hash.addVector(*color);
-  // The cube's axes are the box's. One that is not turned keeps the key it had when all lay along the world's.
+  // The cube's axes are the box's. Unrotated probes keep the keys they had when all lay along the world's axes.
   if (probe.rotationDegrees != glm::dvec3(0.0)) hash.add("turned").addVector(probe.rotationDegrees);
 }
 
-// A box is outside of a face's 90 degree pyramid if it lies wholly beyond one of its planes or the far one; may say yes
+// A box is outside a face's 90 degree pyramid if it is entirely beyond one of its planes or the far plane; may be true
 // for a near miss. The margin covers float rounding in the projection, which could reach a texel at the edge.
 bool inFrustum(const Box& boundsWorld, const Probe& probe, int face) {
   const bool turned = probe.rotationDegrees != glm::dvec3(0.0);
@@ -131,12 +130,12 @@ template <typename Meets>
 std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, const Probe& probe,
                                   const Meets& meets) {
   std::vector<std::size_t> lighting;
-  // A hidden lamp does not light what is captured, whether the capture would show it or not.
+  // A hidden lamp does not light what is captured, whether or not the capture would show it.
   if (world.lattices) {
     for (const std::string& hidden : std::set<std::string>(probe.hides.begin(), probe.hides.end())) hash.add(hidden);
   }
   hash.add(world.lights);
-  // What is drawn for an open probe has no light of the sky, which is added where the probe is looked up.
+  // Captures of an open probe exclude the sky's light, which is added when the probe is sampled.
   if (!std::holds_alternative<ClearToOpen>(probe.clear)) hash.add(world.sky);
   for (const std::size_t i : objectsThatMeet(world, probe, meets)) {
     const CaptureObject& object = world.objects[i];
@@ -199,7 +198,7 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& o
     if (const auto it = scene.materials.find(placed.materialName); it != scene.materials.end()) {
       addOverride(hash, it->second);
     }
-    // Which of probes and sky light it, captures included.
+    // Which of probes and sky light it, also in captures.
     if (const auto it = scene.objects.find(placed.node); it != scene.objects.end()) {
       const ObjectOverride& settings = it->second;
       if (settings.probeUsage != ProbeUsage::BlendAndSky) hash.add("usage").add(static_cast<int>(settings.probeUsage));
@@ -223,7 +222,7 @@ std::string skyKey(const Scene& scene, const std::string& skyPixels) {
     hash.addVector(color->color);
   } else {
     hash.add(skyPixels);
-    // Other skies look the same whichever way they are turned.
+    // Other skies do not depend on their rotation.
     if (scene.skyRotationDegrees != 0.0) hash.add(scene.skyRotationDegrees);
   }
   return hash.text();

@@ -1,9 +1,8 @@
-// What a capture depends on, as fingerprints of contents: equal keys, equal pictures, in this run and the next. Decides
-// what is captured again after an edit, which faces can be kept, and whether a file on disk still holds. Called by the
-// probe set. Of a box its rotation alone counts, which turns the cube's axes. Its extent, blend distances, techniques,
-// importance and intensity never do: what they change inside of a reflection's reflection stays as baked, and so does
-// what they leave a share of in a first capture: the sky's light, and that of outside lights that ask for coverage.
-// Neither VTK nor OpenGL.
+// Fingerprints of the inputs of captures: equal keys mean equal pictures, in this run and the next. They determine what
+// is recaptured after an edit, which faces are reused, and whether a file is still valid. Of a box, only its rotation
+// counts, which rotates the cube's axes. Its extent, blend distances, techniques, importance and intensity never do:
+// their effect on reflections inside reflections stays as baked, and so does their effect on shares in a first capture:
+// of the sky's light, and of outside lights with coverage shadows. No VTK or OpenGL.
 #pragma once
 
 #include <cstddef>
@@ -20,43 +19,43 @@
 
 namespace boxprobe {
 
-/// Fingerprints of the objects of all models as the files have them, in the order of SceneContent::objects: geometry,
+/// Fingerprints of the objects of all models as in their files, in the order of SceneContent::objects: geometry,
 /// material, textures.
 std::vector<std::string> objectContentKeys(const std::vector<std::shared_ptr<const Model>>& models,
                                            std::size_t modelCount);
 
-/// One object as it stands in the picture.
+/// An object in the current picture.
 struct PlacedObject {
   std::string node;
   std::string materialName;
-  std::string contentKey;  ///< as objectContentKeys gave it
+  std::string contentKey;  ///< from objectContentKeys
   glm::dmat4 worldFromModel{1.0};
   Box boundsWorld;
   bool seenByProbes = true;
   bool dynamic = false;  ///< moves: only realtime probes see it
-  bool unlit = false;    ///< no probe lights it
+  bool unlit = false;    ///< not lit by probes
 };
 
-/// One object as captures meet it.
+/// An object for captures.
 struct CaptureObject {
   std::string key;  ///< contents, placement, overrides
   std::string node;
   Box boundsWorld;
   bool seenByProbes = true;
   bool dynamic = false;             ///< moves: only realtime probes see it
-  std::vector<std::size_t> probes;  ///< those that light it, as indices into scene.probes
+  std::vector<std::size_t> probes;  ///< that light it, as indices into scene.probes
 };
 
-/// Everything captures depend on besides the probe itself.
+/// All inputs of captures except the probe itself.
 struct CaptureWorld {
   std::vector<CaptureObject> objects;
   BoxTree tree;     ///< of their bounds
   std::string sky;  ///< skyKey
   std::string lights;
-  bool lattices = false;  ///< diffuse light of probes, in later bounces, is that of lattices
+  bool lattices = false;  ///< later bounces take the diffuse light of probes from lattices
 };
 
-/// `skyPixels`: the fingerprint of the sky's image if it is one; `probes`: of the scene's.
+/// `skyPixels`: the fingerprint of the sky's image, if it has one; `probes`: the scene's.
 CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& objects, const std::string& skyPixels,
                           const ProbeIndex& probes);
 
@@ -64,25 +63,25 @@ CaptureWorld captureWorld(const Scene& scene, const std::vector<PlacedObject>& o
 std::string skyKey(const Scene& scene, const std::string& skyPixels);
 std::string imageContentKey(const ImageRgbaF& image);
 
-/// The key of a map made from a picture of the user's.
+/// The key of a map made from a picture file.
 std::string importKey(const Probe& probe, const CubeMap& picture);
 
 /// Does this probe's capture show that object?
 bool captureShows(const Probe& probe, const CaptureObject& object);
 
-/// Indices, ascending, of the objects a face shows: those that its frustum meets.
+/// Ascending indices of the objects whose bounds meet a face's frustum.
 std::vector<std::size_t> objectsInFace(const CaptureWorld& world, const Probe& probe, int face);
 
 /// What one face, or the whole capture, of a probe shows.
 struct CaptureView {
   std::string key;
-  std::vector<std::size_t> lighting;  ///< the probes that light what is in it: later bounces show them, sorted
+  std::vector<std::size_t> lighting;  ///< probes that light its contents, sorted: later bounces show their light
 };
 
-/// Of one face. An object outside of the face's frustum does not count: nothing there throws a shadow into it. So an
-/// edit, or an object that moves, leaves the faces that do not show it as they are.
+/// For one face. Objects outside the face's frustum do not count, because they cast no shadow into it. So an edit or a
+/// moving object does not affect faces that do not show it.
 CaptureView faceView(const CaptureWorld& world, const Probe& probe, int face);
-/// Of all six, with how they are filtered.
+/// For all six, including the filter settings.
 CaptureView probeView(const CaptureWorld& world, const Probe& probe);
 
 }  // namespace boxprobe

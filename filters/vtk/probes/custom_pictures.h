@@ -1,5 +1,4 @@
-// The pictures of custom probes, read once and again when another is named. One that cannot be read leaves the one
-// before in its place. Called by the probe set; needs no GL.
+// The pictures of custom probes, read once per file name. If one cannot be read, the previous one stays.
 #pragma once
 
 #include <map>
@@ -15,18 +14,18 @@ namespace boxprobe {
 
 class CustomPictures {
  public:
-  /// Reads what is not there yet.
+  /// Reads missing pictures.
   void update(const Scene& scene);
-  /// Reads it again at the next update: the file may have changed.
+  /// Reads it again at the next update, because the file may have changed.
   void forget(const std::string& probeName) { pictures_.erase(probeName); }
 
-  /// Null: none could be read so far.
+  /// Null if none has been read.
   std::shared_ptr<const CubeMap> picture(const std::string& probeName) const;
-  /// Fingerprint of the picture with how it is filtered; empty without one.
+  /// Fingerprint of the picture and its filter settings; empty without a picture.
   std::string key(const Probe& probe) const;
-  /// One line that names the scene's key and the file; empty while every picture is there.
+  /// One line with the scene's key and the file; empty if every picture was read.
   const std::string& error() const { return error_; }
-  /// What was wrong with texels that were put right, one line for each picture that had some.
+  /// Texels that had to be corrected, one line per affected picture.
   std::vector<std::string> remarks() const;
 
  private:
@@ -36,9 +35,9 @@ class CustomPictures {
     PictureCode code;
     std::shared_ptr<const CubeMap> cube;
     std::string error;
-    std::size_t notFinite = 0, clamped = 0;  ///< texels
+    std::size_t notFinite = 0, clamped = 0;  ///< numbers of texels
     std::string key;
-    FilterKind keyFilter = FilterKind::Ggx;  ///< that `key` is of
+    FilterKind keyFilter = FilterKind::Ggx;  ///< the filter that `key` includes
     int keySamples = 0;                      ///< likewise
 
     bool isOf(const Probe& probe) const {

@@ -16,12 +16,12 @@ namespace boxprobe {
 
 namespace {
 
-// The last level of a filtered chain has 4 texels along a face, as gpu/probe_lighting.glsl takes it.
+// The last level of a filtered chain has 4 texels along a face, as gpu/probe_lighting.glsl assumes.
 bool endsAtFour(const CubeTexture& chain) {
   return chain.faceSize() >> (chain.levels() - 1) == 4;
 }
 
-// What an object's program is, facts and constants apart.
+// The key of an object's program without facts and constants.
 std::string generalProgram(const DrawnObject& object) {
   const ProbeBinding* binding = object.pass->GetBinding();
   return object.surface->programKey() + (object.actor->GetProperty()->GetCoatStrength() > 0.0 ? "c" : "") +
@@ -59,7 +59,7 @@ ProgramTraits DriverTuning::choose(const TunedDraw& draw) {
       return traits;
     }
   }
-  // Whether constants still hold is asked of the numbers themselves, so that no edit has to tell.
+  // Whether constants are still valid is checked against the values themselves, so edits need no notification.
   const std::shared_ptr<const ConstantsPlan>& plan = draw.request.constants;
   if (plan && !draw.refused && draw.surface != nullptr && plan->variant == draw.variant) {
     ConstantsCheck check(plan->values);
@@ -72,9 +72,9 @@ ProgramTraits DriverTuning::choose(const TunedDraw& draw) {
   return traits;
 }
 
-// Flat pictures of what the binding looks up, those that are there apart, each counted. False: it is to be drawn by
-// cubemaps, since one of them has no such picture, or there is no memory for it. What is not captured yet has no
-// picture, and what of the sky no draw of the binding looks up needs none.
+// Makes flat pictures of the maps that the binding samples, unless they exist, and counts each. False if it must use
+// cubemaps, because one of them has no such picture (it is not captured yet, for instance) or memory is short. The sky
+// needs none if no draw of the binding samples it.
 bool DriverTuning::makeFlatMaps(const ProbeBinding& binding) {
   DrawState& state = *with_.state;
   if (!onCpu_) onCpu_ = drawsOnCpu();
@@ -132,7 +132,7 @@ void DriverTuning::replanned() {
   if (moving_) updateStandIns();
 }
 
-// Not while a handle is held: other facts may mean other programs.
+// Not while a handle is dragged: other facts may mean other programs.
 void DriverTuning::planFacts() {
   if (with_.plan->interactive()) return;
   std::vector<FactUse> uses;
@@ -151,7 +151,7 @@ void DriverTuning::dropConstants() {
 void DriverTuning::makeConstants() {
   toMake_.clear();
   const auto& probes = with_.content->scene.probes;
-  // A probe captured over and over never rests.
+  // A continuously captured probe never rests.
   const bool never =
       std::any_of(probes.begin(), probes.end(), [](const Probe& probe) { return probe.mode == ProbeMode::Realtime; });
   if (with_.plan->interactive() || moving_ || never || (parts_ & kTunedConstants) == 0) return;
@@ -181,7 +181,7 @@ void DriverTuning::makeConstants() {
   for (auto& job : jobs) toMake_.push_back(std::move(job.second));
 }
 
-// Where the driver or the memory refuses the program, the one that is on show stays.
+// If the driver refuses the program or memory is short, the current one stays.
 void DriverTuning::makeNextConstants() {
   const ConstantsJob job = std::move(toMake_.back());
   toMake_.pop_back();
@@ -237,7 +237,7 @@ void DriverTuning::updateStandIns() {
   }
 }
 
-// Draws one object into a few pixels with the program a drag will need, so that it is compiled by then.
+// Draws one object into a few pixels with the program that a drag will need, to compile it ahead.
 void DriverTuning::prepareOne() {
   if (toPrepare_.empty()) return makeNextConstants();
   auto [index, general] = std::move(toPrepare_.back());

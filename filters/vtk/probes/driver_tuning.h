@@ -1,7 +1,7 @@
-// The tuning for drivers, all of it: programs that are made for a material's facts, for numbers at rest, for captures
-// without reflections; flat pictures of maps for software renderers; programs compiled before a drag or a moving camera
-// needs them, and an LRU cache of those that were drawn with. The probe set of a scene has one, and its draw state
-// refers to it while it is switched on. Makes no maps.
+// All tuning for drivers: programs specialized for a material's facts, for values at rest, for captures without
+// reflections; flat pictures of maps for software renderers; programs compiled before a drag or a moving camera needs
+// them; and an LRU cache of programs. The probe set of a scene has one, and its draw state refers to it while it is
+// enabled.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ namespace boxprobe {
 
 class DriverTuning : public ProgramTuning {
  public:
-  /// `with` and all that it points to must outlive this.
+  /// `with` and everything it points to must outlive this object.
   explicit DriverTuning(const ProbeContext& with) : with_(with) {}
 
   ProgramTraits choose(const TunedDraw& draw) override;
@@ -30,23 +30,23 @@ class DriverTuning : public ProgramTuning {
   void assigned() override;
   void replanned() override;
 
-  /// All, unless set.
+  /// All by default.
   void setParts(TuningParts parts) { parts_ = parts; }
 
-  /// Boxes may be dragged: the programs that takes are compiled ahead. Takes effect with the next assignment.
+  /// Boxes may be dragged: compiles the programs for that ahead. Takes effect with the next assignment.
   void setEditable(bool editable) { editable_ = editable; }
-  /// Stand-ins may be shown: their programs are compiled ahead, too.
+  /// Cheap techniques may be shown while something moves: compiles their programs ahead, too.
   void allowStandIns(bool allowed);
-  /// Draws by stand-ins, as far as they are compiled and unless a capture that lasts is under way, which must not see
-  /// them. Returns whether any object is.
+  /// Draws with cheap techniques as far as they are compiled, except during a capture, which must not see them. Returns
+  /// whether any object does.
   bool setMoving(bool moving);
   bool moving() const { return moving_; }
 
-  /// Nothing has been edited for a while: programs with the numbers as constants are compiled, one a call of
-  /// prepareOne(), and shown once they are there. Until objects are assigned next.
+  /// To be called when nothing has been edited for a while: compiles programs with constants, one per call of
+  /// prepareOne(), and uses them when ready. Lasts until objects are assigned again.
   void makeConstants();
 
-  /// Is there a program to compile, and nothing moves meanwhile?
+  /// Is there a program to compile, while nothing moves?
   bool pending() const;
   void prepareOne();
   void giveUp() {
@@ -57,7 +57,7 @@ class DriverTuning : public ProgramTuning {
  private:
   void updateStandIns();
   void prepare(std::size_t object, std::shared_ptr<const ProbeBinding> binding);
-  /// What each object's program may take for granted.
+  /// Chooses the facts for each object's program.
   void planFacts();
   void dropConstants();
   void makeNextConstants();
@@ -72,12 +72,12 @@ class DriverTuning : public ProgramTuning {
   const ProbeContext& with_;
   ProgramCache cache_;
   TuningParts parts_ = kAllTuning;
-  std::optional<bool> onCpu_;  ///< does the driver draw by the processor? Asked within the first draw
+  std::optional<bool> onCpu_;  ///< does the driver render on the CPU? Determined in the first draw
   std::shared_ptr<std::size_t> flatBytes_ = std::make_shared<std::size_t>(0);  ///< of all flat pictures
   bool editable_ = false, standInsAllowed_ = false, moving_ = false;
 
-  std::set<std::string> variantsUsed_;  ///< program variants objects have had so far
-  /// Object, its binding in a drag or while the camera moves.
+  std::set<std::string> variantsUsed_;  ///< program variants that objects have had so far
+  /// Objects, with their bindings for a drag or a moving camera.
   std::vector<std::pair<std::size_t, std::shared_ptr<const ProbeBinding>>> toPrepare_;
   std::set<std::string> prepared_;  ///< variant and material
   std::vector<ConstantsJob> toMake_;

@@ -96,11 +96,11 @@ void ProbeBaker::release() {
   cache_.clear();
 }
 
-// Programs for captures without reflections take CPU time to compile, which a few faces do not bring back. For files by
-// the probes of the scene, not by those that are left to make: shares of a bake are the same to the bit, and programs
-// may round differently.
+// Compiling programs for captures without reflections takes CPU time that a few faces do not recover. For files this
+// counts the scene's probes, not those left to capture: shares of a bake must be bit-identical, and programs may round
+// differently.
 bool ProbeBaker::manyFirstBounces() const {
-  constexpr int kWorthPrograms = 4;  // probes
+  constexpr int kWorthPrograms = 4;  // in probes
   if (!with_.plan->targets().empty()) {
     int baked = 0;
     for (std::size_t i = 0; i < with_.plan->entries().size(); ++i) baked += with_.plan->entries().baked(i) ? 1 : 0;
@@ -126,7 +126,7 @@ void ProbeBaker::begin(const ProbeJob& job) {
     const auto index = with_.plan->entries().find(name);
     return index && !name.empty() ? with_.binder->drawn(*index).captureSight : nullptr;
   };
-  Probe as;  // as its capture begins
+  Probe as;  // its state when its capture started
   if (const auto index = with_.plan->entries().find(job.name)) {
     as = with_.plan->entries().probe(*index);
     item.prefilter = prefilterSettings(as);
@@ -159,7 +159,7 @@ BakeItem ProbeBaker::itemOf(const ProbeJob& job, const std::shared_ptr<FaceKeys>
 BakeItem ProbeBaker::sky() const {
   BakeItem item;
   item.sky = true;
-  // A sun of a few pixels must not fall between samples.
+  // Samples must not miss a sun of a few pixels.
   item.settings.samplesPerTexelSide = with_.plan->skyIsImage() ? 4 : 1;
   item.face = [this](int) {
     vtkSkyProp* light = with_.content->skyLight;
@@ -177,8 +177,8 @@ BakeItem ProbeBaker::picture(const ProbeJob& job) const {
   return item;
 }
 
-// Nearest first, by the farthest point of their bounds as in the window (vtkCulledRenderer), so that what walls hide is
-// not worked out.
+// Nearest first, by the farthest point of their bounds as in the window (vtkCulledRenderer), so that fragments hidden
+// by walls are not shaded.
 FaceSource ProbeBaker::faceSource(const Probe& probe, int face) const {
   const CaptureWorld& world = with_.plan->world();
   FaceSource source;
@@ -189,7 +189,7 @@ FaceSource ProbeBaker::faceSource(const Probe& probe, int face) const {
     if (vtkProp* prop = props_[i]) order.emplace_back(glm::dot(away, away), prop);
   }
   std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::unordered_set<vtkProp*> taken;  // parts of one assembly are drawn with it, at once
+  std::unordered_set<vtkProp*> taken;  // parts of an assembly are drawn together with it
   for (const auto& object : order) {
     if (taken.insert(object.second).second) source.props.push_back(object.second);
   }
@@ -225,24 +225,25 @@ BakeItem ProbeBaker::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>
   return item;
 }
 
-// Every probe as it was captured a bounce before; null where that bounce does not show it. Realtime probes are not in
-// anybody's bounces.
+// Shows every probe as captured one bounce earlier; null where that bounce does not use it. Realtime probes are in no
+// other probe's bounces.
 void ProbeBaker::seeBounce(const ProbeJob& job) const {
-  const auto of = with_.plan->entries().find(job.name);  // the list may have changed since the job began
+  const auto of = with_.plan->entries().find(job.name);  // the list may have changed since the job started
   if (!of) return;
   const BounceKeys& bounces = with_.plan->bounces();
   const std::vector<std::size_t>& sees = bounces.sees(*of);
   with_.binder->see([&](std::size_t i) -> std::shared_ptr<const ProbeMaps> {
     const bool seen = std::find(sees.begin(), sees.end(), i) != sees.end();
     const std::shared_ptr<const ProbeMaps> maps = seen ? cache_.find(bounces.key(i, job.bounce - 1)) : nullptr;
-    // They are not on show, so nobody else sees to what is sampled of them; and they may be older than the materials.
+    // These maps are not shown, so nothing else tracks which levels of them are sampled; and they may be older than the
+    // materials.
     if (maps) maps->need(with_.binder->needs().ofProbe(i, maps->radiance.levels()));
     return maps;
   });
 }
 
-// A realtime probe of several bounces sees the probes as they are, itself included, so each round adds a bounce: as
-// many rounds as it has bounces after the last change, then it rests.
+// A realtime probe of several bounces sees the current maps of probes, including its own, so each round adds a bounce.
+// It rests after as many rounds as it has bounces since the last change.
 BakeItem ProbeBaker::realtime(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces) {
   const Probe as = with_.plan->entries().probe(*with_.plan->entries().find(job.name));
   BakeItem item;
@@ -263,7 +264,7 @@ BakeItem ProbeBaker::realtime(const ProbeJob& job, const std::shared_ptr<FaceKey
   return item;
 }
 
-// A file that was damaged since it was looked at is as good as none: its probe, or the sky, is captured.
+// If a file was damaged since it was checked, its probe or the sky is captured instead.
 void ProbeBaker::load(const ProbeJob& job) {
   ++unitsDone_;
   MadeMaps made{job, {}, nullptr, true};
@@ -308,7 +309,7 @@ void ProbeBaker::publishDrag(MadeMaps made) {
   const auto index = with_.plan->entries().find(made.job.name);
   if (!index) return;
   with_.binder->addTint(*index, *made.maps);
-  // Dragged back to where it was: the final maps are there already.
+  // Dragged back to the original position: the final maps exist.
   const ProbeEntry& entry = with_.plan->entries()[*index];
   if (entry.shown != entry.wanted) show(*index, made.job.key, std::move(made.maps));
 }
@@ -337,7 +338,7 @@ void ProbeBaker::publishFinal(MadeMaps made) {
   ProbeEntries& entries = with_.plan->entries();
   const auto index = entries.find(made.job.name);
   if (index) with_.binder->addTint(*index, *made.maps);
-  // Maps of a bounce before the last are shown for the time being, but not in place of final ones.
+  // Maps of an earlier bounce are shown temporarily, but do not replace final ones.
   const bool last = index && key == entries[*index].wanted;
   if (index && (last || with_.plan->stale(*index))) show(*index, key, made.maps);
   if (last) {
@@ -352,7 +353,7 @@ void ProbeBaker::publishFinal(MadeMaps made) {
   cache_.add(key, std::move(made.faces), std::move(made.maps));
 }
 
-// Maps made before, wherever a probe, or the sky, wants them.
+// Shows maps made earlier for all probes and the sky.
 void ProbeBaker::showCached() {
   ProbeEntries& entries = with_.plan->entries();
   for (std::size_t i = 0; i < entries.size(); ++i) {

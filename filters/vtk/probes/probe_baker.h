@@ -1,6 +1,5 @@
-// Makes the maps that the plan asks for, one cubemap after another: captured step by step or read from a file, then
-// shown, remembered with what they were made of, and kept for undo. What is made is decided by the plan, and what it
-// shows by whoever knows the objects (CaptureInputs).
+// Makes the maps that the plan requests, one cubemap after another: captured step by step or read from a file, then
+// shown, with a record of their inputs, and kept for undo. CaptureInputs describes the objects to capture.
 #pragma once
 
 #include <vtkProp.h>
@@ -18,57 +17,57 @@
 
 namespace boxprobe {
 
-/// What captures see: a scene's objects, or those of somebody else's renderer.
+/// What captures see: the objects of a scene, or of another program's renderer.
 struct CaptureInputs {
   CaptureWorld world;
-  std::vector<vtkWeakPointer<vtkProp>> props;  ///< that draws each of the world's objects; several may share one
-  std::string sky;                             ///< key of the sky's own map; empty: no light comes from there
-  int skyColumns = 0;                          ///< of its image; 0: it is none
+  std::vector<vtkWeakPointer<vtkProp>> props;  ///< draw the world's objects; several objects may share one
+  std::string sky;                             ///< key of the sky's map; empty: it gives no light
+  int skyColumns = 0;                          ///< of its image; 0: no image
 };
 
-/// The maps of a job, with all that is known of them.
+/// The maps of a job with their properties.
 struct MadeMaps {
-  ProbeJob job;    ///< with its key, which a realtime probe's is given by its faces
-  FaceKeys faces;  ///< empty texts: faces that are not to be used again
+  ProbeJob job;    ///< with its key, which for a realtime probe follows from its faces
+  FaceKeys faces;  ///< empty keys mark faces that must not be reused
   std::shared_ptr<const ProbeMaps> maps;
   bool fromFile = false;
 };
 
 class ProbeBaker {
  public:
-  /// `with` and all that it points to must outlive this. Maps that nobody shows are kept up to so many bytes.
+  /// `with` and everything it points to must outlive this object. Unused maps are kept up to this many bytes.
   ProbeBaker(const ProbeContext& with, std::size_t keptBytes) : with_(with), cache_(keptBytes) {}
 
-  /// Captures draw with this window's context, which step() and what publishes maps need; null: release() first.
+  /// Captures draw with this window's context, which step() and publishing maps need; null: call release() first.
   void setWindow(vtkOpenGLRenderWindow* window);
   /// Null without a window.
   CubeCapture* capture() { return graphics_ ? &graphics_->capture : nullptr; }
   const Times& times() const { return times_; }
   MapCache& cache() { return cache_; }
   const MapCache& cache() const { return cache_; }
-  /// Another world for captures; replan() follows, once keys were updated.
+  /// Another world for captures; replan() must follow, after keys were updated.
   void setProps(std::vector<vtkWeakPointer<vtkProp>> props) { props_ = std::move(props); }
 
-  /// Shows what is at hand, plans the rest, and ends what is under way unless that plan still wants it.
+  /// Shows available maps, plans the others, and ends work in progress unless the new plan still needs it.
   void replan();
   bool pending() const;
-  /// Where coarse maps come first (ProbePlan::coarseFirst), probes that show nothing show what stands in for them, all
-  /// at once. False: there was none.
+  /// Where coarse maps come first (ProbePlan::coarseFirst), gives all probes that show nothing a stand-in, at once.
+  /// False: there was none.
   bool standIn();
-  /// At most a face is captured, a level filtered or a file read; returns whether there was anything to do. Throws
-  /// WorkError where the driver refuses; giveUp() is then due.
+  /// Captures at most one face, filters one level or reads one file; returns whether there was anything to do. Throws
+  /// WorkError if the driver refuses; giveUp() must follow.
   bool step();
-  /// Faces, levels and files: made since there last was nothing to do, and left of what is planned now.
+  /// Faces, levels and files: done since the last time there was nothing to do; below, those left in the plan.
   int unitsDone() const { return unitsDone_; }
   int unitsLeft() const;
-  /// Ends the job under way; the next step begins the first of the plan.
+  /// Ends the current job; the next step starts the first job of the plan.
   void abort();
-  /// The same, and nothing is left to do until the next plan.
+  /// The same, and clears the plan.
   void giveUp();
   void release();
 
  private:
-  // From a job to what the runner makes. The probe of a bounce, a drag or a realtime job must exist.
+  // Converts jobs into items for the runner. The probe of a bounce, a drag or a realtime job must exist.
   void begin(const ProbeJob& job);
   BakeItem itemOf(const ProbeJob& job, const std::shared_ptr<FaceKeys>& faces);
   BakeItem sky() const;
@@ -80,7 +79,7 @@ class ProbeBaker {
   bool manyFirstBounces() const;
   void load(const ProbeJob& job);
 
-  // What becomes of finished maps.
+  // Handles finished maps.
   void finish(MadeMaps made);
   void publishDrag(MadeMaps made);
   void publishCoarse(MadeMaps made);
@@ -90,7 +89,7 @@ class ProbeBaker {
   void show(std::size_t index, const std::string& key, std::shared_ptr<const ProbeMaps> maps);
   void showSky(const std::string& key, std::shared_ptr<const ProbeMaps> maps);
 
-  /// What takes a window to be made.
+  /// Objects that need a window.
   struct Graphics {
     Graphics(vtkOpenGLRenderWindow* window, const std::shared_ptr<DrawState>& state, Times* times)
         : capture(window, state), runner(window, state, &capture, times) {}

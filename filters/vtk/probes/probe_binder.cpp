@@ -32,7 +32,7 @@ const Openings& openingsOf(const ProbeMaps& maps) {
   return *maps.openings;
 }
 
-/// Looked up in the probe's frame: a map keeps the axes it was captured with.
+/// Sampled in the probe's frame, although a map keeps the axes of its capture.
 class TurnedCube : public shading::CubeSampler {
  public:
   TurnedCube(const CubeMap& map, const glm::dmat3& mapFromProbe) : map_(map), mapFromProbe_(mapFromProbe) {}
@@ -45,7 +45,7 @@ class TurnedCube : public shading::CubeSampler {
   glm::mat3 mapFromProbe_;
 };
 
-/// Of a list with the most important first: the first of those of the highest importance that hold most of the object.
+/// Reduces a list in order of importance to the first of the most important probes that contain most of the object.
 void keepOne(std::vector<std::size_t>& order, const Scene& scene, const Box& bounds) {
   std::optional<std::size_t> best;
   double most = -1.0;
@@ -61,13 +61,13 @@ void keepOne(std::vector<std::size_t>& order, const Scene& scene, const Box& bou
 
 }  // namespace
 
-// A picture of the user's has no capture origin: it belongs where the probe stands now.
+// A picture file has no capture origin: it belongs to the probe's current position.
 ProbeGeometry ProbeBinder::geometry(std::size_t index, const ProbeMaps* maps) const {
   const Probe& probe = with_.content->scene.probes[index];
   const bool captured = maps != nullptr && probe.mode != ProbeMode::Custom;
   ProbeGeometry geometry = probeGeometry(probe, captured ? maps->capturedAt : probe.origin,
                                          maps != nullptr ? maps->capturedRotation : probe.rotationDegrees);
-  // Means of frames and smoothed samples take passes over a picture that is somebody else's.
+  // Averaged frames and smoothed samples need passes over a picture that belongs to another program.
   if (with_.state->resources.foreign) geometry.animated = geometry.blurred = false;
   return geometry;
 }
@@ -96,7 +96,7 @@ bool ProbeBinder::has(const DrawnProbe& probe) const {
   return index < probes_.size() && probes_[index].drawn.get() == &probe;
 }
 
-// Maps turned against their box as those before were not, or openings, take another program.
+// A change of rotation between map and box, or of openings, requires another program.
 void ProbeBinder::show(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
   DrawnProbe& probe = *probes_[index].drawn;
   const bool turned = probe.geometry.mapTurned;
@@ -147,8 +147,8 @@ void ProbeBinder::release() {
   with_.state->resources.sky.reset();
 }
 
-// On the CPU from small levels, and only of maps or a sky that are new, so that another sky costs no capture. Returns
-// whether a probe begins or ceases to let the sky through: that takes another program.
+// Computed on the CPU from small levels, only for new maps or a new sky, so that another sky costs no capture. Returns
+// whether the sky starts or stops showing through a probe, which requires another program.
 bool ProbeBinder::updateOpenings() {
   bool changed = false;
   for (std::size_t i = 0; i < probes_.size(); ++i) {
@@ -168,7 +168,7 @@ bool ProbeBinder::updateOpenings() {
   return changed;
 }
 
-// The scene's lights that ask for shadows, and for each probe those of them that lie outside of its box.
+// Finds the scene's lights that cast shadows and, for each probe, those outside its box.
 void ProbeBinder::updateShadowLights() {
   const std::vector<Light>& lights = with_.content->scene.lights;
   with_.state->resources.shadowLights.clear();
@@ -189,8 +189,8 @@ void ProbeBinder::updateShadowLights() {
   }
 }
 
-// Which probes' diffuse light is that of lamps drawn as shapes and of a lattice, and of which lamps. Of pictures, whose
-// lamps are not known, the lattice alone.
+// Finds the probes whose diffuse light comes from lamps as shapes and a lattice, and their lamps. For pictures, whose
+// lamps are unknown, only a lattice.
 void ProbeBinder::updateLamps() {
   const SceneContent& content = *with_.content;
   std::vector<std::optional<SightTask>> tasks(2 * probes_.size());  // of drawn probes, then of their captures
@@ -209,10 +209,19 @@ void ProbeBinder::updateLamps() {
     }
   }
   sight_.ask(std::move(tasks), content.scene, content.given, content.sightLines);
+  wantSight();
   showSight();
 }
 
-// What is known by now of what probes see of their lamps.
+void ProbeBinder::wantSight() {
+  std::vector<bool> wanted(2 * probes_.size(), false);
+  for (std::size_t i = 0; i < std::min(probes_.size(), with_.plan->entries().size()); ++i) {
+    wanted[i] = wanted[probes_.size() + i] = with_.plan->entries()[i].asked;
+  }
+  sight_.want(wanted);
+}
+
+// Applies the visibilities known so far.
 void ProbeBinder::showSight() {
   const SceneLamps* lamps = with_.content->lamps.get();
   SceneResources& resources = with_.state->resources;
@@ -240,7 +249,7 @@ void ProbeBinder::showSight() {
 }
 
 bool ProbeBinder::makeSight() {
-  constexpr std::chrono::milliseconds kTurn(5);  // a window answers in between
+  constexpr std::chrono::milliseconds kTurn(5);  // so that a window stays responsive
   if (!sight_.proceed(kTurn)) return false;
   Counters& counters = with_.state->counts.counters;
   for (const SightWork::Made& made : sight_.made()) {
@@ -264,7 +273,7 @@ void ProbeBinder::assign(std::size_t object) {
   lit.pass->SetBinding(bindingOf(lit, with_.plan->interactive()));
 }
 
-// A box dragged over further objects would need programs that are not compiled yet; that waits for the drag's end.
+// A box dragged over further objects would need programs that are not compiled yet; that waits for the end of the drag.
 void ProbeBinder::assign(bool anyProgram) {
   const bool waits = with_.state->tuning != nullptr && with_.plan->interactive() && !anyProgram;
   for (DrawnObject& object : with_.content->objects) {
@@ -301,7 +310,7 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   if (object.settings.probeUsage == ProbeUsage::Simple) keepOne(order, scene, bounds);
   const auto covers = [&](std::size_t i) { return fullWeightEverywhere(scene.probes[i], bounds); };
   if (!general) {
-    // Nothing is left for probes less important than one that covers the object.
+    // A probe that covers the object leaves nothing to less important ones.
     const auto cover = std::find_if(order.begin(), order.end(), covers);
     if (cover != order.end()) {
       const double importance = scene.probes[*cover].importance;
@@ -314,7 +323,7 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
     binding->leftOut = order.size() - ProbeBinding::kMaxProbesPerDraw;
     order.resize(ProbeBinding::kMaxProbesPerDraw);
   }
-  // Asked of those that are left: the one that covers the object may have been one too many.
+  // Checked after truncation, which may have removed the probe that covers the object.
   if (!general && std::any_of(order.begin(), order.end(), covers)) {
     binding->sky = false;
     binding->weights = order.size() > 1;
@@ -340,13 +349,13 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   });
   binding->roughnessMin = static_cast<float>(object.roughnessMin);
   binding->roughnessMax = static_cast<float>(object.roughnessMax);
-  // Glass looks along bent rays, whose lobes have no shapes.
+  // Glass is sampled along refracted rays, whose lobes have no lamps as shapes.
   const bool glass = object.surface && object.surface->glass.drawn;
   binding->lampLobes = !glass && binding->roughnessMax > shading::kLampMapRoughness;
   bool anyFree = false;
   for (std::size_t slot = 0; slot < order.size(); ++slot) anyFree |= binding->lampFree(slot);
   binding->lampLobes = anyFree;
-  // A perfect mirror's lobe is one direction: whatever a technique of several samples does, it does for nothing there.
+  // The lobe of a perfect mirror is one direction: several samples are wasted on it.
   for (Technique& technique : binding->techniques) {
     const bool costly = !evaluationRows()[static_cast<std::size_t>(technique.evaluation)].standIn.empty();
     if (costly && object.roughnessMax <= 0.0) technique.evaluation = parseTechnique("none")->evaluation;
@@ -379,11 +388,11 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   return binding;
 }
 
-// By what objects are drawn with, not by what meets them.
+// By the probes that objects are drawn with, not those that reach them.
 void ProbeBinder::recordUse() {
   with_.state->resources.shadowLightsInUse.clear();
   std::vector<ObjectUse> uses;
-  // Probes of other programs are made whether they light anything yet or not.
+  // Probes of other programs are captured whether or not they light anything.
   if (with_.state->resources.foreign) {
     ObjectUse any;
     any.lit = true;
@@ -396,7 +405,7 @@ void ProbeBinder::recordUse() {
     if (const ProbeBinding* binding = object.pass->GetBinding()) {
       with_.state->resources.shadowLightsInUse.insert(binding->shadowLights.begin(), binding->shadowLights.end());
       for (const auto& probe : binding->probes) {
-        // During a drag an object may still be drawn with one that is no longer in the list.
+        // During a drag an object may still be drawn with a probe that was removed.
         if (has(*probe)) use.probes.push_back(static_cast<std::size_t>(probe->index));
       }
     }
@@ -405,8 +414,7 @@ void ProbeBinder::recordUse() {
   with_.plan->entries().setUse(std::move(uses));
 }
 
-// Asked between frames: compared, and nothing put together. What follows something that moves is measured once for each
-// box.
+// Called between frames, so it only compares. The errors of a realtime probe are measured once per box.
 bool ProbeBinder::errorsStale(std::size_t index) const {
   const ProbeEntry& entry = with_.plan->entries()[index];
   const Shown& probe = probes_[index];
@@ -445,7 +453,7 @@ void LevelNeeds::Need::add(const Lookup& lookup) {
   if (std::find(lookups.begin(), lookups.end(), lookup) == lookups.end()) lookups.push_back(lookup);
 }
 
-// Glass looks along refracted rays as rough as its material, too, and at what its form makes of them.
+// Glass also samples along refracted rays, with its material's roughness and that which its form produces.
 void LevelNeeds::update() {
   needs_.assign(shown_->size(), {});
   sky_ = {};

@@ -1,7 +1,5 @@
-// Who is lit by what: the maps that each probe and the sky are drawn with and where they belong, what follows from
-// these (light through openings, lamps, shadows by coverage, errors of techniques), and which probes each object is
-// drawn with. Changed by those who publish maps, read by draws through the objects' bindings; knows no keys of maps
-// and makes none.
+// Binds probes to objects: the maps that each probe and the sky are drawn with, their derived properties (light through
+// openings, lamps, shadows by coverage, errors of techniques), and the probes of each object. Does not make maps.
 #pragma once
 
 #include <functional>
@@ -22,40 +20,41 @@ namespace boxprobe {
 struct DrawnObject;
 class ProbeBinder;
 
-/// Which mip levels of each probe and of the sky the materials of the scene sample, so that no other is filtered; and
-/// which of those that are shown lack one.
+/// Which mip levels of each probe and of the sky the scene's materials sample, so that no other is filtered, and which
+/// of those are missing in the maps that are shown.
 class LevelNeeds {
  public:
-  /// All must outlive this.
+  /// All must outlive this object.
   LevelNeeds(const SceneContent* content, const ProbeBinder* shown, const DrawState* state)
       : content_(content), shown_(shown), state_(state) {}
 
-  /// Looks at all objects as they are drawn now. O(objects and their probes).
+  /// Examines all objects as they are drawn now. O(objects and their probes).
   void update();
-  /// Whether what is captured from now on gets every level, as files do, whatever samples it. Maps that are there stay.
+  /// Filters all levels of future captures, as for files, whether or not they are sampled. Does not affect existing
+  /// maps.
   void setAll(bool all) { all_ = all; }
 
-  /// Of a chain of so many levels; all, for a probe that is not in the list.
+  /// For a chain of that many levels; all levels for a probe that is not in the list.
   LevelMask ofProbe(std::size_t probe, int levels) const;
   LevelMask ofSky(int levels) const;
 
-  /// Levels that something beside the scene's objects samples; of one chain at a time, null for none.
+  /// Levels that something besides the scene's objects samples; for one chain at a time, null for none.
   void also(const std::shared_ptr<const ProbeMaps>& maps, LevelMask levels);
-  /// Pictures are refined by rays, which sample all levels.
+  /// Refined pictures use rays, which sample all levels.
   void setRefined(bool refined);
-  /// How many levels are lacking.
+  /// Number of missing levels.
   int left() const;
 
-  /// Does something that is shown lack a level it needs? Cheap while nothing changes.
+  /// Is a level missing that something shown needs? Cheap if nothing has changed.
   bool lacking() const;
-  /// Filters one such level, with the window's context current; nothing where none is lacking. True if the scene's
-  /// objects needed it, not only what also() told of.
+  /// Filters one such level, if any, with the window's context current. True if the scene's objects needed it, not only
+  /// also().
   bool makeOne();
 
  private:
   struct Lookup {
     Technique technique;
-    double low = 0.0, high = 0.0;  ///< roughness
+    double low = 0.0, high = 0.0;  ///< range of roughness
     bool operator==(const Lookup& o) const { return technique == o.technique && low == o.low && high == o.high; }
   };
   struct Need {
@@ -70,7 +69,7 @@ class LevelNeeds {
   LevelMask sampledOf(std::size_t probe, int levels) const;
   LevelMask sampledOfSky(int levels) const;
   std::optional<Lack> find() const;
-  /// Calls `each(maps, levels)` for what lacks levels, until it returns false.
+  /// Calls `each(maps, levels)` for maps with missing levels, until it returns false.
   template <typename Each>
   void forEachLack(const Each& each) const;
 
@@ -78,11 +77,11 @@ class LevelNeeds {
   const ProbeBinder* shown_;
   const DrawState* state_;
   bool all_ = false, refined_ = false;
-  std::vector<Need> needs_;  ///< of each probe
+  std::vector<Need> needs_;  ///< per probe
   Need sky_;
   std::weak_ptr<const ProbeMaps> alsoOf_;
   LevelMask also_ = 0;
-  // Nothing was lacking when these were what was shown.
+  // No level was missing when these were shown.
   mutable std::uint64_t wholeShown_ = ~std::uint64_t{0};
   mutable const ProbeMaps* wholeSky_ = nullptr;
   mutable bool whole_ = false;
@@ -90,13 +89,13 @@ class LevelNeeds {
 
 class ProbeBinder {
  public:
-  /// `with` and all that it points to must outlive this.
+  /// `with` and everything it points to must outlive this object.
   explicit ProbeBinder(const ProbeContext& with) : with_(with), needs_(with.content, this, with.state.get()) {}
 
-  // What probes are drawn with.
-  /// Follows a change of the scene's list of probes.
+  // What probes are drawn with:
+  /// Applies a change of the scene's list of probes.
   void rearrange(const ProbeEntries::Origins& origins);
-  /// Takes over boxes, weights, techniques and lights from the scene; assign() follows.
+  /// Applies boxes, weights, techniques and lights of the scene; assign() must follow.
   void updateShapes();
   std::size_t size() const { return probes_.size(); }
   /// Changes whenever other maps may be shown.
@@ -104,46 +103,47 @@ class ProbeBinder {
   const DrawnProbe& drawn(std::size_t index) const { return *probes_[index].drawn; }
   /// Is it one of these, at its index?
   bool has(const DrawnProbe& probe) const;
-  /// Draws the probe with these maps from now on; null: it gives nothing. Objects get other programs where that takes
-  /// any.
+  /// Draws the probe with these maps from now on; null: it gives no light. Objects get other programs if necessary.
   void show(std::size_t index, std::shared_ptr<const ProbeMaps> maps);
   void showSky(std::shared_ptr<const ProbeMaps> maps);
-  /// Adds to maps that are new what their coverage does not tell.
+  /// Adds to new maps the colour of glass, which their coverage lacks.
   void addTint(std::size_t index, const ProbeMaps& maps) const;
 
-  /// What is seen of lamps is traced, unless a box is dragged: captures wait for it.
+  /// Delays the tracing of lamps' visibility while a box is dragged: captures wait for it.
   void holdSight(bool held) { sight_.hold(held); }
   bool sightPending() const { return sight_.pending(); }
-  /// Begins that or waits a little. True: probes see their lamps otherwise than before, and assign() follows. Throws
+  /// Traces for the probes that the plan requests, and no others; to be called when that may have changed.
+  void wantSight();
+  /// Starts it, or waits briefly. True if probes see their lamps differently, and assign() must follow. Throws
   /// WorkError.
   bool makeSight();
 
-  // What a capture sees while it is drawn.
-  /// Until seeAgain() every probe is drawn with the maps that `maps` has for it; null: it gives nothing.
+  // What a capture sees while it is drawn:
+  /// Draws every probe with its maps from `maps` until seeAgain(); null: it gives no light.
   void see(const std::function<std::shared_ptr<const ProbeMaps>(std::size_t index)>& maps);
   void seeAgain();
-  /// For a capture that must not change with the sky: the same function, called while there is no sky.
+  /// For a capture that must not depend on the sky: wraps `drawing` so that there is no sky.
   std::function<void(bool)> withoutSky(std::function<void(bool)> drawing);
 
-  // Which object is lit by which probe.
-  /// Gives every object the probes whose influence meets it; during a drag only as far as there are programs for it
-  /// already, unless `anyProgram`.
+  // Which object is lit by which probe:
+  /// Assigns to each object the probes whose influence meets it; during a drag only if programs exist, unless
+  /// `anyProgram`.
   void assign(bool anyProgram = false);
-  /// The same for one object, whatever it takes.
+  /// The same for one object, with any program.
   void assign(std::size_t object);
-  /// The probes whose influence box meets the object's bounds, most important first (equal importance by name, never by
-  /// the order in the file), at most ProbeBinding::kMaxProbesPerDraw. `general`: by a program that stays right wherever
-  /// in its influence a box is dragged to.
+  /// The probes whose influence box meets the object's bounds, in order of decreasing importance (equal importance by
+  /// name, never by file order), at most ProbeBinding::kMaxProbesPerDraw. `general`: with a program that stays valid
+  /// for any box inside the influence.
   std::shared_ptr<const ProbeBinding> bindingOf(const DrawnObject& object, bool general) const;
-  /// Which mip levels the objects sample.
+  /// The mip levels that the objects sample.
   LevelNeeds& needs() { return needs_; }
   const LevelNeeds& needs() const { return needs_; }
 
-  // How wrong the techniques are that `auto` chooses from, measured with a probe's own final picture in its own box:
+  // The errors of the techniques that `auto` chooses from, measured with a probe's own final picture in its own box:
   // once after a bake and after a drag, never during one.
-  /// The first probe whose errors are those of another picture or box.
+  /// The first probe whose errors were measured with another picture or box.
   std::optional<std::size_t> toMeasure() const;
-  /// Objects are assigned again: what they are drawn with may change by it.
+  /// Objects are assigned again, because their techniques may change.
   void measure(std::size_t index);
 
   void release();
@@ -151,9 +151,9 @@ class ProbeBinder {
  private:
   struct Shown {
     std::shared_ptr<DrawnProbe> drawn = std::make_shared<DrawnProbe>();
-    /// Maps of the probe and of the sky that the light of the sky through its openings was worked out from.
+    /// The maps of the probe and of the sky from which the light through openings was computed.
     std::pair<std::shared_ptr<const ProbeMaps>, std::shared_ptr<const ProbeMaps>> openSkyOf;
-    /// What the probe's errors were measured with.
+    /// The inputs of the probe's measured errors.
     std::string measuredKey;
     glm::vec3 measuredMin{0.0f}, measuredMax{0.0f};
     glm::dmat3 measuredMapFromProbe{1.0};
@@ -176,8 +176,8 @@ class ProbeBinder {
   ProbeIndex places_;          ///< of their influence boxes
   SightWork sight_;
   std::uint64_t generation_ = 0;
-  std::vector<Seen> windowSees_;              ///< put aside while a capture sees other maps
-  std::shared_ptr<const ProbeMaps> skyKept_;  ///< put aside while a capture goes without
+  std::vector<Seen> windowSees_;              ///< saved while a capture sees other maps
+  std::shared_ptr<const ProbeMaps> skyKept_;  ///< saved while a capture has no sky
 };
 
 }  // namespace boxprobe

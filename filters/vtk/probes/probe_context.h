@@ -1,4 +1,4 @@
-// The parts of a probe set, for those of them that work on others. Owned and filled by the probe set.
+// The parts of a probe set, for those of them that use others. Owned by the probe set.
 #pragma once
 
 #include <memory>

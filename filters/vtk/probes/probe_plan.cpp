@@ -11,8 +11,8 @@ namespace boxprobe {
 
 namespace {
 
-// Up to so many probes all are made at once, so that the camera may turn without waiting for them; of more, those that
-// something in the frame is lit by.
+// Up to this many probes, all are made at once, so that the camera may turn without waiting; of more, only those that
+// light something in the frame.
 constexpr std::size_t kAllAtOnce = 8;
 
 using Views = std::unordered_set<std::string_view>;
@@ -30,12 +30,12 @@ int skyFaceSize(int imageColumns) {
   return size;
 }
 
-/// What all probes in use will hold in the end, those that are there already included, and what making them needs.
+/// The memory of all probes in use when complete, including existing maps, and of making them.
 class MemoryNeed {
  public:
   void add(const Probe& probe, const CustomPictures& pictures);
   std::size_t bytes() const { return maps_ + scratch_; }
-  /// One line that says what does not fit into so many bytes, and what to lower.
+  /// One line that says what exceeds that many bytes, and what to reduce.
   std::string error(std::size_t limitBytes) const;
 
  private:
@@ -47,7 +47,7 @@ void MemoryNeed::add(const Probe& probe, const CustomPictures& pictures) {
   const bool custom = probe.mode == ProbeMode::Custom;
   const auto picture = custom ? pictures.picture(probe.name) : nullptr;
   const int size = picture ? picture->faceSize() : probe.faceSize;
-  // A further bounce is captured while the one before it lights the scene.
+  // A further bounce is captured while the previous one lights the scene.
   maps_ += probeMapsBytes(size, !custom) * (probe.bounces > 1 && !custom ? 2 : 1);
   scratch_ = std::max(scratch_, captureScratchBytes(size));
   largest_ = std::max(largest_, size);
@@ -151,7 +151,7 @@ BounceKeys::BounceKeys(std::vector<Input> inputs) : inputs_(std::move(inputs)) {
   for (int bounce = 2; bounce <= most; ++bounce) {
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       if (bounce > inputs_[i].bounces) continue;
-      // In the order of the keys: the order of the list of probes is nothing a picture shows.
+      // In the order of the keys: the list's order does not affect pictures.
       std::vector<std::string> shown;
       for (const std::size_t other : sees_[i]) shown.push_back(key(other, bounce - 1));
       std::sort(shown.begin(), shown.end());
@@ -170,7 +170,7 @@ const std::string& BounceKeys::key(std::size_t probe, int bounce) const {
 
 BakeRecord BounceKeys::record(std::size_t probe) const {
   BakeRecord record{finalKey(probe), inputs_[probe].view, {}, {}};
-  // A single bounce shows no other probe; that the list grows with their number is for those that do.
+  // A single bounce shows no other probes; a record that grows with their number is only for several bounces.
   if (inputs_[probe].bounces < 2) return record;
   for (const std::size_t other : sees_[probe]) record.sees.push_back(inputs_[other].view);
   for (const Input& other : inputs_) {
@@ -202,11 +202,11 @@ BounceKeys::Input ProbePlan::input(std::size_t index) const {
   return input;
 }
 
-// Only of probes that are wanted or there already, and of those that their further bounces show.
+// For probes that are needed or exist already, and those that their further bounces show.
 BounceKeys ProbePlan::askedBounces() const {
   const std::vector<Probe>& probes = entries_.scene().probes;
   std::vector<BounceKeys::Input> inputs(probes.size());
-  std::vector<int> bounces(probes.size(), 0);  // up to which it is asked for
+  std::vector<int> bounces(probes.size(), 0);  // requested up to this bounce
   std::vector<std::size_t> open;
   const auto ask = [&](std::size_t i, int upTo) {
     upTo = std::min(upTo, probes[i].bounces);
@@ -226,8 +226,8 @@ BounceKeys ProbePlan::askedBounces() const {
     if (inputs[i].view.empty()) inputs[i] = input(i);
     if (bounces[i] < 2) continue;
     for (const std::size_t other : inputs[i].lighting) ask(other, bounces[i] - 1);
-    // What it was made from may be other probes than those its boxes name now. And a file names all probes there were,
-    // the same ones whoever bakes a part of them.
+    // Its inputs may be other probes than those that its box suggests now. And a file names all probes, whoever bakes a
+    // part of them.
     const bool all = inputs[i].record || targets_.count(probes[i].name) != 0;
     for (std::size_t other = 0; all && other < probes.size(); ++other) ask(other, bounces[i] - 1);
   }
@@ -236,7 +236,7 @@ BounceKeys ProbePlan::askedBounces() const {
 
 void ProbePlan::updateKeys() {
   bounces_ = askedBounces();
-  // A record that no longer leads to maps has served: what is made now follows the boxes as they are now.
+  // A record that no longer leads to maps is dropped: new maps follow the current boxes.
   bool dropped = false;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const std::string& key = bounces_.finalKey(i);
@@ -249,7 +249,8 @@ void ProbePlan::updateKeys() {
     ProbeEntry& entry = entries_[i];
     const Probe& probe = entries_.probe(i);
     const std::string before = entry.wanted;
-    if (bounces_.input(i).view.empty()) {
+    entry.asked = !bounces_.input(i).view.empty();
+    if (!entry.asked) {
       entry.wanted.clear();
       continue;
     }
@@ -264,7 +265,7 @@ void ProbePlan::updateKeys() {
   }
 }
 
-// The first bounce shows no light from probes, so it differs from a later one only where a probe would throw some.
+// The first bounce has no light from probes, so it differs from a later one only where a probe would contribute.
 std::string ProbePlan::faceKey(std::size_t index, int bounce, int face) const {
   const Probe& probe = entries_.probe(index);
   if (!keepsCapture(probe)) return {};
@@ -376,7 +377,7 @@ bool ProbePlan::bakesAny() const {
 
 void ProbePlan::planSky() {
   if (skyWanted_.empty() || !skyStale()) return;
-  // With baked probes goes the sky's file, which may be gone or damaged by itself.
+  // Baked probes include the sky's file, which may be missing or damaged by itself.
   const bool asked =
       targets_.empty() ? entries_.anyLit() : !jobs_.empty() || (bakesAny() && !sources_.folder.has(skyWanted_));
   if (!asked) return;
@@ -386,7 +387,7 @@ void ProbePlan::planSky() {
     kind = JobKind::File;
   } else if (targets_.empty() && !sources_.skyLevels.empty() &&
              holdsSkyLevels(sources_.skyLevels, skyWanted_, faceSize)) {
-    kind = JobKind::Levels;  // not for a bake, whose files tell what captured them
+    kind = JobKind::Levels;  // not for a bake, whose files record the capturing renderer
   }
   jobs_.insert(jobs_.begin(), {kind, {}, 1, skyWanted_, faceSize});
 }
@@ -404,7 +405,7 @@ void ProbePlan::planBounces() {
     if (stale(i) && entries_.baked(i)) bounces_.collect(i, entries_.probe(i).bounces, have, missing);
   }
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    // Of the final maps, or of a bounce that others were sent ahead to make.
+    // Of the final maps, or of a bounce that others need first.
     const Probe& p = entries_.probe(i);
     for (int bounce = p.bounces; bounce >= 1 && !bounces_.input(i).view.empty(); --bounce) {
       const std::string& key = bounces_.key(i, bounce);

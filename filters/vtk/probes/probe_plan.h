@@ -1,5 +1,5 @@
-// What has to be made for the probes of a scene, and in which order: lazy, so that a probe no visible object uses is
-// not captured, and by key, so that nothing is made twice. Knows maps by their keys alone: neither OpenGL nor VTK.
+// Plans which maps of a scene's probes to make, and in which order: lazily, so that a probe that no visible object uses
+// is not captured, and by key, so that nothing is made twice. Knows maps only by their keys, without OpenGL and VTK.
 //
 //   ProbeEntries   what each probe shows and should show, by key; whether anything drawn is lit by it
 //   BounceKeys     which maps a bounce needs: the keys of one bounce follow from those of the one before
@@ -31,77 +31,77 @@ namespace boxprobe {
 enum class JobKind {
   SkyMap,    ///< the sky's own map, captured
   File,      ///< of a probe or the sky, read from the folder of baked files
-  Picture,   ///< filtered from a picture of the user's
-  Coarse,    ///< of a probe that has nothing to show yet, in few texels, for the time being
-  Drag,      ///< a first bounce for the time of a drag
+  Picture,   ///< filtered from a picture file
+  Coarse,    ///< of a probe that has nothing to show yet, in few texels
+  Drag,      ///< a first bounce, shown during a drag
   Bounce,    ///< a bounce of a baked probe
-  Realtime,  ///< a further round of a probe that follows what it shows
+  Realtime,  ///< a further round of a realtime probe
   Levels,    ///< of the sky, read from the file beside its picture
 };
 
 struct ProbeJob {
   JobKind kind = JobKind::Bounce;
   std::string name;  ///< of the probe; empty: the sky
-  int bounce = 1;    ///< the first one is 1
-  std::string key;   ///< of the maps it makes; empty for Realtime, whose key is known when all faces are
+  int bounce = 1;    ///< counted from 1
+  std::string key;   ///< of its maps; empty for Realtime, whose key is known after all faces
   int faceSize = 0;  ///< texels
   bool operator==(const ProbeJob& o) const { return kind == o.kind && name == o.name && key == o.key; }
 };
 
-/// Ends the key of maps that are captured during a drag: they show at once but do not count as the final ones.
+/// Suffix of the keys of maps captured during a drag: they are shown at once but are not final.
 constexpr const char* kDuringDrag = " during a drag";
 
-/// The same of maps of few texels that are seen until a probe's own are there.
+/// The same for maps of few texels, shown until a probe's own are there.
 constexpr const char* kCoarse = " in few texels";
 constexpr int kCoarseFaceSize = 64;
 
-/// Where maps come from besides captures: those that were made before, the folder of baked files, pictures of the
-/// user's, the levels that come with a sky's picture.
+/// Sources of maps besides captures: maps made earlier, the folder of baked files, picture files, the levels beside a
+/// sky's picture.
 struct ProbeSources {
-  std::function<bool(const std::string& key)> cached;  ///< are the maps of that key at hand?
+  std::function<bool(const std::string& key)> cached;  ///< are the maps of that key available?
   BakeFolder folder;
   CustomPictures pictures;
-  std::string skyLevels =
-      {};  ///< the file beside the sky's picture; empty: the sky is no picture, or the file is damaged
+  std::string skyLevels = {};  ///< the file beside the sky's picture; empty: no picture, or a damaged file
 
-  /// May a job take them instead of making them?
+  /// Can a job use these maps instead of making them?
   bool have(const std::string& key) const { return cached(key) || folder.has(key); }
 };
 
 struct ProbeEntry {
   std::string name;
-  std::string shown;      ///< key of the maps it shows; empty: it shows none
-  std::string wanted;     ///< key of those it should show; empty: there is nothing it could show
-  FaceKeys faces;         ///< realtime: of the faces it shows
-  int passes = 0;         ///< realtime: further rounds until mirrors in mirrors have settled
+  std::string shown;      ///< key of the current maps; empty: none
+  std::string wanted;     ///< key of the maps it should show; empty: there are none to show
+  FaceKeys faces;         ///< realtime: keys of the current faces
+  int passes = 0;         ///< realtime: further rounds until mirrors in mirrors have converged
   bool used = false;      ///< some visible object is lit by it
-  bool seen = true;       ///< some object of the last frame is, or there are so few that all are made at once
-  bool again = false;     ///< asked for although nothing changed: no face is kept
-  bool fromFile = false;  ///< what it shows was read from a file
-  std::string given;      ///< key of maps from elsewhere, shown in place of captures; empty: none
+  bool seen = true;       ///< it lights an object of the last frame, or there are few enough probes to make all
+  bool asked = false;     ///< the last updateKeys() found its maps, or its light in another's maps, necessary
+  bool again = false;     ///< requested although nothing has changed: no face is reused
+  bool fromFile = false;  ///< the current maps were read from a file
+  std::string given;      ///< key of maps set from outside in place of captures; empty: none
   bool needed() const { return (used && seen) || again; }
 };
 
 /// How one object is drawn.
 struct ObjectUse {
-  bool lit = false;                 ///< visible, and its material takes light
-  std::vector<std::size_t> probes;  ///< those that light it, as indices into scene.probes
+  bool lit = false;                 ///< visible, with a material that is lit
+  std::vector<std::size_t> probes;  ///< that light it, as indices into scene.probes
 };
 
 class ProbeEntries {
  public:
-  /// For each probe of the list the index it had before; nothing: it is new.
+  /// The previous index of each probe in the list; nothing for a new one.
   using Origins = std::vector<std::optional<std::size_t>>;
 
-  /// `scene` must outlive this.
+  /// `scene` must outlive this object.
   explicit ProbeEntries(const Scene* scene) : scene_(scene) {}
 
-  /// Follows scene.probes: a probe keeps its entry through a change of the list; a renamed one is new, and finds its
-  /// maps again by key. Nothing is returned where the list has the names it had.
+  /// Matches scene.probes by name: a probe keeps its entry when the list changes; a renamed one is new, and finds its
+  /// maps by key. Returns nothing if the names are unchanged.
   std::optional<Origins> match();
-  /// The same for a list of which the caller knows where each probe was, whatever its name is now.
+  /// The same if the caller knows the origin of each probe, whatever its name.
   void follow(const Origins& origins);
-  /// Does the scene's list have the names these entries were matched with?
+  /// Are the names those of the last match?
   bool matched() const;
 
   std::size_t size() const { return entries_.size(); }
@@ -111,14 +111,14 @@ class ProbeEntries {
   const Probe& probe(std::size_t index) const { return scene_->probes[index]; }
   bool baked(std::size_t index) const { return probe(index).mode == ProbeMode::Baked; }
   std::optional<std::size_t> find(const std::string& name) const;
-  /// Where the influence boxes lie, as of the last match().
+  /// The index of the influence boxes, as of the last match().
   const ProbeIndex& places() const { return places_; }
 
-  /// How all objects are drawn, in the scene's order: a probe that reaches an object but was left out of it lights
-  /// nothing there.
+  /// How all objects are drawn, in the scene's order: a probe that reaches an object but was left out of its draw does
+  /// not light it.
   void setUse(std::vector<ObjectUse> objects);
-  /// Which objects the last frame showed, as indices; nothing: not known, as if all were. Of many probes those alone
-  /// are seen that light one of these. Returns whether that changed for a probe.
+  /// Indices of the objects in the last frame; nothing: unknown, as if all were. If there are many probes, only those
+  /// that light one of these count as seen. Returns whether that changed for a probe.
   bool setSeen(std::optional<std::vector<std::size_t>> objects);
   /// Is any object lit?
   bool anyLit() const;
@@ -134,42 +134,42 @@ class ProbeEntries {
   std::optional<std::vector<std::size_t>> seenObjects_;
 };
 
-/// Capture n of a probe shows the probes that light what it sees as they were captured at n - 1. So a bounce whose
-/// inputs did not change has the key of the one before, and a probe that no bounce of another shows does not make the
-/// other stale.
+/// Capture n of a probe shows the light of other probes as captured at n - 1. So a bounce with unchanged inputs has the
+/// key of the previous one, and a probe that is not in any bounce of another does not make it stale.
 class BounceKeys {
  public:
   struct Input {
-    std::string view;  ///< of the capture (or import) itself; empty: nobody asks for this probe
+    std::string view;  ///< of the capture (or import) itself; empty: the probe is not requested
     int bounces = 1;
     bool imported = false;              ///< from a picture: the same at every bounce
-    bool lattices = false;              ///< of probes light what its later bounces show
-    bool realtime = false;              ///< not in other probes' bounces: it would make them stale at every frame
-    std::vector<std::size_t> lighting;  ///< probes that light what the capture shows, as boxes are now
-    std::optional<BakeRecord> record;   ///< of maps made from the same view before
+    bool lattices = false;              ///< later bounces use lattices for diffuse light
+    bool realtime = false;              ///< not in other probes' bounces, which it would make stale in every frame
+    std::vector<std::size_t> lighting;  ///< probes that light what the capture shows, by the current boxes
+    std::optional<BakeRecord> record;   ///< of maps made earlier from the same view
   };
 
   BounceKeys() = default;
   explicit BounceKeys(std::vector<Input> inputs);
 
   const Input& input(std::size_t probe) const { return inputs_[probe]; }
-  /// The key of a probe's maps as of a bounce; 1 is the first. More than its own bounces: the last.
+  /// The key of a probe's maps for a bounce, from 1; beyond its own bounces that of the last.
   const std::string& key(std::size_t probe, int bounce) const;
   const std::string& finalKey(std::size_t probe) const { return key(probe, inputs_[probe].bounces); }
-  /// The probes per probe's later bounces show: as its record has it, so that maps once made are not undone by a box,
-  /// plus those that came since.
+  /// The probes that each probe's later bounces show: those of its record, so that moving a box does not invalidate
+  /// maps, plus new ones.
   const std::vector<std::size_t>& sees(std::size_t probe) const { return sees_[probe]; }
-  /// What to remember with maps that are made now.
+  /// The record to store with new maps.
   BakeRecord record(std::size_t probe) const;
 
-  /// Adds to `missing` what has to be made before and for a probe's maps of a bounce: those of which `have` says no.
+  /// Adds to `missing` the bounces, in order, that are needed for a probe's maps of a bounce and for which `have` is
+  /// false.
   template <typename Have>
   void collect(std::size_t probe, int bounce, const Have& have,
                std::vector<std::pair<int, std::size_t>>& missing) const {
     if (bounce > inputs_[probe].bounces) bounce = inputs_[probe].bounces;
     const std::pair<int, std::size_t> job{bounce, probe};
     if (have(key(probe, bounce))) return;
-    // A bounce that shows nothing new is the one before.
+    // A bounce that shows nothing new equals the previous one.
     if (bounce > 1 && key(probe, bounce) == key(probe, bounce - 1)) return collect(probe, bounce - 1, have, missing);
     for (const auto& known : missing) {
       if (known == job) return;
@@ -186,14 +186,14 @@ class BounceKeys {
   std::vector<std::vector<std::string>> keys_;  ///< [probe][bounce - 1]
 };
 
-/// Whether level 0 of a probe's maps holds its faces as they were captured: the frosty filter blurs it, too.
+/// Does level 0 of a probe's maps hold its faces as captured? The Gaussian filter also blurs level 0.
 inline bool keepsCapture(const Probe& probe) {
   return probe.filter == FilterKind::Ggx;
 }
 
 class ProbePlan {
  public:
-  /// `scene`: the probes as captures take them; must outlive this. `cached`: are the maps of that key at hand?
+  /// `scene`: the probes for captures; must outlive this object. `cached`: are the maps of that key available?
   ProbePlan(const Scene* scene, std::function<bool(const std::string& key)> cached)
       : entries_(scene), sources_{std::move(cached), {}, {}, {}} {}
 
@@ -202,74 +202,74 @@ class ProbePlan {
   ProbeSources& sources() { return sources_; }
   const ProbeSources& sources() const { return sources_; }
 
-  // Keys. What a probe shows is not even looked for as long as nobody asks.
-  /// What captures show from now on; updateKeys() follows.
+  // Keys. What a probe shows is only determined if it is requested.
+  /// Sets what captures show; updateKeys() must follow.
   void setWorld(CaptureWorld world) { world_ = std::move(world); }
   const CaptureWorld& world() const { return world_; }
-  /// Sets what each entry wants, for those that somebody needs.
+  /// Sets the wanted keys of entries that are needed.
   void updateKeys();
   /// Of baked and custom probes, as of the last updateKeys().
   const BounceKeys& bounces() const { return bounces_; }
-  /// Of one face (0 to 5) of a probe's bounce: equal keys, equal texels of level 0. Empty: it is not to be used again.
+  /// For one face (0 to 5) of a probe's bounce: equal keys mean equal texels of level 0. Empty: must not be reused.
   std::string faceKey(std::size_t index, int bounce, int face) const;
-  /// The same of a realtime probe, given as it was when its capture began, and of its maps made of six such faces.
+  /// The same for a realtime probe, given as it was when its capture started, and for its maps of six such faces.
   std::string realtimeFaceKey(const Probe& probe, int face) const;
   static std::string realtimeKey(const Probe& probe, const FaceKeys& faces);
-  /// Its final maps are made: remembers what of, so that moving its box does not undo them.
+  /// To be called when its final maps were made: records their inputs, so that moving its box does not invalidate them.
   void remember(std::size_t index);
-  /// What is made for it from here on follows the boxes as they are.
+  /// New maps of it follow the current boxes.
   void forget(std::size_t index) { records_.erase(bounces_.input(index).view); }
 
-  // What is to be done at all. Each takes effect with the next make().
+  // Options that take effect with the next make().
   void setEnabled(bool enabled) { enabled_ = enabled; }
   bool enabled() const { return enabled_; }
-  /// A handle is held: baked probes are captured for the time being, a single bounce.
+  /// During a drag: baked probes are captured temporarily, with a single bounce.
   void setInteractive(bool interactive) { interactive_ = interactive; }
   bool interactive() const { return interactive_; }
-  /// What has nothing to show yet is captured in few texels before anything else.
+  /// Probes with nothing to show yet are captured in few texels before anything else.
   void setCoarseFirst(bool coarse) { coarseFirst_ = coarse; }
-  /// Is it, as things are? Not for files, and not beside realtime probes, which see whatever is shown.
+  /// Are they now? Not for files, and not beside realtime probes, whose captures see whatever is shown.
   bool coarseFirst() const;
-  /// Is such a capture planned or under way?
+  /// Is such a capture planned or in progress?
   bool coarsePending() const;
-  /// Names of baked probes that are made whether used or not, and nothing else; empty: whatever is needed.
+  /// Names of baked probes to make, used or not, and nothing else; empty: whatever is needed.
   void setTargets(std::set<std::string> names) { targets_ = std::move(names); }
   const std::set<std::string>& targets() const { return targets_; }
-  /// Key of the sky's own map as it should be. An image is captured finer than a gradient, and no finer than its
-  /// columns: a face is a quarter of them. 0: no image.
+  /// The key that the sky's map should have. An image is captured with more texels than a gradient, at most a quarter
+  /// of its columns per face. 0: no image.
   void wantSky(std::string key, int imageColumns);
   bool skyIsImage() const { return skyImageColumns_ > 0; }
   void skyShows(std::string key) { skyShown_ = std::move(key); }
   const std::string& skyWanted() const { return skyWanted_; }
   bool skyStale() const { return skyWanted_ != skyShown_; }
 
-  /// Plans again from what entries show and want. The memory is to be checked again.
+  /// Plans again from the entries' current and wanted keys. Memory must be checked again.
   void make();
-  /// In the order in which they are done. A job leaves the list by the plan that is made when its maps are shown.
+  /// In order of execution. A job is removed by the plan made when its maps are shown.
   const std::vector<ProbeJob>& jobs() const { return jobs_; }
-  /// Does the probe show something else than it should, and is something to be done about that now?
+  /// Does the probe show something else than it should, with work planned for it?
   bool stale(std::size_t index) const;
   void giveUp() { jobs_.clear(); }
 
-  /// The job under way; nothing while none is.
+  /// The current job; nothing between jobs.
   void begin(const ProbeJob& job) { current_ = job; }
   void end() { current_.reset(); }
   const std::optional<ProbeJob>& current() const { return current_; }
-  /// May it go on? A map that follows a drag or something that moves is completed, although the scene has moved on: a
-  /// picture a little late is better than none.
+  /// May it continue? A map for a drag or of a realtime probe is completed although the scene has changed: a late
+  /// picture is better than none.
   bool keepsCurrent() const;
-  /// Is anything planned or under way that will be kept? What a drag captures is replaced at its end.
+  /// Is anything planned or in progress that will be kept? Maps captured for a drag are replaced at its end.
   bool capturesLast() const;
 
-  /// Are there jobs whose memory nobody has checked?
+  /// Are there jobs whose memory has not been checked?
   bool memoryUnchecked() const { return !memoryChecked_ && !jobs_.empty(); }
-  /// Do the maps fit into that many bytes? If not, memoryError() says why not.
+  /// Do the maps fit into that many bytes? If not, memoryError() gives the reason.
   bool checkMemory(std::size_t limitBytes);
-  /// One line; empty: they fit, or nobody has asked since make().
+  /// One line; empty: they fit, or were not checked since make().
   const std::string& memoryError() const { return memoryError_; }
 
   BakeState state(const std::string& probeName) const;
-  /// What the maps a baked probe shows were made from; nothing while they are not the final ones. Empty: the sky.
+  /// The inputs of a baked probe's maps; nothing unless they are final. Empty name: the sky.
   std::optional<BakeRecord> record(const std::string& probeName) const;
 
  private:
@@ -277,7 +277,7 @@ class ProbePlan {
   BounceKeys askedBounces() const;
   void planCoarse();
   void planSky();
-  bool bakesAny() const;  ///< of the targets
+  bool bakesAny() const;  ///< among the targets
   void planBounces();
   void planBounce(std::size_t index, int bounce);
 

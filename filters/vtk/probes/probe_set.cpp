@@ -9,7 +9,7 @@ namespace boxprobe {
 
 namespace {
 
-// Graphics memory of maps that nobody shows any more.
+// GPU memory for unused maps.
 constexpr std::size_t kKeptForUndo = std::size_t{256} << 20;
 
 }  // namespace
@@ -24,7 +24,7 @@ ProbeSet::ProbeSet(SceneContent* content, const std::shared_ptr<DrawState>& stat
 }
 
 ProbeSet::~ProbeSet() {
-  if (with_.state->tuning == &tuning_) with_.state->tuning = nullptr;  // actors may outlive this
+  if (with_.state->tuning == &tuning_) with_.state->tuning = nullptr;  // actors may outlive this object
 }
 
 void ProbeSet::setTuned(bool tuned) {
@@ -57,8 +57,13 @@ void ProbeSet::updateCaptures(CaptureInputs inputs) {
   plan_.wantSky(inputs.sky, inputs.skyColumns);
   baker_.setProps(std::move(inputs.props));
   plan_.sources().pictures.update(with_.content->scene);
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
+}
+
+void ProbeSet::updateKeys() {
+  plan_.updateKeys();
+  binder_.wantSight();
 }
 
 void ProbeSet::give(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
@@ -67,14 +72,14 @@ void ProbeSet::give(std::size_t index, std::shared_ptr<const ProbeMaps> maps) {
   entry.shown = entry.given;
   binder_.show(index, maps);
   if (maps) baker_.cache().add(entry.given, {}, std::move(maps));
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
 }
 
-// Where the scene's list has changed already, its entries follow with updateShapes(), and so does the plan.
+// If the scene's list has changed already, entries and plan follow with updateShapes().
 void ProbeSet::setSeen(std::optional<std::vector<std::size_t>> objects) {
   if (!plan_.entries().setSeen(std::move(objects)) || !plan_.entries().matched()) return;
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
 }
 
@@ -97,7 +102,7 @@ void ProbeSet::setEnabled(bool enabled) {
 void ProbeSet::setBakeTargets(const std::vector<std::string>& names) {
   plan_.setTargets({names.begin(), names.end()});
   binder_.needs().setAll(!names.empty());
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
 }
 
@@ -113,7 +118,7 @@ std::vector<std::string> ProbeSet::bakeKeys(const std::string& probeName) const 
 
 void ProbeSet::useBakedFiles(const std::string& folder) {
   plan_.sources().folder = folder.empty() ? BakeFolder() : BakeFolder(folder);
-  plan_.updateKeys();
+  updateKeys();
   baker_.replan();
 }
 
@@ -154,7 +159,7 @@ void ProbeSet::giveUp() {
 }
 
 std::optional<std::size_t> ProbeSet::toMeasure() const {
-  const bool never = with_.state->resources.foreign;  // their `auto` goes by what was measured elsewhere
+  const bool never = with_.state->resources.foreign;  // their `auto` uses the measured table
   if (never || plan_.interactive() || tuning_.moving() || !plan_.enabled()) return std::nullopt;
   return binder_.toMeasure();
 }
@@ -174,15 +179,15 @@ void ProbeSet::step() {
 
 void ProbeSet::doOne() {
   if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return giveUp();
-  // What is looked at meanwhile, and no final picture shows.
+  // Shown meanwhile, and in no final picture.
   if (baker_.standIn()) return;
   if (plan_.coarsePending() && baker_.step()) return;
-  // Before anything is captured, which their shadows are part of.
+  // Before any capture, because shadows are part of it.
   if (sightPending()) {
     if (binder_.makeSight()) binder_.assign();
     return;
   }
-  // First, because what is drawn meanwhile shows too little of a blur.
+  // First, because meanwhile the picture is not blurred enough.
   if (levelsPending()) return makeLevel();
   if (baker_.step()) return;
   if (const auto index = toMeasure()) {
@@ -190,13 +195,13 @@ void ProbeSet::doOne() {
   } else if (with_.state->tuning != nullptr && tuning_.pending()) {
     tuning_.prepareOne();
   } else if (const ProbeMaps* maps = latticePending()) {
-    constexpr int kTurnMilliseconds = 5;  // a window answers in between
+    constexpr int kTurnMilliseconds = 5;  // so that a window stays responsive
     maps->lattice.take(kTurnMilliseconds);
   }
 }
 
-// Realtime probes of several bounces saw the other levels, if any, while they were missing: in a drag, that is. They
-// come to rest again by as many rounds as they have bounces.
+// Realtime probes of several bounces may have sampled other levels while these were missing, during a drag. They
+// converge again after as many rounds as they have bounces.
 void ProbeSet::makeLevel() {
   const bool seen = binder_.needs().makeOne();
   ++levelsMade_;

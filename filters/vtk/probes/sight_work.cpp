@@ -63,19 +63,28 @@ void SightWork::ask(std::vector<std::optional<SightTask>> tasks, const Scene& sc
       now.sight = known_[i].sight;
     }
   }
-  const bool wanted = std::any_of(known.begin(), known.end(), [](const Known& k) { return !k.current; });
   const bool unchanged = same && known.size() == known_.size() &&
                          std::equal(known.begin(), known.end(), known_.begin(), [](const Known& a, const Known& b) {
                            return a.task == b.task && a.current == b.current;
                          });
+  if (unchanged) return;  // what runs is still what is asked for
   known_ = std::move(known);
-  if (unchanged && open_ == wanted) return;  // what runs is still what is asked for
   cancel();
   if (!same) lines_.reset();
   surroundings_ = std::move(surroundings);
-  open_ = wanted;
+  open_ = false;
   maker_ = lines;
-  scene_ = wanted ? std::make_shared<const Scene>(scene) : nullptr;
+  const bool left = std::any_of(known_.begin(), known_.end(), [](const Known& k) { return !k.current; });
+  scene_ = left && !lines_ ? std::make_shared<const Scene>(scene) : nullptr;
+}
+
+bool SightWork::anyOpen() const {
+  return std::any_of(known_.begin(), known_.end(), [](const Known& known) { return known.open(); });
+}
+
+void SightWork::want(const std::vector<bool>& tasks) {
+  for (std::size_t i = 0; i < known_.size(); ++i) known_[i].wanted = i < tasks.size() && tasks[i];
+  open_ = anyOpen();
 }
 
 SightWork::~SightWork() {
@@ -92,9 +101,11 @@ void SightWork::cancel() {
 void SightWork::start() {
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   std::vector<std::optional<SightTask>> tasks;
-  int count = 0;
+  traced_.clear();
+  int count = 0;  // of all, so that a lattice does not depend on which are wanted first
   for (const Known& known : known_) {
-    tasks.push_back(known.current ? std::nullopt : known.task);
+    traced_.push_back(known.open());
+    tasks.push_back(known.open() ? known.task : std::nullopt);
     count += known.task && !known.task->from ? 1 : 0;
   }
   SightSettings settings;
@@ -127,8 +138,10 @@ bool SightWork::proceed(std::chrono::milliseconds wait) {
   }
   if (!running_.valid()) start();
   if (running_.wait_for(wait) != std::future_status::ready) return false;
-  open_ = false;
-  for (Known& known : known_) known.current = true;
+  for (std::size_t i = 0; i < known_.size() && i < traced_.size(); ++i) {
+    known_[i].current = known_[i].current || traced_[i];
+  }
+  open_ = anyOpen();
   const Done done = running_.get();
   lines_ = done.lines;
   made_.clear();

@@ -24,13 +24,15 @@ class SightWork {
   SightWork(const SightWork&) = delete;
   SightWork& operator=(const SightWork&) = delete;
 
-  /// What is to be known from now on: tasks, nothing for probes that need none. `lines` traces; null:
-  /// nothing is. What is known already is kept.
+  /// What may be wanted from now on: tasks, nothing for probes that need none. `lines` traces; null:
+  /// nothing is. What is known already is kept. want() follows.
   void ask(std::vector<std::optional<SightTask>> tasks, const Scene& scene, const Models& models,
            const SightLinesMaker& lines);
+  /// Which of the tasks are to be known; of the others nothing is traced. What runs goes on.
+  void want(const std::vector<bool>& tasks);
   /// While a box is dragged nothing is begun.
   void hold(bool held) { held_ = held; }
-  /// Is something asked for that is not known?
+  /// Is something wanted that is not known?
   bool pending() const { return !held_ && open_; }
   /// Begins what is asked for, or waits a little for it. True: more is known than before. Throws WorkError, after which
   /// it counts as known.
@@ -64,6 +66,8 @@ class SightWork {
     std::optional<SightTask> task;
     std::shared_ptr<const ProbeSight> sight;
     bool current = false;  ///< of the task and the surroundings that are asked for
+    bool wanted = false;
+    bool open() const { return wanted && !current; }
   };
   struct Done {
     std::shared_ptr<const SightLines> lines;
@@ -71,15 +75,17 @@ class SightWork {
   };
 
   void start();
+  bool anyOpen() const;
 
   std::vector<Known> known_;  ///< of each task
   Surroundings surroundings_;
-  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Scene> scene_;  ///< null once there are lines, or nothing to trace
   SightLinesMaker maker_;
   std::shared_ptr<const SightLines> lines_;  ///< of the surroundings; null: not built yet
   bool held_ = false, open_ = false;
   std::vector<Made> made_;
   std::future<Done> running_;
+  std::vector<bool> traced_;  ///< the tasks that it is at
   std::shared_ptr<std::atomic<bool>> cancelled_;
   std::vector<std::future<Done>> ending_;  ///< cancelled ones, which nobody waits for while there is something to draw
 };

@@ -1,7 +1,7 @@
-// ActorProbes as a Python extension: what boxprobe/__init__.py stands on, which checks the types of arguments and holds
-// the documentation. Objects of VTK's Python modules come in as what they wrap; fields come in as JSON, by the keys of
-// scene files, so that names, ranges and messages are those of a scene. Errors: InputError is a ValueError, any other
-// failure a RuntimeError.
+// ActorProbes as a Python extension, the basis of boxprobe/__init__.py, which checks argument types and contains the
+// documentation. Objects of VTK's Python modules are unwrapped; fields are passed as JSON with the keys of scene files,
+// so that names, ranges and messages are those of a scene. InputError becomes a ValueError, any other failure a
+// RuntimeError.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <vtkActor.h>
@@ -23,7 +23,7 @@ namespace {
 namespace py = pybind11;
 using namespace boxprobe;
 
-/// The object of VTK's that `wrapped` stands for, which must be a `className`. Never null.
+/// The VTK object of class `className` in `wrapped`. Never null.
 template <typename T>
 T* unwrapped(const py::object& wrapped, const char* className) {
   vtkObjectBase* object = wrapped.is_none() ? nullptr : vtkPythonUtil::GetPointerFromObject(wrapped.ptr(), className);
@@ -33,14 +33,14 @@ T* unwrapped(const py::object& wrapped, const char* className) {
   return found;
 }
 
-/// Of a scene around `probes`: every key with its value, to have some of them replaced.
+/// A scene with these `probes` and every key present, so that keys can be replaced.
 Json completeScene(std::vector<Probe> probes) {
   Scene scene;
   scene.probes = std::move(probes);
   return sceneToJson(scene, "", JsonForm::Complete);
 }
 
-/// As a scene file would be read whose folder is the current one.
+/// Parses a scene as if its file were in the current folder.
 Scene readScene(const Json& root) {
   Scene scene = sceneFromJson(root, std::filesystem::current_path().string());
   validate(scene);
@@ -118,7 +118,7 @@ class PythonProbes {
     Json root = completeScene({probe});
     const Json given = parseJsonText(fields, "fields").root;
     for (const auto& [key, value] : given.items()) {
-      // None stands for an absent key: a probe without an influence box of its own, without a bevel.
+      // None means an absent key: a probe without a separate influence box, without a bevel.
       if (value.is_null()) {
         root["probes"][0].erase(key);
       } else {

@@ -13,9 +13,9 @@ namespace boxprobe {
 
 namespace {
 
-// Below this share the picture does not fetch per probe either (shaders/gpu/probe_share.glsl).
+// Probes with a smaller share are not sampled in the picture either (shaders/gpu/probe_share.glsl).
 constexpr float kSmallestShare = 1.0e-5f;
-// A ray starts this much above its own surface, relative to the scene, so that rounding does not make it hit that.
+// Rays start this far above their own surface, relative to the scene, so that rounding does not make them hit it.
 constexpr double kStartSkin = 1.0e-6;
 
 glm::dvec3 unit(const glm::vec3& v) {
@@ -32,7 +32,7 @@ std::optional<double> RayBuilder::sceneDistance(const SurfaceRay& ray) const {
   const glm::dvec3 start = ray.positionWorld + skin * ray.normalWorld;
   const auto hit = settings_.scene->firstHit(start, ray.reflectionWorld, skin, settings_.scene->reachFrom(start));
   if (!hit) return std::nullopt;
-  // Where the ray itself, not the raised one, meets the plane that was found.
+  // Where the ray itself, not the raised one, meets the plane that was hit.
   const double slope = glm::dot(hit->facing, ray.reflectionWorld);
   const double distance = glm::dot(hit->facing, hit->positionWorld - ray.positionWorld) / slope;
   return std::abs(slope) > 1.0e-6 && distance > 0.0 ? distance : hit->distance;
@@ -146,7 +146,7 @@ void RayBuilder::addProbe(int point, const SurfaceRay& ray, int probe, float sha
   line.trueDistance = truth.value_or(-1.0);
   const glm::dvec3 trueHit = ray.positionWorld + truth.value_or(0.0) * ray.reflectionWorld;
   if (truth && found.hitDistance) line.error = glm::length(trueHit - found.hitWorld);
-  // Of several fetches the heaviest speaks for the ray.
+  // The lookup with the largest weight represents the ray.
   const auto heaviest = std::max_element(found.lookups.begin(), found.lookups.end(),
                                          [](const Lookup& a, const Lookup& b) { return a.weight < b.weight; });
   if (heaviest != found.lookups.end()) {
@@ -201,7 +201,7 @@ void RayBuilder::addLookups(const RayLine& common, const ProbeRay& found, const 
     line.direction = glm::dvec3(lookup.direction);
     line.level = lookup.level;
     line.lookupShare = lookup.weight;
-    // With a proxy the vector ends on it; without, it is a bare direction.
+    // With a proxy the vector ends on it; without one it is a direction only.
     const glm::dvec3 vector = proxy ? line.direction : settings_.maximumLength * unit(lookup.direction);
     line.kind = RayKind::Lookup;
     line.from = g.originWorld;
@@ -212,7 +212,7 @@ void RayBuilder::addLookups(const RayLine& common, const ProbeRay& found, const 
       line.kind = RayKind::Sample;
       line.from = ray.positionWorld;
       line.hitDistance = glm::length(line.to - line.from);
-      // The face, the truth and the error are those of R.
+      // Face, true hit and error are those of R.
       line.face = -1;
       line.trueDistance = line.error = -1.0;
       add(line);

@@ -1,5 +1,4 @@
-// From a point's calculated rays to lines: which of them are drawn, where they begin and end, what they carry. Called
-// by vtkProjectionRays for every point; knows no pipeline.
+// Converts a point's calculated rays to lines: which are drawn, their ends, and their values.
 #pragma once
 
 #include <array>
@@ -19,19 +18,19 @@ struct RaySettings {
   std::vector<RayProbe> probes;
   std::vector<Light> lights;
   std::array<bool, kRayKinds> kinds{};
-  double maximumLength = 100.0;  ///< of what has no end of its own, scene units
+  double maximumLength = 100.0;  ///< of lines without an end, scene units
   double normalLength = 0.25;
-  bool contributingOnly = true;  ///< only probes whose share of the point the picture would fetch
+  bool contributingOnly = true;  ///< only probes with a share that the picture would sample
   std::vector<RayGlass> glass;
-  RayScene* scene = nullptr;  ///< null: the true hit by the probes' own distances
+  RayScene* scene = nullptr;  ///< null: the true hit is from the probes' own distances
 };
 
 class RayBuilder {
  public:
-  /// Both must outlive it.
+  /// Both must outlive this object.
   RayBuilder(const RaySettings& settings, RayLines& lines) : settings_(settings), lines_(lines) {}
   void addPoint(int point, const SurfaceRay& ray);
-  /// What of a point that addPoint() was called for goes on through glass; `back`: its inside is seen.
+  /// The refracted rays of a point after addPoint(); `back`: its inner side is seen.
   void addGlass(int point, const SurfaceRay& ray, const GlassSurface& glass, bool back);
 
  private:

@@ -14,17 +14,18 @@ namespace boxprobe {
 
 namespace {
 
-// A floor that lies in the box's face is not outside it, nor is a position that carries a float's rounding: the skin
-// the influence has, relative to the box.
+// A floor in the box's face is not outside it, nor is a position with float rounding: the same skin as that of the
+// influence, relative to the box.
 constexpr float kOutsideSkin = 1.0e-4f;
-// The technique table's "nothing to hit" is 3e38.
+// Hits from here on mean "none": techniques return 3e38.
 constexpr float kFarthestHit = 1.0e38f;
 
 bool finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Zero for what has no direction. Divides by the largest component first: squares neither vanish nor overflow.
+// Zero for vectors without a direction. Divides by the largest component first, so that squares do not underflow or
+// overflow.
 glm::dvec3 unitOrZero(const glm::dvec3& v) {
   if (!finite(v)) return glm::dvec3(0.0);
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -37,7 +38,7 @@ bool outside(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high) {
   return glm::any(glm::lessThan(p, low - skin)) || glm::any(glm::greaterThan(p, high + skin));
 }
 
-// Rays know no material: Schlick's F0 of a non-metal of index 1.5.
+// Rays have no material: Schlick's F0 of a non-metal of index 1.5.
 constexpr float kRayF0 = 0.04f;
 
 float meanReflectance(const SurfaceRay& ray) {
@@ -111,7 +112,7 @@ ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe) {
   result.lookups = recordLookups(evaluation.evaluate, shape, point).lookups;
   for (Lookup& lookup : result.lookups) lookup.level = std::clamp(lookup.level, 0.0f, probe.maxLevel);
   if (distances) {
-    // Along the axes of the map. As far as explanations and the shader look.
+    // Along the axes of the map. The same maximum distance as in explanations and in the shader.
     const float reach = 2.0f * glm::length(g.boxMax - g.boxMin);
     const glm::dmat3 mapFromWorld = g.mapFromProbe * probeFromWorld;
     const float t = shading::trueHitDistance(&*distances, shape, static_cast<float>(probe.distances->faceSize()),

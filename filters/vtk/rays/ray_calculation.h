@@ -1,6 +1,5 @@
-// One surface point's projection rays as plain values: the reflected ray, where it hits each probe's proxy, what is
-// looked up and where the ray really hits. Only the shared mathematics, in the frame and precision the shader uses;
-// called by vtkProjectionRays, which turns the values into lines. Knows no VTK.
+// The projection rays of one surface point: the reflected ray, its hit on each probe's proxy, what is sampled, and the
+// true hit. Uses only the shared mathematics, in the frame and precision of the shader.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +19,21 @@ namespace boxprobe {
 
 struct RayView {
   bool parallel = false;
-  glm::dvec3 eyeWorld{0.0};              ///< perspective
-  glm::dvec3 viewDirection{0, 0, -1.0};  ///< parallel projection: the way the camera looks, world; need not be unit
+  glm::dvec3 eyeWorld{0.0};              ///< perspective projection
+  glm::dvec3 viewDirection{0, 0, -1.0};  ///< parallel projection: the camera's direction, world; need not be unit
 };
 
 struct RayProbe {
   std::string name;
   ProbeGeometry geometry;
   float maxLevel = 0.0f;                     ///< last level of its chain
-  std::shared_ptr<const CubeMap> distances;  ///< null or empty: not known
-  LazyRelief relief;                         ///< of them
-  std::shared_ptr<const CubeMap> coverage;   ///< what it lets through, levels of plain means; null: not known
-  std::uint32_t shadowLights = 0;            ///< a bit for each light that it stands before
+  std::shared_ptr<const CubeMap> distances;  ///< null or empty: unknown
+  LazyRelief relief;                         ///< of the distances
+  std::shared_ptr<const CubeMap> coverage;   ///< transmittance, levels of plain means; null: unknown
+  std::uint32_t shadowLights = 0;            ///< one bit per light that it shadows
 };
 
-/// What there is before any probe.
+/// The part that does not depend on probes.
 struct SurfaceRay {
   int status = 0;  ///< kRayNoNormal, kRayEyeOnPoint, kRayFromBehind
   glm::dvec3 positionWorld{0.0};
@@ -52,17 +51,17 @@ SurfaceRay surfaceRay(const glm::dvec3& positionWorld, const glm::dvec3& normalW
 struct ProbeRay {
   int status = 0;  ///< kRayNoProxy, kRayPointOutside, kRayOriginOutside
   std::optional<double> hitDistance;
-  glm::dvec3 hitWorld{0.0};  ///< meaningless without hitDistance
+  glm::dvec3 hitWorld{0.0};  ///< undefined without hitDistance
   int face = -1;
-  glm::vec3 direction{0.0f};  ///< what the projection looks up, probe frame
+  glm::vec3 direction{0.0f};  ///< what the projection samples, probe frame
   std::vector<Lookup> lookups;
-  std::optional<double> trueDistance;  ///< by the probe's own distances
+  std::optional<double> trueDistance;  ///< from the probe's own distances
 };
 
-/// `ray` must reflect.
+/// `ray` must have a reflection.
 ProbeRay probeRay(const SurfaceRay& ray, const RayProbe& probe);
 
-/// Each probe's share of the point, as probe_lighting.glsl deals them out: by importance, then in proportion.
+/// Each probe's share of the point, as in probe_lighting.glsl: by importance, then in proportion.
 std::vector<float> probeShares(const glm::dvec3& positionWorld, const std::vector<RayProbe>& probes);
 
 }  // namespace boxprobe

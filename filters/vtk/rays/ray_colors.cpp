@@ -21,7 +21,7 @@ namespace boxprobe {
 
 namespace {
 
-// Told apart without colour vision as well: Okabe and Ito's hues, lightened where a thin line would be too dark.
+// Distinguishable without colour vision: Okabe and Ito's hues, lightened for thin lines.
 const std::vector<glm::vec3>& kindColors() {
   static const std::vector<glm::vec3> colors = {{0.45f, 0.78f, 1.00f}, {0.20f, 0.85f, 0.62f}, {1.00f, 0.65f, 0.10f},
                                                 {0.90f, 0.55f, 0.80f}, {0.97f, 0.91f, 0.35f}, {1.00f, 1.00f, 1.00f},
@@ -75,7 +75,7 @@ RayColors::RayColors(vtkPolyData* rays, RayColoring coloring, const std::optiona
       break;
     case RayColoring::Face: {
       title_ = "Face hit";
-      // Half of the faces' colours are dark, for surfaces; a thin line needs light ones.
+      // Half of the faces' colours are too dark for thin lines.
       std::vector<glm::vec3> colors;
       for (const glm::vec3& c : faceColors()) colors.push_back(0.25f + 0.75f * c);
       useChoices(colors, {"-x", "+x", "-y", "+y", "-z", "+z"});
@@ -97,15 +97,15 @@ RayColors::~RayColors() = default;
 void RayColors::useNumber(const std::optional<RayRange>& locked) {
   double low = 0.0, high = 0.0;
   for (vtkIdType i = 0; values_ && i < values_->GetNumberOfTuples(); ++i) {
-    high = std::max(high, values_->GetComponent(i, 0));  // below 0: not defined
+    high = std::max(high, values_->GetComponent(i, 0));  // negative: undefined
   }
   if (locked) {
     low = locked->low;
     high = locked->high;
   }
-  // A bar needs a length, also where all is 0.
+  // A bar needs a length, even if all values are 0.
   range_ = {low, std::max(high, low + 1.0e-6)};
-  // From blue to pale yellow, bright from the start because lines are thin; lightness rises all the way.
+  // From blue to pale yellow, bright from the start because lines are thin, with increasing lightness.
   vtkNew<vtkColorTransferFunction> colors;
   colors->SetColorSpaceToLab();
   const auto at = [&](double share) { return range_.low + share * (range_.high - range_.low); };

@@ -1,4 +1,4 @@
-// What colour a ray's line has, and the bar that says what the colours mean. Called by the ray layer; knows no OpenGL.
+// The colours of rays' lines, and the bar that explains them.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -30,14 +30,14 @@ struct RayRange {
 
 class RayColors {
  public:
-  /// `rays`: output of vtkProjectionRays. `locked`: the range of a number; left out: what the rays have.
+  /// `rays`: output of vtkProjectionRays. `locked`: a fixed range; empty: that of the rays.
   RayColors(vtkPolyData* rays, RayColoring coloring, const std::optional<RayRange>& locked);
   ~RayColors();
 
-  /// Display colour of a cell; grey where the number is not defined.
+  /// Display colour of a cell; grey for undefined values.
   glm::vec3 color(long long cell) const;
   RayRange range() const { return range_; }
-  /// Table and title; a number gets labels, a choice a swatch for each that occurs.
+  /// Sets table and title: labels for a number, swatches for the choices that occur.
   void describe(vtkScalarBarActor* bar) const;
 
  private:

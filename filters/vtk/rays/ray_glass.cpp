@@ -7,7 +7,7 @@ namespace boxprobe {
 
 std::optional<GlassRayPath> glassPath(const GlassSurface& glass, const SurfaceRay& ray, const RayView& view,
                                       bool back) {
-  // Relative to the point: what is drawn keeps its digits far from the origin.
+  // Relative to the point, to preserve precision far from the origin.
   const glm::dvec3 anchor = ray.positionWorld;
   const shading::GlassObject object = glass.object(anchor);
   const shading::ShellSampler* shell = glass.shell ? &glass.shell->shell() : nullptr;
@@ -18,7 +18,7 @@ std::optional<GlassRayPath> glassPath(const GlassSurface& glass, const SurfaceRa
   GlassRayPath path;
   const glm::dvec3 exit = anchor + glm::dvec3(seen.through.position);
   if (glass.form == GlassForm::TwoInterface && !glass.sheet && !back) {
-    // The same steps once more, for the corners between.
+    // Repeats the steps, for the corners between.
     const float eta = 1.0f / object.ior;
     glm::vec3 place(0.0f), along = shading::refractedView(glm::vec3(ray.normalWorld), glm::vec3(ray.viewWorld), eta);
     path.within.push_back(anchor);

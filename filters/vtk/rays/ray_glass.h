@@ -1,6 +1,5 @@
-// Where a surface point's view goes through glass, as places to draw lines between: into the object, what is mirrored
-// within, out of it. The mathematics is that of the picture (shaders/shared/refraction.glsl). Called by the ray
-// builder; knows no pipeline.
+// The path of a surface point's view through glass, as points for lines: into the object, internal reflections, out of
+// it. Uses the picture's mathematics (shaders/shared/refraction.glsl).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -19,11 +18,11 @@ struct RayGlass {
 };
 
 struct GlassRayPath {
-  std::vector<glm::dvec3> within;  ///< world, from the surface point to where it leaves: two places at least, or none
-  SurfaceRay leaving;              ///< a ray that faces along the way it goes on, as rough as what it is looked up with
+  std::vector<glm::dvec3> within;  ///< world, from the surface point to the exit: at least two points, or none
+  SurfaceRay leaving;              ///< a ray in the direction after the exit, with the roughness for sampling
 };
 
-/// Nothing where all is reflected. `back`: the inside of the surface is seen.
+/// Nothing for total reflection. `back`: the inner side of the surface is seen.
 std::optional<GlassRayPath> glassPath(const GlassSurface& glass, const SurfaceRay& ray, const RayView& view, bool back);
 
 }  // namespace boxprobe

@@ -22,9 +22,9 @@ namespace boxprobe {
 
 namespace {
 
-// Of the line's width.
+// Relative to the line's width.
 constexpr float kDot = 3.4f;        // where a ray hits
-constexpr float kErrorLine = 1.8f;  // an error is what one looks for
+constexpr float kErrorLine = 1.8f;  // errors are the main information
 
 void setBarText(vtkTextProperty* text, int size) {
   text->SetFontFamilyToArial();
@@ -35,7 +35,7 @@ void setBarText(vtkTextProperty* text, int size) {
   text->ShadowOff();
 }
 
-// The lines' cells in double, relative to the first point.
+// Reads the lines' cells in double, relative to the first point.
 class LineReader {
  public:
   explicit LineReader(vtkPolyData* rays) : rays_(rays), kinds_(rays->GetCellData()->GetArray(ray_array::kKind)) {
@@ -68,7 +68,7 @@ RayLayer::RayLayer(vtkRenderer* renderer) : renderer_(renderer) {
   setBarText(bar_->GetTitleTextProperty(), 15);
   setBarText(bar_->GetLabelTextProperty(), 14);
   setBarText(bar_->GetAnnotationTextProperty(), 14);
-  // The names of choices stand outside of the bar's own background.
+  // Annotations are outside the bar's own background.
   bar_->GetAnnotationTextProperty()->SetBackgroundColor(0.08, 0.08, 0.09);
   bar_->GetAnnotationTextProperty()->SetBackgroundOpacity(0.78);
   bar_->AnnotationTextScalingOff();
@@ -80,7 +80,7 @@ RayLayer::RayLayer(vtkRenderer* renderer) : renderer_(renderer) {
   bar_->SetTextPad(6);
   bar_->SetVerticalTitleSeparation(8);
   bar_->PickableOff();
-  // Above the bar of what surfaces are coloured by, which has the lower half.
+  // Above the bar of the surfaces' colours, which has the lower half.
   bar_->SetPosition(0.015, 0.57);
 }
 
@@ -160,9 +160,9 @@ void RayLayer::rebuild() {
     range_ = colors.range();
     colors.describe(bar_);
     const auto width = static_cast<float>(lineWidth_);
-    // What is drawn later lies on top: a true ray runs along the reflected one, and its error shows on both.
+    // Later lines are on top: a true ray coincides with the reflected one, and its error must be visible on both.
     std::vector<DrawnLine> below, heads, dots;
-    std::set<std::array<float, 3>> origins;  // one dot for all the lookups of a probe
+    std::set<std::array<float, 3>> origins;  // one dot for all lookups of a probe
     vtkCellArray* cells = rays_->GetLines();
     drawn.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()) * 2);
     // Cell data count vertices before lines.

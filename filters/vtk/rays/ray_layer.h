@@ -1,6 +1,5 @@
-// Projection rays in the picture: what vtkProjectionRays put out, drawn over a scene with dots where they hit and a bar
-// that explains the colours. Seen in the window only: captures and linear pictures draw lists of their own. While it is
-// off, nothing of it is in the renderer. Called by the window and by tools; knows no probe and no pointer.
+// Draws the output of vtkProjectionRays over a scene, with dots at hits and a bar that explains the colours. Visible in
+// the window only: captures and linear pictures draw separate lists. While off, it has nothing in the renderer.
 #pragma once
 
 #include <vtkNew.h>
@@ -19,7 +18,7 @@ namespace boxprobe {
 
 class RayLayer {
  public:
-  /// Off and empty at first. The renderer must outlive this object.
+  /// Initially off and empty. The renderer must outlive this object.
   explicit RayLayer(vtkRenderer* renderer);
   ~RayLayer();
   RayLayer(const RayLayer&) = delete;
@@ -29,14 +28,14 @@ class RayLayer {
   void setRays(vtkPolyData* rays);
   void setVisible(bool visible);
   bool visible() const { return visible_; }
-  /// `locked`: the range of a distance or error; left out: what the rays have.
+  /// `locked`: a fixed range of distances or errors; empty: that of the rays.
   void setColoring(RayColoring coloring, const std::optional<RayRange>& locked = {});
   RayColoring coloring() const { return coloring_; }
-  /// The range shown now.
+  /// The current range.
   RayRange range() const { return range_; }
   /// The bar at the left edge; on by default.
   void setLegendVisible(bool visible);
-  /// Core of a line in logical pixels (1.75 by default) and device pixels a logical one.
+  /// Width of a line's core in logical pixels (1.75 by default), and below device pixels per logical pixel.
   void setLineWidth(double pixels);
   void setPixelScale(double devicePixels);
 

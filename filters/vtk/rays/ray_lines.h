@@ -1,5 +1,4 @@
-// Collects projection rays as the cells and arrays of a vtkPolyData: what ray_arrays.h names. Called by
-// vtkProjectionRays only; knows no mathematics.
+// Collects projection rays as cells and arrays of a vtkPolyData, with the names of ray_arrays.h.
 #pragma once
 
 #include <vtkDoubleArray.h>
@@ -16,7 +15,7 @@ class vtkPolyData;
 
 namespace boxprobe {
 
-/// One line and its numbers; -1 where not defined.
+/// One line and its values; -1 if undefined.
 struct RayLine {
   RayKind kind = RayKind::Eye;
   glm::dvec3 from{0.0}, to{0.0};  ///< world

@@ -1,5 +1,4 @@
-// The ray through a pixel of a picture, for either projection. Called by whoever turns the pointer or a grid of pixels
-// into points on surfaces; knows no scene.
+// The ray through a pixel of a picture, for both projections.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -15,9 +14,9 @@ struct PixelRay {
 
 class PixelRays {
  public:
-  /// A picture of `width` x `height` pixels through the camera as it stands now.
+  /// For a picture of `width` x `height` pixels with the camera's current state.
   PixelRays(vtkCamera* camera, int width, int height);
-  /// x, y in pixels from the top left; a pixel's centre is at + 0.5.
+  /// x, y in pixels from the top left; pixel centres are at + 0.5.
   PixelRay through(double x, double y) const;
   int width() const { return width_; }
   int height() const { return height_; }

@@ -33,7 +33,7 @@ std::optional<RaySceneHit> RayScene::firstHit(const glm::dvec3& originWorld, con
   }
   const glm::dvec3 a = originWorld + from * direction;
   const glm::dvec3 b = originWorld + to * direction;
-  // Edges are caught by a tolerance far below anything visible, so that no ray slips between two triangles.
+  // An invisible tolerance, so that no ray slips between two triangles.
   const double tolerance = 1.0e-9 * diagonal_;
   RaySceneHit hit;
   double parametric[3];

@@ -1,6 +1,4 @@
-// A scene's triangles to send rays into: the first one per ray meets. The search structure is built when the first ray
-// asks for it. Called by vtkProjectionRays (the true hit) and by the sources of points; knows neither probes nor
-// cameras.
+// Intersects rays with a scene's triangles. The search structure is built for the first ray.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -17,7 +15,7 @@ struct RaySceneHit {
   double distance = 0.0;  ///< along the unit direction, scene units
   glm::dvec3 positionWorld{0.0};
   long long cell = -1;
-  glm::dvec3 facing{0.0};  ///< of the cell's plane, unit; zero for a cell without area
+  glm::dvec3 facing{0.0};  ///< of the cell's plane, unit; zero for a degenerate cell
 };
 
 class RayScene {
@@ -32,12 +30,12 @@ class RayScene {
                                       double to);
   /// Diagonal of the bounds; 0 for an empty scene.
   double diagonal() const { return diagonal_; }
-  /// A distance that reaches through the whole scene from `originWorld`.
+  /// A distance from `originWorld` beyond the whole scene.
   double reachFrom(const glm::dvec3& originWorld) const;
 
  private:
   vtkSmartPointer<vtkPolyData> triangles_;
-  vtkSmartPointer<vtkStaticCellLocator> locator_;  // null until asked for
+  vtkSmartPointer<vtkStaticCellLocator> locator_;  // null until needed
   glm::dvec3 center_{0.0};
   double diagonal_ = 0.0;
 };

@@ -38,15 +38,15 @@ struct RaySources::Triangle {
   const Part* part = nullptr;
   std::uint32_t index[3] = {};
   glm::dvec3 corner[3];    // world
-  glm::dvec3 facing{0.0};  // towards the front, length: twice the area
+  glm::dvec3 facing{0.0};  // towards the front; its length is twice the area
 };
 
 namespace {
 
-// No part of a scene is hidden behind more back faces than that.
+// Limit of back faces that a ray passes.
 constexpr int kMostPassedThrough = 64;
-// Relative to the scene's size: how far above a line's own point a drop begins, so that a line drawn on the floor finds
-// the floor.
+// How far above the line's own point a drop starts, relative to the scene's size, so that a line drawn on the floor
+// finds the floor.
 constexpr double kDropFrom = 1.0e-3;
 
 double wrapped(double x, Wrap wrap) {
@@ -57,7 +57,7 @@ double wrapped(double x, Wrap wrap) {
   return turned ? 1.0 - rest : rest;
 }
 
-// Green of glTF's metallic-roughness texture, the nearest texel.
+// The green channel of glTF's metallic-roughness texture, nearest texel.
 float textureRoughness(const TextureUse& use, const glm::dvec2& uv) {
   const ImageRgba8& image = *use.image;
   if (image.width <= 0 || image.height <= 0 || !std::isfinite(uv.x) || !std::isfinite(uv.y)) return 1.0f;
@@ -67,7 +67,7 @@ float textureRoughness(const TextureUse& use, const glm::dvec2& uv) {
   return static_cast<float>(image.pixels[(row * static_cast<std::size_t>(image.width) + column) * 4 + 1]) / 255.0f;
 }
 
-// Shares of the three corners at a point of the triangle's plane, by areas.
+// Barycentric coordinates of a point in the triangle's plane, by areas.
 glm::dvec3 barycentric(const glm::dvec3 (&corner)[3], const glm::dvec3& facing, const glm::dvec3& p) {
   const double square = glm::dot(facing, facing);
   if (!(square > 0.0)) return {1.0, 0.0, 0.0};
@@ -171,7 +171,7 @@ RaySources::Triangle RaySources::triangle(long long cell) const {
   return t;
 }
 
-// `seenAlong`: the way it is looked at; a back face is seen with its normal turned, as VTK shades it. Zero: from the
+// `seenAlong`: the view direction; a back face is seen with its normal reversed, as VTK shades it. Zero: from the
 // front.
 RaySample RaySources::sample(const Triangle& t, const glm::dvec3& b, const glm::dvec3& seenAlong) const {
   const Mesh& mesh = *t.part->mesh;
@@ -236,7 +236,7 @@ std::vector<RaySample> RaySources::over(const std::string& object, int count) {
   std::vector<RaySample> samples;
   if (!(area > 0.0)) return samples;
   for (int i = 0; i < count; ++i) {
-    // Equal shares of the area choose the triangle, a two-dimensional golden-ratio sequence the place in it.
+    // Equal area steps select the triangle, a two-dimensional golden-ratio sequence the place in it.
     const double target = area * (i + 0.5) / count;
     const auto found = std::lower_bound(areaUpTo.begin(), areaUpTo.end(), target);
     const long long cell = cells[static_cast<std::size_t>(std::min(found, areaUpTo.end() - 1) - areaUpTo.begin())];

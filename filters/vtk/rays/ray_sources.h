@@ -1,7 +1,6 @@
-// Points on a scene's surfaces to start projection rays from: under the pointer, over an object, along a line, on a
-// grid of pixels. Geometry alone: interpolated normals without normal maps, roughness with its texture. What costs is
-// done once a scene, when it is first asked for. Called by the window and by tools; the result is vtkProjectionRays'
-// input.
+// Start points of projection rays on a scene's surfaces: under the pointer, over an object, along a line, on a grid of
+// pixels. Geometry only: interpolated normals without normal maps, roughness with its texture. Expensive data are
+// computed once per scene, when first needed.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -29,11 +28,10 @@ struct RaySample {
   glm::dvec3 normalWorld{0.0};  ///< unit; on the side it was seen from
   float roughness = 0.0f;       ///< perceptual
   int glass = -1;               ///< index into RaySources::glass(); -1: opaque
-  bool back = false;            ///< its inside is seen
+  bool back = false;            ///< its inner side is seen
 };
 
-/// As the filter takes them: double points with "Normals", "roughness" and "glass" (2 x index, + 1 from inside; -1:
-/// none).
+/// The filter's input: double points with "Normals", "roughness" and "glass" (2 x index, + 1 from inside; -1: none).
 vtkSmartPointer<vtkPolyData> rayPoints(const std::vector<RaySample>& samples);
 
 class RaySources {
@@ -45,7 +43,7 @@ class RaySources {
   RaySources(const RaySources&) = delete;
   RaySources& operator=(const RaySources&) = delete;
 
-  /// The visible objects that transmit light, for the filter; and the index of one by its name, -1 if it is opaque.
+  /// The visible objects that transmit light, for the filter; below, the index of one by its name, -1 if it is opaque.
   const std::vector<RayGlass>& glass() const { return glass_; }
   int glassOf(const std::string& object) const;
 
@@ -54,11 +52,11 @@ class RaySources {
   /// The visible scene in world space, for the filter's true hit.
   vtkPolyData* triangles();
 
-  /// The first surface that shows along a ray: back faces that are not drawn are passed through.
+  /// The first visible surface along a ray: passes through back faces that are not drawn.
   std::optional<RaySample> under(const PixelRay& ray);
-  /// Even in area over all triangles of an object, the same every time. Empty for an unknown name.
+  /// Uniform in area over all triangles of an object; deterministic. Empty for an unknown name.
   std::vector<RaySample> over(const std::string& object, int count);
-  /// Points of a segment dropped along `drop` on to what lies below; those below which nothing lies are left out.
+  /// Points of a segment, dropped along `drop` onto the surface below; omits those with nothing below.
   std::vector<RaySample> alongLine(const glm::dvec3& fromWorld, const glm::dvec3& toWorld, int count,
                                    const glm::dvec3& drop = {0.0, -1.0, 0.0});
   /// Under the centres of columns x rows equal parts of the picture.

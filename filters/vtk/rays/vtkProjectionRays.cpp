@@ -25,14 +25,14 @@ vtkStandardNewMacro(vtkProjectionRays);
 
 namespace boxprobe {
 
-/// A probe as the filter was given it. Not in the namespace without a name: the filter's own members are of this type.
+/// A probe of the filter. Not in the unnamed namespace, because it is a type of the filter's members.
 struct FilterProbe {
   Probe probe;
   std::optional<double> maximumLevel;
   std::optional<glm::dvec3> capturedAt;
   glm::dvec3 capturedRotation{0.0};
   std::shared_ptr<const CubeMap> distances;
-  LazyRelief relief;  // of them
+  LazyRelief relief;  // of the distances
   std::shared_ptr<const CubeMap> coverage;
 };
 
@@ -67,7 +67,7 @@ struct vtkProjectionRays::Internals {
   std::vector<Light> lights;
   std::array<bool, kRayKinds> kinds{};
   std::vector<RayGlass> glass;
-  // Kept from one execution to the next while the scene is the same: its search structure is expensive.
+  // Kept between executions while the scene is the same, because its search structure is expensive.
   std::unique_ptr<RayScene> scene;
   vtkPolyData* sceneData = nullptr;
   vtkMTimeType sceneTime = 0;
@@ -128,7 +128,7 @@ int vtkProjectionRays::RequestData(vtkInformation*, vtkInformationVector** input
   const vtkIdType count = points->GetNumberOfPoints();
   const vtkIdType kept = std::min<vtkIdType>(count, this->MaximumNumberOfRays);
   for (vtkIdType i = 0; i < kept && !this->GetAbortExecute(); ++i) {
-    const vtkIdType id = i * count / kept;  // spread evenly over what there is
+    const vtkIdType id = i * count / kept;  // evenly distributed over all points
     glm::dvec3 position(0.0), normal(0.0);
     points->GetPoint(id, &position.x);
     if (!allFinite(position)) continue;
@@ -192,7 +192,7 @@ void vtkProjectionRays::RemoveAllProbes() {
   this->Modified();
 }
 
-// The probe to change, or null after an error: no probe of that index, or a value that is not valid.
+// The probe to change; null after an error: no probe of that index, or an invalid value.
 Probe* vtkProjectionRays::EditProbe(int index, bool valid) {
   if (index < 0 || index >= this->GetNumberOfProbes()) {
     vtkErrorMacro("there is no probe " << index << ": " << this->GetNumberOfProbes() << " have been added");

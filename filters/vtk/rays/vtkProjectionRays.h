@@ -11,7 +11,7 @@
  *         \          |   .                                      true hit, error H-T
  *          \_________|.__________  P                            (none reaches P: the reflected ray, to the sky)
  *
- * Points whose rays are not defined give what is, and say why in "status"; points that are not finite give nothing.
+ * If some rays of a point are undefined, "status" says why and the others are output; non-finite points give nothing.
  * The mathematics is the shader's own, through filters/math. Works in any pipeline; needs no OpenGL.
  */
 #pragma once
@@ -39,12 +39,12 @@ class BOXPROBE_EXPORT vtkProjectionRays : public vtkPolyDataAlgorithm {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Where the picture is seen from, world. */
+  /** Position of the eye, world. */
   vtkSetVector3Macro(Eye, double)
   vtkGetVector3Macro(Eye, double)
   ///@}
   ///@{
-  /** Parallel projection: every point is seen along ViewDirection (the way the camera looks) in place of from Eye. */
+  /** Parallel projection: every point is seen along ViewDirection, the camera's direction, instead of from Eye. */
   vtkSetMacro(ParallelProjection, vtkTypeBool)
   vtkGetMacro(ParallelProjection, vtkTypeBool)
   vtkBooleanMacro(ParallelProjection, vtkTypeBool)
@@ -52,22 +52,22 @@ class BOXPROBE_EXPORT vtkProjectionRays : public vtkPolyDataAlgorithm {
   vtkGetVector3Macro(ViewDirection, double)
   ///@}
   ///@{
-  /** At most so many points get rays; of more, every so-manieth. */
+  /** Maximum number of points that get rays; if there are more, an evenly spaced subset of this size. */
   vtkSetClampMacro(MaximumNumberOfRays, int, 0, VTK_INT_MAX)
   vtkGetMacro(MaximumNumberOfRays, int)
   ///@}
   ///@{
-  /** Length of what has no end of its own (rays to the sky, without a proxy, in parallel projection), scene units. */
+  /** Length of lines without an end (rays to the sky, without a proxy, in parallel projection), scene units. */
   vtkSetClampMacro(MaximumLength, double, 0.0, 1.0e30)
   vtkGetMacro(MaximumLength, double)
   ///@}
   ///@{
-  /** Of the drawn normal, scene units. */
+  /** Length of drawn normals, scene units. */
   vtkSetClampMacro(NormalLength, double, 0.0, 1.0e30)
   vtkGetMacro(NormalLength, double)
   ///@}
   ///@{
-  /** On: only probes whose share of the point exceeds 1e-5, as the picture fetches them. Off: every probe. */
+  /** On: only probes whose share of the point exceeds 1e-5, which the picture samples. Off: every probe. */
   vtkSetMacro(ContributingProbesOnly, vtkTypeBool)
   vtkGetMacro(ContributingProbesOnly, vtkTypeBool)
   vtkBooleanMacro(ContributingProbesOnly, vtkTypeBool)
@@ -78,7 +78,7 @@ class BOXPROBE_EXPORT vtkProjectionRays : public vtkPolyDataAlgorithm {
       void SetGlass(std::vector<boxprobe::RayGlass> glass);
 
   ///@{
-  /** Which kinds of lines are made: by default all. */
+  /** The kinds of lines in the output; all by default. */
   void SetKindEnabled(boxprobe::RayKind kind, bool enabled);
   bool GetKindEnabled(boxprobe::RayKind kind) const;
   ///@}
@@ -87,8 +87,8 @@ class BOXPROBE_EXPORT vtkProjectionRays : public vtkPolyDataAlgorithm {
   /**
    * Probes, by index. AddProbe() appends one of the scene file's defaults (a box from -1 to 1, technique "box") and
    * returns its index. Bounds are xmin, xmax, ymin, ... as everywhere in VTK; the rotation (about world X, then Y, then
-   * Z) turns the box about its centre. Without an influence of its own a probe's influence is its box. A value that is
-   * out of range is an error and changes nothing.
+   * Z) is about the box's centre. By default a probe's influence is its box. A value out of range is an error and
+   * changes nothing.
    */
   int AddProbe();
   void RemoveAllProbes();
@@ -108,17 +108,17 @@ class BOXPROBE_EXPORT vtkProjectionRays : public vtkPolyDataAlgorithm {
   ///@{
   /** The same from a scene's probe; `maximumLevel` < 0: that of its face size. */
   int AddProbe(const boxprobe::Probe& probe, double maximumLevel = -1.0);
-  /** All of them at once, in the scene's order. Distances are forgotten. */
+  /** Replaces all probes, in the scene's order, and removes their distances. */
   void SetProbes(const std::vector<boxprobe::Probe>& probes);
-  /** Where the probe's maps were taken, while that is not (yet) its origin. */
+  /** Where the probe's maps were captured, if that differs from its origin. */
   void SetProbeCapturedAt(int index, double x, double y, double z);
-  /** Of the axes its distances lie along (BakedMaps::capturedRotation), degrees; by default the world's. */
+  /** Rotation of the axes of its distances (BakedMaps::capturedRotation), degrees; by default the world's axes. */
   void SetProbeCapturedRotation(int index, double xDegrees, double yDegrees, double zDegrees);
-  /** From the capture origin to what was seen (BakedMaps::distance); null: not known. */
+  /** Distances from the capture origin (BakedMaps::distance); null: unknown. */
   void SetProbeDistances(int index, std::shared_ptr<const boxprobe::CubeMap> distances);
-  /** What it was captured with, radiance and coverage (BakedMaps::radiance): how much of a light comes through. */
+  /** Its captured radiance and coverage (BakedMaps::radiance), for the transmittance of lights. */
   void SetProbeCoverage(int index, const boxprobe::CubeMap& radiance);
-  /** Lights: shadow rays go to those that ask for shadows and lie outside of the probe's box. */
+  /** Lights: shadow rays go to those that cast shadows and are outside the probe's box. */
   void SetLights(const std::vector<boxprobe::Light>& lights);
   ///@}
 

@@ -23,12 +23,11 @@ namespace {
 
 using boxprobe::DrawnLine;
 
-// So much nearer to the eye a line counts for the depth test: one that lies in a wall shows, one behind a table does
-// not.
+// Lines count as slightly nearer to the eye in the depth test: a line in a wall is visible, one behind a table is not.
 constexpr double kPull = 0.996;
 
-// Clip space from the lines' own coordinates, in the order SetUniformMatrix4x4v takes: column after column. The anchor
-// is brought into view space in double: far from the world's origin the large numbers cancel there.
+// The transform from the lines' coordinates to clip space, column-major as for SetUniformMatrix4x4v. The anchor is
+// transformed to view space in double: far from the world's origin the large numbers cancel there.
 std::array<float, 16> clipFromLine(vtkCamera* camera, double aspect, const glm::dvec3& anchor, double pull) {
   vtkNew<vtkMatrix4x4> view;
   view->DeepCopy(camera->GetModelViewTransformMatrix());
@@ -54,7 +53,7 @@ void setAttribute(vtkShaderProgram* program, const char* name, int components, s
   const auto index = static_cast<GLuint>(location);
   glEnableVertexAttribArray(index);
   glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, sizeof(DrawnLine), reinterpret_cast<void*>(offset));
-  glVertexAttribDivisor(index, 1);  // one value a line
+  glVertexAttribDivisor(index, 1);  // one value per line
 }
 
 }  // namespace
@@ -153,10 +152,10 @@ int vtkRayLinesProp::RenderOverlay(vtkViewport* viewport) {
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDepthMask(GL_FALSE);
-  // A ray to the sky ends beyond the scene's own depth range: it is to be seen to its end.
+  // A ray to the sky extends beyond the scene's depth range, and must be visible to its end.
   glEnable(GL_DEPTH_CLAMP);
   glBindVertexArray(this->VertexArray);
-  // All halos before any core: where lines meet, no halo cuts another's core.
+  // All halos before any core: where lines cross, no halo cuts another's core.
   for (const int part : {0, 1, 2}) {
     this->Program->SetUniformi("bpPart", part);
     state->vtkglDepthFunc(part == 0 ? GL_GREATER : GL_LEQUAL);

@@ -2,9 +2,9 @@
  * @class vtkRayLinesProp
  * @brief lines of constant width in pixels with a halo, over the scene they are in
  *
- * Drawn after everything else of its renderer, against its depth: what surfaces hide is dashed and faint, not lost. One
- * buffer of ends, colours and widths; new lines upload that buffer, a moved camera uploads nothing. Does not stretch
- * the camera's clipping range, is not picked. Knows nothing of rays: see RayLayer.
+ * Drawn after everything else of its renderer, with depth test: hidden parts are dashed and faint. Uses one buffer of
+ * ends, colours and widths, which is uploaded for new lines, but not for a moved camera. Does not affect the camera's
+ * clipping range, and is not pickable. RayLayer uses it for rays.
  */
 #pragma once
 
@@ -17,12 +17,12 @@ class vtkShaderProgram;
 
 namespace boxprobe {
 
-/// As the vertex shader reads it. A line without length is a dot of that width.
+/// Layout as in the vertex shader. A line without length is a dot of that width.
 struct DrawnLine {
   glm::vec3 from{0.0f}, to{0.0f};  ///< relative to the anchor
   glm::vec3 color{1.0f};           ///< display
   float widthPixels = 2.0f;
-  float arrow = 0.0f;  ///< 1: the shaft of an arrow to `to`; 2: its head, a line of its own
+  float arrow = 0.0f;  ///< 1: the shaft of an arrow to `to`; 2: its head, a separate line
 };
 
 }  // namespace boxprobe
@@ -33,7 +33,7 @@ class vtkRayLinesProp : public vtkProp {
   vtkTypeMacro(vtkRayLinesProp, vtkProp)
 
       void SetLines(std::vector<boxprobe::DrawnLine> lines, const glm::dvec3& anchorWorld);
-  /** Device pixels a logical one, for screens of high density. */
+  /** Device pixels per logical pixel, for high-density screens. */
   void SetPixelScale(float scale);
 
   int RenderOverlay(vtkViewport* viewport) override;
@@ -54,7 +54,7 @@ class vtkRayLinesProp : public vtkProp {
   glm::dvec3 AnchorWorld{0.0};
   float PixelScale = 1.0f;
   bool LinesChanged = true;
-  vtkShaderProgram* Program = nullptr;  // the window's shader cache owns it
+  vtkShaderProgram* Program = nullptr;  // owned by the window's shader cache
   unsigned int VertexArray = 0;
   unsigned int Buffer = 0;
 };

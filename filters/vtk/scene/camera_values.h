@@ -1,4 +1,4 @@
-// A scene's camera as VTK's, and back. Called by the scene renderer; knows no scene.
+// Converts between a scene's camera and VTK's.
 #pragma once
 
 #include "filters/core/scene/scene.h"
@@ -7,9 +7,9 @@ class vtkCamera;
 
 namespace boxprobe {
 
-/// Clipping distances stay as they are.
+/// Does not change the clipping distances.
 void setCamera(vtkCamera* to, const Camera& camera);
-/// As it stands, after interaction, too; its name and what else VTK does not keep are those of a new one.
+/// The current state; the name and other values that VTK does not store are defaults.
 Camera cameraValues(vtkCamera* from);
 
 }  // namespace boxprobe

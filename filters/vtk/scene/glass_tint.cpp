@@ -24,14 +24,14 @@ glm::vec3 tintOf(const DrawnObject& object, const Scene& scene) {
   return glm::clamp(color, 0.0f, 1.0f);
 }
 
-/// One triangle, corners relative to the capture origin along the map's axes, over the texels of one face.
+/// Adds one triangle, with corners relative to the capture origin along the map's axes, to the texels of one face.
 void tintFace(CubeMap& tint, int face, const glm::dvec3 (&corners)[3], const glm::vec3& color) {
   const glm::dvec3 forward(shading::cubeDirection(face, 0.0f, 0.0f));
   const glm::dvec3 right = glm::dvec3(shading::cubeDirection(face, 1.0f, 0.0f)) - forward;
   const glm::dvec3 up = glm::dvec3(shading::cubeDirection(face, 0.0f, 1.0f)) - forward;
   const int size = tint.faceSize();
   int low[2] = {0, 0}, high[2] = {size - 1, size - 1};
-  // A triangle that reaches behind the face's camera is asked for at every texel.
+  // A triangle that extends behind the face's camera is tested at every texel.
   const auto ahead = [&](const glm::dvec3& c) { return glm::dot(c, forward); };
   if (ahead(corners[0]) <= 0.0 && ahead(corners[1]) <= 0.0 && ahead(corners[2]) <= 0.0) return;
   if (ahead(corners[0]) > 0.0 && ahead(corners[1]) > 0.0 && ahead(corners[2]) > 0.0) {
@@ -47,7 +47,7 @@ void tintFace(CubeMap& tint, int face, const glm::dvec3 (&corners)[3], const glm
       high[axis] = std::min(static_cast<int>(std::floor(texel(most))), size - 1);
     }
   }
-  // Inside where the direction lies on one side of all three planes through the origin and an edge.
+  // Inside if the direction is on the same side of all three planes through the origin and an edge.
   const glm::dvec3 planes[3] = {glm::cross(corners[0], corners[1]), glm::cross(corners[1], corners[2]),
                                 glm::cross(corners[2], corners[0])};
   const double side = glm::dot(planes[0], corners[2]);

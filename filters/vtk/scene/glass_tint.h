@@ -1,5 +1,5 @@
-// The colour of the glass a probe sees, whatever lies behind it: what coverage, which is a number, cannot hold. Rays of
-// the CPU through triangles; called once a capture, and only for scenes with glass and a light that asks.
+// The colour of the glass that a probe sees, which coverage, a single number, cannot hold. Traced on the CPU once per
+// capture, only for scenes with glass and a light that casts coverage shadows.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace boxprobe {
 
-/// One level of the face size of `maps`, along its axes; null if no surface that blends has a colour. How much of the
-/// light a surface lets through at all is in the coverage: this is its base colour.
+/// One level with the face size of `maps`, along its axes; null if no blended surface has a colour. It holds the base
+/// colour; the coverage holds how much light a surface transmits.
 std::shared_ptr<const CubeMap> glassTint(const SceneContent& content, const Probe& probe, const ProbeMaps& maps);
 
 }  // namespace boxprobe

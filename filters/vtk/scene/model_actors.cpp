@@ -59,7 +59,7 @@ vtkSmartPointer<vtkPolyData> makePolyData(const Mesh& mesh) {
   return data;
 }
 
-// Smallest and largest roughness of a metallic-roughness texture, whose green channel it is.
+// The range of roughness in a metallic-roughness texture, which has it in its green channel.
 std::pair<double, double> roughnessRange(const ImageRgba8& image) {
   std::uint8_t low = 255, high = 0;
   for (std::size_t i = 1; i < image.pixels.size(); i += 4) {
@@ -83,7 +83,7 @@ class TextureCache {
   std::shared_ptr<MipLevels> mips_ = std::make_shared<MipLevels>();
 };
 
-/// `fill`: gives a slot its texture.
+/// `fill` sets a slot's texture.
 template <typename Fill>
 void fillFinish(SurfaceMaterial& surface, const MaterialFinish& finish, const Fill& fill) {
   surface.finish = finish;
@@ -110,7 +110,8 @@ std::shared_ptr<SurfaceMaterial> makeSurface(const Material& material, const Mes
   surface->coatNormalScale = material.coatNormalScale;
   surface->colors = !mesh.colors.empty();
   const auto fill = [&](SurfaceSlotIndex index, const TextureUse& use, bool srgb) {
-    // A texture without coordinates has one colour all over, which the specification does not name: it is left out.
+    // A texture without coordinates would have one colour everywhere, which the specification leaves open: it is
+    // ignored.
     const bool second = use.uvSet == 1;
     if (!use.image || (second ? mesh.uv1 : mesh.uv).empty()) return;
     surface->slots[index] = {cache.get(use, srgb), use.uvSet, use.uvTransform};
@@ -155,7 +156,7 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
   data.reserve(model.meshes.size());
   for (const Mesh& mesh : model.meshes) data.push_back(makePolyData(mesh));
   TextureCache textures;
-  std::map<const ImageRgba8*, std::pair<double, double>> roughnessOf;  // a texture may serve many objects
+  std::map<const ImageRgba8*, std::pair<double, double>> roughnessOf;  // several objects may share a texture
 
   std::vector<DrawnObject> objects;
   for (const Instance& instance : model.instances) {
@@ -185,7 +186,7 @@ std::vector<DrawnObject> makeObjects(const Model& model, const ModelFile& placem
     property->SetInterpolationToPBR();
     object.actor->SetForceOpaque(object.material.alphaMode != AlphaMode::Blend);
     object.actor->SetForceTranslucent(object.material.alphaMode == AlphaMode::Blend);
-    // Meshes under a mirroring transform come wound the other way already, so front faces are always the same.
+    // Meshes under a mirroring transform are already wound the other way, so front faces are consistent.
     property->SetBackfaceCulling(!object.material.doubleSided);
     objects.push_back(std::move(object));
   }
@@ -213,7 +214,7 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
   object.settings = it != scene.objects.end() ? it->second : ObjectOverride{};
   setWorldFromModel(object, movedInstance(object.placed, object.settings));
 
-  // Cloth scatters light from all around, whatever lies under it.
+  // Sheen scatters light from the whole hemisphere, whatever is below it.
   object.allMetal =
       material.metallic == 1.0f && !material.metallicRoughnessTexture.image && !material.finish.hasSheen();
 
@@ -237,7 +238,7 @@ void applyOverrides(DrawnObject& object, const Scene& scene) {
     object.roughnessMax = std::max(object.roughnessMax, static_cast<double>(material.coatRoughness));
   }
   object.surface->glass.apply(material, *object.mesh, object.worldFromModel);
-  // Drawn after all that is opaque, in passes of its own (glass_draw.h): VTK's for translucent surfaces would mix
+  // Drawn after all opaque objects, in separate passes (glass_draw.h): VTK's passes for translucent surfaces would mix
   // faces.
   const bool blended = object.material.alphaMode == AlphaMode::Blend && !object.surface->glass.drawn;
   object.actor->SetForceOpaque(!blended);

@@ -12,7 +12,7 @@
 
 namespace boxprobe {
 
-// A model that is moved keeps its actors: geometry, textures and programs stay on the graphics side.
+// A moved model keeps its actors: geometry, textures and programs stay on the GPU.
 bool SceneContent::placeObjects() {
   if (models != builtModels_ || scene.models.size() != builtFiles_.size()) return false;
   for (std::size_t i = 0; i < builtFiles_.size(); ++i) {
@@ -27,7 +27,7 @@ bool SceneContent::placeObjects() {
 
 namespace {
 
-// All that sceneLamps() goes by. What does not shine counts by its area alone, which no movement changes.
+// All inputs of sceneLamps(). Objects without emission count by their area, which movements do not change.
 std::string lampSourcesKey(const Scene& scene, const std::vector<std::shared_ptr<const Model>>& models) {
   ContentHash hash;
   for (std::size_t i = 0; i < models.size() && i < scene.models.size(); ++i) {
@@ -59,7 +59,7 @@ std::string lampSourcesKey(const Scene& scene, const std::vector<std::shared_ptr
   return hash.text();
 }
 
-// From so many objects on it pays to find out which of them can be seen.
+// From this many objects on, occlusion culling pays off.
 constexpr std::size_t kMany = 64;
 
 bool samePieces(const Model& a, const Model& b) {
@@ -82,7 +82,7 @@ bool SceneContent::divideModels() {
   for (std::size_t i = 0; contested && i < given.size() && i < scene.models.size(); ++i) {
     divided[i] =
         dividedModel(given[i], worldFromFile(scene.models[i]), scene.probes, index, ProbeBinding::kMaxProbesPerDraw);
-    // Cut as before: the one that is drawn already.
+    // Divided as before: already drawn.
     const bool cut = divided[i] != given[i] && i < models.size() && models[i] != given[i];
     if (cut && samePieces(*divided[i], *models[i])) divided[i] = models[i];
   }
@@ -103,7 +103,7 @@ void SceneContent::showObjects(vtkCulledRenderer* renderer) {
       }
     }
   }
-  // What is blended over the rest comes after it, after the sky, too.
+  // Blended objects are drawn last, also after the sky.
   for (DrawnObject& object : objects) {
     if (!object.surface->glass.drawn) continue;
     renderer->RemoveActor(object.actor);
@@ -139,7 +139,7 @@ std::vector<vtkProp*> SceneContent::shownProps(vtkCulledRenderer* renderer) cons
   return props;
 }
 
-// Of many objects those in the view count: how far the rest reaches would only cost depth.
+// If there are many objects, those in view count: including others would only reduce depth precision.
 void SceneContent::resetClippingRange(vtkCulledRenderer* renderer) const {
   if (!many) return renderer->ResetCameraClippingRange();
   Box box;
@@ -172,7 +172,7 @@ void SceneContent::rebuildObjects(vtkCulledRenderer* renderer, const std::shared
   if (objects.size() <= kMany) {
     for (DrawnObject& object : objects) renderer->AddActor(object.actor);
   }
-  // Drawn last: it only fills what nothing else covered.
+  // Drawn last: it only fills what nothing else covers.
   renderer->RemoveViewProp(sky);
   renderer->AddViewProp(sky);
   renderer->SetBackdrop(sky);
@@ -217,7 +217,7 @@ std::vector<bool> SceneContent::lightsAlone() const {
 void SceneContent::rebuildLights(vtkRenderer* renderer) {
   renderer->RemoveAllLights();
   lights = makeLights(scene, bounds().center());
-  // What stands for the same lamp is counted once. The light stays in the list, whose order shadows go by.
+  // Light and lamp are counted once. The light stays in the list, because shadows use its index.
   for (std::size_t i = 0; lamps && i < lamps->lamps.size(); ++i) {
     if (const auto light = lamps->lamps[i].light) lights[*light]->SetIntensity(0.0);
   }

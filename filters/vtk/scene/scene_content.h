@@ -1,5 +1,4 @@
-// What is in the picture besides probes: the scene's values with the VTK objects made from them. Owned by the scene
-// renderer, read by the probe set.
+// The contents of the picture besides probes: the scene's values, and the VTK objects made from them.
 #pragma once
 
 #include <vtkLight.h>
@@ -24,51 +23,51 @@ namespace boxprobe {
 struct SceneContent {
   Scene scene;
   std::vector<std::shared_ptr<const Model>> given;   ///< in the order of scene.models
-  std::vector<std::shared_ptr<const Model>> models;  ///< as drawn: objects that too many probes reach are in pieces
+  std::vector<std::shared_ptr<const Model>> models;  ///< as drawn: objects that too many probes reach are divided
   int modelGeneration = 0;                           ///< counts replacements of the models
   std::vector<DrawnObject> objects;
   std::vector<vtkSmartPointer<vtkLight>> lights;
   vtkNew<vtkSkyProp> sky;
-  vtkSkyProp* skyLight = nullptr;              ///< what lights in its place; null: it does
+  vtkSkyProp* skyLight = nullptr;              ///< lights in its place; null: the sky itself
   std::shared_ptr<const SceneLamps> lamps;     ///< null unless they are drawn as shapes
   SightLinesMaker sightLines;                  ///< traces what hides lamps; null: nothing does
   std::shared_ptr<const ImageRgbaF> skyImage;  ///< null unless the sky is an image
-  std::size_t skyTexelsNotFinite = 0;          ///< of that image; they were set to 0
+  std::size_t skyTexelsNotFinite = 0;          ///< in that image; they were set to 0
 
-  /// Bounds of all visible objects; a box around the origin when there is none.
+  /// Bounds of all visible objects; a box around the origin if there are none.
   Box bounds() const;
   std::vector<vtkLight*> lightPointers() const;
 
-  /// Divides the given models for the scene's probes; returns whether that changed anything.
+  /// Divides the given models for the scene's probes; returns whether anything changed.
   bool divideModels();
 
-  /// Actors for the models as they are now, or the present ones moved if that is all that changed.
+  /// Creates actors for the current models, or moves existing ones if only placements changed.
   void rebuildObjects(vtkCulledRenderer* renderer, const std::shared_ptr<DrawState>& state);
-  /// Puts the visible objects into the renderer: as its own props, or, when there are many, as those it culls.
+  /// Adds the visible objects to the renderer: as its own props or, if there are many, as those that it culls.
   void showObjects(vtkCulledRenderer* renderer);
-  /// The visible objects' actors, of many those in the view: for passes, which draw what they are given.
+  /// The visible objects' actors, if there are many those in view: for passes, which draw what they get.
   std::vector<vtkProp*> shownProps(vtkCulledRenderer* renderer) const;
-  /// The camera's near and far distances, for what there is to see.
+  /// Sets the camera's near and far distances for the visible scene.
   void resetClippingRange(vtkCulledRenderer* renderer) const;
-  /// Are they culled? Then the renderer's indices are those of `culled`, which has the objects'.
+  /// Are they culled? Then the renderer's indices refer to `culled`, which has the objects' indices.
   bool many = false;
   std::vector<std::size_t> culled;
-  Box culledBounds;  ///< of them all
+  Box culledBounds;  ///< of all of them
   void rebuildLights(vtkRenderer* renderer);
-  /// Finds the lamps that are drawn as shapes, before the lights are rebuilt; nothing unless what shines, where it
-  /// stands, a light source or a probe's box is another. A light source in the place of a lamp that no probe draws is
-  /// counted with none. Returns whether they are others.
+  /// Finds the lamps that are drawn as shapes, before the lights are rebuilt; skipped unless emissive objects, their
+  /// placement, a light source or a probe's box changed. A light source at the place of a lamp that no probe draws
+  /// counts by itself. Returns whether the lamps changed.
   bool findLamps();
-  bool probesDrawn = true;  ///< false: no probe is drawn with, and so no lamp as a shape
-  /// Reads the sky's image if it has one and it is not the one at hand. Throws InputError.
+  bool probesDrawn = true;  ///< false: no probe is drawn, and so no lamp as a shape
+  /// Reads the sky's image if it has a new one. Throws InputError.
   void rebuildSky();
   const std::string& skyImageFile() const { return skyImageFile_; }
 
  private:
   bool placeObjects();
-  std::vector<bool> lightsAlone() const;  // of each lamp found: has it a light source, and no probe that draws it?
+  std::vector<bool> lightsAlone() const;  // per lamp: does it have a light source, and no probe that draws it?
 
-  std::vector<std::shared_ptr<const Model>> builtModels_;  ///< what the objects were made from
+  std::vector<std::shared_ptr<const Model>> builtModels_;  ///< the source of the objects
   std::vector<std::string> builtFiles_;
   std::string skyImageFile_;
   std::string lampsKey_;

@@ -22,15 +22,15 @@ std::vector<vtkSmartPointer<vtkLight>> makeLights(const Scene& scene, const glm:
       const bool spot = light.type == LightType::Spot;
       const glm::dvec3 to = light.position + (spot ? glm::normalize(light.direction) : glm::dvec3(0.0, -1.0, 0.0));
       vtk->PositionalOn();
-      // From 90 degrees on VTK takes a light for one that shines everywhere.
+      // From 90 degrees on VTK treats a light as omnidirectional.
       vtk->SetConeAngle(spot ? std::min(light.outerConeDegrees, 89.999) : 180.0);
       vtk->SetExponent(spot ? std::cos(glm::radians(light.innerConeDegrees)) : 1.0);
       vtk->SetAttenuationValues(perRange, 0.0, 1.0);
       vtk->SetPosition(light.position.x, light.position.y, light.position.z);
       vtk->SetFocalPoint(to.x, to.y, to.z);
     } else {
-      // For pictures of plain VTK: before 9.5 it shades a directional light beside a positional one from its position;
-      // from far away the two agree. The splice takes the direction.
+      // For pictures of plain VTK: before 9.5, if there is also a positional light, it shades a directional light from
+      // its position; far away the two agree. The splice uses the direction.
       constexpr double kFar = 1.0e6;
       const glm::dvec3 from = center - kFar * glm::normalize(light.direction);
       vtk->PositionalOff();

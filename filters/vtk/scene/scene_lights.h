@@ -10,8 +10,8 @@
 
 namespace boxprobe {
 
-/// Never empty: VTK writes no physically based code at all for a renderer without a light, so a scene without lights
-/// gets a black one. `center` is the middle of the scene.
+/// Never empty: VTK writes no physically based code for a renderer without lights, so a scene without lights gets a
+/// black one. `center`: the middle of the scene.
 std::vector<vtkSmartPointer<vtkLight>> makeLights(const Scene& scene, const glm::dvec3& center);
 
 }  // namespace boxprobe

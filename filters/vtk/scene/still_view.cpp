@@ -10,7 +10,7 @@ namespace boxprobe {
 
 StillView::Key StillView::keyOf(vtkRenderer* renderer, const std::vector<vtkProp*>& props) {
   Key key;
-  // The projection holds the angle, the near and far distances and whatever shifts the picture.
+  // The projection includes the angle, the near and far distances and shifts of the picture.
   vtkMatrix4x4* matrix =
       renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0);
   key.view.assign(matrix->GetData(), matrix->GetData() + 16);
@@ -30,7 +30,7 @@ bool StillView::begin(vtkRenderer* renderer, const std::vector<vtkProp*>& props)
     return false;
   }
   const bool first = stage_ == Stage::Drawn;
-  if (first) stage_ = Stage::Asked;  // and stays so, should the frame fail
+  if (first) stage_ = Stage::Asked;  // and stays so if the frame fails
   return first;
 }
 

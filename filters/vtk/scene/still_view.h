@@ -1,5 +1,4 @@
-// Which props a view at rest hides: found out once for a view, kept until anything about it changes. Owned by the
-// culled renderer, which draws; knows no OpenGL and not what the props are.
+// Which props are hidden in a view at rest: determined once per view, kept until it changes.
 #pragma once
 
 #include <vtkType.h>
@@ -14,21 +13,21 @@ class vtkRenderer;
 
 namespace boxprobe {
 
-/// Three frames of one view: the first draws all props, the second finds out which of them nothing shows of, those from
-/// the third on leave them out. Any change of the camera, the picture's size, the list of props, or the redraw time of
-/// one of them begins again. What changes a picture in ways that none of these tells of (what a texture cuts out, say)
-/// must be told by forget().
+/// Three frames of one view: the first draws all props, the second finds out which are invisible, later ones cull
+/// those. Any change of the camera, the picture's size, the list of props, or the redraw time of a prop starts again.
+/// Other changes (what a texture cuts out, for instance) must be reported by forget().
 class StillView {
  public:
   StillView() = default;
   StillView(const StillView&) = delete;
   StillView& operator=(const StillView&) = delete;
 
-  /// Begins a frame of the props that hide or may be hidden. Returns whether this frame shall find out and set().
+  /// Starts a frame of the props that hide or may be hidden. Returns whether this frame must determine the hidden ones
+  /// and call set().
   bool begin(vtkRenderer* renderer, const std::vector<vtkProp*>& props);
-  /// What nothing shows of, past the others of this frame's props.
+  /// The props that are invisible behind others of this frame.
   void set(std::unordered_set<vtkProp*> hidden);
-  /// Is it known what this frame's view hides?
+  /// Are the hidden props of this view known?
   bool known() const { return stage_ == Stage::Known; }
   bool hides(vtkProp* prop) const { return known() && hidden_.count(prop) != 0; }
   /// The next frame draws everything.

@@ -1,5 +1,4 @@
-// The pyramid a camera sees, as planes in the world: what lies wholly outside of it is not drawn. Conservative: may say
-// yes for a near miss.
+// The view frustum of a camera, as planes in the world, for culling. Conservative: may be true for a near miss.
 #pragma once
 
 #include <vtkCamera.h>
@@ -15,7 +14,8 @@ namespace boxprobe {
 
 class ViewFrustum {
  public:
-  /// The four sides, and what lies before the eye; how far one sees follows from what there is, not the other way.
+  /// The four sides, and the plane through the eye; there is no far plane, because clipping distances follow from what
+  /// is visible.
   ViewFrustum(vtkCamera* camera, double aspect) {
     vtkMatrix4x4* m = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
     const auto row = [&](int i) {
@@ -30,7 +30,7 @@ class ViewFrustum {
     for (const glm::dvec4& plane : planes_) {
       const glm::dvec3 normal(plane);
       const double nearest = glm::dot(normal, center) + glm::dot(glm::abs(normal), half) + plane.w;
-      // Rounding of the products above.
+      // Allows for rounding of the products above.
       if (nearest < -1.0e-9 * (glm::length(center) + glm::length(half))) return false;
     }
     return true;

@@ -38,8 +38,8 @@ std::vector<std::size_t> VisibleSearch::showing(const std::vector<std::size_t>& 
   return shown;
 }
 
-// Those not drawn yet that are in the view and not hidden by what has been drawn: branches of the tree are asked for
-// level by level, all of a level at once.
+// Objects in view that are not drawn yet and not hidden by what has been drawn: queries branches of the tree level by
+// level, a whole level at once.
 std::vector<std::size_t> VisibleSearch::unhidden(const std::vector<char>& drawn) {
   std::vector<std::size_t> found;
   std::vector<int> open = {0};
@@ -92,7 +92,7 @@ std::vector<std::size_t> VisibleSearch::run(const std::vector<std::size_t>& befo
   for (const std::size_t item : before) {
     if (frustum_.meets(tree_.box(item))) batch.push_back(item);
   }
-  std::size_t most = 16;  // nearest first, few at a time: what is near hides most; the more the later, so that it ends
+  std::size_t most = 16;  // nearest first, few at a time, because near objects hide most; later more, so that it ends
   if (batch.empty()) {
     batch = inView();
     nearestFirst(batch);
@@ -107,7 +107,7 @@ std::vector<std::size_t> VisibleSearch::run(const std::vector<std::size_t>& befo
     batch.resize(std::min(batch.size(), most));
     most *= 2;
   }
-  // Drawn before what hides it was: not the next time.
+  // Drawn before what hides it: culled next time.
   return showing(all);
 }
 

@@ -1,5 +1,5 @@
-// Which of many objects a view sees: drawn a few at a time, nearest first, with occlusion queries of the branches of a
-// tree of their bounds in between. Called by the culled renderer, which draws; knows not what the objects are.
+// Finds the visible ones among many objects: draws a few at a time, nearest first, with occlusion queries of the
+// branches of a bounding volume hierarchy in between.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,13 @@ namespace boxprobe {
 
 class VisibleSearch {
  public:
-  /// Of the renderer's view as it is. `asked` counts boxes.
+  /// For the renderer's current view. `asked` counts queried boxes.
   VisibleSearch(vtkRenderer* renderer, const BoxTree& tree, OcclusionQuery& test, std::uint64_t& asked);
 
-  /// Items in the view, hidden ones included, ascending.
+  /// Ascending indices of items in view, including hidden ones.
   std::vector<std::size_t> inView() const;
-  /// Draws all items that can be seen, and few others, by `draw`. Returns those that show past what was drawn.
-  /// `before`: what the last view showed, which is most of what this one shows.
+  /// Draws all visible items, and few others, by `draw`. Returns those that are visible. `before`: the result for the
+  /// previous view, which is mostly the same.
   std::vector<std::size_t> run(const std::vector<std::size_t>& before,
                                const std::function<void(const std::vector<std::size_t>&)>& draw);
 

@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkCulledRenderer);
 
 namespace {
 
-// Glass comes after all that is seen through it, the sky included.
+// Glass must be drawn after everything that is seen through it, including the sky.
 bool mayBeReordered(vtkProp* prop) {
   auto* actor = vtkProbeActor::SafeDownCast(prop);
   return actor != nullptr && !actor->GetPass()->DrawsGlass();
@@ -83,8 +83,8 @@ std::vector<std::size_t> vtkCulledRenderer::InView() {
   return boxprobe::VisibleSearch(this, this->Tree, this->Test, this->BoxesAsked).inView();
 }
 
-// The superclass draws the opaque ones by way of DeviceRenderOpaqueGeometry below, which finds out which those are;
-// what else there is to do it does with the list as that leaves it.
+// The superclass draws opaque props through DeviceRenderOpaqueGeometry below, which determines the visible ones; it
+// then uses the resulting list for everything else.
 int vtkCulledRenderer::UpdateGeometry(vtkFrameBufferObjectBase* fbo) {
   if (this->Culled.empty() || this->Selector != nullptr) {
     return this->Superclass::UpdateGeometry(fbo);
@@ -98,8 +98,8 @@ int vtkCulledRenderer::UpdateGeometry(vtkFrameBufferObjectBase* fbo) {
   return rendered;
 }
 
-// By the farthest point of their bounds: a room that holds the eye and all the rest then comes last. Only for this
-// pass, because translucent props are blended in their own order.
+// By the farthest point of their bounds: a room around the eye and everything else then comes last. Only for this pass,
+// because translucent props are blended in a separate order.
 std::vector<vtkProp*> vtkCulledRenderer::Ordered(const std::vector<vtkProp*>& given) {
   double eye[3];
   this->GetActiveCamera()->GetPosition(eye);
@@ -131,8 +131,7 @@ void vtkCulledRenderer::Draw(std::vector<vtkProp*> props, vtkFrameBufferObjectBa
   this->PropArrayCount = count;
 }
 
-// VTK mixes all it draws with what is there. What is opaque needs no mixing, which costs much where the processor
-// draws.
+// VTK enables blending for all draws. Opaque objects do not need it, and on software renderers it is expensive.
 void vtkCulledRenderer::DrawSurfaces(const std::vector<vtkProp*>& props, vtkFrameBufferObjectBase* fbo) {
   const auto other = std::find_if_not(props.begin(), props.end(), mayBeReordered);
   {
@@ -146,7 +145,8 @@ void vtkCulledRenderer::DrawSurfaces(const std::vector<vtkProp*>& props, vtkFram
   }
 }
 
-// The backdrop no farther than it shows: with several samples a pixel software renderers work out what is hidden, too.
+// Draws the backdrop only where it is visible: with several samples per pixel, software renderers also shade hidden
+// fragments.
 void vtkCulledRenderer::DrawOthers(const std::vector<vtkProp*>& props, vtkFrameBufferObjectBase* fbo) {
   const auto backdrop = std::find(props.begin(), props.end(), this->Backdrop);
   this->Draw({props.begin(), backdrop}, fbo);
@@ -178,8 +178,8 @@ std::vector<vtkProp*> vtkCulledRenderer::Showing(const std::vector<vtkProp*>& pr
   return showing;
 }
 
-// Past what the surfaces left in the depth buffer. Asked for their boxes, not while they are drawn: software renderers
-// compile every program again for a draw that counts its samples.
+// Tests boxes against the depth of the surfaces. Queries boxes instead of draws: software renderers compile a second
+// program for draws whose samples are counted.
 void vtkCulledRenderer::FindHidden(const std::vector<vtkProp*>& surfaces, bool backdrop) {
   std::vector<boxprobe::Box> boxes;
   std::vector<vtkProp*> asked;
@@ -207,7 +207,7 @@ void vtkCulledRenderer::FindHidden(const std::vector<vtkProp*>& surfaces, bool b
   this->Still.set(std::move(hidden));
 }
 
-// Only surfaces hide anything: of what else there is, what it covers may change without a word.
+// Only surfaces count as occluders: what other props cover may change without notice.
 void vtkCulledRenderer::DrawStill(const std::vector<vtkProp*>& surfaces, const std::vector<vtkProp*>& others,
                                   vtkFrameBufferObjectBase* fbo) {
   const bool backdrop = std::find(others.begin(), others.end(), this->Backdrop) != others.end();
@@ -223,7 +223,7 @@ void vtkCulledRenderer::DrawStill(const std::vector<vtkProp*>& surfaces, const s
   }
   this->DrawSurfaces(this->Showing(surfaces), fbo);
   if (asks) {
-    // Those that are culled have been asked for already, when it was found out which of them are seen.
+    // Culled props have already been queried when the visible ones were determined.
     this->FindHidden(this->Culled.empty() ? surfaces : std::vector<vtkProp*>(), backdrop);
   }
   if (asks || !this->Still.known()) {
@@ -248,7 +248,7 @@ void vtkCulledRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo
   if (this->Culled.empty()) {
     const std::vector<vtkProp*> given(this->PropArray, this->PropArray + this->PropArrayCount);
     const std::vector<vtkProp*> ordered = this->Ordered(given);
-    // Passes of VTK's own that the superclass runs want all props at once.
+    // VTK's own passes that the superclass runs need all props at once.
     if (this->UseHiddenLineRemoval != 0 || this->UseSSAO) {
       this->Still.forget();
       this->Draw(ordered, fbo);
@@ -278,7 +278,7 @@ void vtkCulledRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* fbo
     this->DrawnHolds = true;
     this->Draw(this->Others, fbo);
   }
-  // For what comes after the opaque: the translucent and the overlays.
+  // For what follows the opaque pass: translucent props and overlays.
   this->Array = this->PropsOf(this->Drawn);
   this->Array.insert(this->Array.end(), this->Others.begin(), this->Others.end());
   this->PropArray = this->Array.data();

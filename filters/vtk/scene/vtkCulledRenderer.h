@@ -3,9 +3,9 @@
  * @brief   renderer that draws, of many props, those that can be seen
  *
  * Given a list of props with their bounds, it draws those in the view that nothing drawn before them hides: nearest
- * first, and for the rest occlusion queries of the branches of a tree of their bounds. The picture is the same as
- * without; what it costs follows from what is seen. While camera and props stay as they are nothing is asked again.
- * Props added to the renderer in the usual way are drawn after those, always.
+ * first, with occlusion queries of the branches of a bounding volume hierarchy for the rest. The picture is the same as
+ * without culling; the cost depends on what is visible. While camera and props do not change there are no new queries.
+ * Props added to the renderer in the usual way are always drawn, after those.
  */
 #pragma once
 
@@ -24,32 +24,32 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   static vtkCulledRenderer* New();
   vtkTypeMacro(vtkCulledRenderer, vtkOpenGLRenderer) void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Replaces the props that are culled; `bounds` are theirs in the world, none of an empty list. */
+  /** Replaces the props that are culled; `bounds`: their world bounds. */
   void SetCulledProps(std::vector<vtkProp*> props, const std::vector<boxprobe::Box>& bounds);
-  /** Indices of those the last frame drew, ascending; more than can be seen, never less. */
+  /** Ascending indices of those drawn in the last frame: all visible ones, and possibly others. */
   const std::vector<std::size_t>& GetDrawn() const { return this->Drawn; }
   /** Counts changes of GetDrawn(). */
   std::uint64_t GetDrawnGeneration() const { return this->DrawnGeneration; }
-  /** Indices of those that are in the view, hidden ones included. */
+  /** Indices of those in view, including hidden ones. */
   std::vector<std::size_t> InView();
-  /** Was GetDrawn() found out for the view as it is? */
+  /** Is GetDrawn() valid for the current view? */
   bool DrawnIsCurrent() { return this->DrawnHolds && this->CurrentView() == this->DrawnView; }
-  /** false: all of them are drawn, hidden or not, in the view or not. */
+  /** false: draws all of them, even if hidden or outside the view. */
   void SetCulling(bool culling);
-  /** Opaque actors up to the first prop of another kind are drawn nearest first, so that what is hidden is not worked
-   * out: the default. false: in the order they were added in. */
+  /** true (default): opaque actors up to the first prop of another kind are drawn nearest first, so that hidden
+   * fragments are not shaded. false: in the order of addition. */
   void SetNearestFirst(bool nearestFirst) { this->NearestFirst = nearestFirst; }
   std::uint64_t GetBoxesAsked() const { return this->BoxesAsked; }
-  /** The prop that fills what no other covers: the sky; null: there is none. */
+  /** The prop that fills uncovered pixels, such as the sky; null: none. */
   void SetBackdrop(vtkProp* backdrop);
-  /** While the view rests, what nothing shows of is not drawn again, of the surfaces and the backdrop: the default. */
+  /** true (default): in a view at rest, invisible surfaces and an invisible backdrop are culled. */
   void SetLeavingOut(bool leavingOut);
-  /** What was found hidden may show from now on, for a reason that no prop's redraw time tells of. */
+  /** Hidden props may be visible from now on, for a reason that no prop's redraw time indicates. */
   void ForgetHidden() { this->Still.forget(); }
-  /** How many props the last frame left out because nothing of them shows; and was the backdrop one of them? */
+  /** Number of props culled in the last frame because they are invisible; below: was the backdrop culled? */
   std::size_t GetLeftOut() const { return this->LeftOut; }
   bool GetBackdropLeftOut() const { return this->BackdropLeftOut; }
-  /** Pixels around all places where the backdrop shows, which it is drawn within, if what the view hides is known. */
+  /** A rectangle around the visible pixels of the backdrop, to which it is clipped if the hidden props are known. */
   boxprobe::OcclusionQuery::Rectangle GetBackdropShows() const { return this->BackdropShows; }
 
   int UpdateGeometry(vtkFrameBufferObjectBase* fbo = nullptr) override;
@@ -90,7 +90,7 @@ class vtkCulledRenderer : public vtkOpenGLRenderer {
   bool LeavingOut = true;
   boxprobe::StillView Still;
   vtkProp* Backdrop = nullptr;
-  boxprobe::OcclusionQuery::Rectangle BackdropShows;  // while it is known what the view hides
+  boxprobe::OcclusionQuery::Rectangle BackdropShows;  // if the hidden props of the view are known
   std::size_t LeftOut = 0;
   bool BackdropLeftOut = false;
   std::vector<vtkProp*> Others, Array;
