@@ -49,16 +49,16 @@ struct Softbox {
 };
 
 glm::dvec3 backdrop(double y) {
-  const glm::dvec3 floor(0.36, 0.355, 0.35), horizon(0.64, 0.645, 0.655), top(0.24, 0.245, 0.255);
+  const glm::dvec3 floor(0.34, 0.335, 0.33), horizon(0.58, 0.585, 0.595), top(0.24, 0.245, 0.255);
   const double share = std::abs(y);
   return y < 0.0 ? horizon + (floor - horizon) * std::sqrt(share) : horizon + (top - horizon) * share;
 }
 
 glm::dvec3 radiance(const glm::dvec3& direction) {
   static const std::vector<Softbox> boxes = {
-      {-30.0, 42.0, 28.0, 20.0, 16.0, 0.6, {7.6, 7.3, 6.9}},   // key
+      {-30.0, 42.0, 28.0, 20.0, 16.0, 0.6, {8.6, 8.25, 7.8}},  // key
       {80.0, 18.0, 22.0, 32.0, 20.0, 0.6, {1.5, 1.6, 1.75}},   // fill
-      {160.0, 37.0, 9.0, 32.0, 8.0, 0.45, {6.4, 6.6, 7.1}},    // rim
+      {160.0, 37.0, 9.0, 32.0, 8.0, 0.45, {5.4, 5.6, 6.0}},    // rim
       {-88.0, 28.0, 10.0, 36.0, 10.0, 0.45, {3.3, 3.4, 3.6}},  // second rim
   };
   glm::dvec3 sum = backdrop(direction.y);
@@ -66,7 +66,7 @@ glm::dvec3 radiance(const glm::dvec3& direction) {
   sum += above * above * (3.0 - 2.0 * above) * glm::dvec3(1.9, 1.95, 2.0);  // top light
   for (const Softbox& box : boxes) sum += box.seen(direction);
   // White paper that faces the camera of a fitted object then has a radiance of 0.94.
-  constexpr double kLevel = 0.66;
+  constexpr double kLevel = 0.63;
   return kLevel * sum;
 }
 

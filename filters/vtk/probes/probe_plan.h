@@ -32,11 +32,11 @@ enum class JobKind {
   SkyMap,    ///< the sky's own map, captured
   File,      ///< of a probe or the sky, read from the folder of baked files
   Picture,   ///< filtered from a picture file
-  Coarse,    ///< of a probe that has nothing to show yet, in few texels
   Drag,      ///< a first bounce, shown during a drag
   Bounce,    ///< a bounce of a baked probe
   Realtime,  ///< a further round of a realtime probe
   Levels,    ///< of the sky, read from the file beside its picture
+  Coarse,    ///< of a probe that has nothing to show yet, in few texels
 };
 
 struct ProbeJob {
