@@ -51,6 +51,8 @@ std::string statsJson(const RunStats& stats) {
   const std::vector<double>& frames = stats.frameCpuSeconds;
   Json json;
   json["counters"] = {{"facesCaptured", c.facesCaptured},
+                      {"coarseFaces", c.coarseFaces},
+                      {"opennessRays", c.opennessRays},
                       {"facesReused", c.facesReused},
                       {"mapsLoaded", c.mapsLoaded},
                       {"skyFacesCaptured", c.skyFacesCaptured},

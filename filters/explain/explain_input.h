@@ -10,6 +10,7 @@
 #include "filters/core/geometry/lamp_sight.h"
 #include "filters/core/geometry/probe_geometry.h"
 #include "filters/core/geometry/scene_lamps.h"
+#include "filters/core/geometry/sky_openness.h"
 #include "filters/core/picture/baked_probe.h"
 #include "filters/core/scene/scene.h"
 #include "filters/core/surface/surface_point.h"
@@ -62,6 +63,7 @@ struct ExplainInput {
   std::vector<float> shares;  ///< for the whole object, in place of weights at the point; empty: those are used
   float skyShare = 1.0f;      ///< with `shares`
   const BakedMaps* skyMaps = nullptr;
+  std::shared_ptr<const SkyOpenness> openness = {};  ///< how much of it the scene leaves open; null: all
   Energy energy = Energy::Single;
   std::vector<Light> lights;
   std::optional<ExplainedGlass> glass;  ///< of a surface that is drawn as glass

@@ -110,6 +110,11 @@ void SceneRenderer::setEditable(bool editable) {
   impl_->state->resources.latticesBeside = editable;
 }
 
+void SceneRenderer::showCoarseFirst(bool coarse) {
+  impl_->makeCurrent();
+  impl_->probes.setCoarseFirst(coarse);
+}
+
 void SceneRenderer::allowStandIns(bool allowed) {
   impl_->makeCurrent();
   impl_->probes.tuning().allowStandIns(allowed);
@@ -136,6 +141,10 @@ bool SceneRenderer::step() {
 
 double SceneRenderer::workProgress() const {
   return impl_->probes.progress();
+}
+
+WorkNow SceneRenderer::workNow() const {
+  return impl_->workPending() ? impl_->probes.workNow() : WorkNow{};
 }
 
 bool SceneRenderer::finishWork(const std::function<bool(double)>& progress) {

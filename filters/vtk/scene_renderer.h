@@ -70,6 +70,11 @@ class BOXPROBE_EXPORT SceneRenderer {
   /// For a window whose probes can be dragged: programs a drag needs are compiled ahead, as part of the work.
   void setEditable(bool editable);
 
+  /// For a window that is looked at while probes are captured: where a probe has nothing to show yet, the sky stands in
+  /// for its surroundings, then a capture of a few texels, until its own maps are there. These are the same either way.
+  /// Not with realtime probes, whose captures see whatever is shown. Before sync().
+  void showCoarseFirst(bool coarse);
+
   /// For a window that shows cheaper techniques while something moves (see EvaluationRow::standIn): their programs are
   /// compiled ahead, as part of the work.
   void allowStandIns(bool allowed);
@@ -88,6 +93,7 @@ class BOXPROBE_EXPORT SceneRenderer {
   bool step();
   /// 0..1 of the work known now, for a progress bar; 1 when none is pending.
   double workProgress() const;
+  WorkNow workNow() const;
   /// step() until done; `progress(fraction)` may return false to stop early. Returns false if stopped.
   bool finishWork(const std::function<bool(double)>& progress = {});
 

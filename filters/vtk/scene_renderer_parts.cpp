@@ -5,6 +5,7 @@
 #include <vtkOpenGLState.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
@@ -95,7 +96,8 @@ void SceneParts::beginFrame() {
     state->resources.sky->need(LevelMask{1} << vtkSkyProp::BlurredLevel(*state->resources.sky));
   }
   try {
-    ground->SetShadow(view.any() ? nullptr : groundWork.shadow(std::chrono::milliseconds(0)));
+    ground->SetShadow(view.any() ? nullptr : groundWork.known());
+    takeOpenness(std::chrono::milliseconds(0));
   } catch (const Error& failure) {
     state->counts.fail(failure.what());
   }
@@ -168,13 +170,8 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   state->resources.lamps = content.lamps;
   if (models || changes.lights || otherLamps) content.rebuildLights(renderer);
   if (changes.sky) content.rebuildSky();
-  content.sky->SetBackground(scene.background);
-  if (scene.groundShadow && content.sightLines && !content.objects.empty()) {
-    if (objects || changes.exposure)
-      groundWork.ask(hidingKey(), scene, content.given, content.sightLines, content.bounds());
-  } else {
-    groundWork.forget();
-  }
+  content.sky->SetBackground(scene.background, scene.backgroundColor);
+  askTraced(objects || changes.exposure || changes.lights);
   if (lit) {
     shadows.sceneChanged();
     probes.updateShapes();
@@ -184,6 +181,41 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   if (lit || changes.sky) updateCaptures();
   if (view.any()) applyView();
   if (lit || changes.sky || changes.exposure) frames.sceneChanged();
+}
+
+void SceneParts::askTraced(bool changed) {
+  const Scene& scene = content.scene;
+  const bool anything = content.sightLines && !content.objects.empty();
+  if (!scene.groundShadow || !anything) groundWork.forget();
+  if (!scene.ambientOcclusion || !anything) {
+    opennessWork.forget();
+    state->resources.openness = nullptr;
+  }
+  if (!changed || !anything || (!scene.groundShadow && !scene.ambientOcclusion)) return;
+  const std::string key = hidingKey();
+  const auto lines = [scene, models = content.given, maker = content.sightLines] { return maker(scene, models); };
+  const Box bounds = content.bounds();
+  if (scene.groundShadow) {
+    groundWork.ask(key, [lines, bounds](const auto& stop) {
+      const auto through = lines();
+      return through ? tracedGroundShadow(*through, bounds, stop) : GroundShadow{};
+    });
+  }
+  if (scene.ambientOcclusion) {
+    opennessWork.ask(key, [lines, bounds](const auto& stop) {
+      const auto through = lines();
+      return through ? tracedSkyOpenness(*through, bounds, stop) : SkyOpenness{};
+    });
+  }
+}
+
+void SceneParts::takeOpenness(std::chrono::milliseconds wait) {
+  auto known = opennessWork.known(wait);
+  if (known && known->empty()) known = nullptr;
+  if (known == state->resources.openness) return;
+  if (known) state->counts.counters.opennessRays += known->rays;
+  state->resources.openness = std::move(known);
+  frames.sceneChanged();
 }
 
 // Anything that stands still may throw a lamp's shadow into a capture, whether the capture shows it or not.
@@ -284,11 +316,12 @@ void SceneParts::setInteractive(bool active) {
 }
 
 void SceneParts::step() {
+  constexpr std::chrono::milliseconds kTurn(20);
   frames.dropRays();
   makeStaticTextures(window, state->resources, state->counts);
   try {
     if (!probes.workPending()) {
-      groundWork.shadow(std::chrono::milliseconds(20));
+      (groundWork.pending() ? void(groundWork.known(kTurn)) : takeOpenness(kTurn));
       return;
     }
     probes.step();
@@ -360,6 +393,7 @@ void SceneParts::releaseGraphics() {
   inspector.release();
   state->resources.lattices->release();
   state->resources.sights->release();
+  state->resources.opennessTexture->release();
   releaseStaticTextures(state->resources);
   for (const DrawnObject& object : content.objects) {
     for (const SurfaceSlot& slot : object.surface->slots) {

@@ -10,6 +10,8 @@
 #include <memory>
 #include <vector>
 
+#include "filters/core/geometry/ground_shadow.h"
+#include "filters/core/geometry/sky_openness.h"
 #include "filters/core/scene/document.h"
 #include "filters/explain/explanation.h"
 #include "filters/vtk/frame/mirror_set.h"
@@ -19,8 +21,8 @@
 #include "filters/vtk/inspect/shown_view.h"
 #include "filters/vtk/inspect/surface_inspector.h"
 #include "filters/vtk/probes/probe_set.h"
-#include "filters/vtk/scene/ground_work.h"
 #include "filters/vtk/scene/scene_content.h"
+#include "filters/vtk/scene/traced_work.h"
 #include "filters/vtk/scene/vtkCulledRenderer.h"
 #include "filters/vtk/surface/vtkGroundShadow.h"
 
@@ -45,7 +47,8 @@ struct SceneParts {
   PreviewSphere sphere;
   MovingShadows shadows;
   ShownView view;
-  GroundWork groundWork;
+  TracedWork<GroundShadow> groundWork;
+  TracedWork<SkyOpenness> opennessWork;
   vtkNew<vtkGroundShadow> ground;
   bool interactive = false;
   bool givenAnew = false;  ///< content.given was replaced since it was last taken
@@ -65,8 +68,11 @@ struct SceneParts {
   /// Finds out which captures are stale.
   void updateCaptures();
   std::string hidingKey();
+  /// Has what is traced of the whole scene made again where that has changed.
+  void askTraced(bool changed);
+  void takeOpenness(std::chrono::milliseconds wait);
   void step();
-  bool workPending() const { return probes.workPending() || groundWork.pending(); }
+  bool workPending() const { return probes.workPending() || groundWork.pending() || opennessWork.pending(); }
   std::vector<Explanation> explain(const std::vector<glm::ivec2>& pixels, int width, int height);
   ImageRgbaF renderLinear(int width, int height, int samplesPerPixel, int frameLimit,
                           const std::function<void(int)>& beforeFrame);

@@ -42,6 +42,28 @@ TEST(ProbePlan, TheSkyComesFirstThenOneBounceOfAllBeforeTheNext) {
   EXPECT_THAT(rooms.jobs(), IsEmpty()) << "nothing changed";
 }
 
+TEST(ProbePlan, WhatShowsNothingIsCapturedInFewTexelsFirst) {
+  ThreeRooms rooms(2);
+  rooms.scene.probes[0].faceSize = 128;
+  rooms.scene.probes[2].faceSize = 256;
+  rooms.update();
+  const auto finals = rooms.jobs();
+  rooms.plan.setCoarseFirst(true);
+  rooms.replan();
+  auto expected = finals;
+  expected.insert(expected.begin() + 1, {"coarse:near", "coarse:far"});  // next's own faces are as small
+  EXPECT_EQ(rooms.jobs(), expected);
+  EXPECT_EQ(rooms.plan.jobs()[1].faceSize, 64);
+  EXPECT_TRUE(rooms.plan.coarsePending());
+  rooms.entries[0].shown = "something";
+  rooms.replan();
+  expected.erase(expected.begin() + 1);
+  EXPECT_EQ(rooms.jobs(), expected) << "what shows something waits for its own";
+  rooms.scene.probes[1].mode = ProbeMode::Realtime;
+  rooms.update();
+  EXPECT_FALSE(rooms.plan.coarsePending()) << "it would see them";
+}
+
 TEST(ProbePlan, AnImageOfTheSkyIsCapturedFiner) {
   ThreeRooms rooms(1);
   for (const auto& [columns, faceSize] : {std::pair(4096, 256), {1024, 256}, {1000, 256}, {512, 128}, {64, 64}}) {

@@ -139,6 +139,7 @@ FrameCosts measureFrameCosts(SceneRenderer& renderer, int rounds, const std::fun
   // Without the sky, which would fill what the objects leave.
   const std::size_t fragment = measured.add({kFragmentPart, {}, true}), raster = measured.add({kRasterPart, {}, true});
   const std::size_t empty = measured.add({kObjectPart, {}, true}), ground = measured.add({kGroundPart, {}});
+  const std::size_t openness = measured.add({kOpennessPart, {}});
   std::vector<std::size_t> ofPrograms, ofObjects;
   for (std::size_t i = 0; i < std::min(programs.size(), kMostOfAKind); ++i) {
     Kind kind{kFragmentPart, {}};
@@ -168,6 +169,7 @@ FrameCosts measureFrameCosts(SceneRenderer& renderer, int rounds, const std::fun
       beyond(without(raster), without(fragment)));
   row("vertices", "vertices and VTK's calls for each object", beyond(without(empty), without(raster)));
   row("sky", "the sky behind everything", without(sky));
+  row("ambient occlusion", "what the scene hides of its own sky, if it is asked to", without(openness));
   row("ground shadow", "the soft shadow below everything, if the scene has it", without(ground));
   row("window", "a frame of nothing: cleared, samples resolved, VTK's own work", measured.of(empty));
   for (std::size_t i = 0; i < ofPrograms.size(); ++i) {

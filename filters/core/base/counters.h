@@ -21,6 +21,7 @@ struct MirrorCounters {
 
 struct Counters {
   std::uint64_t facesCaptured = 0;     ///< of probes
+  std::uint64_t coarseFaces = 0;       ///< captured in few texels, shown until those of facesCaptured are there
   std::uint64_t facesReused = 0;       ///< of recaptured probes: copied from earlier maps that show the same
   std::uint64_t mapsLoaded = 0;        ///< probes (and sky) read from baked files instead of captured
   std::uint64_t skyFacesCaptured = 0;  ///< of the sky's own map
@@ -35,6 +36,7 @@ struct Counters {
   std::uint64_t sightsTraced = 0;      ///< probes whose lamps' visibilities were traced
   std::uint64_t sightRays = 0;         ///< rays traced for that
   std::uint64_t lampsSeenWhole = 0;    ///< lamps and light sources of such probes that nothing hides: no lookup
+  std::uint64_t opennessRays = 0;      ///< rays traced for ambient occlusion
   std::uint64_t sourcesFlattened = 0;  ///< captures laid out flat, to filter their fine levels on software renderers
   std::uint64_t mapsFlattened = 0;  ///< filtered chains laid out flat, for programs with constants on software drivers
   std::uint64_t programsCompiled = 0;   ///< GL programs compiled; a released program counts again

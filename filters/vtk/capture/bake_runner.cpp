@@ -95,6 +95,7 @@ bool BakeRunner::makeFaces() {
   const CpuTimer timer(times_->captureCpuSeconds);
   if (face_ == 0) {
     maps_ = std::make_shared<ProbeMaps>();
+    maps_->forTheTimeBeing = item_->coarse;
     maps_->capturedAt = item_->settings.originWorld;
     maps_->capturedRotation = item_->settings.rotationDegrees;
     source_.allocate(item_->faceSize, fullLevels(item_->faceSize), GL_RGBA16F);
@@ -142,8 +143,8 @@ void BakeRunner::captureFace(const FaceSource& source, int face) {
                           item_->sky ? nullptr : &maps_->distance);
   }
   Counters& counters = state_->counts.counters;
-  ++(item_->sky ? counters.skyFacesCaptured : counters.facesCaptured);
-  if (item_->sky) return;
+  ++(item_->sky ? counters.skyFacesCaptured : item_->coarse ? counters.coarseFaces : counters.facesCaptured);
+  if (item_->sky || item_->coarse) return;
   counters.objectsCaptured += source.objects;
   counters.objectsCulled += source.culled;
 }

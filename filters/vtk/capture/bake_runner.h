@@ -31,6 +31,7 @@ struct BakeItem {
   CaptureSettings settings;
   int faceSize = 256;
   int bounce = 1;               ///< of its probe: the bounce that its cost is added to
+  bool coarse = false;          ///< shown until other maps are there; nothing is derived from it
   bool sky = false;             ///< the sky's map: at infinity, so without distances
   bool reflectNothing = false;  ///< first bounce: no probe has been captured yet
   /// In a first bounce, use programs without probe lookups. Compiling these pays only for many faces.

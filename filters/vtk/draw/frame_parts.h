@@ -15,6 +15,7 @@ enum FramePart : unsigned {
   kRasterPart = 32u,     ///< only vertices
   kObjectPart = 64u,     ///< not drawn
   kGroundPart = 128u,    ///< the ground's shadow
+  kOpennessPart = 256u,  ///< what hides the sky from places of the scene itself
 };
 using FrameParts = unsigned;  ///< of FramePart
 

@@ -172,7 +172,7 @@ std::string ProbeBinding::variantKey() const {
   if (rotated()) key += 'r';
   if (weights) key += shares.empty() ? 'w' : 'c';
   if (weights && onlyProbes) key += 'p';
-  if (sky) key += 's';
+  if (sky) key += openness ? 'S' : 's';
   if (diffuse) key += 'd';
   if (diffuse && shapes) key += lamps ? 'L' : 'l';
   if (lampLobes) key += 'g';

@@ -51,6 +51,7 @@ struct ProbeBinding {
   static constexpr std::size_t kMaxLampsPerDraw = 16;  ///< of all its probes, by decreasing power
   bool weights = true;                                 ///< false: one probe, at full weight everywhere on the object
   bool sky = true;                                     ///< false: the sky has no share
+  bool openness = false;                               ///< the sky is occluded by the scene (ambientOcclusion)
   bool onlyProbes = false;                             ///< probes share the sky's part wherever one has weight
   std::vector<float> shares;  ///< for the whole object, in place of weights per pixel; empty: per pixel
   float skyShare = 1.0f;      ///< with `shares`

@@ -41,7 +41,7 @@ LatticeHaste haste(const DrawState& state) {
 std::shared_ptr<const DiffuseLattice> probeLattice(const DrawState& state, const DrawnProbe& probe) {
   const SceneLamps* lamps = state.resources.lamps.get();
   const ProbeMaps* maps = probe.maps.get();
-  if (!probe.shapes || lamps == nullptr || maps == nullptr) return nullptr;
+  if (!probe.shapes || lamps == nullptr || maps == nullptr || maps->forTheTimeBeing) return nullptr;
   auto lattice = maps->lattice.of(maps->radiance, maps->distance, latticeSource(state, *lamps, probe), haste(state));
   // New maps of the probe use the previous lattice until theirs is ready.
   if (lattice)

@@ -10,11 +10,13 @@
 #include "filters/core/geometry/light_shadow.h"
 #include "filters/core/geometry/scene_lamps.h"
 #include "filters/core/geometry/sight_lines.h"
+#include "filters/core/geometry/sky_openness.h"
 #include "filters/math/sampling/filter_lobe.h"
 #include "filters/math/shared/display_math.h"
 #include "filters/vtk/draw/light_form.h"
 #include "filters/vtk/gl/opengl.h"
 #include "filters/vtk/maps/lattice_atlas.h"
+#include "filters/vtk/maps/openness_texture.h"
 #include "filters/vtk/maps/probe_maps.h"
 #include "filters/vtk/maps/sight_atlas.h"
 
@@ -51,6 +53,8 @@ struct SceneResources {
   bool latticesBeside = false;                            ///< frames do not wait for lattices (draw/probe_lattice.h)
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::shared_ptr<SightAtlas> sights = std::make_shared<SightAtlas>();
+  std::shared_ptr<const SkyOpenness> openness;  ///< null: all of the sky is open everywhere, or not traced yet
+  std::shared_ptr<OpennessTexture> opennessTexture = std::make_shared<OpennessTexture>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
   std::set<int> shadowLightsInUse;        ///< indices of those that a draw uses
   std::vector<MovingShadow> movingShadows;

@@ -33,6 +33,8 @@ struct ProbeMaps {
   glm::dvec3 capturedAt{0.0};
   /// Rotation of the box, in degrees, along whose axes the maps lie; irradiance is along the world's.
   glm::dvec3 capturedRotation{0.0};
+  /// Shown until others are there: no lattice is derived from them.
+  bool forTheTimeBeing = false;
   float maxLevel() const { return static_cast<float>(radiance.levels() - 1); }
   /// The levels of `radiance` that are filtered. Others hold plain means of the capture until something needs them; a
   /// lookup that comes too early may show these.

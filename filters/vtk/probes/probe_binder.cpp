@@ -298,6 +298,7 @@ std::shared_ptr<const ProbeBinding> ProbeBinder::bindingOf(const DrawnObject& ob
   binding->lighting = Lighting::Probes;
 
   binding->diffuse = !object.allMetal;
+  binding->openness = scene.ambientOcclusion;
   if (object.settings.probeUsage == ProbeUsage::Off) return binding;
   const Box bounds = worldBounds(object);
   std::vector<std::size_t> order = places_.meeting(bounds);

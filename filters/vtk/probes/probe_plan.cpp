@@ -339,7 +339,33 @@ void ProbePlan::make() {
     }
   }
   if (!interactive_) planBounces();
+  if (coarseFirst()) planCoarse();
   planSky();
+}
+
+bool ProbePlan::coarseFirst() const {
+  if (!coarseFirst_ || !enabled_ || interactive_ || !targets_.empty()) return false;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_.probe(i).mode == ProbeMode::Realtime) return false;
+  }
+  return true;
+}
+
+bool ProbePlan::coarsePending() const {
+  const auto coarse = [](const ProbeJob& job) { return job.kind == JobKind::Coarse; };
+  return (current_ && coarse(*current_)) || std::any_of(jobs_.begin(), jobs_.end(), coarse);
+}
+
+void ProbePlan::planCoarse() {
+  std::vector<ProbeJob> coarse;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const ProbeEntry& entry = entries_[i];
+    const Probe& p = entries_.probe(i);
+    if (!entry.shown.empty() || !stale(i) || !entries_.baked(i) || sources_.have(entry.wanted)) continue;
+    if (p.faceSize > kCoarseFaceSize)
+      coarse.push_back({JobKind::Coarse, p.name, 1, entry.wanted + kCoarse, kCoarseFaceSize});
+  }
+  jobs_.insert(jobs_.begin(), coarse.begin(), coarse.end());
 }
 
 bool ProbePlan::bakesAny() const {
@@ -414,7 +440,8 @@ bool ProbePlan::keepsCurrent() const {
 
 bool ProbePlan::capturesLast() const {
   const auto lasts = [](const ProbeJob& job) {
-    return job.kind != JobKind::Drag && job.kind != JobKind::File && job.kind != JobKind::Levels;
+    return job.kind != JobKind::Drag && job.kind != JobKind::Coarse && job.kind != JobKind::File &&
+           job.kind != JobKind::Levels;
   };
   return std::any_of(jobs_.begin(), jobs_.end(), lasts) || (current_ && lasts(*current_));
 }

@@ -176,6 +176,9 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
                                             : std::vector<std::string>{"shared/lamp.glsl"}));
   }
   replaceOnce(lighting, "//BP::Lamps", lamps);
+  replaceOnce(lighting, "//BP::Openness",
+              binding.sky && binding.openness ? joinShaderSources({"shared/sky_openness.glsl", "gpu/sky_openness.glsl"})
+                                              : std::string());
   std::string shares(shaderSource("gpu/probe_shares.glsl"));
   replaceOnce(shares, "//BP::Weights", perSlot(shaderSource("gpu/probe_weight.glsl"), binding));
   replaceOnce(shares, "//BP::Shares", perSlot("  bpShareOf[@SLOT@] = share[@GROUP@] * weight[@SLOT@];\n", binding));
@@ -187,9 +190,9 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   return define("BP_ROTATED", binding.rotated()) + define("BP_WEIGHTS", binding.weights) +
          define("BP_CONSTANT_SHARES", binding.weights && !binding.shares.empty()) +
          define("BP_ONLY_PROBES", binding.onlyProbes) + define("BP_SKY", binding.sky) +
-         define("BP_DIFFUSE", binding.diffuse) + define("BP_LATTICE", lattice) +
-         define("BP_LAMP_SHAPES", lattice && binding.lamps) + define("BP_LAMP_LOBES", binding.lampLobes) +
-         define("BP_SIGHTS", sights) + define("BP_DEBUG", debug) +
+         define("BP_OPENNESS", binding.sky && binding.openness) + define("BP_DIFFUSE", binding.diffuse) +
+         define("BP_LATTICE", lattice) + define("BP_LAMP_SHAPES", lattice && binding.lamps) +
+         define("BP_LAMP_LOBES", binding.lampLobes) + define("BP_SIGHTS", sights) + define("BP_DEBUG", debug) +
          define("BP_SAMPLED", output == SurfaceOutput::SpecularSeparate) +
          define("BP_BLUE_NOISE", binding.chooses("pattern", "blue") || !binding.refinedValues.empty()) +
          define("BP_LIGHT", binding.chooses("sampling", "luminance")) + (mirror ? "#define BP_MIRROR\n" : "") +

@@ -383,6 +383,19 @@ void uploadCoverage(const UniformUpload& to, const DrawState& state, const Probe
   }
 }
 
+// Captures go without, and so does everything until it is traced.
+void uploadOpenness(const UniformUpload& to, const DrawState& state) {
+  const SkyOpenness* open = state.pass().capture ? nullptr : state.resources.openness.get();
+  OpennessTexture& texture = *state.resources.opennessTexture;
+  to.texture("bpOpenMap", GL_TEXTURE_3D, texture.handle(open != nullptr ? state.resources.openness : nullptr));
+  to.program->SetUniformf("bpOpenOn", open != nullptr ? 1.0f : 0.0f);
+  const glm::vec3 low(open != nullptr ? open->low - 0.5 * open->spacing - to.eyeWorld() : glm::dvec3(0.0));
+  const glm::vec3 scale(open != nullptr ? 1.0 / (open->spacing * glm::dvec3(open->nodes)) : glm::dvec3(1.0));
+  to.program->SetUniform3f("bpOpenLow", &low.x);
+  to.program->SetUniform3f("bpOpenScale", &scale.x);
+  to.program->SetUniformf("bpOpenOff", open != nullptr ? static_cast<float>(open->off()) : 0.0f);
+}
+
 void uploadSurroundings(const UniformUpload& to, const SceneResources& resources, const ProbeBinding& binding,
                         bool flatMaps) {
   to.program->SetUniformMatrix3x3("bpViewToWorld", viewToWorldRotation(to.camera()).data());
@@ -416,6 +429,7 @@ void uploadLighting(const UniformUpload& to, DrawState& state, const ProbeBindin
                     const Constants* constants, bool flatMaps) {
   ++state.counts.counters.uniformUpdates;
   uploadSurroundings(to, state.resources, binding, flatMaps);
+  if (binding.sky && binding.openness) uploadOpenness(to, state);
   NumberUpload numbers(to, constants);
   readLighting(numbers, state, binding);
   if (!binding.probes.empty()) uploadSlots(to, state, binding, debug, flatMaps);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,7 +33,10 @@ class vtkSkyProp : public vtkProp {
   void SetSkyFromWorld(const glm::dmat3& skyFromWorld);
 
   /** What the picture shows in its place; captures and linear pictures show the sky. */
-  void SetBackground(boxprobe::Background background) { this->Shown = background; }
+  void SetBackground(boxprobe::Background background, const glm::vec3& color) {
+    this->Shown = background;
+    this->BackgroundColor = color;
+  }
   /** The level of the sky's map that a blurred background shows: fine enough to look even. */
   static int BlurredLevel(const boxprobe::ProbeMaps& sky) { return std::max(sky.radiance.levels() - 5, 0); }
 
@@ -60,5 +64,6 @@ class vtkSkyProp : public vtkProp {
   unsigned int ImageTexture = 0;
   bool ImageChanged = false;
   boxprobe::Background Shown = boxprobe::Background::Environment;
+  glm::vec3 BackgroundColor{0.6f};                         // as the display is to show it, linear
   std::map<std::string, boxprobe::FullScreenPass> Passes;  // by what their programs differ in
 };
