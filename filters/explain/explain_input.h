@@ -43,12 +43,14 @@ struct ExplainedProbe {
   const BakedMaps* lookedUp() const { return lampFree != nullptr ? lampFree : maps; }
 };
 
-/// A depth map of what moves, as a light sees it.
+/// A depth map as a light sees it: of what moves, or of what stands still before a sun.
 struct MovingMap {
   int light = 0;
   int size = 0;
   std::vector<float> depth;  ///< rows from the bottom
   glm::dmat4 mapFromWorld{1.0};
+  glm::dvec2 apart{0.0};  ///< taps of its filter, in the map's coordinates
+  double off = 0.0;       ///< how far off the surface it is looked up, scene units
 };
 
 struct ExplainInput {
@@ -68,7 +70,8 @@ struct ExplainInput {
   const shading::MirrorLook* mirror = nullptr;
   std::vector<int> shadowLights;  ///< those that this draw asks a probe's coverage about
   std::vector<MovingMap> movingMaps;
-  std::vector<int> sightLights;  ///< those that some place of a probe's box does not see whole
+  std::vector<MovingMap> sunMaps;  ///< of suns that this draw asks them about
+  std::vector<int> sightLights;    ///< those that some place of a probe's box does not see whole
 };
 
 }  // namespace boxprobe

@@ -26,6 +26,7 @@ struct DrawnProbe {
   bool open = false;                        ///< the sky shows where the probe saw nothing, and there is such a place
   ShCoefficients openSky{};                 ///< its diffuse light that comes in there, to be added to the maps'
   std::uint32_t shadowLights = 0;           ///< a bit for each light that asks for shadows and lies outside of its box
+  bool seesSky = true;                      ///< where its capture meets nothing stands the sky
   bool imported = false;                    ///< from a picture, which may have no coverage
   bool shapes = false;                      ///< its diffuse light is its lamps' and a lattice's
   std::vector<std::size_t> lamps;           ///< of the scene's, those drawn as shapes
@@ -54,8 +55,9 @@ struct ProbeBinding {
   bool onlyProbes = false;                             ///< what they leave to it goes to them, wherever one has weight
   std::vector<float> shares;  ///< of all of the object, in place of weights a pixel; empty: those
   float skyShare = 1.0f;      ///< beside `shares`
-  /// Lights that a probe's coverage stands before, and those of them with maps of what moves; in the scene's order.
-  std::vector<int> shadowLights, movingLights;
+  /// Lights that a probe's coverage stands before, those with maps of what moves, and suns with maps of what stands
+  /// still; in the scene's order.
+  std::vector<int> shadowLights, movingLights, sunLights;
   /// Light sources, in the scene's order, that some place of a probe's box does not see whole.
   std::vector<int> sightLights;
   std::size_t leftOut = 0;  ///< probes that reach the object and are more than a draw can have

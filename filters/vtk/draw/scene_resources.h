@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <set>
 #include <vector>
@@ -27,6 +28,16 @@ struct MovingShadow {
   int light = 0;
   GLuint texture = 0;
   glm::dmat4 mapFromWorld{1.0};
+};
+/// Of a directional light that asks for no shadows of its own: what stands still before it.
+struct SunShadow {
+  int light = 0;
+  GLuint texture = 0;  ///< 0: not drawn yet
+  int size = 0;        ///< texels a side
+  glm::dmat4 mapFromWorld{1.0};
+  glm::vec2 apart{0.0f};     ///< taps of the filter, in the map's coordinates
+  float off = 0.0f;          ///< how far off a surface the map is looked up, scene units
+  std::vector<bool> shades;  ///< of each object: may anything throw its shadow there?
 };
 /// What a light that asks for shadows looks like.
 struct ShadowLight {
@@ -53,8 +64,9 @@ struct SceneResources {
   std::shared_ptr<LatticeAtlas> lattices = std::make_shared<LatticeAtlas>();
   std::shared_ptr<SightAtlas> sights = std::make_shared<SightAtlas>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
-  std::set<int> shadowLightsInUse;        ///< of them, those that some draw asks about
+  std::set<int> movingLightsInUse;        ///< those whose shadows of what moves some draw asks for
   std::vector<MovingShadow> movingShadows;
+  std::vector<SunShadow> sunShadows;
 };
 
 }  // namespace boxprobe

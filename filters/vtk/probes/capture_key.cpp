@@ -136,8 +136,13 @@ std::vector<std::size_t> addShown(ContentHash& hash, const CaptureWorld& world, 
     for (const std::string& hidden : std::set<std::string>(probe.hides.begin(), probe.hides.end())) hash.add(hidden);
   }
   hash.add(world.lights);
-  // What is drawn for an open probe has no light of the sky, which is added where the probe is looked up.
-  if (!std::holds_alternative<ClearToOpen>(probe.clear)) hash.add(world.sky);
+  // What is drawn for an open probe has no light of the sky, which is added where the probe is looked up, unless
+  // lattices bring it.
+  if (!std::holds_alternative<ClearToOpen>(probe.clear)) {
+    hash.add(world.sky);
+  } else if (probe.bounces > 1 && !world.latticeSky.empty()) {
+    hash.add(world.latticeSky);
+  }
   for (const std::size_t i : objectsThatMeet(world, probe, meets)) {
     const CaptureObject& object = world.objects[i];
     hash.add(object.key);

@@ -54,6 +54,9 @@ struct CaptureWorld {
   std::string sky;  ///< skyKey
   std::string lights;
   bool lattices = false;  ///< diffuse light of probes, in later bounces, is that of lattices
+  /// The sky whose light comes with lattices, whose nodes are traced to it: not in first captures of several, but in
+  /// later ones, those of ClearToOpen included. Empty: lattices know no sky.
+  std::string latticeSky;
 };
 
 /// `skyPixels`: the fingerprint of the sky's image if it is one; `probes`: of the scene's.
