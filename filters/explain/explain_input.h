@@ -44,12 +44,14 @@ struct ExplainedProbe {
   const BakedMaps* lookedUp() const { return lampFree != nullptr ? lampFree : maps; }
 };
 
-/// A depth map of moving objects from a light.
+/// A depth map from a light: of moving objects, or of those that stand still before a sun.
 struct MovingMap {
   int light = 0;
   int size = 0;
   std::vector<float> depth;  ///< rows from the bottom
   glm::dmat4 mapFromWorld{1.0};
+  glm::dvec2 apart{0.0};  ///< taps of its filter, in the map's coordinates
+  double off = 0.0;       ///< how far off the surface it is looked up, scene units
 };
 
 struct ExplainInput {
@@ -71,7 +73,8 @@ struct ExplainInput {
   const shading::MirrorLook* mirror = nullptr;
   std::vector<int> shadowLights;  ///< those for which this draw samples a probe's coverage
   std::vector<MovingMap> movingMaps;
-  std::vector<int> sightLights;  ///< those not visible from everywhere in a probe's box
+  std::vector<MovingMap> sunMaps;  ///< of suns for which this draw samples one
+  std::vector<int> sightLights;    ///< those not visible from everywhere in a probe's box
 };
 
 }  // namespace boxprobe

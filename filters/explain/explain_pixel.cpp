@@ -163,6 +163,7 @@ Explanation explainPixel(const ExplainInput& in) {
   std::vector<glm::vec3> arrives(in.lights.size(), glm::vec3(1.0f));
   if (in.lighting == ExplainInput::Lighting::Probes) e.shadows = explainShadows(in);
   for (const LightShadow& shadow : e.shadows) arrives[static_cast<std::size_t>(shadow.light)] = shadow.through;
+  for (const MovingMap& map : in.sunMaps) arrives[static_cast<std::size_t>(map.light)] *= sunSeen(in, map.light);
   for (const int light : in.sightLights) arrives[static_cast<std::size_t>(light)] *= lightSeen(in, light);
   e.brdf = splitSum(e.nDotV, s.roughness);
   Scattering scattering{scattered(in, e.f0, e.brdf), glm::vec3(1.0f)};

@@ -42,7 +42,8 @@ SceneParts::SceneParts(vtkOpenGLRenderWindow* shownIn)
       frames(window, renderer, state, &content),
       mirrors(window, state, &content),
       sphere(window, renderer, state),
-      shadows(window, state, &content) {
+      shadows(window, state, &content),
+      suns(window, state, &content) {
   state->shown = renderer;
   probes.baker().setWindow(window);
   content.sky->SetDrawState(state);
@@ -76,6 +77,7 @@ void SceneParts::makeCurrent() {
 
 void SceneParts::prepareDraws() {
   makeStaticTextures(window, state->resources, state->counts);
+  suns.update();
   shadows.update();
   content.resetClippingRange(renderer);
 }
@@ -174,6 +176,7 @@ void SceneParts::sync(const Scene& scene, const Changes& changes) {
   askTraced(objects || changes.exposure || changes.lights);
   if (lit) {
     shadows.sceneChanged();
+    suns.sceneChanged();
     probes.updateShapes();
     probes.binder().assign();
   }
@@ -275,7 +278,9 @@ void SceneParts::updateCaptures() {
   // Lamps drawn as shapes light what a capture shows, those that it does not show included.
   inputs.world.lattices = content.lamps != nullptr;
   if (content.lamps && !content.lamps->lamps.empty()) inputs.world.lights += " " + lampsKey(*content.lamps);
-  if (content.lamps && content.sightLines) inputs.world.lights += " shadowed " + hidingKey();
+  if (content.lamps && content.sightLines) inputs.world.lights += " traced " + hidingKey();
+  if (content.lamps && content.sightLines) inputs.world.latticeSky = inputs.world.sky;
+  if (!state->resources.sunShadows.empty()) inputs.world.lights += " suns";
   inputs.sky = inputs.world.sky;
   if (content.skyImage) inputs.skyColumns = content.skyImage->width;
   probes.plan().sources().skyLevels = content.skyImage ? skyLevelsFile(content.skyImageFile()) : std::string();
@@ -297,6 +302,7 @@ void SceneParts::setProbesEnabled(bool enabled) {
   if (otherLamps) {
     state->resources.lamps = content.lamps;
     content.rebuildLights(renderer);
+    suns.sceneChanged();
     probes.updateShapes();
     updateCaptures();
   }
@@ -324,6 +330,7 @@ void SceneParts::step() {
       (groundWork.pending() ? void(groundWork.known(kTurn)) : takeOpenness(kTurn));
       return;
     }
+    suns.update();  // captures have them, too
     probes.step();
   } catch (const WorkError& error) {
     // Not thrown on: a window goes on without what could not be made, and says so.
@@ -387,6 +394,7 @@ void SceneParts::releaseGraphics() {
   frames.release();
   mirrors.release();
   shadows.release();
+  suns.release();
   sphere.release();
   ground->ReleaseGraphicsResources(window);
   probes.release();

@@ -17,6 +17,7 @@
 #include "filters/vtk/frame/mirror_set.h"
 #include "filters/vtk/frame/moving_shadows.h"
 #include "filters/vtk/frame/picture_frames.h"
+#include "filters/vtk/frame/sun_shadows.h"
 #include "filters/vtk/inspect/preview_sphere.h"
 #include "filters/vtk/inspect/shown_view.h"
 #include "filters/vtk/inspect/surface_inspector.h"
@@ -46,6 +47,7 @@ struct SceneParts {
   MirrorSet mirrors;
   PreviewSphere sphere;
   MovingShadows shadows;
+  SunShadows suns;
   ShownView view;
   TracedWork<GroundShadow> groundWork;
   TracedWork<SkyOpenness> opennessWork;

@@ -22,10 +22,15 @@ LatticeSource latticeSource(const DrawState& state, const SceneLamps& lamps, con
   if (probe.open && state.resources.sky && state.resources.sky->openings) {
     source.sky = std::shared_ptr<const CubeMap>(state.resources.sky, &state.resources.sky->openings->reduced);
   }
-  // Not if it is derived continuously, or where the sky shows through, which the rays do not know.
-  if (!state.resources.sightLines || probe.realtime || source.sky) return source;
-  source.traced = {state.resources.sightLines, g.originWorld, g.worldFromProbe,           g.mapFromProbe,
-                   state.resources.lamps,      probe.lamps,   state.resources.looseLights};
+  // Not if it is derived continuously.
+  if (!state.resources.sightLines || probe.realtime) return source;
+  auto sky = source.sky;
+  if (!sky && probe.seesSky && state.resources.sky && state.resources.sky->openings) {
+    sky = std::shared_ptr<const CubeMap>(state.resources.sky, &state.resources.sky->openings->reduced);
+  }
+  source.traced = {
+      state.resources.sightLines,  g.originWorld,  g.worldFromProbe, g.mapFromProbe, state.resources.lamps, probe.lamps,
+      state.resources.looseLights, std::move(sky), probe.open};
   return source;
 }
 

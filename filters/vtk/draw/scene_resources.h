@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <set>
 #include <vector>
@@ -28,6 +29,16 @@ struct MovingShadow {
   int light = 0;
   GLuint texture = 0;
   glm::dmat4 mapFromWorld{1.0};
+};
+/// The shadow map of a directional light that asks for no shadows of its own: of objects that stand still.
+struct SunShadow {
+  int light = 0;
+  GLuint texture = 0;  ///< 0: not drawn yet
+  int size = 0;        ///< texels a side
+  glm::dmat4 mapFromWorld{1.0};
+  glm::vec2 apart{0.0f};     ///< taps of the filter, in the map's coordinates
+  float off = 0.0f;          ///< distance from the surface at which the map is sampled, scene units
+  std::vector<bool> shades;  ///< for each object: may anything cast a shadow on it?
 };
 /// The apparent size of a light that casts shadows.
 struct ShadowLight {
@@ -56,8 +67,9 @@ struct SceneResources {
   std::shared_ptr<const SkyOpenness> openness;  ///< null: all of the sky is open everywhere, or not traced yet
   std::shared_ptr<OpennessTexture> opennessTexture = std::make_shared<OpennessTexture>();
   std::vector<ShadowLight> shadowLights;  ///< in the order of the scene's lights
-  std::set<int> shadowLightsInUse;        ///< indices of those that a draw uses
+  std::set<int> movingLightsInUse;        ///< indices of those whose shadows of moving objects a draw uses
   std::vector<MovingShadow> movingShadows;
+  std::vector<SunShadow> sunShadows;
 };
 
 }  // namespace boxprobe

@@ -211,7 +211,11 @@ BakeItem ProbeBaker::bounce(const ProbeJob& job, const std::shared_ptr<FaceKeys>
   if (!drag && job.bounce > 1) {
     item.drawing = [this, job](bool begins) { begins ? seeBounce(job) : with_.binder->seeAgain(); };
   }
-  if (std::holds_alternative<ClearToOpen>(as.clear)) item.drawing = with_.binder->withoutSky(std::move(item.drawing));
+  // A sky that nothing hides would shine into rooms; nodes of lattices know what hides it.
+  const bool traced = !drag && !with_.plan->world().latticeSky.empty();
+  const bool first = traced && job.bounce == 1 && with_.plan->firstWithoutSky(*with_.plan->entries().find(job.name));
+  const bool open = std::holds_alternative<ClearToOpen>(as.clear) && !(traced && job.bounce > 1);
+  if (open || first) item.drawing = with_.binder->withoutSky(std::move(item.drawing));
   item.face = [this, job, as, drag, faces](int face) {
     FaceSource source;
     const auto at = with_.plan->entries().find(job.name);

@@ -212,6 +212,8 @@ class ProbePlan {
   const BounceKeys& bounces() const { return bounces_; }
   /// For one face (0 to 5) of a probe's bounce: equal keys mean equal texels of level 0. Empty: must not be reused.
   std::string faceKey(std::size_t index, int bounce, int face) const;
+  /// Is the first of its captures without the light of the sky, which comes with the lattices of later ones?
+  bool firstWithoutSky(std::size_t index) const;
   /// The same for a realtime probe, given as it was when its capture started, and for its maps of six such faces.
   std::string realtimeFaceKey(const Probe& probe, int face) const;
   static std::string realtimeKey(const Probe& probe, const FaceKeys& faces);

@@ -22,7 +22,7 @@ std::string fragmentDeclarations(const SurfaceProgram& program) {
   if (program.surface != nullptr) text += finishSwitches(*program.surface);
   text += probes ? probeDeclarations(program.binding, program.output, program.mirror, program.flatMaps)
                  : std::string(shaderSource("gpu/output_uniforms.glsl"));
-  if (probes) text += coverageDeclarations(program.binding);
+  if (probes) text += coverageDeclarations(program.binding) + shadowMapDeclarations(program.binding);
   // What has no probes is compared with VTK's own pictures, to the bit.
   const bool quick = (program.facts & kQuickOutput) != 0 && program.binding.lighting != Lighting::Plain;
   text += displaySource(program.tone, quick) + joinShaderSources({"shared/light_falloff.glsl"});

@@ -216,16 +216,22 @@ std::string coverageDeclarations(const ProbeBinding& binding) {
           "      ((bpShadowMask[@SLOT@] >> bit & 1) != 0 ? bpThroughSlot@SLOT@(position, toLight, tangent, perUnit) "
           ": vec3(1.0f));\n  }\n",
           binding));
-  std::string moving;
-  for (const int light : binding.movingLights) {
-    std::string piece(shaderSource("gpu/moving_shadow.glsl"));
-    replaceAll(piece, "@LIGHT@", std::to_string(light));
-    moving += piece;
-  }
-  return "#define BP_SHADOW_LIGHTS " + std::to_string(binding.shadowLights.size()) + "\n#define BP_MOVING_MAP_SIZE " +
-         std::to_string(kMovingMapSize) + ".0f\n" +
+  return "#define BP_SHADOW_LIGHTS " + std::to_string(binding.shadowLights.size()) + "\n" +
          joinShaderSources({"shared/coverage_types.glsl", "shared/coverage.glsl"}) +
-         perSlot(shaderSource("gpu/coverage_slot.glsl"), binding) + text + moving;
+         perSlot(shaderSource("gpu/coverage_slot.glsl"), binding) + text;
+}
+
+std::string shadowMapDeclarations(const ProbeBinding& binding) {
+  std::string text;
+  const auto add = [&text](const char* source, int light) {
+    std::string piece(shaderSource(source));
+    replaceAll(piece, "@LIGHT@", std::to_string(light));
+    text += piece;
+  };
+  if (!binding.movingLights.empty()) text += "#define BP_MOVING_MAP_SIZE " + std::to_string(kMovingMapSize) + ".0f\n";
+  for (const int light : binding.movingLights) add("gpu/moving_shadow.glsl", light);
+  for (const int light : binding.sunLights) add("gpu/sun_shadow.glsl", light);
+  return text;
 }
 
 }  // namespace boxprobe

@@ -15,6 +15,8 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
 
 /// What asks how much of a light comes through a probe's coverage; empty where no light asks.
 std::string coverageDeclarations(const ProbeBinding& binding);
+/// The same of shadow maps: of what moves, and of what stands before suns.
+std::string shadowMapDeclarations(const ProbeBinding& binding);
 
 /// Name of the uniform array that holds a number of `row` for each of a draw's probes.
 std::string parameterUniform(const ParameterRow& row);

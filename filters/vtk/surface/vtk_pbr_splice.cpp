@@ -3,6 +3,7 @@
 #include <vtkVersion.h>
 
 #include <algorithm>
+#include <map>
 
 #include "filters/math/shared/shader_source.h"
 #include "filters/vtk/surface/finish_source.h"
@@ -70,19 +71,26 @@ void applyPositional(std::string& text, int lamps, bool foreign, AnchorEdits& ed
   }
 }
 
-// Each light that a probe's coverage stands before, times what it lets through: in the lights' own loop, so that coats
-// and both lobes have it alike.
-void applyCoverage(std::string& text, const ProbeBinding& binding, bool positional, AnchorEdits& edits) {
+// Each light that a probe's coverage or a shadow map stands before, times what they let through: in the lights' own
+// loop, so that coats and both lobes have it alike.
+void applyShadows(std::string& text, const ProbeBinding& binding, bool positional, AnchorEdits& edits) {
+  std::map<int, std::string> factors;
   for (std::size_t k = 0; k < binding.shadowLights.size(); ++k) {
     const std::string n = std::to_string(binding.shadowLights[k]);
-    const auto& moving = binding.movingLights;
-    const bool moves = std::find(moving.begin(), moving.end(), binding.shadowLights[k]) != moving.end();
-    const std::string radiance = "radiance = lightColor" + n + (positional ? " * attenuation;" : ";");
-    edits.replace(
-        text, "light's shadow",
-        {{radiance, radiance + (k == 0 ? "\n  bpFindCovers(vertexVC.xyz);" : "") + "\n  radiance *= bpThrough(" +
-                        std::to_string(k) + ", " + n + ", vertexVC.xyz, N, L, " + (positional ? "distanceVC" : "1.0") +
-                        ")" + (moves ? " * bpMovingShadow" + n + "(vertexVC.xyz)" : "") + ";"}});
+    factors[binding.shadowLights[k]] = (k == 0 ? "\n  bpFindCovers(vertexVC.xyz);" : "") +
+                                       ("\n  radiance *= bpThrough(" + std::to_string(k) + ", " + n) +
+                                       ", vertexVC.xyz, N, L, " + (positional ? "distanceVC" : "1.0") + ");";
+  }
+  for (const int light : binding.movingLights) {
+    factors[light] += "\n  radiance *= bpMovingShadow" + std::to_string(light) + "(vertexVC.xyz);";
+  }
+  for (const int light : binding.sunLights) {
+    factors[light] += "\n  radiance *= bpSunShadow" + std::to_string(light) + "(vertexVC.xyz, N);";
+  }
+  for (const auto& [light, factor] : factors) {
+    const std::string radiance =
+        "radiance = lightColor" + std::to_string(light) + (positional ? " * attenuation;" : ";");
+    edits.replace(text, "light's shadow", {{radiance, radiance + factor}});
   }
 }
 
@@ -152,7 +160,7 @@ void spliceAll(ShaderSources& sources, const SurfaceProgram& program, AnchorEdit
     spliceVertices(sources, *program.surface, edits);
   }
   if (program.probes()) {
-    applyCoverage(text, program.binding, lights.positional, edits);
+    applyShadows(text, program.binding, lights.positional, edits);
     applySights(text, program.binding, lights.positional, edits);
     applyAnchors(text, lightingAnchors(), coat, edits);
   }
