@@ -140,7 +140,7 @@ double SceneRenderer::workProgress() const {
 
 bool SceneRenderer::finishWork(const std::function<bool(double)>& progress) {
   impl_->window->MakeCurrent();
-  // Which of many probes are needed is known once a frame has shown what is seen.
+  // If there are many probes, those needed are known after a frame has shown which objects are visible.
   if (impl_->content.many && impl_->probes.followsSeen() && !impl_->renderer->DrawnIsCurrent()) impl_->window->Render();
   while (workPending()) {
     step();

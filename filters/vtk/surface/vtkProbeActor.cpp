@@ -19,7 +19,7 @@ vtkProbeActor::vtkProbeActor() {
   this->Pass->Attach(this, this);
 }
 
-// VTK 9.1 never lets go of a pass whose keys are thrown away with it.
+// VTK 9.1 never releases a pass if the property keys that contain it are discarded.
 vtkProbeActor::~vtkProbeActor() {
   this->Pass->Detach();
 }

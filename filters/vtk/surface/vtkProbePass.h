@@ -157,8 +157,8 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   };
   /** What it is made for. */
   struct Variant {
-    std::shared_ptr<const boxprobe::ProbeBinding> binding;  ///< the one asked for, or its stand-in
-    std::string key;                                        ///< of that
+    std::shared_ptr<const boxprobe::ProbeBinding> binding;  ///< the requested binding, or its cheap variant
+    std::string key;                                        ///< variant key of the binding
     boxprobe::ProgramTraits traits;
     boxprobe::LightForm form = boxprobe::LightForm::Single;
     boxprobe::Tone tone = boxprobe::Tone::None;
@@ -168,12 +168,12 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   struct Outcome {
     bool refused = false;  ///< by the driver: VTK's own is drawn
     bool constantsRefused = false;
-    bool plain = false;  ///< built while nothing of ours was to be drawn
+    bool plain = false;  ///< built while no draw of ours was in progress
     bool run = false;
     unsigned programNumber = 0;
-    const vtkShaderProgram* program = nullptr;  ///< drawn with; looked up, never followed
-    std::uint64_t compilation = 0;              ///< of that, see ProgramTuning::uses()
-    std::uint64_t frame = ~std::uint64_t{0};    ///< that drew it
+    const vtkShaderProgram* program = nullptr;  ///< last drawn with; compared, never dereferenced
+    std::uint64_t compilation = 0;              ///< of that program, see ProgramTuning::uses()
+    std::uint64_t frame = ~std::uint64_t{0};    ///< the last frame that drew it
   };
 
   bool IsFor(vtkProp* prop) const;
@@ -195,10 +195,11 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   Request Asked;
   Variant Made;
   Outcome Last;
-  vtkTimeStamp Built;  ///< when the program last had to be another
+  vtkTimeStamp Built;  ///< when the program last had to change
   bool Again = false;
   vtkWeakPointer<vtkActor> Actor;
   vtkWeakPointer<vtkProp> Owner;
-  vtkSmartPointer<vtkInformation> Keys;  ///< that it lies in: VTK 9.1 does not let go of it where they are thrown away
-  bool KeysMade = false;                 ///< the owner had none
+  vtkSmartPointer<vtkInformation>
+      Keys;               ///< the keys that contain it: VTK 9.1 does not release it when they are discarded
+  bool KeysMade = false;  ///< the owner had no keys
 };

@@ -176,33 +176,34 @@ class BOXPROBE_EXPORT vtkReflectionProbeRepresentation : public vtkWidgetReprese
   // clang-format on
 
 #ifndef __VTK_WRAP__
-  /// For a program with probes and an undo of its own: what is shown is told, drags answer with what they would make of
-  /// a probe and change nothing. Views are in logical pixels, from the top left.
+  /// For programs with their own probes and undo: they tell what to show, and drags return the resulting probe without
+  /// changing anything. Views are in logical pixels, from the top left.
   ///@{
-  /// Several probes, `selected` with its handles; `together` are selected beside it, ascending. In place of SetProbe().
+  /// Shows several probes, `selected` with its handles; `together`: ascending indices of others that are selected.
+  /// Instead of SetProbe().
   void ShowProbes(const std::vector<boxprobe::Probe>& probes, std::optional<std::size_t> selected,
                   const std::vector<std::size_t>& together);
-  /// Boxes that are proposed, dashed.
+  /// Shows proposed boxes, dashed.
   void ShowGhosts(const std::vector<boxprobe::Probe>& ghosts);
-  /// A plumb line from a capture origin to the floor under it; nothing: none.
+  /// A plumb line from a capture origin to the floor below it; nothing: none.
   void ShowDrop(const std::optional<std::array<glm::dvec3, 2>>& endsWorld);
-  /// In place of the renderer's actors; asked for once a face snaps. May answer with null.
+  /// Replaces the renderer's actors; called when a face first snaps. May return null.
   void SetSurfaces(std::function<const boxprobe::SurfaceRays*()> surfaces);
-  /// In place of English, see ReadoutStyle.
+  /// Translates the readout, see ReadoutStyle.
   void SetReadoutWords(std::function<std::string(const char*)> words);
-  /// Before each picture, if the representation is in no renderer's list.
+  /// To be called before each picture if the representation is not among a renderer's props.
   void Follow(const boxprobe::ViewProjection& view);
 
   std::optional<boxprobe::Handle> HandleAt(const boxprobe::ViewProjection& view, const glm::dvec2& pixel) const;
-  /// Highlights what is there, and answers with it.
+  /// Highlights the handle under the pointer, and returns it.
   std::optional<boxprobe::Handle> Hover(const boxprobe::ViewProjection& view, const glm::dvec2& pixel);
   const std::optional<boxprobe::Handle>& GetHovered() const;
-  /// Takes hold of the highlighted handle if it is one of the selected probe.
+  /// Starts dragging the highlighted handle if it belongs to the selected probe.
   bool Grab(const boxprobe::ViewProjection& view, const glm::dvec2& pixel);
-  /// The probe as the drag would leave it. Nothing without a drag, and as long as it is no more than a click.
+  /// The probe that results from the drag. Nothing without a drag, and while it may still be a click.
   std::optional<boxprobe::Probe> Pull(const boxprobe::ViewProjection& view, const glm::dvec2& pixel);
   void LetGo();
-  /// Null without one.
+  /// Null without a drag.
   const boxprobe::ProbeDrag* GetDrag() const;
   ///@}
 #endif
