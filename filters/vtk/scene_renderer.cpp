@@ -1,5 +1,6 @@
 #include "filters/vtk/scene_renderer.h"
 
+#include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
 
 #include <algorithm>
@@ -13,10 +14,34 @@
 #include "filters/vtk/inspect/frame_recorder.h"
 #include "filters/vtk/inspect/render_remarks.h"
 #include "filters/vtk/maps/cube_transfer.h"
-#include "filters/vtk/scene/camera_values.h"
 #include "filters/vtk/scene_renderer_parts.h"
 
 namespace boxprobe {
+
+namespace {
+
+// Does not change the clipping distances.
+void setCamera(vtkCamera* to, const Camera& camera) {
+  to->SetPosition(camera.position.x, camera.position.y, camera.position.z);
+  to->SetFocalPoint(camera.target.x, camera.target.y, camera.target.z);
+  to->SetViewUp(camera.up.x, camera.up.y, camera.up.z);
+  to->SetViewAngle(camera.verticalFovDegrees);
+  to->SetParallelProjection(camera.parallelHeight > 0.0);
+  if (camera.parallelHeight > 0.0) to->SetParallelScale(0.5 * camera.parallelHeight);
+}
+
+// The name and other values that VTK does not store are defaults.
+Camera cameraValues(vtkCamera* from) {
+  Camera camera;
+  from->GetPosition(&camera.position.x);
+  from->GetFocalPoint(&camera.target.x);
+  from->GetViewUp(&camera.up.x);
+  camera.verticalFovDegrees = from->GetViewAngle();
+  camera.parallelHeight = from->GetParallelProjection() != 0 ? 2.0 * from->GetParallelScale() : 0.0;
+  return camera;
+}
+
+}  // namespace
 
 struct SceneRenderer::Impl : SceneParts {
   using SceneParts::SceneParts;

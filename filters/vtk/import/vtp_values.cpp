@@ -1,4 +1,4 @@
-#include "filters/vtk/import/vtp_values.h"
+#include "filters/vtk/import/vtp_file.h"
 
 #include <lz4.h>
 #include <lzma.h>
