@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "filters/core/base/at_end.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/core/geometry/probe_diffuse.h"
 #include "filters/vtk/gl/program_check.h"
 #include "filters/vtk/gl/software_driver.h"
@@ -92,11 +92,11 @@ void SceneRenderer::setInteractive(bool interactive) {
   impl_->setInteractive(interactive);
 }
 
-void SceneRenderer::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table) {
-  impl_->lightAsVtk(columns, rows, table);
+void SceneRenderer::useVtkLighting(int columns, int rows, const std::vector<glm::vec2>& table) {
+  impl_->useVtkLighting(columns, rows, table);
 }
 
-void SceneRenderer::drawGenerally(bool generally) {
+void SceneRenderer::useGeneralPrograms(bool generally) {
   tune(generally ? TuningParts{0} : TuningParts{kAllTuning});
 }
 
@@ -104,14 +104,14 @@ void SceneRenderer::tune(TuningParts parts) {
   impl_->makeCurrent();
   impl_->probes.tuning().setParts(parts);
   impl_->probes.setTuned(parts != 0);
-  impl_->renderer->SetLeavingOut((parts & kTunedHidden) != 0);
+  impl_->renderer->SetHiddenCulling((parts & kTunedHidden) != 0);
 }
 
-void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& objects, bool sky) {
+void SceneRenderer::disableParts(FrameParts parts, const std::vector<std::size_t>& objects, bool sky) {
   auto& all = impl_->content.objects;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool meant = objects.empty() || std::find(objects.begin(), objects.end(), i) != objects.end();
-    all[i].pass->SetLeftOut(meant ? parts : 0);
+    all[i].pass->SetDisabledParts(meant ? parts : 0);
   }
   impl_->content.sky->SetVisibility(sky ? 0 : 1);
   impl_->ground->SetVisibility((parts & (kGroundPart | kObjectPart)) != 0 ? 0 : 1);
@@ -119,7 +119,7 @@ void SceneRenderer::leaveOut(FrameParts parts, const std::vector<std::size_t>& o
 }
 
 void SceneRenderer::drawHidden(bool hidden) {
-  impl_->renderer->SetLeavingOut(!hidden);
+  impl_->renderer->SetHiddenCulling(!hidden);
 }
 
 void SceneRenderer::keepDepth(bool keep) {
@@ -145,7 +145,7 @@ bool SceneRenderer::setMoving(bool moving) {
   return impl_->probes.tuning().setMoving(moving && !impl_->view.any());
 }
 
-void SceneRenderer::foldConstants() {
+void SceneRenderer::specializePrograms() {
   impl_->frames.dropRays();
   impl_->probes.tuning().makeConstants();
 }
@@ -351,7 +351,7 @@ FrameReport::Lookups SceneRenderer::measureLookups(int width, int height) {
   SurfaceViewSettings settings;
   settings.view = *findSurfaceView("lookups");
   setView(settings);
-  const AtEnd shownAgain([&] { setView(kept); });
+  const ScopeExit shownAgain([&] { setView(kept); });
   return lookupsOf(renderLinear(width, height, 1));
 }
 

@@ -83,7 +83,7 @@ class BOXPROBE_EXPORT SceneRenderer {
   /// as constants are compiled as part of the work, and drawn with from then on until sync() or setInteractive() is
   /// called next. To be called when no work is pending; what does not compile is drawn as before. The pictures are the
   /// same to 1/255.
-  void foldConstants();
+  void specializePrograms();
 
   bool workPending() const;
   /// One unit of work; the OpenGL context must be current (call window->MakeCurrent() first). Returns workPending().
@@ -98,17 +98,17 @@ class BOXPROBE_EXPORT SceneRenderer {
 
   /// For comparisons with VTK's own pictures: lamps and coats as in VTK 9.1, and VTK's split-sum `table` (N.V across,
   /// roughness up, texel centres; x scales F0, y scales F90). Permanent.
-  void lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table);
+  void useVtkLighting(int columns, int rows, const std::vector<glm::vec2>& table);
 
   /// true: general programs that compute everything, whatever the materials. The pictures are the same to 1/255; for
   /// tests and measurements that compare them.
-  void drawGenerally(bool generally);
-  /// Enables only these parts of the tuning for drivers, to measure their gain; 0 is drawGenerally(true).
+  void useGeneralPrograms(bool generally);
+  /// Enables only these parts of the tuning for drivers, to measure their gain; 0 is useGeneralPrograms(true).
   void tune(TuningParts parts);
 
   /// Measures costs: draws frames without `parts` of these objects (indices, see drawnPrograms(); empty: all) and
   /// without the sky. The pictures are wrong until it is called with nothing omitted.
-  void leaveOut(FrameParts parts, const std::vector<std::size_t>& objects = {}, bool sky = false);
+  void disableParts(FrameParts parts, const std::vector<std::size_t>& objects = {}, bool sky = false);
   /// true: also draws objects known to be hidden; false (default): culls them in a view at rest.
   void drawHidden(bool hidden);
   /// true: the next frames keep the previous depth, so that only visible fragments are shaded.

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "filters/core/base/at_end.h"
 #include "filters/core/base/errors.h"
+#include "filters/core/base/scope_exit.h"
 #include "filters/core/geometry/model_placement.h"
 #include "filters/vtk/draw/program_tuning.h"
 #include "filters/vtk/draw/static_textures.h"
@@ -123,8 +123,8 @@ void SceneParts::endFrame() {
   ++state->counts.counters.renders;
   mirrors.hide();
   const bool culls = renderer->GetPass() == nullptr;  // a pass draws all props it gets
-  state->counts.counters.drawsLeftOut = culls ? renderer->GetLeftOut() : 0;
-  state->counts.counters.skyLeftOut = culls && renderer->GetBackdropLeftOut();
+  state->counts.counters.drawsCulled = culls ? renderer->GetCulledCount() : 0;
+  state->counts.counters.skyCulled = culls && renderer->GetBackdropCulled();
   if (state->tuning != nullptr) state->tuning->frameEnded(window);
   if (!content.many || renderer->GetPass() != nullptr || renderer->GetDrawnGeneration() == seen) return;
   seen = renderer->GetDrawnGeneration();
@@ -250,7 +250,7 @@ void SceneParts::updateCaptures() {
   probes.updateCaptures(std::move(inputs));
 }
 
-void SceneParts::lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table) {
+void SceneParts::useVtkLighting(int columns, int rows, const std::vector<glm::vec2>& table) {
   window->MakeCurrent();
   makeStaticTextures(window, state->resources, state->counts);
   uploadSplitSumTable(window, state->resources.brdfTable, columns, rows, table);
@@ -295,7 +295,7 @@ void SceneParts::step() {
   } catch (const WorkError& error) {
     // Not rethrown: a window continues without what could not be made, and reports it.
     state->counts.fail(error.what());
-    probes.giveUp();
+    probes.cancelWork();
   }
 }
 
@@ -303,7 +303,7 @@ std::vector<Explanation> SceneParts::explain(const std::vector<glm::ivec2>& pixe
   window->MakeCurrent();
   frames.dropRays();
   prepareDraws();
-  const AtEnd hidden([this] { mirrors.hide(); });
+  const ScopeExit hidden([this] { mirrors.hide(); });
   drawMirrors(static_cast<double>(width) / height, width, height, kMirrorSamples);
   mirrors.readBack();
   return inspector.explain(renderer->GetActiveCamera(), width, height, pixels);
@@ -319,7 +319,7 @@ ImageRgbaF SceneParts::renderLinear(int width, int height, int samplesPerPixel,
   std::vector<vtkProp*> props = content.shownProps(renderer);
   // The sky has no value in the debug view: it stays transparent.
   if (!view.any()) props.push_back(content.sky);
-  const AtEnd released([this] {
+  const ScopeExit released([this] {
     mirrors.hide();
     frames.dropRays();
     frames.releaseLinear();

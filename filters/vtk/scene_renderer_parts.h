@@ -60,7 +60,7 @@ struct SceneParts {
   void sync(const Scene& scene, const Changes& changes);
   void setProbesEnabled(bool enabled);
   void setInteractive(bool active);
-  void lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table);
+  void useVtkLighting(int columns, int rows, const std::vector<glm::vec2>& table);
   /// Determines which captures are stale.
   void updateCaptures();
   std::string hidingKey();

@@ -241,7 +241,7 @@ void vtkProbePass::SetDebug(bool debug) {
   }
 }
 
-void vtkProbePass::SetLeftOut(boxprobe::FrameParts parts) {
+void vtkProbePass::SetDisabledParts(boxprobe::FrameParts parts) {
   constexpr boxprobe::FrameParts written = ~(boxprobe::kRasterPart | boxprobe::kObjectPart | boxprobe::kGroundPart);
   const bool another = (parts & written) != (this->Asked.leftOut & written);
   this->Asked.leftOut = parts;
@@ -363,7 +363,7 @@ bool vtkProbePass::Splice(boxprobe::ShaderSources& sources, vtkActor* actor, boo
     boxprobe::writeConstants(sources.fragment, this->Made.traits.constants->values);
     boxprobe::breakShaderIfAsked(sources.fragment, "constants");
   }
-  boxprobe::leaveOut(sources.fragment, this->Asked.leftOut);
+  boxprobe::removeParts(sources.fragment, this->Asked.leftOut);
   return true;
 }
 
@@ -404,7 +404,7 @@ void vtkProbePass::Refuse(vtkAbstractMapper* mapper, vtkActor* actor) {
   auto* polyMapper = vtkPolyDataMapper::SafeDownCast(mapper);
   if (this->Surface && polyMapper != nullptr) {
     // From the next frame on: the program of this one is already selected.
-    boxprobe::givePlainSurface(*this->Surface, actor->GetProperty(), polyMapper->GetInput());
+    boxprobe::applyPlainSurface(*this->Surface, actor->GetProperty(), polyMapper->GetInput());
   }
 }
 

@@ -96,8 +96,8 @@ class vtkProbePass : public vtkOpenGLRenderPass {
   /** The number of this object in surface captures; 0 is the background. */
   void SetObjectNumber(int number) { this->Asked.objectNumber = number; }
   /** Draws without these parts, to measure their cost; the picture is then wrong (frame_parts.h). */
-  void SetLeftOut(boxprobe::FrameParts parts);
-  boxprobe::FrameParts GetLeftOut() const { return this->Asked.leftOut; }
+  void SetDisabledParts(boxprobe::FrameParts parts);
+  boxprobe::FrameParts GetDisabledParts() const { return this->Asked.leftOut; }
 
   /** The facts for which its program may be specialized, if they hold (see surface_facts.h); by default all that hold.
    * If one no longer holds, the next draw uses another program. */

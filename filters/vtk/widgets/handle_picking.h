@@ -17,9 +17,6 @@ std::vector<Handle> handles(const std::vector<Probe>& probes, std::optional<std:
                             HandleMode mode = HandleMode::Box);
 /// The position of a handle; for arrows and rings the centre of the gizmo.
 glm::dvec3 handleAnchorWorld(const Probe& probe, const Handle& handle);
-inline glm::dvec3 handlePositionWorld(const std::vector<Probe>& probes, const Handle& handle) {
-  return handleAnchorWorld(probes[handle.probe], handle);
-}
 /// The direction of movement, or the axis of rotation; unit length, outwards for faces, up for Origin.
 glm::dvec3 handleAxisWorld(const Probe& probe, const Handle& handle);
 
