@@ -1,5 +1,4 @@
-// What a scene renderer is made of, and how its parts work together in a frame, an explanation or a linear picture.
-// Owned by SceneRenderer, which is what programs see; knows no program.
+// The parts of a scene renderer, and their interaction in a frame, an explanation or a linear picture.
 #pragma once
 
 #include <vtkCallbackCommand.h>
@@ -38,7 +37,7 @@ struct SceneParts {
   vtkOpenGLRenderWindow* window;
   std::shared_ptr<DrawState> state;
   vtkNew<vtkCulledRenderer> renderer;
-  std::uint64_t seen = 0;  ///< generation of what the renderer drew that the probes know of
+  std::uint64_t seen = 0;  ///< generation of the drawn objects that the probes know
   vtkNew<vtkCallbackCommand> frameObserver;
   SceneContent content;
   ProbeSet probes;
@@ -53,21 +52,21 @@ struct SceneParts {
   TracedWork<SkyOpenness> opennessWork;
   vtkNew<vtkGroundShadow> ground;
   bool interactive = false;
-  bool givenAnew = false;  ///< content.given was replaced since it was last taken
-  /// Fingerprints that are worked out once for a set of models and an image of the sky.
+  bool givenAnew = false;  ///< content.given was replaced since it was last used
+  /// Fingerprints computed once per set of models and image of the sky.
   std::vector<std::string> contentKeys;                  ///< of the objects
   int contentKeysOf = -1;                                ///< content.modelGeneration
-  std::vector<std::weak_ptr<const Model>> hidingModels;  ///< those of hidingModelsKey
-  std::string hidingModelsKey;                           ///< contents of what can hide a lamp
+  std::vector<std::weak_ptr<const Model>> hidingModels;  ///< the models of hidingModelsKey
+  std::string hidingModelsKey;                           ///< contents of everything that can hide a lamp
   std::weak_ptr<const ImageRgbaF> skyPixelsOf;
   std::string skyPixels;
 
-  /// The SceneRenderer's functions of these names.
+  /// Implementations of SceneRenderer's functions of these names.
   void sync(const Scene& scene, const Changes& changes);
   void setProbesEnabled(bool enabled);
   void setInteractive(bool active);
-  void lightAsVtk(int columns, int rows, const std::vector<glm::vec2>& table);
-  /// Finds out which captures are stale.
+  void useVtkLighting(int columns, int rows, const std::vector<glm::vec2>& table);
+  /// Determines which captures are stale.
   void updateCaptures();
   std::string hidingKey();
   /// Has what is traced of the whole scene made again where that has changed.
@@ -83,7 +82,7 @@ struct SceneParts {
                            const std::function<void(int)>& beforeFrame);
   void releaseGraphics();
 
-  /// Maps that are replaced, and those under way that are given up, are deleted, which needs their context.
+  /// Deleting maps that are replaced or dropped needs their context.
   void makeCurrent();
   void applyView() { view.apply(content, *state, renderer); }
 
@@ -92,7 +91,7 @@ struct SceneParts {
                           const std::function<void(int)>& beforeFrame);
   void beginFrame();
   void endFrame();
-  /// What is made for any picture through the active camera; with the context current.
+  /// Prepares any picture with the active camera; needs the context current.
   void prepareDraws();
   void drawMirrors(double aspect, int width, int height, int samples);
 };

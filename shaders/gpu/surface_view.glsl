@@ -1,9 +1,9 @@
-// The debug view's output: the value of the chosen row of filters/core/scene/surface_view.cpp, as a colour on the screen, as the
-// number itself into linear pictures. Spliced in for the debug view only.
+// The debug view's output: the value of the chosen row of filters/core/scene/surface_view.cpp, as a colour on the
+// screen, as a number in linear pictures. Spliced in for the debug view only.
 uniform vec2 bpViewRange;      // of scalars
 uniform sampler2D bpViewColors; // colour map, 256 x 1
 uniform vec3 bpFaceColors[6];
-uniform int bpFinishShown;     // 1: the surface's finish, in the place of what every surface has
+uniform int bpFinishShown;  // 1: the surface's finish instead of the common properties
 uniform float bpObject;        // index of the object + 1, for picking
 
 const vec3 kUndefined = vec3(-1.0f);
@@ -37,7 +37,7 @@ vec3 bpViewValue()
   return vec3(bpLookups);
 }
 #else
-// Nothing is looked up: an unlit material, or probes switched off.
+// No lookups: an unlit material, or probes are switched off.
 vec3 bpViewValue()
 {
   return bpView == 10 ? vec3(0.0f) : kUndefined;
@@ -51,7 +51,7 @@ vec3 bpViewColor(vec3 color)
   if (bpExposure < 0.0f) { return value; }
   if (value.x < 0.0f)
   {
-    // Hatched: no colour of any scale, on any surface.
+    // Hatched: unlike any colour of a scale, on any surface.
     float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0f);
     return vec3(stripe < 0.5f ? 0.30f : 0.36f);
   }

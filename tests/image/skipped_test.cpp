@@ -225,7 +225,7 @@ class SkippedRooms : public TemporaryFolder {
       names_.push_back(probe.name);
     }
     ScenePicture picture(made.scene, kWidth, kHeight);
-    picture.renderer->drawGenerally(generally);
+    picture.renderer->useGeneralPrograms(generally);
     picture.renderer->setBakeTargets(names_);
     picture.show(cameraNamed(picture.scene, "main"));
     return picture;

@@ -24,7 +24,7 @@ void leaveOutTextures(std::string& text) {
 
 }  // namespace
 
-void leaveOut(std::string& fragment, FrameParts parts) {
+void removeParts(std::string& fragment, FrameParts parts) {
   if ((parts & kReflectionPart) != 0) {
     replaceEach(fragment, "float remaining = bpShareOut(position);", "return light;\n  float remaining = 0.0f;");
   }

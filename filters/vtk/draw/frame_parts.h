@@ -21,6 +21,6 @@ using FrameParts = unsigned;  ///< of FramePart
 
 /// Removes the parts from a surface's fragment shader, which is spliced but still writes `gl_FragData` as VTK's own
 /// text does.
-void leaveOut(std::string& fragment, FrameParts parts);
+void removeParts(std::string& fragment, FrameParts parts);
 
 }  // namespace boxprobe

@@ -81,9 +81,9 @@ void ProbeBaker::abort() {
   with_.plan->end();
 }
 
-void ProbeBaker::giveUp() {
+void ProbeBaker::cancelWork() {
   abort();
-  with_.plan->giveUp();
+  with_.plan->cancelWork();
   earlier_.clear();
   unitsDone_ = 0;
 }

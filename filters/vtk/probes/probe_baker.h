@@ -55,7 +55,7 @@ class ProbeBaker {
   /// False: there was none.
   bool standIn();
   /// Captures at most one face, filters one level or reads one file; returns whether there was anything to do. Throws
-  /// WorkError if the driver refuses; giveUp() must follow.
+  /// WorkError if the driver refuses; cancelWork() must follow.
   bool step();
   /// Faces, levels and files: done since the last time there was nothing to do; below, those left in the plan.
   int unitsDone() const { return unitsDone_; }
@@ -63,7 +63,7 @@ class ProbeBaker {
   /// Ends the current job; the next step starts the first job of the plan.
   void abort();
   /// The same, and clears the plan.
-  void giveUp();
+  void cancelWork();
   void release();
 
  private:

@@ -251,7 +251,7 @@ class ProbePlan {
   const std::vector<ProbeJob>& jobs() const { return jobs_; }
   /// Does the probe show something else than it should, with work planned for it?
   bool stale(std::size_t index) const;
-  void giveUp() { jobs_.clear(); }
+  void cancelWork() { jobs_.clear(); }
 
   /// The current job; nothing between jobs.
   void begin(const ProbeJob& job) { current_ = job; }

@@ -152,10 +152,10 @@ void ProbeSet::makeAnew(std::size_t index) {
   entry.again = true;
 }
 
-void ProbeSet::giveUp() {
+void ProbeSet::cancelWork() {
   levelsMade_ = 0;
-  baker_.giveUp();
-  tuning_.giveUp();
+  baker_.cancelWork();
+  tuning_.cancelWork();
 }
 
 std::optional<std::size_t> ProbeSet::toMeasure() const {
@@ -178,7 +178,7 @@ void ProbeSet::step() {
 }
 
 void ProbeSet::doOne() {
-  if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return giveUp();
+  if (plan_.memoryUnchecked() && !plan_.checkMemory(textureMemoryLimit())) return cancelWork();
   // Shown meanwhile, and in no final picture.
   if (baker_.standIn()) return;
   if (plan_.coarsePending() && baker_.step()) return;

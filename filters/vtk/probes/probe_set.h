@@ -66,7 +66,7 @@ class ProbeSet {
   /// About pictures of custom probes and damaged baked files, one sentence each.
   std::vector<std::string> sourceRemarks() const;
   /// Drops all work until something changes.
-  void giveUp();
+  void cancelWork();
 
   /// The objects of the last frame, as indices: if there are many probes, only those that light one of these are made.
   /// Nothing: unknown, as if all were visible.

@@ -22,13 +22,13 @@ std::string parameterDeclarations(const ProbeBinding& binding) {
   return text;
 }
 
-// What a slot's technique reads: numbers from uniforms, choices as constants, so that the compiler drops the code of
-// those not chosen.
+// The parameters of a slot's technique: numbers from uniforms, choices as constants, so that the compiler removes
+// unused code.
 std::string parameterAssignments(const ProbeBinding& binding, std::size_t slot) {
   if (binding.firstBounce) return {};
   std::string text;
   for (const ParameterRow* row : parametersOf(binding.technique(slot))) {
-    if (row->number == nullptr && row->choice == nullptr) continue;  // of the picture, not of the lookup
+    if (row->number == nullptr && row->choice == nullptr) continue;  // concerns the picture, not the lookup
     const std::string value = row->choice != nullptr ? std::to_string(binding.values(slot).*row->choice)
                                                      : parameterUniform(*row) + "[" + std::to_string(slot) + "]";
     text += "  probe.parameters." + std::string(row->name) + " = " + value + ";\n";
@@ -75,10 +75,10 @@ std::string perSlot(std::string_view pattern, const ProbeBinding& binding) {
   return text;
 }
 
-// The files and the dispatch that this draw's techniques need, and no other.
+// The shader files and the dispatch for this draw's techniques only.
 std::string techniqueSources(const ProbeBinding& binding, bool debug) {
   std::vector<std::string> projectionFiles, evaluationFiles, dispatched;
-  // Two may build on the same file, and the debug view's own code on it, too.
+  // Techniques and the debug view may depend on the same file.
   std::set<std::string_view> present;
   if (debug) present.insert("shared/cube.glsl");
   if (binding.lampLobes) present.insert("shared/lobe_frame.glsl");
@@ -118,7 +118,7 @@ std::string techniqueSources(const ProbeBinding& binding, bool debug) {
          joinShaderSources(evaluationFiles);
 }
 
-// Which forms of the impostor are drawn: BP_MARCH of technique/projection_impostor.glsl.
+// The variants of the impostor in use: BP_MARCH of technique/projection_impostor.glsl.
 int marchForms(const ProbeBinding& binding) {
   bool few = false, many = false;
   for (std::size_t slot = 0; slot < binding.probes.size(); ++slot) {
@@ -144,7 +144,7 @@ std::string probeDeclarations(const ProbeBinding& binding, SurfaceOutput output,
   }
   if (binding.distances() && !binding.firstBounce)
     samplers += joinShaderSources({"shared/relief.glsl", "gpu/fetch_relief.glsl"});
-  // A scene without planar mirrors compiles none of it.
+  // Only compiled in scenes with planar mirrors.
   if (mirror) {
     samplers += "#define MIRROR_PICTURE int\n" +
                 joinShaderSources({"shared/mirror_types.glsl", "gpu/mirror_picture.glsl", "shared/planar_mirror.glsl"});

@@ -2,8 +2,8 @@
  * @class   vtkSkyProp
  * @brief   the sky of a scene, drawn behind everything
  *
- * A gradient or a latitude-longitude image at infinity. Writes alpha 0, so that a capture's alpha tells geometry from
- * sky. Linear or display colours, as the draw state says.
+ * A gradient or a latitude-longitude image at infinity. Writes alpha 0, so that a capture's alpha distinguishes
+ * geometry from sky. Linear or display colours, depending on the draw state.
  */
 #pragma once
 
@@ -29,7 +29,7 @@ class vtkSkyProp : public vtkProp {
       void SetDrawState(std::shared_ptr<boxprobe::DrawState> state);
   /** `image` for a SkyImage, else null. */
   void SetSky(const boxprobe::Sky& sky, double rotationDegrees, std::shared_ptr<const boxprobe::ImageRgbaF> image);
-  /** The axes the sky stands in, after `rotationDegrees`: takes a world direction to the one it is asked for. */
+  /** Rotation of the sky, applied after `rotationDegrees`: takes a world direction to the sampled one. */
   void SetSkyFromWorld(const glm::dmat3& skyFromWorld);
 
   /** What the picture shows in its place; captures and linear pictures show the sky. */
