@@ -4,15 +4,23 @@
 
 #include "filters/math/cube/light_table.h"
 #include "filters/math/cube/openings.h"
-#include "filters/vtk/maps/cube_transfer.h"
 
 namespace boxprobe {
+
+namespace {
+
+// Not readLevel0 of cube_transfer.h, which includes ProbeMaps and thereby these textures.
+void readSharpest(const CubeTexture& texture, CubeMap& cube) {
+  for (int face = 0; face < 6; ++face) texture.readFace(face, 0, cube.face(0, face));
+}
+
+}  // namespace
 
 void CoverageTexture::make(const CubeTexture& radiance, const CubeMap* tint, bool openIfWhole) {
   if (chain_) return;
   const int size = radiance.faceSize();
   CubeMap captured(size, 1);
-  readLevel0(radiance, captured);
+  readSharpest(radiance, captured);
   const auto chain = std::make_shared<const CubeMap>(throughChain(captured, tint, openIfWhole));
   texture_.allocate(size, chain->levels(), GL_RGBA16F);
   for (int level = 0; level < chain->levels(); ++level) {
@@ -30,7 +38,7 @@ void LightTexture::make(const CubeTexture& radiance) {
   if (made_ || !radiance.allocated()) return;
   made_ = true;
   CubeMap capture(radiance.faceSize(), 1);
-  readLevel0(radiance, capture);
+  readSharpest(radiance, capture);
   const LightTable table = makeLightTable(capture);
   faceSize_ = table.faceSize;
   if (faceSize_ == 0) return;
@@ -63,7 +71,7 @@ std::shared_ptr<const ReliefBlocks> ReliefTexture::blocks(const CubeTexture& dis
                                                           bool dragged) {
   if (!relief_) {
     CubeMap seen(distance.faceSize(), 1);
-    readLevel0(distance, seen);
+    readSharpest(distance, seen);
     relief_ = lazy_.of(seen);
     write(1);
   }
